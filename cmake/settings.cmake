@@ -1,0 +1,38 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+# What every target shares: language, warnings, sanitizers, and floating point that gives the same bits everywhere.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -ffp-contract=off)
+if(MENISCUS_WERROR)
+  add_compile_options(-Werror)
+endif()
+if(MENISCUS_SANITIZE)
+  add_compile_options(-fsanitize=${MENISCUS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${MENISCUS_SANITIZE})
+endif()
+
+# One static library per room: meniscus_room(NAME SOURCES ... USES other rooms and libraries).
+function(meniscus_room name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES" ${ARGN})
+  add_library(meniscus_${name} STATIC ${ARG_SOURCES})
+  target_include_directories(meniscus_${name} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(meniscus_${name} PUBLIC ${ARG_USES})
+  set_target_properties(meniscus_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+endfunction()
+
+# One test program per room: meniscus_test(ROOM SOURCES ... USES ...).
+function(meniscus_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES" ${ARGN})
+  add_executable(test_${name} ${ARG_SOURCES})
+  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_link_libraries(test_${name} PRIVATE ${ARG_USES} GTest::gtest GTest::gtest_main)
+  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60
+    PROPERTIES ENVIRONMENT "MENISCUS_TEST_DATA=$ENV{MENISCUS_TEST_DATA}")
+endfunction()

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Exact geometry of the solvent-accessible surface, and through it of the solvent-excluded surface.
+//
+// K, where a probe centre may be, is the complement of the union of the open balls with the atoms' radii
+// enlarged by the probe radius. The solvent-accessible surface (SAS) is its boundary: exposed patches of the
+// balls' spheres, exposed arcs of the circles where two spheres meet, and vertices (probe positions) where
+// three meet. The solvent-excluded surface (SES) is the set of points at distance R, the probe radius, of K.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "meniscus/atoms.h"
+#include "meniscus/mesh.h"
+#include "meniscus/vec3.h"
+
+namespace meniscus {
+
+/// The point of the SES that is nearest to a query point, seen through its nearest feature of the SAS.
+struct NearestFeature {
+    double signed_distance = 0.0;  ///< Å, negative inside; see signed_distance()
+    PatchKind patch = PatchKind::Contact;
+    std::uint32_t atom = 0;       ///< nearest atom of the feature, in the caller's order
+    double mean_curvature = 0.0;  ///< of the parallel surface through the point, Å^-1; may be ±inf at cusps
+    Vec3 foot;                    ///< nearest point of K (a probe centre), Å
+    Vec3 normal;                  ///< gradient of the signed distance; unit vector, zero where undefined
+};
+
+class AccessibleSurface;
+
+/// Signed distance to the solvent-excluded surface, Å, in the order of `points`.
+///
+/// Negative inside the molecule. Exact inside and on the surface; outside, next to ridges where two probe
+/// positions intersect, a lower bound with the right zero set (docs/design/exact-geometry.md).
+///
+/// throws   std::invalid_argument if a coordinate is not finite
+/// cost     O(log n) per point
+std::vector<double> signed_distance(const AccessibleSurface& surface, std::span<const Vec3> points);
+
+/// Where the exposed features are, and the index to find the nearest one.
+class AccessibleSurface {
+public:
+    struct Data;
+
+    /// Builds the SAS of atoms and a probe radius (Å, >= 0) by contour build-up.
+    ///
+    /// Exact duplicates of an atom are merged. Degenerate arrangements (four spheres through a point, tangent
+    /// and concentric spheres, lattices) are decided by a perturbation of the radii of order 1e-10 Å that
+    /// depends only on the atoms themselves, not on their order.
+    /// throws   std::invalid_argument for no atoms, a radius <= 0 or a coordinate that is not finite
+    /// cost     linear at protein density; parallel over atoms
+    AccessibleSurface(const Atoms& atoms, double probe);
+    ~AccessibleSurface();
+    AccessibleSurface(AccessibleSurface&&) noexcept;
+    AccessibleSurface& operator=(AccessibleSurface&&) noexcept;
+
+    double probe() const;
+    std::size_t atom_count() const;  ///< distinct atoms
+    std::size_t exposed_atom_count() const;
+    std::size_t arc_count() const;     ///< exposed arcs, whole circles included
+    std::size_t vertex_count() const;  ///< probe positions that touch three atoms
+
+    /// The nearest feature of any point of space.
+    NearestFeature nearest(const Vec3& point) const;
+
+    const Data& data() const { return *data_; }
+
+private:
+    std::unique_ptr<const Data> data_;
+};
+
+}  // namespace meniscus

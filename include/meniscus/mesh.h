@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Triangle meshes of molecular surfaces, and what a mesh says about itself.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "meniscus/vec3.h"
+
+namespace meniscus {
+
+/// Kind of the nearest patch of the solvent-excluded surface.
+enum class PatchKind : std::uint8_t {
+    Contact = 0,    ///< on an atom's van der Waals sphere
+    Toroidal = 1,   ///< on the torus swept by the probe rolling over two atoms
+    Reentrant = 2,  ///< on a probe that touches three atoms
+};
+
+/// Vertex number. Unsigned 32-bit: a mesh with more than 2^32 - 1 vertices is refused with LimitError.
+using VertexId = std::uint32_t;
+
+/// Corners, counter-clockwise seen from the solvent.
+using Triangle = std::array<VertexId, 3>;
+
+/// A triangle mesh with one entry per vertex in every vertex array (or the array is empty).
+struct Mesh {
+    std::vector<Vec3> vertices;             ///< positions, Å, in the frame of the input
+    std::vector<Vec3> normals;              ///< unit vectors pointing into the solvent
+    std::vector<std::uint32_t> atoms;       ///< index of the nearest atom, in the caller's order
+    std::vector<PatchKind> patches;         ///< kind of the nearest patch
+    std::vector<std::uint32_t> components;  ///< 0 outer, then by falling enclosed volume
+    std::vector<Triangle> triangles;
+};
+
+/// Shape of one connected closed piece of a mesh.
+struct MeshComponent {
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+    double area = 0.0;    ///< Å²
+    double volume = 0.0;  ///< Å³, signed: negative for the wall of a cavity
+};
+
+/// What a mesh measures by itself, without any other geometry. Plain sums over flat triangles.
+struct MeshMeasures {
+    double area = 0.0;                      ///< Å²
+    double volume = 0.0;                    ///< Å³, by the divergence theorem; cavities count negative
+    bool closed = false;                    ///< every edge has two triangles that run along it in opposite directions
+    bool manifold = false;                  ///< no edge has more than two triangles, and every vertex has one fan
+    std::int64_t euler_characteristic = 0;  ///< vertices - edges + triangles
+    double smallest_angle_deg = 0.0;        ///< smallest corner of any triangle, degrees
+    std::vector<MeshComponent> components;  ///< in the order of Mesh::components
+};
+
+/// Measures a mesh. Uses the components stored in it; pieces are counted afresh where they are absent.
+///
+/// cost     O(n log n)
+MeshMeasures measure_mesh(const Mesh& mesh);
+
+}  // namespace meniscus

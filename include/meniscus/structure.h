@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Structure files -> atoms with radii, with a full account of what was kept, dropped and assumed.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meniscus/atoms.h"
+
+namespace meniscus {
+
+enum class HydrogenPolicy { Auto, Keep, Drop };
+enum class HeteroPolicy { None, Ligands, All };
+
+/// What to read and keep. The defaults are those of the command line (docs/conventions.md).
+struct ReadOptions {
+    std::string radii = "auto";  ///< auto, bondi, united, protor, naccess, parse, or the path of a file of rules
+    HydrogenPolicy hydrogens = HydrogenPolicy::Auto;
+    int model = 1;                    ///< position of the model in the file, from 1
+    std::string assembly;             ///< biological assembly; empty: as deposited
+    std::string altloc;               ///< one letter; empty: highest summed occupancy per residue
+    std::vector<std::string> chains;  ///< author names, "label:X" for mmCIF label names; empty: all
+    std::string select;               ///< gemmi selection; empty: all
+    HeteroPolicy hetero = HeteroPolicy::None;
+    bool keep_waters = false;
+    bool strict_radii = false;  ///< an unknown atom type is an InputError
+};
+
+/// A residue that has at least one kept atom.
+struct Residue {
+    std::string chain;  ///< author name; copies made by an assembly are A-2, A-3 ...
+    std::string name;
+    int number = 0;
+    char insertion_code = ' ';
+};
+
+/// What is known of a kept atom beside its centre and radius.
+struct AtomLabel {
+    std::uint32_t residue = 0;  ///< index into Structure::residues
+    std::string name;
+    std::string element;  ///< "C", "FE"; empty where the format does not tell
+    char altloc = ' ';
+    int serial = 0;
+    double b_factor = 0.0;
+    double occupancy = 1.0;
+    double charge = 0.0;  ///< e; from PQR, else the formal charge
+};
+
+/// A structure ready for the surface. atoms and labels are in file order and have the same size.
+struct Structure {
+    std::string file;       ///< as given; "-" for standard input
+    std::string name;       ///< stem for output files: "1ubq" for "dir/1ubq.pdb.gz", "stdin" for "-"
+    std::string sha256;     ///< of the bytes of the file as found, hexadecimal
+    std::string radii_set;  ///< the set in use: bondi, united, ..., "file" for radii from PQR or xyzr, or a path
+    Atoms atoms;
+    std::vector<AtomLabel> labels;
+    std::vector<Residue> residues;
+    std::map<std::string, std::size_t> dropped;  ///< atoms left out, by reason: waters, hetero, altlocs ...
+    std::vector<std::string> warnings;           ///< one line per kind of assumption, with the option that changes it
+};
+
+/// Reads PDB, mmCIF, PQR, xyzr or xyzrn, each possibly gzipped; "-" reads standard input, told by content.
+///
+/// Every coordinate, radius and charge must be a finite number in full.
+/// throws   InputError "FILE:LINE:COLUMN: what; what to do"; UsageError for an unknown option value
+/// cost     O(size of the file)
+Structure read_structure(const std::string& path, const ReadOptions& options = {});
+
+/// All models of a file as structures of their own, in file order (options.model is ignored).
+std::vector<Structure> read_all_models(const std::string& path, const ReadOptions& options = {});
+
+}  // namespace meniscus

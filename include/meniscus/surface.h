@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The one call: atoms and options in, a solvent-excluded surface that remembers its options out.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "meniscus/atoms.h"
+#include "meniscus/level_set.h"
+#include "meniscus/mesh.h"
+#include "meniscus/progress.h"
+
+namespace meniscus {
+
+enum class Method {
+    Flow,      ///< the level-set flow: a smooth function whose zero set is the surface
+    Direct,    ///< the exact signed distance sampled on the grid: sharp ridges
+    Gaussian,  ///< only the Gaussian density envelope that the flow starts from; not the SES
+};
+
+/// Everything that decides the result. Lengths in Å.
+struct SurfaceOptions {
+    Method method = Method::Flow;
+    double probe = 1.4;               ///< probe radius; 0 gives the van der Waals surface
+    double spacing = 0.5;             ///< grid spacing
+    double density = -0.5;            ///< constant C of the initial Gaussian map, Å^-2, negative
+    double time_step = 4.0;           ///< of the flow, in units of spacing²
+    int max_steps = 30;               ///< of the flow
+    int threads = 0;                  ///< 0: all cores; results do not depend on it
+    std::size_t memory_limit_mb = 0;  ///< 0: what the machine has available
+};
+
+/// How the flow went.
+struct FlowSummary {
+    int steps = 0;
+    double time = 0.0;  ///< Å²: the flow's speed is a curvature
+    bool converged = false;
+    double residual = 0.0;       ///< mean |change| per unit time over |Φ| < spacing at the last step, Å^-1
+    double mean_distance = 0.0;  ///< of the vertices to the exact SES, Å
+    double max_distance = 0.0;
+    int solver_iterations = 0;  ///< over all steps
+    double initial_area = 0.0;  ///< Å², of the Gaussian start
+    int reinitialisations = 0;
+};
+
+/// Distances of the mesh's vertices to the exact solvent-excluded surface, Å, absolute values.
+struct DistanceSummary {
+    double mean = 0.0;
+    double p99 = 0.0;
+    double max = 0.0;
+};
+
+/// One self-check: passed means value <= bound, or value == bound for counts.
+struct Check {
+    std::string name;
+    bool passed = false;
+    double value = 0.0;
+    double bound = 0.0;
+};
+
+/// Wall-clock seconds per stage.
+struct StageTimes {
+    double geometry = 0.0;
+    double band = 0.0;
+    double flow = 0.0;
+    double mesh = 0.0;
+};
+
+/// A computed surface.
+struct Surface {
+    SurfaceOptions options;
+    Mesh mesh;
+    MeshMeasures measures;
+    double corrected_area = 0.0;    ///< Å², curvature-corrected quadrature over the mesh
+    double corrected_volume = 0.0;  ///< Å³
+    DistanceSummary distance;
+    FlowSummary flow;                           ///< zero for Method::Direct and Method::Gaussian
+    std::shared_ptr<const LevelSet> level_set;  ///< absent for Method::Direct
+    std::vector<Check> checks;
+    StageTimes seconds;
+
+    bool passed() const;  ///< every check passed
+};
+
+/// Computes the solvent-excluded surface of atoms.
+///
+/// throws   UsageError for options out of range, std::invalid_argument for no atoms, a radius that is not
+///          positive or a coordinate that is not finite, LimitError when it would not fit into memory
+/// cost     linear in the number of atoms; memory proportional to area / spacing²
+/// source   Pan & Tai 2009, with the anchored flow of docs/design/flow.md
+Surface compute_surface(const Atoms& atoms, const SurfaceOptions& options = {}, const Progress& progress = {});
+
+}  // namespace meniscus

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The only file that names the thread library: loops and sums whose results do not depend on the threads.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace meniscus {
+
+/// Limits the threads of everything below while it lives; 0 leaves all cores.
+class ThreadLimit {
+public:
+    explicit ThreadLimit(int threads) {
+        if (threads > 0)
+            control_ = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                             static_cast<std::size_t>(threads));
+    }
+
+private:
+    std::unique_ptr<tbb::global_control> control_;
+};
+
+/// Calls body(i) for i in [0, n), in any order, in chunks of at least `grain`.
+template <class Body>
+void parallel_for(std::size_t n, std::size_t grain, const Body& body) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain), [&](const auto& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+    });
+}
+
+/// Calls body(begin, end) for fixed chunks of [0, n): the same chunks for any number of threads.
+template <class Body>
+void parallel_chunks(std::size_t n, std::size_t chunk, const Body& body) {
+    parallel_for((n + chunk - 1) / chunk, 1, [&](std::size_t c) { body(c * chunk, std::min(n, (c + 1) * chunk)); });
+}
+
+/// Sum of term(begin, end) over fixed chunks, added in their order: the same bits for any number of threads.
+template <class T, class Term>
+T parallel_sum(std::size_t n, std::size_t chunk, const Term& term) {
+    std::vector<T> partial((n + chunk - 1) / chunk);
+    parallel_chunks(n, chunk, [&](std::size_t begin, std::size_t end) { partial[begin / chunk] = term(begin, end); });
+    T sum{};
+    for (const T& p : partial) sum += p;
+    return sum;
+}
+
+}  // namespace meniscus

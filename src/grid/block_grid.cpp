@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "grid/block_grid.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace meniscus {
+namespace {
+
+std::size_t hash_of(const BlockCoord& c) {
+    std::uint64_t h = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(c.x)) * 0x9E3779B97F4A7C15ULL) ^
+                      (static_cast<std::uint64_t>(static_cast<std::uint32_t>(c.y)) * 0xC2B2AE3D27D4EB4FULL) ^
+                      (static_cast<std::uint64_t>(static_cast<std::uint32_t>(c.z)) * 0x165667B19E3779F9ULL);
+    h ^= h >> 32U;
+    return static_cast<std::size_t>(h * 0xD6E8FEB86659FD93ULL >> 16U);
+}
+
+// Which neighbour along one axis a padded coordinate -1..8 falls into, and where in it.
+constexpr int side_of(int i) { return i < 0 ? -1 : (i >= kBlockEdge ? 1 : 0); }
+
+}  // namespace
+
+BlockGrid::BlockGrid(double spacing, const Vec3& origin, std::vector<BlockCoord> blocks)
+    : spacing_(spacing), origin_(origin), blocks_(std::move(blocks)) {
+    std::sort(blocks_.begin(), blocks_.end());
+    slots_.assign(std::bit_ceil(2 * blocks_.size() + 1), kNoBlock);
+    const std::size_t mask = slots_.size() - 1;
+    for (BlockId b = 0; b < blocks_.size(); ++b) {
+        std::size_t slot = hash_of(blocks_[b]) & mask;
+        while (slots_[slot] != kNoBlock) slot = (slot + 1) & mask;
+        slots_[slot] = b;
+    }
+    neighbours_.resize(blocks_.size());
+    for (BlockId b = 0; b < blocks_.size(); ++b) {
+        const BlockCoord& c = blocks_[b];
+        for (int dz = -1; dz <= 1; ++dz)
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dx = -1; dx <= 1; ++dx)
+                    neighbours_[b][static_cast<std::size_t>(neighbour_slot(dx, dy, dz))] =
+                        find({.z = c.z + dz, .y = c.y + dy, .x = c.x + dx});
+    }
+}
+
+BlockId BlockGrid::find(const BlockCoord& coord) const {
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t slot = hash_of(coord) & mask; slots_[slot] != kNoBlock; slot = (slot + 1) & mask)
+        if (blocks_[slots_[slot]] == coord) return slots_[slot];
+    return kNoBlock;
+}
+
+Vec3 BlockGrid::corner(const BlockCoord& coord) const {
+    const double edge = kBlockEdge * spacing_;
+    return origin_ + Vec3{edge * coord.x, edge * coord.y, edge * coord.z};
+}
+
+void gather_padded(const BlockGrid& grid, std::span<const float> field, BlockId block, float fill,
+                   std::span<float, kPaddedNodes> padded) {
+    const auto& around = grid.neighbours(block);
+    std::size_t to = 0;
+    for (int z = -1; z <= kBlockEdge; ++z)
+        for (int y = -1; y <= kBlockEdge; ++y, to += kPaddedEdge) {
+            const int row = node_in_block(0, y & (kBlockEdge - 1), z & (kBlockEdge - 1));
+            const auto value = [&](int dx, int x) {
+                const BlockId b = around[static_cast<std::size_t>(neighbour_slot(dx, side_of(y), side_of(z)))];
+                return b == kNoBlock ? fill : field[std::size_t{b} * kBlockNodes + static_cast<std::size_t>(row + x)];
+            };
+            const BlockId middle = around[static_cast<std::size_t>(neighbour_slot(0, side_of(y), side_of(z)))];
+            padded[to] = value(-1, kBlockEdge - 1);
+            if (middle == kNoBlock)
+                std::fill_n(padded.begin() + static_cast<std::ptrdiff_t>(to + 1), kBlockEdge, fill);
+            else
+                std::copy_n(field.begin() + static_cast<std::ptrdiff_t>(std::size_t{middle} * kBlockNodes) + row,
+                            kBlockEdge, padded.begin() + static_cast<std::ptrdiff_t>(to + 1));
+            padded[to + kPaddedEdge - 1] = value(1, 0);
+        }
+}
+
+}  // namespace meniscus

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// A block-sparse regular grid: cubes of 8³ nodes, kept only where the narrow band needs them.
+//
+// A field on the grid is a plain array with one entry per node: entry `block * kBlockNodes + node`, where
+// node = x + 8 * (y + 8 * z) inside the block. Blocks are ordered by (z, y, x).
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "meniscus/vec3.h"
+
+namespace meniscus {
+
+inline constexpr int kBlockEdge = 8;
+inline constexpr int kBlockNodes = kBlockEdge * kBlockEdge * kBlockEdge;
+
+/// Number of a block in a BlockGrid.
+using BlockId = std::uint32_t;
+inline constexpr BlockId kNoBlock = 0xffffffffU;
+
+/// Position of a block, in units of its edge.
+struct BlockCoord {
+    std::int32_t z = 0;
+    std::int32_t y = 0;
+    std::int32_t x = 0;
+    auto operator<=>(const BlockCoord&) const = default;
+};
+
+/// Number of a node within its block.
+constexpr int node_in_block(int x, int y, int z) { return x + kBlockEdge * (y + kBlockEdge * z); }
+
+/// Number of a neighbour in BlockGrid::neighbours; dx, dy, dz in {-1, 0, 1}.
+constexpr int neighbour_slot(int dx, int dy, int dz) { return (dx + 1) + 3 * (dy + 1) + 9 * (dz + 1); }
+
+class BlockGrid {
+public:
+    /// Blocks may come in any order, without repetition. The node (0, 0, 0) of block (0, 0, 0) is at `origin`.
+    BlockGrid(double spacing, const Vec3& origin, std::vector<BlockCoord> blocks);
+
+    double spacing() const { return spacing_; }
+    const Vec3& origin() const { return origin_; }
+    std::size_t block_count() const { return blocks_.size(); }
+    std::size_t node_count() const { return blocks_.size() * kBlockNodes; }
+    const BlockCoord& coord(BlockId block) const { return blocks_[block]; }
+    std::span<const BlockCoord> coords() const { return blocks_; }
+
+    /// The block at a position, or kNoBlock.
+    BlockId find(const BlockCoord& coord) const;
+
+    /// The 27 blocks around and including `block` (see neighbour_slot); kNoBlock where there is none.
+    const std::array<BlockId, 27>& neighbours(BlockId block) const { return neighbours_[block]; }
+
+    /// Position of the block's node (0, 0, 0), Å.
+    Vec3 corner(BlockId block) const { return corner(blocks_[block]); }
+    Vec3 corner(const BlockCoord& coord) const;
+
+private:
+    double spacing_;
+    Vec3 origin_;
+    std::vector<BlockCoord> blocks_;
+    std::vector<BlockId> slots_;  // open-addressing hash table over blocks_
+    std::vector<std::array<BlockId, 27>> neighbours_;
+};
+
+/// Edge of a block with one layer of its neighbours' nodes around it.
+inline constexpr int kPaddedEdge = kBlockEdge + 2;
+inline constexpr int kPaddedNodes = kPaddedEdge * kPaddedEdge * kPaddedEdge;
+
+/// Copies a block and the nodes next to it: padded node (x + 1) + 10 * ((y + 1) + 10 * (z + 1)).
+/// Nodes of missing blocks become `fill`.
+void gather_padded(const BlockGrid& grid, std::span<const float> field, BlockId block, float fill,
+                   std::span<float, kPaddedNodes> padded);
+
+}  // namespace meniscus
