@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "meniscus/accessible_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include "core/parallel.h"
+#include "geometry/accessible_surface_data.h"
+#include "geometry/cell_list.h"
+
+namespace meniscus {
+namespace {
+
+// Far above the rounding of the predicates (1e-15 relative) and far below any length that matters.
+constexpr double kPerturbation = 1e-10;
+constexpr int kMaxAttempts = 6;  // each ten times the perturbation of the one before
+constexpr std::size_t kAtomsPerChunk = 256;
+
+// One end of an arc on the contour of atom[0]: the contour passes from the circle with atom[1] to that with
+// atom[2]. The same vertex on the contours of the other two atoms is a cyclic permutation.
+using VertexKey = std::array<std::uint32_t, 3>;
+
+VertexKey smallest_first(const VertexKey& key) {
+    if (key[1] < key[0] && key[1] < key[2]) return {key[1], key[2], key[0]};
+    if (key[2] < key[0] && key[2] < key[1]) return {key[2], key[0], key[1]};
+    return key;
+}
+
+// An arc as the contour of one of its atoms sees it.
+struct ArcView {
+    std::uint32_t other;  // the other atom
+    std::uint32_t from;   // atoms of the vertices' third circles, or kWholeCircle
+    std::uint32_t to;
+    double sweep;  // pseudo-angle
+};
+
+struct Contours {
+    std::vector<std::uint64_t> begin;  // per atom, and the end
+    std::vector<ArcView> arcs;
+
+    std::span<const ArcView> of(std::uint32_t atom) const {
+        return std::span(arcs).subspan(begin[atom], begin[atom + 1] - begin[atom]);
+    }
+};
+
+struct ChunkResult {
+    bool consistent = true;
+    std::vector<ArcView> arcs;
+    std::vector<Cap> caps;
+};
+
+enum class Coverage { Open, Buried };
+
+// Gathers the caps that neighbours bury on atom i, largest first; Buried if one neighbour covers all of it.
+Coverage gather_caps(const AccessibleSurface::Data& data, const CellList& cells, std::uint32_t i,
+                     std::vector<Cap>& caps) {
+    caps.clear();
+    Coverage coverage = Coverage::Open;
+    const Vec3& centre = data.atoms.centres[i];
+    const double rho = data.rho[i];
+    cells.for_each_near(centre, rho + data.rho_max, [&](std::uint32_t j) {
+        const Vec3 between = data.atoms.centres[j] - centre;
+        const double d2 = squared_norm(between);
+        const double reach = rho + data.rho[j];
+        if (j == i || d2 >= reach * reach) return;
+        const double power = d2 + rho * rho - data.rho[j] * data.rho[j];  // = 2 d rho t
+        const double d = std::sqrt(d2);
+        const double full = 2.0 * d * rho;
+        if (power <= -full)
+            coverage = Coverage::Buried;
+        else if (power < full)
+            caps.push_back({(1.0 / d) * between, power / full, j});
+    });
+    std::sort(caps.begin(), caps.end(),
+              [](const Cap& a, const Cap& b) { return a.t != b.t ? a.t < b.t : a.atom < b.atom; });
+    return coverage;
+}
+
+void append_contour(const ContourBuilder& builder, std::span<const Cap> caps, ChunkResult& result) {
+    const auto atom_of = [&](std::uint32_t k) { return k == kWholeCircle ? kWholeCircle : caps[k].atom; };
+    for (const ContourArc& arc : builder.arcs())
+        result.arcs.push_back({atom_of(arc.cap), atom_of(arc.from), atom_of(arc.to), arc.sweep});
+    for (const std::uint32_t k : builder.kept()) result.caps.push_back(caps[k]);
+}
+
+// Fills exposed, caps and contours; false if the arrangement came out inconsistent on some sphere.
+bool build_contours(AccessibleSurface::Data& data, const CellList& cells, Contours& contours) {
+    const std::size_t n = data.atoms.size();
+    std::vector<ChunkResult> chunks((n + kAtomsPerChunk - 1) / kAtomsPerChunk);
+    std::vector<std::uint32_t> arc_count(n);
+    std::vector<std::uint32_t> cap_count(n);
+    data.exposed.assign(n, 0);
+    parallel_chunks(n, kAtomsPerChunk, [&](std::size_t begin, std::size_t end) {
+        ChunkResult& chunk = chunks[begin / kAtomsPerChunk];
+        ContourBuilder builder;
+        std::vector<Cap> caps;
+        for (std::size_t i = begin; i < end; ++i) {
+            if (gather_caps(data, cells, static_cast<std::uint32_t>(i), caps) == Coverage::Buried) continue;
+            if (!builder.build(caps)) {
+                chunk.consistent = false;
+                return;
+            }
+            if (!builder.exposed()) continue;
+            data.exposed[i] = 1;
+            append_contour(builder, caps, chunk);
+            arc_count[i] = static_cast<std::uint32_t>(builder.arcs().size());
+            cap_count[i] = static_cast<std::uint32_t>(builder.kept().size());
+        }
+    });
+    contours.begin.assign(n + 1, 0);
+    data.cap_begin.assign(n + 1, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+        contours.begin[i + 1] = contours.begin[i] + arc_count[i];
+        data.cap_begin[i + 1] = data.cap_begin[i] + cap_count[i];
+    }
+    contours.arcs.clear();
+    data.caps.clear();
+    for (const ChunkResult& chunk : chunks) {
+        if (!chunk.consistent) return false;
+        contours.arcs.insert(contours.arcs.end(), chunk.arcs.begin(), chunk.arcs.end());
+        data.caps.insert(data.caps.end(), chunk.caps.begin(), chunk.caps.end());
+    }
+    return true;
+}
+
+std::uint64_t hash_of(const VertexKey& key) {
+    std::uint64_t h = 0;
+    for (const std::uint32_t part : key) {
+        h = (h ^ part) * 0x9E3779B97F4A7C15ULL;
+        h ^= h >> 29U;
+    }
+    return h * 0xBF58476D1CE4E5B9ULL;
+}
+
+// Every vertex must be found by its three atoms and every arc by its two: compares order-free sums of hashes.
+bool contours_agree(const Contours& contours) {
+    std::array<std::uint64_t, 3> vertex_sums{};
+    std::array<std::uint64_t, 2> arc_sums{};
+    const auto n = static_cast<std::uint32_t>(contours.begin.size() - 1);
+    for (std::uint32_t i = 0; i < n; ++i)
+        for (const ArcView& arc : contours.of(i)) {
+            const bool first = i < arc.other;
+            const VertexKey ends = first ? VertexKey{arc.from, arc.to, 0} : VertexKey{arc.to, arc.from, 0};
+            const VertexKey pair = {std::min(i, arc.other), std::max(i, arc.other), 1};
+            arc_sums[first ? 0 : 1] += hash_of(pair) * (hash_of(ends) | 1U);
+            if (arc.to == kWholeCircle) continue;
+            const VertexKey key = smallest_first({i, arc.other, arc.to});
+            vertex_sums[static_cast<std::size_t>(std::find(key.begin(), key.end(), i) - key.begin())] += hash_of(key);
+        }
+    return vertex_sums[0] == vertex_sums[1] && vertex_sums[1] == vertex_sums[2] && arc_sums[0] == arc_sums[1];
+}
+
+// The cap that atom j buries on the enlarged sphere of atom i.
+Cap cap_between(const AccessibleSurface::Data& data, std::uint32_t i, std::uint32_t j) {
+    const Vec3 between = data.atoms.centres[j] - data.atoms.centres[i];
+    const double d = norm(between);
+    const double rho = data.rho[i];
+    return {(1.0 / d) * between, (d * d + rho * rho - data.rho[j] * data.rho[j]) / (2.0 * d * rho), j};
+}
+
+// Numbers the vertices: each belongs to the smallest of its atoms.
+class VertexTable {
+public:
+    explicit VertexTable(const Contours& contours) : begin_(contours.begin.size(), 0) {
+        const auto n = static_cast<std::uint32_t>(contours.begin.size() - 1);
+        for (std::uint32_t i = 0; i < n; ++i) {
+            for (const ArcView& arc : contours.of(i))
+                if (arc.to != kWholeCircle && i < arc.other && i < arc.to) keys_.push_back({i, arc.other, arc.to});
+            begin_[i + 1] = keys_.size();
+        }
+    }
+    const std::vector<VertexKey>& keys() const { return keys_; }
+    std::uint32_t find(const VertexKey& any_order) const {
+        const VertexKey key = smallest_first(any_order);
+        const auto first = keys_.begin() + static_cast<std::ptrdiff_t>(begin_[key[0]]);
+        const auto last = keys_.begin() + static_cast<std::ptrdiff_t>(begin_[key[0] + 1]);
+        const auto found = std::find(first, last, key);
+        return found == last ? kNoVertex : static_cast<std::uint32_t>(found - keys_.begin());
+    }
+
+private:
+    std::vector<std::uint64_t> begin_;
+    std::vector<VertexKey> keys_;
+};
+
+void place_vertices(AccessibleSurface::Data& data, const VertexTable& table) {
+    data.vertices.resize(table.keys().size());
+    parallel_for(data.vertices.size(), 512, [&](std::size_t v) {
+        const auto& [i, j, k] = table.keys()[v];
+        const Vec3 n = rim_crossing(cap_between(data, i, j), cap_between(data, i, k));
+        data.vertices[v] = {{i, j, k}, data.atoms.centres[i] + data.rho[i] * n};
+    });
+}
+
+// Angle swept from `start` to `end` around the circle; `pseudo` (of period 4) tells 0 from a full turn.
+double swept_angle(double start, double end, double pseudo) {
+    constexpr double kTurn = 2.0 * std::numbers::pi;
+    double sweep = end - start;
+    if (sweep < 0.0) sweep += kTurn;
+    if (pseudo < 1.0 && sweep > 0.75 * kTurn) return 0.0;
+    if (pseudo > 3.0 && sweep < 0.25 * kTurn) return kTurn;
+    return sweep;
+}
+
+SasArc make_arc(const AccessibleSurface::Data& data, const VertexTable& table, std::uint32_t i, const ArcView& view) {
+    const Cap cap = cap_between(data, i, view.other);
+    const double rho = data.rho[i];
+    SasArc arc;
+    arc.atoms = {i, view.other};
+    arc.axis = cap.axis;
+    arc.height0 = cap.t * rho;
+    arc.height1 = norm(data.atoms.centres[view.other] - data.atoms.centres[i]) - arc.height0;
+    arc.centre = data.atoms.centres[i] + arc.height0 * cap.axis;
+    arc.radius = rho * std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t));
+    const Vec3 e1 = perpendicular(cap.axis);
+    const Vec3 e2 = cross(e1, cap.axis);  // the contour runs clockwise around the cap
+    arc.middle = e1;
+    if (view.from == kWholeCircle) return arc;
+    arc.start = table.find({i, view.from, view.other});
+    arc.end = table.find({i, view.other, view.to});
+    const auto angle = [&](std::uint32_t vertex) {
+        const Vec3 q = data.vertices[vertex].position - arc.centre;
+        return std::atan2(dot(q, e2), dot(q, e1));
+    };
+    const double start = angle(arc.start);
+    const double half = 0.5 * swept_angle(start, angle(arc.end), view.sweep);
+    arc.middle = std::cos(start + half) * e1 + std::sin(start + half) * e2;
+    arc.cos_half = std::cos(half);
+    return arc;
+}
+
+void place_arcs(AccessibleSurface::Data& data, const VertexTable& table, const Contours& contours) {
+    struct Owned {
+        std::uint32_t atom;
+        const ArcView* view;
+    };
+    std::vector<Owned> owned;
+    const auto n = static_cast<std::uint32_t>(data.atoms.size());
+    for (std::uint32_t i = 0; i < n; ++i)
+        for (const ArcView& view : contours.of(i))
+            if (i < view.other) owned.push_back({i, &view});
+    data.arcs.resize(owned.size());
+    parallel_for(owned.size(), 512,
+                 [&](std::size_t a) { data.arcs[a] = make_arc(data, table, owned[a].atom, *owned[a].view); });
+}
+
+// Box of an arc: its ends, its midpoint, and the extreme points of the circle that lie on it.
+Box box_of(const AccessibleSurface::Data& data, const SasArc& arc) {
+    Box box;
+    if (!arc.whole_circle()) {
+        box.include(data.vertices[arc.start].position);
+        box.include(data.vertices[arc.end].position);
+    }
+    box.include(arc.centre + arc.radius * arc.middle);
+    for (const Vec3 unit : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
+        for (const double sign : {-1.0, 1.0}) {
+            const Vec3 direction = sign * (unit - dot(unit, arc.axis) * arc.axis);
+            const double length = norm(direction);
+            if (length < 1e-9) continue;  // the axis is parallel to this coordinate: the circle is flat in it
+            const Vec3 radial = (1.0 / length) * direction;
+            if (arc.whole_circle() || dot(radial, arc.middle) >= arc.cos_half)
+                box.include(arc.centre + arc.radius * radial);
+        }
+    return box.grown(1e-9);  // rounding
+}
+
+void build_trees(AccessibleSurface::Data& data) {
+    std::vector<Box> atoms(data.atoms.size());
+    for (std::size_t i = 0; i < atoms.size(); ++i) atoms[i].include(data.atoms.centres[i]);
+    std::vector<Box> arcs(data.arcs.size());
+    std::vector<Box> cells(data.arcs.size());
+    parallel_for(arcs.size(), 512, [&](std::size_t a) {
+        cells[a] = arcs[a] = box_of(data, data.arcs[a]);
+        for (const std::uint32_t i : data.arcs[a].atoms) cells[a].include(data.atoms.centres[i]);
+    });
+    std::vector<Box> vertices(data.vertices.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v].include(data.vertices[v].position);
+    data.atom_tree = BoxTree(std::move(atoms));
+    data.arc_tree = BoxTree(std::move(arcs));
+    data.arc_cell_tree = BoxTree(std::move(cells));
+    data.vertex_tree = BoxTree(std::move(vertices));
+}
+
+bool try_build(AccessibleSurface::Data& data, const CellList& cells, int attempt) {
+    data.perturbation = kPerturbation * std::pow(10.0, attempt);
+    for (std::size_t i = 0; i < data.atoms.size(); ++i)
+        data.rho[i] = data.atoms.radii[i] + data.probe +
+                      data.perturbation * symmetry_breaking_offset(data.atoms.centres[i], data.atoms.radii[i],
+                                                                   static_cast<std::uint64_t>(attempt));
+    Contours contours;
+    if (!build_contours(data, cells, contours) || !contours_agree(contours)) return false;
+    const VertexTable table(contours);
+    place_vertices(data, table);
+    place_arcs(data, table, contours);
+    build_trees(data);
+    return true;
+}
+
+}  // namespace
+
+AccessibleSurface::AccessibleSurface(const Atoms& atoms, double probe) {
+    if (!(probe >= 0.0) || !std::isfinite(probe))
+        throw std::invalid_argument("the probe radius must be finite and not negative");
+    auto data = std::make_unique<Data>();
+    data->probe = probe;
+    const double r_max = atoms.radii.empty() ? 1.0 : *std::max_element(atoms.radii.begin(), atoms.radii.end());
+    data->rho_max = r_max + probe + 1e-3;
+    data->atoms = canonical_atoms(atoms, 2.0 * data->rho_max);
+    data->rho.resize(data->atoms.size());
+    const CellList cells(data->atoms);
+    for (int attempt = 0; !try_build(*data, cells, attempt); ++attempt)
+        if (attempt + 1 == kMaxAttempts)
+            throw std::runtime_error("the arrangement of atoms could not be resolved by perturbing their radii");
+    data_ = std::move(data);
+}
+
+AccessibleSurface::~AccessibleSurface() = default;
+AccessibleSurface::AccessibleSurface(AccessibleSurface&&) noexcept = default;
+AccessibleSurface& AccessibleSurface::operator=(AccessibleSurface&&) noexcept = default;
+
+double AccessibleSurface::probe() const { return data_->probe; }
+std::size_t AccessibleSurface::atom_count() const { return data_->atoms.size(); }
+std::size_t AccessibleSurface::exposed_atom_count() const {
+    return static_cast<std::size_t>(std::count(data_->exposed.begin(), data_->exposed.end(), std::uint8_t{1}));
+}
+std::size_t AccessibleSurface::arc_count() const { return data_->arcs.size(); }
+std::size_t AccessibleSurface::vertex_count() const { return data_->vertices.size(); }
+
+}  // namespace meniscus

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/canonical_atoms.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+namespace meniscus {
+namespace {
+
+constexpr double kMaxCells = 1 << 20;  // per axis: leaves a bit of the 21 in a Morton key for rounding
+
+std::uint64_t spread_bits(std::uint64_t v) {
+    v &= 0x1FFFFF;
+    v = (v | v << 32U) & 0x1F00000000FFFFULL;
+    v = (v | v << 16U) & 0x1F0000FF0000FFULL;
+    v = (v | v << 8U) & 0x100F00F00F00F00FULL;
+    v = (v | v << 4U) & 0x10C30C30C30C30C3ULL;
+    return (v | v << 2U) & 0x1249249249249249ULL;
+}
+
+// Finaliser of splitmix64 (Steele, Lea & Flood 2014).
+std::uint64_t mix(std::uint64_t h) {
+    h = (h ^ (h >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+    h = (h ^ (h >> 27U)) * 0x94D049BB133111EBULL;
+    return h ^ (h >> 31U);
+}
+
+void check(const Atoms& atoms) {
+    if (atoms.empty()) throw std::invalid_argument("no atoms");
+    if (atoms.centres.size() != atoms.radii.size()) throw std::invalid_argument("as many radii as centres are needed");
+    if (atoms.size() > std::numeric_limits<std::uint32_t>::max() - 1) throw std::invalid_argument("too many atoms");
+    for (std::size_t i = 0; i < atoms.size(); ++i) {
+        if (!is_finite(atoms.centres[i]))
+            throw std::invalid_argument("atom " + std::to_string(i) + ": a coordinate is not finite");
+        if (!(atoms.radii[i] > 0.0) || !std::isfinite(atoms.radii[i]))
+            throw std::invalid_argument("atom " + std::to_string(i) + ": the radius is not positive and finite");
+    }
+}
+
+std::pair<Vec3, double> corner_and_extent(const std::vector<Vec3>& points) {
+    Vec3 low = points.front();
+    Vec3 high = points.front();
+    for (const Vec3& p : points) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    const Vec3 size = high - low;
+    return {low, std::max({size.x, size.y, size.z})};
+}
+
+}  // namespace
+
+std::uint64_t morton_key(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+    return spread_bits(x) | spread_bits(y) << 1U | spread_bits(z) << 2U;
+}
+
+double symmetry_breaking_offset(const Vec3& centre, double radius, std::uint64_t seed) {
+    std::uint64_t h = mix(seed + 0x9E3779B97F4A7C15ULL);
+    for (const double v : {centre.x, centre.y, centre.z, radius})
+        h = mix(h ^ std::bit_cast<std::uint64_t>(v + 0.0)) + 0x9E3779B97F4A7C15ULL;  // + 0.0: -0 is 0
+    return std::ldexp(static_cast<double>(mix(h) >> 11U), -52) - 1.0;
+}
+
+CanonicalAtoms canonical_atoms(const Atoms& atoms, double cell) {
+    check(atoms);
+    CanonicalAtoms result;
+    const auto [corner, extent] = corner_and_extent(atoms.centres);
+    result.corner = corner;
+    result.cell = std::max(cell, extent / kMaxCells);
+
+    std::vector<std::uint64_t> keys(atoms.size());
+    for (std::size_t i = 0; i < atoms.size(); ++i) {
+        const Vec3 at = (1.0 / result.cell) * (atoms.centres[i] - corner);
+        keys[i] = morton_key(static_cast<std::uint32_t>(at.x), static_cast<std::uint32_t>(at.y),
+                             static_cast<std::uint32_t>(at.z));
+    }
+    std::vector<std::uint32_t> order(atoms.size());
+    std::iota(order.begin(), order.end(), 0U);
+    const auto rank = [&](std::uint32_t i) {
+        const Vec3& c = atoms.centres[i];
+        return std::tuple(keys[i], c.x, c.y, c.z, atoms.radii[i]);
+    };
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const auto ra = rank(a);
+        const auto rb = rank(b);
+        return ra < rb || (ra == rb && a < b);
+    });
+    for (const std::uint32_t i : order) {
+        if (!result.original.empty() && rank(i) == rank(result.original.back())) continue;
+        result.centres.push_back(atoms.centres[i]);
+        result.radii.push_back(atoms.radii[i]);
+        result.original.push_back(i);
+        result.cell_keys.push_back(keys[i]);
+    }
+    return result;
+}
+
+}  // namespace meniscus

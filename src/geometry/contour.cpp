@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/contour.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace meniscus {
+namespace {
+
+// Monotonic in the angle of (x, y), period 4, no trigonometry.
+double diamond_angle(double x, double y) {
+    const double p = y / (std::abs(x) + std::abs(y));
+    if (x < 0.0) return 2.0 - p;
+    return p < 0.0 ? 4.0 + p : p;
+}
+
+double wrapped(double angle) { return angle < 0.0 ? angle + 4.0 : angle; }
+
+// Squared sine of the angle between the axes: from the cross product, since 1 - cos² cancels (METHOD pitfall 2).
+double squared_sine(const Cap& a, const Cap& b) { return squared_norm(cross(a.axis, b.axis)); }
+
+// Positive when the line in which the rims' planes meet passes inside the unit sphere.
+double crossing_discriminant(const Cap& a, const Cap& b) {
+    return squared_sine(a, b) - (a.t * a.t + b.t * b.t - 2.0 * dot(a.axis, b.axis) * a.t * b.t);
+}
+
+// For rims that do not cross: whether the rim of `a` lies in cap `b`.
+bool rim_is_inside(const Cap& a, const Cap& b) { return dot(a.axis, b.axis) * a.t > b.t; }
+
+}  // namespace
+
+Vec3 perpendicular(const Vec3& axis) {
+    const Vec3 other = std::abs(axis.x) < 0.6 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
+    return normalised(cross(axis, other));
+}
+
+bool rims_cross(const Cap& a, const Cap& b) { return crossing_discriminant(a, b) > 0.0; }
+
+Vec3 rim_crossing(const Cap& a, const Cap& b) {
+    const Vec3 w = cross(a.axis, b.axis);
+    const double d = squared_norm(w);
+    const double g = dot(a.axis, b.axis);
+    const double alpha = (a.t - g * b.t) / d;
+    const double beta = (b.t - g * a.t) / d;
+    const double gamma = std::sqrt(std::max(0.0, crossing_discriminant(a, b))) / d;
+    return alpha * a.axis + beta * b.axis + gamma * w;
+}
+
+double ContourBuilder::pseudo_angle(std::uint32_t cap, const Vec3& n) const {
+    const Vec3& e1 = frames_[cap];
+    return diamond_angle(dot(n, e1), dot(n, cross(e1, caps_[cap].axis)));
+}
+
+bool ContourBuilder::build(std::span<const Cap> caps) {
+    caps_ = caps;
+    frames_.clear();
+    for (const Cap& cap : caps) frames_.push_back(perpendicular(cap.axis));
+    arcs_.clear();
+    kept_.clear();
+    for (std::uint32_t k = 0; k < caps.size() && exposed(); ++k)
+        if (!insert(k)) return false;
+    return true;
+}
+
+bool ContourBuilder::insert(std::uint32_t k) {
+    const Cap& cap = caps_[k];
+    next_arcs_.clear();
+    entries_.clear();
+    exits_.clear();
+    bool changed = false;
+    for (const ContourArc& arc : arcs_) {
+        const Cap& other = caps_[arc.cap];
+        if (rims_cross(other, cap)) {
+            const std::size_t before = entries_.size() + exits_.size() + next_arcs_.size();
+            cut(arc, k, rim_crossing(other, cap), rim_crossing(cap, other));
+            const bool untouched = entries_.size() + exits_.size() + next_arcs_.size() == before + 1;
+            changed = changed || !untouched;
+        } else if (rim_is_inside(other, cap)) {
+            changed = true;
+        } else {
+            next_arcs_.push_back(arc);
+        }
+    }
+    if (!entries_.empty() || !exits_.empty()) {
+        if (!close_rim(k)) return false;
+    } else if (rim_is_exposed(k)) {
+        next_arcs_.push_back({.cap = k});
+        changed = true;
+    }
+    if (!changed) return true;
+    kept_.push_back(k);
+    std::swap(arcs_, next_arcs_);
+    return true;
+}
+
+// Keeps what of `arc` lies outside cap k; along the arc's rim the cap is entered at `entry` and left at `exit`.
+void ContourBuilder::cut(const ContourArc& arc, std::uint32_t k, const Vec3& entry, const Vec3& exit) {
+    const double in = pseudo_angle(arc.cap, entry);
+    const double out = pseudo_angle(arc.cap, exit);
+    if (arc.from == kWholeCircle) {
+        keep_piece({.cap = arc.cap, .from = k, .to = k, .start = out, .sweep = wrapped(in - out)}, k, entry, exit);
+        return;
+    }
+    const double to_in = wrapped(in - arc.start);
+    const double to_out = wrapped(out - arc.start);
+    if (to_in < to_out) {  // the arc starts outside the cap
+        if (to_in >= arc.sweep) {
+            next_arcs_.push_back(arc);
+            return;
+        }
+        keep_piece({arc.cap, arc.from, k, arc.start, to_in}, k, entry, exit);
+        if (to_out < arc.sweep) keep_piece({arc.cap, k, arc.to, out, arc.sweep - to_out}, k, entry, exit);
+    } else if (to_out < arc.sweep) {  // starts inside the cap and comes out of it
+        const bool enters_again = to_in < arc.sweep;
+        const double end = enters_again ? to_in : arc.sweep;
+        keep_piece({arc.cap, k, enters_again ? k : arc.to, out, end - to_out}, k, entry, exit);
+    }
+}
+
+void ContourBuilder::keep_piece(ContourArc piece, std::uint32_t k, const Vec3& entry, const Vec3& exit) {
+    if (piece.to == k) entries_.push_back({pseudo_angle(k, entry), piece.cap});
+    if (piece.from == k) exits_.push_back({pseudo_angle(k, exit), piece.cap});
+    next_arcs_.push_back(piece);
+}
+
+// Joins each point where the contour reaches the rim of cap k to the next point where it leaves it.
+bool ContourBuilder::close_rim(std::uint32_t k) {
+    if (entries_.size() != exits_.size()) return false;
+    for (const Crossing& entry : entries_) {
+        const auto sweep_to = [&](const Crossing& exit) { return wrapped(exit.angle - entry.angle); };
+        const auto exit = std::min_element(exits_.begin(), exits_.end(), [&](const Crossing& a, const Crossing& b) {
+            return sweep_to(a) < sweep_to(b);
+        });
+        if (exit == exits_.end()) return false;  // two entries without an exit between them
+        next_arcs_.push_back({k, entry.cap, exit->cap, entry.angle, sweep_to(*exit)});
+        *exit = exits_.back();
+        exits_.pop_back();
+    }
+    return true;
+}
+
+// For a rim that crosses no arc of the contour: it lies wholly in exposed or wholly in buried ground.
+bool ContourBuilder::rim_is_exposed(std::uint32_t k) const {
+    const Cap& cap = caps_[k];
+    const Vec3 n = cap.t * cap.axis + std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t)) * frames_[k];
+    return std::none_of(kept_.begin(), kept_.end(),
+                        [&](std::uint32_t j) { return dot(n, caps_[j].axis) > caps_[j].t; });
+}
+
+}  // namespace meniscus

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Contour build-up: the exposed part of one sphere after its neighbours have buried their caps.
+//
+// On the sphere of radius rho around atom i, neighbour j buries the cap {n : n·axis > t}. The boundary of what
+// stays exposed is kept as arcs of the caps' rims, each traversed with the exposed region on its left, hence
+// clockwise around its cap. A boundary passes from the rim of cap j onto the rim of cap k at one point at
+// most, so the ordered pair (j, k) names a vertex (docs/design/exact-geometry.md).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "meniscus/vec3.h"
+
+namespace meniscus {
+
+/// A cap {n : n·axis > t} of the unit sphere of directions that neighbour `atom` buries; |t| < 1.
+struct Cap {
+    Vec3 axis;
+    double t = 0.0;
+    std::uint32_t atom = 0;
+};
+
+inline constexpr std::uint32_t kWholeCircle = 0xffffffffU;
+
+/// An arc of a cap's rim on the contour. `cap`, `from` and `to` are positions in the list of caps; the arc runs
+/// from where the contour leaves cap `from` to where it enters cap `to`, both kWholeCircle for a whole rim.
+struct ContourArc {
+    std::uint32_t cap = 0;
+    std::uint32_t from = kWholeCircle;
+    std::uint32_t to = kWholeCircle;
+    double start = 0.0;  ///< pseudo-angle along the rim, [0, 4)
+    double sweep = 4.0;  ///< pseudo-angle to the end, (0, 4]
+};
+
+/// Builds the contours of spheres one after the other, reusing its memory.
+class ContourBuilder {
+public:
+    /// Inserts the caps in the order given (largest first is fastest).
+    ///
+    /// returns  false if rounding made the arrangement inconsistent: perturb and try again
+    /// cost     O(caps · arcs), stops as soon as nothing is exposed
+    bool build(std::span<const Cap> caps);
+
+    /// The contour; empty when nothing or the whole sphere is exposed.
+    std::span<const ContourArc> arcs() const { return arcs_; }
+    /// Positions of caps whose union is that of all caps, in order of insertion.
+    std::span<const std::uint32_t> kept() const { return kept_; }
+    bool exposed() const { return kept_.empty() || !arcs_.empty(); }
+
+private:
+    struct Crossing {
+        double angle;       // pseudo-angle on the inserted rim
+        std::uint32_t cap;  // the other rim
+    };
+
+    bool insert(std::uint32_t k);
+    bool close_rim(std::uint32_t k);
+    void cut(const ContourArc& arc, std::uint32_t k, const Vec3& entry, const Vec3& exit);
+    void keep_piece(ContourArc piece, std::uint32_t k, const Vec3& entry, const Vec3& exit);
+    bool rim_is_exposed(std::uint32_t k) const;
+    double pseudo_angle(std::uint32_t cap, const Vec3& n) const;
+
+    std::span<const Cap> caps_;
+    std::vector<Vec3> frames_;  // of each cap: the direction of pseudo-angle 0
+    std::vector<ContourArc> arcs_;
+    std::vector<ContourArc> next_arcs_;
+    std::vector<Crossing> entries_;
+    std::vector<Crossing> exits_;
+    std::vector<std::uint32_t> kept_;
+};
+
+/// A unit vector perpendicular to the unit vector `axis`.
+Vec3 perpendicular(const Vec3& axis);
+
+/// The direction where the contour passes from the rim of cap `a` onto the rim of cap `b`.
+/// Precondition: the rims cross.
+Vec3 rim_crossing(const Cap& a, const Cap& b);
+
+/// Whether the rims of two caps cross in two points.
+bool rims_cross(const Cap& a, const Cap& b);
+
+}  // namespace meniscus
