@@ -272,16 +272,16 @@ void build_trees(AccessibleSurface::Data& data) {
     std::vector<Box> atoms(data.atoms.size());
     for (std::size_t i = 0; i < atoms.size(); ++i) atoms[i].include(data.atoms.centres[i]);
     std::vector<Box> arcs(data.arcs.size());
-    std::vector<Box> cells(data.arcs.size());
+    data.arc_cells.resize(data.arcs.size());
     parallel_for(arcs.size(), 512, [&](std::size_t a) {
-        cells[a] = arcs[a] = box_of(data, data.arcs[a]);
-        for (const std::uint32_t i : data.arcs[a].atoms) cells[a].include(data.atoms.centres[i]);
+        data.arc_cells[a] = arcs[a] = box_of(data, data.arcs[a]);
+        for (const std::uint32_t i : data.arcs[a].atoms) data.arc_cells[a].include(data.atoms.centres[i]);
     });
     std::vector<Box> vertices(data.vertices.size());
     for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v].include(data.vertices[v].position);
     data.atom_tree = BoxTree(std::move(atoms));
     data.arc_tree = BoxTree(std::move(arcs));
-    data.arc_cell_tree = BoxTree(std::move(cells));
+    data.arc_cell_tree = BoxTree(data.arc_cells);
     data.vertex_tree = BoxTree(std::move(vertices));
 }
 

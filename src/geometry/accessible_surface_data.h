@@ -50,11 +50,12 @@ struct AccessibleSurface::Data {
     std::vector<std::uint64_t> cap_begin;  ///< per atom, and the end: its caps in `caps`
     std::vector<Cap> caps;                 ///< whose union is what neighbours bury, largest first
     std::vector<SasArc> arcs;
+    std::vector<Box> arc_cells;  ///< per arc: box of its cell, the hull of the arc and both atoms
     std::vector<SasVertex> vertices;
 
     BoxTree atom_tree;      ///< centres
     BoxTree arc_tree;       ///< points of the arcs
-    BoxTree arc_cell_tree;  ///< cells of the arcs: hulls of the arc and both atoms
+    BoxTree arc_cell_tree;  ///< arc_cells
     BoxTree vertex_tree;    ///< positions
 
     std::span<const Cap> caps_of(std::uint32_t atom) const {
@@ -72,9 +73,9 @@ struct AccessibleSurface::Data {
 struct ArcFoot {
     bool within = false;
     double squared_distance = 0.0;
-    double height = 0.0;   ///< of p above the circle's plane, Å
+    double height = 0.0;     ///< of p above the circle's plane, Å
     double from_axis = 0.0;  ///< distance of p from the circle's axis, Å
-    Vec3 radial;           ///< from the axis to p, length from_axis
+    Vec3 radial;             ///< from the axis to p, length from_axis
 };
 inline ArcFoot foot_on_arc(const SasArc& arc, const Vec3& p) {
     ArcFoot foot;

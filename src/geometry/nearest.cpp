@@ -3,10 +3,10 @@
 // The nearest feature of the SAS for any point of space, by branch and bound.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
+#include <string>
 
-#include "geometry/accessible_surface_data.h"
+#include "geometry/nearest_feature.h"
 #include "geometry/parallel_curvature.h"
 #include "meniscus/accessible_surface.h"
 
@@ -14,12 +14,6 @@ namespace meniscus {
 namespace {
 
 using Data = AccessibleSurface::Data;
-
-struct NearestBall {
-    std::uint32_t atom = 0;
-    double depth = -std::numeric_limits<double>::infinity();  // rho - |p - c|: positive inside the ball
-    double l = 0.0;                                           // |p - c|
-};
 
 // The ball that contains p most deeply, or is nearest to it.
 NearestBall deepest_ball(const Data& data, const Vec3& p) {
@@ -30,11 +24,33 @@ NearestBall deepest_ball(const Data& data, const Vec3& p) {
     };
     data.atom_tree.search_nearest(p, bound, [&](std::uint32_t i) {
         const double l = norm(p - data.atoms.centres[i]);
-        const double depth = data.rho[i] - l;
-        if (depth > best.depth || (depth == best.depth && i < best.atom)) best = {i, depth, l};
+        best.offer(i, data.rho[i] - l, l);
     });
     return best;
 }
+
+// Of some atoms, the one whose van der Waals sphere is nearest to p, in the caller's numbering.
+template <std::size_t N>
+std::uint32_t nearest_atom(const Data& data, const std::array<std::uint32_t, N>& atoms, const Vec3& p) {
+    const auto gap = [&](std::uint32_t i) { return norm(p - data.atoms.centres[i]) - data.atoms.radii[i]; };
+    return data.atoms.original[*std::min_element(atoms.begin(), atoms.end(),
+                                                 [&](std::uint32_t a, std::uint32_t b) { return gap(a) < gap(b); })];
+}
+
+NearestEdge nearest_edge(const Data& data, const Vec3& p) {
+    NearestEdge best;
+    const auto bound = [&] { return best.squared_distance; };
+    data.vertex_tree.search_nearest(
+        p, bound, [&](std::uint32_t v) { best.offer_vertex(v, squared_norm(p - data.vertices[v].position)); });
+    data.arc_tree.search_nearest(p, bound, [&](std::uint32_t a) { best.offer_arc(a, foot_on_arc(data.arcs[a], p)); });
+    return best;
+}
+
+void point_towards_foot(NearestFeature& feature, const Vec3& p, double distance) {
+    if (distance > 0.0) feature.normal = (1.0 / distance) * (feature.foot - p);
+}
+
+}  // namespace
 
 NearestFeature contact_feature(const Data& data, const Vec3& p, const NearestBall& ball) {
     const Vec3& centre = data.atoms.centres[ball.atom];
@@ -46,38 +62,6 @@ NearestFeature contact_feature(const Data& data, const Vec3& p, const NearestBal
     feature.normal = ball.l > 0.0 ? (1.0 / ball.l) * (p - centre) : Vec3{};
     feature.foot = centre + data.rho[ball.atom] * (ball.l > 0.0 ? feature.normal : Vec3{0.0, 0.0, 1.0});
     return feature;
-}
-
-// Of some atoms, the one whose van der Waals sphere is nearest to p, in the caller's numbering.
-template <std::size_t N>
-std::uint32_t nearest_atom(const Data& data, const std::array<std::uint32_t, N>& atoms, const Vec3& p) {
-    const auto gap = [&](std::uint32_t i) { return norm(p - data.atoms.centres[i]) - data.atoms.radii[i]; };
-    return data.atoms.original[*std::min_element(
-        atoms.begin(), atoms.end(), [&](std::uint32_t a, std::uint32_t b) { return gap(a) < gap(b); })];
-}
-
-struct NearestEdge {
-    double squared_distance = std::numeric_limits<double>::infinity();
-    std::uint32_t arc = 0;
-    std::uint32_t vertex = kNoVertex;  // the nearest is an arc if kNoVertex
-};
-
-NearestEdge nearest_edge(const Data& data, const Vec3& p) {
-    NearestEdge best;
-    const auto bound = [&] { return best.squared_distance; };
-    data.vertex_tree.search_nearest(p, bound, [&](std::uint32_t v) {
-        const double d2 = squared_norm(p - data.vertices[v].position);
-        if (d2 < best.squared_distance) best = {d2, 0, v};
-    });
-    data.arc_tree.search_nearest(p, bound, [&](std::uint32_t a) {
-        const ArcFoot foot = foot_on_arc(data.arcs[a], p);
-        if (foot.within && foot.squared_distance < best.squared_distance) best = {foot.squared_distance, a, kNoVertex};
-    });
-    return best;
-}
-
-void point_towards_foot(NearestFeature& feature, const Vec3& p, double distance) {
-    if (distance > 0.0) feature.normal = (1.0 / distance) * (feature.foot - p);
 }
 
 NearestFeature edge_feature(const Data& data, const Vec3& p, const NearestEdge& edge) {
@@ -103,18 +87,11 @@ NearestFeature edge_feature(const Data& data, const Vec3& p, const NearestEdge& 
     return feature;
 }
 
-}  // namespace
-
 NearestFeature AccessibleSurface::nearest(const Vec3& point) const {
     const NearestBall ball = deepest_ball(*data_, point);
-    const Vec3 q = point - data_->atoms.centres[ball.atom];
-    // Outside all balls (in K) the nearest point of the SAS is on the nearest ball, and is exposed.
-    const bool in_k = ball.depth <= 0.0;
-    if (in_k || (data_->exposed[ball.atom] != 0 && data_->direction_exposed(ball.atom, q, ball.l)))
-        return contact_feature(*data_, point, ball);
+    if (owned_by_ball(*data_, ball, point)) return contact_feature(*data_, point, ball);
     const NearestEdge edge = nearest_edge(*data_, point);
-    if (std::isinf(edge.squared_distance)) return contact_feature(*data_, point, ball);
-    return edge_feature(*data_, point, edge);
+    return edge.found() ? edge_feature(*data_, point, edge) : contact_feature(*data_, point, ball);
 }
 
 std::vector<double> signed_distance(const AccessibleSurface& surface, std::span<const Vec3> points) {

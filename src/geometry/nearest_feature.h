@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// From a nearest ball, arc or vertex of the SAS to all that is said about it.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "geometry/accessible_surface_data.h"
+
+namespace meniscus {
+
+/// The ball that contains a point most deeply, or is nearest to it.
+struct NearestBall {
+    std::uint32_t atom = 0;
+    double depth = -std::numeric_limits<double>::infinity();  ///< rho - l: positive inside the ball
+    double l = 0.0;                                           ///< distance from the atom's centre
+
+    void offer(std::uint32_t candidate, double candidate_depth, double candidate_l) {
+        if (candidate_depth > depth || (candidate_depth == depth && candidate < atom))
+            *this = {candidate, candidate_depth, candidate_l};
+    }
+};
+
+/// The nearest arc or vertex.
+struct NearestEdge {
+    double squared_distance = std::numeric_limits<double>::infinity();
+    std::uint32_t arc = 0;
+    std::uint32_t vertex = kNoVertex;  ///< kNoVertex: the arc is nearest
+
+    bool found() const { return squared_distance < std::numeric_limits<double>::infinity(); }
+    void offer_vertex(std::uint32_t candidate, double candidate_squared_distance) {
+        if (candidate_squared_distance < squared_distance) *this = {candidate_squared_distance, 0, candidate};
+    }
+    void offer_arc(std::uint32_t candidate, const ArcFoot& foot) {
+        if (foot.within && foot.squared_distance < squared_distance)
+            *this = {foot.squared_distance, candidate, kNoVertex};
+    }
+};
+
+/// Whether the nearest point of the SAS is the point of the ball's sphere in the direction of p.
+///
+/// dist(p, K) >= depth of p in every ball, with equality exactly where that direction is exposed: so only the
+/// deepest ball can own p. Outside all balls (in K) the nearest ball always does.
+inline bool owned_by_ball(const AccessibleSurface::Data& data, const NearestBall& ball, const Vec3& p) {
+    return ball.depth <= 0.0 || (data.exposed[ball.atom] != 0 &&
+                                 data.direction_exposed(ball.atom, p - data.atoms.centres[ball.atom], ball.l));
+}
+
+NearestFeature contact_feature(const AccessibleSurface::Data& data, const Vec3& p, const NearestBall& ball);
+NearestFeature edge_feature(const AccessibleSurface::Data& data, const Vec3& p, const NearestEdge& edge);
+
+}  // namespace meniscus
