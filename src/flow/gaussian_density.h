@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The Gaussian density map that the flow starts from (Pan & Tai 2009, eq. 3.1), in a form near a distance.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "band/surface_blocks.h"
+#include "geometry/accessible_surface_data.h"
+#include "grid/block_grid.h"
+
+namespace meniscus {
+
+/// Φ0(x) = ln(Σ exp(C(|x - x_i|² - r_i²))) / (2 C r̄), r̄ the mean radius: the zero set of the paper's
+/// G(x) = Σ exp(C(|x - x_i|² - r_i²)) - 1, negative inside, with a slope near 1 there.
+class GaussianDensity {
+public:
+    /// C in Å^-2, negative: close to 0 inflates, far below hugs the van der Waals surface.
+    GaussianDensity(const AccessibleSurface& surface, double c);
+
+    /// Blocks that may hold a node with |Φ0| < margin, ascending.
+    /// throws   LimitError when more than max_blocks are found
+    std::vector<BlockCoord> blocks_near_surface(const Lattice& lattice, double margin, std::size_t max_blocks) const;
+
+    /// Φ0 at every node of the grid, clamped to ±margin.
+    std::vector<float> sample(const BlockGrid& grid, double margin) const;
+
+private:
+    enum class Where : std::uint8_t { Inside, Outside, Near };
+
+    void gather(const Box& box, std::vector<std::uint32_t>& atoms) const;
+    Where classify(const Box& box, double margin, std::vector<std::uint32_t>& atoms) const;
+    void evaluate(const Vec3& corner, double spacing, std::span<const std::uint32_t> atoms,
+                  std::span<double, kBlockNodes> log_sums) const;
+    /// Of the term of atom i at squared distance d2 from its centre.
+    double exponent(std::uint32_t i, double d2) const {
+        return c_ * (d2 - data_->atoms.radii[i] * data_->atoms.radii[i]);
+    }
+
+    const AccessibleSurface::Data* data_;
+    double c_;
+    double mean_radius_;
+    double reach_;  // Å; farther terms are below e^-12
+};
+
+}  // namespace meniscus

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Linear systems with a 27-point stencil on part of the band's nodes, solved matrix-free.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "grid/block_grid.h"
+#include "grid/stencil.h"
+
+namespace meniscus {
+
+/// 1 for nodes that are unknowns, else 0; one entry per node.
+using NodeMask = std::vector<std::uint8_t>;
+
+/// One value per block for the nodes of its missing neighbours.
+using BlockFill = std::vector<float>;
+
+/// result = stencil applied to field, on all nodes of all blocks.
+void apply_everywhere(const BlockGrid& grid, const Stencil& stencil, std::span<const float> field,
+                      const BlockFill& fill, std::span<float> result);
+
+struct SolveOptions {
+    double tolerance = 1e-6;  ///< stop when the root mean square of the residual is below it
+    int max_iterations = 200;
+};
+
+struct SolveResult {
+    int iterations = 0;
+    double residual = 0.0;  ///< root mean square over the unknowns
+};
+
+/// Conjugate gradients for: (stencil applied to x) = b on the nodes of the mask, x given on all others.
+///
+/// The stencil must be positive definite. Sums run over blocks in fixed order: the same bits for any number of
+/// threads. Reuses its memory from solve to solve.
+class SplineSystem {
+public:
+    explicit SplineSystem(const BlockGrid& grid);
+
+    /// x: start values on the mask, known values elsewhere; overwritten on the mask only.
+    SolveResult solve(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill, std::span<const float> b,
+                      std::span<float> x, const SolveOptions& options);
+
+private:
+    double start(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill, std::span<const float> b,
+                 std::span<const float> x);
+    double apply(const Stencil& stencil, const NodeMask& mask);
+    double advance(double alpha, std::span<float> x);
+    void turn(double beta);
+
+    const BlockGrid* grid_;
+    BlockFill zero_fill_;
+    std::vector<BlockId> active_;  // blocks with unknowns
+    std::size_t unknowns_ = 0;
+    std::vector<float> residual_;
+    std::vector<float> direction_;
+    std::vector<float> image_;  // stencil applied to direction
+};
+
+}  // namespace meniscus
