@@ -28,6 +28,7 @@ struct SurfaceOptions {
     double spacing = 0.5;             ///< grid spacing
     double density = -0.5;            ///< constant C of the initial Gaussian map, Å^-2, negative
     double time_step = 4.0;           ///< of the flow, in units of spacing²
+    double anchor = 16.0;             ///< λ of the flow's anchor, in units of spacing^-2
     int max_steps = 30;               ///< of the flow
     int threads = 0;                  ///< 0: all cores; results do not depend on it
     std::size_t memory_limit_mb = 0;  ///< 0: what the machine has available

@@ -56,6 +56,7 @@ void check_options(const SurfaceOptions& options) {
     require(positive(options.spacing), "spacing", options.spacing, "finite and positive");
     require(positive(-options.density), "density", options.density, "finite and negative");
     require(positive(options.time_step), "time step", options.time_step, "finite and positive");
+    require(positive(options.anchor), "anchor", options.anchor, "finite and positive");
     require(options.max_steps >= 1, "max steps", options.max_steps, "at least 1");
     require(options.threads >= 0, "threads", options.threads, "0 (all cores) or more");
 }
@@ -148,7 +149,8 @@ private:
         surface_.seconds.band = clock_.lap();
         report("band", 1.0);
 
-        const EvolutionOptions evolution{.time_step = options_.time_step, .max_steps = options_.max_steps};
+        const EvolutionOptions evolution{
+            .time_step = options_.time_step, .anchor = options_.anchor, .max_steps = options_.max_steps};
         EvolutionResult result = evolve_anchored(*field.grid, band, std::move(start), evolution,
                                                  [&](double fraction) { report("flow", fraction); });
         surface_.flow.steps = result.steps;
