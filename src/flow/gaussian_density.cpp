@@ -107,7 +107,9 @@ std::vector<BlockCoord> GaussianDensity::blocks_near_surface(const Lattice& latt
     parallel_chunks(blocks.size(), kBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
         std::vector<std::uint32_t> atoms;
         for (std::size_t b = begin; b < end; ++b)
-            where[b] = classify(box_of(lattice.corner(blocks[b]), lattice.spacing), margin, atoms);
+            // With the cells to the neighbouring blocks: where the sign changes, both sides are kept.
+            where[b] =
+                classify(box_of(lattice.corner(blocks[b]), lattice.spacing).grown(lattice.spacing), margin, atoms);
     });
     std::vector<BlockCoord> near;
     for (std::size_t b = 0; b < blocks.size(); ++b)

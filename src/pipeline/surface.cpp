@@ -236,6 +236,7 @@ private:
         const auto holds = [](std::string name, bool passed) {
             return Check{std::move(name), passed, passed ? 1.0 : 0.0, 1.0};
         };
+        surface_.checks.push_back(holds("not_empty", !surface_.mesh.triangles.empty()));
         surface_.checks.push_back(holds("closed", surface_.measures.closed));
         surface_.checks.push_back(holds("manifold", surface_.measures.manifold));
         if (options_.method == Method::Flow) surface_.checks.push_back(holds("converged", surface_.flow.converged));

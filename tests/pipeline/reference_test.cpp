@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The surface of the reference arrangements and proteins against exact volumes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "meniscus/surface.h"
+#include "support/mesh_checks.h"
+#include "support/test_data.h"
+
+namespace meniscus::testing {
+namespace {
+
+struct Reference {
+    std::string file;
+    std::size_t atoms = 0;
+    double volume = 0.0;
+};
+
+// Rows of exact.tsv for the probe of 1.4 Å.
+std::vector<Reference> references() {
+    std::ifstream table(*test_data() / "reference/exact.tsv");
+    std::vector<Reference> rows;
+    std::string line;
+    std::getline(table, line);
+    while (std::getline(table, line)) {
+        std::istringstream fields(line);
+        Reference row;
+        double probe = 0.0;
+        double skipped = 0.0;
+        fields >> row.file >> row.atoms >> probe >> skipped >> skipped >> skipped >> row.volume;
+        if (probe == 1.4) rows.push_back(row);
+    }
+    return rows;
+}
+
+bool is_spheres(const Reference& row) { return row.file.starts_with("spheres/"); }
+
+double volume_error(const Surface& surface, const Reference& row) {
+    return std::abs(surface.measures.volume / row.volume - 1.0);
+}
+
+TEST(Reference, SphereFilesConvergeFromEveryStartWithSecondOrder) {
+    MENISCUS_NEED_TEST_DATA();
+    for (const Reference& row : references()) {
+        if (!is_spheres(row)) continue;
+        SCOPED_TRACE(row.file);
+        const Atoms atoms = read_spheres(*test_data() / "reference" / row.file);
+        const Surface coarse = compute_surface(atoms, {.spacing = 0.5});
+        std::vector<std::size_t> pieces;
+        for (const double density : {-0.2, -0.5, -4.0}) {
+            const Surface fine = compute_surface(atoms, {.spacing = 0.25, .density = density});
+            EXPECT_TRUE(fine.passed());
+            EXPECT_LE(fine.distance.mean, 0.004);
+            EXPECT_LT(volume_error(fine, row), 0.02);
+            EXPECT_GE(std::log2(volume_error(coarse, row) / volume_error(fine, row)), 1.8);
+            pieces.push_back(fine.measures.components.size());
+        }
+        EXPECT_EQ(pieces[0], pieces[1]);
+        EXPECT_EQ(pieces[1], pieces[2]);
+    }
+}
+
+TEST(Reference, ProteinsAndNucleicAcidsKeepTheirVolume) {
+    MENISCUS_NEED_TEST_DATA();
+    for (const Reference& row : references()) {
+        if (is_spheres(row) || row.atoms > 5000) continue;  // the larger ones are run by bench/accuracy
+        SCOPED_TRACE(row.file);
+        const bool small = row.atoms < 200;
+        const Atoms atoms = read_spheres(*test_data() / "reference" / row.file);
+        for (const Method method : {Method::Flow, Method::Direct}) {
+            const Surface coarse = compute_surface(atoms, {.method = method, .spacing = 0.5});
+            EXPECT_TRUE(coarse.passed());
+            EXPECT_LT(volume_error(coarse, row), small ? 0.012 : 0.008);
+        }
+        if (row.atoms > 2000) continue;
+        const Surface fine = compute_surface(atoms, {.spacing = 0.25});
+        EXPECT_TRUE(fine.passed());
+        EXPECT_LE(fine.distance.mean, 0.004);
+        EXPECT_LT(volume_error(fine, row), small ? 0.003 : 0.002);
+        expect_closed_manifold(fine.mesh);
+    }
+}
+
+}  // namespace
+}  // namespace meniscus::testing

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "meniscus/surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+
+#include "meniscus/errors.h"
+#include "support/brute_force_ses.h"
+#include "support/mesh_checks.h"
+
+namespace meniscus::testing {
+namespace {
+
+// Three atoms in a bent row and one beside them: contact, toroidal and reentrant patches, and a ridge.
+Atoms small_molecule() {
+    return {{{0, 0, 0}, {1.5, 0.2, 0}, {2.4, 1.5, 0.3}, {4.1, -1.0, 2.2}}, {1.7, 1.55, 1.52, 1.8}};
+}
+
+Atoms random_cluster(int count, double extent, unsigned seed) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> within(0.0, extent);
+    std::uniform_real_distribution<double> size(1.2, 2.0);
+    Atoms atoms;
+    for (int i = 0; i < count; ++i) {
+        atoms.centres.push_back({within(random), within(random), within(random)});
+        atoms.radii.push_back(size(random));
+    }
+    return atoms;
+}
+
+// A shell of atoms on a sphere: one outer surface and one cavity.
+Atoms hollow_shell(double radius, int count) {
+    Atoms atoms;
+    for (int i = 0; i < count; ++i) {  // Fibonacci sphere
+        const double z = 1.0 - (2.0 * i + 1.0) / count;
+        const double angle = 2.399963229728653 * i;
+        const double r = std::sqrt(1.0 - z * z);
+        atoms.centres.push_back({radius * r * std::cos(angle), radius * r * std::sin(angle), radius * z});
+        atoms.radii.push_back(1.7);
+    }
+    return atoms;
+}
+
+void expect_same_bits(const Surface& a, const Surface& b) {
+    EXPECT_TRUE(a.mesh.vertices == b.mesh.vertices);
+    EXPECT_TRUE(a.mesh.normals == b.mesh.normals);
+    EXPECT_TRUE(a.mesh.triangles == b.mesh.triangles);
+    EXPECT_TRUE(a.mesh.patches == b.mesh.patches);
+    EXPECT_TRUE(a.mesh.components == b.mesh.components);
+    EXPECT_EQ(a.measures.area, b.measures.area);
+    EXPECT_EQ(a.measures.volume, b.measures.volume);
+    EXPECT_EQ(a.corrected_area, b.corrected_area);
+    EXPECT_EQ(a.distance.mean, b.distance.mean);
+    EXPECT_EQ(a.flow.residual, b.flow.residual);
+}
+
+class EveryMethod : public ::testing::TestWithParam<Method> {};
+INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod, ::testing::Values(Method::Flow, Method::Direct, Method::Gaussian));
+
+TEST_P(EveryMethod, GivesAClosedManifoldWithoutDegenerateTriangles) {
+    for (const double spacing : {0.5, 0.3}) {
+        const Surface surface =
+            compute_surface(random_cluster(60, 12.0, 5), {.method = GetParam(), .spacing = spacing});
+        expect_closed_manifold(surface.mesh);
+        EXPECT_TRUE(surface.passed());
+        EXPECT_GT(smallest_area_of(surface.mesh), 1e-6 * spacing * spacing);
+        EXPECT_EQ(surface.mesh.atoms.size(), surface.mesh.vertices.size());
+        EXPECT_EQ(surface.mesh.patches.size(), surface.mesh.vertices.size());
+        EXPECT_EQ(surface.mesh.components.size(), surface.mesh.vertices.size());
+    }
+}
+
+TEST_P(EveryMethod, GivesTheSameBitsForAnyNumberOfThreads) {
+    const Atoms atoms = random_cluster(60, 12.0, 6);
+    expect_same_bits(compute_surface(atoms, {.method = GetParam(), .threads = 1}),
+                     compute_surface(atoms, {.method = GetParam(), .threads = 2}));
+}
+
+TEST_P(EveryMethod, GivesTheSameBitsForAnyOrderOfAtoms) {
+    const Atoms atoms = random_cluster(60, 12.0, 7);
+    std::vector<std::uint32_t> order(atoms.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::shuffle(order.begin(), order.end(), std::mt19937(1));
+    Atoms shuffled;
+    for (const std::uint32_t i : order) {
+        shuffled.centres.push_back(atoms.centres[i]);
+        shuffled.radii.push_back(atoms.radii[i]);
+    }
+    const Surface a = compute_surface(atoms, {.method = GetParam()});
+    const Surface b = compute_surface(shuffled, {.method = GetParam()});
+    expect_same_bits(a, b);
+    for (std::size_t v = 0; v < a.mesh.atoms.size(); ++v) ASSERT_EQ(a.mesh.atoms[v], order[b.mesh.atoms[v]]);
+}
+
+TEST_P(EveryMethod, MovesWithTheMoleculeUpToTheGrid) {
+    const Atoms atoms = random_cluster(40, 9.0, 8);
+    Atoms moved = atoms;
+    for (Vec3& c : moved.centres)
+        c = Vec3{0.6 * c.x - 0.8 * c.y, 0.8 * c.x + 0.6 * c.y, c.z} + Vec3{103.7, -51.3, 12.9};
+    const Surface a = compute_surface(atoms, {.method = GetParam(), .spacing = 0.25});
+    const Surface b = compute_surface(moved, {.method = GetParam(), .spacing = 0.25});
+    EXPECT_NEAR(b.corrected_area / a.corrected_area, 1.0, 3e-3);
+    EXPECT_NEAR(b.corrected_volume / a.corrected_volume, 1.0, 1e-3);
+}
+
+TEST(Surface, VerticesLieOnTheSesByBruteForce) {
+    const Atoms atoms = random_cluster(50, 10.0, 9);
+    const BruteForceSes oracle(atoms, 1.4);
+    for (const Method method : {Method::Direct, Method::Flow}) {
+        const Surface surface = compute_surface(atoms, {.method = method, .spacing = 0.25});
+        double sum = 0.0;
+        double worst_report = 0.0;
+        for (const Vec3& v : surface.mesh.vertices) sum += std::abs(oracle.signed_distance(v));
+        const double mean = sum / static_cast<double>(surface.mesh.vertices.size());
+        worst_report = std::abs(mean - surface.distance.mean);
+        EXPECT_LT(worst_report, 1e-7) << "the report's distance is the true one";
+        EXPECT_LT(mean, method == Method::Direct ? 1e-5 : 0.004);
+        EXPECT_LE(surface.distance.mean, surface.distance.p99);
+        EXPECT_LE(surface.distance.p99, surface.distance.max);
+    }
+}
+
+TEST(Surface, FlowForgetsItsStart) {
+    const Atoms atoms = hollow_shell(6.5, 90);
+    for (const double density : {-0.2, -0.5, -4.0}) {
+        const Surface surface = compute_surface(atoms, {.spacing = 0.4, .density = density});
+        EXPECT_TRUE(surface.flow.converged) << density;
+        ASSERT_EQ(surface.measures.components.size(), 2U) << density;
+        EXPECT_GT(surface.measures.components[0].volume, 0.0);
+        EXPECT_LT(surface.measures.components[1].volume, 0.0) << "the cavity's wall faces inwards";
+        EXPECT_LT(surface.distance.mean, 0.01) << density;
+    }
+}
+
+TEST(Surface, SphereFallsToItsClosedFormWithSecondOrder) {
+    const Atoms atoms{{{0.1, 0.2, 0.3}}, {1.7}};
+    const double area = 4.0 * std::numbers::pi * 1.7 * 1.7;
+    for (const Method method : {Method::Direct, Method::Flow}) {
+        const double coarse = 1.0 - compute_surface(atoms, {.method = method, .spacing = 0.4}).measures.area / area;
+        const double fine = 1.0 - compute_surface(atoms, {.method = method, .spacing = 0.2}).measures.area / area;
+        EXPECT_GT(std::log2(coarse / fine), 1.8);
+        EXPECT_LT(fine, 0.005);
+    }
+}
+
+// Closed forms of two spheres, from the reference notes: radii, distance, probe, area, volume.
+TEST(Surface, TwoSpheresMatchTheirClosedForms) {
+    struct Case {
+        double r1, r2, d, probe, area, volume;
+    };
+    for (const Case& c :
+         {Case{1.7, 1.52, 1.23, 1.4, 45.237411, 27.522504}, Case{1.7, 1.7, 5.9, 1.4, 72.794368, 41.220155},
+          Case{2.0, 1.4, 4.5, 1.4, 77.520970, 47.694192}, Case{1.7, 1.7, 5.45, 1.5, 75.387196, 42.038952}}) {
+        const Atoms atoms{{{0, 0, 0}, {c.d * 0.6, 0, c.d * 0.8}}, {c.r1, c.r2}};
+        for (const Method method : {Method::Direct, Method::Flow}) {
+            const auto run = [&](double spacing) {
+                return compute_surface(atoms, {.method = method, .probe = c.probe, .spacing = spacing});
+            };
+            const Surface coarse = run(0.5);
+            const Surface fine = run(0.25);
+            EXPECT_NEAR(fine.corrected_volume / c.volume, 1.0, 2e-3) << c.d;
+            EXPECT_NEAR(fine.corrected_area / c.area, 1.0, 1e-2) << c.d;
+            const double order = std::log2(std::abs(coarse.measures.volume / c.volume - 1.0) /
+                                           std::abs(fine.measures.volume / c.volume - 1.0));
+            EXPECT_GT(order, 1.8) << c.d;
+        }
+    }
+}
+
+TEST(Surface, PatchesAndAtomsAreThoseOfTheNearestFeature) {
+    const Surface surface = compute_surface(small_molecule(), {.method = Method::Direct, .spacing = 0.3});
+    const Atoms atoms = small_molecule();
+    int kinds[3] = {0, 0, 0};
+    for (std::size_t v = 0; v < surface.mesh.vertices.size(); ++v) {
+        ++kinds[static_cast<int>(surface.mesh.patches[v])];
+        const std::uint32_t atom = surface.mesh.atoms[v];
+        const double gap = norm(surface.mesh.vertices[v] - atoms.centres[atom]) - atoms.radii[atom];
+        EXPECT_GT(gap, -1e-6);
+        if (surface.mesh.patches[v] == PatchKind::Contact) EXPECT_NEAR(gap, 0.0, 1e-6);
+    }
+    for (const int kind : kinds) EXPECT_GT(kind, 0);
+}
+
+TEST(Surface, ProbeZeroGivesTheVanDerWaalsSurface) {
+    const Atoms atoms = small_molecule();
+    const Surface surface = compute_surface(atoms, {.method = Method::Direct, .probe = 0.0, .spacing = 0.25});
+    EXPECT_TRUE(surface.passed());
+    for (const Vec3& v : surface.mesh.vertices) {
+        double gap = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < atoms.size(); ++i) gap = std::min(gap, norm(v - atoms.centres[i]) - atoms.radii[i]);
+        EXPECT_NEAR(gap, 0.0, 1e-5);
+    }
+}
+
+TEST(Surface, ExtremeInputsStayClosed) {
+    const Atoms cases[] = {
+        {{{0, 0, 0}, {1e6, 0, 0}}, {1.5, 1.5}},
+        {{{1e9, 1e9, 1e9}, {1e9 + 2, 1e9, 1e9}}, {1.5, 1.5}},
+        {{{0, 0, 0}, {21, 0, 0}, {0, 20.5, 0}}, {20.0, 1.5, 0.01}},
+        {{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, {1.5, 1.5, 1.4}},
+        {{{0, 0, 0}, {5.8, 0, 0}, {2.9, 5.8 * std::sqrt(0.75), 0}}, {1.5, 1.5, 1.5}},
+    };
+    for (const Atoms& atoms : cases)
+        for (const Method method : {Method::Flow, Method::Direct, Method::Gaussian}) {
+            const Surface surface = compute_surface(atoms, {.method = method});
+            EXPECT_TRUE(surface.passed());
+            expect_closed_manifold(surface.mesh);
+        }
+}
+
+TEST(Surface, MissingAnAtomSmallerThanTheGridIsAFailedCheck) {
+    const Surface surface = compute_surface({{{0.05, 0.05, 0.05}}, {0.01}}, {.spacing = 0.5});
+    EXPECT_FALSE(surface.passed());
+}
+
+TEST(Surface, OptionsOutOfRangeAreUsageErrors) {
+    const Atoms atoms = small_molecule();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(compute_surface(atoms, {.probe = -1.0}), UsageError);
+    EXPECT_THROW(compute_surface(atoms, {.probe = nan}), UsageError);
+    EXPECT_THROW(compute_surface(atoms, {.spacing = 0.0}), UsageError);
+    EXPECT_THROW(compute_surface(atoms, {.density = 0.5}), UsageError);
+    EXPECT_THROW(compute_surface(atoms, {.max_steps = 0}), UsageError);
+    EXPECT_THROW(compute_surface({}, {}), std::invalid_argument);
+}
+
+TEST(Surface, RefusesWhatWouldNotFit) {
+    EXPECT_THROW(compute_surface(small_molecule(), {.spacing = 0.01, .memory_limit_mb = 50}), LimitError);
+    EXPECT_THROW(compute_surface({{{1e12, 0, 0}}, {1.5}}, {}), LimitError);
+}
+
+TEST(Surface, ProgressEndsEveryStage) {
+    double last = 0.0;
+    std::string stages;
+    compute_surface(small_molecule(), {}, [&](std::string_view stage, double fraction) {
+        if (!stages.ends_with(stage)) stages += (stages.empty() ? "" : " ") + std::string(stage);
+        last = fraction;
+    });
+    EXPECT_EQ(stages, "geometry band flow mesh");
+    EXPECT_EQ(last, 1.0);
+}
+
+TEST(Surface, StepsTooFewToConvergeAreReported) {
+    const Surface surface = compute_surface(random_cluster(40, 9.0, 10), {.time_step = 0.1, .max_steps = 2});
+    EXPECT_FALSE(surface.flow.converged);
+    EXPECT_FALSE(surface.passed());
+    expect_closed_manifold(surface.mesh);
+}
+
+}  // namespace
+}  // namespace meniscus::testing
