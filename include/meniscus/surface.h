@@ -27,7 +27,7 @@ struct SurfaceOptions {
     double probe = 1.4;               ///< probe radius; 0 gives the van der Waals surface
     double spacing = 0.5;             ///< grid spacing
     double density = -0.5;            ///< constant C of the initial Gaussian map, Å^-2, negative
-    double time_step = 4.0;           ///< of the flow, in units of spacing²
+    double time_step = 16.0;          ///< τ of the flow, in units of spacing²
     double anchor = 16.0;             ///< λ of the flow's anchor, in units of spacing^-2
     int max_steps = 30;               ///< of the flow
     int threads = 0;                  ///< 0: all cores; results do not depend on it
