@@ -24,7 +24,7 @@ struct VertexArray {
 
 struct WriteOptions {
     Encoding encoding = Encoding::Binary;  ///< of PLY and STL; OBJ and OFF are text
-    std::vector<VertexArray> extra;        ///< written by formats with named vertex values (PLY), after the mesh's own
+    std::vector<VertexArray> extra{};      ///< written by formats with named vertex values (PLY), after the mesh's own
 };
 
 /// Writes a mesh; the suffix of `path` chooses the format: .ply .obj .stl .off.

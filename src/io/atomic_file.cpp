@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "meniscus/errors.h"
+
+namespace meniscus {
+namespace {
+
+constexpr int kAttempts = 100;  // at a temporary name that nobody else uses
+
+// The standard streams under the names they have in /dev; -1 for other paths. They are written through the descriptor
+// that is open, because opening their names again would start at the beginning of a file they were sent to.
+int standard_stream(const std::string& path) {
+    if (path == "/dev/stdout" || path == "/dev/fd/1") return STDOUT_FILENO;
+    if (path == "/dev/stderr" || path == "/dev/fd/2") return STDERR_FILENO;
+    return -1;
+}
+
+std::string follow_links(const std::string& path) {
+    const std::unique_ptr<char, decltype(&std::free)> resolved(::realpath(path.c_str(), nullptr), &std::free);
+    return resolved ? std::string(resolved.get()) : path;
+}
+
+std::string temporary_name_beside(const std::string& target) {
+    static std::atomic<unsigned> counter{0};
+    const std::size_t slash = target.rfind('/');
+    const std::string folder = slash == std::string::npos ? "" : target.substr(0, slash + 1);
+    return folder + ".meniscus-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
+}
+
+template <class T>
+std::string_view digits_of(T value, std::array<char, 32>& digits) {
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    return {digits.data(), static_cast<std::size_t>(end - digits.data())};
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), buffer_(new char[kBufferSize]) {
+    struct stat found {};
+    const bool exists = ::stat(path_.c_str(), &found) == 0;
+    if (const int stream = standard_stream(path_); stream >= 0)
+        open_directly(::dup(stream));
+    else if (exists && S_ISDIR(found.st_mode))
+        fail(EISDIR);
+    else if (exists && !S_ISREG(found.st_mode))
+        open_directly(::open(path_.c_str(), O_WRONLY | O_CLOEXEC));
+    else if (exists && ::access(path_.c_str(), W_OK) != 0)
+        fail(errno);
+    else
+        open_temporary();
+    // A file that is replaced keeps its permissions; that this may fail on some file systems does not matter.
+    if (exists && !temporary_.empty() && ::fchmod(descriptor_, found.st_mode & 07777U) != 0) errno = 0;
+}
+
+AtomicFile::~AtomicFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::open_directly(int descriptor) {
+    if (descriptor < 0) fail(errno);
+    descriptor_ = descriptor;
+}
+
+void AtomicFile::open_temporary() {
+    target_ = follow_links(path_);
+    int error = EEXIST;
+    for (int attempt = 0; attempt < kAttempts && error == EEXIST; ++attempt) {
+        const std::string name = temporary_name_beside(target_);
+        descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        error = descriptor_ < 0 ? errno : 0;
+        if (error == 0) temporary_ = name;
+    }
+    if (error != 0) fail(error);
+}
+
+void AtomicFile::number(float value) {
+    std::array<char, 32> digits;
+    write(digits_of(value, digits));
+}
+
+void AtomicFile::number(double value) {
+    std::array<char, 32> digits;
+    write(digits_of(value, digits));
+}
+
+void AtomicFile::number(std::uint64_t value) {
+    std::array<char, 32> digits;
+    write(digits_of(value, digits));
+}
+
+void AtomicFile::append_over_the_end(const char* data, std::size_t size) {
+    flush();
+    if (size > kBufferSize) return write_out(data, size);
+    append(data, size);
+}
+
+void AtomicFile::flush() { write_out(buffer_.get(), std::exchange(used_, 0)); }
+
+void AtomicFile::write_out(const char* data, std::size_t size) {
+    while (size > 0) {
+        const ssize_t written = ::write(descriptor_, data, size);
+        if (written < 0 && errno != EINTR) fail(errno);
+        if (written <= 0) continue;
+        data += written;
+        size -= static_cast<std::size_t>(written);
+    }
+}
+
+void AtomicFile::close_descriptor() {
+    const int descriptor = descriptor_;
+    descriptor_ = -1;
+    if (::close(descriptor) != 0 && errno != EINTR) fail(errno);
+}
+
+void AtomicFile::commit() {
+    flush();
+    close_descriptor();
+    if (temporary_.empty()) return;
+    if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+    temporary_.clear();
+}
+
+void AtomicFile::fail(int error) const {
+    throw OutputError(path_ + ": cannot be written: " + std::generic_category().message(error));
+}
+
+}  // namespace meniscus

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// A file that appears whole or not at all.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace meniscus {
+
+/// Writes to a temporary name in the folder of `path`; commit() gives it its real name.
+///
+/// An older file stays as it was until then, and for good if commit() is never reached: the destructor removes the
+/// temporary file. A link is followed, so the file it points to is replaced and not the link. What is there already and
+/// is not a regular file (a device, a pipe, /dev/stdout) is written to directly.
+/// throws   OutputError "PATH: cannot be written: reason" from every function
+class AtomicFile {
+public:
+    explicit AtomicFile(std::string path);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    void write(std::string_view text) { append(text.data(), text.size()); }
+    void write(char c) { append(&c, 1); }
+
+    /// The number in as few digits as give the same number back; nan and inf as such.
+    void number(float value);
+    void number(double value);
+    void number(std::uint64_t value);
+
+    /// The bytes of a value as they are in memory.
+    template <class T>
+    void bytes(const T& value) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+
+    void commit();
+
+private:
+    static constexpr std::size_t kBufferSize = std::size_t{1} << 18U;
+
+    void open_directly(int descriptor);
+    void open_temporary();
+    void append(const char* data, std::size_t size) {
+        if (size > kBufferSize - used_) return append_over_the_end(data, size);
+        std::memcpy(buffer_.get() + used_, data, size);
+        used_ += size;
+    }
+    void append_over_the_end(const char* data, std::size_t size);
+    void flush();
+    void write_out(const char* data, std::size_t size);
+    void close_descriptor();
+    [[noreturn]] void fail(int error) const;
+
+    std::string path_;       // as the caller names it
+    std::string target_;     // with links followed
+    std::string temporary_;  // empty when written directly
+    int descriptor_ = -1;
+    std::size_t used_ = 0;  // of the buffer
+    std::unique_ptr<char[]> buffer_;
+};
+
+}  // namespace meniscus

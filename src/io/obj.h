@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// OBJ: positions and normals, as text.
+#pragma once
+
+#include "io/atomic_file.h"
+#include "meniscus/mesh.h"
+
+namespace meniscus {
+
+/// Writes a mesh as Wavefront OBJ: v, vn if the mesh has normals, and f a//a b//b c//c (or f a b c), counted from 1.
+void write_obj(AtomicFile& file, const Mesh& mesh);
+
+}  // namespace meniscus

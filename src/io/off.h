@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// OFF: positions and triangles, as text.
+#pragma once
+
+#include "io/atomic_file.h"
+#include "meniscus/mesh.h"
+
+namespace meniscus {
+
+/// Writes positions and triangles as OFF.
+void write_off(AtomicFile& file, const Mesh& mesh);
+
+}  // namespace meniscus

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// How many digits the coordinates of a mesh need.
+#pragma once
+
+#include "io/atomic_file.h"
+#include "meniscus/mesh.h"
+
+namespace meniscus {
+
+/// Single precision where it is enough, which keeps files small and suits every reader.
+enum class Precision { Single, Double };
+
+/// Double if single precision would be too coarse for the coordinates (steps above 1e-4 Å, from 1024 Å off the origin
+/// on) or if it would make two corners of a triangle coincide.
+/// cost     O(n)
+Precision precision_needed(const Mesh& mesh);
+
+/// Writes "x y z", each in as few digits as give the rounded number back.
+void write_point(AtomicFile& file, const Vec3& point, Precision precision);
+
+}  // namespace meniscus

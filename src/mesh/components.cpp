@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh/components.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+namespace meniscus {
+namespace {
+
+// Disjoint sets of vertices; the root of a set is its smallest vertex, whatever the order of unions.
+class VertexSets {
+public:
+    explicit VertexSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), VertexId{0}); }
+
+    VertexId root(VertexId v) {
+        while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
+        return v;
+    }
+
+    void join(VertexId a, VertexId b) {
+        a = root(a);
+        b = root(b);
+        if (a != b) parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+private:
+    std::vector<VertexId> parent_;
+};
+
+// Pieces numbered by their smallest vertex.
+std::vector<std::uint32_t> pieces_by_first_vertex(const Mesh& mesh) {
+    VertexSets sets(mesh.vertices.size());
+    for (const auto& [a, b, c] : mesh.triangles) {
+        sets.join(a, b);
+        sets.join(a, c);
+    }
+    std::vector<std::uint32_t> pieces(mesh.vertices.size());
+    std::uint32_t count = 0;
+    for (VertexId v = 0; v < pieces.size(); ++v) {
+        const VertexId root = sets.root(v);
+        pieces[v] = root == v ? count++ : pieces[root];
+    }
+    return pieces;
+}
+
+// order[i] = old number of the piece that becomes number i.
+std::vector<std::uint32_t> final_order(const std::vector<MeshComponent>& pieces) {
+    std::vector<std::uint32_t> order(pieces.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return std::abs(pieces[a].volume) > std::abs(pieces[b].volume);
+    });
+    const auto outer =
+        std::find_if(order.begin(), order.end(), [&](std::uint32_t p) { return pieces[p].volume > 0.0; });
+    if (outer != order.end()) std::rotate(order.begin(), outer, outer + 1);
+    return order;
+}
+
+}  // namespace
+
+std::vector<MeshComponent> measure_components(const Mesh& mesh, std::span<const std::uint32_t> of_vertex) {
+    std::vector<MeshComponent> pieces;
+    std::vector<Vec3> origins;  // first vertex of each piece
+    for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
+        const std::size_t p = of_vertex[v];
+        if (p >= pieces.size()) {
+            pieces.resize(p + 1);
+            origins.resize(p + 1);
+        }
+        if (pieces[p].vertices++ == 0) origins[p] = mesh.vertices[v];
+    }
+    for (std::size_t t = 0; t < mesh.triangles.size();) {
+        // One run of triangles of the same piece at a time, summed in registers.
+        const std::uint32_t p = of_vertex[mesh.triangles[t][0]];
+        const Vec3 origin = origins[p];
+        MeshComponent run;
+        for (; t < mesh.triangles.size() && of_vertex[mesh.triangles[t][0]] == p; ++t) {
+            const auto& [i, j, k] = mesh.triangles[t];
+            const Vec3 a = mesh.vertices[i] - origin;
+            const Vec3 normal = cross(mesh.vertices[j] - mesh.vertices[i], mesh.vertices[k] - mesh.vertices[i]);
+            ++run.triangles;
+            run.area += 0.5 * norm(normal);
+            run.volume += dot(a, normal);
+        }
+        pieces[p].triangles += run.triangles;
+        pieces[p].area += run.area;
+        pieces[p].volume += run.volume / 6.0;
+    }
+    return pieces;
+}
+
+Components find_components(const Mesh& mesh) {
+    Components found{.of_vertex = pieces_by_first_vertex(mesh), .pieces = {}};
+    const std::vector<MeshComponent> pieces = measure_components(mesh, found.of_vertex);
+    const std::vector<std::uint32_t> order = final_order(pieces);
+    std::vector<std::uint32_t> number(pieces.size());
+    found.pieces.reserve(pieces.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+        number[order[i]] = i;
+        found.pieces.push_back(pieces[order[i]]);
+    }
+    for (std::uint32_t& p : found.of_vertex) p = number[p];
+    return found;
+}
+
+std::vector<MeshComponent> label_components(Mesh& mesh) {
+    Components found = find_components(mesh);
+    mesh.components = std::move(found.of_vertex);
+    return std::move(found.pieces);
+}
+
+}  // namespace meniscus

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Connected pieces of a mesh: outer surfaces and the walls of cavities.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "meniscus/mesh.h"
+
+namespace meniscus {
+
+/// The connected pieces of a mesh.
+struct Components {
+    std::vector<std::uint32_t> of_vertex;  ///< number of each vertex's piece
+    std::vector<MeshComponent> pieces;     ///< with area and signed volume
+};
+
+/// Finds the connected pieces of a mesh.
+///
+/// Pieces are numbered by falling absolute volume, outer pieces and cavities in one row, but with the largest outer
+/// piece (positive volume) first, if there is one; ties by the smallest vertex number. A vertex without triangles is a
+/// piece of its own.
+/// cost     O(n) for n vertices and triangles, on one thread
+Components find_components(const Mesh& mesh);
+
+/// find_components, kept in mesh.components.
+std::vector<MeshComponent> label_components(Mesh& mesh);
+
+/// Size, area and signed volume of the pieces that a labelling of the vertices tells apart.
+/// Sums run in the order of the triangles; volumes are taken from a vertex of each piece, so that they do not lose
+/// digits far from the origin.
+std::vector<MeshComponent> measure_components(const Mesh& mesh, std::span<const std::uint32_t> of_vertex);
+
+}  // namespace meniscus

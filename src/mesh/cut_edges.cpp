@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh/cut_edges.h"
+
+#include <utility>
+
+#include "core/parallel.h"
+#include "mesh/cell_cases.h"
+
+namespace meniscus {
+namespace {
+
+constexpr std::size_t kGrain = 32;  // blocks per task: some tens of microseconds
+
+// Eight values -> eight bits. The multiplication gathers the lowest bit of every byte in the highest byte.
+std::uint64_t negative_bits(const float* values) {
+    std::array<std::uint8_t, kBlockEdge> negative{};
+    for (std::size_t i = 0; i < kBlockEdge; ++i) negative[i] = values[i] < 0.0F ? 1 : 0;
+    if constexpr (std::endian::native == std::endian::little)
+        return std::bit_cast<std::uint64_t>(negative) * 0x0102040810204080ULL >> 56U;
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < kBlockEdge; ++i) bits |= std::uint64_t{negative[i]} << i;
+    return bits;
+}
+
+NodeBits inside_bits_of_block(const float* values) {
+    NodeBits bits{};
+    for (std::size_t z = 0; z < kBlockEdge; ++z)
+        for (std::size_t y = 0; y < kBlockEdge; ++y, values += kBlockEdge)
+            bits[z] |= negative_bits(values) << (kBlockEdge * y);
+    return bits;
+}
+
+// Where the nodes of an octant's block begin among the rows, and how many of them lie next to the block.
+struct Strip {
+    explicit constexpr Strip(std::size_t octant)
+        : x0((octant & 1U) * kBlockEdge), y0((octant >> 1U & 1U) * kBlockEdge), z0((octant >> 2U) * kBlockEdge) {}
+    std::size_t x0, y0, z0;
+    std::size_t ys = y0 > 0 ? 1 : kBlockEdge;
+    std::size_t zs = z0 > 0 ? 1 : kBlockEdge;
+    std::uint64_t keep = x0 > 0 ? 1U : 0xFFU;
+};
+
+void copy_rows(const NodeBits& bits, const Strip& strip, Rows& rows) {
+    for (std::size_t z = 0; z < strip.zs; ++z)
+        for (std::size_t y = 0; y < strip.ys; ++y)
+            rows.inside[strip.y0 + y + kRowNodes * (strip.z0 + z)] |=
+                static_cast<std::uint16_t>((bits[z] >> (kBlockEdge * y) & strip.keep) << strip.x0);
+}
+
+// Cells whose eight nodes exist, in the rows of one class (see Rows::complete).
+std::uint8_t complete_cells(const std::array<bool, 8>& exists, std::size_t row_class) {
+    bool inner = true;
+    bool last = true;
+    for (std::size_t octant = 0; octant < 8; ++octant) {
+        if ((octant & ~(2 * row_class + 1)) != 0) continue;
+        last = last && exists[octant];
+        if ((octant & 1U) == 0) inner = inner && exists[octant];
+    }
+    return static_cast<std::uint8_t>((inner ? 0x7FU : 0U) | (last ? 0x80U : 0U));
+}
+
+// Bit x: the edge from node x of this row to its neighbour along the direction is cut.
+std::uint64_t cut_in_row(const Rows& rows, std::size_t direction, std::size_t y, std::size_t z) {
+    constexpr std::array<std::size_t, 3> kStep{0, 1, kRowNodes};
+    const std::size_t row = y + kRowNodes * z;
+    const unsigned here = rows.inside[row];
+    if (direction == 0) return (here ^ here >> 1U) & (rows.exists[1] ? 0xFFU : 0x7FU);
+    const bool leaves_block = (direction == 1 ? y : z) == kBlockEdge - 1;
+    if (leaves_block && !rows.exists[std::size_t{1} << direction]) return 0;
+    return (here ^ rows.inside[row + kStep[direction]]) & 0xFFU;
+}
+
+// Fills in the bits and ranks of a block and returns how many vertices it has.
+std::size_t find_cut_edges(const Rows& rows, CutEdges& edges) {
+    std::size_t count = 0;
+    for (std::size_t d = 0; d < 3; ++d)
+        for (std::size_t z = 0; z < kBlockEdge; ++z) {
+            std::uint64_t word = 0;
+            for (std::size_t y = 0; y < kBlockEdge; ++y) word |= cut_in_row(rows, d, y, z) << (kBlockEdge * y);
+            edges.bits[d][z] = word;
+            edges.rank[d][z] = static_cast<std::uint16_t>(count);
+            count += static_cast<std::size_t>(std::popcount(word));
+        }
+    return count;
+}
+
+std::size_t count_triangles(const Rows& rows) {
+    std::size_t count = 0;
+    for_each_cut_cell(rows, [&](std::size_t, unsigned c) { count += kCellCases[c].count; });
+    return count;
+}
+
+}  // namespace
+
+std::vector<NodeBits> inside_bits(const BlockGrid& grid, std::span<const float> values) {
+    std::vector<NodeBits> inside(grid.block_count());
+    parallel_for(inside.size(), kGrain,
+                 [&](std::size_t b) { inside[b] = inside_bits_of_block(values.data() + b * kBlockNodes); });
+    return inside;
+}
+
+Rows rows_of(const BlockGrid& grid, std::span<const NodeBits> inside, std::size_t block) {
+    const auto& around = grid.neighbours(static_cast<BlockId>(block));
+    std::uint64_t any = 0;
+    std::uint64_t all = ~std::uint64_t{0};
+    Rows rows;
+    for (std::size_t octant = 0; octant < 8; ++octant) {
+        const BlockId b = upper_neighbour(around, octant);
+        rows.exists[octant] = b != kNoBlock;
+        if (b == kNoBlock) continue;
+        for (const std::uint64_t word : inside[b]) {
+            any |= word;
+            all &= word;
+        }
+    }
+    rows.mixed = any != 0 && ~all != 0;
+    if (!rows.mixed) return rows;
+    for (std::size_t octant = 0; octant < 8; ++octant)
+        if (rows.exists[octant]) copy_rows(inside[upper_neighbour(around, octant)], Strip(octant), rows);
+    for (std::size_t c = 0; c < rows.complete.size(); ++c) rows.complete[c] = complete_cells(rows.exists, c);
+    return rows;
+}
+
+std::vector<CutEdges> find_cut_edges(const BlockGrid& grid, std::span<const NodeBits> inside) {
+    std::vector<CutEdges> edges(grid.block_count() + 1);
+    parallel_for(grid.block_count(), kGrain, [&](std::size_t b) {
+        const Rows rows = rows_of(grid, inside, b);
+        if (!rows.mixed) return;
+        edges[b].first_vertex = find_cut_edges(rows, edges[b]);  // counts for now
+        edges[b].first_triangle = count_triangles(rows);
+    });
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+    for (CutEdges& e : edges) {
+        vertices += std::exchange(e.first_vertex, vertices);
+        triangles += std::exchange(e.first_triangle, triangles);
+    }
+    return edges;
+}
+
+}  // namespace meniscus

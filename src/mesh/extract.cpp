@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh/extract.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/parallel.h"
+#include "meniscus/errors.h"
+#include "mesh/cell_cases.h"
+#include "mesh/cut_edges.h"
+
+namespace meniscus {
+namespace {
+
+constexpr std::size_t kGrain = 32;  // blocks per task: some tens of microseconds
+
+// Vertices on the cut edges of a block and of the nodes next to it: entry direction * kLocalNodes + local_node.
+// Only the entries of cut edges are ever set or read.
+using LocalVertices = std::array<VertexId, 3 * kLocalNodes>;
+
+// Entry of a cell's edge, counted from the entry of the cell's own node along x.
+constexpr std::array<std::size_t, kCellEdges> kEdgeOffsets = [] {
+    std::array<std::size_t, kCellEdges> offsets{};
+    for (int e = 0; e < kCellEdges; ++e) {
+        const auto base = static_cast<std::size_t>(edge_base_corner(e));
+        offsets[static_cast<std::size_t>(e)] = static_cast<std::size_t>(edge_direction(e)) * kLocalNodes +
+                                               local_node(base & 1U, base >> 1U & 1U, base >> 2U);
+    }
+    return offsets;
+}();
+
+// Enters the vertices of a neighbour that lie next to the block; octant as in upper_neighbour, not 0.
+void enter_neighbour(const CutEdges& edges, std::size_t octant, LocalVertices& local) {
+    constexpr std::uint64_t kEverything = ~std::uint64_t{0};
+    const bool x = (octant & 1U) != 0;
+    const bool y = (octant & 2U) != 0;
+    const bool z = (octant & 4U) != 0;
+    const std::uint64_t keep = (x ? 0x0101010101010101ULL : kEverything) & (y ? 0xFFU : kEverything);
+    const std::size_t shift = local_node(x ? kBlockEdge : 0, y ? kBlockEdge : 0, z ? kBlockEdge : 0);
+    for (std::size_t d = 0; d < 3; ++d)
+        for (std::size_t w = 0; w < (z ? 1 : kBlockEdge); ++w) {
+            const std::uint64_t word = edges.bits[d][w];
+            const std::size_t first = edges.first_vertex + edges.rank[d][w];
+            for_each_bit(word & keep, [&](std::size_t bit) {
+                const auto before = static_cast<std::size_t>(std::popcount(word & ((std::uint64_t{1} << bit) - 1)));
+                local[d * kLocalNodes + shift + local_node(bit % kBlockEdge, bit / kBlockEdge, w)] =
+                    static_cast<VertexId>(first + before);
+            });
+        }
+}
+
+// Writes the part of the mesh that belongs to one block.
+class BlockFiller {
+public:
+    BlockFiller(const BlockGrid& grid, std::span<const float> values, std::span<const CutEdges> edges, Mesh& mesh)
+        : grid_(grid), values_(values), edges_(edges), mesh_(mesh) {}
+
+    void fill(std::size_t block, const Rows& rows) const {
+        LocalVertices local;
+        place_vertices(block, local);
+        const auto& around = grid_.neighbours(static_cast<BlockId>(block));
+        for (std::size_t octant = 1; octant < 8; ++octant)
+            if (rows.exists[octant]) enter_neighbour(edges_[upper_neighbour(around, octant)], octant, local);
+        connect(block, rows, local);
+    }
+
+private:
+    // Numbers the block's own vertices and sets their positions.
+    void place_vertices(std::size_t block, LocalVertices& local) const {
+        const Vec3 corner = grid_.corner(static_cast<BlockId>(block));
+        std::size_t vertex = edges_[block].first_vertex;
+        for (std::size_t d = 0; d < 3; ++d)
+            for (std::size_t z = 0; z < kBlockEdge; ++z)
+                for_each_bit(edges_[block].bits[d][z], [&](std::size_t bit) {
+                    const std::size_t x = bit % kBlockEdge;
+                    const std::size_t y = bit / kBlockEdge;
+                    local[d * kLocalNodes + local_node(x, y, z)] = static_cast<VertexId>(vertex);
+                    std::array<double, 3> at{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+                    at[d] += root_fraction(block, d, bit + z * kBlockEdge * kBlockEdge);
+                    mesh_.vertices[vertex++] = corner + grid_.spacing() * Vec3{at[0], at[1], at[2]};
+                });
+    }
+
+    // Where the edge from a node along a direction is cut, as a fraction of its length.
+    double root_fraction(std::size_t block, std::size_t direction, std::size_t node) const {
+        const double a = values_[block * kBlockNodes + node];
+        const double b = value_beyond(block, direction, node);
+        return std::min(std::max(kMinEdgeFraction, a / (a - b)), 1.0 - kMinEdgeFraction);
+    }
+
+    // Value at the far end of the edge from a node along a direction; the node must exist.
+    double value_beyond(std::size_t block, std::size_t direction, std::size_t node) const {
+        const std::size_t step = std::size_t{1} << (3 * direction);
+        const std::size_t last = (kBlockEdge - 1) * step;
+        if ((node & last) != last) return values_[block * kBlockNodes + node + step];
+        const auto& around = grid_.neighbours(static_cast<BlockId>(block));
+        const std::size_t next = upper_neighbour(around, std::size_t{1} << direction);
+        return values_[next * kBlockNodes + (node & ~last)];
+    }
+
+    void connect(std::size_t block, const Rows& rows, const LocalVertices& local) const {
+        Triangle* out = mesh_.triangles.data() + edges_[block].first_triangle;
+        for_each_cut_cell(rows, [&](std::size_t cell, unsigned c) {
+            const CellCase& cut = kCellCases[c];
+            for (std::size_t t = 0; t < cut.count; ++t) {
+                const auto& [e, f, g] = cut.triangles[t];
+                *out++ = {local[cell + kEdgeOffsets[e]], local[cell + kEdgeOffsets[f]], local[cell + kEdgeOffsets[g]]};
+            }
+        });
+    }
+
+    const BlockGrid& grid_;
+    std::span<const float> values_;
+    std::span<const CutEdges> edges_;
+    Mesh& mesh_;
+};
+
+}  // namespace
+
+Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values) {
+    const std::vector<NodeBits> inside = inside_bits(grid, values);
+    const std::vector<CutEdges> edges = find_cut_edges(grid, inside);
+    const CutEdges& totals = edges.back();
+    if (totals.first_vertex > std::numeric_limits<VertexId>::max())
+        throw LimitError("the mesh would have " + std::to_string(totals.first_vertex) +
+                         " vertices, more than 2^32 - 1; choose a larger --spacing");
+    Mesh mesh;
+    mesh.vertices.resize(totals.first_vertex);
+    mesh.triangles.resize(totals.first_triangle);
+    const BlockFiller filler(grid, values, edges, mesh);
+    parallel_for(grid.block_count(), kGrain, [&](std::size_t b) {
+        const Rows rows = rows_of(grid, inside, b);
+        if (rows.mixed) filler.fill(b, rows);
+    });
+    return mesh;
+}
+
+}  // namespace meniscus

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "meniscus/errors.h"
+#include "meniscus/mesh.h"
+#include "mesh/components.h"
+#include "support/mesh_checks.h"
+#include "support/shapes.h"
+
+namespace meniscus {
+namespace {
+
+using testing::append;
+using testing::extracted_sphere;
+using testing::tetrahedron;
+
+TEST(MeshMeasures, Tetrahedron) {
+    const MeshMeasures measures = measure_mesh(tetrahedron());
+    EXPECT_NEAR(measures.area, 8.0 * std::sqrt(3.0), 1e-14);
+    EXPECT_NEAR(measures.volume, 8.0 / 3.0, 1e-14);
+    EXPECT_TRUE(measures.closed);
+    EXPECT_TRUE(measures.manifold);
+    EXPECT_EQ(measures.euler_characteristic, 2);
+    EXPECT_NEAR(measures.smallest_angle_deg, 60.0, 1e-12);
+    ASSERT_EQ(measures.components.size(), 1U);
+    EXPECT_EQ(measures.components[0].triangles, 4U);
+}
+
+TEST(MeshMeasures, NothingMeasuresNothing) {
+    const MeshMeasures measures = measure_mesh({});
+    EXPECT_EQ(measures.area, 0.0);
+    EXPECT_EQ(measures.volume, 0.0);
+    EXPECT_EQ(measures.smallest_angle_deg, 0.0);
+    EXPECT_TRUE(measures.components.empty());
+}
+
+TEST(MeshMeasures, AgreesWithPlainSums) {
+    const Mesh mesh = extracted_sphere({.centre = {0.3, -0.1, 0.2}, .radius = 2.0}, 0.2);
+    const MeshMeasures measures = measure_mesh(mesh);
+    EXPECT_NEAR(measures.area, testing::area_of(mesh), 1e-9);
+    EXPECT_NEAR(measures.volume, testing::volume_of(mesh), 1e-9);
+    EXPECT_EQ(measures.euler_characteristic, testing::euler_characteristic_of(mesh));
+}
+
+TEST(MeshMeasures, PlainSumsConvergeWithSecondOrder) {
+    double previous_area = 1.0;
+    double previous_volume = 1.0;
+    for (const double spacing : {0.4, 0.2, 0.1}) {
+        const MeshMeasures m =
+            measure_mesh(testing::projected_sphere({.centre = {0.01, 0.02, 0.03}, .radius = 2.0}, spacing));
+        const double area = std::abs(m.area / (16.0 * std::numbers::pi) - 1.0);
+        const double volume = std::abs(m.volume / (32.0 / 3.0 * std::numbers::pi) - 1.0);
+        EXPECT_GT(previous_area / area, 3.6);
+        EXPECT_GT(previous_volume / volume, 3.6);
+        previous_area = area;
+        previous_volume = volume;
+    }
+}
+
+TEST(MeshMeasures, CavitiesCountNegative) {
+    Mesh mesh = extracted_sphere({.centre = {}, .radius = 3.0}, 0.25);
+    append(mesh, testing::turned_inside_out(extracted_sphere({.centre = {}, .radius = 1.0}, 0.25)));
+    const MeshMeasures measures = measure_mesh(mesh);
+    ASSERT_EQ(measures.components.size(), 2U);
+    EXPECT_LT(measures.components[1].volume, 0.0);
+    EXPECT_DOUBLE_EQ(measures.volume, measures.components[0].volume + measures.components[1].volume);
+    EXPECT_EQ(measures.euler_characteristic, 4);
+}
+
+TEST(MeshMeasures, UsesTheComponentsOfTheMesh) {
+    Mesh mesh = tetrahedron();
+    append(mesh, tetrahedron());
+    EXPECT_EQ(measure_mesh(mesh).components.size(), 2U);
+    mesh.components.assign(8, 0);
+    EXPECT_EQ(measure_mesh(mesh).components.size(), 1U);
+}
+
+TEST(MeshMeasures, SameNumbersWithAndWithoutLabels) {
+    Mesh mesh = extracted_sphere({.centre = {5, 0, 0}, .radius = 1.0}, 0.25);
+    append(mesh, extracted_sphere({.centre = {}, .radius = 2.0}, 0.25));
+    const MeshMeasures before = measure_mesh(mesh);
+    label_components(mesh);
+    const MeshMeasures after = measure_mesh(mesh);
+    EXPECT_EQ(before.area, after.area);
+    EXPECT_EQ(before.volume, after.volume);
+    EXPECT_EQ(before.components[0].triangles, after.components[0].triangles);
+}
+
+TEST(MeshMeasures, SmallestAngleOfASliver) {
+    const double width = std::tan(0.001 * std::numbers::pi / 180.0);
+    for (const Triangle& t : {Triangle{0, 1, 2}, Triangle{1, 2, 0}, Triangle{2, 0, 1}}) {
+        const Mesh mesh{.vertices = {{0, 0, 0}, {1, 0, 0}, {1, width, 0}},
+                        .normals = {},
+                        .atoms = {},
+                        .patches = {},
+                        .components = {},
+                        .triangles = {t}};
+        EXPECT_NEAR(measure_mesh(mesh).smallest_angle_deg, 0.001, 1e-12);
+    }
+}
+
+TEST(MeshMeasures, DegenerateTrianglesHaveNoAngle) {
+    Mesh mesh = tetrahedron();
+    mesh.vertices[0] = mesh.vertices[1];
+    EXPECT_EQ(measure_mesh(mesh).smallest_angle_deg, 0.0);
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {0, 1, 0}};
+    EXPECT_EQ(measure_mesh(mesh).smallest_angle_deg, 0.0);
+    mesh.vertices = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
+    EXPECT_EQ(measure_mesh(mesh).smallest_angle_deg, 0.0);
+}
+
+TEST(MeshMeasures, MalformedMeshesAreRefused) {
+    Mesh mesh = tetrahedron();
+    mesh.triangles[2][1] = 4;
+    EXPECT_THROW(measure_mesh(mesh), UsageError);
+    mesh = tetrahedron();
+    mesh.components = {0, 0, 0};
+    EXPECT_THROW(measure_mesh(mesh), UsageError);
+    mesh.components = {0, 0, 0, 0xffffffffU};
+    EXPECT_THROW(measure_mesh(mesh), UsageError);
+}
+
+}  // namespace
+}  // namespace meniscus
