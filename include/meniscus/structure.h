@@ -14,8 +14,18 @@
 
 namespace meniscus {
 
-enum class HydrogenPolicy { Auto, Keep, Drop };
-enum class HeteroPolicy { None, Ligands, All };
+enum class HydrogenPolicy {
+    Auto,  ///< kept if the structure has them (docs/conventions.md) and the radius set is not of united atoms
+    Keep,
+    Drop,
+};
+
+/// Hetero groups beside the polymer, to which modified residues linked into it belong; waters are separate.
+enum class HeteroPolicy {
+    None,
+    Ligands,  ///< groups of two or more atoms in the file: cofactors, sugars, lipids, buffer molecules
+    All,      ///< also groups of one atom: ions, metals
+};
 
 /// What to read and keep. The defaults are those of the command line (docs/conventions.md).
 struct ReadOptions {
@@ -25,7 +35,7 @@ struct ReadOptions {
     std::string assembly;             ///< biological assembly; empty: as deposited
     std::string altloc;               ///< one letter; empty: highest summed occupancy per residue
     std::vector<std::string> chains;  ///< author names, "label:X" for mmCIF label names; empty: all
-    std::string select;               ///< gemmi selection; empty: all
+    std::string select;               ///< gemmi selection, of the file before any copying; empty: all
     HeteroPolicy hetero = HeteroPolicy::None;
     bool keep_waters = false;
     bool strict_radii = false;  ///< an unknown atom type is an InputError
@@ -60,8 +70,9 @@ struct Structure {
     Atoms atoms;
     std::vector<AtomLabel> labels;
     std::vector<Residue> residues;
-    std::map<std::string, std::size_t> dropped;  ///< atoms left out, by reason: waters, hetero, altlocs ...
-    std::vector<std::string> warnings;           ///< one line per kind of assumption, with the option that changes it
+    /// Atoms left out, by reason: chains, unselected, altlocs, waters, hetero, hydrogens, zero_radius, assembly.
+    std::map<std::string, std::size_t> dropped;
+    std::vector<std::string> warnings;  ///< one line per kind of assumption, with the option that changes it
 };
 
 /// Reads PDB, mmCIF, PQR, xyzr or xyzrn, each possibly gzipped; "-" reads standard input, told by content.
@@ -71,7 +82,9 @@ struct Structure {
 /// cost     O(size of the file)
 Structure read_structure(const std::string& path, const ReadOptions& options = {});
 
-/// All models of a file as structures of their own, in file order (options.model is ignored).
+/// All models of a file as structures of their own, in file order (options.model is ignored). Their names are those
+/// of the file with _m01, _m02 ... behind.
+/// throws   as read_structure, for the first model that cannot be read
 std::vector<Structure> read_all_models(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace meniscus

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure/assign_radii.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "meniscus/errors.h"
+#include "radii/element_radii.h"
+#include "radii/rule_file.h"
+#include "structure/hydrogens.h"
+
+namespace meniscus::reading {
+namespace {
+
+constexpr double kDisulfideBond = 2.5;  // Å; the bond has 2.05, sulphurs not bonded stay 3.4 apart
+
+RadiusSet named_set(const std::string& name) {
+    if (auto set = find_radius_set(name)) return *set;
+    std::error_code ignored;
+    if (std::filesystem::exists(name, ignored)) return read_radius_rules(name);
+    throw UsageError("--radii " + name + ": neither a set nor a file; there are " + radius_set_names() +
+                     ", auto, or a file of rules");
+}
+
+RadiusSet choose_set(const ReadOptions& options, const HydrogenCount& hydrogens) {
+    if (options.radii != "auto") return named_set(options.radii);
+    const bool keeps = options.hydrogens == HydrogenPolicy::Keep && hydrogens.all > 0;
+    const bool complete = options.hydrogens == HydrogenPolicy::Auto && hydrogens.is_complete();
+    return *find_radius_set(keeps || complete ? "bondi" : "united");
+}
+
+void drop_hydrogens(const RawModel& model, Chosen& chosen) {
+    const std::size_t count = std::erase_if(chosen.atoms, [&](std::uint32_t i) { return is_hydrogen(model.atoms[i]); });
+    chosen.drop("hydrogens", count);
+}
+
+void apply_hydrogens(const RawModel& model, const ReadOptions& options, const RadiusSet& set,
+                     const HydrogenCount& hydrogens, Chosen& chosen) {
+    if (options.hydrogens == HydrogenPolicy::Keep) {
+        if (set.united && hydrogens.all > 0) {
+            throw UsageError("--hydrogens keep: the radii of " + set.name +
+                             " stand for heavy atoms with their hydrogens; take --radii bondi");
+        }
+        return;
+    }
+    if (hydrogens.all == 0) return;
+    const bool asked = options.hydrogens == HydrogenPolicy::Drop;
+    const bool incomplete = !model.has_radii && !hydrogens.is_complete();
+    if (!asked && !set.united && !incomplete) return;
+    drop_hydrogens(model, chosen);
+    if (asked) return;
+    chosen.warnings.push_back(counted(hydrogens.all, "hydrogen") + " left out" +
+                              (incomplete ? ", too few to be all of them: --hydrogens keep"
+                                          : ", the radii of " + set.name + " stand for them: --radii bondi"));
+}
+
+// Residues in which an atom's radius depends on more than names: disulfides and charged amino ends.
+class Surroundings {
+public:
+    Surroundings(const RawModel& model, const std::vector<std::uint32_t>& kept) : model_(model) {
+        for (const std::uint32_t i : kept) {
+            const RawAtom& atom = model.atoms[i];
+            if (atom.name == "SG") sulphurs_.push_back(i);
+            if (is_third_hydrogen(atom)) amino_ends_.insert(atom.residue);
+        }
+        find_disulfides();
+    }
+
+    AtomType type_of(const RawAtom& atom) const {
+        const RawResidue& residue = model_.residue_of(atom);
+        const bool bridged = residue.name == "CYS" && disulfides_.contains(atom.residue);
+        return {bridged ? std::string_view("CYX") : std::string_view(residue.name), atom.name, atom.element,
+                amino_ends_.contains(atom.residue)};
+    }
+
+private:
+    // Of -NH3+; proline, which has one hydrogen less, shows its second.
+    bool is_third_hydrogen(const RawAtom& atom) const {
+        const RawResidue& residue = model_.residue_of(atom);
+        const bool is_proline = residue.name == "PRO";
+        return is_amino(residue.name) &&
+               (atom.name == "H3" || atom.name == "HT3" || atom.name == "HN3" ||
+                (is_proline && (atom.name == "H2" || atom.name == "HT2" || atom.name == "HN2")));
+    }
+
+    static bool is_amino(const std::string& residue) { return residue.size() >= 3; }  // nucleotides: DT has an H3 too
+
+    void find_disulfides() {
+        std::sort(sulphurs_.begin(), sulphurs_.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return model_.atoms[a].centre.x < model_.atoms[b].centre.x;
+        });
+        for (std::size_t i = 0; i < sulphurs_.size(); ++i) {
+            const RawAtom& a = model_.atoms[sulphurs_[i]];
+            for (std::size_t j = i + 1; j < sulphurs_.size(); ++j) {
+                const RawAtom& b = model_.atoms[sulphurs_[j]];
+                if (b.centre.x - a.centre.x > kDisulfideBond) break;
+                const bool bonded = squared_norm(b.centre - a.centre) < kDisulfideBond * kDisulfideBond;
+                if (bonded && a.residue != b.residue && a.centre != b.centre)
+                    disulfides_.insert({a.residue, b.residue});
+            }
+        }
+    }
+
+    const RawModel& model_;
+    std::vector<std::uint32_t> sulphurs_;
+    std::set<std::uint32_t> disulfides_;
+    std::set<std::uint32_t> amino_ends_;
+};
+
+// Types atoms by a set and keeps count of those it does not know.
+class Assigner {
+public:
+    Assigner(const RawModel& model, RadiusSet set, const std::vector<std::uint32_t>& kept)
+        : typer_(std::move(set)), surroundings_(model, kept) {}
+
+    double radius(const RawAtom& atom) {
+        const AtomType type = surroundings_.type_of(atom);
+        if (const auto found = typer_.find(type)) return *found;
+        ++unknown_[std::string(type.residue) + " " + std::string(type.name)];
+        const auto element = element_radius(type.element);
+        if (!element) ++without_element_;
+        return element ? element->radius : kUnknownElementRadius;
+    }
+
+    void report(const ReadOptions& options, const std::string& file, Chosen& chosen) const {
+        if (unknown_.empty()) return;
+        const std::string& set = typer_.set().name;
+        const std::string types = list_of_counts(unknown_);
+        if (options.strict_radii) {
+            throw InputError(file + ": set " + set + " has no radius for " + types +
+                             "; give them in a file of rules or leave out --strict-radii");
+        }
+        std::string line = "unknown to set " + set + ", given the radii of their elements: " + types;
+        if (without_element_ > 0) {
+            line += " (" + std::to_string(without_element_) + " of no known element, given 1.70)";
+        }
+        chosen.warnings.push_back(line + ": --radii FILE");
+    }
+
+private:
+    RadiusTyper typer_;
+    Surroundings surroundings_;
+    std::map<std::string, std::size_t> unknown_;
+    std::size_t without_element_ = 0;
+};
+
+// Leaves out atoms of radius 0; radii and atoms stay in step.
+void drop_zero_radii(AssignedRadii& radii, Chosen& chosen) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < radii.values.size(); ++i) {
+        if (radii.values[i] <= 0.0) continue;
+        radii.values[kept] = radii.values[i];
+        chosen.atoms[kept++] = chosen.atoms[i];
+    }
+    const std::size_t count = radii.values.size() - kept;
+    radii.values.resize(kept);
+    chosen.atoms.resize(kept);
+    chosen.drop("zero_radius", count);
+    if (count > 0) {
+        chosen.warnings.push_back(counted(count, "atom") +
+                                  " of radius 0 left out: such atoms do not exist for the surface");
+    }
+}
+
+AssignedRadii own_radii(const RawModel& model, const ReadOptions& options, Chosen& chosen) {
+    if (options.hydrogens == HydrogenPolicy::Drop) drop_hydrogens(model, chosen);
+    AssignedRadii radii{"file", {}};
+    for (const std::uint32_t i : chosen.atoms) radii.values.push_back(model.atoms[i].radius);
+    return radii;
+}
+
+AssignedRadii radii_of_set(const RawModel& model, const ReadOptions& options, const std::string& file, Chosen& chosen) {
+    const HydrogenCount hydrogens = count_hydrogens(model, chosen.atoms);
+    const RadiusSet set = choose_set(options, hydrogens);
+    AssignedRadii radii{set.name, {}};
+    Assigner assigner(model, set, chosen.atoms);
+    apply_hydrogens(model, options, set, hydrogens, chosen);
+    radii.values.reserve(chosen.atoms.size());
+    for (const std::uint32_t i : chosen.atoms) radii.values.push_back(assigner.radius(model.atoms[i]));
+    assigner.report(options, file, chosen);
+    return radii;
+}
+
+}  // namespace
+
+AssignedRadii assign_radii(const RawModel& model, const ReadOptions& options, const std::string& file, Chosen& chosen) {
+    const bool own = model.has_radii && options.radii == "auto";
+    if (!own && !model.has_names) {
+        throw UsageError("--radii " + options.radii + ": " + file +
+                         " has no atom names; it brings its own radii (auto)");
+    }
+    AssignedRadii radii = own ? own_radii(model, options, chosen) : radii_of_set(model, options, file, chosen);
+    drop_zero_radii(radii, chosen);
+    return radii;
+}
+
+}  // namespace meniscus::reading

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure/choose_atoms.h"
+
+#include <algorithm>
+#include <set>
+
+#include "meniscus/errors.h"
+#include "structure/altlocs.h"
+#include "structure/gemmi/gemmi_reader.h"
+
+namespace meniscus::reading {
+namespace {
+
+constexpr std::string_view kLabelPrefix = "label:";
+
+bool is_in_chain(const RawResidue& residue, const std::string& chain) {
+    if (chain.starts_with(kLabelPrefix)) return residue.label_chain == chain.substr(kLabelPrefix.size());
+    return residue.chain == chain;
+}
+
+std::string chain_names(const RawModel& model) {
+    std::vector<std::string> names;
+    for (const RawResidue& residue : model.residues) {
+        const std::string name = residue.chain.empty() ? "(blank)" : residue.chain;
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    std::string list;
+    for (const std::string& name : names) list.append(list.empty() ? "" : " ").append(name);
+    return list;
+}
+
+[[noreturn]] void fail_chain(const RawModel& model, const std::string& chain, const std::string& file) {
+    throw InputError(file + ": no chain " + chain + "; --chains can name " + chain_names(model));
+}
+
+// Keeps the atoms for which `stays` is true and returns how many went.
+template <class Stays>
+std::size_t keep_if(std::vector<std::uint32_t>& atoms, Stays stays) {
+    const std::size_t before = atoms.size();
+    std::erase_if(atoms, [&](std::uint32_t i) { return !stays(i); });
+    return before - atoms.size();
+}
+
+void apply_chains(const RawModel& model, const std::vector<std::string>& chains, const std::string& file,
+                  Chosen& chosen) {
+    if (chains.empty()) return;
+    for (const std::string& chain : chains) {
+        const auto is_here = [&](const RawResidue& residue) { return is_in_chain(residue, chain); };
+        if (std::none_of(model.residues.begin(), model.residues.end(), is_here)) {
+            fail_chain(model, chain, file);
+        }
+    }
+    chosen.drop("chains", keep_if(chosen.atoms, [&](std::uint32_t i) {
+                    const RawResidue& residue = model.residue_of(model.atoms[i]);
+                    return std::any_of(chains.begin(), chains.end(),
+                                       [&](const std::string& chain) { return is_in_chain(residue, chain); });
+                }));
+}
+
+void apply_selection(const RawModel& model, const ReadOptions& options, Chosen& chosen) {
+    if (options.select.empty()) return;
+    const std::vector<bool> selected = selected_atoms(model, options.select, options.model);
+    chosen.drop("unselected", keep_if(chosen.atoms, [&](std::uint32_t i) { return selected[i]; }));
+}
+
+void apply_altlocs(const RawModel& model, const ReadOptions& options, Chosen& chosen) {
+    const std::size_t before = chosen.atoms.size();
+    chosen.atoms = choose_altlocs(model, chosen.atoms, options.altloc);
+    const std::size_t count = before - chosen.atoms.size();
+    chosen.drop("altlocs", count);
+    if (count > 0 && options.altloc.empty()) {
+        chosen.warnings.push_back(counted(count, "atom") + " of alternative locations left out: --altloc ID");
+    }
+    const auto is_wanted = [&](const RawAtom& a) { return a.altloc == options.altloc[0]; };
+    if (!options.altloc.empty() && std::none_of(model.atoms.begin(), model.atoms.end(), is_wanted)) {
+        chosen.warnings.push_back("no alternative location " + options.altloc + " here: highest occupancy taken");
+    }
+}
+
+// Leaves out residues of a kind and counts them by name.
+std::map<std::string, std::size_t> drop_kind(const RawModel& model, ResidueKind kind, const std::string& reason,
+                                             Chosen& chosen) {
+    std::set<std::uint32_t> residues;
+    const std::size_t count = keep_if(chosen.atoms, [&](std::uint32_t i) {
+        const std::uint32_t residue = model.atoms[i].residue;
+        if (model.residues[residue].kind != kind) return true;
+        residues.insert(residue);
+        return false;
+    });
+    chosen.drop(reason, count);
+    std::map<std::string, std::size_t> names;
+    for (const std::uint32_t residue : residues) ++names[model.residues[residue].name];
+    return names;
+}
+
+void apply_waters(const RawModel& model, const ReadOptions& options, Chosen& chosen) {
+    if (options.keep_waters) return;
+    std::size_t count = 0;
+    for (const auto& [name, number] : drop_kind(model, ResidueKind::Water, "waters", chosen)) count += number;
+    if (count > 0) chosen.warnings.push_back(counted(count, "water") + " left out: --waters");
+}
+
+void apply_hetero(const RawModel& model, const ReadOptions& options, Chosen& chosen) {
+    const auto apply = [&](ResidueKind kind, const char* remedy) {
+        const auto names = drop_kind(model, kind, "hetero", chosen);
+        if (!names.empty()) chosen.warnings.push_back(list_of_counts(names) + " left out: --hetero " + remedy);
+    };
+    if (options.hetero == HeteroPolicy::None) apply(ResidueKind::Ligand, "ligands");
+    if (options.hetero != HeteroPolicy::All) apply(ResidueKind::Ion, "all");
+}
+
+}  // namespace
+
+std::string counted(std::size_t count, const std::string& noun) {
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string list_of_counts(const std::map<std::string, std::size_t>& counts) {
+    constexpr std::size_t kMostNames = 6;
+    std::vector<std::pair<std::string, std::size_t>> sorted(counts.begin(), counts.end());
+    std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+    std::string list;
+    for (std::size_t i = 0; i < std::min(sorted.size(), kMostNames); ++i) {
+        const std::string& name = sorted[i].first;
+        list += (i > 0 ? ", " : "") + std::to_string(sorted[i].second) + " " + (name.empty() ? "nameless" : name);
+    }
+    if (sorted.size() > kMostNames) list += " and " + std::to_string(sorted.size() - kMostNames) + " more kinds";
+    return list;
+}
+
+Chosen choose_atoms(const RawModel& model, const ReadOptions& options, const std::string& file) {
+    Chosen chosen;
+    chosen.atoms.resize(model.atoms.size());
+    for (std::size_t i = 0; i < chosen.atoms.size(); ++i) chosen.atoms[i] = static_cast<std::uint32_t>(i);
+    apply_chains(model, options.chains, file, chosen);
+    apply_selection(model, options, chosen);
+    if (model.has_radii) return chosen;
+    apply_altlocs(model, options, chosen);
+    apply_waters(model, options, chosen);
+    apply_hetero(model, options, chosen);
+    return chosen;
+}
+
+}  // namespace meniscus::reading

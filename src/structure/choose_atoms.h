@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// From all atoms of a model to those that are kept, with an account of the others.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "meniscus/structure.h"
+#include "structure/raw_model.h"
+
+namespace meniscus::reading {
+
+/// Atoms of a model that stay, and what became of the others.
+struct Chosen {
+    std::vector<std::uint32_t> atoms;            ///< indices into RawModel::atoms, in file order
+    std::map<std::string, std::size_t> dropped;  ///< atoms left out, by reason
+    std::vector<std::string> warnings;           ///< one line per kind
+
+    /// Counts atoms left out for a reason; none is not mentioned.
+    void drop(const std::string& reason, std::size_t count) {
+        if (count > 0) dropped[reason] += count;
+    }
+};
+
+/// Applies --chains, --select, --altloc, --waters and --hetero, in this order. Kinds of residues must be set.
+/// A model with radii of its own (PQR, xyzr) loses atoms only to --chains and --select.
+///
+/// throws   InputError for a chain that does not exist; UsageError for a selection that is not valid
+Chosen choose_atoms(const RawModel& model, const ReadOptions& options, const std::string& file);
+
+/// "1 atom", "5 atoms".
+std::string counted(std::size_t count, const std::string& noun);
+
+/// "4 HEM, 2 PO4" from residue names and their numbers, most frequent first, at most six names.
+std::string list_of_counts(const std::map<std::string, std::size_t>& counts);
+
+}  // namespace meniscus::reading

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure/element.h"
+
+#include <algorithm>
+#include <array>
+
+#include "radii/aliases.h"
+#include "radii/element_radii.h"
+#include "structure/numbers.h"
+
+namespace meniscus::reading {
+namespace {
+
+struct Ion {
+    std::string_view name;
+    std::string_view element;
+};
+
+// Single-atom residues whose names are no symbols (CHARMM, AMBER, GROMACS).
+constexpr auto kIons = std::to_array<Ion>({
+    {"SOD", "NA"}, {"POT", "K"},  {"CLA", "CL"}, {"CAL", "CA"}, {"CES", "CS"}, {"LIT", "LI"}, {"RUB", "RB"},
+    {"CIO", "CS"}, {"IB", "I"},   {"CIM", "CL"}, {"CIP", "NA"}, {"MG2", "MG"}, {"ZN2", "ZN"}, {"CA2", "CA"},
+    {"FE2", "FE"}, {"FE3", "FE"}, {"3CO", "CO"}, {"3NI", "NI"}, {"CU1", "CU"}, {"MN3", "MN"}, {"IOD", "I"},
+});
+
+bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
+
+std::string without_leading_digits(std::string_view name) {
+    const auto* first = std::find_if(name.begin(), name.end(), is_letter);
+    return {first, name.end()};
+}
+
+std::string one_letter_element(std::string_view letters) { return element_symbol(letters.substr(0, 1)); }
+
+// In the standard residues the first letter is the element, selenium aside.
+std::string standard_element(std::string_view letters) {
+    if (letters == "SE" || letters == "SED") return "SE";
+    const bool common = !letters.empty() && std::string_view("CNOSPHD").find(letters[0]) != std::string_view::npos;
+    return common ? std::string(letters.substr(0, 1)) : std::string();
+}
+
+bool is_standard(std::string_view residue) {
+    return is_amino_acid(residue) || is_nucleotide(residue) || is_water(residue);
+}
+
+// "CL12", "BR1", "FE1A": two letters that hardly mean anything else. CA, CD, CO, HG, NE, SN ... could.
+std::string unmistakable_element(std::string_view letters) {
+    const std::string pair = element_symbol(letters.substr(0, 2));
+    if (pair.size() < 2) return {};
+    const bool ambiguous = std::string_view("CNOSPHBIKFUVWY").find(pair[0]) != std::string_view::npos;
+    return pair == "CL" || pair == "BR" || pair == "FE" || !ambiguous ? pair : std::string();
+}
+
+// The residue is one atom of its own name: "CA" in CA, "SOD" in SOD, "ZN" in ZN2.
+std::string ion_element(std::string_view name, std::string_view residue) {
+    const auto* ion = std::find_if(kIons.begin(), kIons.end(), [&](const Ion& i) { return i.name == residue; });
+    const bool same = name == residue;
+    if (ion != kIons.end() && (same || name == ion->element)) return std::string(ion->element);
+    if (!same || residue.size() > 4) return {};
+    std::string letters(residue);
+    letters.erase(std::remove_if(letters.begin(), letters.end(), [](char c) { return !is_letter(c); }), letters.end());
+    return element_symbol(letters);
+}
+
+}  // namespace
+
+std::string upper_case(std::string_view text) {
+    std::string upper(text);
+    std::transform(upper.begin(), upper.end(), upper.begin(),
+                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+    return upper;
+}
+
+std::string element_symbol(std::string_view text) {
+    const std::string symbol = upper_case(trimmed(text));
+    return !symbol.empty() && symbol.size() <= 2 && is_element(symbol) ? symbol : std::string();
+}
+
+std::string element_from_name(std::string_view name, std::string_view residue) {
+    const std::string upper = upper_case(trimmed(name));
+    if (std::string ion = ion_element(upper, residue); !ion.empty() && !is_standard(residue)) return ion;
+    const std::string letters = without_leading_digits(upper);
+    if (is_standard(residue)) return standard_element(letters);
+    if (std::string pair = unmistakable_element(letters); !pair.empty()) return pair;
+    return one_letter_element(letters);
+}
+
+std::string element_from_columns(std::string_view name, std::string_view residue) {
+    const std::string upper = upper_case(name);
+    const bool two_columns = upper.size() >= 2 && is_letter(upper[0]) && is_letter(upper[1]);
+    const bool full = upper.size() == 4 && upper[3] != ' ';
+    if (is_standard(residue) || !two_columns || full) {
+        std::string element = element_from_name(upper, residue);
+        if (two_columns && element.empty()) element = element_symbol(upper.substr(0, 2));
+        // " CA " and " CD " of a ligand start in the second column: one letter.
+        const bool aligned_single = !full && upper.size() >= 2 && upper[0] == ' ' && element.size() == 2;
+        return aligned_single && ion_element(trimmed(upper), residue).empty() ? one_letter_element(trimmed(upper))
+                                                                              : element;
+    }
+    if (std::string ion = ion_element(trimmed(upper), residue); !ion.empty()) return ion;
+    std::string pair = element_symbol(upper.substr(0, 2));
+    return pair.empty() ? one_letter_element(upper) : pair;
+}
+
+}  // namespace meniscus::reading

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The element of an atom when only its name tells.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace meniscus::reading {
+
+/// Element from the four name columns of a PDB file, blanks kept: " CA " is carbon, "CA  " calcium, but in an amino
+/// acid or nucleotide any CA is carbon. residue is upper case without blanks.
+/// returns  the symbol in upper case; empty if the name tells nothing
+std::string element_from_columns(std::string_view name, std::string_view residue);
+
+/// Element from a name without alignment (PQR, xyzrn, mmCIF without type_symbol).
+std::string element_from_name(std::string_view name, std::string_view residue);
+
+/// The symbol in upper case if the text is one (any case, blanks around it), else empty.
+std::string element_symbol(std::string_view text);
+
+std::string upper_case(std::string_view text);
+
+}  // namespace meniscus::reading

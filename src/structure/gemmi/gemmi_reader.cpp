@@ -1,0 +1,435 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure/gemmi/gemmi_reader.h"
+
+// Debian's gemmi leaves out the printing library that it bundles; nothing here prints through it.
+#define USE_STD_SNPRINTF
+// gemmi is not written for our warnings.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wall"
+#pragma GCC diagnostic ignored "-Wextra"
+#include <gemmi/cif.hpp>
+#include <gemmi/mmcif.hpp>
+#include <gemmi/pdb.hpp>
+#include <gemmi/select.hpp>
+#pragma GCC diagnostic pop
+
+#include <algorithm>
+#include <set>
+
+#include "meniscus/errors.h"
+#include "structure/cif_locate.h"
+#include "structure/element.h"
+#include "structure/numbers.h"
+#include "structure/residue_list.h"
+#include "structure/text.h"
+
+namespace meniscus::reading {
+namespace {
+
+// With clang this file is C++17 (CMakeLists.txt), which has no starts_with.
+bool has_prefix(const std::string& text, const std::string& prefix) {
+    return text.compare(0, prefix.size(), prefix) == 0;
+}
+
+RawOperator to_operator(const gemmi::Transform& transform) {
+    RawOperator result;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) result.rows[4 * row + column] = transform.mat[row][column];
+        result.rows[4 * row + 3] = transform.vec.at(row);
+    }
+    return result;
+}
+
+std::vector<RawAssembly> to_assemblies(const std::vector<gemmi::Assembly>& assemblies) {
+    std::vector<RawAssembly> result;
+    for (const gemmi::Assembly& assembly : assemblies) {
+        RawAssembly& raw = result.emplace_back();
+        raw.name = assembly.name;
+        for (const gemmi::Assembly::Gen& generator : assembly.generators) {
+            RawGenerator& copy = raw.generators.emplace_back();
+            copy.label_names = generator.chains.empty();
+            copy.chains = copy.label_names ? generator.subchains : generator.chains;
+            for (const auto& op : generator.operators) copy.operators.push_back(to_operator(op.transform));
+        }
+    }
+    return result;
+}
+
+// ---- PDB
+
+bool is_listed(const gemmi::Structure& structure, const gemmi::Chain& chain, const gemmi::Residue& residue) {
+    const gemmi::Entity* entity = structure.get_entity(chain.name);
+    return entity != nullptr && residue.entity_type == gemmi::EntityType::Polymer &&
+           std::find(entity->full_sequence.begin(), entity->full_sequence.end(), residue.name) !=
+               entity->full_sequence.end();
+}
+
+// Residues of gemmi's Structure for each atom of the clean text, and the atom: the parser groups atoms its own way.
+struct ParsedAtom {
+    const gemmi::Chain* chain = nullptr;
+    const gemmi::Residue* residue = nullptr;
+    const gemmi::Atom* atom = nullptr;
+};
+
+std::vector<ParsedAtom> in_file_order(const gemmi::Structure& structure, std::size_t count, const std::string& file) {
+    std::vector<ParsedAtom> atoms(count);
+    std::size_t found = 0;
+    for (const gemmi::Chain& chain : structure.models.at(0).chains) {
+        for (const gemmi::Residue& residue : chain.residues) {
+            for (const gemmi::Atom& atom : residue.atoms) {
+                atoms.at(static_cast<std::size_t>(atom.serial) - 1) = {&chain, &residue, &atom};
+                ++found;
+            }
+        }
+    }
+    if (found != count) throw InputError(file + ": atoms were lost in parsing; please report this file");
+    return atoms;
+}
+
+RawResidue to_residue(const gemmi::Structure& structure, const ParsedAtom& parsed, const PdbAtomExtra& extra) {
+    RawResidue residue;
+    residue.chain = parsed.chain->name;
+    residue.segment = extra.segment;
+    residue.name = extra.residue;
+    residue.number = parsed.residue->seqid.num.has_value() ? *parsed.residue->seqid.num : 0;
+    residue.insertion_code = parsed.residue->seqid.icode;
+    // Numbers above 9999 as some programs write them, one column too wide.
+    if (residue.insertion_code >= '0' && residue.insertion_code <= '9') {
+        residue.number = residue.number * 10 + (residue.insertion_code - '0');
+        residue.insertion_code = ' ';
+    }
+    residue.in_sequence = is_listed(structure, *parsed.chain, *parsed.residue);
+    return residue;
+}
+
+RawAtom to_atom(const gemmi::Atom& atom, const PdbAtomExtra& extra) {
+    RawAtom raw;
+    raw.centre = {atom.pos.x, atom.pos.y, atom.pos.z};
+    raw.name = upper_case(atom.name);
+    raw.element = extra.element;
+    raw.altloc = atom.altloc == '\0' ? ' ' : atom.altloc;
+    raw.hetatm = extra.hetatm;
+    raw.serial = extra.serial;
+    raw.occupancy = extra.occupancy;
+    raw.b_factor = extra.b_factor;
+    raw.charge = atom.charge;
+    return raw;
+}
+
+RawModel to_model(const gemmi::Structure& structure, const CleanPdb& clean, const std::string& file) {
+    RawModel model;
+    ResidueList residues(model.residues);
+    const std::vector<ParsedAtom> parsed = in_file_order(structure, clean.atoms.size(), file);
+    model.atoms.reserve(parsed.size());
+    for (std::size_t i = 0; i < parsed.size(); ++i) {
+        RawAtom& atom = model.atoms.emplace_back(to_atom(*parsed[i].atom, clean.atoms[i]));
+        atom.residue = residues.index_of(to_residue(structure, parsed[i], clean.atoms[i]));
+    }
+    model.assemblies = to_assemblies(structure.assemblies);
+    return model;
+}
+
+// ---- mmCIF
+
+// Columns of _atom_site in the order in which gemmi's table has them; those with '?' may be missing.
+// clang-format off
+struct Column {
+    enum Index {
+        X, Y, Z, Group, Id, Symbol, LabelAtom, AuthAtom, AltId, LabelComp, AuthComp, LabelAsym, AuthAsym, Entity,
+        LabelSeq, AuthSeq, Insertion, Occupancy, B, Charge, ModelNumber
+    };
+};
+
+const std::vector<std::string>& atom_tags() {
+    static const std::vector<std::string> tags{
+        "Cartn_x", "Cartn_y", "Cartn_z", "?group_PDB", "?id", "?type_symbol", "?label_atom_id", "?auth_atom_id",
+        "?label_alt_id", "?label_comp_id", "?auth_comp_id", "?label_asym_id", "?auth_asym_id", "?label_entity_id",
+        "?label_seq_id", "?auth_seq_id", "?pdbx_PDB_ins_code", "?occupancy", "?B_iso_or_equiv",
+        "?pdbx_formal_charge", "?pdbx_PDB_model_num"};
+    return tags;
+}
+// clang-format on
+
+// "file:12:5(340): what" of gemmi's CIF parser without the offset in bytes.
+std::string tidy_message(const std::string& message) {
+    const std::size_t open = message.find('(');
+    const std::size_t close = message.find("): ");
+    if (open == std::string::npos || close == std::string::npos || open > close) return message;
+    return message.substr(0, open) + message.substr(close + 1);
+}
+
+gemmi::cif::Document parse_cif(const std::string& text, const std::string& file) {
+    try {
+        return gemmi::cif::read_memory(text.data(), text.size(), file.c_str());
+    } catch (const std::exception& error) {
+        const std::string message = tidy_message(error.what());
+        const std::string place = has_prefix(message, file + ":") ? message : file + ": " + message;
+        throw InputError(place + "; this is not valid CIF, correct it or fetch the file again");
+    }
+}
+
+// A parsed file and what messages about it need.
+struct CifSource {
+    const std::string& file;
+    const std::string& text;
+
+    [[noreturn]] void fail(Column::Index column, std::size_t row, const std::string& value, const char* remedy) const {
+        const std::string& listed = atom_tags()[column];
+        const std::string tag = "_atom_site." + listed.substr(listed[0] == '?' ? 1 : 0);
+        fail_at(file, locate_cif_value(text, tag, row),
+                tag + " " + shown(value) + " is not a finite number; " + remedy);
+    }
+};
+
+// One row of _atom_site.
+class AtomRow {
+public:
+    AtomRow(const CifSource& source, gemmi::cif::Table& table, std::size_t index)
+        : source_(source), row_(table[static_cast<int>(index)]), index_(index) {}
+
+    bool has(Column::Index column) { return row_.has2(column); }
+
+    std::string text(Column::Index column) { return has(column) ? row_.str(column) : std::string(); }
+
+    // The first of two columns that has a value: author's names before label names.
+    std::string text(Column::Index first, Column::Index second) { return has(first) ? row_.str(first) : text(second); }
+
+    char letter(Column::Index column) { return has(column) ? row_.str(column)[0] : ' '; }
+
+    double coordinate(Column::Index column) {
+        const auto value = has(column) ? finite_number(row_.str(column)) : std::nullopt;
+        if (!value) source_.fail(column, index_, row_[column], "correct it or leave the atom out");
+        return *value;
+    }
+
+    double number(Column::Index column, double otherwise) {
+        if (!has(column)) return otherwise;
+        const auto value = finite_number(row_.str(column));
+        if (!value) source_.fail(column, index_, row_[column], "'?' is allowed");
+        return *value;
+    }
+
+    // A residue number; old files write the insertion code behind it ("15A").
+    void residue_number(RawResidue& residue) {
+        const Column::Index column = has(Column::AuthSeq) ? Column::AuthSeq : Column::LabelSeq;
+        std::string digits = text(column);
+        if (digits.empty()) return;
+        if (!integer(digits) && residue.insertion_code == ' ') {
+            residue.insertion_code = digits.back();
+            digits.pop_back();
+        }
+        const auto value = integer(digits);
+        if (!value) source_.fail(column, index_, row_[column], "residue numbers are integers");
+        residue.number = *value;
+    }
+
+private:
+    const CifSource& source_;
+    gemmi::cif::Table::Row row_;
+    std::size_t index_;
+};
+
+RawResidue to_residue(AtomRow& row, const std::set<std::string>& polymers) {
+    RawResidue residue;
+    residue.chain = row.text(Column::AuthAsym, Column::LabelAsym);
+    residue.label_chain = row.text(Column::LabelAsym);
+    residue.name = upper_case(row.text(Column::AuthComp, Column::LabelComp));
+    residue.insertion_code = row.letter(Column::Insertion);
+    row.residue_number(residue);
+    residue.in_sequence = polymers.count(row.text(Column::Entity)) > 0;
+    return residue;
+}
+
+RawAtom to_atom(AtomRow& row, const std::string& residue_name) {
+    RawAtom atom;
+    atom.centre = {row.coordinate(Column::X), row.coordinate(Column::Y), row.coordinate(Column::Z)};
+    atom.name = upper_case(row.text(Column::AuthAtom, Column::LabelAtom));
+    atom.element = element_symbol(row.text(Column::Symbol));
+    if (atom.element.empty()) atom.element = element_from_name(atom.name, residue_name);
+    atom.altloc = row.letter(Column::AltId);
+    atom.hetatm = row.text(Column::Group) == "HETATM";
+    atom.serial = integer(row.text(Column::Id)).value_or(0);
+    atom.occupancy = row.number(Column::Occupancy, 1.0);
+    atom.b_factor = row.number(Column::B, 0.0);
+    atom.charge = row.number(Column::Charge, 0.0);
+    return atom;
+}
+
+// The first block with coordinates; an error if none has any.
+gemmi::cif::Block& coordinate_block(gemmi::cif::Document& document, const std::string& file) {
+    gemmi::cif::Block* other = nullptr;
+    for (gemmi::cif::Block& block : document.blocks) {
+        if (block.find("_atom_site.", {"Cartn_x"}).length() > 0) return block;
+        if (block.find_mmcif_category("_atom_site.").length() > 0) other = &block;
+        if (block.find_values("_atom_site_fract_x").length() > 0) {
+            throw InputError(file + ": a small-molecule CIF with fractional coordinates; convert it to PDB or mmCIF");
+        }
+    }
+    if (other != nullptr) throw InputError(file + ": no column _atom_site.Cartn_x; the file has no coordinates to use");
+    throw InputError(file + ": no _atom_site loop, so no atoms; take the coordinate file of the entry");
+}
+
+void check_columns(gemmi::cif::Block& block, const std::string& file) {
+    const auto needs = [&](std::initializer_list<const char*> tags) {
+        const auto has_column = [&](const char* tag) { return block.find_values(tag).length() > 0; };
+        if (std::any_of(tags.begin(), tags.end(), has_column)) return;
+        throw InputError(file + ": no column " + *tags.begin() + "; the _atom_site loop is incomplete");
+    };
+    needs({"_atom_site.Cartn_y"});
+    needs({"_atom_site.Cartn_z"});
+    needs({"_atom_site.label_atom_id", "_atom_site.auth_atom_id"});
+    needs({"_atom_site.label_comp_id", "_atom_site.auth_comp_id"});
+}
+
+// Only what assemblies are made of goes to gemmi's interpretation of a block.
+std::vector<RawAssembly> read_assemblies(const gemmi::cif::Block& block) {
+    gemmi::cif::Block clean(block.name);
+    for (const gemmi::cif::Item& item : block.items) {
+        const bool is_pair = item.type == gemmi::cif::ItemType::Pair;
+        const bool is_loop = item.type == gemmi::cif::ItemType::Loop;
+        const std::string tag = is_pair ? item.pair[0] : is_loop ? item.loop.tags.at(0) : std::string();
+        const bool wanted = has_prefix(tag, "_pdbx_struct_assembly") || has_prefix(tag, "_pdbx_struct_oper_list");
+        if (wanted) clean.items.push_back(item);
+    }
+    std::vector<RawAssembly> assemblies = to_assemblies(gemmi::make_structure_from_block(clean).assemblies);
+    // gemmi reads only the first factor of a product of operators, "(1-60)(61-88)": better none than half of it.
+    for (auto row : clean.find("_pdbx_struct_assembly_gen.", {"assembly_id", "oper_expression"})) {
+        if (row.str(1).find(")(") == std::string::npos) continue;
+        for (RawAssembly& assembly : assemblies) {
+            if (assembly.name == row.str(0)) assembly.generators.assign(1, RawGenerator{});
+        }
+    }
+    return assemblies;
+}
+
+}  // namespace
+
+struct CifFile::Content {
+    std::string file;
+    const std::string& text;
+    gemmi::cif::Document document;
+    gemmi::cif::Block& block;
+    std::vector<std::string> model_numbers;  // in file order
+    std::set<std::string> polymers;          // ids of entities
+
+    Content(const std::string& content, const std::string& name)
+        : file(name), text(content), document(parse_cif(content, name)), block(coordinate_block(document, name)) {
+        check_columns(block, file);
+        for (auto row : block.find("_entity.", {"id", "type"})) {
+            if (row.str(1) == "polymer") polymers.insert(row.str(0));
+        }
+        for (const std::string& number : block.find_values("_atom_site.pdbx_PDB_model_num")) {
+            if (model_numbers.empty() || number != model_numbers.back()) add_model(number);
+        }
+    }
+
+    void add_model(const std::string& number) {
+        const auto found = std::find(model_numbers.begin(), model_numbers.end(), number);
+        if (found == model_numbers.end()) model_numbers.push_back(number);
+    }
+};
+
+CifFile::CifFile(const std::string& text, const std::string& file) : content_(std::make_unique<Content>(text, file)) {}
+
+CifFile::~CifFile() = default;
+
+int CifFile::model_count() const { return std::max<int>(1, static_cast<int>(content_->model_numbers.size())); }
+
+RawModel CifFile::model(int position) const {
+    RawModel model;
+    model.model_count = model_count();
+    ResidueList residues(model.residues);
+    const CifSource source{content_->file, content_->text};
+    const std::vector<std::string>& numbers = content_->model_numbers;
+    gemmi::cif::Table table = content_->block.find("_atom_site.", atom_tags());
+    for (std::size_t i = 0; i < static_cast<std::size_t>(table.length()); ++i) {
+        if (!numbers.empty() && table[static_cast<int>(i)][Column::ModelNumber] != numbers[position - 1]) continue;
+        AtomRow row(source, table, i);
+        const RawResidue residue = to_residue(row, content_->polymers);
+        model.atoms.push_back(to_atom(row, residue.name));
+        model.atoms.back().residue = residues.index_of(residue);
+    }
+    model.assemblies = read_assemblies(content_->block);
+    return model;
+}
+
+// ---- selection
+
+namespace {
+
+gemmi::EntityType to_entity_type(ResidueKind kind) {
+    switch (kind) {
+        case ResidueKind::Polymer:
+            return gemmi::EntityType::Polymer;
+        case ResidueKind::Water:
+            return gemmi::EntityType::Water;
+        default:
+            return gemmi::EntityType::NonPolymer;
+    }
+}
+
+bool matches_residue(const gemmi::Selection& selection, const RawResidue& residue) {
+    gemmi::Residue copy;
+    copy.name = residue.name;
+    copy.seqid.num = residue.number;
+    copy.seqid.icode = residue.insertion_code;
+    copy.entity_type = to_entity_type(residue.kind);
+    return selection.matches(gemmi::Chain(residue.chain)) && selection.matches(copy);
+}
+
+bool matches_atom(const gemmi::Selection& selection, const RawAtom& atom) {
+    gemmi::Atom copy;
+    copy.name = atom.name;
+    copy.element = gemmi::Element(atom.element);
+    copy.altloc = atom.altloc == ' ' ? '\0' : atom.altloc;
+    copy.occ = static_cast<float>(atom.occupancy);
+    copy.b_iso = static_cast<float>(atom.b_factor);
+    return selection.matches(copy);
+}
+
+gemmi::Selection parse_selection(const std::string& expression) {
+    try {
+        return gemmi::Selection(expression);
+    } catch (const std::exception& error) {
+        throw UsageError("--select " + shown(expression) + ": " + error.what() +
+                         "; write for instance //A/10-50 or (ALA,GLY) or CA[C]");
+    }
+}
+
+// A bare name is a chain to gemmi; if there is no such chain, it is meant as atom names ("CA").
+std::string meant(const RawModel& model, const std::string& expression) {
+    if (expression.find_first_of("/([:;*!.-") != std::string::npos) return expression;
+    const gemmi::Selection selection = parse_selection(expression);
+    const bool is_chain = std::any_of(model.residues.begin(), model.residues.end(), [&](const RawResidue& residue) {
+        return selection.matches(gemmi::Chain(residue.chain));
+    });
+    return is_chain ? expression : "/*/*/*/" + expression;
+}
+
+}  // namespace
+
+std::vector<bool> selected_atoms(const RawModel& model, const std::string& expression, int model_position) {
+    const gemmi::Selection selection = parse_selection(meant(model, expression));
+    std::vector<bool> selected(model.atoms.size(), false);
+    if (selection.mdl != 0 && selection.mdl != model_position) return selected;
+    std::vector<bool> in_residue(model.residues.size());
+    std::transform(model.residues.begin(), model.residues.end(), in_residue.begin(),
+                   [&](const RawResidue& residue) { return matches_residue(selection, residue); });
+    for (std::size_t i = 0; i < model.atoms.size(); ++i) {
+        selected[i] = in_residue[model.atoms[i].residue] && matches_atom(selection, model.atoms[i]);
+    }
+    return selected;
+}
+
+RawModel parse_pdb(const CleanPdb& clean, const std::string& file) {
+    try {
+        return to_model(gemmi::read_pdb_from_memory(clean.text.data(), clean.text.size(), file), clean, file);
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw InputError(file + ": " + error.what());
+    }
+}
+
+}  // namespace meniscus::reading

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure/gunzip.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "meniscus/errors.h"
+
+namespace meniscus::reading {
+namespace {
+
+// Far above any structure (the largest of the PDB have about 1 GB) and below what would exhaust a machine.
+constexpr std::size_t kLargestContent = std::size_t{8} << 30U;
+constexpr int kGzipWindow = 15 + 16;  // largest window, gzip header (zlib.h, inflateInit2)
+
+// A zlib stream that is closed on every way out.
+class Inflater {
+public:
+    explicit Inflater(std::string_view bytes) : rest_(bytes) {
+        if (inflateInit2(&stream_, kGzipWindow) != Z_OK) throw std::bad_alloc();
+    }
+    ~Inflater() { inflateEnd(&stream_); }
+    Inflater(const Inflater&) = delete;
+    Inflater& operator=(const Inflater&) = delete;
+
+    // Decompresses what fits into `buffer`; returns zlib's code and appends the result to `content`.
+    int step(std::string& content) {
+        feed();
+        stream_.next_out = buffer_.data();
+        stream_.avail_out = static_cast<uInt>(buffer_.size());
+        const int code = inflate(&stream_, Z_NO_FLUSH);
+        content.append(reinterpret_cast<const char*>(buffer_.data()), buffer_.size() - stream_.avail_out);
+        return code;
+    }
+
+    // After the end of a member: begins the next one; false if there is none (padding behind it is ignored).
+    bool next_member() {
+        feed();
+        if (stream_.avail_in < 2 || stream_.next_in[0] != 0x1f || stream_.next_in[1] != 0x8b) return false;
+        return inflateReset(&stream_) == Z_OK;
+    }
+
+private:
+    void feed() {
+        if (stream_.avail_in > 0 || rest_.empty()) return;
+        const std::size_t size = std::min<std::size_t>(rest_.size(), std::numeric_limits<uInt>::max());
+        stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(rest_.data()));  // zlib does not write to it
+        stream_.avail_in = static_cast<uInt>(size);
+        rest_.remove_prefix(size);
+    }
+
+    z_stream stream_{};
+    std::string_view rest_;
+    std::array<Bytef, std::size_t{1} << 16U> buffer_{};
+};
+
+}  // namespace
+
+bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
+
+std::string gunzip(std::string_view bytes, const std::string& file) {
+    std::string content;
+    Inflater inflater(bytes);
+    while (true) {
+        const int code = inflater.step(content);
+        if (content.size() > kLargestContent) {
+            throw LimitError(file + ": more than 8 GiB when decompressed; decompress it and pass a part of it");
+        }
+        if (code == Z_STREAM_END && !inflater.next_member()) return content;
+        if (code == Z_BUF_ERROR) {
+            throw InputError(file + ": the gzip data end too early; the file is cut off, fetch it again");
+        }
+        if (code != Z_OK && code != Z_STREAM_END) {
+            throw InputError(file + ": the gzip data are damaged; fetch the file again");
+        }
+    }
+}
+
+}  // namespace meniscus::reading

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure/hydrogens.h"
+
+#include <algorithm>
+
+#include "radii/aliases.h"
+
+namespace meniscus::reading {
+namespace {
+
+constexpr double kProteinRatio = 0.7;
+constexpr double kOtherRatio = 0.3;
+
+}  // namespace
+
+HydrogenCount count_hydrogens(const RawModel& model, const std::vector<std::uint32_t>& kept) {
+    const auto in_polymer = [&](std::uint32_t i) {
+        return model.residue_of(model.atoms[i]).kind == ResidueKind::Polymer;
+    };
+    const bool has_polymer = std::any_of(kept.begin(), kept.end(), in_polymer);
+    HydrogenCount count;
+    for (const std::uint32_t i : kept) {
+        const RawAtom& atom = model.atoms[i];
+        const bool counts = in_polymer(i) || !has_polymer;
+        if (is_hydrogen(atom)) {
+            ++count.all;
+            count.in_polymer += static_cast<std::size_t>(counts);
+        } else if (counts) {
+            const bool is_protein = has_polymer && !is_nucleotide(model.residue_of(atom).name);
+            count.expected_at_least += is_protein ? kProteinRatio : kOtherRatio;
+        }
+    }
+    return count;
+}
+
+}  // namespace meniscus::reading

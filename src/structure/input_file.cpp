@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure/input_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "meniscus/errors.h"
+#include "structure/gunzip.h"
+#include "structure/numbers.h"
+#include "structure/sha256.h"
+#include "structure/text.h"
+
+namespace meniscus::reading {
+namespace {
+
+struct Suffix {
+    std::string_view text;
+    Format format;
+};
+
+constexpr auto kSuffixes = std::to_array<Suffix>({
+    {".pdb", Format::Pdb},
+    {".ent", Format::Pdb},
+    {".cif", Format::Cif},
+    {".mmcif", Format::Cif},
+    {".pqr", Format::Pqr},
+    {".xyzr", Format::Xyzr},
+    {".xyzrn", Format::Xyzrn},
+});
+
+std::string lower_case(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return text;
+}
+
+// The file name without folders, and without .gz if it ends so.
+std::string base_name(const std::string& path) {
+    std::string name = path.substr(path.find_last_of('/') + 1);
+    if (lower_case(name).ends_with(".gz")) name.resize(name.size() - 3);
+    return name;
+}
+
+std::optional<Suffix> suffix_of(const std::string& path) {
+    const std::string name = lower_case(base_name(path));
+    const auto* found =
+        std::find_if(kSuffixes.begin(), kSuffixes.end(), [&](const Suffix& s) { return name.ends_with(s.text); });
+    return found == kSuffixes.end() ? std::nullopt : std::optional(*found);
+}
+
+std::string read_stream(std::FILE* stream, const std::string& path) {
+    std::string bytes;
+    std::array<char, std::size_t{1} << 16U> buffer{};
+    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), stream)) {
+        bytes.append(buffer.data(), count);
+    }
+    if (std::ferror(stream) != 0) throw InputError(path + ": cannot be read: " + std::strerror(errno));
+    return bytes;
+}
+
+std::string read_bytes(const std::string& path) {
+    if (path == "-") return read_stream(stdin, path);
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) {
+        throw InputError(path + ": is a folder; name a structure file");
+    }
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path.c_str(), "rb"), &std::fclose);
+    if (!stream) throw InputError(path + ": cannot be opened: " + std::strerror(errno) + "; check the name");
+    return read_stream(stream.get(), path);
+}
+
+bool is_pdb_record(std::string_view line) {
+    constexpr auto kRecords = std::to_array<std::string_view>({
+        "HEADER", "OBSLTE", "TITLE ", "COMPND", "SOURCE", "KEYWDS", "EXPDTA", "AUTHOR", "REVDAT", "JRNL  ", "REMARK",
+        "DBREF",  "SEQRES", "SEQADV", "MODRES", "HET   ", "HETNAM", "FORMUL", "HELIX ", "SHEET ", "SSBOND", "LINK  ",
+        "CISPEP", "SITE  ", "CRYST1", "ORIGX",  "SCALE",  "MTRIX",  "MODEL",  "ATOM  ", "HETATM", "ANISOU", "TER",
+        "ENDMDL", "CONECT", "MASTER", "NUMMDL", "SPLIT",  "CAVEAT", "USER",   "END",    "HETSYN", "SPRSDE",
+    });
+    return std::any_of(kRecords.begin(), kRecords.end(), [&](std::string_view r) { return line.starts_with(r); });
+}
+
+// The first line that says something: neither blank nor a comment.
+std::string_view first_line(std::string_view text) {
+    Lines lines(text);
+    while (lines.next()) {
+        const std::string_view line = trimmed(lines.line());
+        if (!line.empty() && line[0] != '#') return line;
+    }
+    return {};
+}
+
+bool is_cif_start(std::string_view line) {
+    return lower_case(std::string(line.substr(0, 5))) == "data_" || line.starts_with("loop_") || line.starts_with("_");
+}
+
+std::optional<Format> format_by_content(std::string_view text) {
+    const std::string_view line = first_line(text);
+    if (is_cif_start(line)) return Format::Cif;
+    if (is_pdb_record(line)) return Format::Pdb;
+    if (finite_number(Words(line).next())) return Format::Xyzr;
+    return std::nullopt;
+}
+
+// Refuses what has a right name but is something else altogether.
+void check_content(const InputFile& file) {
+    const std::string_view line = first_line(file.text);
+    const std::string start = lower_case(std::string(line.substr(0, 200)));
+    if (start.starts_with("<!doctype html") || start.find("<html") != std::string::npos) {
+        throw InputError(file.path + ": is an HTML page, not a structure; download the file itself");
+    }
+    if (start.starts_with('<')) throw InputError(file.path + ": is XML, not a structure; take the PDB or mmCIF file");
+    if (start.starts_with('{')) throw InputError(file.path + ": is JSON, not a structure; take the PDB or mmCIF file");
+    if (file.format == Format::Pdb && is_cif_start(line) && !is_pdb_record(line)) {
+        throw InputError(file.path + ": holds mmCIF under the name of a PDB file; rename it to .cif");
+    }
+    if (file.format == Format::Cif && !line.empty() && is_pdb_record(line)) {
+        throw InputError(file.path + ": holds PDB records under the name of an mmCIF file; rename it to .pdb");
+    }
+    const std::size_t zero = file.text.find('\0');
+    if (zero == std::string::npos) return;
+    const auto line_number = std::count(file.text.begin(), file.text.begin() + static_cast<std::ptrdiff_t>(zero), '\n');
+    throw InputError(file.path + ":" + std::to_string(line_number + 1) +
+                     ": a zero byte; this is not a text file, or it is damaged");
+}
+
+void choose_format(InputFile& file) {
+    std::optional<Format> format;
+    if (file.path == "-") {
+        format = format_by_content(file.text);
+        if (!format && first_line(file.text).empty()) {
+            throw InputError("-: nothing came on standard input; pipe a PDB, mmCIF or xyzr file into it");
+        }
+    } else if (const auto suffix = suffix_of(file.path)) {
+        format = suffix->format;
+    }
+    file.format = format.value_or(Format::Pdb);
+    if (format) return;
+    check_content(file);
+    const char* problem =
+        file.path == "-" ? ": neither PDB nor mmCIF nor xyzr; " : ": the name ends in no known suffix; ";
+    throw InputError(file.path + problem + "known are .pdb .ent .cif .mmcif .pqr .xyzr .xyzrn, each also .gz");
+}
+
+}  // namespace
+
+std::string stem_of(const std::string& path) {
+    if (path == "-") return "stdin";
+    std::string name = base_name(path);
+    if (const auto suffix = suffix_of(path)) name.resize(name.size() - suffix->text.size());
+    return name.empty() ? "structure" : name;
+}
+
+InputFile load_bytes(std::string bytes, const std::string& path) {
+    InputFile file;
+    file.path = path;
+    file.name = stem_of(path);
+    file.sha256 = sha256_hex(bytes);
+    const bool named_gzip = lower_case(path).ends_with(".gz");
+    if (is_gzip(bytes)) {
+        file.text = gunzip(bytes, path);
+        if (!named_gzip && path != "-") file.warnings.push_back("gzip data under a name without .gz: decompressed");
+    } else if (named_gzip) {
+        throw InputError(path + ": is named .gz but holds no gzip data; remove .gz from its name");
+    } else {
+        file.text = std::move(bytes);
+    }
+    normalise_line_ends(file.text);
+    choose_format(file);
+    check_content(file);
+    return file;
+}
+
+InputFile load_input(const std::string& path) { return load_bytes(read_bytes(path), path); }
+
+}  // namespace meniscus::reading

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Where the models of a PDB file begin and end, however oddly it marks them.
+#include <set>
+
+#include "structure/numbers.h"
+#include "structure/pdb_screen.h"
+#include "structure/text.h"
+
+namespace meniscus::reading {
+namespace {
+
+// Counts one kind of irregularity and remembers where it came first.
+struct Irregularity {
+    const char* text;
+    std::size_t count = 0;
+    std::size_t first_line = 0;
+
+    void note(std::size_t line) {
+        if (count++ == 0) first_line = line;
+    }
+
+    std::string message() const {
+        std::string times = count > 1 ? " (" + std::to_string(count) + " times)" : "";
+        return "line " + std::to_string(first_line) + ": " + text + times;
+    }
+};
+
+class ModelFinder {
+public:
+    explicit ModelFinder(std::string_view text) : lines_(text) {}
+
+    PdbModels run() {
+        while (lines_.next()) read(lines_.line());
+        if (open_ && explicit_) unclosed_.note(model_line_);
+        close(lines_.end());
+        return finish();
+    }
+
+private:
+    void read(std::string_view line) {
+        if (line.starts_with("ATOM  ") || line.starts_with("HETATM")) {
+            if (!open_) begin_without_record();
+            ++atoms_;
+        } else if (line.starts_with("MODEL ") || line == "MODEL") {
+            begin_model(line.substr(5));
+        } else if (line.starts_with("ENDMDL") || trimmed(line) == "END") {
+            if (open_ && explicit_ && !line.starts_with("ENDMDL")) unclosed_.note(model_line_);
+            close(lines_.begin());
+        }
+    }
+
+    void begin_without_record() {
+        if (seen_explicit_) outside_.note(lines_.number());
+        begin(false);
+    }
+
+    void begin_model(std::string_view rest) {
+        if (open_ && explicit_) unclosed_.note(model_line_);
+        close(lines_.begin());
+        if (!seen_explicit_ && !result_.spans.empty()) outside_.note(result_.spans.front().first_line);
+        const std::string number(trimmed(rest.substr(0, 12)));
+        if (!integer(number)) unnumbered_.note(lines_.number());
+        if (integer(number) && !numbers_.insert(number).second) {
+            repeated_.note(lines_.number());
+        }
+        model_line_ = lines_.number();
+        begin(true);
+    }
+
+    void begin(bool is_explicit) {
+        open_ = true;
+        explicit_ = is_explicit;
+        seen_explicit_ = seen_explicit_ || is_explicit;
+        begin_ = lines_.begin();
+        first_line_ = lines_.number();
+    }
+
+    void close(std::size_t end) {
+        if (open_) result_.spans.push_back({begin_, end, first_line_});
+        if (open_ && result_.spans.size() > 1 && atoms_ != atoms_of_first_) different_.note(first_line_);
+        if (open_ && result_.spans.size() == 1) atoms_of_first_ = atoms_;
+        atoms_ = 0;
+        open_ = false;
+    }
+
+    PdbModels finish() {
+        for (const Irregularity& kind : {repeated_, unnumbered_, unclosed_, outside_, different_}) {
+            if (kind.count > 0) result_.warnings.push_back(kind.message());
+        }
+        return std::move(result_);
+    }
+
+    Lines lines_;
+    PdbModels result_;
+    std::set<std::string> numbers_;
+    bool open_ = false;
+    bool explicit_ = false;
+    bool seen_explicit_ = false;
+    std::size_t begin_ = 0;
+    std::size_t first_line_ = 0;
+    std::size_t model_line_ = 0;
+    std::size_t atoms_ = 0;           // of the model that is open
+    std::size_t atoms_of_first_ = 0;  // of the first model
+    Irregularity repeated_{"this MODEL number came before; models are counted by position"};
+    Irregularity unnumbered_{"MODEL without a number; models are counted by position"};
+    Irregularity unclosed_{
+        "this MODEL is never closed by ENDMDL; it is taken to end at the next MODEL, END or the end"};
+    Irregularity outside_{"atoms outside MODEL and ENDMDL; taken as a model of their own"};
+    Irregularity different_{"this model has another number of atoms than the first"};
+};
+
+}  // namespace
+
+PdbModels find_pdb_models(std::string_view text) { return ModelFinder(text).run(); }
+
+}  // namespace meniscus::reading

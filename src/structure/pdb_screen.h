@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The strict screen in front of the PDB parser: finds the models, checks every field that counts, and writes a clean
+// text in which each record is complete, so that a parser can do nothing wrong with it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meniscus::reading {
+
+/// A part of the text that holds the atoms of one model.
+struct PdbModelSpan {
+    std::size_t begin = 0;       ///< offset of its first line
+    std::size_t end = 0;         ///< offset behind its last line
+    std::size_t first_line = 1;  ///< number of its first line
+};
+
+/// The models of a file, in file order; ENDMDL, END and a new MODEL all end one.
+struct PdbModels {
+    std::vector<PdbModelSpan> spans;
+    std::vector<std::string> warnings;  ///< irregular MODEL records, one line per kind
+};
+
+PdbModels find_pdb_models(std::string_view text);
+
+/// What the clean text has no room for.
+struct PdbAtomExtra {
+    std::string residue;  ///< name, up to four letters
+    std::string segment;
+    std::string element;  ///< empty if unknown
+    int serial = 0;       ///< as in the file; 0 if it is no number
+    double occupancy = 1.0;
+    double b_factor = 0.0;
+    bool hetatm = false;
+};
+
+/// A model ready for the parser. Atom i of the clean text has serial number i + 1 and its extras in atoms[i].
+struct CleanPdb {
+    std::string text;
+    std::vector<PdbAtomExtra> atoms;
+    std::size_t guessed_elements = 0;  ///< atoms without an element in columns 77-78
+};
+
+/// Checks one model and writes it clean, with the SEQRES and REMARK 350 (assembly) records of the whole text.
+/// throws   InputError with line and column
+CleanPdb screen_pdb(std::string_view text, const PdbModelSpan& model, const std::string& file, bool with_assemblies);
+
+/// Serial number n as the PDB's five columns hold it, hybrid-36 above 99,999.
+/// Precondition: 0 <= n < 87,440,032.
+std::string hybrid36_serial(std::size_t n);
+
+}  // namespace meniscus::reading

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "meniscus/structure.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "meniscus/errors.h"
+#include "structure/assign_radii.h"
+#include "structure/build_structure.h"
+#include "structure/choose_atoms.h"
+#include "structure/coincident.h"
+#include "structure/gemmi/gemmi_reader.h"
+#include "structure/input_file.h"
+#include "structure/pdb_screen.h"
+#include "structure/residue_kinds.h"
+#include "structure/sphere_readers.h"
+
+namespace meniscus {
+namespace {
+
+using namespace reading;
+
+// A loaded file that hands out its models one by one.
+class ModelSource {
+public:
+    ModelSource(const std::string& path, bool with_assemblies) : file_(load_input(path)), assemblies_(with_assemblies) {
+        if (file_.format == Format::Pdb) pdb_ = find_pdb_models(file_.text);
+        if (file_.format == Format::Cif) cif_.emplace(file_.text, file_.path);
+    }
+
+    const InputFile& file() const { return file_; }
+
+    int model_count() const {
+        if (cif_) return cif_->model_count();
+        return std::max<int>(1, static_cast<int>(pdb_.spans.size()));
+    }
+
+    RawModel model(int position) const {
+        if (position > model_count()) {
+            throw InputError(file_.path + ": no model " + std::to_string(position) + "; there " +
+                             (model_count() == 1 ? "is 1" : "are " + std::to_string(model_count())));
+        }
+        RawModel model = parse(position);
+        model.warnings.insert(model.warnings.end(), file_.warnings.begin(), file_.warnings.end());
+        model.warnings.insert(model.warnings.end(), pdb_.warnings.begin(), pdb_.warnings.end());
+        classify_residues(model);
+        return model;
+    }
+
+private:
+    RawModel parse(int position) const {
+        switch (file_.format) {
+            case Format::Cif:
+                return cif_->model(position);
+            case Format::Pqr:
+                return parse_pqr(file_.text, file_.path);
+            case Format::Xyzr:
+                return parse_xyzr(file_.text, file_.path);
+            case Format::Xyzrn:
+                return parse_xyzrn(file_.text, file_.path);
+            default:
+                return parse_pdb_model(position);
+        }
+    }
+
+    RawModel parse_pdb_model(int position) const {
+        if (pdb_.spans.empty()) return {};
+        const PdbModelSpan& span = pdb_.spans[static_cast<std::size_t>(position) - 1];
+        const CleanPdb clean = screen_pdb(file_.text, span, file_.path, assemblies_);
+        RawModel model = parse_pdb(clean, file_.path);
+        if (clean.guessed_elements > 0) {
+            model.warnings.push_back(counted(clean.guessed_elements, "element") +
+                                     " taken from atom names: columns 77-78 hold none");
+        }
+        return model;
+    }
+
+    InputFile file_;
+    bool assemblies_;
+    PdbModels pdb_;
+    std::optional<CifFile> cif_;
+};
+
+void check_options(const ReadOptions& options) {
+    if (options.model < 1) throw UsageError("--model " + std::to_string(options.model) + ": models count from 1");
+    if (options.altloc.size() > 1) throw UsageError("--altloc " + options.altloc + ": an alternative is one letter");
+}
+
+[[noreturn]] void fail_empty(const std::string& path, bool had_atoms, const std::vector<std::string>& warnings) {
+    if (!had_atoms) throw InputError(path + ": no atoms in this file; check that it is the right one");
+    std::string reasons;
+    for (const std::string& line : warnings) reasons += (reasons.empty() ? "" : "; ") + line;
+    throw InputError(path + ": no atoms left" +
+                     (reasons.empty() ? "; --chains or --select leave none" : ": " + reasons));
+}
+
+Structure make_structure(const InputFile& file, const RawModel& model, const ReadOptions& options) {
+    Chosen chosen = choose_atoms(model, options, file.path);
+    const AssignedRadii radii = assign_radii(model, options, file.path, chosen);
+    if (chosen.atoms.empty()) fail_empty(file.path, !model.atoms.empty(), chosen.warnings);
+    Structure structure;
+    structure.file = file.path;
+    structure.name = file.name;
+    structure.sha256 = file.sha256;
+    structure.radii_set = radii.set;
+    structure.dropped = chosen.dropped;
+    structure.warnings = model.warnings;
+    structure.warnings.insert(structure.warnings.end(), chosen.warnings.begin(), chosen.warnings.end());
+    build_structure(model, chosen, radii, options.assembly, structure);
+    if (structure.atoms.empty()) throw InputError(file.path + ": assembly " + options.assembly + " has no kept atoms");
+    if (const std::size_t count = count_coincident(structure.atoms.centres); count > 0) {
+        structure.warnings.push_back(counted(count, "atom") + " exactly at the place of another atom");
+    }
+    return structure;
+}
+
+std::string model_suffix(int position) {
+    const std::string number = std::to_string(position);
+    return "_m" + (number.size() < 2 ? "0" + number : number);
+}
+
+}  // namespace
+
+Structure read_structure(const std::string& path, const ReadOptions& options) {
+    check_options(options);
+    const ModelSource source(path, !options.assembly.empty());
+    RawModel model = source.model(options.model);
+    if (source.model_count() > 1) {
+        model.warnings.push_back("model " + std::to_string(options.model) + " of " +
+                                 std::to_string(source.model_count()) + " taken: --model N|all");
+    }
+    return make_structure(source.file(), model, options);
+}
+
+std::vector<Structure> read_all_models(const std::string& path, const ReadOptions& options) {
+    check_options(options);
+    const ModelSource source(path, !options.assembly.empty());
+    std::vector<Structure> structures;
+    for (int position = 1; position <= source.model_count(); ++position) {
+        ReadOptions own = options;
+        own.model = position;
+        structures.push_back(make_structure(source.file(), source.model(position), own));
+        structures.back().name += model_suffix(position);
+    }
+    return structures;
+}
+
+}  // namespace meniscus

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure/sphere_readers.h"
+
+#include <vector>
+
+#include "structure/element.h"
+#include "structure/numbers.h"
+#include "structure/residue_list.h"
+#include "structure/text.h"
+
+namespace meniscus::reading {
+namespace {
+
+struct Word {
+    std::string_view text;
+    std::size_t column = 1;
+};
+
+// A line as words that know their columns.
+class WordLine {
+public:
+    WordLine(const std::string& file, std::size_t number, std::string_view text) : file_(file), number_(number) {
+        Words words(text.substr(0, text.find('#')));
+        for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+            words_.push_back({word, words.column()});
+        }
+        end_column_ = words.column();
+    }
+
+    std::size_t size() const { return words_.size(); }
+    std::string_view operator[](std::size_t i) const { return words_[i].text; }
+
+    [[noreturn]] void fail(std::size_t i, const std::string& message) const {
+        fail_at(file_, {number_, i < words_.size() ? words_[i].column : end_column_}, message);
+    }
+
+    double number(std::size_t i, const char* what) const {
+        if (i >= words_.size()) fail(i, std::string("the ") + what + " is missing; the line ends too early");
+        const auto value = finite_number(words_[i].text);
+        if (!value) fail(i, std::string(what) + " " + shown(words_[i].text) + " is not a finite number; correct it");
+        return *value;
+    }
+
+    double radius(std::size_t i) const {
+        const double value = number(i, "radius");
+        if (value < 0.0) fail(i, "radius " + shown(words_[i].text) + " is negative; 0 leaves an atom out");
+        return value;
+    }
+
+    Vec3 centre(std::size_t i) const {
+        return {number(i, "x coordinate"), number(i + 1, "y coordinate"), number(i + 2, "z coordinate")};
+    }
+
+private:
+    const std::string& file_;
+    std::size_t number_;
+    std::vector<Word> words_;
+    std::size_t end_column_ = 1;
+};
+
+RawModel sphere_model(bool has_names) {
+    RawModel model;
+    model.has_names = has_names;
+    model.has_radii = true;
+    return model;
+}
+
+// "27", "-5", "27A".
+void set_number(const WordLine& line, std::size_t i, RawResidue& residue) {
+    std::string_view digits = line[i];
+    if (!integer(digits) && digits.size() > 1) {
+        residue.insertion_code = digits.back();
+        digits.remove_suffix(1);
+    }
+    const auto value = integer(digits);
+    if (!value) line.fail(i, "residue number " + shown(line[i]) + " is not an integer; columns are blank-separated");
+    residue.number = *value;
+}
+
+// Ten words without a chain, eleven with one; a chain and a number may have grown together (A1000).
+RawResidue pqr_residue(const WordLine& line) {
+    RawResidue residue;
+    residue.name = upper_case(line[3]);
+    if (line.size() >= 11) {
+        residue.chain = line[4];
+        set_number(line, 5, residue);
+        return residue;
+    }
+    const std::string_view word = line[4];
+    const bool grown_together = word[0] > '9' && integer(word.substr(1)).has_value();
+    if (!grown_together) {
+        set_number(line, 4, residue);
+        return residue;
+    }
+    residue.chain = std::string(1, word[0]);
+    residue.number = *integer(word.substr(1));
+    return residue;
+}
+
+RawAtom pqr_atom(const WordLine& line, const RawResidue& residue) {
+    const std::size_t first = line.size() >= 11 ? 6 : 5;
+    RawAtom atom;
+    atom.centre = line.centre(first);
+    atom.charge = line.number(first + 3, "charge");
+    atom.radius = line.radius(first + 4);
+    atom.name = upper_case(line[2]);
+    atom.element = element_from_name(atom.name, residue.name);
+    atom.hetatm = line[0] == "HETATM";
+    atom.serial = integer(line[1]).value_or(0);
+    return atom;
+}
+
+// "CA_ALA_12", as MSMS writes names; anything else is a name alone.
+RawResidue xyzrn_residue(std::string_view name, RawAtom& atom) {
+    RawResidue residue;
+    const std::size_t first = name.find('_');
+    const std::size_t last = name.rfind('_');
+    atom.name = upper_case(name.substr(0, first));
+    if (first == last) return residue;
+    const auto number = integer(name.substr(last + 1));
+    if (!number) return residue;
+    residue.name = upper_case(name.substr(first + 1, last - first - 1));
+    residue.number = *number;
+    return residue;
+}
+
+// Calls read(line) for every line that has words.
+template <class Read>
+void for_each_line(std::string_view text, const std::string& file, Read read) {
+    Lines lines(text);
+    while (lines.next()) {
+        const WordLine line(file, lines.number(), lines.line());
+        if (line.size() > 0) read(line);
+    }
+}
+
+RawAtom sphere(const WordLine& line) {
+    RawAtom atom;
+    atom.centre = line.centre(0);
+    atom.radius = line.radius(3);
+    return atom;
+}
+
+}  // namespace
+
+RawModel parse_pqr(std::string_view text, const std::string& file) {
+    RawModel model = sphere_model(true);
+    ResidueList residues(model.residues);
+    for_each_line(text, file, [&](const WordLine& line) {
+        if (line[0] != "ATOM" && line[0] != "HETATM") return;
+        if (line.size() < 10) {
+            line.fail(line.size(),
+                      "a PQR atom has 10 words, or 11 with a chain; this line has " + std::to_string(line.size()));
+        }
+        const RawResidue residue = pqr_residue(line);
+        model.atoms.push_back(pqr_atom(line, residue));
+        model.atoms.back().residue = residues.index_of(residue);
+    });
+    return model;
+}
+
+RawModel parse_xyzr(std::string_view text, const std::string& file) {
+    RawModel model = sphere_model(false);
+    model.residues.emplace_back();
+    for_each_line(text, file, [&](const WordLine& line) {
+        model.atoms.push_back(sphere(line));
+        model.atoms.back().serial = static_cast<int>(model.atoms.size());
+    });
+    return model;
+}
+
+RawModel parse_xyzrn(std::string_view text, const std::string& file) {
+    RawModel model = sphere_model(true);
+    ResidueList residues(model.residues);
+    for_each_line(text, file, [&](const WordLine& line) {
+        RawAtom atom = sphere(line);
+        const RawResidue residue = xyzrn_residue(line.size() > 5 ? line[5] : std::string_view(), atom);
+        atom.element = element_from_name(atom.name, residue.name);
+        atom.serial = static_cast<int>(model.atoms.size() + 1);
+        atom.residue = residues.index_of(residue);
+        model.atoms.push_back(std::move(atom));
+    });
+    return model;
+}
+
+}  // namespace meniscus::reading

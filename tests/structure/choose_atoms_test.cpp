@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure/choose_atoms.h"
+
+#include "fragments.h"
+
+namespace meniscus::reading {
+namespace {
+
+using meniscus::testing::add_residue;
+using meniscus::testing::expect_contains;
+
+RawModel mixed() {
+    RawModel model;
+    add_residue(model, "ALA", 1, {"N", "C"});
+    add_residue(model, "HEM", 2, {"FE", "N", "C"}, true);
+    add_residue(model, "HEM", 3, {"FE", "N", "C"}, true);
+    add_residue(model, "ZN", 4, {"ZN"}, true);
+    add_residue(model, "HOH", 5, {"O"}, true);
+    model.residues[1].kind = model.residues[2].kind = ResidueKind::Ligand;
+    model.residues[3].kind = ResidueKind::Ion;
+    model.residues[4].kind = ResidueKind::Water;
+    return model;
+}
+
+TEST(ChooseAtoms, DefaultsKeepThePolymerAndSayWhatWent) {
+    const Chosen chosen = choose_atoms(mixed(), {}, "f");
+    EXPECT_EQ(chosen.atoms, (std::vector<std::uint32_t>{0, 1}));
+    EXPECT_EQ(chosen.dropped.at("waters"), 1U);
+    EXPECT_EQ(chosen.dropped.at("hetero"), 7U);
+    const std::vector<std::string> expected{"1 water left out: --waters", "2 HEM left out: --hetero ligands",
+                                            "1 ZN left out: --hetero all"};
+    EXPECT_EQ(chosen.warnings, expected);
+}
+
+TEST(ChooseAtoms, OptionsBringThemBack) {
+    EXPECT_EQ(choose_atoms(mixed(), {.hetero = HeteroPolicy::Ligands}, "f").atoms.size(), 8U);
+    EXPECT_EQ(choose_atoms(mixed(), {.hetero = HeteroPolicy::All}, "f").atoms.size(), 9U);
+    const Chosen all = choose_atoms(mixed(), {.hetero = HeteroPolicy::All, .keep_waters = true}, "f");
+    EXPECT_EQ(all.atoms.size(), 10U);
+    EXPECT_TRUE(all.warnings.empty());
+    EXPECT_TRUE(all.dropped.empty());
+}
+
+TEST(ChooseAtoms, ChainsGoByAuthorOrLabelName) {
+    RawModel model = mixed();
+    model.residues[0].label_chain = "L";
+    model.residues[1].chain = "B";
+    model.residues[1].kind = ResidueKind::Polymer;
+    EXPECT_EQ(choose_atoms(model, {.chains = {"B"}}, "f").atoms, (std::vector<std::uint32_t>{2, 3, 4}));
+    EXPECT_EQ(choose_atoms(model, {.chains = {"label:L"}}, "f").atoms, (std::vector<std::uint32_t>{0, 1}));
+    EXPECT_EQ(choose_atoms(model, {.chains = {"label:L", "B"}}, "f").atoms.size(), 5U);
+    try {
+        choose_atoms(model, {.chains = {"Q"}}, "f");
+        FAIL();
+    } catch (const InputError& error) {
+        expect_contains(error.what(), "f: no chain Q; --chains can name A B");
+    }
+}
+
+TEST(ChooseAtoms, ModelsWithTheirOwnRadiiKeepEveryAtom) {
+    RawModel model = mixed();
+    model.has_radii = true;
+    EXPECT_EQ(choose_atoms(model, {}, "f").atoms.size(), 10U);
+    EXPECT_EQ(choose_atoms(model, {.select = "(HEM)"}, "f").atoms.size(), 6U);
+}
+
+TEST(ChooseAtoms, AnAltlocThatIsNotThereIsAWarning) {
+    const Chosen chosen = choose_atoms(mixed(), {.altloc = "B"}, "f");
+    expect_contains(chosen.warnings.at(0), "no alternative location B");
+}
+
+TEST(ListOfCounts, MostFrequentFirstAndNoMoreThanSix) {
+    EXPECT_EQ(list_of_counts({{"CA", 1}, {"HEM", 4}}), "4 HEM, 1 CA");
+    EXPECT_EQ(list_of_counts({{"", 2}}), "2 nameless");
+    expect_contains(list_of_counts({{"A", 1}, {"B", 1}, {"C", 1}, {"D", 1}, {"E", 1}, {"F", 1}, {"G", 1}}),
+                    "1 F and 1 more kinds");
+}
+
+}  // namespace
+}  // namespace meniscus::reading

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure/element.h"
+
+#include <gtest/gtest.h>
+
+namespace meniscus::reading {
+namespace {
+
+TEST(Element, AlignmentTellsCalciumFromCarbon) {
+    EXPECT_EQ(element_from_columns(" CA ", "LIG"), "C");
+    EXPECT_EQ(element_from_columns("CA  ", "LIG"), "CA");
+    EXPECT_EQ(element_from_columns("CA  ", "CA"), "CA");
+    EXPECT_EQ(element_from_columns(" CA ", "CA"), "CA");
+    EXPECT_EQ(element_from_columns("ZN  ", "ZN"), "ZN");
+    EXPECT_EQ(element_from_columns("FE  ", "HEM"), "FE");
+}
+
+TEST(Element, InAminoAcidsAndNucleotidesTheFirstLetterTells) {
+    EXPECT_EQ(element_from_columns("CA  ", "LEU"), "C");
+    EXPECT_EQ(element_from_columns("CD1 ", "LEU"), "C");
+    EXPECT_EQ(element_from_columns("HG11", "VAL"), "H");
+    EXPECT_EQ(element_from_columns("1HB ", "ALA"), "H");
+    EXPECT_EQ(element_from_columns("NE2 ", "HSD"), "N");
+    EXPECT_EQ(element_from_columns("SE  ", "MSE"), "SE");
+    EXPECT_EQ(element_from_columns(" O5'", "DA"), "O");
+    EXPECT_EQ(element_from_columns(" OH2", "TIP3"), "O");
+    EXPECT_EQ(element_from_columns("SG  ", "CYS"), "S");
+}
+
+TEST(Element, LigandsWithLongNames) {
+    EXPECT_EQ(element_from_columns(" C12", "LIG"), "C");
+    EXPECT_EQ(element_from_columns("C123", "LIG"), "C");
+    EXPECT_EQ(element_from_columns("CL12", "LIG"), "CL");
+    EXPECT_EQ(element_from_columns("BR1 ", "LIG"), "BR");
+    EXPECT_EQ(element_from_columns("HC12", "LIG"), "H");
+    EXPECT_EQ(element_from_columns("1C4A", "LIG"), "C");
+}
+
+TEST(Element, IonsByTheNamesOfForceFields) {
+    EXPECT_EQ(element_from_columns("SOD ", "SOD"), "NA");
+    EXPECT_EQ(element_from_columns(" CLA", "CLA"), "CL");
+    EXPECT_EQ(element_from_name("POT", "POT"), "K");
+    EXPECT_EQ(element_from_name("NA+", "NA+"), "NA");
+}
+
+TEST(Element, WithoutAlignmentOnlyPlainCasesAreTwoLetters) {
+    EXPECT_EQ(element_from_name("CA", "ALA"), "C");
+    EXPECT_EQ(element_from_name("CA", "CA"), "CA");
+    EXPECT_EQ(element_from_name("HT1", "MET"), "H");
+    EXPECT_EQ(element_from_name("FE", "HEM"), "FE");
+    EXPECT_EQ(element_from_name("CD", "LIG"), "C");
+    EXPECT_EQ(element_from_name("", "LIG"), "");
+    EXPECT_EQ(element_from_name("123", "LIG"), "");
+}
+
+TEST(Element, SymbolsInAnyCase) {
+    EXPECT_EQ(element_symbol(" Xe"), "XE");
+    EXPECT_EQ(element_symbol("c "), "C");
+    EXPECT_EQ(element_symbol("D"), "D");
+    EXPECT_EQ(element_symbol("A"), "");
+    EXPECT_EQ(element_symbol("89"), "");
+    EXPECT_EQ(element_symbol("  "), "");
+}
+
+}  // namespace
+}  // namespace meniscus::reading

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure/input_file.h"
+
+#include <sys/stat.h>
+
+#include <fstream>
+#include <thread>
+
+#include "fragments.h"
+
+namespace meniscus::reading {
+namespace {
+
+using meniscus::testing::expect_contains;
+using meniscus::testing::gzipped;
+using meniscus::testing::ScratchFolder;
+
+constexpr const char* kAtom = "ATOM      1  N   ALA A   1       0.000   0.000   0.000\n";
+
+std::string error_of_bytes(const std::string& bytes, const std::string& path) {
+    try {
+        load_bytes(bytes, path);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(InputFile, SuffixTellsTheFormatInAnyCase) {
+    EXPECT_EQ(load_bytes(kAtom, "a.pdb").format, Format::Pdb);
+    EXPECT_EQ(load_bytes(kAtom, "a.ENT").format, Format::Pdb);
+    EXPECT_EQ(load_bytes("data_a\n", "a.cif").format, Format::Cif);
+    EXPECT_EQ(load_bytes("data_a\n", "a.mmcif").format, Format::Cif);
+    EXPECT_EQ(load_bytes(kAtom, "a.pqr").format, Format::Pqr);
+    EXPECT_EQ(load_bytes("0 0 0 1\n", "a.xyzr").format, Format::Xyzr);
+    EXPECT_EQ(load_bytes("0 0 0 1\n", "a.xyzrn").format, Format::Xyzrn);
+}
+
+TEST(InputFile, UnknownSuffixesAreErrorsThatNameTheKnown) {
+    expect_contains(error_of_bytes(kAtom, "a.txt"), ".pdb .ent .cif .mmcif .pqr .xyzr .xyzrn");
+    expect_contains(error_of_bytes("", "/dev/null"), "no known suffix");
+}
+
+TEST(InputFile, StandardInputIsToldByContent) {
+    EXPECT_EQ(load_bytes(kAtom, "-").format, Format::Pdb);
+    EXPECT_EQ(load_bytes("HEADER\n", "-").format, Format::Pdb);
+    EXPECT_EQ(load_bytes("# x\n\ndata_a\n", "-").format, Format::Cif);
+    EXPECT_EQ(load_bytes("# spheres\n 0 0 0 1\n", "-").format, Format::Xyzr);
+    EXPECT_EQ(load_bytes(gzipped("0 0 0 1\n"), "-").format, Format::Xyzr);
+    expect_contains(error_of_bytes("hello\n", "-"), "neither PDB nor mmCIF nor xyzr");
+    expect_contains(error_of_bytes("", "-"), "nothing came on standard input");
+}
+
+TEST(InputFile, StemsLoseFolderAndSuffixes) {
+    EXPECT_EQ(stem_of("dir.x/1ubq.pdb.gz"), "1ubq");
+    EXPECT_EQ(stem_of("1aon.from-mmtf.cif.gz"), "1aon.from-mmtf");
+    EXPECT_EQ(stem_of("A.PDB"), "A");
+    EXPECT_EQ(stem_of("-"), "stdin");
+}
+
+TEST(InputFile, FingerprintIsOfTheBytesAsFound) {
+    const std::string bytes = gzipped(kAtom);
+    EXPECT_NE(load_bytes(bytes, "a.pdb.gz").sha256, load_bytes(kAtom, "a.pdb").sha256);
+    EXPECT_EQ(load_bytes(bytes, "a.pdb.gz").text, kAtom);
+}
+
+TEST(InputFile, GzipUnderAPlainNameIsReadWithAWarning) {
+    const InputFile file = load_bytes(gzipped(kAtom), "a.pdb");
+    EXPECT_EQ(file.text, kAtom);
+    EXPECT_EQ(file.warnings.size(), 1U);
+}
+
+TEST(InputFile, PlainTextUnderAGzipNameIsAnError) {
+    expect_contains(error_of_bytes(kAtom, "a.pdb.gz"), "holds no gzip data");
+}
+
+TEST(InputFile, WhatIsNoStructureIsNamed) {
+    expect_contains(error_of_bytes("<!DOCTYPE html>\n<html>", "a.pdb"), "HTML page");
+    expect_contains(error_of_bytes("\n<HTML><head>", "a.cif"), "HTML page");
+    expect_contains(error_of_bytes("<?xml version='1.0'?>", "a.pdb"), "XML");
+    expect_contains(error_of_bytes("{\"data_1\": 1}", "a.pdb"), "JSON");
+    expect_contains(error_of_bytes("data_1\nloop_\n", "a.pdb"), "rename it to .cif");
+    expect_contains(error_of_bytes(kAtom, "a.cif"), "rename it to .pdb");
+    expect_contains(error_of_bytes(std::string("HEADER\nAT\0M", 11), "a.pdb"), "a.pdb:2: a zero byte");
+}
+
+TEST(InputFile, FoldersAndMissingFilesAreErrors) {
+    EXPECT_THROW(load_input("/"), InputError);
+    EXPECT_THROW(load_input("/no/such.pdb"), InputError);
+}
+
+TEST(InputFile, APipeIsReadToItsEnd) {
+    const ScratchFolder folder;
+    const std::string path = folder / "pipe.pdb";
+    ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+    std::thread writer([&] { std::ofstream(path) << kAtom << kAtom; });
+    EXPECT_EQ(load_input(path).text, std::string(kAtom) + kAtom);
+    writer.join();
+}
+
+}  // namespace
+}  // namespace meniscus::reading

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "structure/pdb_screen.h"
+
+namespace meniscus::reading {
+namespace {
+
+constexpr const char* kAtom = "ATOM  \n";
+
+// Models as "line of the first, line of the second ...: warnings".
+std::string models_of(const std::string& text) {
+    const PdbModels models = find_pdb_models(text);
+    std::string description;
+    for (const PdbModelSpan& span : models.spans) description += std::to_string(span.first_line) + " ";
+    for (const std::string& line : models.warnings) description += "[" + line.substr(0, line.find(';')) + "]";
+    return description;
+}
+
+std::string join(std::initializer_list<std::string> lines) {
+    std::string text;
+    for (const std::string& line : lines) text += line == "A" ? kAtom : line + "\n";
+    return text;
+}
+
+TEST(PdbModels, WithoutRecordsThereIsOne) {
+    EXPECT_EQ(models_of(join({"HEADER", "A", "A", "TER", "A", "END"})), "2 ");
+    EXPECT_EQ(models_of("HEADER\n"), "");
+}
+
+TEST(PdbModels, ModelAndEndmdlEncloseThem) {
+    EXPECT_EQ(models_of(join({"MODEL        1", "A", "ENDMDL", "MODEL        2", "A", "ENDMDL", "END"})), "1 4 ");
+    EXPECT_EQ(models_of(join({"MODEL        1", "ENDMDL"})), "1 ");
+}
+
+TEST(PdbModels, EndSeparatesFramesOfATrajectory) {
+    EXPECT_EQ(models_of(join({"A", "END", "A", "END"})), "1 3 ");
+    EXPECT_EQ(models_of(join({"MODEL 1", "A", "ENDMDL", "END", "MODEL 2", "A", "ENDMDL", "END"})), "1 5 ");
+}
+
+TEST(PdbModels, RepeatedAndMissingNumbersAreNoted) {
+    EXPECT_EQ(models_of(join({"MODEL 1", "A", "ENDMDL", "MODEL 1", "A", "ENDMDL"})),
+              "1 4 [line 4: this MODEL number came before]");
+    EXPECT_EQ(models_of(join({"MODEL", "A", "ENDMDL"})), "1 [line 1: MODEL without a number]");
+}
+
+TEST(PdbModels, ModelsNeverClosedAreNotedOnce) {
+    EXPECT_EQ(models_of(join({"MODEL 1", "A", "MODEL 2", "A", "END"})),
+              "1 3 [line 1: this MODEL is never closed by ENDMDL]");
+    EXPECT_EQ(models_of(join({"MODEL 1", "A"})), "1 [line 1: this MODEL is never closed by ENDMDL]");
+}
+
+TEST(PdbModels, AtomsOutsideModelsAreAModel) {
+    EXPECT_EQ(models_of(join({"MODEL 1", "A", "ENDMDL", "A", "ENDMDL"})),
+              "1 4 [line 4: atoms outside MODEL and ENDMDL]");
+    EXPECT_EQ(models_of(join({"A", "ENDMDL", "MODEL 2", "A", "ENDMDL"})),
+              "1 3 [line 1: atoms outside MODEL and ENDMDL]");
+}
+
+TEST(PdbModels, DifferentNumbersOfAtomsAreNoted) {
+    EXPECT_EQ(models_of(join({"MODEL 1", "A", "ENDMDL", "MODEL 2", "A", "A", "ENDMDL"})),
+              "1 4 [line 4: this model has another number of atoms than the first]");
+}
+
+}  // namespace
+}  // namespace meniscus::reading

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure/pdb_screen.h"
+
+#include "fragments.h"
+
+namespace meniscus::reading {
+namespace {
+
+using meniscus::testing::expect_contains;
+using meniscus::testing::pdb_line;
+
+//                        1         2         3         4         5         6         7         8
+//               12345678901234567890123456789012345678901234567890123456789012345678901234567890
+const std::string kPlain =
+    "ATOM      7  CA  ALA A  12      11.104   6.134  -6.504  1.00  8.20           C1+\n";
+
+CleanPdb screen(const std::string& text, bool with_assemblies = false) {
+    return screen_pdb(text, {0, text.size(), 1}, "f.pdb", with_assemblies);
+}
+
+std::string error_in(const std::string& text, bool with_assemblies = false) {
+    try {
+        screen(text, with_assemblies);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+std::string changed(std::size_t column, const std::string& text) {
+    std::string line = kPlain;
+    return line.replace(column - 1, text.size(), text);
+}
+
+TEST(PdbScreen, AGoodRecordPasses) {
+    const CleanPdb clean = screen(kPlain);
+    ASSERT_EQ(clean.atoms.size(), 1U);
+    EXPECT_EQ(clean.atoms[0].residue, "ALA");
+    EXPECT_EQ(clean.atoms[0].element, "C");
+    EXPECT_EQ(clean.atoms[0].serial, 7);
+    EXPECT_EQ(clean.atoms[0].occupancy, 1.0);
+    EXPECT_EQ(clean.atoms[0].b_factor, 8.2);
+    EXPECT_FALSE(clean.atoms[0].hetatm);
+    EXPECT_EQ(clean.guessed_elements, 0U);
+    EXPECT_EQ(clean.text.size(), 81U);
+}
+
+TEST(PdbScreen, EveryCoordinateMustBeAFiniteNumberInFull) {
+    for (const char* text : {"********", "        ", "     nan", "     inf", "   1e400", "  11,104", "  1.0 04", "1.00000x"}) {
+        EXPECT_TRUE(error_in(changed(31, text)).starts_with("f.pdb:1:31: x coordinate")) << text;
+        EXPECT_TRUE(error_in(changed(39, text)).starts_with("f.pdb:1:39: y coordinate")) << text;
+        EXPECT_TRUE(error_in(kPlain + changed(47, text)).starts_with("f.pdb:2:47: z coordinate")) << text;
+    }
+}
+
+TEST(PdbScreen, OccupancyBFactorAndChargeToo) {
+    EXPECT_TRUE(error_in(changed(55, "******")).starts_with("f.pdb:1:55: occupancy"));
+    EXPECT_TRUE(error_in(changed(61, "   nan")).starts_with("f.pdb:1:61: B factor"));
+    EXPECT_TRUE(error_in(changed(79, "x+")).starts_with("f.pdb:1:79: charge"));
+    EXPECT_EQ(error_in(changed(79, "+1")), "");
+    EXPECT_EQ(error_in(changed(55, "            ")), "");
+}
+
+TEST(PdbScreen, LinesMayEndAfterTheCoordinatesNotBefore) {
+    EXPECT_EQ(error_in(kPlain.substr(0, 54) + "\n"), "");
+    EXPECT_EQ(screen(kPlain.substr(0, 54)).atoms[0].element, "C");
+    EXPECT_EQ(screen(kPlain.substr(0, 54)).atoms[0].occupancy, 1.0);
+    expect_contains(error_in(kPlain.substr(0, 53) + "\n"), "f.pdb:1:54: the record ends before the coordinates do");
+    expect_contains(error_in("ATOM  \n"), "the record ends");
+    expect_contains(error_in("ATOM  \t1\tCA\n"), "f.pdb:1:7: a tab");
+}
+
+TEST(PdbScreen, OldFilesMayHaveAnythingInColumns73To80) {
+    const CleanPdb clean = screen(changed(67, "      4PTI  89"));
+    EXPECT_EQ(clean.atoms[0].element, "C");
+    EXPECT_EQ(clean.guessed_elements, 1U);
+    EXPECT_EQ(screen(changed(67, "      1UBQ1071")).atoms[0].element, "C");
+    EXPECT_EQ(screen(changed(67, "      PROT N  ")).atoms[0].element, "C") << "column 78, not 77-78, is the symbol";
+}
+
+TEST(PdbScreen, SerialsWiderThanTheirColumnsAndHybridOnes) {
+    EXPECT_EQ(screen(changed(5, " 123456")).atoms[0].serial, 123456);
+    EXPECT_EQ(screen(changed(7, "A0000")).atoms[0].serial, 0) << "no decimal number";
+    EXPECT_EQ(screen(changed(7, "*****")).atoms[0].serial, 0);
+}
+
+TEST(PdbScreen, ResidueNamesOfFourLettersAndChainsOfTwo) {
+    EXPECT_EQ(screen(changed(18, "TIP3 ")).atoms[0].residue, "TIP3");
+    EXPECT_EQ(screen(changed(18, "TIP3W")).atoms[0].residue, "TIP3");
+    EXPECT_EQ(screen(changed(18, "POPC ")).atoms[0].residue, "POPC");
+    EXPECT_EQ(screen(changed(18, "ALAAB")).atoms[0].residue, "ALA");
+    EXPECT_EQ(screen(changed(18, " DA A")).atoms[0].residue, "DA");
+}
+
+TEST(PdbScreen, OnlyRecordsThatMatterPass) {
+    const std::string rest = "LINK         garbage\nCONECT  1 2\nHELIX  x\nANISOU    1  CA\nTER   junk\nSEQRES   1 A    1  ALA\n";
+    const CleanPdb clean = screen(kPlain + rest);
+    for (const char* record : {"LINK", "CONECT", "HELIX", "ANISOU", "junk"}) {
+        EXPECT_EQ(clean.text.find(record), std::string::npos) << record;
+    }
+    EXPECT_NE(clean.text.find("TER\n"), std::string::npos);
+    EXPECT_NE(clean.text.find("SEQRES"), std::string::npos);
+}
+
+TEST(PdbScreen, OperatorsAreCheckedOnlyWhenAnAssemblyIsAskedFor) {
+    const std::string bad = "REMARK 350   BIOMT1   1  1.000000  0.000000  ********        0.00000\n" + kPlain;
+    EXPECT_EQ(error_in(bad), "");
+    EXPECT_TRUE(error_in(bad, true).starts_with("f.pdb:1:46: assembly operator")) << error_in(bad, true);
+}
+
+TEST(PdbScreen, Hybrid36Serials) {
+    EXPECT_EQ(hybrid36_serial(1), "    1");
+    EXPECT_EQ(hybrid36_serial(99999), "99999");
+    EXPECT_EQ(hybrid36_serial(100000), "A0000");
+    EXPECT_EQ(hybrid36_serial(100035), "A000Z");
+    EXPECT_EQ(hybrid36_serial(0), "    0");
+}
+
+}  // namespace
+}  // namespace meniscus::reading
