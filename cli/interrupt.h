@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// SIGINT and SIGTERM end the program with 130 and 143 and leave no temporary file behind.
+#pragma once
+
+#include <exception>
+
+namespace meniscus::cli {
+
+/// A signal that arrived while files were being written.
+struct Interrupted : std::exception {
+    explicit Interrupted(int number) : signal(number) {}
+    const char* what() const noexcept override { return "interrupted"; }
+    int signal;
+};
+
+/// From now on SIGINT and SIGTERM end the program at once with 128 + the signal's number, except inside a
+/// WritingSection, where the first one waits. SIGPIPE is ignored: a reader that goes away is an output that cannot be
+/// written.
+void install_signal_handlers();
+
+/// While one lives, a signal waits: temporary files get their turn to be renamed or removed.
+class WritingSection {
+public:
+    WritingSection();
+    ~WritingSection();
+    WritingSection(const WritingSection&) = delete;
+    WritingSection& operator=(const WritingSection&) = delete;
+};
+
+/// throws   Interrupted if a signal has arrived in a WritingSection
+void throw_if_interrupted();
+
+}  // namespace meniscus::cli

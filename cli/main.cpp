@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The program `meniscus`: parses the command line and turns what went wrong into exit codes.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "interrupt.h"
+#include "meniscus/errors.h"
+#include "meniscus/version.h"
+#include "messages.h"
+#include "surface_command.h"
+
+namespace {
+
+using meniscus::cli::Outcome;
+
+constexpr int kDone = 0;
+constexpr int kOtherError = 1;
+constexpr int kUsageError = 2;
+constexpr int kInputError = 3;
+constexpr int kOutputError = 4;
+constexpr int kLimitError = 5;
+constexpr int kChecksFailed = 6;
+constexpr int kSignalBase = 128;
+
+constexpr const char* kExitCodes =
+    "Exit codes: 0 done; 2 wrong usage; 3 input cannot be read or is not valid; 4 output cannot be written;\n"
+    "5 would exceed the memory or size limit; 6 computed, but the result failed its own checks; 1 anything else.";
+
+int fail(int code, const std::string& what) {
+    meniscus::cli::print_error(std::cerr, what);
+    return code;
+}
+
+/// Prints help or the version, or says what is wrong with the command line.
+int report_parse_error(const CLI::App& program, const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+        program.exit(error, std::cout, std::cerr);
+        std::cout.flush();
+        return std::cout ? kDone : fail(kOutputError, "standard output: cannot be written");
+    }
+    return fail(kUsageError, std::string(error.what()) + "; see meniscus --help or meniscus surface --help");
+}
+
+/// A first word that names no subcommand gets a clearer message than CLI11's.
+void check_subcommand(const CLI::App& program, const std::vector<std::string>& arguments) {
+    if (arguments.empty() || arguments.front().starts_with("-")) return;
+    const auto is_meant = [&](const CLI::App* command) { return command->check_name(arguments.front()); };
+    if (program.get_subcommands(is_meant).empty())
+        throw meniscus::UsageError("unknown subcommand '" + arguments.front() + "'; see meniscus --help");
+}
+
+int run(int argc, char** argv) {
+    CLI::App program("Solvent-excluded surfaces of proteins and other molecules", "meniscus");
+    program.set_version_flag("--version", std::string("meniscus ") + meniscus::kVersion);
+    program.require_subcommand(1);
+    program.footer(kExitCodes);
+    Outcome outcome = Outcome::Done;
+    meniscus::cli::add_surface_command(program, outcome);
+
+    std::vector<std::string> arguments =
+        meniscus::cli::join_negative_values(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
+    check_subcommand(program, arguments);
+    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
+    try {
+        program.parse(arguments);
+    } catch (const CLI::ParseError& error) {
+        return report_parse_error(program, error);
+    }
+    return outcome == Outcome::Done ? kDone : kChecksFailed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    meniscus::cli::install_signal_handlers();
+    try {
+        return run(argc, argv);
+    } catch (const meniscus::cli::Interrupted& interrupted) {
+        return kSignalBase + interrupted.signal;
+    } catch (const meniscus::UsageError& error) {
+        return fail(kUsageError, error.what());
+    } catch (const meniscus::InputError& error) {
+        return fail(kInputError, error.what());
+    } catch (const meniscus::OutputError& error) {
+        return fail(kOutputError, error.what());
+    } catch (const std::length_error& error) {
+        return fail(kLimitError, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(kLimitError, "out of memory; raise --spacing, or keep fewer atoms");
+    } catch (const std::exception& error) {
+        return fail(kOtherError, error.what());
+    }
+}

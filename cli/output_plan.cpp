@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "output_plan.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <set>
+
+#include "meniscus/errors.h"
+
+namespace meniscus::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Suffix {
+    const char* text;
+    OutputKind kind;
+};
+
+constexpr std::array kSuffixes{
+    Suffix{".ply", OutputKind::Mesh}, Suffix{".obj", OutputKind::Mesh},     Suffix{".stl", OutputKind::Mesh},
+    Suffix{".off", OutputKind::Mesh}, Suffix{".xyzr", OutputKind::Spheres}, Suffix{".xyzrn", OutputKind::Spheres},
+};
+
+std::string known_suffixes() {
+    std::string list;
+    for (const Suffix& s : kSuffixes) list.append(list.empty() ? "" : " ").append(s.text);
+    return list;
+}
+
+/// "dir/a.b.ply" with "_m01" -> "dir/a.b_m01.ply".
+std::string with_mark(const fs::path& path, const std::string& mark) {
+    return (path.parent_path() / (path.stem().string() + mark + path.extension().string())).string();
+}
+
+std::string atom_table_beside(const fs::path& path) {
+    return (path.parent_path() / (path.stem().string() + ".atoms.csv")).string();
+}
+
+/// The same text for every spelling of one file.
+std::string identity(const std::string& path) {
+    std::error_code error;
+    const fs::path canonical = fs::weakly_canonical(fs::absolute(path, error), error);
+    return error ? fs::path(path).lexically_normal().string() : canonical.string();
+}
+
+void check_writable(const std::string& path) {
+    std::error_code error;
+    if (fs::is_directory(path, error)) throw OutputError(path + ": is a folder; name a file");
+    const fs::path parent = fs::path(path).parent_path();
+    const std::string folder = parent.empty() ? "." : parent.string();
+    if (!fs::is_directory(folder, error))
+        throw OutputError(fmt::format("{}: there is no folder '{}'; create it first", path, folder));
+    if (access(folder.c_str(), W_OK | X_OK) != 0)
+        throw OutputError(fmt::format("{}: the folder '{}' is not writable", path, folder));
+}
+
+}  // namespace
+
+OutputKind kind_of(const std::string& path) {
+    const std::string suffix = fs::path(path).extension().string();
+    const auto found =
+        std::find_if(kSuffixes.begin(), kSuffixes.end(), [&](const Suffix& s) { return suffix == s.text; });
+    if (found == kSuffixes.end())
+        throw UsageError(fmt::format("-o {}: the suffix chooses the format; known are {}", path, known_suffixes()));
+    return found->kind;
+}
+
+std::vector<Output> plan_outputs(const std::vector<std::string>& asked, const std::string& name,
+                                 const std::string& mark) {
+    std::vector<Output> plan;
+    plan.reserve(2 * asked.size() + 2);
+    for (const std::string& path : asked) plan.push_back({with_mark(path, mark), kind_of(path)});
+    if (asked.empty()) plan.push_back({name + ".ply", OutputKind::Mesh});
+    const std::size_t count = plan.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (plan[i].kind != OutputKind::Mesh) continue;
+        const Output table{atom_table_beside(plan[i].path), OutputKind::AtomTable};
+        if (std::find(plan.begin(), plan.end(), table) == plan.end()) plan.push_back(table);
+    }
+    return plan;
+}
+
+void check_paths(const std::vector<std::string>& paths, const std::string& input) {
+    std::set<std::string> seen;
+    const std::string source = input == "-" ? "" : identity(input);
+    for (const std::string& path : paths) {
+        if (path == "-" || is_special_file(path)) continue;
+        check_writable(path);
+        const std::string file = identity(path);
+        if (file == source) throw UsageError(path + ": would overwrite the input; choose another name");
+        if (!seen.insert(file).second) throw UsageError(path + ": two outputs go to this file; choose another name");
+    }
+}
+
+bool is_special_file(const std::string& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+}  // namespace meniscus::cli

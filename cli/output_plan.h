@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Which files a run writes, decided and checked before anything is computed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace meniscus::cli {
+
+enum class OutputKind { Mesh, Spheres, AtomTable };
+
+struct Output {
+    std::string path;
+    OutputKind kind;
+
+    bool operator==(const Output&) const = default;
+};
+
+/// What a file is by its suffix.
+/// throws   UsageError for a suffix that names no format
+OutputKind kind_of(const std::string& path);
+
+/// All files of one structure: those of -o, or NAME.ply, each mesh with its table of atoms beside it.
+///
+/// name   of the structure, which for one of several models has its mark already
+/// mark   goes between stem and suffix of what is asked for, e.g. "_m01" for the first of all models; may be empty
+std::vector<Output> plan_outputs(const std::vector<std::string>& asked, const std::string& name,
+                                 const std::string& mark);
+
+/// Refuses what could not be written in the end, or would overwrite something of the same run.
+///
+/// paths    every file of the run; "-" (standard output) and devices are left alone
+/// input    a path, or "-"
+/// throws   OutputError for a folder that is missing or closed, or a path that is a folder; UsageError for a path
+///          that appears twice or is the input
+void check_paths(const std::vector<std::string>& paths, const std::string& input);
+
+/// True for a path that exists but is no regular file: a device, a pipe. It is written in place.
+bool is_special_file(const std::string& path);
+
+}  // namespace meniscus::cli

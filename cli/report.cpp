@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "report.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "io/atomic_file.h"
+#include "meniscus/errors.h"
+#include "meniscus/version.h"
+
+namespace meniscus::cli {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+/// `value`, or null where the option has no effect or was not given.
+template <class T>
+ordered_json if_used(bool used, const T& value) {
+    return used ? ordered_json(value) : ordered_json();
+}
+
+ordered_json input_block(const Structure& structure, const Surface& surface, int model) {
+    return {{"file", structure.file},
+            {"sha256", structure.sha256},
+            {"model", model},
+            {"atoms", structure.atoms.size()},
+            {"residues", structure.residues.size()},
+            {"radii", structure.radii_set},
+            {"probe", surface.options.probe},
+            {"dropped", structure.dropped},
+            {"warnings", structure.warnings}};
+}
+
+ordered_json surface_options_block(const SurfaceRequest& request, const RunFacts& facts) {
+    const SurfaceOptions& o = request.surface;
+    const bool flow = o.method == Method::Flow;
+    return {{"method", name_of(o.method)},
+            {"flow", if_used(flow, request.flow)},
+            {"probe", o.probe},
+            {"spacing", o.spacing},
+            {"density", if_used(o.method != Method::Direct, o.density)},
+            {"time_step", if_used(flow, o.time_step)},
+            {"max_steps", if_used(flow, o.max_steps)},
+            {"threads", facts.threads},
+            {"memory_mb", if_used(o.memory_limit_mb > 0, o.memory_limit_mb)}};
+}
+
+ordered_json options_block(const SurfaceRequest& request, const RunFacts& facts) {
+    const ReadOptions& o = request.read;
+    ordered_json block = surface_options_block(request, facts);
+    block["radii"] = o.radii;
+    block["hydrogens"] = name_of(o.hydrogens);
+    block["model"] = request.all_models ? ordered_json("all") : ordered_json(o.model);
+    block["assembly"] = if_used(!o.assembly.empty(), o.assembly);
+    block["altloc"] = if_used(!o.altloc.empty(), o.altloc);
+    block["chains"] = if_used(!o.chains.empty(), o.chains);
+    block["select"] = if_used(!o.select.empty(), o.select);
+    block["hetero"] = name_of(o.hetero);
+    block["waters"] = o.keep_waters;
+    block["strict_radii"] = o.strict_radii;
+    return block;
+}
+
+ordered_json mesh_block(const Surface& surface) {
+    const MeshMeasures& m = surface.measures;
+    return {{"vertices", surface.mesh.vertices.size()},
+            {"triangles", surface.mesh.triangles.size()},
+            {"area", m.area},
+            {"volume", m.volume},
+            {"corrected_area", surface.corrected_area},
+            {"corrected_volume", surface.corrected_volume},
+            {"closed", m.closed},
+            {"manifold", m.manifold},
+            {"components", m.components.size()},
+            {"euler_characteristic", m.euler_characteristic},
+            {"mean_distance", surface.distance.mean},
+            {"p99_distance", surface.distance.p99},
+            {"max_distance", surface.distance.max},
+            {"smallest_triangle_angle_deg", m.smallest_angle_deg}};
+}
+
+ordered_json flow_block(const Surface& surface) {
+    if (surface.options.method != Method::Flow) return nullptr;
+    const FlowSummary& f = surface.flow;
+    return {{"steps", f.steps},
+            {"time", f.time},
+            {"converged", f.converged},
+            {"residual", f.residual},
+            {"mean_distance", f.mean_distance},
+            {"max_distance", f.max_distance},
+            {"solver_iterations", f.solver_iterations},
+            {"initial_area", f.initial_area},
+            {"reinitialisations", f.reinitialisations}};
+}
+
+ordered_json checks_block(const Surface& surface) {
+    ordered_json list = ordered_json::array();
+    for (const Check& c : surface.checks)
+        list.push_back({{"name", c.name}, {"passed", c.passed}, {"value", c.value}, {"bound", c.bound}});
+    return list;
+}
+
+ordered_json time_block(const Surface& surface, const RunFacts& facts) {
+    const StageTimes& s = surface.seconds;
+    return {{"total", facts.total_seconds},
+            {"read", facts.read_seconds},
+            {"geometry", s.geometry},
+            {"band", s.band},
+            {"flow", s.flow},
+            {"mesh", s.mesh},
+            {"write", facts.write_seconds}};
+}
+
+}  // namespace
+
+ordered_json make_report(const SurfaceRequest& request, const Structure& structure, const Surface& surface,
+                         const RunFacts& facts) {
+    return {{"meniscus", kVersion},
+            {"schema", 1},
+            {"input", input_block(structure, surface, facts.model)},
+            {"options", options_block(request, facts)},
+            {"exact", nullptr},
+            {"components", nullptr},
+            {"mesh", mesh_block(surface)},
+            {"flow", flow_block(surface)},
+            {"checks", checks_block(surface)},
+            {"time_s", time_block(surface, facts)},
+            {"peak_memory_mb", facts.peak_memory_mb}};
+}
+
+void write_report(const std::string& path, const ordered_json& report) {
+    const std::string text = report.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    if (path == "-") return print(text);
+    AtomicFile file(path);
+    file.write(text);
+    file.commit();
+}
+
+void print(const std::string& text) {
+    std::cout << text << std::flush;
+    if (!std::cout) throw OutputError("standard output: cannot be written");
+}
+
+int threads_in_use(int asked) {
+    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    return asked > 0 ? std::min(asked, cores) : cores;
+}
+
+double peak_memory_mb() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+}  // namespace meniscus::cli

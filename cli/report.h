@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The report: everything a program may want to know about a run, as JSON (docs/report.schema.json).
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "meniscus/structure.h"
+#include "meniscus/surface.h"
+#include "surface_request.h"
+
+namespace meniscus::cli {
+
+/// What the program itself knows about a run, beside the library's results.
+struct RunFacts {
+    int model = 1;                ///< position in the file, from 1
+    int threads = 1;              ///< in use
+    double read_seconds = 0.0;    ///< with all models: counted with the first
+    double write_seconds = 0.0;   ///< of the files of -o
+    double total_seconds = 0.0;   ///< wall clock
+    double peak_memory_mb = 0.0;  ///< of the process so far, in units of 2^20 bytes
+};
+
+/// The report of one surface. Numbers that are not finite become null.
+nlohmann::ordered_json make_report(const SurfaceRequest& request, const Structure& structure, const Surface& surface,
+                                   const RunFacts& facts);
+
+/// Writes a report, whole or not at all; "-" is standard output.
+/// throws   OutputError
+void write_report(const std::string& path, const nlohmann::ordered_json& report);
+
+/// Writes to standard output, at once.
+/// throws   OutputError
+void print(const std::string& text);
+
+/// Threads in use when `asked` (0: all cores) are asked for.
+int threads_in_use(int asked);
+
+/// Largest resident size of this process so far, MB (2^20 bytes).
+double peak_memory_mb();
+
+}  // namespace meniscus::cli

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "output_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "meniscus/errors.h"
+
+namespace meniscus::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An empty folder for one test.
+class OutputPlan : public testing::Test {
+protected:
+    void SetUp() override {
+        folder_ = fs::temp_directory_path() / fs::path("meniscus_output_plan_" + std::to_string(::getpid()));
+        fs::remove_all(folder_);
+        fs::create_directories(folder_ / "sub");
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string in_folder(const std::string& name) const { return (folder_ / name).string(); }
+
+    fs::path folder_;
+};
+
+}  // namespace
+
+TEST_F(OutputPlan, TellsFormatsBySuffix) {
+    EXPECT_EQ(kind_of("a.ply"), OutputKind::Mesh);
+    EXPECT_EQ(kind_of("dir.x/a.b.stl"), OutputKind::Mesh);
+    EXPECT_EQ(kind_of("a.xyzrn"), OutputKind::Spheres);
+    for (const char* path : {"a", "a.", "a.foo", ".ply", "-", "", "dir.ply/"})
+        EXPECT_THROW(kind_of(path), UsageError) << path;
+}
+
+TEST_F(OutputPlan, DefaultsToAMeshInTheCurrentFolder) {
+    const std::vector<Output> expected{{"1ubq.ply", OutputKind::Mesh}, {"1ubq.atoms.csv", OutputKind::AtomTable}};
+    EXPECT_EQ(plan_outputs({}, "1ubq", ""), expected);
+    EXPECT_EQ(plan_outputs({}, "1ubq_m01", "_m01").front().path, "1ubq_m01.ply");
+}
+
+TEST_F(OutputPlan, PutsOneAtomTableBesideTheMeshesOfAStem) {
+    const std::vector<Output> expected{{"out/a.ply", OutputKind::Mesh},
+                                       {"out/a.obj", OutputKind::Mesh},
+                                       {"b.xyzr", OutputKind::Spheres},
+                                       {"out/a.atoms.csv", OutputKind::AtomTable}};
+    EXPECT_EQ(plan_outputs({"out/a.ply", "out/a.obj", "b.xyzr"}, "x", ""), expected);
+}
+
+TEST_F(OutputPlan, MarksModelsBeforeTheSuffix) {
+    const std::vector<Output> plan = plan_outputs({"out/a.b.ply"}, "x", "_m02");
+    EXPECT_EQ(plan.front().path, "out/a.b_m02.ply");
+    EXPECT_EQ(plan.back().path, "out/a.b_m02.atoms.csv");
+}
+
+TEST_F(OutputPlan, RefusesAFileNamedTwice) {
+    EXPECT_THROW(check_paths({in_folder("a.ply"), in_folder("sub/../a.ply")}, "-"), UsageError);
+    EXPECT_NO_THROW(check_paths({in_folder("a.ply"), in_folder("sub/a.ply")}, "-"));
+}
+
+TEST_F(OutputPlan, RefusesToOverwriteTheInput) {
+    std::ofstream(in_folder("a.xyzr")) << "0 0 0 1\n";
+    fs::create_symlink(in_folder("a.xyzr"), in_folder("link.xyzr"));
+    EXPECT_THROW(check_paths({in_folder("a.xyzr")}, in_folder("a.xyzr")), UsageError);
+    EXPECT_THROW(check_paths({in_folder("link.xyzr")}, in_folder("a.xyzr")), UsageError);
+}
+
+TEST_F(OutputPlan, RefusesFoldersThatAreMissingOrMeantAsFiles) {
+    EXPECT_THROW(check_paths({in_folder("none/a.ply")}, "-"), OutputError);
+    EXPECT_THROW(check_paths({in_folder("sub")}, "-"), OutputError);
+}
+
+TEST_F(OutputPlan, LeavesDevicesAndStandardOutputAlone) {
+    EXPECT_NO_THROW(check_paths({"-", "/dev/null", "/dev/null"}, "-"));
+}
+
+}  // namespace meniscus::cli

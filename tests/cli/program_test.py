@@ -1,0 +1,287 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the built program: exit codes, messages, what lands on standard output and on disk.
+
+usage: program_test.py PROGRAM SOURCE_DIR [unittest arguments]
+"""
+import csv
+import json
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import schema
+
+PROGRAM = pathlib.Path(sys.argv[1]).resolve()
+SOURCE = pathlib.Path(sys.argv[2]).resolve()
+UBIQUITIN = SOURCE / "examples" / "1ubq.pdb"
+
+# Two overlapping spheres and a third apart: quick, with two components.
+SPHERES = "0 0 0 1.7\n1.2 0 0 1.52\n20 0 0 1.8\n"
+
+ATOM = "ATOM  {serial:5}  {name:<3} GLY A{residue:4}    {x:8.3f}{y:8.3f}{z:8.3f}  1.00 10.00           {element}\n"
+
+
+def glycine(shift=0.0):
+    """The heavy atoms of one glycine, as PDB lines."""
+    atoms = [("N", 0.0, 0.0, 0.0, "N"), ("CA", 1.458, 0.0, 0.0, "C"), ("C", 2.009, 1.420, 0.0, "C"),
+             ("O", 1.251, 2.390, 0.0, "O")]
+    return "".join(ATOM.format(serial=i + 1, name=name, residue=1, x=x + shift, y=y, z=z, element=element)
+                   for i, (name, x, y, z, element) in enumerate(atoms))
+
+
+class ProgramTest(unittest.TestCase):
+    """Every test runs in an empty folder of its own."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="meniscus-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        (self.folder / "three.xyzr").write_text(SPHERES)
+
+    def run_program(self, *arguments, text=None):
+        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, input=text, capture_output=True,
+                              encoding="utf-8", timeout=120, check=False)
+
+    def surface(self, *arguments, code=0, text=None):
+        """Runs `surface`, coarse unless --spacing is given, and expects an exit code."""
+        if "--spacing" not in arguments:
+            arguments += ("--spacing", "0.5")
+        result = self.run_program("surface", *arguments, text=text)
+        self.assertEqual(result.returncode, code, result.stderr)
+        return result
+
+    def refused(self, *arguments, code=2, text=None):
+        """Expects one line on standard error, nothing on standard output and no new file; returns the line."""
+        before = self.files()
+        result = self.surface(*arguments, code=code, text=text)
+        self.assertEqual(result.stdout, "")
+        errors = [line for line in result.stderr.splitlines() if not line.startswith("meniscus: warning: ")]
+        self.assertEqual(len(errors), 1, result.stderr)
+        self.assertTrue(errors[0].startswith("meniscus: error: "), errors[0])
+        self.assertEqual(self.files(), before)
+        return errors[0]
+
+    def files(self):
+        return sorted(str(p.relative_to(self.folder)) for p in self.folder.rglob("*") if p.is_file())
+
+    def report(self, *arguments, **keywords):
+        return json.loads(self.surface(*arguments, "--report", "-", **keywords).stdout)
+
+
+class Help(ProgramTest):
+    def test_version_and_help_go_to_standard_output(self):
+        for arguments in (["--version"], ["--help"], ["surface", "--help"]):
+            result = self.run_program(*arguments)
+            self.assertEqual((result.returncode, result.stderr), (0, ""), arguments)
+            self.assertTrue(result.stdout, arguments)
+        self.assertRegex(self.run_program("--version").stdout, r"^meniscus \d+\.\d+\.\d+\n$")
+
+    def test_every_option_is_in_the_help(self):
+        text = self.run_program("surface", "--help").stdout
+        for option in ("--probe --radii --hydrogens --model --assembly --altloc --chains --select --hetero --waters "
+                       "--strict-radii --report --threads --quiet --progress --method --flow --spacing --density "
+                       "--time-step --max-steps -o --memory --ascii").split():
+            self.assertIn(f"  {option} ", text)
+
+
+class Usage(ProgramTest):
+    def test_wrong_command_lines_are_refused_in_one_line(self):
+        for arguments in ([], ["surfac"], ["surface"], ["surface", "--bogus", "three.xyzr"], ["--bogus"],
+                          ["surface", "three.xyzr", "three.xyzr"], ["surface", "three.xyzr", "--threads"]):
+            result = self.run_program(*arguments)
+            self.assertEqual((result.returncode, result.stdout), (2, ""), arguments)
+            self.assertRegex(result.stderr, r"\Ameniscus: error: [^\n]+\n\Z")
+
+    def test_numbers_that_make_no_sense_are_refused(self):
+        for option in ("--spacing", "--probe", "--density", "--time-step", "--max-steps", "--threads", "--memory",
+                       "--model"):
+            for value in ("abc", "", "nan", "inf", "-inf", "1e999", "1.4x"):
+                self.assertIn(option, self.refused("three.xyzr", option, value))
+        for option, value in (("--spacing", "0"), ("--spacing", "-1"), ("--probe", "-1"), ("--density", "0"),
+                              ("--density", "1"), ("--time-step", "0"), ("--max-steps", "0"), ("--threads", "0"),
+                              ("--threads", "1.5"), ("--memory", "0"), ("--model", "0"), ("--model", "-1")):
+            self.assertIn(option, self.refused("three.xyzr", option, value))
+
+    def test_unknown_words_are_refused_with_those_that_exist(self):
+        self.assertIn("flow, direct, gaussian", self.refused("three.xyzr", "--method", "fast"))
+        self.assertIn("anchored", self.refused("three.xyzr", "--flow", "sideways"))
+        self.assertIn("ligands", self.refused("three.xyzr", "--hetero", "haem"))
+        self.assertIn("json", self.refused("three.xyzr", "--progress", "loud"))
+        self.refused("three.xyzr", "--radii", "nosuchset")
+
+    def test_outputs_are_checked_before_anything_is_read(self):
+        missing = "missing.pdb"
+        self.assertIn(".ply", self.refused(missing, "-o", "a.foo"))
+        self.refused(missing, "-o", "noextension")
+        self.refused(missing, "-o", "a.ply", "-o", "./a.ply")
+        self.refused(missing, "-o", "a.ply", "--report", "a.ply")
+        self.refused(missing, "-o", "nofolder/a.ply", code=4)
+        self.refused(missing, "--report", "nofolder/a.json", code=4)
+        (self.folder / "folder.ply").mkdir()
+        self.refused(missing, "-o", "folder.ply", code=4)
+        self.refused("three.xyzr", "-o", "three.xyzr")
+
+
+class Input(ProgramTest):
+    def test_files_that_cannot_be_read_are_exit_3(self):
+        self.assertIn("missing.pdb", self.refused("missing.pdb", code=3))
+        (self.folder / "empty.pdb").write_text("")
+        self.refused("empty.pdb", code=3)
+        (self.folder / "bad.pdb").write_text(glycine().replace("   1.458", "   1.4x8"))
+        self.assertRegex(self.refused("bad.pdb", code=3), r"bad\.pdb:2:\d+: ")
+
+    def test_standard_input_is_told_by_content(self):
+        self.assertEqual(self.report("-", text=SPHERES)["input"]["atoms"], 3)
+        self.assertEqual(self.report("-", text=glycine())["input"]["atoms"], 4)
+        self.refused("-", text="", code=3)
+
+    def test_all_models_are_structures_of_their_own(self):
+        models = "".join(f"MODEL     {n:4}\n{glycine(shift=n)}ENDMDL\n" for n in (1, 2))
+        (self.folder / "nmr.pdb").write_text(models + "END\n")
+        reports = self.report("nmr.pdb", "--model", "all", "-o", "out.ply")
+        self.assertEqual([r["input"]["model"] for r in reports], [1, 2])
+        self.assertEqual(self.files(), ["nmr.pdb", "out_m01.atoms.csv", "out_m01.ply", "out_m02.atoms.csv",
+                                        "out_m02.ply", "three.xyzr"])
+        self.surface("nmr.pdb", "--model", "all")
+        self.assertTrue({"nmr_m01.ply", "nmr_m02.ply", "nmr_m02.atoms.csv"} <= set(self.files()), self.files())
+        self.assertEqual(self.report("nmr.pdb", "--model", "2")["input"]["model"], 2)
+        self.refused("nmr.pdb", "--model", "3", code=3)
+
+
+class Outputs(ProgramTest):
+    def test_without_o_the_mesh_goes_to_the_current_folder(self):
+        (self.folder / "sub").mkdir()
+        shutil.move(self.folder / "three.xyzr", self.folder / "sub" / "three.xyzr")
+        self.surface("sub/three.xyzr")
+        self.assertEqual(self.files(), ["sub/three.xyzr", "three.atoms.csv", "three.ply"])
+
+    def test_every_format_can_be_written(self):
+        names = ["a.obj", "a.off", "a.ply", "a.stl", "b.xyzr", "b.xyzrn"]
+        self.surface("three.xyzr", *[word for name in names for word in ("-o", name)])
+        self.assertEqual(self.files(), sorted([*names, "a.atoms.csv", "three.xyzr"]))
+        for name in names:
+            self.assertGreater((self.folder / name).stat().st_size, 0, name)
+
+    def test_text_on_demand(self):
+        self.surface("three.xyzr", "-o", "a.ply", "-o", "a.stl", "--ascii")
+        self.assertIn("format ascii 1.0", (self.folder / "a.ply").read_text(encoding="ascii"))
+        self.assertTrue((self.folder / "a.stl").read_text(encoding="ascii").startswith("solid"))
+
+    def test_vertices_know_their_atom_and_residue(self):
+        (self.folder / "gly.pdb").write_text(glycine())
+        self.surface("gly.pdb", "-o", "a.ply")
+        header = (self.folder / "a.ply").read_bytes().split(b"end_header")[0].decode("ascii")
+        for name in ("x", "y", "z", "nx", "ny", "nz", "atom", "residue", "patch", "component"):
+            self.assertRegex(header, rf"property \w+ {name}\n")
+
+    def test_the_atom_table_has_one_row_per_kept_atom(self):
+        self.surface("three.xyzr")
+        with open(self.folder / "three.atoms.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([float(row["radius"]) for row in rows], [1.7, 1.52, 1.8])
+
+    def test_outputs_that_cannot_be_written_are_exit_4(self):
+        result = self.run_program("surface", "three.xyzr", "--quiet", "--report", "/dev/full")
+        self.assertEqual(result.returncode, 4, result.stderr)
+
+    def test_standard_output_that_cannot_be_written_is_exit_4(self):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            result = subprocess.run([PROGRAM, "surface", "three.xyzr"], cwd=self.folder, stdout=full,
+                                    stderr=subprocess.PIPE, check=False)
+        self.assertEqual(result.returncode, 4)
+
+    def test_same_bits_for_any_number_of_threads(self):
+        for threads in ("1", "2"):
+            self.surface(UBIQUITIN, "--threads", threads, "--spacing", "1", "-o", f"t{threads}.ply", "--quiet")
+        self.assertEqual((self.folder / "t1.ply").read_bytes(), (self.folder / "t2.ply").read_bytes())
+
+
+class Streams(ProgramTest):
+    def test_the_summary_is_short_and_alone_on_standard_output(self):
+        result = self.surface("three.xyzr")
+        self.assertEqual(result.stderr, "")
+        self.assertLess(len(result.stdout.splitlines()), 12)
+        self.assertIn("Å²", result.stdout)
+
+    def test_quiet_is_silent(self):
+        result = self.surface("three.xyzr", "--quiet", "--report", "r.json")
+        self.assertEqual((result.stdout, result.stderr), ("", ""))
+        self.assertEqual(json.loads((self.folder / "r.json").read_text())["schema"], 1)
+
+    def test_progress_is_silent_in_a_pipe_and_json_on_demand(self):
+        self.assertEqual(self.surface("three.xyzr", "--progress", "off").stderr, "")
+        lines = self.surface("three.xyzr", "--progress", "json").stderr.splitlines()
+        updates = [json.loads(line) for line in lines]
+        self.assertTrue(all(0.0 <= u["fraction"] <= 1.0 for u in updates))
+        self.assertTrue({"read", "mesh", "write"} <= {u["stage"] for u in updates}, updates)
+        self.assertIn("\033[K", self.surface("three.xyzr", "--progress", "on").stderr)
+
+    def test_warnings_are_one_line_each(self):
+        for line in self.surface(UBIQUITIN, "--spacing", "1").stderr.splitlines():
+            self.assertTrue(line.startswith("meniscus: warning: "), line)
+
+
+class Report(ProgramTest):
+    def test_reports_follow_the_schema(self):
+        rules = json.loads((SOURCE / "docs" / "report.schema.json").read_text(encoding="utf-8"))
+        for method in ("flow", "direct", "gaussian"):
+            report = self.report("three.xyzr", "--method", method)
+            self.assertEqual(schema.problems(report, rules), [], method)
+        self.assertEqual(schema.problems(self.report("three.xyzr", "--model", "all"), rules), [])
+        self.assertNotEqual(schema.problems({"schema": 1}, rules), [])
+
+    def test_numbers_of_a_mesh_with_two_components(self):
+        report = self.report("three.xyzr", "--spacing", "0.25")
+        mesh = report["mesh"]
+        self.assertTrue(mesh["closed"] and mesh["manifold"])
+        self.assertEqual(mesh["components"], 2)
+        self.assertEqual(mesh["euler_characteristic"], 4)
+        self.assertTrue(report["flow"]["converged"])
+        self.assertIsNone(report["exact"])
+        # The sphere of 1.8 Å, and the closed form for the two that overlap.
+        self.assertAlmostEqual(mesh["corrected_area"], 40.715 + 45.1, delta=1.0)
+
+    def test_dropped_atoms_and_options_are_recorded(self):
+        report = self.report(UBIQUITIN, "--spacing", "1", "--threads", "1", "--chains", "A")
+        self.assertEqual(report["input"]["atoms"], 602)
+        self.assertEqual(sum(report["input"]["dropped"].values()), 58)
+        self.assertEqual(len(report["input"]["sha256"]), 64)
+        self.assertEqual(report["options"]["threads"], 1)
+        self.assertEqual(report["options"]["chains"], ["A"])
+
+
+class Limits(ProgramTest):
+    def test_what_does_not_fit_is_refused_with_the_option_to_change(self):
+        self.assertIn("--spacing", self.refused(UBIQUITIN, "--spacing", "0.05", "--memory", "50M", code=5))
+
+    def check_signal(self, number):
+        """Sends a signal while the surface is computed."""
+        with subprocess.Popen([PROGRAM, "surface", UBIQUITIN, "--spacing", "0.1", "--progress", "json"],
+                              cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+            for line in process.stderr:
+                if b'"stage"' in line and b'"read"' not in line:
+                    break
+            process.send_signal(number)
+            process.stdout.read(), process.stderr.read()
+            self.assertEqual(process.wait(timeout=60), 128 + number)
+        self.assertEqual(self.files(), ["three.xyzr"])
+
+    def test_signals_end_the_program_and_leave_nothing(self):
+        self.check_signal(signal.SIGINT)
+        self.check_signal(signal.SIGTERM)
+
+    def test_signals_end_a_program_that_waits_for_input(self):
+        with subprocess.Popen([PROGRAM, "surface", "-", "--progress", "json"], cwd=self.folder, stdin=subprocess.PIPE,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+            process.stderr.readline()
+            process.send_signal(signal.SIGTERM)
+            self.assertEqual(process.wait(timeout=60), 143)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])

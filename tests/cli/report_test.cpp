@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace meniscus::cli {
+
+namespace {
+
+std::vector<std::string> keys_of(const nlohmann::ordered_json& object) {
+    std::vector<std::string> keys;
+    for (const auto& item : object.items()) keys.push_back(item.key());
+    return keys;
+}
+
+nlohmann::ordered_json report_of(const SurfaceRequest& request, const Surface& surface = {}) {
+    Structure structure;
+    structure.file = "dir/1ubq.pdb";
+    structure.radii_set = "united";
+    structure.dropped["waters"] = 58;
+    structure.warnings = {"58 waters left out: --waters"};
+    return make_report(request, structure, surface, {.model = 2, .threads = 3, .total_seconds = 1.5});
+}
+
+}  // namespace
+
+TEST(Report, HasTheBlocksOfTheInterfaceInOrder) {
+    const std::vector<std::string> expected{"meniscus", "schema", "input",  "options", "exact",         "components",
+                                            "mesh",     "flow",   "checks", "time_s",  "peak_memory_mb"};
+    EXPECT_EQ(keys_of(report_of({})), expected);
+    const std::vector<std::string> times{"total", "read", "geometry", "band", "flow", "mesh", "write"};
+    EXPECT_EQ(keys_of(report_of({})["time_s"]), times);
+}
+
+TEST(Report, TellsWhatWasReadAndDropped) {
+    const auto input = report_of({})["input"];
+    EXPECT_EQ(input["file"], "dir/1ubq.pdb");
+    EXPECT_EQ(input["model"], 2);
+    EXPECT_EQ(input["radii"], "united");
+    EXPECT_EQ(input["dropped"]["waters"], 58);
+    EXPECT_EQ(input["warnings"][0], "58 waters left out: --waters");
+}
+
+TEST(Report, LeavesOutWhatAMethodDoesNotUse) {
+    SurfaceRequest request;
+    request.surface.method = Method::Direct;
+    Surface surface;
+    surface.options = request.surface;
+    const auto direct = report_of(request, surface);
+    EXPECT_EQ(direct["options"]["method"], "direct");
+    EXPECT_TRUE(direct["flow"].is_null());
+    for (const char* key : {"flow", "density", "time_step", "max_steps"})
+        EXPECT_TRUE(direct["options"][key].is_null()) << key;
+    EXPECT_EQ(report_of({})["options"]["flow"], "anchored");
+    EXPECT_EQ(report_of({})["options"]["threads"], 3);
+}
+
+TEST(Report, WritesNoNumberThatIsNotFinite) {
+    Surface surface;
+    surface.distance.max = std::numeric_limits<double>::infinity();
+    surface.distance.mean = std::numeric_limits<double>::quiet_NaN();
+    surface.checks = {{"closed", false, std::numeric_limits<double>::quiet_NaN(), 0.0}};
+    const auto report = nlohmann::json::parse(report_of({}, surface).dump());
+    EXPECT_TRUE(report["mesh"]["max_distance"].is_null());
+    EXPECT_TRUE(report["mesh"]["mean_distance"].is_null());
+    EXPECT_TRUE(report["checks"][0]["value"].is_null());
+    EXPECT_EQ(report["checks"][0]["passed"], false);
+}
+
+TEST(Report, SurvivesFileNamesThatAreNoUtf8) {
+    Structure structure;
+    structure.file = "\xff.pdb";
+    testing::internal::CaptureStdout();
+    write_report("-", make_report({}, structure, {}, {}));
+    EXPECT_NO_THROW(nlohmann::json::parse(testing::internal::GetCapturedStdout()));
+}
+
+TEST(Report, CountsThreadsThatRun) {
+    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    EXPECT_EQ(threads_in_use(0), cores);
+    EXPECT_EQ(threads_in_use(1), 1);
+    EXPECT_EQ(threads_in_use(cores + 100), cores);
+}
+
+TEST(Report, KnowsThePeakOfMemory) { EXPECT_GT(peak_memory_mb(), 0.5); }
+
+}  // namespace meniscus::cli

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "summary.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace meniscus::cli {
+
+namespace {
+
+Surface sample_surface() {
+    Surface surface;
+    surface.corrected_area = 4823.118;
+    surface.measures.area = 4790.5;
+    surface.measures.components = {{100, 196, 4800.0, 10000.0}, {10, 16, 20.0, -5.0}};
+    surface.measures.closed = true;
+    surface.measures.manifold = true;
+    surface.flow = {.steps = 4, .converged = true};
+    surface.checks = {{"closed", true, 1.0, 1.0}, {"converged", false, 0.25, 0.125}};
+    return surface;
+}
+
+Structure sample_structure() {
+    Structure structure;
+    structure.file = "dir/1ubq.pdb";
+    structure.radii_set = "united";
+    structure.atoms.centres.resize(1);
+    return structure;
+}
+
+}  // namespace
+
+TEST(Summary, IsShortAndNamesUnits) {
+    const std::string text =
+        make_summary(sample_structure(), sample_surface(), {.threads = 2}, {{"a.ply", OutputKind::Mesh}});
+    EXPECT_TRUE(text.starts_with("dir/1ubq.pdb: 1 atom, radii united, probe 1.4 Å, spacing 0.5 Å\n")) << text;
+    EXPECT_NE(text.find("area        4823.12 Å² (flat triangles 4790.50 Å²)\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("components  2 (1 outer, 1 cavity)\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("flow        4 steps, converged\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("written     a.ply\n"), std::string::npos) << text;
+}
+
+TEST(Summary, HasNoFlowLineWithoutAFlow) {
+    Surface surface = sample_surface();
+    surface.options.method = Method::Direct;
+    const std::string text = make_summary(sample_structure(), surface, {}, {});
+    EXPECT_EQ(text.find("converged"), std::string::npos) << text;
+}
+
+TEST(Summary, ListsFailedChecksWithTheirBounds) {
+    EXPECT_EQ(failed_checks(sample_surface()), "converged (0.25, bound 0.125)");
+    EXPECT_EQ(failed_checks({}), "");
+}
+
+}  // namespace meniscus::cli

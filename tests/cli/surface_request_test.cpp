@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "surface_request.h"
+
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "meniscus/errors.h"
+
+namespace meniscus::cli {
+
+namespace {
+
+SurfaceRequest parse(std::vector<std::string> arguments) {
+    SurfaceRequest request;
+    CLI::App app;
+    add_surface_options(app, request);
+    arguments = join_negative_values(arguments);
+    std::reverse(arguments.begin(), arguments.end());
+    app.parse(arguments);
+    return request;
+}
+
+}  // namespace
+
+TEST(SurfaceRequest, HasTheDefaultsOfTheLibrary) {
+    const SurfaceRequest request = parse({"1ubq.pdb"});
+    EXPECT_EQ(request.input, "1ubq.pdb");
+    EXPECT_EQ(request.surface.probe, SurfaceOptions{}.probe);
+    EXPECT_EQ(request.surface.spacing, SurfaceOptions{}.spacing);
+    EXPECT_EQ(request.surface.threads, 0);
+    EXPECT_EQ(request.read.radii, "auto");
+    EXPECT_TRUE(request.outputs.empty());
+    EXPECT_TRUE(request.report.empty());
+}
+
+TEST(SurfaceRequest, TakesValuesOfAllKinds) {
+    const SurfaceRequest request = parse({"--probe",
+                                          "0",
+                                          "--density",
+                                          "-.25",
+                                          "--spacing=0.25",
+                                          "--method",
+                                          "direct",
+                                          "-o",
+                                          "a.ply",
+                                          "-o",
+                                          "b.stl",
+                                          "-",
+                                          "--chains",
+                                          "A,label:B",
+                                          "--hetero",
+                                          "ligands",
+                                          "--hydrogens",
+                                          "keep",
+                                          "--waters",
+                                          "--memory",
+                                          "4G",
+                                          "--threads",
+                                          "2",
+                                          "--progress",
+                                          "json",
+                                          "--ascii",
+                                          "--altloc",
+                                          "B",
+                                          "--report",
+                                          "-",
+                                          "--max-steps",
+                                          "7"});
+    EXPECT_EQ(request.input, "-");
+    EXPECT_EQ(request.surface.probe, 0.0);
+    EXPECT_EQ(request.surface.density, -0.25);
+    EXPECT_EQ(request.surface.spacing, 0.25);
+    EXPECT_EQ(request.surface.method, Method::Direct);
+    EXPECT_EQ(request.surface.memory_limit_mb, 4096u);
+    EXPECT_EQ(request.surface.threads, 2);
+    EXPECT_EQ(request.surface.max_steps, 7);
+    EXPECT_EQ(request.outputs, (std::vector<std::string>{"a.ply", "b.stl"}));
+    EXPECT_EQ(request.read.chains, (std::vector<std::string>{"A", "label:B"}));
+    EXPECT_EQ(request.read.hetero, HeteroPolicy::Ligands);
+    EXPECT_EQ(request.read.hydrogens, HydrogenPolicy::Keep);
+    EXPECT_EQ(request.read.altloc, "B");
+    EXPECT_TRUE(request.read.keep_waters);
+    EXPECT_EQ(request.progress, ProgressMode::Json);
+    EXPECT_EQ(request.encoding, Encoding::Text);
+    EXPECT_EQ(request.report, "-");
+}
+
+TEST(SurfaceRequest, TellsOneModelFromAll) {
+    EXPECT_EQ(parse({"a.pdb", "--model", "3"}).read.model, 3);
+    EXPECT_TRUE(parse({"a.pdb", "--model", "all"}).all_models);
+    EXPECT_THROW(parse({"a.pdb", "--model", "0"}), UsageError);
+    EXPECT_THROW(parse({"a.pdb", "--model", "ALL"}), UsageError);
+}
+
+TEST(SurfaceRequest, NamesTheWordsThatExist) {
+    try {
+        parse({"a.pdb", "--method", "fast"});
+        FAIL();
+    } catch (const UsageError& error) {
+        EXPECT_STREQ(error.what(), "--method: unknown value 'fast'; one of flow, direct, gaussian");
+    }
+    EXPECT_THROW(parse({"a.pdb", "--flow", "sideways"}), UsageError);
+    EXPECT_THROW(parse({"a.pdb", "--hetero", "haem"}), UsageError);
+}
+
+TEST(SurfaceRequest, RefusesValuesThatMakeNoSense) {
+    EXPECT_THROW(parse({"a.pdb", "--chains", "A,,B"}), UsageError);
+    EXPECT_THROW(parse({"a.pdb", "--altloc", "AB"}), UsageError);
+    EXPECT_THROW(parse({"a.pdb", "--spacing", "-inf"}), UsageError);
+    EXPECT_THROW(parse({"a.pdb", "--density", "0.5"}), UsageError);
+    EXPECT_THROW(parse({"a.pdb", "b.pdb"}), CLI::ParseError);
+    EXPECT_THROW(parse({"a.pdb", "--unknown"}), CLI::ParseError);
+    EXPECT_THROW(parse({"a.pdb", "--probe", "1", "--probe", "2"}), CLI::ParseError);
+    EXPECT_THROW(parse({}), CLI::ParseError);
+}
+
+TEST(SurfaceRequest, NamesItsWords) {
+    EXPECT_STREQ(name_of(Method::Gaussian), "gaussian");
+    EXPECT_STREQ(name_of(HydrogenPolicy::Auto), "auto");
+    EXPECT_STREQ(name_of(HeteroPolicy::All), "all");
+}
+
+}  // namespace meniscus::cli

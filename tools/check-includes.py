@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+"""Includes point one way: clients -> public headers -> rooms -> core (ARCHITECTURE.md), and some stay at home."""
+import sys
+
+from sources import ROOT, includes, sources
+
+# What a room may include beside itself, core and the public headers.
+ROOMS = {
+    "core": (),
+    "structure": ("radii",),
+    "radii": (),
+    "geometry": (),
+    "grid": (),
+    "band": ("geometry", "grid"),
+    "flow": ("geometry", "grid", "band"),
+    "mesh": ("grid",),
+    "measure": ("geometry", "mesh"),
+    "io": (),
+    "pipeline": ("geometry", "grid", "band", "flow", "mesh", "measure"),
+}
+# What clients may use beside the public headers: how to write a file of their own whole or not at all.
+FOR_CLIENTS = ("src/io/atomic_file.h",)
+# Public headers that numerical rooms must not see, and words that only some folders may include.
+FILE_HEADERS = ("include/meniscus/structure.h", "include/meniscus/write.h")
+NUMERICAL = ("geometry", "grid", "band", "flow", "mesh", "measure")
+ONLY_IN = {
+    "<tbb/": ("src/core/",),
+    "<gemmi/": ("src/structure/", "src/radii/"),
+    "<CLI/": ("cli/", "tests/cli/"),
+    "<iostream>": ("cli/", "src/structure/", "src/io/", "tests/", "bench/", "fuzz/"),
+    "<fstream>": ("cli/", "src/core/", "src/structure/", "src/radii/", "src/io/", "tests/", "bench/", "fuzz/"),
+}
+
+
+def room_of(path):
+    return path.parts[1] if path.parts[0] == "src" else None
+
+
+def wrong_includes(path):
+    room = room_of(path)
+    for target in includes(path):
+        other = room_of(target)
+        if room is None:
+            if path.parts[0] in ("include", "cli") and other is not None and str(target) not in FOR_CLIENTS:
+                yield f"{target}: only the public headers may be used here"
+        elif other not in (None, room, "core", *ROOMS[room]):
+            yield f"{target}: {room} may not use {other}"
+        elif target.parts[0] not in ("src", "include"):
+            yield f"{target}: a room may not use a client"
+        elif room in NUMERICAL and str(target) in FILE_HEADERS:
+            yield f"{target}: {room} knows no files"
+
+
+def misplaced(path):
+    text = (ROOT / path).read_text()
+    for word, homes in ONLY_IN.items():
+        if f"#include {word}" in text and not str(path).startswith(homes):
+            yield f"{word} may only be included in {', '.join(homes)}"
+
+
+def main():
+    problems = [f"{path}: {problem}" for path in sources(".h", ".cpp")
+                for problem in (*wrong_includes(path), *misplaced(path))]
+    print("\n".join(problems), end="\n" if problems else "")
+    return 1 if problems else 0
+
+
+sys.exit(main())

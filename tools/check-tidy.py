@@ -1,0 +1,32 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+"""clang-tidy on every source file that has changed, or includes something that has, since it last passed.
+
+usage: check-tidy.py BUILD    BUILD holds compile_commands.json
+"""
+import json
+import pathlib
+import subprocess
+import sys
+
+from sources import ROOT, Cache, sources
+
+
+def main():
+    build = pathlib.Path(sys.argv[1])
+    entries = json.loads((build / "compile_commands.json").read_text())
+    compiled = {pathlib.Path(entry["file"]) for entry in entries}
+    paths = [path for path in sources(".cpp") if ROOT / path in compiled]
+    for path in set(sources(".cpp")) - set(paths):
+        print(f"{path}: not in any target")
+    version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
+    configurations = [path.read_text() for path in sorted(ROOT.glob(".clang-tidy")) + sorted(ROOT.glob("*/.clang-tidy"))]
+    cache = Cache("tidy", version, *configurations)
+    # -Wno-unknown-warning-option: the commands are GCC's.
+    failed = cache.run(paths, lambda path: ["clang-tidy", "--quiet", "-p", str(build),
+                                            "--extra-arg=-Wno-unknown-warning-option", str(path)])
+    return 1 if failed or len(paths) != len(sources(".cpp")) else 0
+
+
+sys.exit(main())

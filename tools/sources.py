@@ -1,0 +1,79 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+"""The project's C++ files, what they include, and a cache of checks that passed."""
+import concurrent.futures
+import hashlib
+import os
+import pathlib
+import re
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+FOLDERS = ("include", "src", "cli", "tests", "bench", "fuzz")
+INCLUDE_PATHS = ("include", "src", "cli", "tests")
+INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
+
+
+def sources(*suffixes):
+    """Paths relative to the root of all files with these suffixes, sorted."""
+    found = []
+    for folder in FOLDERS:
+        found += [p for p in (ROOT / folder).rglob("*") if p.suffix in suffixes and p.is_file()]
+    return sorted(p.relative_to(ROOT) for p in found)
+
+
+def includes(path):
+    """Project files that a file includes directly, relative to the root."""
+    found = []
+    for name in INCLUDE.findall((ROOT / path).read_text()):
+        for base in (path.parent, *INCLUDE_PATHS):
+            candidate = pathlib.Path(os.path.normpath(pathlib.Path(base) / name))
+            if (ROOT / candidate).is_file():
+                found.append(candidate)
+                break
+    return found
+
+
+def closure(path):
+    """The file and every project file it includes, directly or not, sorted."""
+    seen, todo = set(), [path]
+    while todo:
+        current = todo.pop()
+        if current not in seen:
+            seen.add(current)
+            todo += includes(current)
+    return sorted(seen)
+
+
+class Cache:
+    """Remembers which files have passed a check, by the content of all that the check saw."""
+
+    def __init__(self, name, *context):
+        self.folder = ROOT / "build" / "checked" / name
+        self.folder.mkdir(parents=True, exist_ok=True)
+        self.context = "\0".join(context).encode()
+
+    def stamp(self, path):
+        digest = hashlib.sha256(self.context)
+        for part in closure(path):
+            digest.update(str(part).encode() + b"\0" + (ROOT / part).read_bytes())
+        return self.folder / digest.hexdigest()
+
+    def run(self, paths, command):
+        """Runs command(path), a list of words, for every path that has not passed yet; returns what failed."""
+        stamps = {path: self.stamp(path) for path in paths}
+        todo = [path for path in paths if not stamps[path].exists()]
+        failed = []
+        with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
+            for path, result in zip(todo, pool.map(lambda p: run(command(p)), todo)):
+                if result.returncode == 0:
+                    stamps[path].touch()
+                else:
+                    failed.append(path)
+                    print(result.stdout, end="")
+        return failed
+
+
+def run(words):
+    return subprocess.run(words, cwd=ROOT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, check=False)
