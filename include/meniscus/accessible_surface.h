@@ -50,10 +50,11 @@ public:
     ///
     /// Exact duplicates of an atom are merged. Degenerate arrangements (four spheres through a point, tangent
     /// and concentric spheres, lattices) are decided by a perturbation of the radii of order 1e-10 Å that
-    /// depends only on the atoms themselves, not on their order.
+    /// depends only on the atoms themselves, not on their order. Another seed gives another perturbation: what
+    /// both give is not an accident of either.
     /// throws   std::invalid_argument for no atoms, a radius <= 0 or a coordinate that is not finite
     /// cost     linear at protein density; parallel over atoms
-    AccessibleSurface(const Atoms& atoms, double probe);
+    AccessibleSurface(const Atoms& atoms, double probe, std::uint64_t seed = 0);
     ~AccessibleSurface();
     AccessibleSurface(AccessibleSurface&&) noexcept;
     AccessibleSurface& operator=(AccessibleSurface&&) noexcept;

@@ -38,18 +38,15 @@ struct ArcView {
     double sweep;  // pseudo-angle
 };
 
-struct Contours {
-    std::vector<std::uint64_t> begin;  // per atom, and the end
-    std::vector<ArcView> arcs;
-
-    std::span<const ArcView> of(std::uint32_t atom) const {
-        return std::span(arcs).subspan(begin[atom], begin[atom + 1] - begin[atom]);
-    }
-};
+ArcView view_of(const AccessibleSurface::Data& data, std::uint32_t atom, const ContourArc& arc) {
+    const std::span<const Cap> caps = data.caps_of(atom);
+    const auto atom_of = [&](std::uint32_t k) { return k == kWholeCircle ? kWholeCircle : caps[k].atom; };
+    return {caps[arc.cap].atom, atom_of(arc.from), atom_of(arc.to), arc.sweep};
+}
 
 struct ChunkResult {
     bool consistent = true;
-    std::vector<ArcView> arcs;
+    std::vector<ContourArc> arcs;
     std::vector<Cap> caps;
 };
 
@@ -81,14 +78,18 @@ Coverage gather_caps(const AccessibleSurface::Data& data, const CellList& cells,
 }
 
 void append_contour(const ContourBuilder& builder, std::span<const Cap> caps, ChunkResult& result) {
-    const auto atom_of = [&](std::uint32_t k) { return k == kWholeCircle ? kWholeCircle : caps[k].atom; };
+    const std::span<const std::uint32_t> kept = builder.kept();
+    const auto among_kept = [&](std::uint32_t k) {
+        if (k == kWholeCircle) return k;
+        return static_cast<std::uint32_t>(std::find(kept.begin(), kept.end(), k) - kept.begin());
+    };
     for (const ContourArc& arc : builder.arcs())
-        result.arcs.push_back({atom_of(arc.cap), atom_of(arc.from), atom_of(arc.to), arc.sweep});
-    for (const std::uint32_t k : builder.kept()) result.caps.push_back(caps[k]);
+        result.arcs.push_back({among_kept(arc.cap), among_kept(arc.from), among_kept(arc.to), arc.start, arc.sweep});
+    for (const std::uint32_t k : kept) result.caps.push_back(caps[k]);
 }
 
 // Fills exposed, caps and contours; false if the arrangement came out inconsistent on some sphere.
-bool build_contours(AccessibleSurface::Data& data, const CellList& cells, Contours& contours) {
+bool build_contours(AccessibleSurface::Data& data, const CellList& cells) {
     const std::size_t n = data.atoms.size();
     std::vector<ChunkResult> chunks((n + kAtomsPerChunk - 1) / kAtomsPerChunk);
     std::vector<std::uint32_t> arc_count(n);
@@ -111,17 +112,17 @@ bool build_contours(AccessibleSurface::Data& data, const CellList& cells, Contou
             cap_count[i] = static_cast<std::uint32_t>(builder.kept().size());
         }
     });
-    contours.begin.assign(n + 1, 0);
+    data.contour_begin.assign(n + 1, 0);
     data.cap_begin.assign(n + 1, 0);
     for (std::size_t i = 0; i < n; ++i) {
-        contours.begin[i + 1] = contours.begin[i] + arc_count[i];
+        data.contour_begin[i + 1] = data.contour_begin[i] + arc_count[i];
         data.cap_begin[i + 1] = data.cap_begin[i] + cap_count[i];
     }
-    contours.arcs.clear();
+    data.contour.clear();
     data.caps.clear();
     for (const ChunkResult& chunk : chunks) {
         if (!chunk.consistent) return false;
-        contours.arcs.insert(contours.arcs.end(), chunk.arcs.begin(), chunk.arcs.end());
+        data.contour.insert(data.contour.end(), chunk.arcs.begin(), chunk.arcs.end());
         data.caps.insert(data.caps.end(), chunk.caps.begin(), chunk.caps.end());
     }
     return true;
@@ -137,12 +138,12 @@ std::uint64_t hash_of(const VertexKey& key) {
 }
 
 // Every vertex must be found by its three atoms and every arc by its two: compares order-free sums of hashes.
-bool contours_agree(const Contours& contours) {
+bool contours_agree(const AccessibleSurface::Data& data) {
     std::array<std::uint64_t, 3> vertex_sums{};
     std::array<std::uint64_t, 2> arc_sums{};
-    const auto n = static_cast<std::uint32_t>(contours.begin.size() - 1);
-    for (std::uint32_t i = 0; i < n; ++i)
-        for (const ArcView& arc : contours.of(i)) {
+    for (std::uint32_t i = 0; i < data.atoms.size(); ++i)
+        for (const ContourArc& contour_arc : data.contour_of(i)) {
+            const ArcView arc = view_of(data, i, contour_arc);
             const bool first = i < arc.other;
             const VertexKey ends = first ? VertexKey{arc.from, arc.to, 0} : VertexKey{arc.to, arc.from, 0};
             const VertexKey pair = {std::min(i, arc.other), std::max(i, arc.other), 1};
@@ -165,11 +166,12 @@ Cap cap_between(const AccessibleSurface::Data& data, std::uint32_t i, std::uint3
 // Numbers the vertices: each belongs to the smallest of its atoms.
 class VertexTable {
 public:
-    explicit VertexTable(const Contours& contours) : begin_(contours.begin.size(), 0) {
-        const auto n = static_cast<std::uint32_t>(contours.begin.size() - 1);
-        for (std::uint32_t i = 0; i < n; ++i) {
-            for (const ArcView& arc : contours.of(i))
-                if (arc.to != kWholeCircle && i < arc.other && i < arc.to) keys_.push_back({i, arc.other, arc.to});
+    explicit VertexTable(const AccessibleSurface::Data& data) : begin_(data.atoms.size() + 1, 0) {
+        for (std::uint32_t i = 0; i < data.atoms.size(); ++i) {
+            for (const ContourArc& contour_arc : data.contour_of(i))
+                if (const ArcView arc = view_of(data, i, contour_arc);
+                    arc.to != kWholeCircle && i < arc.other && i < arc.to)
+                    keys_.push_back({i, arc.other, arc.to});
             begin_[i + 1] = keys_.size();
         }
     }
@@ -219,6 +221,7 @@ SasArc make_arc(const AccessibleSurface::Data& data, const VertexTable& table, s
     const Vec3 e1 = perpendicular(cap.axis);
     const Vec3 e2 = cross(e1, cap.axis);  // the contour runs clockwise around the cap
     arc.middle = e1;
+    arc.angle = 2.0 * std::numbers::pi;
     if (view.from == kWholeCircle) return arc;
     arc.start = table.find({i, view.from, view.other});
     arc.end = table.find({i, view.other, view.to});
@@ -227,25 +230,48 @@ SasArc make_arc(const AccessibleSurface::Data& data, const VertexTable& table, s
         return std::atan2(dot(q, e2), dot(q, e1));
     };
     const double start = angle(arc.start);
-    const double half = 0.5 * swept_angle(start, angle(arc.end), view.sweep);
+    arc.angle = swept_angle(start, angle(arc.end), view.sweep);
+    const double half = 0.5 * arc.angle;
     arc.middle = std::cos(start + half) * e1 + std::sin(start + half) * e2;
     arc.cos_half = std::cos(half);
     return arc;
 }
 
-void place_arcs(AccessibleSurface::Data& data, const VertexTable& table, const Contours& contours) {
+void place_arcs(AccessibleSurface::Data& data, const VertexTable& table) {
     struct Owned {
         std::uint32_t atom;
-        const ArcView* view;
+        std::size_t contour;
     };
-    std::vector<Owned> owned;
-    const auto n = static_cast<std::uint32_t>(data.atoms.size());
-    for (std::uint32_t i = 0; i < n; ++i)
-        for (const ArcView& view : contours.of(i))
-            if (i < view.other) owned.push_back({i, &view});
+    std::vector<Owned> owned;  // each arc by the smaller of its atoms
+    data.contour_arc.assign(data.contour.size(), 0);
+    std::vector<std::uint64_t> begin(data.atoms.size() + 1, 0);
+    for (std::uint32_t i = 0; i < data.atoms.size(); ++i) {
+        for (std::size_t c = data.contour_begin[i]; c < data.contour_begin[i + 1]; ++c) {
+            if (i > data.caps_of(i)[data.contour[c].cap].atom) continue;
+            data.contour_arc[c] = static_cast<std::uint32_t>(owned.size());
+            owned.push_back({i, c});
+        }
+        begin[i + 1] = owned.size();
+    }
     data.arcs.resize(owned.size());
-    parallel_for(owned.size(), 512,
-                 [&](std::size_t a) { data.arcs[a] = make_arc(data, table, owned[a].atom, *owned[a].view); });
+    parallel_for(owned.size(), 512, [&](std::size_t a) {
+        data.arcs[a] =
+            make_arc(data, table, owned[a].atom, view_of(data, owned[a].atom, data.contour[owned[a].contour]));
+    });
+    // The larger atom sees the same arc from its other end.
+    parallel_for(data.atoms.size(), 512, [&](std::size_t atom) {
+        const auto j = static_cast<std::uint32_t>(atom);
+        for (std::size_t c = data.contour_begin[j]; c < data.contour_begin[j + 1]; ++c) {
+            const ArcView view = view_of(data, j, data.contour[c]);
+            const std::uint32_t i = view.other;
+            if (j < i) continue;
+            for (std::size_t a = begin[i]; a < begin[i + 1]; ++a) {
+                const ArcView own = view_of(data, i, data.contour[owned[a].contour]);
+                if (own.other == j && own.from == view.to && own.to == view.from)
+                    data.contour_arc[c] = static_cast<std::uint32_t>(a);
+            }
+        }
+    });
 }
 
 // Box of an arc: its ends, its midpoint, and the extreme points of the circle that lie on it.
@@ -285,24 +311,24 @@ void build_trees(AccessibleSurface::Data& data) {
     data.vertex_tree = BoxTree(std::move(vertices));
 }
 
-bool try_build(AccessibleSurface::Data& data, const CellList& cells, int attempt) {
+bool try_build(AccessibleSurface::Data& data, const CellList& cells, std::uint64_t seed, int attempt) {
     data.perturbation = kPerturbation * std::pow(10.0, attempt);
     for (std::size_t i = 0; i < data.atoms.size(); ++i)
-        data.rho[i] = data.atoms.radii[i] + data.probe +
-                      data.perturbation * symmetry_breaking_offset(data.atoms.centres[i], data.atoms.radii[i],
-                                                                   static_cast<std::uint64_t>(attempt));
-    Contours contours;
-    if (!build_contours(data, cells, contours) || !contours_agree(contours)) return false;
-    const VertexTable table(contours);
+        data.rho[i] =
+            data.atoms.radii[i] + data.probe +
+            data.perturbation * symmetry_breaking_offset(data.atoms.centres[i], data.atoms.radii[i],
+                                                         seed * kMaxAttempts + static_cast<std::uint64_t>(attempt));
+    if (!build_contours(data, cells) || !contours_agree(data)) return false;
+    const VertexTable table(data);
     place_vertices(data, table);
-    place_arcs(data, table, contours);
+    place_arcs(data, table);
     build_trees(data);
     return true;
 }
 
 }  // namespace
 
-AccessibleSurface::AccessibleSurface(const Atoms& atoms, double probe) {
+AccessibleSurface::AccessibleSurface(const Atoms& atoms, double probe, std::uint64_t seed) {
     if (!(probe >= 0.0) || !std::isfinite(probe))
         throw std::invalid_argument("the probe radius must be finite and not negative");
     auto data = std::make_unique<Data>();
@@ -312,7 +338,7 @@ AccessibleSurface::AccessibleSurface(const Atoms& atoms, double probe) {
     data->atoms = canonical_atoms(atoms, 2.0 * data->rho_max);
     data->rho.resize(data->atoms.size());
     const CellList cells(data->atoms);
-    for (int attempt = 0; !try_build(*data, cells, attempt); ++attempt)
+    for (int attempt = 0; !try_build(*data, cells, seed, attempt); ++attempt)
         if (attempt + 1 == kMaxAttempts)
             throw std::runtime_error("the arrangement of atoms could not be resolved by perturbing their radii");
     data_ = std::move(data);

@@ -34,9 +34,13 @@ struct SasArc {
     double height0 = 0.0;                  ///< of the circle's plane above atoms[0], along axis, signed
     double height1 = 0.0;                  ///< of atoms[1] above the circle's plane, signed
     Vec3 middle;                           ///< unit vector from the centre to the arc's midpoint
-    double cos_half = -1.0;                ///< cosine of half the arc's angle
+    double angle = 0.0;                    ///< swept, radian
+    double cos_half = -1.0;                ///< cosine of half the angle
 
     bool whole_circle() const { return start == kNoVertex; }
+    /// Of half an angle below 4e-7: where four spheres meet in a point, an arc that only the perturbation made. Its
+    /// ends answer for it, or else points on a plane of symmetry would get the curvature of a torus without width.
+    bool is_a_point() const { return cos_half > 1.0 - 1e-13; }
 };
 
 struct AccessibleSurface::Data {
@@ -46,9 +50,12 @@ struct AccessibleSurface::Data {
     double rho_max = 0.0;
     double perturbation = 0.0;  ///< amplitude applied to rho, Å
 
-    std::vector<std::uint8_t> exposed;     ///< per atom
-    std::vector<std::uint64_t> cap_begin;  ///< per atom, and the end: its caps in `caps`
-    std::vector<Cap> caps;                 ///< whose union is what neighbours bury, largest first
+    std::vector<std::uint8_t> exposed;         ///< per atom
+    std::vector<std::uint64_t> cap_begin;      ///< per atom, and the end: its caps in `caps`
+    std::vector<Cap> caps;                     ///< whose union is what neighbours bury, largest first
+    std::vector<std::uint64_t> contour_begin;  ///< per atom, and the end: its part of `contour`
+    std::vector<ContourArc> contour;           ///< caps are numbered as in caps_of(atom)
+    std::vector<std::uint32_t> contour_arc;    ///< of each: its position in `arcs`
     std::vector<SasArc> arcs;
     std::vector<Box> arc_cells;  ///< per arc: box of its cell, the hull of the arc and both atoms
     std::vector<SasVertex> vertices;
@@ -61,6 +68,9 @@ struct AccessibleSurface::Data {
     std::span<const Cap> caps_of(std::uint32_t atom) const {
         return std::span(caps).subspan(cap_begin[atom], cap_begin[atom + 1] - cap_begin[atom]);
     }
+    std::span<const ContourArc> contour_of(std::uint32_t atom) const {
+        return std::span(contour).subspan(contour_begin[atom], contour_begin[atom + 1] - contour_begin[atom]);
+    }
     /// Whether the point of the enlarged sphere of `atom` in direction q (any length l = |q|) is exposed.
     bool direction_exposed(std::uint32_t atom, const Vec3& q, double l) const {
         for (const Cap& cap : caps_of(atom))
@@ -69,7 +79,7 @@ struct AccessibleSurface::Data {
     }
 };
 
-/// Distance² of p from the nearest point of an arc, if that point is not one of its ends.
+/// Distance² of p from the nearest point of an arc, if that point is not one of its ends and the arc is none itself.
 struct ArcFoot {
     bool within = false;
     double squared_distance = 0.0;
@@ -83,7 +93,8 @@ inline ArcFoot foot_on_arc(const SasArc& arc, const Vec3& p) {
     foot.height = dot(arc.axis, q);
     foot.radial = q - foot.height * arc.axis;
     foot.from_axis = norm(foot.radial);
-    foot.within = arc.whole_circle() || dot(foot.radial, arc.middle) >= arc.cos_half * foot.from_axis;
+    foot.within =
+        arc.whole_circle() || (dot(foot.radial, arc.middle) >= arc.cos_half * foot.from_axis && !arc.is_a_point());
     const double off = arc.radius - foot.from_axis;
     foot.squared_distance = foot.height * foot.height + off * off;
     return foot;

@@ -29,8 +29,8 @@ struct Box {
         high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
     void include(const Box& b) {
-        include(b.low);
-        include(b.high);
+        low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
+        high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
     }
     Box grown(double by) const { return {low - Vec3{by, by, by}, high + Vec3{by, by, by}}; }
     bool overlaps(const Box& b) const {

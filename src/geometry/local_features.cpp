@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/local_features.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include "core/parallel.h"
 #include "geometry/nearest_feature.h"
@@ -38,10 +38,12 @@ void nearest_in_group(LocalFeatures& local, std::span<const Vec3> points, std::s
 
 }  // namespace
 
+// In K the nearest ball may not reach the box; it is within margin of the probe's contact all the same.
+double LocalFeatures::beyond_balls() const { return std::max(0.0, margin_ - surface_->probe()); }
+
 void LocalFeatures::gather(const Box& box) {
     const AccessibleSurface::Data& data = surface_->data();
-    // In K the nearest ball may not reach the box; it is within margin of the probe's contact all the same.
-    const double beyond = std::max(0.0, margin_ - data.probe);
+    const double beyond = beyond_balls();
     balls_.clear();
     data.atom_tree.for_each_overlapping(box.grown(data.rho_max + beyond), [&](std::uint32_t i) {
         const double reach = data.rho[i] + beyond;
@@ -60,7 +62,7 @@ NearestFeature LocalFeatures::nearest(const Vec3& point) const {
         const double l = norm(point - data.atoms.centres[i]);
         ball.offer(i, data.rho[i] - l, l);
     }
-    if (std::isinf(ball.depth)) return surface_->nearest(point);
+    if (ball.depth <= -beyond_balls()) return surface_->nearest(point);  // a nearer one may not be listed
     if (owned_by_ball(data, ball, point)) return contact_feature(data, point, ball);
     NearestEdge edge;
     for (const std::uint32_t a : arcs_) edge.offer_arc(a, foot_on_arc(data.arcs[a], point));

@@ -30,6 +30,8 @@ public:
     NearestFeature nearest(const Vec3& point) const;
 
 private:
+    double beyond_balls() const;
+
     const AccessibleSurface* surface_;
     double margin_;
     std::vector<std::uint32_t> balls_;

@@ -7,27 +7,12 @@
 #include <random>
 
 #include "meniscus/accessible_surface.h"
+#include "support/arrangements.h"
 #include "support/brute_force_ses.h"
 #include "support/test_data.h"
 
 namespace meniscus::testing {
 namespace {
-
-std::vector<Vec3> random_points_around(const Atoms& atoms, std::size_t count, double margin) {
-    Vec3 low = atoms.centres[0];
-    Vec3 high = low;
-    for (const Vec3& c : atoms.centres) {
-        low = {std::min(low.x, c.x), std::min(low.y, c.y), std::min(low.z, c.z)};
-        high = {std::max(high.x, c.x), std::max(high.y, c.y), std::max(high.z, c.z)};
-    }
-    std::mt19937_64 random(7);
-    const auto within = [&](double a, double b) {
-        return std::uniform_real_distribution<double>(a - margin, b + margin)(random);
-    };
-    std::vector<Vec3> points(count);
-    for (Vec3& p : points) p = {within(low.x, high.x), within(low.y, high.y), within(low.z, high.z)};
-    return points;
-}
 
 void expect_brute_force_distances(const Atoms& atoms, double probe, std::size_t count) {
     const AccessibleSurface surface(atoms, probe);

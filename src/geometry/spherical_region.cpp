@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/spherical_region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace meniscus {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+double wrapped_turn(double angle) { return angle < 0.0 ? angle + 2.0 * kPi : angle; }
+
+double rim_sine(const Cap& cap) { return std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t)); }
+
+// Whether two caps share ground: one holds the other, or their rims cross.
+bool caps_overlap(const Cap& a, const Cap& b) {
+    const double angle = std::atan2(norm(cross(a.axis, b.axis)), dot(a.axis, b.axis));
+    return angle < std::acos(std::clamp(a.t, -1.0, 1.0)) + std::acos(std::clamp(b.t, -1.0, 1.0));
+}
+
+std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+}  // namespace
+
+void SphericalRegions::measure(std::span<const Cap> caps, std::span<const ContourArc> arcs,
+                               std::span<const std::uint32_t> kept) {
+    caps_ = caps;
+    contour_ = arcs;
+    kept_ = kept;
+    measured_.clear();
+    regions_.clear();
+    if (kept.empty()) regions_.push_back({4.0 * kPi, {}});
+    if (arcs.empty()) return;
+    measure_arcs();
+    link_loops();
+    group_loops();
+    add_up();
+}
+
+void SphericalRegions::measure_arcs() {
+    for (const ContourArc& arc : contour_) {
+        const Cap& cap = caps_[arc.cap];
+        const Vec3 e1 = perpendicular(cap.axis);
+        const Vec3 e2 = cross(e1, cap.axis);  // clockwise around the cap
+        const double s = rim_sine(cap);
+        const auto at = [&](double angle) {
+            return cap.t * cap.axis + s * (std::cos(angle) * e1 + std::sin(angle) * e2);
+        };
+        MeasuredArc result;
+        if (arc.from == kWholeCircle) {
+            result = {2.0 * kPi, at(0.0), at(kPi), at(0.0), 0};
+        } else {
+            result.start = rim_crossing(caps_[arc.from], cap);
+            result.end = rim_crossing(cap, caps_[arc.to]);
+            const double start = std::atan2(dot(result.start, e2), dot(result.start, e1));
+            const double end = std::atan2(dot(result.end, e2), dot(result.end, e1));
+            result.angle = wrapped_turn(end - start);
+            // The pseudo-angle, of period 4, tells a sweep of nothing from a whole turn.
+            if (arc.sweep < 1.0 && result.angle > 1.5 * kPi) result.angle = 0.0;
+            if (arc.sweep > 3.0 && result.angle < 0.5 * kPi) result.angle = 2.0 * kPi;
+            result.middle = at(start + 0.5 * result.angle);
+        }
+        measured_.push_back(result);
+    }
+}
+
+void SphericalRegions::link_loops() {
+    const auto n = static_cast<std::uint32_t>(contour_.size());
+    next_.assign(n, 0);
+    for (std::uint32_t a = 0; a < n; ++a) {
+        next_[a] = a;
+        if (contour_[a].from == kWholeCircle) continue;
+        for (std::uint32_t b = 0; b < n; ++b)
+            if (contour_[b].cap == contour_[a].to && contour_[b].from == contour_[a].cap) next_[a] = b;
+    }
+    constexpr std::uint32_t kUnseen = 0xffffffffU;
+    loop_.assign(n, kUnseen);
+    loops_ = 0;
+    for (std::uint32_t a = 0; a < n; ++a) {
+        if (loop_[a] != kUnseen) continue;
+        for (std::uint32_t b = a; loop_[b] == kUnseen; b = next_[b]) loop_[b] = loops_;
+        ++loops_;
+    }
+}
+
+std::uint32_t SphericalRegions::count_cap_clusters() const {
+    std::vector<std::uint32_t> parent(kept_.size());
+    std::iota(parent.begin(), parent.end(), 0U);
+    auto clusters = static_cast<std::uint32_t>(parent.size());
+    for (std::uint32_t a = 0; a < parent.size(); ++a)
+        for (std::uint32_t b = 0; b < a; ++b) {
+            const std::uint32_t ra = root_of(parent, a);
+            const std::uint32_t rb = root_of(parent, b);
+            if (ra == rb || !caps_overlap(caps_[kept_[a]], caps_[kept_[b]])) continue;
+            parent[ra] = rb;
+            --clusters;
+        }
+    return clusters;
+}
+
+// Regions and clusters of caps alternate like a tree whose edges are the loops: regions = 1 + loops - clusters.
+void SphericalRegions::group_loops() {
+    loop_region_.resize(loops_);
+    std::iota(loop_region_.begin(), loop_region_.end(), 0U);
+    if (loops_ > 1) {
+        const std::uint32_t clusters = count_cap_clusters();
+        if (clusters >= loops_)
+            std::fill(loop_region_.begin(), loop_region_.end(), 0U);  // each cluster has one loop: one region
+        else if (clusters > 1)
+            for (std::uint32_t loop = 1; loop < loops_; ++loop) join_along_walk(loop);
+    }
+    std::vector<std::uint32_t> number(loops_, 0);
+    std::uint32_t regions = 0;
+    for (std::uint32_t loop = 0; loop < loops_; ++loop)
+        if (root_of(loop_region_, loop) == loop) number[loop] = regions++;
+    std::vector<std::uint32_t> numbered(loops_);
+    for (std::uint32_t loop = 0; loop < loops_; ++loop) numbered[loop] = number[root_of(loop_region_, loop)];
+    loop_region_ = std::move(numbered);
+    regions_.assign(regions, {});
+}
+
+// Lists where the great circle from one direction to another crosses the contour.
+void SphericalRegions::walk(const Vec3& from, const Vec3& to) const {
+    crossings_.clear();
+    const Vec3 normal = cross(from, to);
+    const Vec3 ahead = normalised(cross(normal, from));
+    const double length = std::atan2(dot(to, ahead), dot(to, from));
+    for (std::uint32_t a = 0; a < contour_.size(); ++a) {
+        const Cap& cap = caps_[contour_[a].cap];
+        const double c = dot(cap.axis, from);
+        const double s = dot(cap.axis, ahead);
+        const double amplitude = std::hypot(c, s);
+        if (amplitude <= std::abs(cap.t)) continue;
+        const double top = std::atan2(s, c);
+        const double half = std::acos(cap.t / amplitude);
+        for (const bool into_cap : {true, false}) {
+            const double at = std::remainder(into_cap ? top - half : top + half, 2.0 * kPi);
+            if (at <= 0.0 || at >= length) continue;
+            const Vec3 n = std::cos(at) * from + std::sin(at) * ahead;
+            const Vec3 e1 = normalised(measured_[a].start - cap.t * cap.axis);
+            const double angle = wrapped_turn(std::atan2(dot(n, cross(e1, cap.axis)), dot(n, e1)));
+            if (angle <= measured_[a].angle) crossings_.push_back({at, into_cap, a});
+        }
+    }
+    std::sort(crossings_.begin(), crossings_.end(), [](const Crossing& a, const Crossing& b) { return a.at < b.at; });
+}
+
+// Walks from the first loop to another: loops at both ends of an exposed stretch bound the same region.
+void SphericalRegions::join_along_walk(std::uint32_t loop) {
+    const auto first_arc = [&](std::uint32_t l) {
+        return static_cast<std::size_t>(std::find(loop_.begin(), loop_.end(), l) - loop_.begin());
+    };
+    const std::size_t a = first_arc(0);
+    const std::size_t b = first_arc(loop);
+    const Vec3& from = measured_[a].middle;
+    const Vec3& to = measured_[b].middle;
+    walk(from, to);
+    const Vec3 ahead = cross(cross(from, to), from);
+    const Vec3 arriving = cross(cross(from, to), to);
+    std::uint32_t open = dot(ahead, caps_[contour_[a].cap].axis) < 0.0 ? 0 : loops_;  // loops_: under a cap
+    const auto join = [&](std::uint32_t other) {
+        if (open < loops_) loop_region_[root_of(loop_region_, other)] = root_of(loop_region_, open);
+    };
+    for (const Crossing& crossing : crossings_) {
+        if (crossing.into_cap) join(loop_[crossing.arc]);
+        open = crossing.into_cap ? loops_ : loop_[crossing.arc];
+    }
+    if (dot(arriving, caps_[contour_[b].cap].axis) > 0.0) join(loop);
+}
+
+void SphericalRegions::add_up() {
+    std::vector<int> loops_of(regions_.size(), 0);
+    for (const std::uint32_t region : loop_region_) ++loops_of[region];
+    for (std::size_t r = 0; r < regions_.size(); ++r) regions_[r].solid_angle = 2.0 * kPi * (2 - loops_of[r]);
+    for (std::size_t a = 0; a < contour_.size(); ++a) {
+        const Cap& cap = caps_[contour_[a].cap];
+        MeasuredArc& arc = measured_[a];
+        arc.region = loop_region_[loop_[a]];
+        SphericalRegion& region = regions_[arc.region];
+        region.solid_angle += cap.t * arc.angle;
+        // ½ ∮ n × dn along the rim, n = t u + s e: the part along u, and the part of the chord.
+        const double s2 = 1.0 - cap.t * cap.t;
+        region.vector_area += -0.5 * s2 * arc.angle * cap.axis + 0.5 * cap.t * cross(cap.axis, arc.end - arc.start);
+        if (contour_[a].to == kWholeCircle) continue;
+        const Cap& other = caps_[contour_[a].to];
+        const double sine = dot(arc.end, cross(cap.axis, other.axis));
+        const double cosine = dot(cap.axis, other.axis) - cap.t * other.t;
+        region.solid_angle -= std::atan2(sine, cosine);
+    }
+}
+
+std::uint32_t SphericalRegions::region_of(const Vec3& direction) const {
+    if (regions_.size() <= 1) return 0;
+    // The first crossing on the way to any loop bounds the region that the way starts in.
+    for (std::size_t a = 0; a < measured_.size(); ++a) {
+        if (norm(cross(direction, measured_[a].middle)) < 1e-9) return measured_[a].region;
+        walk(direction, measured_[a].middle);
+        return crossings_.empty() ? measured_[a].region : measured_[crossings_.front().arc].region;
+    }
+    return 0;
+}
+
+}  // namespace meniscus

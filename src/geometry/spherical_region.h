@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The parts into which a contour cuts the exposed ground of a sphere, and their areas in closed form.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/contour.h"
+#include "meniscus/vec3.h"
+
+namespace meniscus {
+
+/// A connected part of the unit sphere of directions that no cap covers.
+struct SphericalRegion {
+    double solid_angle = 0.0;  ///< steradian
+    Vec3 vector_area;          ///< integral of the direction over the region
+};
+
+/// An arc of the contour with its true angles.
+struct MeasuredArc {
+    double angle = 0.0;  ///< swept along the rim, radian
+    Vec3 start;          ///< directions of its ends; equal for a whole rim
+    Vec3 middle;
+    Vec3 end;
+    std::uint32_t region = 0;  ///< the region on its exposed side
+};
+
+/// Measures the exposed ground of one sphere after the other, reusing its memory.
+class SphericalRegions {
+public:
+    /// caps, arcs and kept as a ContourBuilder left them; nothing is exposed if kept is not empty and arcs is.
+    ///
+    /// cost     O(arcs² + kept²)
+    /// source   Gauss-Bonnet, as for Connolly's contact patches (J. Appl. Cryst. 16, 1983, 548-558)
+    void measure(std::span<const Cap> caps, std::span<const ContourArc> arcs, std::span<const std::uint32_t> kept);
+
+    std::span<const SphericalRegion> regions() const { return regions_; }
+    /// In the order of the contour's arcs.
+    std::span<const MeasuredArc> arcs() const { return measured_; }
+
+    /// The region that holds an exposed direction. Precondition: there is one.
+    std::uint32_t region_of(const Vec3& direction) const;
+
+private:
+    struct Crossing {
+        double at;  // along the walk, radian
+        bool into_cap;
+        std::uint32_t arc;
+    };
+
+    void measure_arcs();
+    void link_loops();
+    std::uint32_t count_cap_clusters() const;
+    void group_loops();
+    void walk(const Vec3& from, const Vec3& to) const;
+    void join_along_walk(std::uint32_t loop);
+    void add_up();
+
+    std::span<const Cap> caps_;
+    std::span<const ContourArc> contour_;
+    std::span<const std::uint32_t> kept_;
+    std::vector<MeasuredArc> measured_;
+    std::vector<std::uint32_t> next_;  // of each arc: the arc after it on its loop
+    std::vector<std::uint32_t> loop_;  // of each arc
+    std::vector<std::uint32_t> loop_region_;
+    std::uint32_t loops_ = 0;
+    std::vector<SphericalRegion> regions_;
+    mutable std::vector<Crossing> crossings_;  // of the walk in hand
+};
+
+}  // namespace meniscus

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Closed-form integrals over the three kinds of patches of the solvent-excluded surface.
+#pragma once
+
+#include <optional>
+
+#include "geometry/accessible_surface_data.h"
+#include "geometry/spherical_region.h"
+#include "meniscus/vec3.h"
+
+namespace meniscus {
+
+/// Integrals over a piece of surface with outward normal n (into the solvent).
+struct PatchIntegrals {
+    double area = 0.0;    ///< Å²
+    double volume = 0.0;  ///< ⅓ ∮ x·n, Å³: sums to the volume enclosed by a closed surface
+    Vec3 first_moment;    ///< ∮ x, Å³: divided by the area, the centroid of the surface
+
+    PatchIntegrals& operator+=(const PatchIntegrals& other) {
+        area += other.area;
+        volume += other.volume;
+        first_moment += other.first_moment;
+        return *this;
+    }
+};
+
+/// Part of a sphere with the outside of the ball as the solvent (side = 1) or the inside (side = -1).
+/// centre   relative to the origin of the volume integral
+PatchIntegrals sphere_patch(const Vec3& centre, double radius, const SphericalRegion& region, int side);
+
+/// The parts of the torus that the probe sweeps along an exposed arc.
+///
+/// ψ turns about the probe centre from the inward radial direction, negative towards atoms[0]. A torus that meets
+/// its own axis (circle radius below the probe radius) is cut there and falls into two pieces, one per atom.
+struct ToroidalPatch {
+    /// Limits of ψ of the pieces: [0] at atoms[0], [1] at atoms[1]; one piece alone is [0].
+    struct Range {
+        double begin = 0.0;
+        double end = 0.0;
+    };
+    std::array<Range, 2> pieces{};
+    int count = 0;
+};
+
+ToroidalPatch toroidal_patch(const SasArc& arc, double probe);
+
+/// Integrals over ψ in [begin, end]; centre: of the arc's circle, relative to the origin of the volume integral.
+PatchIntegrals toroidal_piece(const SasArc& arc, double probe, const ToroidalPatch::Range& range, const Vec3& centre);
+
+}  // namespace meniscus

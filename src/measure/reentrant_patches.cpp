@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/reentrant_patches.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+
+namespace meniscus {
+namespace {
+
+constexpr double kPlaneShift = 1e-9;  // Å: far above rounding, far below 1e-7 of any area
+constexpr int kMaxAttempts = 8;       // the last ones with a tenfold shift each
+// Probe positions this close (Å) are one position found by several triples: they share edges, not ground.
+constexpr double kSamePosition = 1e-6;
+
+std::uint64_t mix(std::uint64_t h) {
+    h = (h ^ (h >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+    h = (h ^ (h >> 27U)) * 0x94D049BB133111EBULL;
+    return h ^ (h >> 31U);
+}
+
+// Shift of the plane between two probes, Å, antisymmetric: both spheres are cut by the same plane.
+double plane_shift(std::uint32_t v, std::uint32_t w, std::uint64_t seed) {
+    const std::uint64_t pair = (std::uint64_t{std::min(v, w)} << 32U) | std::max(v, w);
+    const double unit =
+        std::ldexp(static_cast<double>(mix(mix(pair + 0x9E3779B97F4A7C15ULL) ^ mix(seed)) >> 11U), -52) - 1.0;
+    return kPlaneShift * (v < w ? unit : -unit);
+}
+
+// Solid angle of the triangle of three unit vectors (van Oosterom & Strackee 1983).
+double triangle_angle(const std::array<Vec3, 3>& d) {
+    const double volume = std::abs(dot(d[0], cross(d[1], d[2])));
+    return 2.0 * std::atan2(volume, 1.0 + dot(d[0], d[1]) + dot(d[1], d[2]) + dot(d[2], d[0]));
+}
+
+// Trims one patch after the other, reusing its memory.
+class Trimmer {
+public:
+    Trimmer(const AccessibleSurface& surface, std::uint64_t seed) : data_(surface.data()), seed_(seed) {}
+
+    ReentrantPatch trim(std::uint32_t v) {
+        ReentrantPatch patch;
+        patch.triangle = gather_edges(v);
+        gather_probes(v, patch);
+        for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
+            patch.degenerate = patch.degenerate || attempt > 0;
+            if (cut(v, attempt, patch)) return patch;
+        }
+        patch.regions.clear();
+        patch.consistent = false;
+        return patch;
+    }
+
+private:
+    static constexpr std::uint32_t kEdges = 3;
+
+    // Hemispheres beyond the triangle's sides; returns its solid angle.
+    double gather_edges(std::uint32_t v) {
+        const SasVertex& vertex = data_.vertices[v];
+        std::array<Vec3, 3> d;
+        for (std::size_t k = 0; k < 3; ++k) d[k] = normalised(data_.atoms.centres[vertex.atoms[k]] - vertex.position);
+        base_.clear();
+        for (std::uint32_t k = 0; k < kEdges; ++k)
+            base_.push_back({normalised(cross(d[k], d[(k + 1) % 3])), 0.0, k});  // away from the third: see SasVertex
+        return triangle_angle(d);
+    }
+
+    void gather_probes(std::uint32_t v, ReentrantPatch& patch) {
+        const Vec3& at = data_.vertices[v].position;
+        const double reach = 2.0 * data_.probe;
+        Box box;
+        box.include(at);
+        data_.vertex_tree.for_each_overlapping(box.grown(reach), [&](std::uint32_t w) {
+            if (w == v) return;
+            const Vec3 between = data_.vertices[w].position - at;
+            const double d = norm(between);
+            if (d < kSamePosition)
+                patch.degenerate = true;
+            else if (d < reach)
+                base_.push_back({(1.0 / d) * between, d / reach, w});
+        });
+    }
+
+    bool cut(std::uint32_t v, int attempt, ReentrantPatch& patch) {
+        caps_ = base_;
+        const double growth = std::pow(10.0, std::max(0, attempt - kMaxAttempts / 2));
+        for (std::size_t k = kEdges; k < caps_.size(); ++k)
+            caps_[k].t +=
+                growth * plane_shift(v, caps_[k].atom, seed_ + 977 * static_cast<std::uint64_t>(attempt)) / data_.probe;
+        std::sort(caps_.begin() + kEdges, caps_.end(), [](const Cap& a, const Cap& b) { return a.t < b.t; });
+        if (!builder_.build(caps_)) return false;
+        regions_.measure(caps_, builder_.arcs(), builder_.kept());
+        return accept(patch);
+    }
+
+    // A patch is a part of its triangle: anything else is a mistake of rounding.
+    bool accept(ReentrantPatch& patch) {
+        constexpr double kTolerance = 1e-7;
+        double sum = 0.0;
+        for (const SphericalRegion& region : regions_.regions()) {
+            if (!(region.solid_angle > -kTolerance)) return false;
+            sum += region.solid_angle;
+        }
+        if (!(sum < patch.triangle + kTolerance)) return false;
+        patch.regions.assign(regions_.regions().begin(), regions_.regions().end());
+        patch.arcs.clear();
+        for (std::size_t a = 0; a < regions_.arcs().size(); ++a) {
+            const MeasuredArc& arc = regions_.arcs()[a];
+            const std::uint32_t k = builder_.arcs()[a].cap;
+            TrimmedArc trimmed{.region = arc.region, .angle = arc.angle, .axis = caps_[k].axis, .middle = arc.middle};
+            if (k < kEdges)
+                trimmed.edge = k;
+            else
+                trimmed.probe = caps_[k].atom;
+            patch.arcs.push_back(trimmed);
+        }
+        return true;
+    }
+
+    const AccessibleSurface::Data& data_;
+    std::uint64_t seed_;
+    std::vector<Cap> base_;
+    std::vector<Cap> caps_;
+    ContourBuilder builder_;
+    SphericalRegions regions_;
+};
+
+}  // namespace
+
+std::vector<ReentrantPatch> trim_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed) {
+    std::vector<ReentrantPatch> patches(surface.vertex_count());
+    if (surface.probe() == 0.0) {
+        for (ReentrantPatch& patch : patches) patch.regions.clear();
+        return patches;
+    }
+    parallel_chunks(patches.size(), 128, [&](std::size_t begin, std::size_t end) {
+        Trimmer trimmer(surface, seed);
+        for (std::size_t v = begin; v < end; ++v) patches[v] = trimmer.trim(static_cast<std::uint32_t>(v));
+    });
+    return patches;
+}
+
+}  // namespace meniscus

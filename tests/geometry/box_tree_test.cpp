@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/box_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace meniscus::testing {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::vector<Box> random_boxes(std::uint64_t seed, std::size_t count, double size) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> at(0.0, 20.0);
+    std::uniform_real_distribution<double> edge(0.0, size);
+    std::vector<Box> boxes(count);
+    for (Box& box : boxes) {
+        const Vec3 low{at(random), at(random), at(random)};
+        box.include(low);
+        box.include(low + Vec3{edge(random), edge(random), edge(random)});
+    }
+    return boxes;
+}
+
+std::vector<std::uint32_t> overlapping(const BoxTree& tree, const Box& box) {
+    std::vector<std::uint32_t> found;
+    tree.for_each_overlapping(box, [&](std::uint32_t i) { found.push_back(i); });
+    return found;
+}
+
+double nearest_squared_distance(const BoxTree& tree, const std::vector<Box>& boxes, const Vec3& p) {
+    double best = kInfinity;
+    tree.search_nearest(
+        p, [&] { return best; },
+        [&](std::uint32_t i) {
+            EXPECT_LT(boxes[i].squared_distance(p), best);
+            best = boxes[i].squared_distance(p);
+        });
+    return best;
+}
+
+TEST(BoxTree, FindsWhatOverlapsInTheItemsOrder) {
+    for (const std::size_t count : {1U, 7U, 8U, 9U, 64U, 65U, 700U}) {
+        const std::vector<Box> boxes = random_boxes(count, count, 2.0);
+        const BoxTree tree(boxes);
+        for (const Box& query : random_boxes(99, 50, 5.0)) {
+            std::vector<std::uint32_t> expected;
+            for (std::uint32_t i = 0; i < count; ++i)
+                if (boxes[i].overlaps(query)) expected.push_back(i);
+            EXPECT_EQ(overlapping(tree, query), expected);
+        }
+    }
+}
+
+TEST(BoxTree, FindsTheNearest) {
+    for (const std::size_t count : {1U, 8U, 9U, 65U, 700U}) {
+        const std::vector<Box> boxes = random_boxes(count, count, 0.5);
+        const BoxTree tree(boxes);
+        for (const Box& query : random_boxes(98, 50, 0.0)) {
+            double expected = kInfinity;
+            for (const Box& box : boxes) expected = std::min(expected, box.squared_distance(query.low));
+            EXPECT_EQ(nearest_squared_distance(tree, boxes, query.low), expected);
+        }
+    }
+}
+
+TEST(BoxTree, VisitsNothingBeyondTheBound) {
+    const std::vector<Box> boxes = random_boxes(5, 200, 0.5);
+    const BoxTree tree(boxes);
+    std::size_t visits = 0;
+    tree.search_nearest({-100, 0, 0}, [] { return 1.0; }, [&](std::uint32_t) { ++visits; });
+    EXPECT_EQ(visits, 0U);
+}
+
+TEST(BoxTree, AnEmptyTreeFindsNothing) {
+    Box everything;
+    everything.include(Vec3{-1e9, -1e9, -1e9});
+    everything.include(Vec3{1e9, 1e9, 1e9});
+    for (const BoxTree& tree : {BoxTree(), BoxTree(std::vector<Box>{})}) {
+        EXPECT_TRUE(overlapping(tree, everything).empty());
+        EXPECT_EQ(nearest_squared_distance(tree, {}, {0, 0, 0}), kInfinity);
+    }
+}
+
+TEST(Box, TheDefaultOneIsEmpty) {
+    Box box;
+    EXPECT_FALSE(box.overlaps(box));
+    box.include(Box{});
+    EXPECT_FALSE(box.overlaps(box));
+    box.include(Vec3{1, 2, 3});
+    EXPECT_TRUE(box.overlaps(box));
+    EXPECT_EQ(box.low, (Vec3{1, 2, 3}));
+    EXPECT_EQ(box.high, (Vec3{1, 2, 3}));
+}
+
+TEST(Box, TouchingBoxesOverlap) {
+    const Box a{{0, 0, 0}, {1, 1, 1}};
+    EXPECT_TRUE(a.overlaps({{1, 1, 1}, {2, 2, 2}}));
+    EXPECT_FALSE(a.overlaps({{1.001, 0, 0}, {2, 2, 2}}));
+    EXPECT_TRUE(a.grown(0.001).overlaps({{1.001, 0, 0}, {2, 2, 2}}));
+}
+
+TEST(Box, KnowsItsDistance) {
+    const Box a{{0, 0, 0}, {1, 1, 1}};
+    EXPECT_EQ(a.squared_distance({0.5, 0.2, 1.0}), 0.0);
+    EXPECT_EQ(a.squared_distance({-2, 0.5, 0.5}), 4.0);
+    EXPECT_EQ(a.squared_distance({3, -2, 0.5}), 8.0);
+    EXPECT_EQ(a.squared_distance({3, -2, 2}), 9.0);
+}
+
+}  // namespace
+}  // namespace meniscus::testing

@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/contour.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <set>
+
+namespace meniscus::testing {
+namespace {
+
+const Vec3 kX{1, 0, 0};
+const Vec3 kY{0, 1, 0};
+const Vec3 kZ{0, 0, 1};
+
+Vec3 random_direction(std::mt19937_64& random) {
+    std::normal_distribution<double> normal;
+    return normalised({normal(random), normal(random), normal(random)});
+}
+
+// Numbered by position; t between `low` and `high`.
+std::vector<Cap> random_caps(std::uint64_t seed, std::uint32_t count, double low, double high) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> t(low, high);
+    std::vector<Cap> caps;
+    for (std::uint32_t i = 0; i < count; ++i) caps.push_back({random_direction(random), t(random), i});
+    return caps;
+}
+
+bool inside(const Cap& cap, const Vec3& n, double slack = 0.0) { return dot(cap.axis, n) > cap.t + slack; }
+
+// The point of a rim at a pseudo-angle: inverse of what ContourArc's start is measured with.
+Vec3 on_rim(const Cap& cap, double pseudo) {
+    const double a = pseudo < 4.0 ? pseudo : pseudo - 4.0;
+    const double y = a < 1.0 ? a : (a < 3.0 ? 2.0 - a : a - 4.0);
+    const double x = (a < 1.0 || a > 3.0 ? 1.0 : -1.0) * (1.0 - std::abs(y));
+    const Vec3 e1 = perpendicular(cap.axis);
+    const Vec3 radial = normalised(x * e1 + y * cross(e1, cap.axis));
+    return cap.t * cap.axis + std::sqrt(1.0 - cap.t * cap.t) * radial;
+}
+
+void expect_on_rim(const Cap& cap, const Vec3& n) { EXPECT_NEAR(dot(cap.axis, n), cap.t, 1e-12); }
+
+// Ends lie on both rims; ends and inner points lie in no other cap.
+void expect_exposed_arcs(const ContourBuilder& builder, const std::vector<Cap>& caps) {
+    for (const ContourArc& arc : builder.arcs()) {
+        ASSERT_EQ(arc.from == kWholeCircle, arc.to == kWholeCircle);
+        if (arc.from != kWholeCircle) {
+            const Vec3 start = rim_crossing(caps[arc.from], caps[arc.cap]);
+            const Vec3 end = rim_crossing(caps[arc.cap], caps[arc.to]);
+            expect_on_rim(caps[arc.cap], start);
+            expect_on_rim(caps[arc.cap], end);
+            expect_on_rim(caps[arc.from], start);
+            expect_on_rim(caps[arc.to], end);
+            EXPECT_NEAR(norm(on_rim(caps[arc.cap], arc.start) - start), 0.0, 1e-12);
+            EXPECT_NEAR(norm(on_rim(caps[arc.cap], arc.start + arc.sweep) - end), 0.0, 1e-12);
+        }
+        for (const double part : {0.0, 0.2, 0.5, 0.8, 1.0})
+            for (const Cap& cap : caps)
+                EXPECT_FALSE(inside(cap, on_rim(caps[arc.cap], arc.start + part * arc.sweep), 1e-12));
+    }
+}
+
+// Arcs form closed loops: where one ends, another of that rim begins.
+void expect_closed_loops(const ContourBuilder& builder) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> begins;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> ends;
+    for (const ContourArc& arc : builder.arcs()) {
+        if (arc.from == kWholeCircle) continue;
+        EXPECT_TRUE(begins.emplace(arc.from, arc.cap).second);
+        EXPECT_TRUE(ends.emplace(arc.cap, arc.to).second);
+    }
+    EXPECT_EQ(begins, ends);
+}
+
+void expect_kept_caps_suffice(const ContourBuilder& builder, const std::vector<Cap>& caps) {
+    std::mt19937_64 random(3);
+    bool found_exposed = false;
+    for (int i = 0; i < 3000; ++i) {
+        const Vec3 n = random_direction(random);
+        const bool buried = std::any_of(caps.begin(), caps.end(), [&](const Cap& cap) { return inside(cap, n); });
+        const bool by_kept = std::any_of(builder.kept().begin(), builder.kept().end(),
+                                         [&](std::uint32_t k) { return inside(caps[k], n); });
+        EXPECT_EQ(buried, by_kept);
+        found_exposed = found_exposed || !buried;
+    }
+    if (found_exposed) {
+        EXPECT_TRUE(builder.exposed());
+    }
+}
+
+void expect_consistent(const ContourBuilder& builder, const std::vector<Cap>& caps) {
+    expect_exposed_arcs(builder, caps);
+    expect_closed_loops(builder);
+    expect_kept_caps_suffice(builder, caps);
+}
+
+// The arcs by the atoms of their caps: cap, from, to.
+std::set<std::array<std::uint32_t, 3>> named_arcs(const ContourBuilder& builder, const std::vector<Cap>& caps) {
+    const auto name = [&](std::uint32_t k) { return k == kWholeCircle ? kWholeCircle : caps[k].atom; };
+    std::set<std::array<std::uint32_t, 3>> names;
+    for (const ContourArc& arc : builder.arcs()) names.insert({name(arc.cap), name(arc.from), name(arc.to)});
+    return names;
+}
+
+TEST(Contour, WithoutCapsEverythingIsExposed) {
+    ContourBuilder builder;
+    EXPECT_TRUE(builder.build({}));
+    EXPECT_TRUE(builder.exposed());
+    EXPECT_TRUE(builder.arcs().empty());
+    EXPECT_TRUE(builder.kept().empty());
+}
+
+TEST(Contour, OneCapLeavesItsWholeRim) {
+    for (const double t : {-0.9, 0.0, 0.9}) {
+        const std::vector<Cap> caps = {{kZ, t, 0}};
+        ContourBuilder builder;
+        ASSERT_TRUE(builder.build(caps));
+        ASSERT_EQ(builder.arcs().size(), 1U);
+        EXPECT_EQ(builder.arcs()[0].from, kWholeCircle);
+        EXPECT_EQ(builder.arcs()[0].sweep, 4.0);
+        expect_consistent(builder, caps);
+    }
+}
+
+TEST(Contour, TwoCrossingCapsLeaveAnArcOfEach) {
+    const std::vector<Cap> caps = {{kX, 0.5, 0}, {kY, 0.6, 1}};
+    ContourBuilder builder;
+    ASSERT_TRUE(builder.build(caps));
+    EXPECT_EQ(named_arcs(builder, caps), (std::set<std::array<std::uint32_t, 3>>{{0, 1, 1}, {1, 0, 0}}));
+    expect_consistent(builder, caps);
+    const double z = std::sqrt(1.0 - 0.25 - 0.36);
+    EXPECT_NEAR(std::abs(rim_crossing(caps[0], caps[1]).z), z, 1e-15);
+    EXPECT_NEAR(rim_crossing(caps[0], caps[1]).z, -rim_crossing(caps[1], caps[0]).z, 1e-15);
+}
+
+TEST(Contour, ArcsRunClockwiseAroundTheirCaps) {
+    const std::vector<Cap> caps = {{kX, 0.5, 0}, {kY, 0.6, 1}};
+    ContourBuilder builder;
+    ASSERT_TRUE(builder.build(caps));
+    for (const ContourArc& arc : builder.arcs()) {
+        const Cap& cap = caps[arc.cap];
+        const Vec3 before = on_rim(cap, arc.start + 0.1 * arc.sweep);
+        const Vec3 after = on_rim(cap, arc.start + 0.2 * arc.sweep);
+        EXPECT_LT(dot(cross(before, after - before), cap.axis), 0.0);
+    }
+}
+
+TEST(Contour, ACapInsideAnotherChangesNothing) {
+    const std::vector<Cap> caps = {{kZ, 0.2, 0}, {normalised({0.1, 0, 1}), 0.9, 1}};
+    ContourBuilder builder;
+    ASSERT_TRUE(builder.build(caps));
+    EXPECT_EQ(named_arcs(builder, caps).size(), 1U);
+    EXPECT_EQ(builder.kept().size(), 1U);
+    expect_consistent(builder, caps);
+}
+
+TEST(Contour, ALargerCapReplacesTheOneInsideIt) {
+    const std::vector<Cap> caps = {{normalised({0.1, 0, 1}), 0.9, 0}, {kZ, 0.2, 1}};
+    ContourBuilder builder;
+    ASSERT_TRUE(builder.build(caps));
+    EXPECT_EQ(named_arcs(builder, caps), (std::set<std::array<std::uint32_t, 3>>{{1, kWholeCircle, kWholeCircle}}));
+    expect_consistent(builder, caps);
+}
+
+TEST(Contour, DisjointCapsLeaveBothRims) {
+    const std::vector<Cap> caps = {{kZ, 0.5, 0}, {-kZ, 0.3, 1}};
+    ContourBuilder builder;
+    ASSERT_TRUE(builder.build(caps));
+    EXPECT_EQ(builder.arcs().size(), 2U);
+    expect_consistent(builder, caps);
+}
+
+TEST(Contour, TwoCapsCanCoverTheSphereWithoutCrossing) {
+    const std::vector<Cap> caps = {{kZ, -0.1, 0}, {-kZ, -0.2, 1}};
+    ContourBuilder builder;
+    ASSERT_TRUE(builder.build(caps));
+    EXPECT_FALSE(builder.exposed());
+    expect_kept_caps_suffice(builder, caps);
+}
+
+TEST(Contour, SixCapsCanCoverTheSphereTogether) {
+    std::vector<Cap> caps = {{kX, 0.5, 0}, {-kX, 0.5, 1}, {kY, 0.5, 2}, {-kY, 0.5, 3}, {kZ, 0.5, 4}, {-kZ, 0.5, 5}};
+    ContourBuilder builder;
+    ASSERT_TRUE(builder.build(caps));
+    EXPECT_FALSE(builder.exposed());
+    expect_kept_caps_suffice(builder, caps);
+    for (Cap& cap : caps) cap.t = 0.6;  // now the eight directions (±1, ±1, ±1) are free
+    ASSERT_TRUE(builder.build(caps));
+    EXPECT_EQ(builder.arcs().size(), 24U);
+    expect_consistent(builder, caps);
+}
+
+TEST(Contour, ABuriedMiddleNeedsACapWhoseRimIsCovered) {
+    // Four caps cover the rim of the first, which alone buries the pole.
+    std::vector<Cap> caps = {{kZ, 0.9, 0}};
+    std::uint32_t atom = 1;
+    for (const Vec3 side : {kX, -kX, kY, -kY}) caps.push_back({normalised(side + 1.2 * kZ), 0.8, atom++});
+    ContourBuilder builder;
+    ASSERT_TRUE(builder.build(caps));
+    expect_consistent(builder, caps);
+    EXPECT_TRUE(std::any_of(builder.kept().begin(), builder.kept().end(),
+                            [&](std::uint32_t k) { return inside(caps[k], kZ); }));
+}
+
+TEST(Contour, RandomCapsGiveConsistentContours) {
+    ContourBuilder builder;
+    int with_vertices = 0;
+    for (std::uint32_t seed = 0; seed < 150; ++seed) {
+        const std::vector<Cap> caps = random_caps(seed, 3 + seed % 30, 0.5, 0.98);
+        ASSERT_TRUE(builder.build(caps));
+        expect_consistent(builder, caps);
+        with_vertices += builder.arcs().size() > 6 ? 1 : 0;
+    }
+    EXPECT_GT(with_vertices, 60);
+}
+
+TEST(Contour, CapsLargerThanAHemisphereGiveConsistentContours) {
+    ContourBuilder builder;
+    for (std::uint32_t seed = 0; seed < 150; ++seed) {
+        const std::vector<Cap> caps = random_caps(seed, 2 + seed % 4, -0.8, 0.5);
+        ASSERT_TRUE(builder.build(caps));
+        expect_consistent(builder, caps);
+    }
+}
+
+TEST(Contour, DoesNotDependOnTheOrderOfInsertion) {
+    ContourBuilder builder;
+    std::mt19937_64 random(5);
+    for (std::uint32_t seed = 0; seed < 100; ++seed) {
+        std::vector<Cap> caps = random_caps(seed, 12, 0.3, 0.9);
+        ASSERT_TRUE(builder.build(caps));
+        const auto expected = named_arcs(builder, caps);
+        for (int repeat = 0; repeat < 3; ++repeat) {
+            std::shuffle(caps.begin(), caps.end(), random);
+            ASSERT_TRUE(builder.build(caps));
+            EXPECT_EQ(named_arcs(builder, caps), expected);
+        }
+    }
+}
+
+TEST(Contour, PerpendicularIsAUnitVectorAcross) {
+    std::mt19937_64 random(6);
+    std::vector<Vec3> axes = {kX, kY, kZ, -kX, -kY, -kZ};
+    for (int i = 0; i < 100; ++i) axes.push_back(random_direction(random));
+    for (const Vec3& axis : axes) {
+        EXPECT_NEAR(dot(perpendicular(axis), axis), 0.0, 1e-15);
+        EXPECT_NEAR(norm(perpendicular(axis)), 1.0, 1e-15);
+    }
+}
+
+TEST(Contour, RimsCrossExactlyWhereTheirAnglesAllow) {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> t(-0.99, 0.99);
+    for (int i = 0; i < 2000; ++i) {
+        const Cap a{random_direction(random), t(random), 0};
+        const Cap b{random_direction(random), t(random), 1};
+        const double between = std::acos(dot(a.axis, b.axis));
+        const double first = std::acos(a.t);
+        const double second = std::acos(b.t);
+        const double turn = 2.0 * std::acos(-1.0);
+        const bool cross =
+            between < first + second && between > std::abs(first - second) && between + first + second < turn;
+        EXPECT_EQ(rims_cross(a, b), cross);
+    }
+}
+
+}  // namespace
+}  // namespace meniscus::testing
