@@ -87,11 +87,18 @@ NearestFeature edge_feature(const Data& data, const Vec3& p, const NearestEdge& 
     return feature;
 }
 
+NearestHit nearest_hit(const AccessibleSurface::Data& data, const Vec3& p) {
+    NearestHit hit;
+    hit.ball = deepest_ball(data, p);
+    hit.by_ball = owned_by_ball(data, hit.ball, p);
+    if (!hit.by_ball) hit.edge = nearest_edge(data, p);
+    hit.by_ball = hit.by_ball || !hit.edge.found();
+    return hit;
+}
+
 NearestFeature AccessibleSurface::nearest(const Vec3& point) const {
-    const NearestBall ball = deepest_ball(*data_, point);
-    if (owned_by_ball(*data_, ball, point)) return contact_feature(*data_, point, ball);
-    const NearestEdge edge = nearest_edge(*data_, point);
-    return edge.found() ? edge_feature(*data_, point, edge) : contact_feature(*data_, point, ball);
+    const NearestHit hit = nearest_hit(*data_, point);
+    return hit.by_ball ? contact_feature(*data_, point, hit.ball) : edge_feature(*data_, point, hit.edge);
 }
 
 std::vector<double> signed_distance(const AccessibleSurface& surface, std::span<const Vec3> points) {

@@ -47,6 +47,14 @@ inline bool owned_by_ball(const AccessibleSurface::Data& data, const NearestBall
                                  data.direction_exposed(ball.atom, p - data.atoms.centres[ball.atom], ball.l));
 }
 
+/// The nearest ball or edge of any point, by branch and bound.
+struct NearestHit {
+    bool by_ball = true;
+    NearestBall ball;
+    NearestEdge edge;
+};
+NearestHit nearest_hit(const AccessibleSurface::Data& data, const Vec3& p);
+
 NearestFeature contact_feature(const AccessibleSurface::Data& data, const Vec3& p, const NearestBall& ball);
 NearestFeature edge_feature(const AccessibleSurface::Data& data, const Vec3& p, const NearestEdge& edge);
 

@@ -53,6 +53,9 @@ public:
         return patch;
     }
 
+    /// Of the patch trimmed last.
+    std::uint32_t region_of(const Vec3& direction) const { return regions_.region_of(direction); }
+
 private:
     static constexpr std::uint32_t kEdges = 3;
 
@@ -140,6 +143,13 @@ std::vector<ReentrantPatch> trim_reentrant_patches(const AccessibleSurface& surf
         for (std::size_t v = begin; v < end; ++v) patches[v] = trimmer.trim(static_cast<std::uint32_t>(v));
     });
     return patches;
+}
+
+std::uint32_t reentrant_region_of(const AccessibleSurface& surface, std::uint64_t seed, std::uint32_t vertex,
+                                  const Vec3& direction) {
+    Trimmer trimmer(surface, seed);
+    trimmer.trim(vertex);
+    return trimmer.region_of(direction);
 }
 
 }  // namespace meniscus

@@ -41,4 +41,8 @@ struct ReentrantPatch {
 /// cost     linear at protein density; parallel over vertices
 std::vector<ReentrantPatch> trim_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed);
 
+/// The region of a trimmed patch that holds a direction; trims the patch again, with the same result.
+std::uint32_t reentrant_region_of(const AccessibleSurface& surface, std::uint64_t seed, std::uint32_t vertex,
+                                  const Vec3& direction);
+
 }  // namespace meniscus

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "core/parallel.h"
+#include "measure/component_places.h"
+#include "measure/ses_patches.h"
+#include "meniscus/accessible_surface.h"
+#include "meniscus/errors.h"
+#include "meniscus/measures.h"
+
+namespace meniscus {
+namespace {
+
+// What two evaluations may differ by, relative, before a third is asked.
+constexpr double kAgreement = 1e-7;
+constexpr double kAgreementIfDegenerate = 1e-5;
+constexpr std::uint64_t kMostSeeds = 5;
+constexpr std::size_t kMostDisputed = 10;
+
+constexpr double SurfaceTotals::*kAllTotals[] = {&SurfaceTotals::sas_area,      &SurfaceTotals::sas_volume,
+                                                 &SurfaceTotals::ses_area,      &SurfaceTotals::ses_volume,
+                                                 &SurfaceTotals::contact_area,  &SurfaceTotals::toroidal_area,
+                                                 &SurfaceTotals::reentrant_area};
+
+// One evaluation: the exposed features and the patches they leave.
+struct Evaluation {
+    AccessibleSurface surface;
+    SesPatches patches;
+    SurfaceTotals totals;
+
+    Evaluation(const Atoms& atoms, double probe, std::uint64_t seed)
+        : surface(atoms, probe, seed), patches(surface, seed) {
+        for (const SesPatch& patch : patches.patches()) {
+            totals.sas_area += patch.sas.area;
+            totals.sas_volume += patch.sas.volume;
+            totals.ses_volume += patch.ses.volume;
+            if (patch.kind == PatchKind::Contact) totals.contact_area += patch.ses.area;
+            if (patch.kind == PatchKind::Toroidal) totals.toroidal_area += patch.ses.area;
+            if (patch.kind == PatchKind::Reentrant) totals.reentrant_area += patch.ses.area;
+        }
+        totals.ses_area = totals.contact_area + totals.toroidal_area + totals.reentrant_area;
+    }
+};
+
+bool agree(const Evaluation& a, const Evaluation& b) {
+    const bool degenerate = a.patches.degenerate() || b.patches.degenerate();
+    const double tolerance = degenerate ? kAgreementIfDegenerate : kAgreement;
+    const auto close = [&](double SurfaceTotals::*total, double scale) {
+        return std::abs(a.totals.*total - b.totals.*total) <= tolerance * scale;
+    };
+    return a.patches.unresolved().empty() && b.patches.unresolved().empty() &&
+           close(&SurfaceTotals::sas_area, a.totals.sas_area) && close(&SurfaceTotals::ses_area, a.totals.ses_area) &&
+           close(&SurfaceTotals::sas_volume, std::abs(a.totals.sas_volume)) &&
+           close(&SurfaceTotals::ses_volume, std::abs(a.totals.ses_volume)) &&
+           close(&SurfaceTotals::reentrant_area, a.totals.ses_area);
+}
+
+// Difference of two evaluations that share no perturbation, plus what a perturbation of all radii by its amplitude
+// does at first order (dV = A dr, dA = 2 H A dr with |H| about 1 Å^-1), since both might err to the same side.
+SurfaceTotals estimate_errors(const Evaluation& a, const Evaluation& b) {
+    const double amplitude = std::max(a.surface.data().perturbation, b.surface.data().perturbation);
+    SurfaceTotals errors;
+    for (const auto total : kAllTotals) {
+        const bool volume = total == &SurfaceTotals::sas_volume || total == &SurfaceTotals::ses_volume;
+        const double area = volume ? a.totals.sas_area : a.totals.*total;
+        errors.*total = 3.0 * std::abs(a.totals.*total - b.totals.*total) + 2.0 * amplitude * area +
+                        1e-14 * std::abs(a.totals.*total);
+    }
+    return errors;
+}
+
+std::array<std::uint32_t, 3> atoms_of(const AccessibleSurface::Data& data, const SesPatch& patch) {
+    const auto original = [&](std::uint32_t i) { return data.atoms.original[i]; };
+    if (patch.kind == PatchKind::Contact) return {original(patch.feature), kNone, kNone};
+    if (patch.kind == PatchKind::Toroidal) {
+        const auto& atoms = data.arcs[patch.feature].atoms;
+        return {original(atoms[0]), original(atoms[1]), kNone};
+    }
+    const auto& atoms = data.vertices[patch.feature].atoms;
+    return {original(atoms[0]), original(atoms[1]), original(atoms[2])};
+}
+
+// A torus is divided at the plane of its circle (ψ = 0); a piece on one side of it belongs to that side's atom.
+void share_torus(const SesPatches& patches, const SesPatch& patch, std::vector<AtomMeasure>& atoms) {
+    const AccessibleSurface::Data& data = patches.data();
+    const SasArc& arc = data.arcs[patch.feature];
+    const auto range = toroidal_patch(arc, data.probe).pieces[patch.part];
+    const double middle = std::clamp(0.0, range.begin, range.end);
+    const double first = toroidal_piece(arc, data.probe, {range.begin, middle}, {}).area;
+    atoms[data.atoms.original[arc.atoms[0]]].toroidal_area += first;
+    atoms[data.atoms.original[arc.atoms[1]]].toroidal_area += patch.ses.area - first;
+}
+
+void share_among_atoms(const SesPatches& patches, Measures& measures) {
+    for (const SesPatch& patch : patches.patches()) {
+        const auto owners = atoms_of(patches.data(), patch);
+        if (patch.kind == PatchKind::Contact) {
+            measures.atoms[owners[0]].contact_area += patch.ses.area;
+            measures.atoms[owners[0]].sas_area += patch.sas.area;
+        } else if (patch.kind == PatchKind::Toroidal) {
+            share_torus(patches, patch, measures.atoms);
+        } else {
+            for (const std::uint32_t atom : owners) measures.atoms[atom].reentrant_area += patch.ses.area / 3.0;
+        }
+    }
+}
+
+// Sums per component, in the numbering of the evaluation.
+struct ComponentSums {
+    SurfaceComponent component;
+    double signed_volume = 0.0;
+    Vec3 first_moment;
+    std::set<std::uint32_t> sas_pieces;
+    std::set<std::uint32_t> atoms;
+    std::vector<Vec3> probes;  // vertices, or the middle of arcs
+};
+
+std::vector<ComponentSums> sum_components(const SesPatches& patches) {
+    const AccessibleSurface::Data& data = patches.data();
+    std::vector<ComponentSums> sums(patches.component_count());
+    for (const SesPatch& patch : patches.patches()) {
+        ComponentSums& sum = sums[patch.component];
+        sum.component.ses_area += patch.ses.area;
+        sum.signed_volume += patch.ses.volume;
+        sum.first_moment += patch.ses.first_moment;
+        sum.component.sas_area += patch.sas.area;
+        sum.component.sas_volume += patch.sas.volume;
+        for (const std::uint32_t atom : atoms_of(data, patch))
+            if (atom != kNone) sum.atoms.insert(atom);
+        if (patch.kind == PatchKind::Contact) {
+            sum.component.contact_area += patch.ses.area;
+            sum.sas_pieces.insert(patch.sas_component);
+        } else if (patch.kind == PatchKind::Toroidal) {
+            const SasArc& arc = data.arcs[patch.feature];
+            sum.component.toroidal_area += patch.ses.area;
+            sum.probes.push_back(arc.centre + arc.radius * arc.middle);
+        } else {
+            sum.component.reentrant_area += patch.ses.area;
+            sum.probes.push_back(data.vertices[patch.feature].position);
+        }
+    }
+    return sums;
+}
+
+void finish_component(const Evaluation& evaluation, const MeasureOptions& options, ComponentSums& sum) {
+    SurfaceComponent& component = sum.component;
+    component.kind = sum.signed_volume > 0.0 ? ComponentKind::Outer : ComponentKind::Cavity;
+    component.ses_volume = std::abs(sum.signed_volume);
+    component.sas_volume = std::abs(component.sas_volume);
+    component.sas_components = sum.sas_pieces.size();
+    component.centre = evaluation.patches.origin() + (1.0 / component.ses_area) * sum.first_moment;
+    component.atoms.assign(sum.atoms.begin(), sum.atoms.end());
+    if (!options.cavities || component.kind != ComponentKind::Cavity || sum.probes.empty()) return;
+    const InscribedSphere sphere = largest_inscribed_sphere(evaluation.surface, sum.probes);
+    component.inscribed_centre = sphere.centre;
+    component.inscribed_radius = sphere.radius;
+}
+
+// Components by falling volume; number[c] is the place of the evaluation's component c.
+std::vector<SurfaceComponent> make_components(const Evaluation& evaluation, const MeasureOptions& options,
+                                              std::vector<std::uint32_t>& number) {
+    std::vector<ComponentSums> sums = sum_components(evaluation.patches);
+    parallel_for(sums.size(), 1, [&](std::size_t c) { finish_component(evaluation, options, sums[c]); });
+    std::vector<double> volumes;
+    for (const ComponentSums& sum : sums) volumes.push_back(sum.signed_volume);
+    std::vector<std::uint32_t> inside_of(sums.size(), kNone);
+    if (options.cavities) inside_of = nest_components(evaluation.surface, evaluation.patches, volumes);
+
+    std::vector<std::uint32_t> order(sums.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return sums[a].component.ses_volume > sums[b].component.ses_volume;
+    });
+    number.resize(sums.size());
+    for (std::uint32_t place = 0; place < order.size(); ++place) number[order[place]] = place;
+    std::vector<SurfaceComponent> components;
+    for (const std::uint32_t c : order) {
+        components.push_back(std::move(sums[c].component));
+        if (inside_of[c] != kNone) components.back().inside_of = number[inside_of[c]];
+    }
+    return components;
+}
+
+std::string name_patch(const AccessibleSurface::Data& data, std::uint32_t vertex) {
+    std::string name = "reentrant patch of atoms";
+    for (const std::uint32_t i : data.vertices[vertex].atoms) name += " " + std::to_string(data.atoms.original[i]);
+    return name;
+}
+
+// Names what two evaluations do not agree on: unresolved patches, then the atoms whose shares differ most.
+std::vector<std::string> name_disputed(const Evaluation& a, const Evaluation& b, std::size_t atom_count) {
+    std::vector<std::string> names;
+    for (const Evaluation* evaluation : {&a, &b})
+        for (const std::uint32_t v : evaluation->patches.unresolved())
+            names.push_back(name_patch(evaluation->surface.data(), v));
+    Measures of_a;
+    Measures of_b;
+    of_a.atoms.resize(atom_count);
+    of_b.atoms.resize(atom_count);
+    share_among_atoms(a.patches, of_a);
+    share_among_atoms(b.patches, of_b);
+    std::multimap<double, std::size_t, std::greater<>> by_difference;
+    for (std::size_t i = 0; i < atom_count; ++i)
+        by_difference.emplace(std::abs(of_a.atoms[i].ses_area() - of_b.atoms[i].ses_area()), i);
+    for (const auto& [difference, atom] : by_difference)
+        if (difference > 1e-6 && names.size() < kMostDisputed)
+            names.push_back("patches of atom " + std::to_string(atom) + " by " + std::to_string(difference) + " Å²");
+    return names;
+}
+
+void add_depths(const AccessibleSurface& surface, const Atoms& atoms, Measures& measures) {
+    parallel_for(atoms.size(), 64,
+                 [&](std::size_t i) { measures.atoms[i].depth = -surface.nearest(atoms.centres[i]).signed_distance; });
+}
+
+Measures describe(const Atoms& atoms, const MeasureOptions& options, const Evaluation& evaluation) {
+    Measures measures;
+    measures.options = options;
+    measures.totals = evaluation.totals;
+    measures.sas_components = evaluation.patches.sas_component_count();
+    measures.atoms.resize(atoms.size());
+    share_among_atoms(evaluation.patches, measures);
+    std::vector<std::uint32_t> number;
+    measures.components = make_components(evaluation, options, number);
+    for (const SesPatch& patch : evaluation.patches.patches())
+        measures.patches.push_back({patch.kind, atoms_of(evaluation.patches.data(), patch), number[patch.component],
+                                    patch.ses.area, patch.sas.area});
+    if (options.depth) add_depths(evaluation.surface, atoms, measures);
+    return measures;
+}
+
+}  // namespace
+
+Measures measure(const Atoms& atoms, const MeasureOptions& options) {
+    if (!(options.probe >= 0.0) || !std::isfinite(options.probe))
+        throw UsageError("probe " + std::to_string(options.probe) + ": must be finite and not negative");
+    const ThreadLimit limit(options.threads);
+    auto first = std::make_unique<Evaluation>(atoms, options.probe, 0);
+    auto second = std::make_unique<Evaluation>(atoms, options.probe, 1);
+    for (std::uint64_t seed = 2; !agree(*first, *second) && seed < kMostSeeds; ++seed) {
+        first = std::move(second);
+        second = std::make_unique<Evaluation>(atoms, options.probe, seed);
+    }
+    Measures measures = describe(atoms, options, *first);
+    measures.errors = estimate_errors(*first, *second);
+    measures.degenerate = first->patches.degenerate() || second->patches.degenerate();
+    measures.agreed = agree(*first, *second);
+    if (!measures.agreed) measures.disputed = name_disputed(*first, *second, atoms.size());
+    return measures;
+}
+
+}  // namespace meniscus

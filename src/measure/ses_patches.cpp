@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/ses_patches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/parallel.h"
+#include "geometry/nearest_feature.h"
+
+namespace meniscus {
+namespace {
+
+// Stretches of border shorter than this (radian) may owe themselves to a perturbation: they connect nothing.
+constexpr double kShortestBorder = 1e-6;
+
+std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+// Adds sets of one member each.
+void extend(std::vector<std::uint32_t>& parent, std::size_t size) {
+    for (auto i = static_cast<std::uint32_t>(parent.size()); i < size; ++i) parent.push_back(i);
+}
+
+void unite(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t ra = root_of(parent, a);
+    const std::uint32_t rb = root_of(parent, b);
+    parent[std::max(ra, rb)] = std::min(ra, rb);
+}
+
+// Measures the exposed regions of an atom's enlarged sphere.
+void measure_sphere(const AccessibleSurface::Data& data, std::uint32_t atom, SphericalRegions& regions) {
+    const std::span<const Cap> caps = data.caps_of(atom);
+    std::vector<std::uint32_t> all(caps.size());
+    std::iota(all.begin(), all.end(), 0U);
+    regions.measure(caps, data.contour_of(atom), all);
+}
+
+// Numbers the sets of a union-find in the order of their first members.
+std::size_t number_sets(std::vector<std::uint32_t>& parent, std::vector<std::uint32_t>& number) {
+    number.assign(parent.size(), 0);
+    std::uint32_t sets = 0;
+    for (std::uint32_t i = 0; i < parent.size(); ++i) {
+        const std::uint32_t root = root_of(parent, i);
+        number[i] = root == i ? sets++ : number[root];
+    }
+    return sets;
+}
+
+}  // namespace
+
+SesPatches::SesPatches(const AccessibleSurface& surface, std::uint64_t seed)
+    : surface_(&surface), data_(&surface.data()), seed_(seed) {
+    Box box;
+    for (const Vec3& centre : data_->atoms.centres) box.include(centre);
+    origin_ = 0.5 * (box.low + box.high);
+    add_contact_patches();
+    add_toroidal_patches();
+    reentrant_ = trim_reentrant_patches(surface, seed);
+    add_reentrant_patches();
+    number_components();
+}
+
+void SesPatches::add_contact_patches() {
+    const std::size_t atoms = data_->atoms.size();
+    std::vector<std::vector<SesPatch>> of_atom(atoms);
+    std::vector<std::uint32_t> arc_region(data_->contour.size());  // of each arc of a contour: region beside it
+    parallel_chunks(atoms, 128, [&](std::size_t begin, std::size_t end) {
+        SphericalRegions regions;
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto atom = static_cast<std::uint32_t>(i);
+            if (data_->exposed[i] == 0) continue;
+            measure_sphere(*data_, atom, regions);
+            const Vec3 centre = data_->atoms.centres[i] - origin_;
+            const double rho = data_->rho[i];
+            for (std::uint32_t r = 0; r < regions.regions().size(); ++r)
+                of_atom[i].push_back({.feature = atom,
+                                      .part = r,
+                                      .ses = sphere_patch(centre, rho - data_->probe, regions.regions()[r], 1),
+                                      .sas = sphere_patch(centre, rho, regions.regions()[r], 1)});
+            for (std::size_t a = 0; a < regions.arcs().size(); ++a)
+                arc_region[data_->contour_begin[i] + a] = regions.arcs()[a].region;
+        }
+    });
+    first_contact_.assign(1, 0);
+    for (const std::vector<SesPatch>& own : of_atom) {
+        patches_.insert(patches_.end(), own.begin(), own.end());
+        first_contact_.push_back(static_cast<std::uint32_t>(patches_.size()));
+    }
+    // Contact patches on both sides of an arc belong to one piece of the SAS.
+    extend(sas_parent_, patches_.size());
+    std::vector<std::uint32_t> beside(data_->arcs.size(), kNone);
+    for (std::size_t i = 0; i < atoms; ++i)
+        for (std::size_t c = data_->contour_begin[i]; c < data_->contour_begin[i + 1]; ++c) {
+            const std::uint32_t patch = first_contact_[i] + arc_region[c];
+            std::uint32_t& other = beside[data_->contour_arc[c]];
+            if (other == kNone)
+                other = patch;
+            else
+                unite(sas_parent_, patch, other);
+        }
+    contact_beside_arc_ = std::move(arc_region);
+}
+
+void SesPatches::add_toroidal_patches() {
+    first_torus_.assign(1, static_cast<std::uint32_t>(patches_.size()));
+    for (std::uint32_t a = 0; a < data_->arcs.size(); ++a) {
+        const SasArc& arc = data_->arcs[a];
+        const ToroidalPatch torus = toroidal_patch(arc, data_->probe);
+        for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(torus.count); ++k)
+            patches_.push_back({.kind = PatchKind::Toroidal,
+                                .feature = a,
+                                .part = k,
+                                .ses = toroidal_piece(arc, data_->probe, torus.pieces[k], arc.centre - origin_),
+                                .sas = {}});
+        first_torus_.push_back(static_cast<std::uint32_t>(patches_.size()));
+    }
+    extend(parent_, patches_.size());
+    for (std::uint32_t i = 0; i < data_->atoms.size(); ++i)
+        for (std::size_t c = data_->contour_begin[i]; c < data_->contour_begin[i + 1]; ++c)
+            unite(parent_, first_contact_[i] + contact_beside_arc_[c], torus_patch(data_->contour_arc[c], i));
+}
+
+void SesPatches::add_reentrant_patches() {
+    first_reentrant_.assign(1, static_cast<std::uint32_t>(patches_.size()));
+    for (std::uint32_t v = 0; v < reentrant_.size(); ++v) {
+        const ReentrantPatch& patch = reentrant_[v];
+        degenerate_ = degenerate_ || patch.degenerate;
+        if (!patch.consistent) unresolved_.push_back(v);
+        for (std::uint32_t r = 0; r < patch.regions.size(); ++r)
+            patches_.push_back(
+                {.kind = PatchKind::Reentrant,
+                 .feature = v,
+                 .part = r,
+                 .ses = sphere_patch(data_->vertices[v].position - origin_, data_->probe, patch.regions[r], -1),
+                 .sas = {}});
+        first_reentrant_.push_back(static_cast<std::uint32_t>(patches_.size()));
+    }
+    extend(parent_, patches_.size());
+    vertex_arcs_.assign(reentrant_.size(), {kNone, kNone, kNone});
+    for (std::uint32_t a = 0; a < data_->arcs.size(); ++a)
+        for (const std::uint32_t v : {data_->arcs[a].start, data_->arcs[a].end})
+            if (v != kNoVertex) *std::find(vertex_arcs_[v].begin(), vertex_arcs_[v].end() - 1, kNone) = a;
+    for (std::uint32_t v = 0; v < reentrant_.size(); ++v)
+        for (const TrimmedArc& arc : reentrant_[v].arcs) {
+            if (arc.angle < kShortestBorder) continue;
+            const std::uint32_t across = patch_across(v, arc);
+            if (across != kNone) unite(parent_, first_reentrant_[v] + arc.region, across);
+        }
+}
+
+// The toroidal patch on an atom's side of an arc.
+std::uint32_t SesPatches::torus_patch(std::uint32_t arc, std::uint32_t atom) const {
+    const bool cut = first_torus_[arc + 1] - first_torus_[arc] == 2;
+    return first_torus_[arc] + (cut && data_->arcs[arc].atoms[1] == atom ? 1 : 0);
+}
+
+// The toroidal patch of an arc on the side of its plane where a point is.
+std::uint32_t SesPatches::torus_patch_at(std::uint32_t arc, const Vec3& point) const {
+    const SasArc& at = data_->arcs[arc];
+    return torus_patch(arc, dot(at.axis, point - at.centre) > 0.0 ? at.atoms[1] : at.atoms[0]);
+}
+
+std::uint32_t SesPatches::arc_at_edge(std::uint32_t vertex, std::uint32_t edge) const {
+    const auto& atoms = data_->vertices[vertex].atoms;
+    const std::uint32_t i = std::min(atoms[edge], atoms[(edge + 1) % 3]);
+    const std::uint32_t j = std::max(atoms[edge], atoms[(edge + 1) % 3]);
+    for (const std::uint32_t a : vertex_arcs_[vertex])
+        if (a != kNone && data_->arcs[a].atoms == std::array{i, j}) return a;
+    return kNone;
+}
+
+// The patch on the other side of a stretch of a reentrant patch's border.
+std::uint32_t SesPatches::patch_across(std::uint32_t vertex, const TrimmedArc& arc) const {
+    const Vec3& centre = data_->vertices[vertex].position;
+    const Vec3 point = centre + data_->probe * arc.middle;
+    if (arc.probe == TrimmedArc::kNoProbe) {
+        const std::uint32_t along = arc_at_edge(vertex, arc.edge);
+        return along == kNone ? kNone : torus_patch_at(along, point);
+    }
+    // The other probe's border along the same circle: the stretch that reaches nearest to the middle of ours.
+    const std::uint32_t w = arc.probe;
+    std::uint32_t best = kNone;
+    double least = 1e-3;  // radian beyond its ends
+    for (const TrimmedArc& other : reentrant_[w].arcs) {
+        if (other.probe != vertex || other.angle < kShortestBorder) continue;
+        const Vec3 to_point = point - data_->vertices[w].position;
+        const Vec3 from_axis = to_point - dot(to_point, other.axis) * other.axis;
+        const Vec3 middle = other.middle - dot(other.middle, other.axis) * other.axis;
+        const double angle = std::atan2(norm(cross(from_axis, middle)), dot(from_axis, middle));
+        const double beyond = angle - 0.5 * other.angle;
+        if (beyond >= least) continue;
+        least = beyond;
+        best = first_reentrant_[w] + other.region;
+    }
+    return best;
+}
+
+void SesPatches::number_components() {
+    std::vector<std::uint32_t> number;
+    components_ = number_sets(parent_, number);
+    for (std::size_t p = 0; p < patches_.size(); ++p) patches_[p].component = number[p];
+    sas_components_ = number_sets(sas_parent_, number);
+    for (std::size_t p = 0; p < sas_parent_.size(); ++p) patches_[p].sas_component = number[p];
+}
+
+std::uint32_t SesPatches::component_at(const Vec3& point) const {
+    const NearestHit hit = nearest_hit(*data_, point);
+    if (hit.by_ball) {
+        SphericalRegions regions;
+        measure_sphere(*data_, hit.ball.atom, regions);
+        const Vec3 q = point - data_->atoms.centres[hit.ball.atom];
+        const std::uint32_t part = regions.regions().size() > 1 ? regions.region_of(normalised(q)) : 0;
+        return patches_[first_contact_[hit.ball.atom] + part].component;
+    }
+    if (hit.edge.vertex == kNoVertex) return patches_[torus_patch_at(hit.edge.arc, point)].component;
+    const std::uint32_t v = hit.edge.vertex;
+    const std::size_t parts = first_reentrant_[v + 1] - first_reentrant_[v];
+    if (parts == 0) return kNone;
+    const std::uint32_t part =
+        parts > 1 ? reentrant_region_of(*surface_, seed_, v, normalised(point - data_->vertices[v].position)) : 0;
+    return patches_[first_reentrant_[v] + part].component;
+}
+
+}  // namespace meniscus

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The patches of the solvent-excluded surface with their measures and adjacency: its exact pieces.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/accessible_surface_data.h"
+#include "measure/patch_integrals.h"
+#include "measure/reentrant_patches.h"
+#include "meniscus/measures.h"
+
+namespace meniscus {
+
+/// One patch: a region of an exposed sphere, a piece of a torus, or a region of a trimmed triangle.
+struct SesPatch {
+    PatchKind kind = PatchKind::Contact;
+    std::uint32_t feature = 0;  ///< atom in canonical order, arc or vertex
+    std::uint32_t part = 0;     ///< region or piece of it
+    std::uint32_t component = 0;
+    std::uint32_t sas_component = kNone;  ///< contact patches
+    PatchIntegrals ses;
+    PatchIntegrals sas;  ///< contact patches
+};
+
+/// All patches of one evaluation.
+class SesPatches {
+public:
+    SesPatches(const AccessibleSurface& surface, std::uint64_t seed);
+
+    const AccessibleSurface::Data& data() const { return *data_; }
+    const Vec3& origin() const { return origin_; }
+    const std::vector<SesPatch>& patches() const { return patches_; }
+    std::size_t component_count() const { return components_; }
+    std::size_t sas_component_count() const { return sas_components_; }
+    bool degenerate() const { return degenerate_; }
+    /// Vertices whose trimming could not be resolved.
+    const std::vector<std::uint32_t>& unresolved() const { return unresolved_; }
+
+    /// The component whose surface is nearest to a point.
+    std::uint32_t component_at(const Vec3& point) const;
+
+private:
+    void add_contact_patches();
+    void add_toroidal_patches();
+    void add_reentrant_patches();
+    void number_components();
+    std::uint32_t torus_patch(std::uint32_t arc, std::uint32_t atom) const;
+    std::uint32_t torus_patch_at(std::uint32_t arc, const Vec3& point) const;
+    std::uint32_t arc_at_edge(std::uint32_t vertex, std::uint32_t edge) const;
+    std::uint32_t patch_across(std::uint32_t vertex, const TrimmedArc& arc) const;
+
+    const AccessibleSurface* surface_;
+    const AccessibleSurface::Data* data_;
+    std::uint64_t seed_;
+    Vec3 origin_;
+    std::vector<SesPatch> patches_;
+    std::vector<std::uint32_t> first_contact_;       // per atom, and the end
+    std::vector<std::uint32_t> first_torus_;         // per arc, and the end
+    std::vector<std::uint32_t> first_reentrant_;     // per vertex, and the end
+    std::vector<std::uint32_t> contact_beside_arc_;  // of each arc of a contour: region of its atom
+    std::vector<std::array<std::uint32_t, 3>> vertex_arcs_;
+    std::vector<ReentrantPatch> reentrant_;
+    std::vector<std::uint32_t> parent_;      // union-find over patches
+    std::vector<std::uint32_t> sas_parent_;  // over contact patches
+    std::size_t components_ = 0;
+    std::size_t sas_components_ = 0;
+    bool degenerate_ = false;
+    std::vector<std::uint32_t> unresolved_;
+};
+
+}  // namespace meniscus
