@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <random>
+
+#include "meniscus/errors.h"
+#include "meniscus/measures.h"
+
+namespace meniscus {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Atoms random_cluster(std::size_t count, double extent, unsigned seed) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> within(0.0, extent);
+    std::uniform_real_distribution<double> size(1.2, 2.0);
+    Atoms atoms;
+    for (std::size_t i = 0; i < count; ++i) {
+        atoms.centres.push_back({within(random), within(random), within(random)});
+        atoms.radii.push_back(size(random));
+    }
+    return atoms;
+}
+
+// A closed shell of atoms: its inside is a cavity.
+Atoms shell(double radius, int count, const Vec3& centre = {}) {
+    Atoms atoms;
+    for (int i = 0; i < count; ++i) {  // Fibonacci sphere
+        const double z = 1.0 - (2.0 * i + 1.0) / count;
+        const double angle = 2.399963229728653 * i;
+        const double r = std::sqrt(1.0 - z * z);
+        atoms.centres.push_back(centre + radius * Vec3{r * std::cos(angle), r * std::sin(angle), z});
+        atoms.radii.push_back(1.7);
+    }
+    return atoms;
+}
+
+void append(Atoms& atoms, const Atoms& more) {
+    atoms.centres.insert(atoms.centres.end(), more.centres.begin(), more.centres.end());
+    atoms.radii.insert(atoms.radii.end(), more.radii.begin(), more.radii.end());
+}
+
+TEST(Measure, OneSphereHasItsClosedForms) {
+    const Measures m = measure({{{1, 2, 3}}, {1.7}});
+    EXPECT_NEAR(m.totals.ses_area, 4 * kPi * 1.7 * 1.7, 1e-9 * m.totals.ses_area);
+    EXPECT_NEAR(m.totals.ses_volume, 4 * kPi / 3 * std::pow(1.7, 3), 1e-9 * m.totals.ses_volume);
+    EXPECT_NEAR(m.totals.sas_area, 4 * kPi * 3.1 * 3.1, 1e-9 * m.totals.sas_area);
+    EXPECT_NEAR(m.totals.sas_volume, 4 * kPi / 3 * std::pow(3.1, 3), 1e-9 * m.totals.sas_volume);
+    ASSERT_EQ(m.components.size(), 1U);
+    EXPECT_EQ(m.components[0].kind, ComponentKind::Outer);
+    EXPECT_EQ(m.components[0].inside_of, kNone);
+    EXPECT_NEAR(norm(m.components[0].centre - Vec3{1, 2, 3}), 0.0, 1e-12);
+    EXPECT_LE(std::abs(m.totals.ses_area - 4 * kPi * 1.7 * 1.7), m.errors.ses_area) << "the error estimate holds";
+}
+
+// SES of two spheres: two caps and a torus, cut at its axis where the probe circle is smaller than the probe.
+struct TwoSpheres {
+    double area = 0.0;
+    double volume = 0.0;
+};
+
+TwoSpheres two_spheres(double r1, double r2, double d, double probe) {
+    const double h1 = (d * d + (r1 + probe) * (r1 + probe) - (r2 + probe) * (r2 + probe)) / (2 * d);
+    const double a = std::sqrt((r1 + probe) * (r1 + probe) - h1 * h1);
+    TwoSpheres result;
+    // Solid of revolution: A = 2π ∫ y ds, V = π ∫ y² dx, by fine quadrature along the three arcs.
+    const auto sweep = [&](double centre_x, double centre_y, double radius, double from, double to) {
+        constexpr int kSteps = 200000;
+        const double step = (to - from) / kSteps;
+        for (int i = 0; i < kSteps; ++i) {
+            const double t = from + (i + 0.5) * step;
+            const double y = centre_y + radius * std::sin(t);
+            if (y <= 0.0) continue;
+            result.area += 2 * kPi * y * radius * std::abs(step);
+            result.volume += kPi * y * y * -radius * std::sin(t) * step;
+        }
+    };
+    const double touch1 = std::atan2(a, h1);
+    const double touch2 = std::atan2(a, h1 - d);
+    sweep(0.0, 0.0, r1, kPi, touch1);
+    sweep(h1, a, probe, touch1 - kPi, touch2 - kPi);
+    sweep(d, 0.0, r2, touch2, 0.0);
+    return result;
+}
+
+TEST(Measure, TwoSpheresHaveTheirClosedForms) {
+    struct Case {
+        double r1, r2, d, probe, area, volume;
+    };
+    for (const Case& c :
+         {Case{1.7, 1.52, 1.23, 1.4, 45.237411, 27.522504}, Case{1.7, 1.7, 5.9, 1.4, 72.794368, 41.220155},
+          Case{2.0, 1.4, 4.5, 1.4, 77.520970, 47.694192}, Case{1.7, 1.7, 5.45, 1.5, 75.387196, 42.038952}}) {
+        const Measures m =
+            measure({{{0.1, 0.2, 0.3}, {0.1 + 0.6 * c.d, 0.2, 0.3 + 0.8 * c.d}}, {c.r1, c.r2}}, {.probe = c.probe});
+        EXPECT_NEAR(m.totals.ses_area, c.area, 1e-6);
+        EXPECT_NEAR(m.totals.ses_volume, c.volume, 1e-6);
+        const TwoSpheres exact = two_spheres(c.r1, c.r2, c.d, c.probe);
+        EXPECT_NEAR(m.totals.ses_area / exact.area, 1.0, 1e-8);
+        EXPECT_NEAR(m.totals.ses_volume / exact.volume, 1.0, 1e-8);
+    }
+}
+
+TEST(Measure, SharesAndPiecesSumToTheTotals) {
+    const Measures m = measure(random_cluster(150, 16.0, 3));
+    double atoms_ses = 0.0;
+    double atoms_sas = 0.0;
+    for (const AtomMeasure& atom : m.atoms) {
+        atoms_ses += atom.ses_area();
+        atoms_sas += atom.sas_area;
+    }
+    EXPECT_NEAR(atoms_ses / m.totals.ses_area, 1.0, 1e-11);
+    EXPECT_NEAR(atoms_sas / m.totals.sas_area, 1.0, 1e-11);
+    double area = 0.0;
+    double volume = 0.0;
+    double sas = 0.0;
+    for (const SurfaceComponent& c : m.components) {
+        area += c.ses_area;
+        sas += c.sas_area;
+        volume += c.kind == ComponentKind::Outer ? c.ses_volume : -c.ses_volume;
+        EXPECT_NEAR(c.contact_area + c.toroidal_area + c.reentrant_area, c.ses_area, 1e-9);
+    }
+    EXPECT_NEAR(area / m.totals.ses_area, 1.0, 1e-11);
+    EXPECT_NEAR(sas / m.totals.sas_area, 1.0, 1e-11);
+    EXPECT_NEAR(volume / m.totals.ses_volume, 1.0, 1e-11);
+    double patches = 0.0;
+    for (const PatchMeasure& patch : m.patches) patches += patch.ses_area;
+    EXPECT_NEAR(patches / m.totals.ses_area, 1.0, 1e-11);
+}
+
+TEST(Measure, ShellHasOneCavityWithItsInscribedSphere) {
+    const Measures m = measure(shell(7.0, 110));
+    ASSERT_EQ(m.components.size(), 2U);
+    EXPECT_EQ(m.components[1].kind, ComponentKind::Cavity);
+    EXPECT_EQ(m.components[1].inside_of, 0U);
+    EXPECT_NEAR(m.components[1].inscribed_radius, 7.0 - 1.7, 0.02);
+    EXPECT_LT(norm(m.components[1].inscribed_centre), 0.3);
+    EXPECT_EQ(m.components[1].atoms.size(), 110U);
+}
+
+TEST(Measure, AnIslandInACavityIsInsideTheCavity) {
+    Atoms atoms = shell(11.0, 270);
+    append(atoms, {{{0.5, 0.3, -0.2}, {30.0, 0.0, 0.0}}, {2.0, 1.5}});  // one in the cavity, one far outside
+    const Measures m = measure(atoms);
+    ASSERT_EQ(m.components.size(), 4U);
+    EXPECT_EQ(m.components[0].kind, ComponentKind::Outer);
+    EXPECT_EQ(m.components[0].inside_of, kNone);
+    EXPECT_EQ(m.components[1].kind, ComponentKind::Cavity);
+    EXPECT_EQ(m.components[1].inside_of, 0U);
+    EXPECT_EQ(m.components[2].kind, ComponentKind::Outer);
+    EXPECT_EQ(m.components[2].inside_of, 1U) << "the island";
+    EXPECT_NEAR(m.components[2].ses_volume, 4 * kPi / 3 * 8.0, 1e-6);
+    EXPECT_EQ(m.components[3].inside_of, kNone) << "the one far outside";
+}
+
+TEST(Measure, TwoShellsAreTwoPiecesWithACavityEach) {
+    Atoms atoms = shell(7.0, 110);
+    append(atoms, shell(8.0, 140, {40.0, 3.0, 1.0}));
+    const Measures m = measure(atoms);
+    ASSERT_EQ(m.components.size(), 4U);
+    for (const SurfaceComponent& c : m.components) {
+        if (c.kind == ComponentKind::Outer) continue;
+        ASSERT_NE(c.inside_of, kNone);
+        EXPECT_LT(norm(c.centre - m.components[c.inside_of].centre), 1.0);
+    }
+}
+
+TEST(Measure, ASpindleTorusSeparatesTwoSpheres) {
+    const Measures m = measure({{{0, 0, 0}, {5.9, 0, 0}}, {1.7, 1.7}});
+    EXPECT_EQ(m.components.size(), 2U);
+    EXPECT_EQ(m.sas_components, 1U);
+}
+
+TEST(Measure, ProbeZeroGivesTheVanDerWaalsSurface) {
+    const Measures m = measure({{{0, 0, 0}, {1.2, 0, 0}}, {1.7, 1.5}}, {.probe = 0.0});
+    const double h = (1.2 * 1.2 + 1.7 * 1.7 - 1.5 * 1.5) / 2.4;
+    const double area = 2 * kPi * (1.7 * (1.7 + h) + 1.5 * (1.5 + 1.2 - h));
+    EXPECT_NEAR(m.totals.ses_area, area, 1e-8);
+    EXPECT_NEAR(m.totals.sas_area, area, 1e-8);
+    EXPECT_EQ(m.totals.toroidal_area, 0.0);
+    EXPECT_EQ(m.totals.reentrant_area, 0.0);
+    EXPECT_EQ(m.components.size(), 1U);
+}
+
+TEST(Measure, DoesNotDependOnOrderThreadsOrPlace) {
+    const Atoms atoms = random_cluster(120, 15.0, 5);
+    const Measures m = measure(atoms, {.threads = 1});
+    const Measures threads = measure(atoms, {.threads = 2});
+    EXPECT_EQ(m.totals.ses_area, threads.totals.ses_area);
+    EXPECT_EQ(m.totals.ses_volume, threads.totals.ses_volume);
+
+    std::vector<std::uint32_t> order(atoms.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::shuffle(order.begin(), order.end(), std::mt19937(2));
+    Atoms shuffled;
+    Atoms moved;
+    for (const std::uint32_t i : order) {
+        const Vec3& c = atoms.centres[i];
+        shuffled.centres.push_back(c);
+        shuffled.radii.push_back(atoms.radii[i]);
+        moved.centres.push_back(Vec3{0.6 * c.x - 0.8 * c.y, 0.8 * c.x + 0.6 * c.y, c.z} + Vec3{310.1, -42.7, 5.3});
+        moved.radii.push_back(atoms.radii[i]);
+    }
+    const Measures other_order = measure(shuffled);
+    EXPECT_EQ(m.totals.ses_area, other_order.totals.ses_area);
+    for (std::size_t i = 0; i < order.size(); ++i) EXPECT_EQ(other_order.atoms[i].sas_area, m.atoms[order[i]].sas_area);
+    const Measures elsewhere = measure(moved);
+    EXPECT_NEAR(elsewhere.totals.ses_area / m.totals.ses_area, 1.0, 1e-8);
+    EXPECT_NEAR(elsewhere.totals.ses_volume / m.totals.ses_volume, 1.0, 1e-8);
+    EXPECT_EQ(elsewhere.components.size(), m.components.size());
+}
+
+TEST(Measure, DepthIsTheDistanceBelowTheSurface) {
+    const Measures m = measure({{{0, 0, 0}}, {1.7}}, {.depth = true});
+    EXPECT_NEAR(m.atoms[0].depth, 1.7, 1e-9);
+}
+
+TEST(Measure, DuplicatesCountOnce) {
+    const Measures m = measure({{{0, 0, 0}, {0, 0, 0}, {1.5, 0, 0}}, {1.7, 1.7, 1.5}});
+    const Measures single = measure({{{0, 0, 0}, {1.5, 0, 0}}, {1.7, 1.5}});
+    EXPECT_EQ(m.totals.ses_area, single.totals.ses_area);
+    EXPECT_EQ(m.atoms[1].ses_area(), 0.0);
+    EXPECT_EQ(m.atoms[0].ses_area(), single.atoms[0].ses_area());
+}
+
+TEST(Measure, ProbeOutOfRangeIsAUsageError) {
+    EXPECT_THROW(measure({{{0, 0, 0}}, {1.7}}, {.probe = -1.0}), UsageError);
+    EXPECT_THROW(measure({}, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace meniscus
