@@ -31,11 +31,11 @@ enum class HeteroPolicy {
 struct ReadOptions {
     std::string radii = "auto";  ///< auto, bondi, united, protor, naccess, parse, or the path of a file of rules
     HydrogenPolicy hydrogens = HydrogenPolicy::Auto;
-    int model = 1;                    ///< position of the model in the file, from 1
-    std::string assembly;             ///< biological assembly; empty: as deposited
-    std::string altloc;               ///< one letter; empty: highest summed occupancy per residue
-    std::vector<std::string> chains;  ///< author names, "label:X" for mmCIF label names; empty: all
-    std::string select;               ///< gemmi selection, of the file before any copying; empty: all
+    int model = 1;                         ///< position of the model in the file, from 1
+    std::string assembly = {};             ///< biological assembly; empty: as deposited
+    std::string altloc = {};               ///< one letter; empty: highest summed occupancy per residue
+    std::vector<std::string> chains = {};  ///< author names, "label:X" for mmCIF label names; empty: all
+    std::string select = {};               ///< gemmi selection, of the file before any copying; empty: all
     HeteroPolicy hetero = HeteroPolicy::None;
     bool keep_waters = false;
     bool strict_radii = false;  ///< an unknown atom type is an InputError

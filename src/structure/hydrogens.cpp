@@ -7,12 +7,6 @@
 #include "radii/aliases.h"
 
 namespace meniscus::reading {
-namespace {
-
-constexpr double kProteinRatio = 0.7;
-constexpr double kOtherRatio = 0.3;
-
-}  // namespace
 
 HydrogenCount count_hydrogens(const RawModel& model, const std::vector<std::uint32_t>& kept) {
     const auto in_polymer = [&](std::uint32_t i) {
@@ -28,7 +22,7 @@ HydrogenCount count_hydrogens(const RawModel& model, const std::vector<std::uint
             count.in_polymer += static_cast<std::size_t>(counts);
         } else if (counts) {
             const bool is_protein = has_polymer && !is_nucleotide(model.residue_of(atom).name);
-            count.expected_at_least += is_protein ? kProteinRatio : kOtherRatio;
+            ++(is_protein ? count.protein_heavy : count.other_heavy);
         }
     }
     return count;

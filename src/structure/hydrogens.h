@@ -14,11 +14,12 @@ namespace meniscus::reading {
 inline bool is_hydrogen(const RawAtom& atom) { return atom.element == "H" || atom.element == "D"; }
 
 struct HydrogenCount {
-    std::size_t all = 0;             ///< hydrogens among the kept atoms
-    std::size_t in_polymer = 0;      ///< of the polymer, or of everything if no polymer is kept
-    double expected_at_least = 0.0;  ///< in the polymer, of a structure that has its hydrogens
+    std::size_t all = 0;            ///< hydrogens among the kept atoms
+    std::size_t in_polymer = 0;     ///< of the polymer, or of everything if no polymer is kept
+    std::size_t protein_heavy = 0;  ///< heavy atoms that should have 7 hydrogens for 10
+    std::size_t other_heavy = 0;    ///< those that should have 3 for 10
 
-    bool is_complete() const { return all > 0 && static_cast<double>(in_polymer) >= expected_at_least; }
+    bool is_complete() const { return all > 0 && 10 * in_polymer >= 7 * protein_heavy + 3 * other_heavy; }
 };
 
 /// Proteins have about one hydrogen per heavy atom, nucleic acids about 0.55; polar hydrogens alone make 0.2. The

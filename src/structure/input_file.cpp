@@ -80,7 +80,7 @@ bool is_pdb_record(std::string_view line) {
     constexpr auto kRecords = std::to_array<std::string_view>({
         "HEADER", "OBSLTE", "TITLE ", "COMPND", "SOURCE", "KEYWDS", "EXPDTA", "AUTHOR", "REVDAT", "JRNL  ", "REMARK",
         "DBREF",  "SEQRES", "SEQADV", "MODRES", "HET   ", "HETNAM", "FORMUL", "HELIX ", "SHEET ", "SSBOND", "LINK  ",
-        "CISPEP", "SITE  ", "CRYST1", "ORIGX",  "SCALE",  "MTRIX",  "MODEL",  "ATOM  ", "HETATM", "ANISOU", "TER",
+        "CISPEP", "SITE  ", "CRYST1", "ORIGX",  "SCALE",  "MTRIX",  "MODEL",  "ATOM ",  "HETATM", "ANISOU", "TER",
         "ENDMDL", "CONECT", "MASTER", "NUMMDL", "SPLIT",  "CAVEAT", "USER",   "END",    "HETSYN", "SPRSDE",
     });
     return std::any_of(kRecords.begin(), kRecords.end(), [&](std::string_view r) { return line.starts_with(r); });

@@ -39,7 +39,7 @@ public:
 
 private:
     void read(std::string_view line) {
-        if (line.starts_with("ATOM  ") || line.starts_with("HETATM")) {
+        if (is_atom_record(line)) {
             if (!open_) begin_without_record();
             ++atoms_;
         } else if (line.starts_with("MODEL ") || line == "MODEL") {

@@ -15,8 +15,6 @@ namespace {
 constexpr std::size_t kRecordLength = 80;
 constexpr std::size_t kCoordinatesEnd = 54;  // column 54 is the last of z
 
-bool is_atom(std::string_view line) { return line.starts_with("ATOM  ") || line.starts_with("HETATM"); }
-
 // An ATOM or HETATM line under examination; columns are those of the format, from 1.
 class AtomLine {
 public:
@@ -194,6 +192,10 @@ std::string clean_header(std::string_view text, const std::string& file, bool wi
 
 }  // namespace
 
+bool is_atom_record(std::string_view line) {
+    return line.starts_with("HETATM") || line.starts_with("ATOM ") || line.starts_with("ATOM\t") || line == "ATOM";
+}
+
 std::string hybrid36_serial(std::size_t n) {
     constexpr std::size_t kDecimal = 100000;
     constexpr std::size_t kFirstUpper = 16796160;  // "A0000" in base 36
@@ -213,7 +215,7 @@ CleanPdb screen_pdb(std::string_view text, const PdbModelSpan& model, const std:
     Lines lines(text.substr(model.begin, model.end - model.begin));
     while (lines.next()) {
         const std::string_view line = lines.line();
-        if (is_atom(line)) {
+        if (is_atom_record(line)) {
             screen_atom(AtomLine(line, model.first_line + lines.number() - 1, file), clean);
         } else if (line.starts_with("TER")) {
             clean.text += "TER\n";

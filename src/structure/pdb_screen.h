@@ -10,6 +10,9 @@
 
 namespace meniscus::reading {
 
+/// True for ATOM and HETATM records, also if a serial number of six digits reaches into the record's name.
+bool is_atom_record(std::string_view line);
+
 /// A part of the text that holds the atoms of one model.
 struct PdbModelSpan {
     std::size_t begin = 0;       ///< offset of its first line

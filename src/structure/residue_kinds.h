@@ -13,6 +13,7 @@ namespace meniscus::reading {
 /// sequence (mmCIF entities, SEQRES up to TER), or if a peptide or phosphodiester bond links it to a polymer residue
 /// next to it in the file or in number: MSE, a chromophore, a blocking group, but no sugar on a side chain. Of the
 /// rest, groups of one atom are ions, all others ligands.
+/// Precondition: every residue has an atom.
 void classify_residues(RawModel& model);
 
 }  // namespace meniscus::reading

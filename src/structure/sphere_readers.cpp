@@ -66,35 +66,28 @@ RawModel sphere_model(bool has_names) {
     return model;
 }
 
-// "27", "-5", "27A".
-void set_number(const WordLine& line, std::size_t i, RawResidue& residue) {
-    std::string_view digits = line[i];
-    if (!integer(digits) && digits.size() > 1) {
-        residue.insertion_code = digits.back();
-        digits.remove_suffix(1);
-    }
-    const auto value = integer(digits);
-    if (!value) line.fail(i, "residue number " + shown(line[i]) + " is not an integer; columns are blank-separated");
+// "27", "-5", "27A"; false if it is no residue number.
+bool set_number(std::string_view digits, RawResidue& residue) {
+    const bool has_code = !integer(digits) && digits.size() > 1;
+    const auto value = integer(digits.substr(0, digits.size() - static_cast<std::size_t>(has_code)));
+    if (!value) return false;
     residue.number = *value;
+    if (has_code) residue.insertion_code = digits.back();
+    return true;
 }
 
 // Ten words without a chain, eleven with one; a chain and a number may have grown together (A1000).
 RawResidue pqr_residue(const WordLine& line) {
     RawResidue residue;
     residue.name = upper_case(line[3]);
-    if (line.size() >= 11) {
-        residue.chain = line[4];
-        set_number(line, 5, residue);
-        return residue;
-    }
-    const std::string_view word = line[4];
-    const bool grown_together = word[0] > '9' && integer(word.substr(1)).has_value();
-    if (!grown_together) {
-        set_number(line, 4, residue);
-        return residue;
-    }
-    residue.chain = std::string(1, word[0]);
-    residue.number = *integer(word.substr(1));
+    const bool has_chain = line.size() >= 11;
+    const std::string_view number = line[has_chain ? 5 : 4];
+    if (has_chain) residue.chain = line[4];
+    if (set_number(number, residue)) return residue;
+    const bool grown_together = !has_chain && number[0] > '9' && set_number(number.substr(1), residue);
+    if (!grown_together)
+        line.fail(has_chain ? 5 : 4, "residue number " + shown(number) + " is not an integer; correct it");
+    residue.chain = std::string(1, number[0]);
     return residue;
 }
 
@@ -111,17 +104,21 @@ RawAtom pqr_atom(const WordLine& line, const RawResidue& residue) {
     return atom;
 }
 
-// "CA_ALA_12", as MSMS writes names; anything else is a name alone.
-RawResidue xyzrn_residue(std::string_view name, RawAtom& atom) {
+// "CA_ALA_12", as MSMS writes names, and "CA_ALA_12B_A" with insertion code and chain; else a name alone.
+RawResidue xyzrn_residue(const WordLine& line, RawAtom& atom) {
+    constexpr std::size_t kName = 5;
     RawResidue residue;
-    const std::size_t first = name.find('_');
-    const std::size_t last = name.rfind('_');
-    atom.name = upper_case(name.substr(0, first));
-    if (first == last) return residue;
-    const auto number = integer(name.substr(last + 1));
-    if (!number) return residue;
-    residue.name = upper_case(name.substr(first + 1, last - first - 1));
-    residue.number = *number;
+    if (line.size() <= kName) return residue;
+    std::vector<std::string_view> parts;
+    for (std::string_view rest = line[kName]; parts.size() < 3; rest.remove_prefix(parts.back().size() + 1)) {
+        parts.push_back(rest.substr(0, rest.find('_')));
+        if (parts.back().size() == rest.size()) break;
+    }
+    atom.name = upper_case(parts[0]);
+    if (parts.size() < 3 || !set_number(parts[2], residue)) return residue;
+    residue.name = upper_case(parts[1]);
+    const std::size_t used = static_cast<std::size_t>(parts[2].data() + parts[2].size() - line[kName].data());
+    if (used < line[kName].size()) residue.chain = std::string(line[kName].substr(used + 1));
     return residue;
 }
 
@@ -162,11 +159,11 @@ RawModel parse_pqr(std::string_view text, const std::string& file) {
 
 RawModel parse_xyzr(std::string_view text, const std::string& file) {
     RawModel model = sphere_model(false);
-    model.residues.emplace_back();
     for_each_line(text, file, [&](const WordLine& line) {
         model.atoms.push_back(sphere(line));
         model.atoms.back().serial = static_cast<int>(model.atoms.size());
     });
+    if (!model.atoms.empty()) model.residues.emplace_back();
     return model;
 }
 
@@ -175,7 +172,7 @@ RawModel parse_xyzrn(std::string_view text, const std::string& file) {
     ResidueList residues(model.residues);
     for_each_line(text, file, [&](const WordLine& line) {
         RawAtom atom = sphere(line);
-        const RawResidue residue = xyzrn_residue(line.size() > 5 ? line[5] : std::string_view(), atom);
+        const RawResidue residue = xyzrn_residue(line, atom);
         atom.element = element_from_name(atom.name, residue.name);
         atom.serial = static_cast<int>(model.atoms.size() + 1);
         atom.residue = residues.index_of(residue);

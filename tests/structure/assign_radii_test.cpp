@@ -60,8 +60,9 @@ TEST(AssignRadii, UnitedSetsDropHydrogensAndSaySo) {
         EXPECT_EQ(assign_radii(model, {.radii = set}, "f", chosen).values.size(), 3U);
         ASSERT_FALSE(chosen.warnings.empty());
         expect_contains(chosen.warnings[0], std::string("the radii of ") + set + " stand for them");
-        EXPECT_THROW(assign_radii(model, {.radii = set, .hydrogens = HydrogenPolicy::Keep}, "f", chosen = all_of(model)),
-                     UsageError);
+        EXPECT_THROW(
+            assign_radii(model, {.radii = set, .hydrogens = HydrogenPolicy::Keep}, "f", chosen = all_of(model)),
+            UsageError);
     }
 }
 

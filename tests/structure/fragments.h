@@ -30,15 +30,15 @@ struct Line {
     char insertion_code = ' ';
     int serial = 1;
     double occupancy = 1.0;
-    std::string element;  ///< two columns; empty: the line ends after the B factor
+    std::string element = {};  ///< two columns; empty: the line ends after the B factor
 };
 
 /// One ATOM or HETATM record with its line end.
 inline std::string pdb_line(const Line& a) {
     char text[128];
-    std::snprintf(text, sizeof text, "%-6s%5d %-4s%c%3s %c%4d%c   %8.3f%8.3f%8.3f%6.2f%6.2f", a.record.c_str(), a.serial,
-                  a.name.c_str(), a.altloc, a.residue.c_str(), a.chain, a.number, a.insertion_code, a.x, a.y, a.z,
-                  a.occupancy, 10.0);
+    std::snprintf(text, sizeof text, "%-6s%5d %-4s%c%3s %c%4d%c   %8.3f%8.3f%8.3f%6.2f%6.2f", a.record.c_str(),
+                  a.serial, a.name.c_str(), a.altloc, a.residue.c_str(), a.chain, a.number, a.insertion_code, a.x, a.y,
+                  a.z, a.occupancy, 10.0);
     const std::string line = text;
     return line + (a.element.empty() ? "" : "          " + a.element) + "\n";
 }

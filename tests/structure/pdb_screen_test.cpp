@@ -12,8 +12,7 @@ using meniscus::testing::pdb_line;
 
 //                        1         2         3         4         5         6         7         8
 //               12345678901234567890123456789012345678901234567890123456789012345678901234567890
-const std::string kPlain =
-    "ATOM      7  CA  ALA A  12      11.104   6.134  -6.504  1.00  8.20           C1+\n";
+const std::string kPlain = "ATOM      7  CA  ALA A  12      11.104   6.134  -6.504  1.00  8.20           C1+\n";
 
 CleanPdb screen(const std::string& text, bool with_assemblies = false) {
     return screen_pdb(text, {0, text.size(), 1}, "f.pdb", with_assemblies);
@@ -47,7 +46,8 @@ TEST(PdbScreen, AGoodRecordPasses) {
 }
 
 TEST(PdbScreen, EveryCoordinateMustBeAFiniteNumberInFull) {
-    for (const char* text : {"********", "        ", "     nan", "     inf", "   1e400", "  11,104", "  1.0 04", "1.00000x"}) {
+    for (const char* text :
+         {"********", "        ", "     nan", "     inf", "   1e400", "  11,104", "  1.0 04", "1.00000x"}) {
         EXPECT_TRUE(error_in(changed(31, text)).starts_with("f.pdb:1:31: x coordinate")) << text;
         EXPECT_TRUE(error_in(changed(39, text)).starts_with("f.pdb:1:39: y coordinate")) << text;
         EXPECT_TRUE(error_in(kPlain + changed(47, text)).starts_with("f.pdb:2:47: z coordinate")) << text;
@@ -76,7 +76,7 @@ TEST(PdbScreen, OldFilesMayHaveAnythingInColumns73To80) {
     EXPECT_EQ(clean.atoms[0].element, "C");
     EXPECT_EQ(clean.guessed_elements, 1U);
     EXPECT_EQ(screen(changed(67, "      1UBQ1071")).atoms[0].element, "C");
-    EXPECT_EQ(screen(changed(67, "      PROT N  ")).atoms[0].element, "C") << "column 78, not 77-78, is the symbol";
+    EXPECT_EQ(screen(changed(67, "      PROT N  ")).atoms[0].element, "N") << "a symbol where it belongs counts";
 }
 
 TEST(PdbScreen, SerialsWiderThanTheirColumnsAndHybridOnes) {
@@ -94,7 +94,8 @@ TEST(PdbScreen, ResidueNamesOfFourLettersAndChainsOfTwo) {
 }
 
 TEST(PdbScreen, OnlyRecordsThatMatterPass) {
-    const std::string rest = "LINK         garbage\nCONECT  1 2\nHELIX  x\nANISOU    1  CA\nTER   junk\nSEQRES   1 A    1  ALA\n";
+    const std::string rest =
+        "LINK         garbage\nCONECT  1 2\nHELIX  x\nANISOU    1  CA\nTER   junk\nSEQRES   1 A    1  ALA\n";
     const CleanPdb clean = screen(kPlain + rest);
     for (const char* record : {"LINK", "CONECT", "HELIX", "ANISOU", "junk"}) {
         EXPECT_EQ(clean.text.find(record), std::string::npos) << record;

@@ -66,7 +66,8 @@ TEST(Xyzr, ErrorsNameTheirPlace) {
 }
 
 TEST(Xyzrn, TakesNamesApart) {
-    const RawModel model = parse_xyzrn("0 0 0 1.7 1 CA_ALA_12\n1 0 0 1.5 1 O5'_HOH_-3_A-2\n2 0 0 1.5 1 odd\n3 0 0 1\n", "f");
+    const RawModel model =
+        parse_xyzrn("0 0 0 1.7 1 CA_ALA_12\n1 0 0 1.5 1 O5'_HOH_-3_A-2\n2 0 0 1.5 1 odd\n3 0 0 1\n", "f");
     ASSERT_EQ(model.atoms.size(), 4U);
     EXPECT_EQ(model.atoms[0].name, "CA");
     EXPECT_EQ(model.residue_of(model.atoms[0]).name, "ALA");

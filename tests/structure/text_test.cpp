@@ -33,14 +33,17 @@ TEST(Text, WordsKnowTheirColumns) {
 }
 
 TEST(Text, AllLineEndsBecomeOneAndTheByteOrderMarkGoes) {
-    std::string text = "\xEF\xBB\xBF"
-                       "a\r\nb\rc\n\r\n";
+    std::string text =
+        "\xEF\xBB\xBF"
+        "a\r\nb\rc\n\r\n";
     normalise_line_ends(text);
     EXPECT_EQ(text, "a\nb\nc\n\n");
 }
 
 TEST(Text, WordsInMessagesAreShortAndPrintable) {
-    EXPECT_EQ(shown("a\x01b"), "'a?b'");
+    EXPECT_EQ(shown("a\x01"
+                    "b"),
+              "'a?b'");
     EXPECT_EQ(shown(std::string(100, 'x')).size(), 45U);
 }
 

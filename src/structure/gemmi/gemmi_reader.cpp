@@ -32,6 +32,20 @@ bool has_prefix(const std::string& text, const std::string& prefix) {
     return text.compare(0, prefix.size(), prefix) == 0;
 }
 
+// Whatever gemmi does not like about a file is an error of the input.
+template <class Read>
+auto with_input_errors(const std::string& file, Read read) {
+    try {
+        return read();
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::exception& error) {
+        std::string message = error.what();
+        std::replace(message.begin(), message.end(), '\n', ' ');
+        throw InputError(file + ": " + message + "; correct the file or fetch it again");
+    }
+}
+
 RawOperator to_operator(const gemmi::Transform& transform) {
     RawOperator result;
     for (int row = 0; row < 3; ++row) {
@@ -328,30 +342,38 @@ struct CifFile::Content {
         const auto found = std::find(model_numbers.begin(), model_numbers.end(), number);
         if (found == model_numbers.end()) model_numbers.push_back(number);
     }
+
+    int model_count() const { return std::max<int>(1, static_cast<int>(model_numbers.size())); }
+
+    RawModel model(int position) {
+        RawModel model;
+        model.model_count = model_count();
+        ResidueList residues(model.residues);
+        const CifSource source{file, text};
+        gemmi::cif::Table table = block.find("_atom_site.", atom_tags());
+        for (std::size_t i = 0; i < table.length(); ++i) {
+            if (!model_numbers.empty() &&
+                table[static_cast<int>(i)][Column::ModelNumber] != model_numbers[position - 1])
+                continue;
+            AtomRow row(source, table, i);
+            const RawResidue residue = to_residue(row, polymers);
+            model.atoms.push_back(to_atom(row, residue.name));
+            model.atoms.back().residue = residues.index_of(residue);
+        }
+        model.assemblies = read_assemblies(block);
+        return model;
+    }
 };
 
-CifFile::CifFile(const std::string& text, const std::string& file) : content_(std::make_unique<Content>(text, file)) {}
+CifFile::CifFile(const std::string& text, const std::string& file)
+    : content_(with_input_errors(file, [&] { return std::make_unique<Content>(text, file); })) {}
 
 CifFile::~CifFile() = default;
 
-int CifFile::model_count() const { return std::max<int>(1, static_cast<int>(content_->model_numbers.size())); }
+int CifFile::model_count() const { return content_->model_count(); }
 
 RawModel CifFile::model(int position) const {
-    RawModel model;
-    model.model_count = model_count();
-    ResidueList residues(model.residues);
-    const CifSource source{content_->file, content_->text};
-    const std::vector<std::string>& numbers = content_->model_numbers;
-    gemmi::cif::Table table = content_->block.find("_atom_site.", atom_tags());
-    for (std::size_t i = 0; i < static_cast<std::size_t>(table.length()); ++i) {
-        if (!numbers.empty() && table[static_cast<int>(i)][Column::ModelNumber] != numbers[position - 1]) continue;
-        AtomRow row(source, table, i);
-        const RawResidue residue = to_residue(row, content_->polymers);
-        model.atoms.push_back(to_atom(row, residue.name));
-        model.atoms.back().residue = residues.index_of(residue);
-    }
-    model.assemblies = read_assemblies(content_->block);
-    return model;
+    return with_input_errors(content_->file, [&] { return content_->model(position); });
 }
 
 // ---- selection
@@ -423,13 +445,9 @@ std::vector<bool> selected_atoms(const RawModel& model, const std::string& expre
 }
 
 RawModel parse_pdb(const CleanPdb& clean, const std::string& file) {
-    try {
+    return with_input_errors(file, [&] {
         return to_model(gemmi::read_pdb_from_memory(clean.text.data(), clean.text.size(), file), clean, file);
-    } catch (const InputError&) {
-        throw;
-    } catch (const std::exception& error) {
-        throw InputError(file + ": " + error.what());
-    }
+    });
 }
 
 }  // namespace meniscus::reading

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure/gemmi/gemmi_reader.h"
+
+#include "fragments.h"
+
+namespace meniscus::reading {
+namespace {
+
+using meniscus::testing::add_residue;
+using meniscus::testing::expect_contains;
+using meniscus::testing::pdb_line;
+
+RawModel pdb(const std::string& text) {
+    return parse_pdb(screen_pdb(text, {0, text.size(), 1}, "f.pdb", true), "f.pdb");
+}
+
+TEST(GemmiPdb, AtomsComeInFileOrderWhateverTheirChains) {
+    const RawModel model = pdb(pdb_line({.chain = 'A', .serial = 5}) + pdb_line({.number = 2, .x = 1, .chain = 'B'}) +
+                               pdb_line({.name = " CB ", .x = 2, .chain = 'A'}));
+    ASSERT_EQ(model.atoms.size(), 3U);
+    EXPECT_EQ(model.atoms[0].serial, 5);
+    EXPECT_EQ(model.atoms[1].centre.x, 1.0);
+    EXPECT_EQ(model.atoms[2].name, "CB");
+    EXPECT_EQ(model.residue_of(model.atoms[1]).chain, "B");
+    EXPECT_EQ(model.residue_of(model.atoms[2]).chain, "A");
+}
+
+TEST(GemmiPdb, ResidueNumbersOfFiveDigitsAndHybridOnes) {
+    std::string wide = pdb_line({.number = 1234, .insertion_code = '5'});
+    std::string hybrid = pdb_line({});
+    hybrid.replace(22, 4, "A000");
+    const RawModel model = pdb(wide + hybrid + pdb_line({.number = -7, .insertion_code = 'B'}));
+    EXPECT_EQ(model.residues[0].number, 12345);
+    EXPECT_EQ(model.residues[0].insertion_code, ' ');
+    EXPECT_EQ(model.residues[1].number, 10000);
+    EXPECT_EQ(model.residues[2].number, -7);
+    EXPECT_EQ(model.residues[2].insertion_code, 'B');
+}
+
+TEST(GemmiPdb, SequenceListsModifiedResiduesUpToTer) {
+    const std::string text = "SEQRES   1 A    2  ALA MSE\n" + pdb_line({}) +
+                             pdb_line({.residue = "MSE", .number = 2, .record = "HETATM"}) + "TER\n" +
+                             pdb_line({.residue = "MSE", .number = 9, .record = "HETATM"});
+    const RawModel model = pdb(text);
+    EXPECT_TRUE(model.residues[1].in_sequence);
+    EXPECT_FALSE(model.residues[2].in_sequence);
+}
+
+TEST(GemmiPdb, ReadsAssemblies) {
+    const RawModel model =
+        pdb("REMARK 350 BIOMOLECULE: 1\n"
+            "REMARK 350 APPLY THE FOLLOWING TO CHAINS: A\n"
+            "REMARK 350   BIOMT1   1  1.000000  0.000000  0.000000        0.00000\n"
+            "REMARK 350   BIOMT2   1  0.000000  1.000000  0.000000        0.00000\n"
+            "REMARK 350   BIOMT3   1  0.000000  0.000000  1.000000        0.00000\n"
+            "REMARK 350   BIOMT1   2 -1.000000  0.000000  0.000000       10.00000\n"
+            "REMARK 350   BIOMT2   2  0.000000 -1.000000  0.000000        0.00000\n"
+            "REMARK 350   BIOMT3   2  0.000000  0.000000  1.000000        0.00000\n" +
+            pdb_line({}));
+    ASSERT_EQ(model.assemblies.size(), 1U);
+    ASSERT_EQ(model.assemblies[0].generators.at(0).operators.size(), 2U);
+    EXPECT_EQ(model.assemblies[0].generators[0].operators[1].apply({1, 2, 3}), (Vec3{9, -2, 3}));
+}
+
+constexpr const char* kHead =
+    "data_x\nloop_\n_atom_site.group_PDB\n_atom_site.id\n_atom_site.type_symbol\n_atom_site.label_atom_id\n"
+    "_atom_site.label_alt_id\n_atom_site.label_comp_id\n_atom_site.label_asym_id\n_atom_site.auth_seq_id\n"
+    "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n_atom_site.pdbx_PDB_model_num\n";
+
+RawModel cif(const std::string& text, int position = 1) { return CifFile(text, "f.cif").model(position); }
+
+std::string cif_error(const std::string& text) {
+    try {
+        cif(text);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(GemmiCif, ReadsAtomsAndDefaults) {
+    const RawModel model = cif(std::string(kHead) + "HETATM 7 FE \"FE\" . HEM B 12 1.5 -2 3e0 1\n");
+    ASSERT_EQ(model.atoms.size(), 1U);
+    const RawAtom& atom = model.atoms[0];
+    EXPECT_EQ(atom.centre, (Vec3{1.5, -2, 3}));
+    EXPECT_EQ(atom.name, "FE");
+    EXPECT_EQ(atom.element, "FE");
+    EXPECT_EQ(atom.altloc, ' ');
+    EXPECT_EQ(atom.serial, 7);
+    EXPECT_TRUE(atom.hetatm);
+    EXPECT_EQ(atom.occupancy, 1.0);
+    EXPECT_EQ(model.residues[0].chain, "B");
+    EXPECT_EQ(model.residues[0].number, 12);
+}
+
+TEST(GemmiCif, ModelsAreToldApartByNumberAndCountedByPosition) {
+    const std::string text = std::string(kHead) + "ATOM 1 C C . ALA A 1 1 0 0 4\nATOM 2 C C . ALA A 1 2 0 0 9\n";
+    EXPECT_EQ(CifFile(text, "f").model_count(), 2);
+    EXPECT_EQ(cif(text, 2).atoms.at(0).centre.x, 2.0);
+}
+
+TEST(GemmiCif, ABadCoordinateIsAnErrorWithItsPlace) {
+    const std::string good = "ATOM 1 C C . ALA A 1 1 0 0 1\n";
+    for (const char* value : {"?", ".", "nan", "1e400", "11,104", "'1 2'", "********"}) {
+        const std::string error = cif_error(kHead + good + "ATOM 2 C C . ALA A 1 0 " + value + " 0 1\n");
+        EXPECT_TRUE(error.starts_with("f.cif:16:24: _atom_site.Cartn_y")) << error;
+    }
+    expect_contains(cif_error(std::string(kHead) + "ATOM 2 C C . ALA A x9x 0 0 0 1\n"),
+                    "f.cif:15:20: _atom_site.auth_seq");
+}
+
+TEST(GemmiCif, QuotedAndMultiLineValuesAreValues) {
+    const RawModel model = cif(std::string("data_0\n_struct.title\n;two\nloop_ _atom_site.id\n;\n") + (kHead + 7) +
+                               "ATOM 1 O 'O5'' . DA A 1 \"1.0\"\n;2.0\n;\n3.0 1\n");
+    EXPECT_EQ(model.atoms.at(0).name, "O5'");
+    EXPECT_EQ(model.atoms.at(0).centre, (Vec3{1, 2, 3}));
+}
+
+TEST(GemmiCif, OneAtomMayBeGivenInPairs) {
+    const RawModel model =
+        cif("data_x\n_atom_site.label_atom_id CA\n_atom_site.label_comp_id CA\n_atom_site.Cartn_x 1\n"
+            "_atom_site.Cartn_y 2\n_atom_site.Cartn_z 3\n");
+    EXPECT_EQ(model.atoms.at(0).centre, (Vec3{1, 2, 3}));
+    EXPECT_EQ(model.atoms.at(0).element, "CA");
+}
+
+TEST(GemmiCif, BrokenFilesAreErrors) {
+    expect_contains(cif_error("data_x\n_a.b 1\n"), "no _atom_site loop");
+    expect_contains(cif_error("data_x\nloop_\n_atom_site.id\n_atom_site.Cartn_x\n1 2\n"), "Cartn_y");
+    expect_contains(cif_error("data_x\nloop_\n_atom_site.id\n_atom_site.label_atom_id\n1 C\n"), "Cartn_x");
+    expect_contains(cif_error("data_x\n_atom_site_fract_x 0.5\n"), "small-molecule");
+    const std::string atom = "ATOM 1 C C . ALA A 1 1 0 0 1\n";
+    expect_contains(cif_error(kHead + atom + "ATOM 2 C C\n"), "f.cif:");
+    expect_contains(cif_error(kHead + atom + (kHead + 7) + atom), "f.cif:");
+    expect_contains(cif_error(kHead + atom + "data_x\n_a.b 'never closed\n"), "f.cif:");
+    expect_contains(cif_error("no data here\n"), "not valid CIF");
+}
+
+TEST(GemmiCif, PolymersAreKnownByTheirEntities) {
+    const RawModel model =
+        cif("data_x\nloop_\n_entity.id\n_entity.type\n1 polymer\n2 non-polymer\nloop_\n_atom_site.label_entity_id\n"
+            "_atom_site.label_atom_id\n_atom_site.label_comp_id\n_atom_site.label_asym_id\n_atom_site.Cartn_x\n"
+            "_atom_site.Cartn_y\n_atom_site.Cartn_z\n1 C CRO A 0 0 0\n2 C HEM B 0 0 0\n");
+    EXPECT_TRUE(model.residues.at(0).in_sequence);
+    EXPECT_FALSE(model.residues.at(1).in_sequence);
+}
+
+constexpr const char* kAssembly =
+    "_pdbx_struct_assembly.id 1\n_pdbx_struct_assembly.details author_defined_assembly\n"
+    "_pdbx_struct_assembly.method_details ?\n_pdbx_struct_assembly.oligomeric_details dimeric\n"
+    "_pdbx_struct_assembly.oligomeric_count 2\n_pdbx_struct_assembly_gen.assembly_id 1\n"
+    "_pdbx_struct_assembly_gen.asym_id_list A\nloop_\n_pdbx_struct_oper_list.id\n_pdbx_struct_oper_list.type\n"
+    "_pdbx_struct_oper_list.matrix[1][1]\n_pdbx_struct_oper_list.matrix[1][2]\n_pdbx_struct_oper_list.matrix[1][3]\n"
+    "_pdbx_struct_oper_list.matrix[2][1]\n_pdbx_struct_oper_list.matrix[2][2]\n_pdbx_struct_oper_list.matrix[2][3]\n"
+    "_pdbx_struct_oper_list.matrix[3][1]\n_pdbx_struct_oper_list.matrix[3][2]\n_pdbx_struct_oper_list.matrix[3][3]\n"
+    "_pdbx_struct_oper_list.vector[1]\n_pdbx_struct_oper_list.vector[2]\n_pdbx_struct_oper_list.vector[3]\n"
+    "1 x 1 0 0 0 1 0 0 0 1 0 0 0\n2 x 1 0 0 0 1 0 0 0 1 5 0 0\n";
+
+TEST(GemmiCif, ReadsAssemblies) {
+    const std::string atom = "ATOM 1 C C . ALA A 1 1 0 0 1\n";
+    const RawModel model = cif(kHead + atom + kAssembly + "_pdbx_struct_assembly_gen.oper_expression 1,2\n");
+    ASSERT_EQ(model.assemblies.at(0).generators.at(0).operators.size(), 2U);
+    EXPECT_TRUE(model.assemblies[0].generators[0].label_names);
+    EXPECT_EQ(model.assemblies[0].generators[0].operators[1].apply({1, 0, 0}).x, 6.0);
+}
+
+TEST(GemmiCif, ProductsOfOperatorsAreNotHalfRead) {
+    const std::string atom = "ATOM 1 C C . ALA A 1 1 0 0 1\n";
+    const RawModel model = cif(kHead + atom + kAssembly + "_pdbx_struct_assembly_gen.oper_expression (1)(2)\n");
+    EXPECT_TRUE(model.assemblies.at(0).generators.at(0).operators.empty());
+}
+
+std::size_t count_selected(const std::string& expression) {
+    RawModel model;
+    add_residue(model, "ALA", 1, {"N", "CA", "C"});
+    add_residue(model, "GLY", 2, {"N", "CA"});
+    add_residue(model, "HOH", 3, {"O"});
+    model.residues[2].chain = "B";
+    model.residues[2].kind = ResidueKind::Water;
+    model.atoms[0].occupancy = 0.4;
+    const std::vector<bool> selected = selected_atoms(model, expression, 1);
+    return static_cast<std::size_t>(std::count(selected.begin(), selected.end(), true));
+}
+
+TEST(Selection, FollowsTheSyntaxOfGemmi) {
+    EXPECT_EQ(count_selected("*"), 6U);
+    EXPECT_EQ(count_selected("//A"), 5U);
+    EXPECT_EQ(count_selected("B"), 1U);
+    EXPECT_EQ(count_selected("//A/2-9"), 2U);
+    EXPECT_EQ(count_selected("(ALA,GLY)"), 5U);
+    EXPECT_EQ(count_selected("(!ALA)"), 3U);
+    EXPECT_EQ(count_selected(";q>0.5"), 5U);
+    EXPECT_EQ(count_selected(";polymer"), 5U);
+    EXPECT_EQ(count_selected("/2"), 0U);
+}
+
+TEST(Selection, ABareNameThatIsNoChainIsAnAtom) {
+    EXPECT_EQ(count_selected("CA"), 2U);
+    EXPECT_EQ(count_selected("CA,N"), 4U);
+}
+
+TEST(Selection, NonsenseIsAUsageError) {
+    for (const char* expression : {"//A/x-y", "(ALA", "CA[", ";z>1", "//A/1/CA/extra"}) {
+        EXPECT_THROW(count_selected(expression), UsageError) << expression;
+    }
+}
+
+}  // namespace
+}  // namespace meniscus::reading

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "fragments.h"
+
+namespace meniscus {
+namespace {
+
+using testing::error_of;
+using testing::expect_contains;
+using testing::gzipped;
+using testing::has_warning;
+using testing::pdb_line;
+using testing::read_text;
+
+// Glycine of 1CRN, residue 20.
+const std::string kGlycine = pdb_line({.name = " N  ", .residue = "GLY", .number = 20, .x = 11.0, .y = 5.0, .z = 2.0}) +
+                             pdb_line({.name = " CA ", .residue = "GLY", .number = 20, .x = 12.4, .y = 5.0, .z = 2.0}) +
+                             pdb_line({.name = " C  ", .residue = "GLY", .number = 20, .x = 13.0, .y = 6.4, .z = 2.0}) +
+                             pdb_line({.name = " O  ", .residue = "GLY", .number = 20, .x = 12.3, .y = 7.4, .z = 2.0});
+const std::string kWater = pdb_line({.name = " O  ", .residue = "HOH", .number = 99, .x = 30.0, .record = "HETATM"});
+
+TEST(ReadStructure, TellsWhereFromAndWhat) {
+    const Structure s = read_text(kGlycine + kWater, "g.pdb");
+    EXPECT_EQ(s.name, "g");
+    EXPECT_EQ(s.sha256.size(), 64U);
+    EXPECT_EQ(s.radii_set, "united");
+    ASSERT_EQ(s.atoms.size(), 4U);
+    EXPECT_EQ(s.atoms.radii, (std::vector<double>{1.70, 2.00, 1.74, 1.40}));
+    EXPECT_EQ(s.labels.at(1).name, "CA");
+    EXPECT_EQ(s.labels.at(1).element, "C");
+    EXPECT_EQ(s.labels.at(1).b_factor, 10.0);
+    ASSERT_EQ(s.residues.size(), 1U);
+    EXPECT_EQ(s.residues[0].name, "GLY");
+    EXPECT_EQ(s.residues[0].number, 20);
+    EXPECT_EQ(s.dropped.at("waters"), 1U);
+    EXPECT_TRUE(has_warning(s, "1 water left out: --waters"));
+}
+
+TEST(ReadStructure, LineEndsMarksAndCompressionChangeNothing) {
+    const Structure plain = read_text(kGlycine, "g.pdb");
+    std::string dos;
+    std::string mac;
+    for (const char c : kGlycine) {
+        dos += c == '\n' ? "\r\n" : std::string(1, c);
+        mac += c == '\n' ? '\r' : c;
+    }
+    for (const std::string& text : {dos, mac, "\xEF\xBB\xBF" + kGlycine}) {
+        const Structure other = read_text(text, "g.pdb");
+        EXPECT_EQ(other.atoms.centres, plain.atoms.centres);
+        EXPECT_EQ(other.warnings, plain.warnings);
+    }
+    EXPECT_EQ(read_text(gzipped(kGlycine), "g.pdb.gz").atoms.centres, plain.atoms.centres);
+}
+
+TEST(ReadStructure, ModelsByPosition) {
+    const std::string text =
+        "MODEL        1\n" + kGlycine + "ENDMDL\nMODEL        2\n" + pdb_line({.x = 7.0}) + "ENDMDL\n";
+    const Structure first = read_text(text, "m.pdb");
+    EXPECT_EQ(first.atoms.size(), 4U);
+    EXPECT_TRUE(has_warning(first, "model 1 of 2 taken: --model N|all"));
+    EXPECT_EQ(read_text(text, "m.pdb", {.model = 2}).atoms.centres.at(0).x, 7.0);
+    expect_contains(error_of(text, "m.pdb", {.model = 3}), "m.pdb: no model 3; there are 2");
+    expect_contains(error_of<UsageError>(text, "m.pdb", {.model = 0}), "models count from 1");
+}
+
+TEST(ReadStructure, AllModelsAreStructuresOfTheirOwn) {
+    const testing::ScratchFolder folder;
+    testing::write_file(folder / "m.pdb", "MODEL 1\n" + kGlycine + "ENDMDL\nMODEL 2\n" + pdb_line({}) + "ENDMDL\n");
+    const std::vector<Structure> models = read_all_models(folder / "m.pdb");
+    ASSERT_EQ(models.size(), 2U);
+    EXPECT_EQ(models[0].name, "m_m01");
+    EXPECT_EQ(models[1].name, "m_m02");
+    EXPECT_EQ(models[1].atoms.size(), 1U);
+}
+
+TEST(ReadStructure, ABadModelThatIsNotAskedForIsNoMatter) {
+    const std::string text = "MODEL 1\n" + kGlycine + "ENDMDL\nMODEL 2\nATOM      1\nENDMDL\n";
+    EXPECT_EQ(read_text(text, "m.pdb").atoms.size(), 4U);
+    expect_contains(error_of(text, "m.pdb", {.model = 2}), "m.pdb:8:");
+}
+
+TEST(ReadStructure, NothingLeftIsAnErrorThatSaysWhatWent) {
+    expect_contains(error_of(kWater, "w.pdb"), "w.pdb: no atoms left: 1 water left out: --waters");
+    expect_contains(error_of("", "e.pdb"), "e.pdb: no atoms in this file");
+    expect_contains(error_of(kGlycine, "g.pdb", {.select = "//Z"}), "--chains or --select leave none");
+    expect_contains(error_of("# none\n", "e.xyzr"), "no atoms in this file");
+}
+
+TEST(ReadStructure, ModifiedResiduesStayLigandsGo) {
+    const std::string mse =
+        pdb_line({.name = " N  ", .residue = "MSE", .number = 21, .x = 14.3, .y = 6.4, .z = 2.0, .record = "HETATM"}) +
+        pdb_line({.name = "SE  ", .residue = "MSE", .number = 21, .x = 17.3, .y = 9.4, .z = 2.0, .record = "HETATM"});
+    const std::string calcium = pdb_line({.name = "CA  ", .residue = "CA", .number = 40, .x = 40, .record = "HETATM"});
+    const Structure s = read_text(kGlycine + mse + calcium, "g.pdb");
+    ASSERT_EQ(s.atoms.size(), 6U);
+    EXPECT_EQ(s.labels[5].element, "SE");
+    EXPECT_EQ(s.atoms.radii[5], 2.15);
+    EXPECT_TRUE(has_warning(s, "1 CA left out: --hetero all"));
+    const Structure all = read_text(kGlycine + mse + calcium, "g.pdb", {.hetero = HeteroPolicy::All});
+    EXPECT_EQ(all.labels.at(6).element, "CA");
+    EXPECT_EQ(all.atoms.radii.at(6), 1.97);
+}
+
+TEST(ReadStructure, AssembliesAreCopied) {
+    std::string text =
+        "REMARK 350 BIOMOLECULE: 1\n"
+        "REMARK 350 APPLY THE FOLLOWING TO CHAINS: A\n";
+    for (const char* shift : {"  0.00000", "100.00000"}) {
+        text += std::string("REMARK 350   BIOMT1   1  1.000000  0.000000  0.000000      ") + shift + "\n" +
+                "REMARK 350   BIOMT2   1  0.000000  1.000000  0.000000        0.00000\n" +
+                "REMARK 350   BIOMT3   1  0.000000  0.000000  1.000000        0.00000\n";
+    }
+    const Structure s = read_text(text + kGlycine, "g.pdb", {.assembly = "1"});
+    ASSERT_EQ(s.atoms.size(), 8U);
+    EXPECT_EQ(s.atoms.centres[4].x, 111.0);
+    EXPECT_EQ(s.residues.at(1).chain, "A-2");
+    expect_contains(error_of(text + kGlycine, "g.pdb", {.assembly = "2"}), "no assembly 2; there are 1");
+    expect_contains(error_of(kGlycine, "g.pdb", {.assembly = "1"}), "the file names none");
+}
+
+TEST(ReadStructure, SpheresBringTheirRadii) {
+    const Structure s = read_text("0 0 0 1.5\n5 0 0 0\n", "s.xyzr");
+    EXPECT_EQ(s.radii_set, "file");
+    EXPECT_EQ(s.atoms.size(), 1U);
+    EXPECT_EQ(s.dropped.at("zero_radius"), 1U);
+    expect_contains(error_of<UsageError>("0 0 0 1\n", "s.xyzr", {.radii = "bondi"}), "has no atom names");
+}
+
+TEST(ReadStructure, APqrFileCanTakeAnotherSet) {
+    const std::string text = "ATOM 1 N ALA 1 0 0 0 0.5 1.0\nATOM 2 H ALA 1 1 0 0 0.5 0.5\n";
+    EXPECT_EQ(read_text(text, "p.pqr").atoms.radii, (std::vector<double>{1.0, 0.5}));
+    EXPECT_EQ(read_text(text, "p.pqr", {.radii = "bondi"}).atoms.radii, (std::vector<double>{1.55, 1.20}));
+    EXPECT_EQ(read_text(text, "p.pqr", {.radii = "united"}).atoms.radii, (std::vector<double>{1.70}));
+    EXPECT_EQ(read_text(text, "p.pqr", {.hydrogens = HydrogenPolicy::Drop}).atoms.size(), 1U);
+}
+
+TEST(ReadStructure, CoincidentAtomsAreKeptAndMentioned) {
+    const Structure s = read_text("0 0 0 1\n0 0 0 1\n0 0 0 2\n", "s.xyzr");
+    EXPECT_EQ(s.atoms.size(), 3U);
+    EXPECT_TRUE(has_warning(s, "2 atoms exactly at the place of another atom"));
+}
+
+TEST(ReadStructure, UserRulesAreASet) {
+    const testing::ScratchFolder folder;
+    testing::write_file(folder / "my.radii", "* @C 2.5\n* * 1\n");
+    const Structure s = read_text(kGlycine, "g.pdb", {.radii = folder / "my.radii"});
+    EXPECT_EQ(s.atoms.radii, (std::vector<double>{1, 2.5, 2.5, 1}));
+    EXPECT_EQ(s.radii_set, folder / "my.radii");
+}
+
+}  // namespace
+}  // namespace meniscus
