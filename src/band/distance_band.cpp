@@ -52,11 +52,13 @@ void BlockDistance::find_deepest_balls() {
         const Vec3 from = corner_ - data_->atoms.centres[balls[b]];
         const double rho = data_->rho[balls[b]];
         for (int row = 0; row < kBlockEdge * kBlockEdge; ++row) {
-            const double dy = from.y + spacing_ * (row % kBlockEdge);
-            const double dz = from.z + spacing_ * (row / kBlockEdge);
+            const int y = row % kBlockEdge;
+            const int z = row / kBlockEdge;
+            const double dy = from.y + spacing_ * y;
+            const double dz = from.z + spacing_ * z;
             const double yz = dy * dy + dz * dz;
-            double* depth = depth_ + row * kBlockEdge;
-            std::int64_t* ball = ball_ + row * kBlockEdge;
+            double* depth = depth_ + node_in_block(0, y, z);
+            std::int64_t* ball = ball_ + node_in_block(0, y, z);
             for (int x = 0; x < kBlockEdge; ++x) {
                 const double dx = from.x + spacing_ * x;
                 const double here = rho - std::sqrt(dx * dx + yz);

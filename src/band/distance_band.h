@@ -52,13 +52,6 @@ private:
     void offer_vertices();
     Sample sample(int node) const;
 
-    const AccessibleSurface* surface_;
-    const AccessibleSurface::Data* data_;
-    LocalFeatures local_;
-    double spacing_;
-    double margin_;
-    Vec3 corner_;
-
     enum class Claim : std::uint8_t { Open, Ball, Deep, Arc };
     alignas(64) double depth_[kBlockNodes];
     alignas(64) std::int64_t ball_[kBlockNodes];      // position in local_.balls(), as wide as depth_ to vectorise
@@ -66,6 +59,13 @@ private:
     double squared_arc_[kBlockNodes];                 // and of the nearest arc
     std::uint32_t arc_[kBlockNodes];
     Claim claim_[kBlockNodes];
+
+    const AccessibleSurface* surface_;
+    const AccessibleSurface::Data* data_;
+    LocalFeatures local_;
+    double spacing_;
+    double margin_;
+    Vec3 corner_;
     int open_ = 0;
 };
 

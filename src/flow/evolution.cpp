@@ -12,7 +12,7 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kNodesPerChunk = 32 * kBlockNodes;
+constexpr std::size_t kNodesPerChunk = std::size_t{32} * kBlockNodes;
 constexpr double kSolverAccuracy = 1e-5;  // root mean square error of Φ per solve, in spacings
 constexpr int kPatience = 3;              // steps in which the residual must halve
 

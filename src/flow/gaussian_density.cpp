@@ -149,8 +149,10 @@ void GaussianDensity::evaluate(const Vec3& corner, double spacing, std::span<con
             continue;
         }
         // Underflow, far from all atoms or with huge ones: the largest term of this node stands for the sum.
-        const Vec3 p = corner + spacing * Vec3{double(n % kBlockEdge), double(n / kBlockEdge % kBlockEdge),
-                                               double(n / (kBlockEdge * kBlockEdge))};
+        const int x = n % kBlockEdge;
+        const int y = n / kBlockEdge % kBlockEdge;
+        const int z = n / (kBlockEdge * kBlockEdge);
+        const Vec3 p = corner + spacing * Vec3{1.0 * x, 1.0 * y, 1.0 * z};
         sum = -std::numeric_limits<double>::infinity();
         for (const std::uint32_t i : atoms) sum = std::max(sum, exponent(i, squared_norm(p - data_->atoms.centres[i])));
     }

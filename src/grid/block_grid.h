@@ -29,7 +29,7 @@ struct BlockCoord {
     std::int32_t z = 0;
     std::int32_t y = 0;
     std::int32_t x = 0;
-    auto operator<=>(const BlockCoord&) const = default;
+    auto operator<=>(const BlockCoord&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 is wrong
 };
 
 /// Number of a node within its block.

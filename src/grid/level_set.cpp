@@ -117,7 +117,8 @@ LevelSetSample LevelSet::sample(const Vec3& point) const {
     LevelSetSample at;
     for (int k = 0; k < kSupport; ++k)
         for (int j = 0; j < kSupport; ++j) {
-            const float* row = local + kSupport * (j + kSupport * k);
+            const int first = kSupport * (j + kSupport * k);
+            const float* row = local + first;
             double f = 0.0;
             double fx = 0.0;
             double fxx = 0.0;

@@ -14,7 +14,8 @@ void apply_stencil(const Stencil& stencil, std::span<const float, kPaddedNodes> 
     const auto corner = static_cast<float>(stencil.corner);
     for (int z = 0; z < kBlockEdge; ++z)
         for (int y = 0; y < kBlockEdge; ++y) {
-            const float* own = padded.data() + kRow * (y + 1) + kSlab * (z + 1);
+            const int first = kRow * (y + 1) + kSlab * (z + 1);
+            const float* own = padded.data() + first;
             // The rows beside and diagonal to this one, summed: each node differs in one or two axes from ours.
             float beside[kPaddedEdge];
             float diagonal[kPaddedEdge];

@@ -45,12 +45,13 @@ std::pair<double, double> curvature_range(const AccessibleSurface& surface, cons
     constexpr double kStep = 1e-6;
     double low = limit;
     double high = -limit;
-    for (int i = 0; i < 27; ++i) {
-        const Vec3 step = kStep * Vec3{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
-        const double h = std::clamp(surface.nearest(p + step).mean_curvature, -limit, limit);
-        low = std::min(low, h);
-        high = std::max(high, h);
-    }
+    for (const double x : {-kStep, 0.0, kStep})
+        for (const double y : {-kStep, 0.0, kStep})
+            for (const double z : {-kStep, 0.0, kStep}) {
+                const double h = std::clamp(surface.nearest(p + Vec3{x, y, z}).mean_curvature, -limit, limit);
+                low = std::min(low, h);
+                high = std::max(high, h);
+            }
     return {low, high};
 }
 

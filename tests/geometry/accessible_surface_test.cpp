@@ -38,8 +38,7 @@ std::ostream& operator<<(std::ostream& out, const Counts& c) {
 }
 
 void expect_in_no_ball(const AccessibleSurface::Data& data, const Vec3& p) {
-    for (std::size_t i = 0; i < data.atoms.size(); ++i)
-        EXPECT_GT(norm(p - data.atoms.centres[i]), data.rho[i] - 1e-8);
+    for (std::size_t i = 0; i < data.atoms.size(); ++i) EXPECT_GT(norm(p - data.atoms.centres[i]), data.rho[i] - 1e-8);
 }
 
 void expect_on_ball(const AccessibleSurface::Data& data, std::uint32_t atom, const Vec3& p) {
@@ -85,9 +84,7 @@ Vec3 turned(const Vec3& p) {  // by a rotation that leaves no coordinate axis in
     return std::cos(angle) * p + std::sin(angle) * cross(axis, p) + (1 - std::cos(angle)) * dot(axis, p) * axis;
 }
 
-TEST(AccessibleSurface, OneSphereHasNoArcs) {
-    EXPECT_EQ(counts_of({{{1, 2, 3}}, {1.7}}), (Counts{1, 1, 0, 0}));
-}
+TEST(AccessibleSurface, OneSphereHasNoArcs) { EXPECT_EQ(counts_of({{{1, 2, 3}}, {1.7}}), (Counts{1, 1, 0, 0})); }
 
 TEST(AccessibleSurface, TwoSpheresShareAWholeCircle) {
     const AccessibleSurface surface(two_spheres(3.0, 1.7, 1.5), kProbe);
@@ -118,7 +115,8 @@ TEST(AccessibleSurface, ThreeWideSpheresLeaveAHoleBetweenThem) {
 TEST(AccessibleSurface, CountsOfClosedSurfacesFollowEuler) {
     EXPECT_EQ(counts_of(tetrahedral_spheres(2.4, 1.5)), (Counts{4, 4, 6, 4}));
     EXPECT_EQ(counts_of(octahedron(2.6, 1.7)), (Counts{6, 6, 12, 8}));
-    EXPECT_EQ(counts_of(equal_spheres({{0, 0, 0}, {2, 0, 0}, {1, 1, 1.5}, {1, 1, -1.5}, {1, 1.7, 0}}, 1.6)).exposed, 5U);
+    EXPECT_EQ(counts_of(equal_spheres({{0, 0, 0}, {2, 0, 0}, {1, 1, 1.5}, {1, 1, -1.5}, {1, 1.7, 0}}, 1.6)).exposed,
+              5U);
 }
 
 TEST(AccessibleSurface, AVoidDoublesTheCounts) {
@@ -235,8 +233,9 @@ TEST(AccessibleSurface, LipschitzConstantOfTheDistanceIsOne) {
     const std::vector<Vec3> from = random_points_around(atoms, 2000, 4.0, 1);
     const std::vector<Vec3> step = random_points_around({{{0, 0, 0}}, {1.0}}, 2000, 0.3, 2);
     for (std::size_t i = 0; i < from.size(); ++i)
-        EXPECT_LE(std::abs(surface.nearest(from[i] + step[i]).signed_distance - surface.nearest(from[i]).signed_distance),
-                  norm(step[i]) + 1e-8);
+        EXPECT_LE(
+            std::abs(surface.nearest(from[i] + step[i]).signed_distance - surface.nearest(from[i]).signed_distance),
+            norm(step[i]) + 1e-8);
 }
 
 TEST(AccessibleSurface, RefusesInvalidInput) {
@@ -248,7 +247,8 @@ TEST(AccessibleSurface, RefusesInvalidInput) {
     EXPECT_THROW(AccessibleSurface({{{0, 0, 0}}, {kNan}}, kProbe), std::invalid_argument);
     EXPECT_THROW(AccessibleSurface({{{0, kInfinity, 0}}, {1.0}}, kProbe), std::invalid_argument);
     EXPECT_THROW(AccessibleSurface({{{0, 0, 0}, {1, 1, 1}}, {1.0}}, kProbe), std::invalid_argument);
-    for (const double probe : {-0.1, kNan, kInfinity}) EXPECT_THROW(AccessibleSurface(one, probe), std::invalid_argument);
+    for (const double probe : {-0.1, kNan, kInfinity})
+        EXPECT_THROW(AccessibleSurface(one, probe), std::invalid_argument);
     const AccessibleSurface surface(one, kProbe);
     EXPECT_THROW(signed_distance(surface, std::vector<Vec3>{{0, 0, kNan}}), std::invalid_argument);
     EXPECT_THROW(signed_distance(surface, std::vector<Vec3>{{kInfinity, 0, 0}}), std::invalid_argument);

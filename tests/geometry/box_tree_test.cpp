@@ -70,7 +70,8 @@ TEST(BoxTree, VisitsNothingBeyondTheBound) {
     const std::vector<Box> boxes = random_boxes(5, 200, 0.5);
     const BoxTree tree(boxes);
     std::size_t visits = 0;
-    tree.search_nearest({-100, 0, 0}, [] { return 1.0; }, [&](std::uint32_t) { ++visits; });
+    tree.search_nearest(
+        {-100, 0, 0}, [] { return 1.0; }, [&](std::uint32_t) { ++visits; });
     EXPECT_EQ(visits, 0U);
 }
 

@@ -34,8 +34,7 @@ TEST(CanonicalAtoms, DoNotDependOnTheOrderOfTheFile) {
         EXPECT_EQ(first.centres, second.centres);
         EXPECT_EQ(first.radii, second.radii);
         EXPECT_EQ(first.cell_keys, second.cell_keys);
-        for (std::size_t i = 0; i < first.size(); ++i)
-            EXPECT_EQ(first.original[i], other.order[second.original[i]]);
+        for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first.original[i], other.order[second.original[i]]);
     }
 }
 

@@ -104,26 +104,12 @@ TEST(Nearest, WorksFarFromAnOutlierAtom) {
 }
 
 TEST(Nearest, AgreesWithBruteForceOnRandomClusters) {
-    std::mt19937_64 random(11);
-    std::uniform_real_distribution<double> within(0.0, 9.0);
-    std::uniform_real_distribution<double> size(0.8, 2.2);
-    for (int round = 0; round < 20; ++round) {
-        Atoms atoms;
-        for (int i = 0; i < 40; ++i) {
-            atoms.centres.push_back({within(random), within(random), within(random)});
-            atoms.radii.push_back(size(random));
-        }
-        expect_brute_force_distances(atoms, round % 4 == 0 ? 0.0 : 0.5 * (round % 4), 500);
-    }
+    for (std::uint64_t seed = 0; seed < 20; ++seed)
+        expect_brute_force_distances(random_cluster(seed, 40, 9.0), 0.5 * static_cast<double>(seed % 4), 500);
 }
 
 TEST(Nearest, AgreesWithBruteForceOnACubicLattice) {
-    Atoms atoms;
-    for (int i = 0; i < 27; ++i) {
-        atoms.centres.push_back({2.0 * (i % 3), 2.0 * (i / 3 % 3), 2.0 * (i / 9)});
-        atoms.radii.push_back(1.5);
-    }
-    expect_brute_force_distances(atoms, 1.4, 2000);
+    expect_brute_force_distances(cubic_lattice(3, 2.0, 1.5), 1.4, 2000);
 }
 
 TEST(Nearest, AgreesWithBruteForceOnEverySphereFile) {

@@ -15,8 +15,8 @@ TEST(ParallelCurvature, OfSpheresIsTheInverseRadiusWithItsSign) {
 }
 
 TEST(ParallelCurvature, OfATorusIsThatOfItsPrincipalRadii) {
-    const double a = 3.0;  // circle
-    const double d = 1.4;  // tube
+    const double a = 3.0;                                                                  // circle
+    const double d = 1.4;                                                                  // tube
     EXPECT_NEAR(toroidal_curvature(a, a - d, d), 0.5 * (1.0 / (a - d) - 1.0 / d), 1e-15);  // at the waist
     for (const double angle : {0.3, 0.9, 1.4}) {
         const double from_axis = a - d * std::cos(angle);

@@ -30,13 +30,14 @@ std::vector<float> numbered_nodes(const BlockGrid& grid) {
 }
 
 // The value at a node given by its position in the whole lattice.
-float direct_lookup(const BlockGrid& grid, const std::vector<float>& field, const std::array<int, 3>& node, float fill) {
+float direct_lookup(const BlockGrid& grid, const std::vector<float>& field, const std::array<int, 3>& node,
+                    float fill) {
     const auto block_of = [](int i) { return i >= 0 ? i / kBlockEdge : -((-i + kBlockEdge - 1) / kBlockEdge); };
     const BlockCoord coord{.z = block_of(node[2]), .y = block_of(node[1]), .x = block_of(node[0])};
     const BlockId block = grid.find(coord);
     if (block == kNoBlock) return fill;
-    const int local = node_in_block(node[0] - kBlockEdge * coord.x, node[1] - kBlockEdge * coord.y,
-                                    node[2] - kBlockEdge * coord.z);
+    const int local =
+        node_in_block(node[0] - kBlockEdge * coord.x, node[1] - kBlockEdge * coord.y, node[2] - kBlockEdge * coord.z);
     return field[std::size_t{block} * kBlockNodes + static_cast<std::size_t>(local)];
 }
 
@@ -109,10 +110,9 @@ TEST(GatherPadded, EqualsDirectLookups) {
         for (int z = -1; z <= kBlockEdge; ++z)
             for (int y = -1; y <= kBlockEdge; ++y)
                 for (int x = -1; x <= kBlockEdge; ++x, ++at)
-                    ASSERT_EQ(padded[at], direct_lookup(grid, field,
-                                                        {kBlockEdge * c.x + x, kBlockEdge * c.y + y,
-                                                         kBlockEdge * c.z + z},
-                                                        kFill));
+                    ASSERT_EQ(padded[at],
+                              direct_lookup(grid, field,
+                                            {kBlockEdge * c.x + x, kBlockEdge * c.y + y, kBlockEdge * c.z + z}, kFill));
     }
 }
 

@@ -44,6 +44,7 @@ inline Atoms octahedron(double from_centre, double radius) {
 
 inline Atoms line(int count, double step, double radius) {
     std::vector<Vec3> centres;
+    centres.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) centres.push_back({step * i, 0, 0});
     return equal_spheres(std::move(centres), radius);
 }
@@ -61,7 +62,9 @@ inline Atoms ring(int count, double ring_radius, double radius) {
 /// n³ spheres.
 inline Atoms cubic_lattice(int n, double step, double radius) {
     std::vector<Vec3> centres;
-    for (int i = 0; i < n * n * n; ++i) centres.push_back({step * (i % n), step * (i / n % n), step * (i / (n * n))});
+    for (int z = 0; z < n; ++z)
+        for (int y = 0; y < n; ++y)
+            for (int x = 0; x < n; ++x) centres.push_back(step * Vec3{1.0 * x, 1.0 * y, 1.0 * z});
     return equal_spheres(std::move(centres), radius);
 }
 

@@ -59,8 +59,8 @@ void BruteForceSes::find_points() {
             const Vec3 in_plane = q - dot(q, circle.axis) * circle.axis;
             const double along = norm(in_plane);
             if (k == circle.j || along < 1e-12) continue;
-            const double cosine = (squared_norm(q) + circle.radius * circle.radius - rho_[k] * rho_[k]) /
-                                  (2.0 * circle.radius * along);
+            const double cosine =
+                (squared_norm(q) + circle.radius * circle.radius - rho_[k] * rho_[k]) / (2.0 * circle.radius * along);
             if (std::abs(cosine) > 1.0) continue;
             const Vec3 u = (1.0 / along) * in_plane;
             const Vec3 v = cross(circle.axis, u);

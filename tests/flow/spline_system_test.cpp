@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "flow/spline_system.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "core/parallel.h"
+#include "support/sampled_field.h"
+
+namespace meniscus::testing {
+namespace {
+
+using Field = std::vector<float>;
+
+// Seven blocks in a cross, some neighbours missing.
+BlockGrid cross_of_blocks(double spacing) {
+    return {spacing,
+            {},
+            {{.z = 0, .y = 0, .x = 0},
+             {.z = 0, .y = 0, .x = 1},
+             {.z = 0, .y = 0, .x = -1},
+             {.z = 0, .y = 1, .x = 0},
+             {.z = 0, .y = -1, .x = 0},
+             {.z = 1, .y = 0, .x = 0},
+             {.z = -1, .y = 0, .x = 0}}};
+}
+
+Field random_field(std::uint64_t seed, std::size_t size) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<float> value(-1.0F, 1.0F);
+    Field field(size);
+    for (float& v : field) v = value(random);
+    return field;
+}
+
+NodeMask random_mask(std::uint64_t seed, std::size_t size, double part) {
+    std::mt19937_64 random(seed);
+    std::bernoulli_distribution in(part);
+    NodeMask mask(size);
+    for (std::uint8_t& m : mask) m = in(random) ? 1 : 0;
+    return mask;
+}
+
+Field applied(const BlockGrid& grid, const Stencil& stencil, const Field& x, const BlockFill& fill) {
+    Field result(x.size());
+    apply_everywhere(grid, stencil, x, fill, result);
+    return result;
+}
+
+double residual_on_mask(const Field& image, const Field& b, const NodeMask& mask) {
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t n = 0; n < b.size(); ++n)
+        if (mask[n] != 0) {
+            sum += std::pow(double{image[n]} - b[n], 2);
+            count += 1.0;
+        }
+    return std::sqrt(sum / count);
+}
+
+double product(const Field& a, const Field& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0, std::plus<>(),
+                              [](float x, float y) { return double{x} * y; });
+}
+
+// Solves a dense system by elimination with pivots; a is row by row with b as its last column.
+std::vector<double> eliminate(std::vector<std::vector<double>> a) {
+    const std::size_t n = a.size();
+    for (std::size_t k = 0; k < n; ++k) {
+        const auto pivot = std::max_element(a.begin() + static_cast<std::ptrdiff_t>(k), a.end(),
+                                            [&](auto& p, auto& q) { return std::abs(p[k]) < std::abs(q[k]); });
+        std::swap(a[k], *pivot);
+        for (std::size_t row = k + 1; row < n; ++row)
+            for (std::size_t col = n + 1; col-- > k;) a[row][col] -= a[row][k] / a[k][k] * a[k][col];
+    }
+    std::vector<double> x(n);
+    for (std::size_t k = n; k-- > 0;) {
+        x[k] = a[k][n];
+        for (std::size_t col = k + 1; col < n; ++col) x[k] -= a[k][col] * x[col];
+        x[k] /= a[k][k];
+    }
+    return x;
+}
+
+// The dense matrix of the unknowns, column by column from unit vectors, and the right side without known values.
+std::vector<std::vector<double>> dense_system(const BlockGrid& grid, const Stencil& stencil,
+                                              const std::vector<std::size_t>& unknowns, const Field& b,
+                                              const Field& known, const BlockFill& fill) {
+    std::vector<std::vector<double>> a(unknowns.size(), std::vector<double>(unknowns.size() + 1));
+    const Field from_known = applied(grid, stencil, known, fill);
+    const BlockFill no_fill(grid.block_count(), 0.0F);
+    for (std::size_t col = 0; col < unknowns.size(); ++col) {
+        Field unit(known.size());
+        unit[unknowns[col]] = 1.0F;
+        const Field column = applied(grid, stencil, unit, no_fill);
+        for (std::size_t row = 0; row < unknowns.size(); ++row) a[row][col] = column[unknowns[row]];
+        a[col].back() = double{b[unknowns[col]]} - from_known[unknowns[col]];
+    }
+    return a;
+}
+
+// What a step of the flow solves, at a time step in units of h².
+Stencil flow_stencil(double spacing, double step, double anchor) {
+    const double tau = step * spacing * spacing;
+    return (1.0 + tau * anchor / (spacing * spacing)) * spline_value() - tau * spline_laplacian(spacing);
+}
+
+TEST(ApplyEverywhere, UsesNeighboursAndTheFillOfEachBlock) {
+    const BlockGrid grid(1.0, {}, {{.z = 0, .y = 0, .x = 0}, {.z = 0, .y = 0, .x = 1}, {.z = 9, .y = 0, .x = 0}});
+    Field ones(grid.node_count(), 1.0F);
+    const Field same = applied(grid, spline_value(), ones, {1.0F, 1.0F, 1.0F});
+    for (const float v : same) EXPECT_NEAR(v, 1.0F, 1e-6);
+    const Field open = applied(grid, spline_value(), ones, {0.0F, 1.0F, 0.0F});
+    EXPECT_NEAR(open[static_cast<std::size_t>(node_in_block(7, 4, 4))], 1.0F, 1e-6);  // its neighbour is there
+    EXPECT_NEAR(open[static_cast<std::size_t>(node_in_block(0, 4, 4))], 5.0F / 6.0F, 1e-6);
+    EXPECT_NEAR(open[static_cast<std::size_t>(kBlockNodes + node_in_block(7, 4, 4))], 1.0F, 1e-6);
+    EXPECT_NEAR(open[static_cast<std::size_t>(2 * kBlockNodes + node_in_block(7, 7, 7))], 125.0F / 216.0F, 1e-6);
+}
+
+TEST(SplineSystem, EqualsElimination) {
+    const BlockGrid grid = cross_of_blocks(0.5);
+    const NodeMask mask = random_mask(1, grid.node_count(), 0.05);
+    std::vector<std::size_t> unknowns;
+    for (std::size_t n = 0; n < mask.size(); ++n)
+        if (mask[n] != 0) unknowns.push_back(n);
+    const Field b = random_field(2, grid.node_count());
+    const BlockFill fill = random_field(3, grid.block_count());
+    for (const Stencil& stencil : {spline_value(), flow_stencil(0.5, 1.0, 4.0), flow_stencil(0.5, 64.0, 16.0)}) {
+        Field x = random_field(4, grid.node_count());
+        Field known = x;
+        for (const std::size_t n : unknowns) known[n] = 0.0F;
+        const std::vector<double> expected = eliminate(dense_system(grid, stencil, unknowns, b, known, fill));
+        SplineSystem(grid).solve(stencil, mask, fill, b, x, {.tolerance = 1e-7 * stencil.centre});
+        for (std::size_t k = 0; k < unknowns.size(); ++k) EXPECT_NEAR(x[unknowns[k]], expected[k], 1e-5);
+    }
+}
+
+TEST(SplineSystem, LeavesNoResidual) {
+    const BlockGrid grid = cross_of_blocks(0.25);
+    const NodeMask mask = random_mask(5, grid.node_count(), 0.7);
+    const Field b = random_field(6, grid.node_count());
+    const BlockFill fill(grid.block_count(), 0.5F);
+    const Stencil stencil = flow_stencil(0.25, 16.0, 16.0);
+    Field x(grid.node_count());
+    const double tolerance = 1e-6 * stencil.centre;
+    const SolveResult result = SplineSystem(grid).solve(stencil, mask, fill, b, x, {.tolerance = tolerance});
+    EXPECT_LE(result.residual, tolerance);
+    EXPECT_GT(result.iterations, 3);
+    EXPECT_LT(result.iterations, 60);
+    EXPECT_LT(residual_on_mask(applied(grid, stencil, x, fill), b, mask), 2.0 * tolerance);
+}
+
+TEST(SplineSystem, WritesOnTheMaskOnly) {
+    const BlockGrid grid = cross_of_blocks(0.5);
+    const NodeMask mask = random_mask(7, grid.node_count(), 0.3);
+    const Field before = random_field(8, grid.node_count());
+    Field x = before;
+    SplineSystem(grid).solve(spline_value(), mask, BlockFill(grid.block_count(), 1.0F),
+                             random_field(9, grid.node_count()), x, {});
+    for (std::size_t n = 0; n < x.size(); ++n) {
+        if (mask[n] == 0) {
+            ASSERT_EQ(x[n], before[n]);
+        }
+    }
+}
+
+TEST(SplineSystem, NothingUnknownNeedsNoIteration) {
+    const BlockGrid grid = cross_of_blocks(0.5);
+    Field x = random_field(10, grid.node_count());
+    const Field before = x;
+    const SolveResult result = SplineSystem(grid).solve(spline_value(), NodeMask(grid.node_count()),
+                                                        BlockFill(grid.block_count(), 1.0F), before, x, {});
+    EXPECT_EQ(result.iterations, 0);
+    EXPECT_EQ(result.residual, 0.0);
+    EXPECT_EQ(x, before);
+}
+
+TEST(SplineSystem, StopsAtTheAllowedIterations) {
+    const BlockGrid grid = cross_of_blocks(0.5);
+    const NodeMask mask(grid.node_count(), 1);
+    Field x(grid.node_count());
+    const SolveResult result =
+        SplineSystem(grid).solve(spline_value(), mask, BlockFill(grid.block_count(), 0.0F),
+                                 random_field(11, grid.node_count()), x, {.tolerance = 0.0, .max_iterations = 3});
+    EXPECT_EQ(result.iterations, 3);
+    EXPECT_GT(result.residual, 0.0);
+}
+
+TEST(SplineSystem, AnEarlierSolveLeavesNoTrace) {
+    const BlockGrid grid = cross_of_blocks(0.5);
+    const BlockFill fill(grid.block_count(), 0.3F);
+    const Field b = random_field(12, grid.node_count());
+    NodeMask first_block(grid.node_count());
+    std::fill_n(first_block.begin(), kBlockNodes, std::uint8_t{1});
+    SplineSystem fresh(grid);
+    Field expected(grid.node_count());
+    fresh.solve(spline_value(), first_block, fill, b, expected, {});
+    SplineSystem used(grid);
+    Field other(grid.node_count());
+    used.solve(spline_value(), NodeMask(grid.node_count(), 1), fill, b, other, {});
+    Field x(grid.node_count());
+    used.solve(spline_value(), first_block, fill, b, x, {});
+    EXPECT_EQ(x, expected);
+}
+
+TEST(SplineSystem, HasTheSameBitsForAnyNumberOfThreads) {
+    const BlockGrid grid(0.5, {}, box_of_blocks({.z = 0, .y = 0, .x = 0}, {.z = 4, .y = 4, .x = 4}));
+    const NodeMask mask = random_mask(13, grid.node_count(), 0.6);
+    const Field b = random_field(14, grid.node_count());
+    const auto solved = [&](int threads) {
+        const ThreadLimit limit(threads);
+        Field x(grid.node_count());
+        SplineSystem(grid).solve(flow_stencil(0.5, 16.0, 16.0), mask, BlockFill(grid.block_count(), 0.0F), b, x, {});
+        return x;
+    };
+    const Field one = solved(1);
+    EXPECT_EQ(one, solved(2));
+    EXPECT_EQ(one, solved(0));
+}
+
+// (x, A y) = (A x, y) and (x, A x) > 0 with zeros outside: what conjugate gradients need.
+TEST(SplineSystem, ItsOperatorIsSymmetricAndPositiveDefinite) {
+    const BlockGrid grid = cross_of_blocks(0.25);
+    const BlockFill zero(grid.block_count(), 0.0F);
+    for (const Stencil& stencil : {spline_value(), flow_stencil(0.25, 0.5, 4.0), flow_stencil(0.25, 64.0, 16.0)})
+        for (std::uint64_t seed = 0; seed < 5; ++seed) {
+            const Field x = random_field(seed, grid.node_count());
+            const Field y = random_field(seed + 100, grid.node_count());
+            const Field ax = applied(grid, stencil, x, zero);
+            EXPECT_NEAR(product(ax, y), product(x, applied(grid, stencil, y, zero)), 1e-3 * stencil.centre);
+            EXPECT_GT(product(ax, x), 0.03 * product(x, x));
+        }
+}
+
+// The highest frequency has the smallest eigenvalue of B, (1/3)³, and the largest of the flow's Laplacian part.
+TEST(SplineSystem, SmallestEigenvalueOfTheValuesIsATwentySeventh) {
+    const BlockGrid grid(0.5, {}, {{.z = 0, .y = 0, .x = 0}});
+    Field checkerboard(kBlockNodes);
+    for (int n = 0; n < kBlockNodes; ++n)
+        checkerboard[static_cast<std::size_t>(n)] = (n + n / 8 + n / 64) % 2 == 0 ? 1.0F : -1.0F;
+    const Field image = applied(grid, spline_value(), checkerboard, {0.0F});
+    const auto inner = static_cast<std::size_t>(node_in_block(3, 4, 5));
+    EXPECT_NEAR(image[inner] / checkerboard[inner], 1.0 / 27.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace meniscus::testing
