@@ -99,13 +99,15 @@ public:
     EvolutionResult take() { return std::move(result_); }
 
 private:
-    // Unknowns are the nodes near either surface; all others hold s, clamped, and its coefficients.
+    // Unknowns are the nodes near either surface; all others hold s, clamped, and its coefficients. After a step Φ is
+    // near s: then the nodes near s alone make the steady state the same from every start.
     void find_unknowns() {
         const auto tau = static_cast<float>(tau_);
         const auto lambda = static_cast<float>(lambda_);
+        const bool at_start = result_.steps == 0;
         for_each_node(mask_.size(), [&](std::size_t n) {
             const float s = band_.distance[n];
-            const bool unknown = std::abs(s) < near_ || std::abs(result_.values[n]) < near_;
+            const bool unknown = std::abs(s) < near_ || (at_start && std::abs(result_.values[n]) < near_);
             mask_[n] = unknown ? 1 : 0;
             if (!unknown) result_.coefficients[n] = outside_[n];
             rhs_[n] = result_.values[n] + tau * (lambda * s - 2.0F * band_.curvature[n]);

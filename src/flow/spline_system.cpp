@@ -43,11 +43,7 @@ void apply_everywhere(const BlockGrid& grid, const Stencil& stencil, std::span<c
 }
 
 SplineSystem::SplineSystem(const BlockGrid& grid)
-    : grid_(&grid),
-      zero_fill_(grid.block_count(), 0.0F),
-      residual_(grid.node_count()),
-      direction_(grid.node_count()),
-      image_(grid.node_count()) {}
+    : grid_(&grid), residual_(grid.node_count()), direction_(grid.node_count()), image_(grid.node_count()) {}
 
 // residual = b - A x on the mask, 0 elsewhere; returns its squared norm.
 double SplineSystem::start(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill,

@@ -53,7 +53,6 @@ private:
     void turn(double beta);
 
     const BlockGrid* grid_;
-    BlockFill zero_fill_;
     std::vector<BlockId> active_;  // blocks with unknowns
     std::size_t unknowns_ = 0;
     std::vector<float> residual_;

@@ -52,7 +52,7 @@ struct ChunkResult {
 
 enum class Coverage { Open, Buried };
 
-// Gathers the caps that neighbours bury on atom i, largest first; Buried if one neighbour covers all of it.
+// Gathers the caps that neighbours bury on atom i; Buried if one neighbour covers all of it.
 Coverage gather_caps(const AccessibleSurface::Data& data, const CellList& cells, std::uint32_t i,
                      std::vector<Cap>& caps) {
     caps.clear();
@@ -72,8 +72,6 @@ Coverage gather_caps(const AccessibleSurface::Data& data, const CellList& cells,
         else if (power < full)
             caps.push_back({(1.0 / d) * between, power / full, j});
     });
-    std::sort(caps.begin(), caps.end(),
-              [](const Cap& a, const Cap& b) { return a.t != b.t ? a.t < b.t : a.atom < b.atom; });
     return coverage;
 }
 

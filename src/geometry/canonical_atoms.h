@@ -26,7 +26,7 @@ struct CanonicalAtoms {
 ///
 /// cell     edge of the sorting cells, Å; enlarged where the extent would need more than 2^20 of them
 /// throws   std::invalid_argument for no atoms, a radius that is not positive and finite, a coordinate that
-///          is not finite
+///          is not finite; LimitError for coordinates or radii beyond 1e12 Å
 /// cost     O(n log n)
 CanonicalAtoms canonical_atoms(const Atoms& atoms, double cell);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace meniscus {
@@ -18,14 +19,6 @@ double diamond_angle(double x, double y) {
 
 double wrapped(double angle) { return angle < 0.0 ? angle + 4.0 : angle; }
 
-// Squared sine of the angle between the axes: from the cross product, since 1 - cos² cancels (METHOD pitfall 2).
-double squared_sine(const Cap& a, const Cap& b) { return squared_norm(cross(a.axis, b.axis)); }
-
-// Positive when the line in which the rims' planes meet passes inside the unit sphere.
-double crossing_discriminant(const Cap& a, const Cap& b) {
-    return squared_sine(a, b) - (a.t * a.t + b.t * b.t - 2.0 * dot(a.axis, b.axis) * a.t * b.t);
-}
-
 // For rims that do not cross: whether the rim of `a` lies in cap `b`.
 bool rim_is_inside(const Cap& a, const Cap& b) { return dot(a.axis, b.axis) * a.t > b.t; }
 
@@ -36,31 +29,57 @@ Vec3 perpendicular(const Vec3& axis) {
     return normalised(cross(axis, other));
 }
 
-bool rims_cross(const Cap& a, const Cap& b) { return crossing_discriminant(a, b) > 0.0; }
-
-Vec3 rim_crossing(const Cap& a, const Cap& b) {
+RimCrossing cross_rims(const Cap& a, const Cap& b) {
     const Vec3 w = cross(a.axis, b.axis);
-    const double d = squared_norm(w);
+    const double d = squared_norm(w);  // sin² of the axes' angle: 1 - cos² would cancel (near-parallel caps)
     const double g = dot(a.axis, b.axis);
-    const double alpha = (a.t - g * b.t) / d;
-    const double beta = (b.t - g * a.t) / d;
-    const double gamma = std::sqrt(std::max(0.0, crossing_discriminant(a, b))) / d;
-    return alpha * a.axis + beta * b.axis + gamma * w;
+    // Positive when the line in which the rims' planes meet passes inside the unit sphere.
+    const double discriminant = d - (a.t * a.t + b.t * b.t - 2.0 * g * a.t * b.t);
+    if (!(discriminant > 0.0)) return {};
+    const double scale = 1.0 / d;
+    const Vec3 middle = scale * ((a.t - g * b.t) * a.axis + (b.t - g * a.t) * b.axis);
+    const Vec3 off = scale * std::sqrt(discriminant) * w;
+    return {true, middle + off, middle - off};
 }
 
-double ContourBuilder::pseudo_angle(std::uint32_t cap, const Vec3& n) const {
-    const Vec3& e1 = frames_[cap];
-    return diamond_angle(dot(n, e1), dot(n, cross(e1, caps_[cap].axis)));
+Vec3 rim_crossing(const Cap& a, const Cap& b) {
+    const RimCrossing crossing = cross_rims(a, b);
+    // Rims that only touch by rounding: the touching point lies in the plane of the axes.
+    return crossing.crosses ? crossing.onto : normalised(a.t * a.axis + b.t * b.axis);
+}
+
+const ContourBuilder::Frame& ContourBuilder::frame(std::uint32_t cap) {
+    Frame& frame = frames_[cap];
+    if (!frame.known) {
+        const Vec3 e1 = perpendicular(caps_[cap].axis);
+        frame = {true, e1, cross(e1, caps_[cap].axis)};
+    }
+    return frame;
+}
+
+double ContourBuilder::pseudo_angle(std::uint32_t cap, const Vec3& n) {
+    const Frame& at = frame(cap);
+    return diamond_angle(dot(n, at.e1), dot(n, at.e2));
+}
+
+// Most spheres are buried after a few caps: a heap gives the largest without sorting the rest.
+std::uint32_t ContourBuilder::take_largest() {
+    std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
+    const std::uint32_t cap = heap_.back().second;
+    heap_.pop_back();
+    return cap;
 }
 
 bool ContourBuilder::build(std::span<const Cap> caps) {
     caps_ = caps;
-    frames_.clear();
-    for (const Cap& cap : caps) frames_.push_back(perpendicular(cap.axis));
+    frames_.assign(caps.size(), Frame{});
+    heap_.clear();
+    for (std::uint32_t k = 0; k < caps.size(); ++k) heap_.emplace_back(caps[k].t, k);
+    std::make_heap(heap_.begin(), heap_.end(), std::greater<>());
     arcs_.clear();
     kept_.clear();
-    for (std::uint32_t k = 0; k < caps.size() && exposed(); ++k)
-        if (!insert(k)) return false;
+    while (!heap_.empty() && exposed())
+        if (!insert(take_largest())) return false;
     return true;
 }
 
@@ -72,9 +91,9 @@ bool ContourBuilder::insert(std::uint32_t k) {
     bool changed = false;
     for (const ContourArc& arc : arcs_) {
         const Cap& other = caps_[arc.cap];
-        if (rims_cross(other, cap)) {
+        if (const RimCrossing crossing = cross_rims(other, cap); crossing.crosses) {
             const std::size_t before = entries_.size() + exits_.size() + next_arcs_.size();
-            cut(arc, k, rim_crossing(other, cap), rim_crossing(cap, other));
+            cut(arc, k, crossing.onto, crossing.back);
             const bool untouched = entries_.size() + exits_.size() + next_arcs_.size() == before + 1;
             changed = changed || !untouched;
         } else if (rim_is_inside(other, cap)) {
@@ -142,9 +161,9 @@ bool ContourBuilder::close_rim(std::uint32_t k) {
 }
 
 // For a rim that crosses no arc of the contour: it lies wholly in exposed or wholly in buried ground.
-bool ContourBuilder::rim_is_exposed(std::uint32_t k) const {
+bool ContourBuilder::rim_is_exposed(std::uint32_t k) {
     const Cap& cap = caps_[k];
-    const Vec3 n = cap.t * cap.axis + std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t)) * frames_[k];
+    const Vec3 n = cap.t * cap.axis + std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t)) * frame(k).e1;
     return std::none_of(kept_.begin(), kept_.end(),
                         [&](std::uint32_t j) { return dot(n, caps_[j].axis) > caps_[j].t; });
 }

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "meniscus/vec3.h"
@@ -38,7 +39,7 @@ struct ContourArc {
 /// Builds the contours of spheres one after the other, reusing its memory.
 class ContourBuilder {
 public:
-    /// Inserts the caps in the order given (largest first is fastest).
+    /// Inserts the caps largest first, whatever their order.
     ///
     /// returns  false if rounding made the arrangement inconsistent: perturb and try again
     /// cost     O(caps · arcs), stops as soon as nothing is exposed
@@ -56,15 +57,24 @@ private:
         std::uint32_t cap;  // the other rim
     };
 
+    struct Frame {
+        bool known = false;
+        Vec3 e1;  // direction of pseudo-angle 0
+        Vec3 e2;  // a quarter turn clockwise around the cap
+    };
+
+    std::uint32_t take_largest();
+    const Frame& frame(std::uint32_t cap);
     bool insert(std::uint32_t k);
     bool close_rim(std::uint32_t k);
     void cut(const ContourArc& arc, std::uint32_t k, const Vec3& entry, const Vec3& exit);
     void keep_piece(ContourArc piece, std::uint32_t k, const Vec3& entry, const Vec3& exit);
-    bool rim_is_exposed(std::uint32_t k) const;
-    double pseudo_angle(std::uint32_t cap, const Vec3& n) const;
+    bool rim_is_exposed(std::uint32_t k);
+    double pseudo_angle(std::uint32_t cap, const Vec3& n);
 
     std::span<const Cap> caps_;
-    std::vector<Vec3> frames_;  // of each cap: the direction of pseudo-angle 0
+    std::vector<std::pair<double, std::uint32_t>> heap_;  // (t, cap) of those to come, smallest t on top
+    std::vector<Frame> frames_;
     std::vector<ContourArc> arcs_;
     std::vector<ContourArc> next_arcs_;
     std::vector<Crossing> entries_;
@@ -75,11 +85,15 @@ private:
 /// A unit vector perpendicular to the unit vector `axis`.
 Vec3 perpendicular(const Vec3& axis);
 
-/// The direction where the contour passes from the rim of cap `a` onto the rim of cap `b`.
-/// Precondition: the rims cross.
-Vec3 rim_crossing(const Cap& a, const Cap& b);
+/// Where the rims of two caps meet.
+struct RimCrossing {
+    bool crosses = false;
+    Vec3 onto;  ///< where the contour passes from the rim of the first cap onto that of the second
+    Vec3 back;  ///< and from the second onto the first
+};
+RimCrossing cross_rims(const Cap& a, const Cap& b);
 
-/// Whether the rims of two caps cross in two points.
-bool rims_cross(const Cap& a, const Cap& b);
+/// RimCrossing::onto. Precondition: the rims cross.
+Vec3 rim_crossing(const Cap& a, const Cap& b);
 
 }  // namespace meniscus

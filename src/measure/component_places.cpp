@@ -3,7 +3,9 @@
 #include "measure/component_places.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "geometry/nearest_feature.h"
 
@@ -49,40 +51,72 @@ std::vector<Vec3> points_on_components(const SesPatches& patches) {
     return points;
 }
 
-// The balls around a cavity, to evaluate the gap to the nearest atom many times.
+// The gap to the nearest atom near one place, to be evaluated many times.
 class Gap {
 public:
-    Gap(const AccessibleSurface& surface, const Box& around) : data_(surface.data()) {
-        data_.atom_tree.for_each_overlapping(around, [&](std::uint32_t i) { atoms_.push_back(i); });
+    explicit Gap(const AccessibleSurface& surface) : data_(surface.data()) {}
+
+    /// Prepares for points up to `reach` from a place, whose own gap it returns.
+    double gather(const Vec3& place, double reach) {
+        const double gap = surface_gap(place);
+        Box box;
+        box.include(place);
+        balls_.clear();
+        data_.atom_tree.for_each_overlapping(
+            box.grown(gap + 2.0 * reach + data_.rho_max - data_.probe), [&](std::uint32_t i) {
+                const double own = norm(place - data_.atoms.centres[i]) - data_.atoms.radii[i];
+                if (own < gap + 2.0 * reach) balls_.push_back({data_.atoms.centres[i], data_.atoms.radii[i]});
+            });
+        return gap;
     }
     double operator()(const Vec3& p) const {
         double gap = std::numeric_limits<double>::infinity();
-        for (const std::uint32_t i : atoms_)
-            gap = std::min(gap, norm(p - data_.atoms.centres[i]) - data_.atoms.radii[i]);
+        for (const Ball& ball : balls_) gap = std::min(gap, norm(p - ball.centre) - ball.radius);
         return gap;
     }
 
 private:
+    struct Ball {
+        Vec3 centre;
+        double radius;
+    };
+    double surface_gap(const Vec3& p) const { return -nearest_hit(data_, p).ball.depth + data_.probe; }
+
     const AccessibleSurface::Data& data_;
-    std::vector<std::uint32_t> atoms_;
+    std::vector<Ball> balls_;
 };
 
-// Compass search on the cube's 26 directions; steps never leave the empty sphere in hand by more than the probe.
-InscribedSphere ascend(const Gap& gap, const Vec3& start, double probe) {
-    constexpr double kLastStep = 1e-6;  // Å
-    InscribedSphere best{start, gap(start)};
-    for (double step = std::max(0.25 * probe, 0.05); step > kLastStep;) {
+// A frame that turns from call to call, so that a search along its axes does not stall in a crease.
+std::array<Vec3, 3> turning_frame(int turn) {
+    const double angle = 2.399963229728653 * turn;
+    const Vec3 e1 = normalised({std::cos(angle), std::sin(angle), 0.6 * std::cos(1.7 * angle)});
+    const Vec3 e2 = perpendicular(e1);
+    return {e1, e2, cross(e1, e2)};
+}
+
+// Compass search from one place for the largest gap, until the step falls below `last_step`.
+InscribedSphere ascend(Gap& gap, const InscribedSphere& start, double step, double last_step) {
+    InscribedSphere best = start;
+    double travel = 4.0 * step;  // what the gathered balls are good for
+    Vec3 gathered = best.centre;
+    best.radius = gap.gather(gathered, travel);
+    for (int turn = 0; step > last_step; ++turn) {
+        if (norm(best.centre - gathered) + 2.0 * step > travel) {
+            travel = 4.0 * step;
+            gathered = best.centre;
+            gap.gather(gathered, travel);
+        }
         InscribedSphere next = best;
-        for (int d = 0; d < 27; ++d) {
-            if (d == 13) continue;  // stay
-            const Vec3 direction{double(d % 3 - 1), double(d / 3 % 3 - 1), double(d / 9 - 1)};
-            const Vec3 p = best.centre + (step / norm(direction)) * direction;
+        const auto [e1, e2, e3] = turning_frame(turn);
+        for (int d = 0; d < 27; ++d) {  // to the corners, edges and faces of a cube
+            const Vec3 towards = (d % 3 - 1.0) * e1 + (d / 3 % 3 - 1.0) * e2 + (d / 9 - 1.0) * e3;
+            const Vec3 p = best.centre + step * towards;
             if (const double r = gap(p); r > next.radius) next = {p, r};
         }
         if (next.radius > best.radius)
             best = next;
         else
-            step *= 0.5;
+            step *= 0.7;
     }
     return best;
 }
@@ -119,18 +153,18 @@ std::vector<std::uint32_t> nest_components(const AccessibleSurface& surface, con
 }
 
 InscribedSphere largest_inscribed_sphere(const AccessibleSurface& surface, std::span<const Vec3> starts) {
-    constexpr std::size_t kMostStarts = 32;
-    Box box;
-    for (const Vec3& start : starts) box.include(start);
-    // Every empty sphere of the cavity touches atoms that line it: those within reach of its probe positions.
-    const Gap gap(surface, box.grown(2.0 * surface.data().rho_max));
+    constexpr std::size_t kMostStarts = 48;
+    constexpr double kCoarse = 0.05;  // Å: enough to tell which start leads highest
+    constexpr double kFine = 1e-7;
+    Gap gap(surface);
     InscribedSphere best;
+    const double step = std::max(0.25 * surface.probe(), kCoarse);
     const std::size_t stride = (starts.size() + kMostStarts - 1) / kMostStarts;
     for (std::size_t s = 0; s < starts.size(); s += stride) {
-        const InscribedSphere found = ascend(gap, starts[s], surface.probe());
+        const InscribedSphere found = ascend(gap, {starts[s], 0.0}, step, kCoarse);
         if (found.radius > best.radius) best = found;
     }
-    return best;
+    return ascend(gap, best, kCoarse, kFine);
 }
 
 }  // namespace meniscus

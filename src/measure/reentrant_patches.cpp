@@ -92,7 +92,6 @@ private:
         for (std::size_t k = kEdges; k < caps_.size(); ++k)
             caps_[k].t +=
                 growth * plane_shift(v, caps_[k].atom, seed_ + 977 * static_cast<std::uint64_t>(attempt)) / data_.probe;
-        std::sort(caps_.begin() + kEdges, caps_.end(), [](const Cap& a, const Cap& b) { return a.t < b.t; });
         if (!builder_.build(caps_)) return false;
         regions_.measure(caps_, builder_.arcs(), builder_.kept());
         return accept(patch);

@@ -26,9 +26,9 @@ namespace {
 // Of the band's fields, the solver's vectors and the mesh: an upper estimate seen on proteins.
 constexpr std::size_t kBytesPerBlock = 48 * 1024;
 
-// The grid starts here, in spacings: a fraction without meaning, so that atoms at round coordinates with round
-// radii do not put the surface exactly onto nodes.
-constexpr double kGridShift = 0.3819660;
+// The grid starts here, in spacings: fractions without meaning, so that atoms at round coordinates with round
+// radii do not put the surface, or planes of symmetry, exactly onto nodes.
+constexpr Vec3 kGridShift{0.3819660, 0.2360680, 0.1458980};
 
 // A flow's mean distance to the exact surface is near 0.01 spacings; ten times that means something broke.
 constexpr double kMeanDistanceBound = 0.1;  // in spacings
@@ -104,7 +104,7 @@ private:
     }
 
     Field make_field() {
-        const Lattice lattice{options_.spacing, options_.spacing * kGridShift * Vec3{1.0, 1.0, 1.0}};
+        const Lattice lattice{options_.spacing, options_.spacing * kGridShift};
         const GaussianDensity density(*accessible_, options_.density);
         const std::size_t limit = block_limit(options_);
         std::vector<BlockCoord> blocks;

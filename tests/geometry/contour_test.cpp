@@ -265,7 +265,7 @@ TEST(Contour, RimsCrossExactlyWhereTheirAnglesAllow) {
         const double turn = 2.0 * std::acos(-1.0);
         const bool cross =
             between < first + second && between > std::abs(first - second) && between + first + second < turn;
-        EXPECT_EQ(rims_cross(a, b), cross);
+        EXPECT_EQ(cross_rims(a, b).crosses, cross);
     }
 }
 
