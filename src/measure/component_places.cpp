@@ -109,7 +109,8 @@ InscribedSphere ascend(Gap& gap, const InscribedSphere& start, double step, doub
         InscribedSphere next = best;
         const auto [e1, e2, e3] = turning_frame(turn);
         for (int d = 0; d < 27; ++d) {  // to the corners, edges and faces of a cube
-            const Vec3 towards = (d % 3 - 1.0) * e1 + (d / 3 % 3 - 1.0) * e2 + (d / 9 - 1.0) * e3;
+            const int along[3] = {d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1};
+            const Vec3 towards = along[0] * e1 + along[1] * e2 + along[2] * e3;
             const Vec3 p = best.centre + step * towards;
             if (const double r = gap(p); r > next.radius) next = {p, r};
         }

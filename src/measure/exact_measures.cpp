@@ -174,8 +174,9 @@ std::vector<SurfaceComponent> make_components(const Evaluation& evaluation, cons
                                               std::vector<std::uint32_t>& number) {
     std::vector<ComponentSums> sums = sum_components(evaluation.patches);
     parallel_for(sums.size(), 1, [&](std::size_t c) { finish_component(evaluation, options, sums[c]); });
-    std::vector<double> volumes;
-    for (const ComponentSums& sum : sums) volumes.push_back(sum.signed_volume);
+    std::vector<double> volumes(sums.size());
+    std::transform(sums.begin(), sums.end(), volumes.begin(),
+                   [](const ComponentSums& sum) { return sum.signed_volume; });
     std::vector<std::uint32_t> inside_of(sums.size(), kNone);
     if (options.cavities) inside_of = nest_components(evaluation.surface, evaluation.patches, volumes);
 

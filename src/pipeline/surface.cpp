@@ -24,7 +24,7 @@ namespace meniscus {
 namespace {
 
 // Of the band's fields, the solver's vectors and the mesh: an upper estimate seen on proteins.
-constexpr std::size_t kBytesPerBlock = 48 * 1024;
+constexpr std::size_t kBytesPerBlock = std::size_t{48} * 1024;
 
 // The grid starts here, in spacings: fractions without meaning, so that atoms at round coordinates with round
 // radii do not put the surface, or planes of symmetry, exactly onto nodes.
