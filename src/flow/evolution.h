@@ -20,7 +20,7 @@ struct EvolutionOptions {
     double half_width = 3.0;  ///< k: unknowns are the nodes with |Φ| or |s| below k spacings
     double time_step = 16.0;  ///< τ, in units of spacing²; the anchor keeps the system well conditioned
     double anchor = 16.0;     ///< λ, in units of spacing^-2
-    double tolerance = 1e-3;  ///< stop when residual / λ is below it, in spacings
+    double tolerance = 1e-4;  ///< stop when residual / λ is below it, in spacings
     int max_steps = 30;
 };
 

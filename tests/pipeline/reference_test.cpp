@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "meniscus/measures.h"
 #include "meniscus/surface.h"
 #include "support/mesh_checks.h"
 #include "support/test_data.h"
@@ -82,6 +83,50 @@ TEST(Reference, ProteinsAndNucleicAcidsKeepTheirVolume) {
         EXPECT_LE(fine.distance.mean, 0.004);
         EXPECT_LT(volume_error(fine, row), small ? 0.003 : 0.002);
         expect_closed_manifold(fine.mesh);
+    }
+}
+
+// Richardson extrapolation of a second-order error from two spacings, one half of the other.
+double extrapolated(double coarse, double fine) { return fine + (fine - coarse) / 3.0; }
+
+TEST(Reference, ExactMeasuresAgreeWithTheMeshOfTheExactField) {
+    MENISCUS_NEED_TEST_DATA();
+    for (const char* name : {"1yjo-h", "1etn-h", "1crn", "1bna", "1ubq"}) {
+        SCOPED_TRACE(name);
+        const Atoms atoms = read_spheres(*test_data() / "reference/xyzr" / (std::string(name) + ".xyzr"));
+        const Measures exact = measure(atoms);
+        const Surface coarse = compute_surface(atoms, {.method = Method::Direct, .spacing = 0.3});
+        const Surface fine = compute_surface(atoms, {.method = Method::Direct, .spacing = 0.15});
+        EXPECT_NEAR(extrapolated(coarse.measures.area, fine.measures.area) / exact.totals.ses_area, 1.0, 1e-3);
+        EXPECT_NEAR(extrapolated(coarse.measures.volume, fine.measures.volume) / exact.totals.ses_volume, 1.0, 1e-4);
+    }
+}
+
+TEST(Reference, ExactMeasuresMatchTheTable) {
+    MENISCUS_NEED_TEST_DATA();
+    std::ifstream table(*test_data() / "reference/exact.tsv");
+    std::string line;
+    std::getline(table, line);
+    while (std::getline(table, line)) {
+        std::istringstream fields(line);
+        std::string file;
+        std::size_t atoms = 0;
+        double probe = 0.0;
+        SurfaceTotals t;
+        fields >> file >> atoms >> probe >> t.sas_area >> t.sas_volume >> t.ses_area >> t.ses_volume >>
+            t.contact_area >> t.toroidal_area >> t.reentrant_area;
+        SCOPED_TRACE(line);
+        const Measures m =
+            measure(read_spheres(*test_data() / "reference" / file), {.probe = probe, .cavities = false});
+        EXPECT_TRUE(m.agreed);
+        const double bound = file.starts_with("spheres/") ? 1e-5 : 1e-7;
+        EXPECT_NEAR(m.totals.sas_area / t.sas_area, 1.0, bound);
+        EXPECT_NEAR(m.totals.sas_volume / t.sas_volume, 1.0, bound);
+        EXPECT_NEAR(m.totals.ses_area / t.ses_area, 1.0, bound);
+        EXPECT_NEAR(m.totals.ses_volume / t.ses_volume, 1.0, bound);
+        EXPECT_NEAR(m.totals.contact_area / t.contact_area, 1.0, bound);
+        EXPECT_NEAR(m.totals.toroidal_area, t.toroidal_area, bound * t.ses_area);
+        EXPECT_NEAR(m.totals.reentrant_area, t.reentrant_area, bound * t.ses_area);
     }
 }
 
