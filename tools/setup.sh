@@ -27,7 +27,7 @@ missing_packages() {
 }
 
 # apt-get as root, by whichever way there is; its output is shown only when it fails.
-apt() {
+apt_get() {
     local log as_root=()
     if [ "$(id -u)" -ne 0 ]; then as_root=(sudo); fi
     log=$(mktemp)
@@ -53,8 +53,8 @@ install_packages() {
         die "these packages are missing and neither root nor sudo is at hand: apt-get install ${missing[*]}"
     fi
     say "installing ${missing[*]}"
-    apt update || say "warning: the package lists could not be updated; trying with those at hand"
-    apt install -y --no-install-recommends "${missing[@]}" || die "the packages could not be installed"
+    apt_get update || say "warning: the package lists could not be updated; trying with those at hand"
+    apt_get install -y --no-install-recommends "${missing[@]}" || die "the packages could not be installed"
 }
 
 # Runs a command; shows its output only when it fails.

@@ -70,7 +70,7 @@ TwoSpheres two_spheres(double r1, double r2, double d, double probe) {
     const double a = std::sqrt((r1 + probe) * (r1 + probe) - h1 * h1);
     TwoSpheres result;
     // Solid of revolution: A = 2π ∫ y ds, V = π ∫ y² dx, by fine quadrature along the three arcs.
-    const auto sweep = [&](double centre_x, double centre_y, double radius, double from, double to) {
+    const auto sweep = [&](double centre_y, double radius, double from, double to) {
         constexpr int kSteps = 200000;
         const double step = (to - from) / kSteps;
         for (int i = 0; i < kSteps; ++i) {
@@ -83,9 +83,9 @@ TwoSpheres two_spheres(double r1, double r2, double d, double probe) {
     };
     const double touch1 = std::atan2(a, h1);
     const double touch2 = std::atan2(a, h1 - d);
-    sweep(0.0, 0.0, r1, kPi, touch1);
-    sweep(h1, a, probe, touch1 - kPi, touch2 - kPi);
-    sweep(d, 0.0, r2, touch2, 0.0);
+    sweep(0.0, r1, kPi, touch1);
+    sweep(a, probe, touch1 - kPi, touch2 - kPi);
+    sweep(0.0, r2, touch2, 0.0);
     return result;
 }
 

@@ -182,7 +182,9 @@ TEST(Surface, PatchesAndAtomsAreThoseOfTheNearestFeature) {
         const std::uint32_t atom = surface.mesh.atoms[v];
         const double gap = norm(surface.mesh.vertices[v] - atoms.centres[atom]) - atoms.radii[atom];
         EXPECT_GT(gap, -1e-6);
-        if (surface.mesh.patches[v] == PatchKind::Contact) EXPECT_NEAR(gap, 0.0, 1e-6);
+        if (surface.mesh.patches[v] == PatchKind::Contact) {
+            EXPECT_NEAR(gap, 0.0, 1e-6);
+        }
     }
     for (const int kind : kinds) EXPECT_GT(kind, 0);
 }
