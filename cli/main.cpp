@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "interrupt.h"
+#include "measure_command.h"
 #include "meniscus/errors.h"
 #include "meniscus/version.h"
 #include "messages.h"
@@ -43,7 +44,7 @@ int report_parse_error(const CLI::App& program, const CLI::ParseError& error) {
         std::cout.flush();
         return std::cout ? kDone : fail(kOutputError, "standard output: cannot be written");
     }
-    return fail(kUsageError, std::string(error.what()) + "; see meniscus --help or meniscus surface --help");
+    return fail(kUsageError, std::string(error.what()) + "; see meniscus --help or meniscus SUBCOMMAND --help");
 }
 
 /// A first word that names no subcommand gets a clearer message than CLI11's.
@@ -61,6 +62,7 @@ int run(int argc, char** argv) {
     program.footer(kExitCodes);
     Outcome outcome = Outcome::Done;
     meniscus::cli::add_surface_command(program, outcome);
+    meniscus::cli::add_measure_command(program, outcome);
 
     std::vector<std::string> arguments =
         meniscus::cli::join_negative_values(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));

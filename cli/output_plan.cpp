@@ -9,6 +9,7 @@
 #include <array>
 #include <filesystem>
 #include <set>
+#include <span>
 
 #include "meniscus/errors.h"
 
@@ -28,10 +29,21 @@ constexpr std::array kSuffixes{
     Suffix{".off", OutputKind::Mesh}, Suffix{".xyzr", OutputKind::Spheres}, Suffix{".xyzrn", OutputKind::Spheres},
 };
 
-std::string known_suffixes() {
-    std::string list;
-    for (const Suffix& s : kSuffixes) list.append(list.empty() ? "" : " ").append(s.text);
-    return list;
+constexpr std::array kMeasureSuffixes{
+    Suffix{".csv", OutputKind::Table},
+    Suffix{".json", OutputKind::Table},
+    Suffix{".pdb", OutputKind::StructureCopy},
+    Suffix{".cif", OutputKind::StructureCopy},
+};
+
+OutputKind find_kind(std::span<const Suffix> suffixes, const std::string& path) {
+    const std::string suffix = fs::path(path).extension().string();
+    const auto found =
+        std::find_if(suffixes.begin(), suffixes.end(), [&](const Suffix& s) { return suffix == s.text; });
+    if (found != suffixes.end()) return found->kind;
+    std::string known;
+    for (const Suffix& s : suffixes) known.append(known.empty() ? "" : " ").append(s.text);
+    throw UsageError(fmt::format("-o {}: the suffix chooses the format; known are {}", path, known));
 }
 
 /// "dir/a.b.ply" with "_m01" -> "dir/a.b_m01.ply".
@@ -63,14 +75,9 @@ void check_writable(const std::string& path) {
 
 }  // namespace
 
-OutputKind kind_of(const std::string& path) {
-    const std::string suffix = fs::path(path).extension().string();
-    const auto found =
-        std::find_if(kSuffixes.begin(), kSuffixes.end(), [&](const Suffix& s) { return suffix == s.text; });
-    if (found == kSuffixes.end())
-        throw UsageError(fmt::format("-o {}: the suffix chooses the format; known are {}", path, known_suffixes()));
-    return found->kind;
-}
+OutputKind kind_of(const std::string& path) { return find_kind(kSuffixes, path); }
+
+OutputKind measure_kind_of(const std::string& path) { return find_kind(kMeasureSuffixes, path); }
 
 std::vector<Output> plan_outputs(const std::vector<std::string>& asked, const std::string& name,
                                  const std::string& mark) {
@@ -84,6 +91,13 @@ std::vector<Output> plan_outputs(const std::vector<std::string>& asked, const st
         const Output table{atom_table_beside(plan[i].path), OutputKind::AtomTable};
         if (std::find(plan.begin(), plan.end(), table) == plan.end()) plan.push_back(table);
     }
+    return plan;
+}
+
+std::vector<Output> plan_measure_outputs(const std::vector<std::string>& asked, const std::string& mark) {
+    std::vector<Output> plan;
+    plan.reserve(asked.size());
+    for (const std::string& path : asked) plan.push_back({with_mark(path, mark), measure_kind_of(path)});
     return plan;
 }
 

@@ -8,7 +8,13 @@
 
 namespace meniscus::cli {
 
-enum class OutputKind { Mesh, Spheres, AtomTable };
+enum class OutputKind {
+    Mesh,
+    Spheres,
+    AtomTable,      ///< NAME.atoms.csv beside a mesh
+    Table,          ///< of measures
+    StructureCopy,  ///< with measures in the B-factor column
+};
 
 struct Output {
     std::string path;
@@ -17,9 +23,10 @@ struct Output {
     bool operator==(const Output&) const = default;
 };
 
-/// What a file is by its suffix.
+/// What a file of `surface` or of `measure` is by its suffix.
 /// throws   UsageError for a suffix that names no format
 OutputKind kind_of(const std::string& path);
+OutputKind measure_kind_of(const std::string& path);
 
 /// All files of one structure: those of -o, or NAME.ply, each mesh with its table of atoms beside it.
 ///
@@ -27,6 +34,9 @@ OutputKind kind_of(const std::string& path);
 /// mark   goes between stem and suffix of what is asked for, e.g. "_m01" for the first of all models; may be empty
 std::vector<Output> plan_outputs(const std::vector<std::string>& asked, const std::string& name,
                                  const std::string& mark);
+
+/// All files of one structure that `measure` writes: those of -o.
+std::vector<Output> plan_measure_outputs(const std::vector<std::string>& asked, const std::string& mark);
 
 /// Refuses what could not be written in the end, or would overwrite something of the same run.
 ///

@@ -5,10 +5,12 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "exact_blocks.h"
 #include "io/atomic_file.h"
 #include "meniscus/errors.h"
 #include "meniscus/version.h"
@@ -25,14 +27,14 @@ ordered_json if_used(bool used, const T& value) {
     return used ? ordered_json(value) : ordered_json();
 }
 
-ordered_json input_block(const Structure& structure, const Surface& surface, int model) {
+ordered_json input_block(const Structure& structure, double probe, int model) {
     return {{"file", structure.file},
             {"sha256", structure.sha256},
             {"model", model},
             {"atoms", structure.atoms.size()},
             {"residues", structure.residues.size()},
             {"radii", structure.radii_set},
-            {"probe", surface.options.probe},
+            {"probe", probe},
             {"dropped", structure.dropped},
             {"warnings", structure.warnings}};
 }
@@ -51,9 +53,21 @@ ordered_json surface_options_block(const SurfaceRequest& request, const RunFacts
             {"memory_mb", if_used(o.memory_limit_mb > 0, o.memory_limit_mb)}};
 }
 
-ordered_json options_block(const SurfaceRequest& request, const RunFacts& facts) {
+ordered_json measure_options_block(const MeasureRequest& request, const RunFacts& facts) {
+    ordered_json per = ordered_json::array();
+    for (const RowsPer rows : request.per) per.push_back(name_of(rows));
+    ordered_json values = ordered_json::array();
+    for (const AtomValue value : request.values) values.push_back(name_of(value));
+    return {{"probe", request.measure.probe},
+            {"per", per},
+            {"value", values},
+            {"between", if_used(!request.between.empty(), request.between)},
+            {"threads", facts.threads}};
+}
+
+/// Completes the options of a subcommand by those of reading.
+ordered_json options_block(ordered_json block, const CommonRequest& request) {
     const ReadOptions& o = request.read;
-    ordered_json block = surface_options_block(request, facts);
     block["radii"] = o.radii;
     block["hydrogens"] = name_of(o.hydrogens);
     block["model"] = request.all_models ? ordered_json("all") : ordered_json(o.model);
@@ -67,7 +81,10 @@ ordered_json options_block(const SurfaceRequest& request, const RunFacts& facts)
     return block;
 }
 
-ordered_json mesh_block(const Surface& surface) {
+/// How far a value is from the exact one, relative to that; nan where there is nothing.
+double deviation(double value, double exact) { return (value - exact) / std::abs(exact); }
+
+ordered_json mesh_block(const Surface& surface, const SurfaceTotals& exact) {
     const MeshMeasures& m = surface.measures;
     return {{"vertices", surface.mesh.vertices.size()},
             {"triangles", surface.mesh.triangles.size()},
@@ -75,6 +92,10 @@ ordered_json mesh_block(const Surface& surface) {
             {"volume", m.volume},
             {"corrected_area", surface.corrected_area},
             {"corrected_volume", surface.corrected_volume},
+            {"area_deviation", deviation(m.area, exact.ses_area)},
+            {"volume_deviation", deviation(m.volume, exact.ses_volume)},
+            {"corrected_area_deviation", deviation(surface.corrected_area, exact.ses_area)},
+            {"corrected_volume_deviation", deviation(surface.corrected_volume, exact.ses_volume)},
             {"closed", m.closed},
             {"manifold", m.manifold},
             {"components", m.components.size()},
@@ -99,38 +120,56 @@ ordered_json flow_block(const Surface& surface) {
             {"reinitialisations", f.reinitialisations}};
 }
 
-ordered_json checks_block(const Surface& surface) {
+ordered_json checks_block(const std::vector<Check>& checks) {
     ordered_json list = ordered_json::array();
-    for (const Check& c : surface.checks)
+    for (const Check& c : checks)
         list.push_back({{"name", c.name}, {"passed", c.passed}, {"value", c.value}, {"bound", c.bound}});
     return list;
 }
 
-ordered_json time_block(const Surface& surface, const RunFacts& facts) {
-    const StageTimes& s = surface.seconds;
+ordered_json time_block(const StageTimes& s, const RunFacts& facts) {
     return {{"total", facts.total_seconds},
             {"read", facts.read_seconds},
             {"geometry", s.geometry},
             {"band", s.band},
             {"flow", s.flow},
             {"mesh", s.mesh},
+            {"exact", facts.exact_seconds},
             {"write", facts.write_seconds}};
 }
 
 }  // namespace
 
 ordered_json make_report(const SurfaceRequest& request, const Structure& structure, const Surface& surface,
-                         const RunFacts& facts) {
+                         const Measures& exact, const RunFacts& facts) {
+    std::vector<Check> checks = surface.checks;
+    checks.push_back(agreement_check(exact));
     return {{"meniscus", kVersion},
             {"schema", 1},
-            {"input", input_block(structure, surface, facts.model)},
-            {"options", options_block(request, facts)},
-            {"exact", nullptr},
-            {"components", nullptr},
-            {"mesh", mesh_block(surface)},
+            {"input", input_block(structure, surface.options.probe, facts.model)},
+            {"options", options_block(surface_options_block(request, facts), request)},
+            {"exact", exact_json(exact)},
+            {"components", components_json(exact)},
+            {"mesh", mesh_block(surface, exact.totals)},
             {"flow", flow_block(surface)},
-            {"checks", checks_block(surface)},
-            {"time_s", time_block(surface, facts)},
+            {"checks", checks_block(checks)},
+            {"time_s", time_block(surface.seconds, facts)},
+            {"peak_memory_mb", facts.peak_memory_mb}};
+}
+
+ordered_json make_report(const MeasureRequest& request, const Structure& structure, const Measures& exact,
+                         const ordered_json& interfaces, const RunFacts& facts) {
+    return {{"meniscus", kVersion},
+            {"schema", 1},
+            {"input", input_block(structure, exact.options.probe, facts.model)},
+            {"options", options_block(measure_options_block(request, facts), request)},
+            {"exact", exact_json(exact)},
+            {"components", components_json(exact)},
+            {"interfaces", interfaces},
+            {"mesh", nullptr},
+            {"flow", nullptr},
+            {"checks", checks_block({agreement_check(exact)})},
+            {"time_s", time_block({}, facts)},
             {"peak_memory_mb", facts.peak_memory_mb}};
 }
 

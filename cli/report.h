@@ -6,6 +6,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "measure_request.h"
+#include "meniscus/measures.h"
 #include "meniscus/structure.h"
 #include "meniscus/surface.h"
 #include "surface_request.h"
@@ -17,14 +19,21 @@ struct RunFacts {
     int model = 1;                ///< position in the file, from 1
     int threads = 1;              ///< in use
     double read_seconds = 0.0;    ///< with all models: counted with the first
+    double exact_seconds = 0.0;   ///< of the exact measures
     double write_seconds = 0.0;   ///< of the files of -o
     double total_seconds = 0.0;   ///< wall clock
     double peak_memory_mb = 0.0;  ///< of the process so far, in units of 2^20 bytes
 };
 
 /// The report of one surface. Numbers that are not finite become null.
+/// exact   measures of the same atoms; the mesh's deviations are relative to them
 nlohmann::ordered_json make_report(const SurfaceRequest& request, const Structure& structure, const Surface& surface,
-                                   const RunFacts& facts);
+                                   const Measures& exact, const RunFacts& facts);
+
+/// The report of exact measures alone.
+/// interfaces   the block of that name; null if none were asked for
+nlohmann::ordered_json make_report(const MeasureRequest& request, const Structure& structure, const Measures& exact,
+                                   const nlohmann::ordered_json& interfaces, const RunFacts& facts);
 
 /// Writes a report, whole or not at all; "-" is standard output.
 /// throws   OutputError

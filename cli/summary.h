@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "meniscus/measures.h"
 #include "meniscus/structure.h"
 #include "meniscus/surface.h"
 #include "output_plan.h"
@@ -18,7 +19,8 @@ namespace meniscus::cli {
 std::string make_summary(const Structure& structure, const Surface& surface, const RunFacts& facts,
                          const std::vector<Output>& written);
 
-/// The checks that a surface has not passed, as "name (value, bound)"; empty if it passed all of them.
-std::string failed_checks(const Surface& surface);
+/// The checks that a surface has not passed, as "name (value, bound)", and the disputed patches if the exact measures
+/// are not agreed on; empty if all is well.
+std::string failed_checks(const Surface& surface, const Measures& exact);
 
 }  // namespace meniscus::cli

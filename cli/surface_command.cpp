@@ -2,22 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface_command.h"
 
-#include <fmt/core.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
-#include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <set>
-#include <utility>
 
-#include "interrupt.h"
-#include "messages.h"
-#include "output_plan.h"
-#include "report.h"
+#include "meniscus/measures.h"
 #include "summary.h"
 
 namespace meniscus::cli {
@@ -25,65 +15,6 @@ namespace meniscus::cli {
 using nlohmann::ordered_json;
 
 namespace {
-
-class Stopwatch {
-public:
-    /// Seconds since the stopwatch was made or last read.
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        return std::chrono::duration<double>(now - std::exchange(start_, now)).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-/// A structure and the files its surface goes to.
-struct Job {
-    Structure structure;
-    std::vector<Output> outputs;
-    int model = 1;
-};
-
-/// Refuses what can be refused before the input is read.
-void check_asked_paths(const SurfaceRequest& request) {
-    for (const std::string& path : request.outputs) kind_of(path);
-    std::vector<std::string> paths = request.outputs;
-    if (!request.report.empty()) paths.push_back(request.report);
-    check_paths(paths, request.input);
-}
-
-/// Every file of the run, once names of models and tables are known.
-void check_all_paths(const SurfaceRequest& request, const std::vector<Job>& jobs) {
-    std::vector<std::string> paths;
-    for (const Job& job : jobs)
-        for (const Output& output : job.outputs) paths.push_back(output.path);
-    if (!request.report.empty()) paths.push_back(request.report);
-    check_paths(paths, request.input);
-}
-
-std::vector<Job> read_jobs(const SurfaceRequest& request) {
-    std::vector<Job> jobs;
-    if (!request.all_models) {
-        jobs.push_back({read_structure(request.input, request.read), {}, request.read.model});
-    } else {
-        for (Structure& structure : read_all_models(request.input, request.read))
-            jobs.push_back({std::move(structure), {}, static_cast<int>(jobs.size()) + 1});
-    }
-    for (Job& job : jobs) {
-        const std::string mark = request.all_models ? fmt::format("_m{:02}", job.model) : "";
-        job.outputs = plan_outputs(request.outputs, job.structure.name, mark);
-    }
-    return jobs;
-}
-
-/// Each warning once, although every model of a file repeats it.
-void print_warnings(const std::vector<Job>& jobs) {
-    std::set<std::string> seen;
-    for (const Job& job : jobs)
-        for (const std::string& warning : job.structure.warnings)
-            if (seen.insert(warning).second) print_warning(std::cerr, input_label(job.structure.file) + ": " + warning);
-}
 
 void write_mesh_with_residues(const std::string& path, const SurfaceRequest& request, const Structure& structure,
                               const Mesh& mesh) {
@@ -93,100 +24,59 @@ void write_mesh_with_residues(const std::string& path, const SurfaceRequest& req
     write_mesh(path, mesh, {.encoding = request.encoding, .extra = {{"residue", residues}}});
 }
 
-void write_output(const Output& output, const SurfaceRequest& request, const Structure& structure,
-                  const Surface& surface) {
-    switch (output.kind) {
-        case OutputKind::Mesh:
-            return write_mesh_with_residues(output.path, request, structure, surface.mesh);
-        case OutputKind::Spheres:
-            return write_spheres(output.path, structure);
-        case OutputKind::AtomTable:
-            return write_atom_table(output.path, structure);
-    }
-}
-
-void write_outputs(const SurfaceRequest& request, const Job& job, const Surface& surface, ProgressReport& progress) {
-    double done = 0.0;
-    for (const Output& output : job.outputs) {
-        progress.update("write", done++ / static_cast<double>(job.outputs.size()));
-        {
-            const WritingSection section;
-            write_output(output, request, job.structure, surface);
-        }
-        throw_if_interrupted();
-    }
-    progress.update("write", 1.0);
-}
-
-void warn_if_failed(const Job& job, const Surface& surface) {
-    if (surface.passed()) return;
-    print_warning(std::cerr, fmt::format("{}: the result failed its checks: {}; outputs are written all the same",
-                                         input_label(job.structure.file), failed_checks(surface)));
-}
-
-/// What is common to all structures of a run.
-class Run {
+class SurfaceRun : public StructureRun {
 public:
-    explicit Run(const SurfaceRequest& request)
-        : request_(request), progress_(resolve(request.progress, request.quiet), std::cerr) {}
-
-    Outcome operator()() {
-        check_asked_paths(request_);
-        progress_.update("read", 0.0);
-        const std::vector<Job> jobs = read_jobs(request_);
-        progress_.update("read", 1.0);
-        check_all_paths(request_, jobs);
-        progress_.clear();
-        print_warnings(jobs);
-        read_seconds_ = watch_.lap();
-        for (const Job& job : jobs) run(job);
-        finish();
-        return outcome_;
-    }
+    explicit SurfaceRun(const SurfaceRequest& request)
+        : StructureRun(request, request.surface.threads), request_(request) {}
 
 private:
-    void run(const Job& job) {
-        const auto show = [this](std::string_view stage, double fraction) { progress_.update(stage, fraction); };
-        const Surface surface = compute_surface(job.structure.atoms, request_.surface, show);
-        const double computing = watch_.lap();
-        write_outputs(request_, job, surface, progress_);
-        RunFacts facts;
-        facts.model = job.model;
-        facts.threads = threads_in_use(request_.surface.threads);
-        facts.read_seconds = std::exchange(read_seconds_, 0.0);
-        facts.write_seconds = watch_.lap();
-        facts.total_seconds = facts.read_seconds + computing + facts.write_seconds;
-        facts.peak_memory_mb = peak_memory_mb();
-        progress_.clear();
-        record(job, surface, facts);
+    std::vector<Output> plan(const std::string& name, const std::string& mark) const override {
+        return plan_outputs(request_.outputs, name, mark);
     }
 
-    void record(const Job& job, const Surface& surface, const RunFacts& facts) {
-        warn_if_failed(job, surface);
-        if (!surface.passed()) outcome_ = Outcome::ChecksFailed;
-        if (!request_.report.empty()) reports_.push_back(make_report(request_, job.structure, surface, facts));
-        summary_ += make_summary(job.structure, surface, facts, job.outputs);
+    /// The exact measures, which only reports show, come first: their memory is free again when the grid needs it.
+    void compute(const Job& job) override {
+        const SurfaceOptions& options = request_.surface;
+        if (!request_.report.empty()) measure_exactly(job.structure.atoms);
+        surface_ = compute_surface(job.structure.atoms, options,
+                                   [this](std::string_view stage, double fraction) { show(stage, fraction); });
     }
 
-    void finish() {
-        if (!request_.report.empty()) {
-            {
-                const WritingSection section;
-                write_report(request_.report, request_.all_models ? reports_ : reports_.front());
-            }
-            throw_if_interrupted();
+    void measure_exactly(const Atoms& atoms) {
+        Stopwatch watch;
+        exact_ = measure(atoms, {.probe = request_.surface.probe, .threads = request_.surface.threads});
+        exact_.patches = {};
+        exact_.atoms = {};
+        exact_seconds_ = watch.lap();
+    }
+
+    void write(const Output& output, const Job& job) const override {
+        switch (output.kind) {
+            case OutputKind::Mesh:
+                return write_mesh_with_residues(output.path, request_, job.structure, surface_.mesh);
+            case OutputKind::Spheres:
+                return write_spheres(output.path, job.structure);
+            default:
+                return write_atom_table(output.path, job.structure);
         }
-        if (request_.quiet || request_.report == "-") return;
-        print(summary_);
+    }
+
+    std::string failed() const override { return failed_checks(surface_, exact_); }
+
+    ordered_json report(const Job& job, const RunFacts& facts) const override {
+        RunFacts all = facts;
+        all.exact_seconds = exact_seconds_;
+        return make_report(request_, job.structure, surface_, exact_, all);
+    }
+
+    std::string summary(const Job& job, const RunFacts& facts) const override {
+        return make_summary(job.structure, surface_, facts, job.outputs);
     }
 
     const SurfaceRequest& request_;
-    ProgressReport progress_;
-    Stopwatch watch_;
-    double read_seconds_ = 0.0;
-    ordered_json reports_ = ordered_json::array();
-    std::string summary_;
-    Outcome outcome_ = Outcome::Done;
+    Measures exact_;
+    double exact_seconds_ = 0.0;
+    Surface surface_;
 };
 
 }  // namespace
@@ -198,6 +88,6 @@ void add_surface_command(CLI::App& program, Outcome& outcome) {
     command->callback([request, &outcome] { outcome = run_surface(*request); });
 }
 
-Outcome run_surface(const SurfaceRequest& request) { return Run(request)(); }
+Outcome run_surface(const SurfaceRequest& request) { return SurfaceRun(request)(); }
 
 }  // namespace meniscus::cli

@@ -3,15 +3,10 @@
 // `meniscus surface`: a structure in, its solvent-excluded surface out.
 #pragma once
 
+#include "structure_run.h"
 #include "surface_request.h"
 
 namespace meniscus::cli {
-
-/// How a command ended that did not throw.
-enum class Outcome {
-    Done,
-    ChecksFailed,  ///< outputs are written and marked, but a result failed its own checks
-};
 
 /// Adds `surface` to the program. Parsing runs it and stores how it ended.
 void add_surface_command(CLI::App& program, Outcome& outcome);

@@ -17,6 +17,7 @@ ROOMS = {
     "flow": ("geometry", "grid", "band"),
     "mesh": ("grid",),
     "measure": ("geometry", "mesh"),
+    "tables": ("radii",),
     "io": (),
     "pipeline": ("geometry", "grid", "band", "flow", "mesh", "measure"),
 }
@@ -27,7 +28,7 @@ FILE_HEADERS = ("include/meniscus/structure.h", "include/meniscus/write.h")
 NUMERICAL = ("geometry", "grid", "band", "flow", "mesh", "measure")
 ONLY_IN = {
     "<tbb/": ("src/core/",),
-    "<gemmi/": ("src/structure/", "src/radii/"),
+    "<gemmi/": ("src/structure/", "src/radii/", "src/io/gemmi/"),
     "<CLI/": ("cli/", "tests/cli/"),
     "<iostream>": ("cli/", "src/structure/", "src/io/", "tests/", "bench/", "fuzz/"),
     "<fstream>": ("cli/", "src/core/", "src/structure/", "src/radii/", "src/io/", "tests/", "bench/", "fuzz/"),

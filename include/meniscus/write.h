@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Writers: a surface's mesh and a structure's kept atoms, as files that other programs read.
+// Writers: meshes, kept atoms and tables of measures, as files that other programs read.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,7 @@
 
 #include "meniscus/mesh.h"
 #include "meniscus/structure.h"
+#include "meniscus/tables.h"
 
 namespace meniscus {
 
@@ -45,5 +46,19 @@ void write_spheres(const std::string& path, const Structure& structure);
 /// Writes the table of kept atoms that a mesh's `atoms` indexes (NAME.atoms.csv), comma-separated as RFC 4180 says.
 /// throws   OutputError
 void write_atom_table(const std::string& path, const Structure& structure);
+
+/// Writes a table as comma-separated text (.csv, RFC 4180; empty cells are empty fields) or as a JSON list with one
+/// object per row (.json; empty cells and numbers that are not finite are null). Numbers have all their digits.
+/// throws   UsageError for another suffix or a row with too few or too many cells; OutputError
+void write_table(const std::string& path, const Table& table);
+
+/// Writes the kept atoms as PDB (.pdb) or mmCIF (.cif) with one value per atom in the place of the B factor.
+///
+/// PDB holds values from -99.99 to 999.99 with two digits after the point, mmCIF any with six significant digits.
+/// Serial numbers are given anew, from 1; charges that are no whole numbers are left out.
+/// throws   UsageError for another suffix or a number of values that does not match; OutputError where PDB has no room:
+///          a chain name of more than one letter, an atom name of more than four, a residue name of more than three,
+///          more than 87,440,031 atoms, a coordinate, residue number or value too large (the message suggests .cif)
+void write_structure_copy(const std::string& path, const Structure& structure, std::span<const double> values);
 
 }  // namespace meniscus

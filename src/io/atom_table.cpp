@@ -1,36 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
-#include <string_view>
 
 #include "io/atomic_file.h"
+#include "io/csv.h"
 #include "io/labels.h"
 #include "meniscus/write.h"
 
 namespace meniscus {
 namespace {
 
-// A field as RFC 4180 wants it: in quotes if it holds a comma, a quote or a line end.
-std::string field_of(std::string_view text) {
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"') quoted += '"';
-        quoted += c;
-    }
-    return quoted + '"';
-}
-
 // One-letter fields are empty where there is nothing to tell.
-std::string letter_of(char c) { return c == ' ' || c == '\0' ? "" : field_of({&c, 1}); }
+std::string letter_of(char c) { return c == ' ' || c == '\0' ? "" : csv_field({&c, 1}); }
 
 void write_row(AtomicFile& file, const Structure& structure, std::size_t i) {
     const AtomLabel& label = structure.labels[i];
     const Residue& residue = residue_of(structure, i);
     const Vec3& centre = structure.atoms.centres[i];
-    file.write(std::to_string(i) + ',' + field_of(residue.chain) + ',' + field_of(residue.name) + ',' +
-               std::to_string(residue.number) + ',' + letter_of(residue.insertion_code) + ',' + field_of(label.name) +
-               ',' + field_of(label.element) + ',' + letter_of(label.altloc) + ',' + std::to_string(label.serial));
+    file.write(std::to_string(i) + ',' + csv_field(residue.chain) + ',' + csv_field(residue.name) + ',' +
+               std::to_string(residue.number) + ',' + letter_of(residue.insertion_code) + ',' + csv_field(label.name) +
+               ',' + csv_field(label.element) + ',' + letter_of(label.altloc) + ',' + std::to_string(label.serial));
     for (const double value :
          {centre.x, centre.y, centre.z, structure.atoms.radii[i], label.b_factor, label.occupancy, label.charge}) {
         file.write(',');

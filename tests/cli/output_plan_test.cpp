@@ -81,4 +81,15 @@ TEST_F(OutputPlan, LeavesDevicesAndStandardOutputAlone) {
     EXPECT_NO_THROW(check_paths({"-", "/dev/null", "/dev/null"}, "-"));
 }
 
+TEST_F(OutputPlan, TablesAndCopiesAreThoseOfMeasure) {
+    EXPECT_EQ(measure_kind_of("a.csv"), OutputKind::Table);
+    EXPECT_EQ(measure_kind_of("a.json"), OutputKind::Table);
+    EXPECT_EQ(measure_kind_of("a.cif"), OutputKind::StructureCopy);
+    EXPECT_THROW(measure_kind_of("a.ply"), UsageError);
+    EXPECT_THROW(kind_of("a.csv"), UsageError);
+    const std::vector<Output> expected{{"a_m02.csv", OutputKind::Table}, {"b_m02.pdb", OutputKind::StructureCopy}};
+    EXPECT_EQ(plan_measure_outputs({"a.csv", "b.pdb"}, "_m02"), expected);
+    EXPECT_TRUE(plan_measure_outputs({}, "").empty());
+}
+
 }  // namespace meniscus::cli

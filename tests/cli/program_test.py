@@ -75,7 +75,7 @@ class ProgramTest(unittest.TestCase):
 
 class Help(ProgramTest):
     def test_version_and_help_go_to_standard_output(self):
-        for arguments in (["--version"], ["--help"], ["surface", "--help"]):
+        for arguments in (["--version"], ["--help"], ["surface", "--help"], ["measure", "--help"]):
             result = self.run_program(*arguments)
             self.assertEqual((result.returncode, result.stderr), (0, ""), arguments)
             self.assertTrue(result.stdout, arguments)
@@ -86,6 +86,10 @@ class Help(ProgramTest):
         for option in ("--probe --radii --hydrogens --model --assembly --altloc --chains --select --hetero --waters "
                        "--strict-radii --report --threads --quiet --progress --method --flow --spacing --density "
                        "--time-step --max-steps -o --memory --ascii").split():
+            self.assertIn(f"  {option} ", text)
+        text = self.run_program("measure", "--help").stdout
+        for option in ("--probe --radii --hydrogens --model --assembly --altloc --chains --select --hetero --waters "
+                       "--strict-radii --report --threads --quiet --progress -o --between --per --value").split():
             self.assertIn(f"  {option} ", text)
 
 
@@ -242,7 +246,8 @@ class Report(ProgramTest):
         self.assertEqual(mesh["components"], 2)
         self.assertEqual(mesh["euler_characteristic"], 4)
         self.assertTrue(report["flow"]["converged"])
-        self.assertIsNone(report["exact"])
+        self.assertAlmostEqual(mesh["corrected_area"], report["exact"]["ses_area"], delta=1.0)
+        self.assertEqual([c["kind"] for c in report["components"]], ["outer", "outer"])
         # The sphere of 1.8 Å, and the closed form for the two that overlap.
         self.assertAlmostEqual(mesh["corrected_area"], 40.715 + 45.1, delta=1.0)
 

@@ -21,13 +21,20 @@ std::vector<std::string> keys_of(const nlohmann::ordered_json& object) {
     return keys;
 }
 
-nlohmann::ordered_json report_of(const SurfaceRequest& request, const Surface& surface = {}) {
+Structure sample_structure() {
     Structure structure;
     structure.file = "dir/1ubq.pdb";
     structure.radii_set = "united";
     structure.dropped["waters"] = 58;
     structure.warnings = {"58 waters left out: --waters"};
-    return make_report(request, structure, surface, {.model = 2, .threads = 3, .total_seconds = 1.5});
+    return structure;
+}
+
+constexpr RunFacts kFacts{.model = 2, .threads = 3, .exact_seconds = 0.25, .total_seconds = 1.5};
+
+nlohmann::ordered_json report_of(const SurfaceRequest& request, const Surface& surface = {},
+                                 const Measures& exact = {}) {
+    return make_report(request, sample_structure(), surface, exact, kFacts);
 }
 
 }  // namespace
@@ -36,7 +43,7 @@ TEST(Report, HasTheBlocksOfTheInterfaceInOrder) {
     const std::vector<std::string> expected{"meniscus", "schema", "input",  "options", "exact",         "components",
                                             "mesh",     "flow",   "checks", "time_s",  "peak_memory_mb"};
     EXPECT_EQ(keys_of(report_of({})), expected);
-    const std::vector<std::string> times{"total", "read", "geometry", "band", "flow", "mesh", "write"};
+    const std::vector<std::string> times{"total", "read", "geometry", "band", "flow", "mesh", "exact", "write"};
     EXPECT_EQ(keys_of(report_of({})["time_s"]), times);
 }
 
@@ -75,12 +82,48 @@ TEST(Report, WritesNoNumberThatIsNotFinite) {
     EXPECT_EQ(report["checks"][0]["passed"], false);
 }
 
+TEST(Report, ComparesTheMeshWithTheExactMeasures) {
+    Surface surface;
+    surface.measures.area = 99.0;
+    surface.corrected_area = 100.5;
+    surface.measures.volume = -12.0;
+    surface.corrected_volume = -9.0;
+    Measures exact;
+    exact.totals.ses_area = 100.0;
+    exact.totals.ses_volume = -10.0;  // only cavities count
+    const auto report = report_of({}, surface, exact);
+    EXPECT_DOUBLE_EQ(report["mesh"]["area_deviation"], -0.01);
+    EXPECT_DOUBLE_EQ(report["mesh"]["corrected_area_deviation"], 0.005);
+    EXPECT_DOUBLE_EQ(report["mesh"]["volume_deviation"], -0.2);
+    EXPECT_DOUBLE_EQ(report["mesh"]["corrected_volume_deviation"], 0.1);
+    EXPECT_EQ(report["time_s"]["exact"], 0.25);
+    EXPECT_EQ(report["checks"].back()["name"], "exact_agreement");
+    EXPECT_FALSE(report.contains("interfaces"));
+}
+
+TEST(Report, OfMeasuresHasNoMeshAndNamesItsOptions) {
+    MeasureRequest request;
+    request.per = {RowsPer::Atom, RowsPer::Cavity};
+    request.between = {"A:B"};
+    Measures exact;
+    exact.options.probe = 1.2;
+    exact.agreed = false;
+    const auto report = make_report(request, sample_structure(), exact, nullptr, kFacts);
+    EXPECT_TRUE(report["mesh"].is_null());
+    EXPECT_TRUE(report["flow"].is_null());
+    EXPECT_TRUE(report["interfaces"].is_null());
+    EXPECT_EQ(report["input"]["probe"], 1.2);
+    EXPECT_EQ(report["options"]["per"], (std::vector<std::string>{"atom", "cavity"}));
+    EXPECT_EQ(report["options"]["between"], (std::vector<std::string>{"A:B"}));
+    EXPECT_EQ(report["checks"][0]["passed"], false);
+}
+
 TEST(Report, SurvivesFileNamesThatAreNoUtf8) {
     Structure structure;
     structure.file = "\xff.pdb";
     testing::internal::CaptureStdout();
-    write_report("-", make_report({}, structure, {}, {}));
-    EXPECT_NO_THROW(nlohmann::json::parse(testing::internal::GetCapturedStdout()));
+    write_report("-", make_report(SurfaceRequest{}, structure, {}, {}, {}));
+    EXPECT_TRUE(nlohmann::json::accept(testing::internal::GetCapturedStdout()));
 }
 
 TEST(Report, CountsThreadsThatRun) {

@@ -42,6 +42,13 @@ TEST(Summary, IsShortAndNamesUnits) {
     EXPECT_NE(text.find("written     a.ply\n"), std::string::npos) << text;
 }
 
+TEST(Summary, TellsRadiiOfTheFileFromASet) {
+    Structure structure = sample_structure();
+    structure.radii_set = "file";
+    const std::string text = make_summary(structure, sample_surface(), {}, {});
+    EXPECT_NE(text.find("1 atom, radii of the file, probe"), std::string::npos) << text;
+}
+
 TEST(Summary, HasNoFlowLineWithoutAFlow) {
     Surface surface = sample_surface();
     surface.options.method = Method::Direct;
@@ -50,8 +57,13 @@ TEST(Summary, HasNoFlowLineWithoutAFlow) {
 }
 
 TEST(Summary, ListsFailedChecksWithTheirBounds) {
-    EXPECT_EQ(failed_checks(sample_surface()), "converged (0.25, bound 0.125)");
-    EXPECT_EQ(failed_checks({}), "");
+    EXPECT_EQ(failed_checks(sample_surface(), {}), "converged (0.25, bound 0.125)");
+    EXPECT_EQ(failed_checks({}, {}), "");
+    Measures disputed;
+    disputed.agreed = false;
+    disputed.disputed = {"patches of atom 3"};
+    EXPECT_EQ(failed_checks(sample_surface(), disputed),
+              "exact_agreement (patches of atom 3), converged (0.25, bound 0.125)");
 }
 
 }  // namespace meniscus::cli

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "common_request.h"
+
+#include "option_words.h"
+
+namespace meniscus::cli {
+
+namespace {
+
+constexpr Words<HydrogenPolicy, 3> kHydrogens{
+    {{"auto", HydrogenPolicy::Auto}, {"keep", HydrogenPolicy::Keep}, {"drop", HydrogenPolicy::Drop}}};
+constexpr Words<HeteroPolicy, 3> kHetero{
+    {{"none", HeteroPolicy::None}, {"ligands", HeteroPolicy::Ligands}, {"all", HeteroPolicy::All}}};
+constexpr Words<ProgressMode, 4> kProgress{
+    {{"auto", ProgressMode::Auto}, {"on", ProgressMode::On}, {"off", ProgressMode::Off}, {"json", ProgressMode::Json}}};
+
+std::vector<std::string> split_chains(const std::string& list) {
+    std::vector<std::string> chains = CLI::detail::split(list, ',');
+    if (list.empty() || std::find(chains.begin(), chains.end(), "") != chains.end())
+        throw UsageError(fmt::format("--chains: empty name in '{}'; write --chains A,B", list));
+    return chains;
+}
+
+void set_model(CommonRequest& request, const std::string& text) {
+    request.all_models = text == "all";
+    if (!request.all_models) request.read.model = parse_count("--model", text);
+}
+
+void set_altloc(CommonRequest& request, const std::string& text) {
+    if (text.size() != 1) throw UsageError(fmt::format("--altloc: must be one character, not '{}'", text));
+    request.read.altloc = text;
+}
+
+}  // namespace
+
+void add_input(CLI::App& command, CommonRequest& request) {
+    command
+        .add_option("INPUT", request.input,
+                    "Structure: .pdb .ent .cif .mmcif .pqr .xyzr .xyzrn, each also .gz; - for standard input")
+        ->required()
+        ->type_name("");
+}
+
+void add_atom_options(CLI::App& command, CommonRequest& request) {
+    ReadOptions& read = request.read;
+    command.add_option("--radii", read.radii, "bondi, united, protor, naccess, parse, auto, or a file of rules")
+        ->type_name("SET")
+        ->capture_default_str();
+    add_choice(command, "--hydrogens", read.hydrogens, kHydrogens, "Hydrogens: as the radii need, keep, or drop");
+    const auto model = [&request](const std::string& text) { set_model(request, text); };
+    command.add_option_function<std::string>("--model", model, "Model to read, counted from 1, or all of them")
+        ->type_name("N|all")
+        ->default_str("1");
+    command.add_option("--assembly", read.assembly, "Biological assembly named in the file")->type_name("ID");
+    const auto altloc = [&request](const std::string& text) { set_altloc(request, text); };
+    command
+        .add_option_function<std::string>("--altloc", altloc, "Alternative location instead of the highest occupancy")
+        ->type_name("ID");
+    const auto chains = [&read](const std::string& text) { read.chains = split_chains(text); };
+    command.add_option_function<std::string>("--chains", chains, "Chains to keep; label:A for mmCIF label names")
+        ->type_name("A,B");
+    command.add_option("--select", read.select, "Atoms to keep, in gemmi's selection syntax")->type_name("EXPR");
+    add_choice(command, "--hetero", read.hetero, kHetero, "Hetero atoms to keep beside the polymer");
+    command.add_flag("--waters", read.keep_waters, "Keep waters");
+    command.add_flag("--strict-radii", read.strict_radii, "Refuse atoms of unknown type");
+}
+
+void add_probe(CLI::App& command, double& probe) {
+    add_number(command, "--probe", probe, Sign::NotNegative, "R", "Probe radius, Å; 0: van der Waals surface");
+}
+
+void add_output_options(CLI::App& command, CommonRequest& request) {
+    command.add_option("-o", request.outputs, "File to write, in the format of its suffix; may be given several times")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+    command.add_option("--report", request.report, "Report as JSON; - for standard output")->type_name("FILE");
+    command.add_flag("--quiet", request.quiet, "No summary and no progress bar");
+}
+
+void add_run_options(CLI::App& command, CommonRequest& request, int& threads) {
+    add_count(command, "--threads", threads, "Threads; the result does not depend on it")->default_str("all cores");
+    add_choice(command, "--progress", request.progress, kProgress, "Progress on standard error");
+}
+
+const char* name_of(HydrogenPolicy policy) { return word_for(kHydrogens, policy); }
+const char* name_of(HeteroPolicy policy) { return word_for(kHetero, policy); }
+
+std::vector<std::string> join_negative_values(const std::vector<std::string>& arguments) {
+    std::vector<std::string> joined;
+    for (const std::string& argument : arguments) {
+        const bool after_option =
+            !joined.empty() && joined.back().starts_with("--") && joined.back().find('=') == std::string::npos;
+        if (after_option && looks_like_negative_number(argument))
+            joined.back() += "=" + argument;
+        else
+            joined.push_back(argument);
+    }
+    return joined;
+}
+
+}  // namespace meniscus::cli

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// What `surface` and `measure` are asked in the same words: the input, which atoms of it, where to report.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "meniscus/structure.h"
+#include "progress_report.h"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
+class App;
+}
+
+namespace meniscus::cli {
+
+struct CommonRequest {
+    std::string input;  ///< path, or "-" for standard input
+    ReadOptions read;
+    bool all_models = false;           ///< every model as a structure of its own; read.model is then not used
+    std::vector<std::string> outputs;  ///< -o, in order
+    std::string report;                ///< path, "-" for standard output, empty for none
+    bool quiet = false;
+    ProgressMode progress = ProgressMode::Auto;
+};
+
+/// INPUT itself.
+void add_input(CLI::App& command, CommonRequest& request);
+
+/// Which atoms of the input are kept, and with which radii. `request` must outlive the parser.
+void add_atom_options(CLI::App& command, CommonRequest& request);
+
+void add_probe(CLI::App& command, double& probe);
+
+/// -o, --report, --quiet.
+void add_output_options(CLI::App& command, CommonRequest& request);
+
+/// --threads and --progress.
+void add_run_options(CLI::App& command, CommonRequest& request, int& threads);
+
+/// The words behind `--hydrogens` and `--hetero`.
+const char* name_of(HydrogenPolicy policy);
+const char* name_of(HeteroPolicy policy);
+
+/// Joins an option and a negative number after it ("--density" "-.5") with "=", because CLI11 takes some negative
+/// numbers for options.
+std::vector<std::string> join_negative_values(const std::vector<std::string>& arguments);
+
+}  // namespace meniscus::cli

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "measure_request.h"
+
+#include "option_words.h"
+#include "output_plan.h"
+
+namespace meniscus::cli {
+
+namespace {
+
+constexpr Words<RowsPer, 4> kPer{
+    {{"residue", RowsPer::Residue}, {"atom", RowsPer::Atom}, {"chain", RowsPer::Chain}, {"cavity", RowsPer::Cavity}}};
+constexpr Words<AtomValue, 4> kValues{
+    {{"sas", AtomValue::Sas}, {"ses", AtomValue::Ses}, {"rsa", AtomValue::Rsa}, {"depth", AtomValue::Depth}}};
+
+constexpr const char* kFormats =
+    "-o writes tables (.csv .json), or the kept atoms with a value in the B-factor column (.pdb .cif). The first "
+    "--per\n"
+    "or --value given is for the first such file, the second for the second; the last holds for all that follow.";
+
+/// An option that may be given several times, each time with one of a few words.
+template <class T, std::size_t N>
+void add_choices(CLI::App& command, const char* name, std::vector<T>& target, const Words<T, N>& words,
+                 const char* text) {
+    const auto choose = [name, &target, &words](const std::vector<std::string>& values) {
+        for (const std::string& value : values) target.push_back(parse_word(name, value, words));
+    };
+    command.add_option_function<std::vector<std::string>>(name, choose, text)
+        ->type_name(join(words, "|"))
+        ->allow_extra_args(false)
+        ->default_str(words.front().first);
+}
+
+std::vector<std::string> split_names(const std::string& list, const std::string& whole) {
+    std::vector<std::string> names = CLI::detail::split(list, ',');
+    const bool ends_empty = list.empty() || list.back() == ',';
+    if (ends_empty || std::find(names.begin(), names.end(), "") != names.end())
+        throw UsageError(fmt::format("--between: empty name in '{}'; write --between A:B, A,C:B or all", whole));
+    return names;
+}
+
+std::size_t count_kind(const MeasureRequest& request, OutputKind kind) {
+    return static_cast<std::size_t>(
+        std::count_if(request.outputs.begin(), request.outputs.end(),
+                      [&](const std::string& path) { return measure_kind_of(path) == kind; }));
+}
+
+}  // namespace
+
+void add_measure_options(CLI::App& command, MeasureRequest& request) {
+    add_input(command, request);
+    command.footer(kFormats);
+    command.option_defaults()->group("Atoms");
+    add_atom_options(command, request);
+    command.option_defaults()->group("Measures");
+    add_probe(command, request.measure.probe);
+    command
+        .add_option("--between", request.between,
+                    "Interface of two groups of chains, A,C:B, or all: every pair of chains that touch")
+        ->type_name("A:B|all")
+        ->allow_extra_args(false);
+    command.option_defaults()->group("Output");
+    add_output_options(command, request);
+    add_choices(command, "--per", request.per, kPer, "What a table has one row for");
+    add_choices(command, "--value", request.values, kValues, "What stands in the B-factor column");
+    command.option_defaults()->group("Running");
+    add_run_options(command, request, request.measure.threads);
+}
+
+const char* name_of(RowsPer per) { return word_for(kPer, per); }
+const char* name_of(AtomValue value) { return word_for(kValues, value); }
+
+void check_request(const MeasureRequest& request) {
+    const std::size_t tables = count_kind(request, OutputKind::Table);
+    const std::size_t copies = count_kind(request, OutputKind::StructureCopy);
+    if (request.per.size() > tables)
+        throw UsageError(
+            fmt::format("--per: given {} times for {} tables; add -o FILE.csv", request.per.size(), tables));
+    if (request.values.size() > copies)
+        throw UsageError(fmt::format("--value: given {} times for {} copies of the structure; add -o FILE.pdb",
+                                     request.values.size(), copies));
+    if (request.between.empty()) return;
+    for (const std::string& text : request.between)
+        if (!parse_between(text) && request.between.size() > 1)
+            throw UsageError("--between: all cannot be combined with others");
+    if (std::find(request.per.begin(), request.per.end(), RowsPer::Cavity) != request.per.end())
+        throw UsageError("--per cavity: an interface has no cavities; leave out --between");
+}
+
+std::optional<ChainPair> parse_between(const std::string& text) {
+    if (text == "all") return std::nullopt;
+    const std::size_t colon = text.find(':');
+    if (colon == std::string::npos || text.find(':', colon + 1) != std::string::npos)
+        throw UsageError(fmt::format("--between: '{}' is no pair of groups; write --between A:B, A,C:B or all", text));
+    return ChainPair{split_names(text.substr(0, colon), text), split_names(text.substr(colon + 1), text)};
+}
+
+}  // namespace meniscus::cli

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure_run.h"
+
+#include <fmt/core.h>
+
+#include <set>
+
+#include "interrupt.h"
+#include "messages.h"
+
+namespace meniscus::cli {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+/// Each warning once, although every model of a file repeats it.
+void print_warnings(const std::vector<Job>& jobs) {
+    std::set<std::string> seen;
+    for (const Job& job : jobs)
+        for (const std::string& warning : job.structure.warnings)
+            if (seen.insert(warning).second) print_warning(std::cerr, input_label(job.structure.file) + ": " + warning);
+}
+
+}  // namespace
+
+Outcome StructureRun::operator()() {
+    check_asked_paths();
+    progress_.update("read", 0.0);
+    const std::vector<Job> jobs = read_jobs();
+    progress_.update("read", 1.0);
+    check_all_paths(jobs);
+    progress_.clear();
+    print_warnings(jobs);
+    read_seconds_ = watch_.lap();
+    for (const Job& job : jobs) run(job);
+    finish();
+    return outcome_;
+}
+
+/// Refuses what can be refused before the input is read.
+void StructureRun::check_asked_paths() const {
+    plan("", "");
+    std::vector<std::string> paths = request_.outputs;
+    if (!request_.report.empty()) paths.push_back(request_.report);
+    check_paths(paths, request_.input);
+}
+
+/// Every file of the run, once names of models and tables are known.
+void StructureRun::check_all_paths(const std::vector<Job>& jobs) const {
+    std::vector<std::string> paths;
+    for (const Job& job : jobs)
+        for (const Output& output : job.outputs) paths.push_back(output.path);
+    if (!request_.report.empty()) paths.push_back(request_.report);
+    check_paths(paths, request_.input);
+}
+
+std::vector<Job> StructureRun::read_jobs() const {
+    std::vector<Job> jobs;
+    if (!request_.all_models) {
+        jobs.push_back({read_structure(request_.input, request_.read), {}, request_.read.model});
+    } else {
+        for (Structure& structure : read_all_models(request_.input, request_.read))
+            jobs.push_back({std::move(structure), {}, static_cast<int>(jobs.size()) + 1});
+    }
+    for (Job& job : jobs) {
+        const std::string mark = request_.all_models ? fmt::format("_m{:02}", job.model) : "";
+        job.outputs = plan(job.structure.name, mark);
+    }
+    return jobs;
+}
+
+void StructureRun::run(const Job& job) {
+    compute(job);
+    const double computing = watch_.lap();
+    write_outputs(job);
+    RunFacts facts;
+    facts.model = job.model;
+    facts.threads = threads_in_use(threads_);
+    facts.read_seconds = std::exchange(read_seconds_, 0.0);
+    facts.write_seconds = watch_.lap();
+    facts.total_seconds = facts.read_seconds + computing + facts.write_seconds;
+    facts.peak_memory_mb = peak_memory_mb();
+    progress_.clear();
+    record(job, facts);
+}
+
+void StructureRun::write_outputs(const Job& job) {
+    double done = 0.0;
+    for (const Output& output : job.outputs) {
+        progress_.update("write", done++ / static_cast<double>(job.outputs.size()));
+        {
+            const WritingSection section;
+            write(output, job);
+        }
+        throw_if_interrupted();
+    }
+    progress_.update("write", 1.0);
+}
+
+void StructureRun::record(const Job& job, const RunFacts& facts) {
+    if (const std::string checks = failed(); !checks.empty()) {
+        print_warning(std::cerr, fmt::format("{}: the result failed its checks: {}; outputs are written all the same",
+                                             input_label(job.structure.file), checks));
+        outcome_ = Outcome::ChecksFailed;
+    }
+    if (!request_.report.empty()) reports_.push_back(report(job, facts));
+    summary_ += summary(job, facts);
+}
+
+void StructureRun::finish() {
+    if (!request_.report.empty()) {
+        {
+            const WritingSection section;
+            write_report(request_.report, request_.all_models ? reports_ : reports_.front());
+        }
+        throw_if_interrupted();
+    }
+    if (request_.quiet || request_.report == "-") return;
+    print(summary_);
+}
+
+}  // namespace meniscus::cli

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The course of every subcommand that takes structures one by one: read, compute, write, report, sum up.
+#pragma once
+
+#include <chrono>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common_request.h"
+#include "meniscus/structure.h"
+#include "output_plan.h"
+#include "progress_report.h"
+#include "report.h"
+
+namespace meniscus::cli {
+
+/// How a command ended that did not throw.
+enum class Outcome {
+    Done,
+    ChecksFailed,  ///< outputs are written and marked, but a result failed its own checks
+};
+
+class Stopwatch {
+public:
+    /// Seconds since the stopwatch was made or last read.
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        return std::chrono::duration<double>(now - std::exchange(start_, now)).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// A structure and the files that come of it.
+struct Job {
+    Structure structure;
+    std::vector<Output> outputs;
+    int model = 1;
+};
+
+/// One run; a subcommand fills in what is computed and written. compute() is called once per structure, then write()
+/// for each of its files, then the others.
+class StructureRun {
+public:
+    /// request   must outlive the run
+    /// threads   asked for, 0 for all cores
+    StructureRun(const CommonRequest& request, int threads)
+        : request_(request), threads_(threads), progress_(resolve(request.progress, request.quiet), std::cerr) {}
+    virtual ~StructureRun() = default;
+    StructureRun(const StructureRun&) = delete;
+    StructureRun& operator=(const StructureRun&) = delete;
+
+    /// throws   UsageError, InputError, OutputError, LimitError, Interrupted
+    Outcome operator()();
+
+protected:
+    /// The files of one structure, see plan_outputs().
+    virtual std::vector<Output> plan(const std::string& name, const std::string& mark) const = 0;
+    virtual void compute(const Job& job) = 0;
+    virtual void write(const Output& output, const Job& job) const = 0;
+    /// Which checks the result failed; empty if it passed them all.
+    virtual std::string failed() const = 0;
+    virtual nlohmann::ordered_json report(const Job& job, const RunFacts& facts) const = 0;
+    virtual std::string summary(const Job& job, const RunFacts& facts) const = 0;
+
+    void show(std::string_view stage, double fraction) { progress_.update(stage, fraction); }
+
+private:
+    void check_asked_paths() const;
+    void check_all_paths(const std::vector<Job>& jobs) const;
+    std::vector<Job> read_jobs() const;
+    void run(const Job& job);
+    void write_outputs(const Job& job);
+    void record(const Job& job, const RunFacts& facts);
+    void finish();
+
+    const CommonRequest& request_;
+    int threads_;
+    ProgressReport progress_;
+    Stopwatch watch_;
+    double read_seconds_ = 0.0;
+    nlohmann::ordered_json reports_ = nlohmann::ordered_json::array();
+    std::string summary_;
+    Outcome outcome_ = Outcome::Done;
+};
+
+}  // namespace meniscus::cli

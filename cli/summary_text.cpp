@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "summary_text.h"
+
+#include <fmt/core.h>
+
+#include "messages.h"
+
+namespace meniscus::cli {
+
+std::string summary_line(const char* label, const std::string& text) {
+    return fmt::format("  {:<11} {}\n", label, text);
+}
+
+std::string counted(std::size_t n, const char* one, const char* many) {
+    return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+std::string describe_radii(const std::string& set) {
+    return set == "file" ? "radii of the file" : "radii " + one_line(set);
+}
+
+std::string describe_run(const RunFacts& facts) {
+    return summary_line("time", fmt::format("{:.2f} s on {}, {:.0f} MB", facts.total_seconds,
+                                            counted(static_cast<std::size_t>(facts.threads), "thread", "threads"),
+                                            facts.peak_memory_mb));
+}
+
+std::string describe_files(const std::vector<Output>& written) {
+    std::string list;
+    for (const Output& output : written) list.append(list.empty() ? "" : ", ").append(one_line(output.path));
+    return list.empty() ? "" : summary_line("written", list);
+}
+
+}  // namespace meniscus::cli

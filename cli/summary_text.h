@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// What the summaries of all subcommands say in the same words.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "output_plan.h"
+#include "report.h"
+
+namespace meniscus::cli {
+
+/// "  label       text", ended.
+std::string summary_line(const char* label, const std::string& text);
+
+/// "1 atom", "2 atoms".
+std::string counted(std::size_t n, const char* one, const char* many);
+
+/// "radii united", "radii of the file".
+std::string describe_radii(const std::string& set);
+
+/// Time, threads and memory, as a line.
+std::string describe_run(const RunFacts& facts);
+
+/// The names of the files written, as a line; empty if there are none.
+std::string describe_files(const std::vector<Output>& written);
+
+}  // namespace meniscus::cli

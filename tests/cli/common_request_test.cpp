@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "common_request.h"
+
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "meniscus/errors.h"
+
+namespace meniscus::cli {
+
+namespace {
+
+struct Parsed {
+    CommonRequest request;
+    double probe = 1.4;
+    int threads = 0;
+};
+
+Parsed parse(std::vector<std::string> arguments) {
+    Parsed parsed;
+    CLI::App app;
+    add_input(app, parsed.request);
+    add_atom_options(app, parsed.request);
+    add_probe(app, parsed.probe);
+    add_output_options(app, parsed.request);
+    add_run_options(app, parsed.request, parsed.threads);
+    std::reverse(arguments.begin(), arguments.end());
+    app.parse(arguments);
+    return parsed;
+}
+
+}  // namespace
+
+TEST(CommonRequest, FillsWhatItIsGiven) {
+    const Parsed parsed = parse({"a.pdb", "--probe", "0.5", "--threads", "3", "-o", "a.x", "-o", "b.y", "--assembly",
+                                 "2", "--select", "//A", "--strict-radii", "--progress", "json"});
+    EXPECT_EQ(parsed.request.input, "a.pdb");
+    EXPECT_EQ(parsed.probe, 0.5);
+    EXPECT_EQ(parsed.threads, 3);
+    EXPECT_EQ(parsed.request.outputs, (std::vector<std::string>{"a.x", "b.y"}));
+    EXPECT_EQ(parsed.request.read.assembly, "2");
+    EXPECT_EQ(parsed.request.read.select, "//A");
+    EXPECT_TRUE(parsed.request.read.strict_radii);
+    EXPECT_EQ(parsed.request.progress, ProgressMode::Json);
+}
+
+TEST(CommonRequest, RefusesWhatMakesNoSense) {
+    EXPECT_THROW(parse({"a.pdb", "--probe", "-1"}), UsageError);
+    EXPECT_THROW(parse({"a.pdb", "--threads", "0"}), UsageError);
+    EXPECT_THROW(parse({"a.pdb", "--hydrogens", "some"}), UsageError);
+    EXPECT_THROW(parse({}), CLI::ParseError);
+}
+
+TEST(CommonRequest, NegativeNumbersAreJoinedToTheirOption) {
+    EXPECT_EQ(join_negative_values({"--density", "-.5", "-o", "-"}),
+              (std::vector<std::string>{"--density=-.5", "-o", "-"}));
+}
+
+}  // namespace meniscus::cli

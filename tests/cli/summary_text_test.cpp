@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "summary_text.h"
+
+#include <gtest/gtest.h>
+
+namespace meniscus::cli {
+
+TEST(SummaryText, CountsInWords) {
+    EXPECT_EQ(counted(1, "atom", "atoms"), "1 atom");
+    EXPECT_EQ(counted(0, "atom", "atoms"), "0 atoms");
+}
+
+TEST(SummaryText, LinesAreIndentedAndEnded) {
+    EXPECT_EQ(summary_line("time", "now"), "  time        now\n");
+    EXPECT_EQ(describe_run({.threads = 1, .total_seconds = 1.5, .peak_memory_mb = 12.0}),
+              "  time        1.50 s on 1 thread, 12 MB\n");
+    EXPECT_EQ(describe_files({{"a.csv", OutputKind::Table}, {"b\n.pdb", OutputKind::StructureCopy}}),
+              "  written     a.csv, b .pdb\n");
+    EXPECT_EQ(describe_files({}), "");
+}
+
+TEST(SummaryText, TellsRadiiOfTheFileFromASet) {
+    EXPECT_EQ(describe_radii("file"), "radii of the file");
+    EXPECT_EQ(describe_radii("bondi"), "radii bondi");
+}
+
+}  // namespace meniscus::cli
