@@ -49,12 +49,12 @@ Vec3 rim_crossing(const Cap& a, const Cap& b) {
 }
 
 const ContourBuilder::Frame& ContourBuilder::frame(std::uint32_t cap) {
-    Frame& frame = frames_[cap];
-    if (!frame.known) {
+    if (frame_known_[cap] == 0) {
         const Vec3 e1 = perpendicular(caps_[cap].axis);
-        frame = {true, e1, cross(e1, caps_[cap].axis)};
+        frames_[cap] = {e1, cross(e1, caps_[cap].axis)};
+        frame_known_[cap] = 1;
     }
-    return frame;
+    return frames_[cap];
 }
 
 double ContourBuilder::pseudo_angle(std::uint32_t cap, const Vec3& n) {
@@ -72,11 +72,13 @@ std::uint32_t ContourBuilder::take_largest() {
 
 bool ContourBuilder::build(std::span<const Cap> caps) {
     caps_ = caps;
-    frames_.assign(caps.size(), Frame{});
+    frame_known_.assign(caps.size(), 0);
+    if (frames_.size() < caps.size()) frames_.resize(caps.size());
     heap_.clear();
     for (std::uint32_t k = 0; k < caps.size(); ++k) heap_.emplace_back(caps[k].t, k);
     std::make_heap(heap_.begin(), heap_.end(), std::greater<>());
     arcs_.clear();
+    extents_.clear();
     kept_.clear();
     while (!heap_.empty() && exposed())
         if (!insert(take_largest())) return false;
@@ -84,64 +86,100 @@ bool ContourBuilder::build(std::span<const Cap> caps) {
 }
 
 bool ContourBuilder::insert(std::uint32_t k) {
+    constexpr double kSlack = 1e-9;  // for rounding; what is not ruled out is examined
     const Cap& cap = caps_[k];
+    const double sine = std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t));
     next_arcs_.clear();
+    next_extents_.clear();
     entries_.clear();
     exits_.clear();
     bool changed = false;
-    for (const ContourArc& arc : arcs_) {
-        const Cap& other = caps_[arc.cap];
+    for (std::size_t a = 0; a < arcs_.size(); ++a) {
+        const Extent& extent = extents_[a];
+        // Caps whose angular radii add up to less than the angle of their axes are apart.
+        const bool apart = cap.t > -extent.cosine &&
+                           dot(extent.middle, cap.axis) < cap.t * extent.cosine - sine * extent.sine - kSlack;
+        if (apart) {
+            keep(arcs_[a], extent);
+            continue;
+        }
+        const Cap& other = caps_[arcs_[a].cap];
         if (const RimCrossing crossing = cross_rims(other, cap); crossing.crosses) {
             const std::size_t before = entries_.size() + exits_.size() + next_arcs_.size();
-            cut(arc, k, crossing.onto, crossing.back);
+            cut(a, k, crossing);
             const bool untouched = entries_.size() + exits_.size() + next_arcs_.size() == before + 1;
             changed = changed || !untouched;
         } else if (rim_is_inside(other, cap)) {
             changed = true;
         } else {
-            next_arcs_.push_back(arc);
+            keep(arcs_[a], extent);
         }
     }
     if (!entries_.empty() || !exits_.empty()) {
         if (!close_rim(k)) return false;
     } else if (rim_is_exposed(k)) {
-        next_arcs_.push_back({.cap = k});
+        keep({.cap = k}, extent_of({.cap = k}, {}, {}));
         changed = true;
     }
     if (!changed) return true;
     kept_.push_back(k);
     std::swap(arcs_, next_arcs_);
+    std::swap(extents_, next_extents_);
     return true;
 }
 
-// Keeps what of `arc` lies outside cap k; along the arc's rim the cap is entered at `entry` and left at `exit`.
-void ContourBuilder::cut(const ContourArc& arc, std::uint32_t k, const Vec3& entry, const Vec3& exit) {
-    const double in = pseudo_angle(arc.cap, entry);
-    const double out = pseudo_angle(arc.cap, exit);
+// Keeps what of an arc lies outside cap k; along the arc's rim the cap is entered at `onto` and left at `back`.
+void ContourBuilder::cut(std::size_t a, std::uint32_t k, const RimCrossing& crossing) {
+    const ContourArc& arc = arcs_[a];
+    const Extent& extent = extents_[a];
+    const double in = pseudo_angle(arc.cap, crossing.onto);
+    const double out = pseudo_angle(arc.cap, crossing.back);
     if (arc.from == kWholeCircle) {
-        keep_piece({.cap = arc.cap, .from = k, .to = k, .start = out, .sweep = wrapped(in - out)}, k, entry, exit);
+        keep_piece({.cap = arc.cap, .from = k, .to = k, .start = out, .sweep = wrapped(in - out)}, k, crossing.back,
+                   crossing.onto);
         return;
     }
     const double to_in = wrapped(in - arc.start);
     const double to_out = wrapped(out - arc.start);
     if (to_in < to_out) {  // the arc starts outside the cap
         if (to_in >= arc.sweep) {
-            next_arcs_.push_back(arc);
+            keep(arc, extent);
             return;
         }
-        keep_piece({arc.cap, arc.from, k, arc.start, to_in}, k, entry, exit);
-        if (to_out < arc.sweep) keep_piece({arc.cap, k, arc.to, out, arc.sweep - to_out}, k, entry, exit);
+        keep_piece({arc.cap, arc.from, k, arc.start, to_in}, k, extent.start, crossing.onto);
+        if (to_out < arc.sweep) keep_piece({arc.cap, k, arc.to, out, arc.sweep - to_out}, k, crossing.back, extent.end);
     } else if (to_out < arc.sweep) {  // starts inside the cap and comes out of it
-        const bool enters_again = to_in < arc.sweep;
-        const double end = enters_again ? to_in : arc.sweep;
-        keep_piece({arc.cap, k, enters_again ? k : arc.to, out, end - to_out}, k, entry, exit);
+        if (to_in < arc.sweep)
+            keep_piece({arc.cap, k, k, out, to_in - to_out}, k, crossing.back, crossing.onto);
+        else
+            keep_piece({arc.cap, k, arc.to, out, arc.sweep - to_out}, k, crossing.back, extent.end);
     }
 }
 
-void ContourBuilder::keep_piece(ContourArc piece, std::uint32_t k, const Vec3& entry, const Vec3& exit) {
-    if (piece.to == k) entries_.push_back({pseudo_angle(k, entry), piece.cap});
-    if (piece.from == k) exits_.push_back({pseudo_angle(k, exit), piece.cap});
-    next_arcs_.push_back(piece);
+void ContourBuilder::keep_piece(const ContourArc& piece, std::uint32_t k, const Vec3& start, const Vec3& end) {
+    if (piece.to == k) entries_.push_back({pseudo_angle(k, end), piece.cap, end});
+    if (piece.from == k) exits_.push_back({pseudo_angle(k, start), piece.cap, start});
+    keep(piece, extent_of(piece, start, end));
+}
+
+void ContourBuilder::keep(const ContourArc& arc, const Extent& extent) {
+    next_arcs_.push_back(arc);
+    next_extents_.push_back(extent);
+}
+
+// An arc of at most half its rim lies within the cap around the middle of its ends that has them on its rim; a longer
+// one within the cap of its own rim, or the complement of that, whichever is smaller.
+ContourBuilder::Extent ContourBuilder::extent_of(const ContourArc& arc, const Vec3& start, const Vec3& end) const {
+    if (arc.from != kWholeCircle && arc.sweep <= 2.0) {
+        const Vec3 sum = start + end;
+        if (const double length = norm(sum); length > 0.1) {
+            const double cosine = 0.5 * length;
+            return {start, end, (1.0 / length) * sum, cosine, std::sqrt(std::max(0.0, 1.0 - cosine * cosine))};
+        }
+    }
+    const Cap& cap = caps_[arc.cap];
+    const double sign = cap.t < 0.0 ? -1.0 : 1.0;
+    return {start, end, sign * cap.axis, sign * cap.t, std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t))};
 }
 
 // Joins each point where the contour reaches the rim of cap k to the next point where it leaves it.
@@ -153,7 +191,8 @@ bool ContourBuilder::close_rim(std::uint32_t k) {
             return sweep_to(a) < sweep_to(b);
         });
         if (exit == exits_.end()) return false;  // two entries without an exit between them
-        next_arcs_.push_back({k, entry.cap, exit->cap, entry.angle, sweep_to(*exit)});
+        const ContourArc arc{k, entry.cap, exit->cap, entry.angle, sweep_to(*exit)};
+        keep(arc, extent_of(arc, entry.point, exit->point));
         *exit = exits_.back();
         exits_.pop_back();
     }

@@ -36,6 +36,14 @@ struct ContourArc {
     double sweep = 4.0;  ///< pseudo-angle to the end, (0, 4]
 };
 
+/// Where the rims of two caps meet.
+struct RimCrossing {
+    bool crosses = false;
+    Vec3 onto;  ///< where the contour passes from the rim of the first cap onto that of the second
+    Vec3 back;  ///< and from the second onto the first
+};
+RimCrossing cross_rims(const Cap& a, const Cap& b);
+
 /// Builds the contours of spheres one after the other, reusing its memory.
 class ContourBuilder {
 public:
@@ -55,10 +63,18 @@ private:
     struct Crossing {
         double angle;       // pseudo-angle on the inserted rim
         std::uint32_t cap;  // the other rim
+        Vec3 point;
+    };
+    // The ends of an arc, and a cap of directions (n·middle >= cosine) that holds all of it.
+    struct Extent {
+        Vec3 start;
+        Vec3 end;
+        Vec3 middle;
+        double cosine;
+        double sine;
     };
 
     struct Frame {
-        bool known = false;
         Vec3 e1;  // direction of pseudo-angle 0
         Vec3 e2;  // a quarter turn clockwise around the cap
     };
@@ -67,16 +83,21 @@ private:
     const Frame& frame(std::uint32_t cap);
     bool insert(std::uint32_t k);
     bool close_rim(std::uint32_t k);
-    void cut(const ContourArc& arc, std::uint32_t k, const Vec3& entry, const Vec3& exit);
-    void keep_piece(ContourArc piece, std::uint32_t k, const Vec3& entry, const Vec3& exit);
+    void cut(std::size_t a, std::uint32_t k, const RimCrossing& crossing);
+    void keep_piece(const ContourArc& piece, std::uint32_t k, const Vec3& start, const Vec3& end);
+    void keep(const ContourArc& arc, const Extent& extent);
+    Extent extent_of(const ContourArc& arc, const Vec3& start, const Vec3& end) const;
     bool rim_is_exposed(std::uint32_t k);
     double pseudo_angle(std::uint32_t cap, const Vec3& n);
 
     std::span<const Cap> caps_;
     std::vector<std::pair<double, std::uint32_t>> heap_;  // (t, cap) of those to come, smallest t on top
+    std::vector<std::uint8_t> frame_known_;
     std::vector<Frame> frames_;
     std::vector<ContourArc> arcs_;
+    std::vector<Extent> extents_;  // of arcs_
     std::vector<ContourArc> next_arcs_;
+    std::vector<Extent> next_extents_;
     std::vector<Crossing> entries_;
     std::vector<Crossing> exits_;
     std::vector<std::uint32_t> kept_;
@@ -84,14 +105,6 @@ private:
 
 /// A unit vector perpendicular to the unit vector `axis`.
 Vec3 perpendicular(const Vec3& axis);
-
-/// Where the rims of two caps meet.
-struct RimCrossing {
-    bool crosses = false;
-    Vec3 onto;  ///< where the contour passes from the rim of the first cap onto that of the second
-    Vec3 back;  ///< and from the second onto the first
-};
-RimCrossing cross_rims(const Cap& a, const Cap& b);
 
 /// RimCrossing::onto. Precondition: the rims cross.
 Vec3 rim_crossing(const Cap& a, const Cap& b);

@@ -154,8 +154,8 @@ std::vector<std::uint32_t> nest_components(const AccessibleSurface& surface, con
 }
 
 InscribedSphere largest_inscribed_sphere(const AccessibleSurface& surface, std::span<const Vec3> starts) {
-    constexpr std::size_t kMostStarts = 48;
-    constexpr double kCoarse = 0.05;  // Å: enough to tell which start leads highest
+    constexpr std::size_t kMostStarts = 32;
+    constexpr double kCoarse = 0.1;  // Å: enough to tell which start leads highest
     constexpr double kFine = 1e-7;
     Gap gap(surface);
     InscribedSphere best;

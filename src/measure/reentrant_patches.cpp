@@ -70,20 +70,39 @@ private:
         return triangle_angle(d);
     }
 
-    void gather_probes(std::uint32_t v, ReentrantPatch& patch) {
-        const Vec3& at = data_.vertices[v].position;
+    // Neighbouring vertices share a search: they are numbered in spatial order.
+    void search_near(std::uint32_t v) {
+        constexpr std::uint32_t kGroup = 8;
+        constexpr double kLargestBox = 4.0;  // Å
         const double reach = 2.0 * data_.probe;
         Box box;
-        box.include(at);
-        data_.vertex_tree.for_each_overlapping(box.grown(reach), [&](std::uint32_t w) {
-            if (w == v) return;
+        box.include(data_.vertices[v].position);
+        searched_end_ = v + 1;
+        while (searched_end_ < data_.vertices.size() && searched_end_ < v + kGroup) {
+            Box larger = box;
+            larger.include(data_.vertices[searched_end_].position);
+            if (norm(larger.high - larger.low) > kLargestBox) break;
+            box = larger;
+            ++searched_end_;
+        }
+        searched_begin_ = v;
+        near_.clear();
+        data_.vertex_tree.for_each_overlapping(box.grown(reach), [&](std::uint32_t w) { near_.push_back(w); });
+    }
+
+    void gather_probes(std::uint32_t v, ReentrantPatch& patch) {
+        if (v < searched_begin_ || v >= searched_end_) search_near(v);
+        const Vec3& at = data_.vertices[v].position;
+        const double reach = 2.0 * data_.probe;
+        for (const std::uint32_t w : near_) {
+            if (w == v) continue;
             const Vec3 between = data_.vertices[w].position - at;
             const double d = norm(between);
             if (d < kSamePosition)
                 patch.degenerate = true;
             else if (d < reach)
                 base_.push_back({(1.0 / d) * between, d / reach, w});
-        });
+        }
     }
 
     bool cut(std::uint32_t v, int attempt, ReentrantPatch& patch) {
@@ -123,6 +142,9 @@ private:
 
     const AccessibleSurface::Data& data_;
     std::uint64_t seed_;
+    std::uint32_t searched_begin_ = 0;  // vertices that near_ is complete for
+    std::uint32_t searched_end_ = 0;
+    std::vector<std::uint32_t> near_;
     std::vector<Cap> base_;
     std::vector<Cap> caps_;
     ContourBuilder builder_;
