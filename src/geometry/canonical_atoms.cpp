@@ -11,6 +11,7 @@
 #include <string>
 #include <tuple>
 
+#include "core/mix_bits.h"
 #include "meniscus/errors.h"
 
 namespace meniscus {
@@ -27,13 +28,6 @@ std::uint64_t spread_bits(std::uint64_t v) {
     v = (v | v << 8U) & 0x100F00F00F00F00FULL;
     v = (v | v << 4U) & 0x10C30C30C30C30C3ULL;
     return (v | v << 2U) & 0x1249249249249249ULL;
-}
-
-// Finaliser of splitmix64 (Steele, Lea & Flood 2014).
-std::uint64_t mix(std::uint64_t h) {
-    h = (h ^ (h >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-    h = (h ^ (h >> 27U)) * 0x94D049BB133111EBULL;
-    return h ^ (h >> 31U);
 }
 
 void check(const Atoms& atoms) {
@@ -69,10 +63,10 @@ std::uint64_t morton_key(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
 }
 
 double symmetry_breaking_offset(const Vec3& centre, double radius, std::uint64_t seed) {
-    std::uint64_t h = mix(seed + 0x9E3779B97F4A7C15ULL);
+    std::uint64_t h = mix_bits(seed + kMixIncrement);
     for (const double v : {centre.x, centre.y, centre.z, radius})
-        h = mix(h ^ std::bit_cast<std::uint64_t>(v + 0.0)) + 0x9E3779B97F4A7C15ULL;  // + 0.0: -0 is 0
-    return std::ldexp(static_cast<double>(mix(h) >> 11U), -52) - 1.0;
+        h = mix_bits(h ^ std::bit_cast<std::uint64_t>(v + 0.0)) + kMixIncrement;  // + 0.0: -0 is 0
+    return signed_unit(mix_bits(h));
 }
 
 CanonicalAtoms canonical_atoms(const Atoms& atoms, double cell) {

@@ -173,8 +173,8 @@ ContourBuilder::Extent ContourBuilder::extent_of(const ContourArc& arc, const Ve
     if (arc.from != kWholeCircle && arc.sweep <= 2.0) {
         const Vec3 sum = start + end;
         if (const double length = norm(sum); length > 0.1) {
-            const double cosine = 0.5 * length;
-            return {start, end, (1.0 / length) * sum, cosine, std::sqrt(std::max(0.0, 1.0 - cosine * cosine))};
+            // The sine from the chord: 1 - cosine² would lose arcs of 1e-8 radian.
+            return {start, end, (1.0 / length) * sum, 0.5 * length, 0.5 * norm(end - start)};
         }
     }
     const Cap& cap = caps_[arc.cap];

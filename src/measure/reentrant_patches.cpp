@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mix_bits.h"
 #include "core/parallel.h"
 
 namespace meniscus {
@@ -15,17 +16,10 @@ constexpr int kMaxAttempts = 8;       // the last ones with a tenfold shift each
 // Probe positions this close (Å) are one position found by several triples: they share edges, not ground.
 constexpr double kSamePosition = 1e-6;
 
-std::uint64_t mix(std::uint64_t h) {
-    h = (h ^ (h >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-    h = (h ^ (h >> 27U)) * 0x94D049BB133111EBULL;
-    return h ^ (h >> 31U);
-}
-
 // Shift of the plane between two probes, Å, antisymmetric: both spheres are cut by the same plane.
 double plane_shift(std::uint32_t v, std::uint32_t w, std::uint64_t seed) {
     const std::uint64_t pair = (std::uint64_t{std::min(v, w)} << 32U) | std::max(v, w);
-    const double unit =
-        std::ldexp(static_cast<double>(mix(mix(pair + 0x9E3779B97F4A7C15ULL) ^ mix(seed)) >> 11U), -52) - 1.0;
+    const double unit = signed_unit(mix_bits(mix_bits(pair + kMixIncrement) ^ mix_bits(seed)));
     return kPlaneShift * (v < w ? unit : -unit);
 }
 

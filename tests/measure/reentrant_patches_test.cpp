@@ -62,6 +62,7 @@ TEST(ReentrantPatches, TrimmedPatchIsAPartOfItsTriangleForAnySeed) {
     ASSERT_GT(first.size(), 50U);
     for (std::size_t v = 0; v < first.size(); ++v) {
         EXPECT_TRUE(first[v].consistent);
+        EXPECT_FALSE(first[v].degenerate);
         EXPECT_GE(whole(first[v]), -1e-9);
         EXPECT_LE(whole(first[v]), first[v].triangle + 1e-9);
         EXPECT_NEAR(whole(first[v]), whole(second[v]), 1e-7);

@@ -119,6 +119,9 @@ TEST(Reference, ExactMeasuresMatchTheTable) {
         const Measures m =
             measure(read_spheres(*test_data() / "reference" / file), {.probe = probe, .cavities = false});
         EXPECT_TRUE(m.agreed);
+        if (!file.starts_with("spheres/")) {
+            EXPECT_FALSE(m.degenerate) << "no protein needs a patch trimmed twice";
+        }
         const double bound = file.starts_with("spheres/") ? 1e-5 : 1e-7;
         EXPECT_NEAR(m.totals.sas_area / t.sas_area, 1.0, bound);
         EXPECT_NEAR(m.totals.sas_volume / t.sas_volume, 1.0, bound);
