@@ -13,7 +13,8 @@ namespace {
 Atoms block_with_a_hole(const Vec3& shift) {
     Atoms atoms;
     for (int i = 0; i < 125; ++i) {
-        const Vec3 at{2.2 * (i % 5 - 2), 2.2 * (i / 5 % 5 - 2), 2.2 * (i / 25 - 2)};
+        const int cell[3] = {i % 5 - 2, i / 5 % 5 - 2, i / 25 - 2};
+        const Vec3 at{2.2 * cell[0], 2.2 * cell[1], 2.2 * cell[2]};
         if (norm(at) < 2.3) continue;  // the centre and its six neighbours
         atoms.centres.push_back(at + shift);
         atoms.radii.push_back(1.6);
