@@ -14,15 +14,7 @@
 namespace meniscus {
 namespace {
 
-struct CoordHash {
-    std::size_t operator()(const BlockCoord& c) const {
-        std::uint64_t h = static_cast<std::uint32_t>(c.x);
-        h = h * 0x9E3779B97F4A7C15ULL + static_cast<std::uint32_t>(c.y);
-        h = h * 0x9E3779B97F4A7C15ULL + static_cast<std::uint32_t>(c.z);
-        return static_cast<std::size_t>((h ^ (h >> 31U)) * 0xBF58476D1CE4E5B9ULL);
-    }
-};
-using BlockSet = std::unordered_set<BlockCoord, CoordHash>;
+using BlockSet = std::unordered_set<BlockCoord, BlockCoordHash>;
 
 // At least one point of the van der Waals spheres on every piece of the surface.
 std::vector<Vec3> points_on_surface(const AccessibleSurface::Data& data) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace meniscus {
 namespace {
@@ -20,11 +19,6 @@ double rim_sine(const Cap& cap) { return std::sqrt(std::max(0.0, 1.0 - cap.t * c
 bool caps_overlap(const Cap& a, const Cap& b) {
     const double angle = std::atan2(norm(cross(a.axis, b.axis)), dot(a.axis, b.axis));
     return angle < std::acos(std::clamp(a.t, -1.0, 1.0)) + std::acos(std::clamp(b.t, -1.0, 1.0));
-}
-
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
 }
 
 }  // namespace
@@ -91,39 +85,30 @@ void SphericalRegions::link_loops() {
 }
 
 std::uint32_t SphericalRegions::count_cap_clusters() const {
-    std::vector<std::uint32_t> parent(kept_.size());
-    std::iota(parent.begin(), parent.end(), 0U);
-    auto clusters = static_cast<std::uint32_t>(parent.size());
-    for (std::uint32_t a = 0; a < parent.size(); ++a)
-        for (std::uint32_t b = 0; b < a; ++b) {
-            const std::uint32_t ra = root_of(parent, a);
-            const std::uint32_t rb = root_of(parent, b);
-            if (ra == rb || !caps_overlap(caps_[kept_[a]], caps_[kept_[b]])) continue;
-            parent[ra] = rb;
-            --clusters;
-        }
-    return clusters;
+    DisjointSets clusters(kept_.size());
+    auto count = static_cast<std::uint32_t>(kept_.size());
+    for (std::uint32_t a = 0; a < kept_.size(); ++a)
+        for (std::uint32_t b = 0; b < a; ++b)
+            if (clusters.root(a) != clusters.root(b) && caps_overlap(caps_[kept_[a]], caps_[kept_[b]]) &&
+                clusters.join(a, b))
+                --count;
+    return count;
 }
 
 // Regions and clusters of caps alternate like a tree whose edges are the loops: regions = 1 + loops - clusters.
 void SphericalRegions::group_loops() {
-    loop_region_.resize(loops_);
-    std::iota(loop_region_.begin(), loop_region_.end(), 0U);
+    DisjointSets loops(loops_);
     if (loops_ > 1) {
         const std::uint32_t clusters = count_cap_clusters();
-        if (clusters >= loops_)
-            std::fill(loop_region_.begin(), loop_region_.end(), 0U);  // each cluster has one loop: one region
-        else if (clusters > 1)
-            for (std::uint32_t loop = 1; loop < loops_; ++loop) join_along_walk(loop);
+        for (std::uint32_t loop = 1; loop < loops_; ++loop) {
+            if (clusters >= loops_)
+                loops.join(0, loop);  // each cluster has one loop: one region
+            else if (clusters > 1)
+                join_along_walk(loop, loops);
+        }
     }
-    std::vector<std::uint32_t> number(loops_, 0);
-    std::uint32_t regions = 0;
-    for (std::uint32_t loop = 0; loop < loops_; ++loop)
-        if (root_of(loop_region_, loop) == loop) number[loop] = regions++;
-    std::vector<std::uint32_t> numbered(loops_);
-    for (std::uint32_t loop = 0; loop < loops_; ++loop) numbered[loop] = number[root_of(loop_region_, loop)];
-    loop_region_ = std::move(numbered);
-    regions_.assign(regions, {});
+    loop_region_ = loops.numbers();
+    regions_.assign(set_count(loop_region_), {});
 }
 
 // Lists where the great circle from one direction to another crosses the contour.
@@ -153,7 +138,7 @@ void SphericalRegions::walk(const Vec3& from, const Vec3& to) const {
 }
 
 // Walks from the first loop to another: loops at both ends of an exposed stretch bound the same region.
-void SphericalRegions::join_along_walk(std::uint32_t loop) {
+void SphericalRegions::join_along_walk(std::uint32_t loop, DisjointSets& loops) {
     const auto first_arc = [&](std::uint32_t l) {
         return static_cast<std::size_t>(std::find(loop_.begin(), loop_.end(), l) - loop_.begin());
     };
@@ -166,7 +151,7 @@ void SphericalRegions::join_along_walk(std::uint32_t loop) {
     const Vec3 arriving = cross(cross(from, to), to);
     std::uint32_t open = dot(ahead, caps_[contour_[a].cap].axis) < 0.0 ? 0 : loops_;  // loops_: under a cap
     const auto join = [&](std::uint32_t other) {
-        if (open < loops_) loop_region_[root_of(loop_region_, other)] = root_of(loop_region_, open);
+        if (open < loops_) loops.join(other, open);
     };
     for (const Crossing& crossing : crossings_) {
         if (crossing.into_cap) join(loop_[crossing.arc]);

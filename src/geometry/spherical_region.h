@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/disjoint_sets.h"
 #include "geometry/contour.h"
 #include "meniscus/vec3.h"
 
@@ -55,7 +56,7 @@ private:
     std::uint32_t count_cap_clusters() const;
     void group_loops();
     void walk(const Vec3& from, const Vec3& to) const;
-    void join_along_walk(std::uint32_t loop);
+    void join_along_walk(std::uint32_t loop, DisjointSets& loops);
     void add_up();
 
     std::span<const Cap> caps_;

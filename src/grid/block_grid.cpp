@@ -6,28 +6,13 @@
 #include <bit>
 
 namespace meniscus {
-namespace {
-
-std::size_t hash_of(const BlockCoord& c) {
-    std::uint64_t h = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(c.x)) * 0x9E3779B97F4A7C15ULL) ^
-                      (static_cast<std::uint64_t>(static_cast<std::uint32_t>(c.y)) * 0xC2B2AE3D27D4EB4FULL) ^
-                      (static_cast<std::uint64_t>(static_cast<std::uint32_t>(c.z)) * 0x165667B19E3779F9ULL);
-    h ^= h >> 32U;
-    return static_cast<std::size_t>(h * 0xD6E8FEB86659FD93ULL >> 16U);
-}
-
-// Which neighbour along one axis a padded coordinate -1..8 falls into, and where in it.
-constexpr int side_of(int i) { return i < 0 ? -1 : (i >= kBlockEdge ? 1 : 0); }
-
-}  // namespace
-
 BlockGrid::BlockGrid(double spacing, const Vec3& origin, std::vector<BlockCoord> blocks)
     : spacing_(spacing), origin_(origin), blocks_(std::move(blocks)) {
     std::sort(blocks_.begin(), blocks_.end());
     slots_.assign(std::bit_ceil(2 * blocks_.size() + 1), kNoBlock);
     const std::size_t mask = slots_.size() - 1;
     for (BlockId b = 0; b < blocks_.size(); ++b) {
-        std::size_t slot = hash_of(blocks_[b]) & mask;
+        std::size_t slot = BlockCoordHash{}(blocks_[b]) & mask;
         while (slots_[slot] != kNoBlock) slot = (slot + 1) & mask;
         slots_[slot] = b;
     }
@@ -44,7 +29,7 @@ BlockGrid::BlockGrid(double spacing, const Vec3& origin, std::vector<BlockCoord>
 
 BlockId BlockGrid::find(const BlockCoord& coord) const {
     const std::size_t mask = slots_.size() - 1;
-    for (std::size_t slot = hash_of(coord) & mask; slots_[slot] != kNoBlock; slot = (slot + 1) & mask)
+    for (std::size_t slot = BlockCoordHash{}(coord)&mask; slots_[slot] != kNoBlock; slot = (slot + 1) & mask)
         if (blocks_[slots_[slot]] == coord) return slots_[slot];
     return kNoBlock;
 }

@@ -32,11 +32,25 @@ struct BlockCoord {
     auto operator<=>(const BlockCoord&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 is wrong
 };
 
+/// Hash of a block's position, for tables of blocks.
+struct BlockCoordHash {
+    std::size_t operator()(const BlockCoord& c) const {
+        std::uint64_t h = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(c.x)) * 0x9E3779B97F4A7C15ULL) ^
+                          (static_cast<std::uint64_t>(static_cast<std::uint32_t>(c.y)) * 0xC2B2AE3D27D4EB4FULL) ^
+                          (static_cast<std::uint64_t>(static_cast<std::uint32_t>(c.z)) * 0x165667B19E3779F9ULL);
+        h ^= h >> 32U;
+        return static_cast<std::size_t>(h * 0xD6E8FEB86659FD93ULL >> 16U);
+    }
+};
+
 /// Number of a node within its block.
 constexpr int node_in_block(int x, int y, int z) { return x + kBlockEdge * (y + kBlockEdge * z); }
 
 /// Number of a neighbour in BlockGrid::neighbours; dx, dy, dz in {-1, 0, 1}.
 constexpr int neighbour_slot(int dx, int dy, int dz) { return (dx + 1) + 3 * (dy + 1) + 9 * (dz + 1); }
+
+/// Which block along one axis holds a node that is at most a block's edge beside this one: -1, 0 or 1.
+constexpr int side_of(int node) { return node < 0 ? -1 : (node >= kBlockEdge ? 1 : 0); }
 
 class BlockGrid {
 public:

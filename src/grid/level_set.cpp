@@ -61,8 +61,6 @@ Cell cell_of(const BlockGrid& grid, const Vec3& point) {
     return cell;
 }
 
-constexpr int side_of(int i) { return i < 0 ? -1 : (i >= kBlockEdge ? 1 : 0); }
-
 // The 4³ coefficients around a cell; false where one of them is outside the band.
 bool gather(const BlockGrid& grid, std::span<const float> coefficients, const Cell& cell,
             float (&local)[kSupport * kSupport * kSupport]) {

@@ -15,39 +15,12 @@ namespace {
 // Stretches of border shorter than this (radian) may owe themselves to a perturbation: they connect nothing.
 constexpr double kShortestBorder = 1e-6;
 
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-}
-
-// Adds sets of one member each.
-void extend(std::vector<std::uint32_t>& parent, std::size_t size) {
-    for (auto i = static_cast<std::uint32_t>(parent.size()); i < size; ++i) parent.push_back(i);
-}
-
-void unite(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t ra = root_of(parent, a);
-    const std::uint32_t rb = root_of(parent, b);
-    parent[std::max(ra, rb)] = std::min(ra, rb);
-}
-
 // Measures the exposed regions of an atom's enlarged sphere.
 void measure_sphere(const AccessibleSurface::Data& data, std::uint32_t atom, SphericalRegions& regions) {
     const std::span<const Cap> caps = data.caps_of(atom);
     std::vector<std::uint32_t> all(caps.size());
     std::iota(all.begin(), all.end(), 0U);
     regions.measure(caps, data.contour_of(atom), all);
-}
-
-// Numbers the sets of a union-find in the order of their first members.
-std::size_t number_sets(std::vector<std::uint32_t>& parent, std::vector<std::uint32_t>& number) {
-    number.assign(parent.size(), 0);
-    std::uint32_t sets = 0;
-    for (std::uint32_t i = 0; i < parent.size(); ++i) {
-        const std::uint32_t root = root_of(parent, i);
-        number[i] = root == i ? sets++ : number[root];
-    }
-    return sets;
 }
 
 }  // namespace
@@ -91,7 +64,7 @@ void SesPatches::add_contact_patches() {
         first_contact_.push_back(static_cast<std::uint32_t>(patches_.size()));
     }
     // Contact patches on both sides of an arc belong to one piece of the SAS.
-    extend(sas_parent_, patches_.size());
+    sas_sets_.grow(patches_.size());
     std::vector<std::uint32_t> beside(data_->arcs.size(), kNone);
     for (std::size_t i = 0; i < atoms; ++i)
         for (std::size_t c = data_->contour_begin[i]; c < data_->contour_begin[i + 1]; ++c) {
@@ -100,7 +73,7 @@ void SesPatches::add_contact_patches() {
             if (other == kNone)
                 other = patch;
             else
-                unite(sas_parent_, patch, other);
+                sas_sets_.join(patch, other);
         }
     contact_beside_arc_ = std::move(arc_region);
 }
@@ -118,10 +91,10 @@ void SesPatches::add_toroidal_patches() {
                                 .sas = {}});
         first_torus_.push_back(static_cast<std::uint32_t>(patches_.size()));
     }
-    extend(parent_, patches_.size());
+    sets_.grow(patches_.size());
     for (std::uint32_t i = 0; i < data_->atoms.size(); ++i)
         for (std::size_t c = data_->contour_begin[i]; c < data_->contour_begin[i + 1]; ++c)
-            unite(parent_, first_contact_[i] + contact_beside_arc_[c], torus_patch(data_->contour_arc[c], i));
+            sets_.join(first_contact_[i] + contact_beside_arc_[c], torus_patch(data_->contour_arc[c], i));
 }
 
 void SesPatches::add_reentrant_patches() {
@@ -139,7 +112,7 @@ void SesPatches::add_reentrant_patches() {
                  .sas = {}});
         first_reentrant_.push_back(static_cast<std::uint32_t>(patches_.size()));
     }
-    extend(parent_, patches_.size());
+    sets_.grow(patches_.size());
     vertex_arcs_.assign(reentrant_.size(), {kNone, kNone, kNone});
     for (std::uint32_t a = 0; a < data_->arcs.size(); ++a)
         for (const std::uint32_t v : {data_->arcs[a].start, data_->arcs[a].end})
@@ -148,7 +121,7 @@ void SesPatches::add_reentrant_patches() {
         for (const TrimmedArc& arc : reentrant_[v].arcs) {
             if (arc.angle < kShortestBorder) continue;
             const std::uint32_t across = patch_across(v, arc);
-            if (across != kNone) unite(parent_, first_reentrant_[v] + arc.region, across);
+            if (across != kNone) sets_.join(first_reentrant_[v] + arc.region, across);
         }
 }
 
@@ -200,11 +173,12 @@ std::uint32_t SesPatches::patch_across(std::uint32_t vertex, const TrimmedArc& a
 }
 
 void SesPatches::number_components() {
-    std::vector<std::uint32_t> number;
-    components_ = number_sets(parent_, number);
-    for (std::size_t p = 0; p < patches_.size(); ++p) patches_[p].component = number[p];
-    sas_components_ = number_sets(sas_parent_, number);
-    for (std::size_t p = 0; p < sas_parent_.size(); ++p) patches_[p].sas_component = number[p];
+    const std::vector<std::uint32_t> piece = sets_.numbers();
+    const std::vector<std::uint32_t> sas_piece = sas_sets_.numbers();
+    components_ = set_count(piece);
+    sas_components_ = set_count(sas_piece);
+    for (std::size_t p = 0; p < piece.size(); ++p) patches_[p].component = piece[p];
+    for (std::size_t p = 0; p < sas_piece.size(); ++p) patches_[p].sas_component = sas_piece[p];
 }
 
 std::uint32_t SesPatches::component_at(const Vec3& point) const {

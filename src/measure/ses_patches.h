@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/disjoint_sets.h"
 #include "geometry/accessible_surface_data.h"
 #include "measure/patch_integrals.h"
 #include "measure/reentrant_patches.h"
@@ -62,8 +63,8 @@ private:
     std::vector<std::uint32_t> contact_beside_arc_;  // of each arc of a contour: region of its atom
     std::vector<std::array<std::uint32_t, 3>> vertex_arcs_;
     std::vector<ReentrantPatch> reentrant_;
-    std::vector<std::uint32_t> parent_;      // union-find over patches
-    std::vector<std::uint32_t> sas_parent_;  // over contact patches
+    DisjointSets sets_;      // of patches
+    DisjointSets sas_sets_;  // of contact patches
     std::size_t components_ = 0;
     std::size_t sas_components_ = 0;
     bool degenerate_ = false;

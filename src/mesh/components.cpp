@@ -9,43 +9,19 @@
 #include <numeric>
 #include <utility>
 
+#include "core/disjoint_sets.h"
+
 namespace meniscus {
 namespace {
 
-// Disjoint sets of vertices; the root of a set is its smallest vertex, whatever the order of unions.
-class VertexSets {
-public:
-    explicit VertexSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), VertexId{0}); }
-
-    VertexId root(VertexId v) {
-        while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-        return v;
-    }
-
-    void join(VertexId a, VertexId b) {
-        a = root(a);
-        b = root(b);
-        if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<VertexId> parent_;
-};
-
 // Pieces numbered by their smallest vertex.
 std::vector<std::uint32_t> pieces_by_first_vertex(const Mesh& mesh) {
-    VertexSets sets(mesh.vertices.size());
+    DisjointSets sets(mesh.vertices.size());
     for (const auto& [a, b, c] : mesh.triangles) {
         sets.join(a, b);
         sets.join(a, c);
     }
-    std::vector<std::uint32_t> pieces(mesh.vertices.size());
-    std::uint32_t count = 0;
-    for (VertexId v = 0; v < pieces.size(); ++v) {
-        const VertexId root = sets.root(v);
-        pieces[v] = root == v ? count++ : pieces[root];
-    }
-    return pieces;
+    return sets.numbers();
 }
 
 // order[i] = old number of the piece that becomes number i.
