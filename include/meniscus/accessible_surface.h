@@ -55,6 +55,9 @@ public:
     /// throws   std::invalid_argument for no atoms, a radius <= 0 or a coordinate that is not finite
     /// cost     linear at protein density; parallel over atoms
     AccessibleSurface(const Atoms& atoms, double probe, std::uint64_t seed = 0);
+    /// The same atoms and probe radius under the perturbation of another seed. What is exposed is found anew, sooner
+    /// than by the constructor: neighbours that buried most are looked at first.
+    AccessibleSurface perturbed(std::uint64_t seed) const;
     ~AccessibleSurface();
     AccessibleSurface(AccessibleSurface&&) noexcept;
     AccessibleSurface& operator=(AccessibleSurface&&) noexcept;
@@ -71,6 +74,8 @@ public:
     const Data& data() const { return *data_; }
 
 private:
+    explicit AccessibleSurface(std::unique_ptr<const Data> data);
+
     std::unique_ptr<const Data> data_;
 };
 

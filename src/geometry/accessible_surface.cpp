@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 
@@ -48,31 +49,54 @@ struct ChunkResult {
     bool consistent = true;
     std::vector<ContourArc> arcs;
     std::vector<Cap> caps;
+    std::vector<std::uint32_t> cover;
 };
 
-enum class Coverage { Open, Buried };
+// The cap that atom j buries on the enlarged sphere of atom i; t <= -1 if all of it.
+Cap cap_between(const AccessibleSurface::Data& data, std::uint32_t i, std::uint32_t j) {
+    const Vec3 between = data.atoms.centres[j] - data.atoms.centres[i];
+    const double d = norm(between);
+    const double rho = data.rho[i];
+    return {(1.0 / d) * between, (d * d + rho * rho - data.rho[j] * data.rho[j]) / (2.0 * d * rho), j};
+}
 
-// Gathers the caps that neighbours bury on atom i; Buried if one neighbour covers all of it.
-Coverage gather_caps(const AccessibleSurface::Data& data, const CellList& cells, std::uint32_t i,
-                     std::vector<Cap>& caps) {
-    caps.clear();
-    Coverage coverage = Coverage::Open;
+// Appends the caps that neighbours bury on atom i, but those of `known` atoms; false if one covers all of it.
+bool gather_caps(const AccessibleSurface::Data& data, const CellList& cells, std::uint32_t i,
+                 std::span<const std::uint32_t> known, std::vector<Cap>& caps) {
+    bool open = true;
     const Vec3& centre = data.atoms.centres[i];
     const double rho = data.rho[i];
     cells.for_each_near(centre, rho + data.rho_max, [&](std::uint32_t j) {
         const Vec3 between = data.atoms.centres[j] - centre;
         const double d2 = squared_norm(between);
         const double reach = rho + data.rho[j];
-        if (j == i || d2 >= reach * reach) return;
-        const double power = d2 + rho * rho - data.rho[j] * data.rho[j];  // = 2 d rho t
-        const double d = std::sqrt(d2);
-        const double full = 2.0 * d * rho;
-        if (power <= -full)
-            coverage = Coverage::Buried;
-        else if (power < full)
-            caps.push_back({(1.0 / d) * between, power / full, j});
+        if (j == i || d2 >= reach * reach || std::find(known.begin(), known.end(), j) != known.end()) return;
+        const Cap cap = cap_between(data, i, j);
+        if (cap.t <= -1.0)
+            open = false;
+        else if (cap.t < 1.0)
+            caps.push_back(cap);
     });
-    return coverage;
+    return open;
+}
+
+enum class Contour { Exposed, Buried, Inconsistent };
+
+// Builds the contour of atom i. `cover` names neighbours that buried most of it under another perturbation: an
+// atom that they bury again needs no look at the others, and on any other they leave little for these to cut.
+Contour build_contour(const AccessibleSurface::Data& data, const CellList& cells, std::uint32_t i,
+                      std::span<const std::uint32_t> cover, std::vector<Cap>& caps, ContourBuilder& builder) {
+    caps.clear();
+    for (const std::uint32_t j : cover) {
+        caps.push_back(cap_between(data, i, j));
+        if (!(std::abs(caps.back().t) < 1.0)) return build_contour(data, cells, i, {}, caps, builder);
+    }
+    if (!builder.build_in_order(caps)) return Contour::Inconsistent;
+    if (!builder.exposed()) return Contour::Buried;
+    if (!gather_caps(data, cells, i, cover, caps)) return Contour::Buried;
+    const bool consistent = cover.empty() ? builder.build(caps) : builder.extend_in_order(caps);
+    if (!consistent) return Contour::Inconsistent;
+    return builder.exposed() ? Contour::Exposed : Contour::Buried;
 }
 
 void append_contour(const ContourBuilder& builder, std::span<const Cap> caps, ChunkResult& result) {
@@ -86,42 +110,45 @@ void append_contour(const ContourBuilder& builder, std::span<const Cap> caps, Ch
     for (const std::uint32_t k : kept) result.caps.push_back(caps[k]);
 }
 
-// Fills exposed, caps and contours; false if the arrangement came out inconsistent on some sphere.
-bool build_contours(AccessibleSurface::Data& data, const CellList& cells) {
+// Fills exposed, cover, caps and contours; false if the arrangement came out inconsistent on some sphere.
+bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const AccessibleSurface::Data* before) {
     const std::size_t n = data.atoms.size();
     std::vector<ChunkResult> chunks((n + kAtomsPerChunk - 1) / kAtomsPerChunk);
-    std::vector<std::uint32_t> arc_count(n);
-    std::vector<std::uint32_t> cap_count(n);
+    data.contour_begin.assign(n + 1, 0);
+    data.cap_begin.assign(n + 1, 0);
+    data.cover_begin.assign(n + 1, 0);
     data.exposed.assign(n, 0);
     parallel_chunks(n, kAtomsPerChunk, [&](std::size_t begin, std::size_t end) {
         ChunkResult& chunk = chunks[begin / kAtomsPerChunk];
         ContourBuilder builder;
         std::vector<Cap> caps;
         for (std::size_t i = begin; i < end; ++i) {
-            if (gather_caps(data, cells, static_cast<std::uint32_t>(i), caps) == Coverage::Buried) continue;
-            if (!builder.build(caps)) {
+            const auto atom = static_cast<std::uint32_t>(i);
+            const auto cover = before == nullptr ? std::span<const std::uint32_t>{} : before->cover_of(atom);
+            const Contour contour = build_contour(data, cells, atom, cover, caps, builder);
+            if (contour == Contour::Inconsistent) {
                 chunk.consistent = false;
                 return;
             }
-            if (!builder.exposed()) continue;
+            for (const std::uint32_t k : builder.kept()) chunk.cover.push_back(caps[k].atom);
+            data.cover_begin[i + 1] = builder.kept().size();
+            if (contour == Contour::Buried) continue;
             data.exposed[i] = 1;
             append_contour(builder, caps, chunk);
-            arc_count[i] = static_cast<std::uint32_t>(builder.arcs().size());
-            cap_count[i] = static_cast<std::uint32_t>(builder.kept().size());
+            data.contour_begin[i + 1] = builder.arcs().size();
+            data.cap_begin[i + 1] = builder.kept().size();
         }
     });
-    data.contour_begin.assign(n + 1, 0);
-    data.cap_begin.assign(n + 1, 0);
-    for (std::size_t i = 0; i < n; ++i) {
-        data.contour_begin[i + 1] = data.contour_begin[i] + arc_count[i];
-        data.cap_begin[i + 1] = data.cap_begin[i] + cap_count[i];
-    }
+    for (auto* begin : {&data.contour_begin, &data.cap_begin, &data.cover_begin})
+        std::partial_sum(begin->begin(), begin->end(), begin->begin());
     data.contour.clear();
     data.caps.clear();
+    data.cover.clear();
     for (const ChunkResult& chunk : chunks) {
         if (!chunk.consistent) return false;
         data.contour.insert(data.contour.end(), chunk.arcs.begin(), chunk.arcs.end());
         data.caps.insert(data.caps.end(), chunk.caps.begin(), chunk.caps.end());
+        data.cover.insert(data.cover.end(), chunk.cover.begin(), chunk.cover.end());
     }
     return true;
 }
@@ -151,14 +178,6 @@ bool contours_agree(const AccessibleSurface::Data& data) {
             vertex_sums[static_cast<std::size_t>(std::find(key.begin(), key.end(), i) - key.begin())] += hash_of(key);
         }
     return vertex_sums[0] == vertex_sums[1] && vertex_sums[1] == vertex_sums[2] && arc_sums[0] == arc_sums[1];
-}
-
-// The cap that atom j buries on the enlarged sphere of atom i.
-Cap cap_between(const AccessibleSurface::Data& data, std::uint32_t i, std::uint32_t j) {
-    const Vec3 between = data.atoms.centres[j] - data.atoms.centres[i];
-    const double d = norm(between);
-    const double rho = data.rho[i];
-    return {(1.0 / d) * between, (d * d + rho * rho - data.rho[j] * data.rho[j]) / (2.0 * d * rho), j};
 }
 
 // Numbers the vertices: each belongs to the smallest of its atoms.
@@ -309,19 +328,28 @@ void build_trees(AccessibleSurface::Data& data) {
     data.vertex_tree = BoxTree(std::move(vertices));
 }
 
-bool try_build(AccessibleSurface::Data& data, const CellList& cells, std::uint64_t seed, int attempt) {
+bool try_build(AccessibleSurface::Data& data, const CellList& cells, std::uint64_t seed, int attempt,
+               const AccessibleSurface::Data* before) {
     data.perturbation = kPerturbation * std::pow(10.0, attempt);
     for (std::size_t i = 0; i < data.atoms.size(); ++i)
         data.rho[i] =
             data.atoms.radii[i] + data.probe +
             data.perturbation * symmetry_breaking_offset(data.atoms.centres[i], data.atoms.radii[i],
                                                          seed * kMaxAttempts + static_cast<std::uint64_t>(attempt));
-    if (!build_contours(data, cells) || !contours_agree(data)) return false;
+    if (!build_contours(data, cells, before) || !contours_agree(data)) return false;
     const VertexTable table(data);
     place_vertices(data, table);
     place_arcs(data, table);
     build_trees(data);
     return true;
+}
+
+void build(AccessibleSurface::Data& data, std::uint64_t seed, const AccessibleSurface::Data* before) {
+    data.rho.resize(data.atoms.size());
+    const CellList cells(data.atoms);
+    for (int attempt = 0; !try_build(data, cells, seed, attempt, before); ++attempt)
+        if (attempt + 1 == kMaxAttempts)
+            throw std::runtime_error("the arrangement of atoms could not be resolved by perturbing their radii");
 }
 
 }  // namespace
@@ -334,12 +362,19 @@ AccessibleSurface::AccessibleSurface(const Atoms& atoms, double probe, std::uint
     const double r_max = atoms.radii.empty() ? 1.0 : *std::max_element(atoms.radii.begin(), atoms.radii.end());
     data->rho_max = r_max + probe + 1e-3;
     data->atoms = canonical_atoms(atoms, 2.0 * data->rho_max);
-    data->rho.resize(data->atoms.size());
-    const CellList cells(data->atoms);
-    for (int attempt = 0; !try_build(*data, cells, seed, attempt); ++attempt)
-        if (attempt + 1 == kMaxAttempts)
-            throw std::runtime_error("the arrangement of atoms could not be resolved by perturbing their radii");
+    build(*data, seed, nullptr);
     data_ = std::move(data);
+}
+
+AccessibleSurface::AccessibleSurface(std::unique_ptr<const Data> data) : data_(std::move(data)) {}
+
+AccessibleSurface AccessibleSurface::perturbed(std::uint64_t seed) const {
+    auto data = std::make_unique<Data>();
+    data->probe = data_->probe;
+    data->rho_max = data_->rho_max;
+    data->atoms = data_->atoms;
+    build(*data, seed, data_.get());
+    return AccessibleSurface(std::move(data));
 }
 
 AccessibleSurface::~AccessibleSurface() = default;

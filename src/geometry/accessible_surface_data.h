@@ -51,8 +51,10 @@ struct AccessibleSurface::Data {
     double perturbation = 0.0;  ///< amplitude applied to rho, Å
 
     std::vector<std::uint8_t> exposed;         ///< per atom
-    std::vector<std::uint64_t> cap_begin;      ///< per atom, and the end: its caps in `caps`
-    std::vector<Cap> caps;                     ///< whose union is what neighbours bury, largest first
+    std::vector<std::uint64_t> cover_begin;    ///< per atom, and the end: its part of `cover`
+    std::vector<std::uint32_t> cover;          ///< neighbours whose caps bury what all neighbours bury
+    std::vector<std::uint64_t> cap_begin;      ///< per exposed atom, and the end: its caps in `caps`
+    std::vector<Cap> caps;                     ///< whose union is what neighbours bury
     std::vector<std::uint64_t> contour_begin;  ///< per atom, and the end: its part of `contour`
     std::vector<ContourArc> contour;           ///< caps are numbered as in caps_of(atom)
     std::vector<std::uint32_t> contour_arc;    ///< of each: its position in `arcs`
@@ -67,6 +69,9 @@ struct AccessibleSurface::Data {
 
     std::span<const Cap> caps_of(std::uint32_t atom) const {
         return std::span(caps).subspan(cap_begin[atom], cap_begin[atom + 1] - cap_begin[atom]);
+    }
+    std::span<const std::uint32_t> cover_of(std::uint32_t atom) const {
+        return std::span(cover).subspan(cover_begin[atom], cover_begin[atom + 1] - cover_begin[atom]);
     }
     std::span<const ContourArc> contour_of(std::uint32_t atom) const {
         return std::span(contour).subspan(contour_begin[atom], contour_begin[atom + 1] - contour_begin[atom]);

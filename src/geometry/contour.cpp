@@ -24,9 +24,11 @@ bool rim_is_inside(const Cap& a, const Cap& b) { return dot(a.axis, b.axis) * a.
 
 }  // namespace
 
+// Duff et al. 2017, "Building an orthonormal basis, revisited": no root and no case near a pole.
 Vec3 perpendicular(const Vec3& axis) {
-    const Vec3 other = std::abs(axis.x) < 0.6 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
-    return normalised(cross(axis, other));
+    const double sign = std::copysign(1.0, axis.z);
+    const double a = -1.0 / (sign + axis.z);
+    return {1.0 + sign * axis.x * axis.x * a, sign * axis.x * axis.y * a, -sign * axis.x};
 }
 
 RimCrossing cross_rims(const Cap& a, const Cap& b) {
@@ -70,18 +72,38 @@ std::uint32_t ContourBuilder::take_largest() {
     return cap;
 }
 
-bool ContourBuilder::build(std::span<const Cap> caps) {
+void ContourBuilder::start(std::span<const Cap> caps) {
     caps_ = caps;
-    frame_known_.assign(caps.size(), 0);
+    inserted_ = 0;
+    frame_known_.clear();
+    arcs_.clear();
+    extents_.clear();
+    kept_.clear();
+}
+
+bool ContourBuilder::build(std::span<const Cap> caps) {
+    start(caps);
+    frame_known_.resize(caps.size());
     if (frames_.size() < caps.size()) frames_.resize(caps.size());
     heap_.clear();
     for (std::uint32_t k = 0; k < caps.size(); ++k) heap_.emplace_back(caps[k].t, k);
     std::make_heap(heap_.begin(), heap_.end(), std::greater<>());
-    arcs_.clear();
-    extents_.clear();
-    kept_.clear();
     while (!heap_.empty() && exposed())
         if (!insert(take_largest())) return false;
+    return true;
+}
+
+bool ContourBuilder::build_in_order(std::span<const Cap> caps) {
+    start(caps);
+    return extend_in_order(caps);
+}
+
+bool ContourBuilder::extend_in_order(std::span<const Cap> caps) {
+    caps_ = caps;
+    frame_known_.resize(caps.size());
+    if (frames_.size() < caps.size()) frames_.resize(caps.size());
+    for (; inserted_ < caps.size() && exposed(); ++inserted_)
+        if (!insert(static_cast<std::uint32_t>(inserted_))) return false;
     return true;
 }
 
@@ -94,6 +116,7 @@ bool ContourBuilder::insert(std::uint32_t k) {
     entries_.clear();
     exits_.clear();
     bool changed = false;
+    bool all_apart = true;
     for (std::size_t a = 0; a < arcs_.size(); ++a) {
         const Extent& extent = extents_[a];
         // Caps whose angular radii add up to less than the angle of their axes are apart.
@@ -103,6 +126,7 @@ bool ContourBuilder::insert(std::uint32_t k) {
             keep(arcs_[a], extent);
             continue;
         }
+        all_apart = false;
         const Cap& other = caps_[arcs_[a].cap];
         if (const RimCrossing crossing = cross_rims(other, cap); crossing.crosses) {
             const std::size_t before = entries_.size() + exits_.size() + next_arcs_.size();
@@ -117,7 +141,7 @@ bool ContourBuilder::insert(std::uint32_t k) {
     }
     if (!entries_.empty() || !exits_.empty()) {
         if (!close_rim(k)) return false;
-    } else if (rim_is_exposed(k)) {
+    } else if (is_exposed(all_apart ? cap.axis : point_on_rim(k))) {  // it crosses nothing: all of it or none
         keep({.cap = k}, extent_of({.cap = k}, {}, {}));
         changed = true;
     }
@@ -199,10 +223,12 @@ bool ContourBuilder::close_rim(std::uint32_t k) {
     return true;
 }
 
-// For a rim that crosses no arc of the contour: it lies wholly in exposed or wholly in buried ground.
-bool ContourBuilder::rim_is_exposed(std::uint32_t k) {
+Vec3 ContourBuilder::point_on_rim(std::uint32_t k) {
     const Cap& cap = caps_[k];
-    const Vec3 n = cap.t * cap.axis + std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t)) * frame(k).e1;
+    return cap.t * cap.axis + std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t)) * frame(k).e1;
+}
+
+bool ContourBuilder::is_exposed(const Vec3& n) const {
     return std::none_of(kept_.begin(), kept_.end(),
                         [&](std::uint32_t j) { return dot(n, caps_[j].axis) > caps_[j].t; });
 }

@@ -53,6 +53,11 @@ public:
     /// cost     O(caps · arcs), stops as soon as nothing is exposed
     bool build(std::span<const Cap> caps);
 
+    /// The same in the order of `caps`: for caps known to bury most, and then for the rest behind them.
+    bool build_in_order(std::span<const Cap> caps);
+    /// Goes on after build_in_order; `caps` begins with those inserted by then.
+    bool extend_in_order(std::span<const Cap> caps);
+
     /// The contour; empty when nothing or the whole sphere is exposed.
     std::span<const ContourArc> arcs() const { return arcs_; }
     /// Positions of caps whose union is that of all caps, in order of insertion.
@@ -79,6 +84,7 @@ private:
         Vec3 e2;  // a quarter turn clockwise around the cap
     };
 
+    void start(std::span<const Cap> caps);
     std::uint32_t take_largest();
     const Frame& frame(std::uint32_t cap);
     bool insert(std::uint32_t k);
@@ -87,10 +93,12 @@ private:
     void keep_piece(const ContourArc& piece, std::uint32_t k, const Vec3& start, const Vec3& end);
     void keep(const ContourArc& arc, const Extent& extent);
     Extent extent_of(const ContourArc& arc, const Vec3& start, const Vec3& end) const;
-    bool rim_is_exposed(std::uint32_t k);
+    bool is_exposed(const Vec3& n) const;
+    Vec3 point_on_rim(std::uint32_t k);
     double pseudo_angle(std::uint32_t cap, const Vec3& n);
 
     std::span<const Cap> caps_;
+    std::size_t inserted_ = 0;                            // by build_in_order and extend_in_order
     std::vector<std::pair<double, std::uint32_t>> heap_;  // (t, cap) of those to come, smallest t on top
     std::vector<std::uint8_t> frame_known_;
     std::vector<Frame> frames_;

@@ -56,22 +56,29 @@ class Gap {
 public:
     explicit Gap(const AccessibleSurface& surface) : data_(surface.data()) {}
 
-    /// Prepares for points up to `reach` from a place, whose own gap it returns.
-    double gather(const Vec3& place, double reach) {
-        const double gap = surface_gap(place);
+    /// Prepares for points up to `reach` from a centre, whose own gap is its sphere's radius.
+    void gather(const InscribedSphere& from, double reach) {
         Box box;
-        box.include(place);
+        box.include(from.centre);
         balls_.clear();
-        data_.atom_tree.for_each_overlapping(
-            box.grown(gap + 2.0 * reach + data_.rho_max - data_.probe), [&](std::uint32_t i) {
-                const double own = norm(place - data_.atoms.centres[i]) - data_.atoms.radii[i];
-                if (own < gap + 2.0 * reach) balls_.push_back({data_.atoms.centres[i], data_.atoms.radii[i]});
-            });
-        return gap;
+        const double farthest = from.radius + 2.0 * reach;
+        data_.atom_tree.for_each_overlapping(box.grown(farthest + data_.rho_max - data_.probe), [&](std::uint32_t i) {
+            const double least = farthest + data_.atoms.radii[i];
+            if (squared_norm(from.centre - data_.atoms.centres[i]) < least * least)
+                balls_.push_back({data_.atoms.centres[i], data_.atoms.radii[i]});
+        });
     }
-    double operator()(const Vec3& p) const {
+    /// The gap at a point if it exceeds `least`; else any value up to `least`.
+    double above(const Vec3& p, double least) {
         double gap = std::numeric_limits<double>::infinity();
-        for (const Ball& ball : balls_) gap = std::min(gap, norm(p - ball.centre) - ball.radius);
+        for (std::size_t b = 0; b < balls_.size(); ++b) {
+            const double reach = balls_[b].radius + gap;
+            if (squared_norm(p - balls_[b].centre) >= reach * reach) continue;
+            gap = norm(p - balls_[b].centre) - balls_[b].radius;
+            if (gap > least) continue;
+            std::swap(balls_[b], balls_[b / 2]);  // likely to refuse the next point, too
+            return gap;
+        }
         return gap;
     }
 
@@ -80,8 +87,6 @@ private:
         Vec3 centre;
         double radius;
     };
-    double surface_gap(const Vec3& p) const { return -nearest_hit(data_, p).ball.depth + data_.probe; }
-
     const AccessibleSurface::Data& data_;
     std::vector<Ball> balls_;
 };
@@ -99,12 +104,12 @@ InscribedSphere ascend(Gap& gap, const InscribedSphere& start, double step, doub
     InscribedSphere best = start;
     double travel = 4.0 * step;  // what the gathered balls are good for
     Vec3 gathered = best.centre;
-    best.radius = gap.gather(gathered, travel);
+    gap.gather(best, travel);
     for (int turn = 0; step > last_step; ++turn) {
         if (norm(best.centre - gathered) + 2.0 * step > travel) {
             travel = 4.0 * step;
             gathered = best.centre;
-            gap.gather(gathered, travel);
+            gap.gather(best, travel);
         }
         InscribedSphere next = best;
         const auto [e1, e2, e3] = turning_frame(turn);
@@ -112,7 +117,7 @@ InscribedSphere ascend(Gap& gap, const InscribedSphere& start, double step, doub
             const int along[3] = {d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1};
             const Vec3 towards = along[0] * e1 + along[1] * e2 + along[2] * e3;
             const Vec3 p = best.centre + step * towards;
-            if (const double r = gap(p); r > next.radius) next = {p, r};
+            if (const double r = gap.above(p, next.radius); r > next.radius) next = {p, r};
         }
         if (next.radius > best.radius)
             best = next;
@@ -162,7 +167,7 @@ InscribedSphere largest_inscribed_sphere(const AccessibleSurface& surface, std::
     const double step = std::max(0.25 * surface.probe(), kCoarse);
     const std::size_t stride = (starts.size() + kMostStarts - 1) / kMostStarts;
     for (std::size_t s = 0; s < starts.size(); s += stride) {
-        const InscribedSphere found = ascend(gap, {starts[s], 0.0}, step, kCoarse);
+        const InscribedSphere found = ascend(gap, {starts[s], surface.probe()}, step, kCoarse);
         if (found.radius > best.radius) best = found;
     }
     return ascend(gap, best, kCoarse, kFine);

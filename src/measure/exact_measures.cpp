@@ -6,10 +6,10 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <set>
 
 #include "core/parallel.h"
 #include "measure/component_places.h"
+#include "measure/patch_totals.h"
 #include "measure/ses_patches.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
@@ -32,14 +32,14 @@ constexpr double SurfaceTotals::*kAllTotals[] = {&SurfaceTotals::sas_area,      
                                                  &SurfaceTotals::contact_area,  &SurfaceTotals::toroidal_area,
                                                  &SurfaceTotals::reentrant_area};
 
-// One evaluation: the exposed features and the patches they leave.
+// An evaluation: the exposed features and the patches they leave.
 struct Evaluation {
     AccessibleSurface surface;
     SesPatches patches;
-    SurfaceTotals totals;
+    PatchTotals sums;
 
-    Evaluation(const Atoms& atoms, double probe, std::uint64_t seed)
-        : surface(atoms, probe, seed), patches(surface, seed) {
+    Evaluation(AccessibleSurface of, std::uint64_t seed) : surface(std::move(of)), patches(surface, seed) {
+        SurfaceTotals& totals = sums.totals;
         for (const SesPatch& patch : patches.patches()) {
             totals.sas_area += patch.sas.area;
             totals.sas_volume += patch.sas.volume;
@@ -49,17 +49,32 @@ struct Evaluation {
             if (patch.kind == PatchKind::Reentrant) totals.reentrant_area += patch.ses.area;
         }
         totals.ses_area = totals.contact_area + totals.toroidal_area + totals.reentrant_area;
+        sums.degenerate = patches.degenerate();
+        sums.unresolved = patches.unresolved();
     }
 };
 
-bool agree(const Evaluation& a, const Evaluation& b) {
-    const bool degenerate = a.patches.degenerate() || b.patches.degenerate();
+// Another evaluation of the same surface, of which only the sums are wanted.
+struct Check {
+    std::uint64_t seed;
+    double perturbation = 0.0;
+    PatchTotals sums;
+
+    Check(const AccessibleSurface& surface, std::uint64_t with_seed) : seed(with_seed) {
+        const AccessibleSurface perturbed = surface.perturbed(seed);
+        perturbation = perturbed.data().perturbation;
+        sums = sum_patches(perturbed, seed);
+    }
+};
+
+bool agree(const PatchTotals& a, const PatchTotals& b) {
+    const bool degenerate = a.degenerate || b.degenerate;
     const double tolerance = degenerate ? kAgreementIfDegenerate : kAgreement;
     const auto close = [&](double SurfaceTotals::*total, double within) {
         return std::abs(a.totals.*total - b.totals.*total) <= within;
     };
     const double split = kAgreementOfSplit * a.totals.ses_area;
-    return a.patches.unresolved().empty() && b.patches.unresolved().empty() &&
+    return a.unresolved.empty() && b.unresolved.empty() &&
            close(&SurfaceTotals::sas_area, tolerance * a.totals.sas_area) &&
            close(&SurfaceTotals::ses_area, tolerance * a.totals.ses_area) &&
            close(&SurfaceTotals::sas_volume, tolerance * std::abs(a.totals.sas_volume)) &&
@@ -70,14 +85,12 @@ bool agree(const Evaluation& a, const Evaluation& b) {
 
 // Difference of two evaluations that share no perturbation, plus what a perturbation of all radii by its amplitude
 // does at first order (dV = A dr, dA = 2 H A dr with |H| about 1 Å^-1), since both might err to the same side.
-SurfaceTotals estimate_errors(const Evaluation& a, const Evaluation& b) {
-    const double amplitude = std::max(a.surface.data().perturbation, b.surface.data().perturbation);
+SurfaceTotals estimate_errors(const SurfaceTotals& a, const SurfaceTotals& b, double amplitude) {
     SurfaceTotals errors;
     for (const auto total : kAllTotals) {
         const bool volume = total == &SurfaceTotals::sas_volume || total == &SurfaceTotals::ses_volume;
-        const double area = volume ? a.totals.sas_area : a.totals.*total;
-        errors.*total = 3.0 * std::abs(a.totals.*total - b.totals.*total) + 2.0 * amplitude * area +
-                        1e-14 * std::abs(a.totals.*total);
+        const double area = volume ? a.sas_area : a.*total;
+        errors.*total = 3.0 * std::abs(a.*total - b.*total) + 2.0 * amplitude * area + 1e-14 * std::abs(a.*total);
     }
     return errors;
 }
@@ -123,8 +136,8 @@ struct ComponentSums {
     SurfaceComponent component;
     double signed_volume = 0.0;
     Vec3 first_moment;
-    std::set<std::uint32_t> sas_pieces;
-    std::set<std::uint32_t> atoms;
+    std::vector<std::uint32_t> sas_pieces;
+    std::vector<std::uint32_t> atoms;
     std::vector<Vec3> probes;  // vertices, or the middle of arcs
 };
 
@@ -139,10 +152,10 @@ std::vector<ComponentSums> sum_components(const SesPatches& patches) {
         sum.component.sas_area += patch.sas.area;
         sum.component.sas_volume += patch.sas.volume;
         for (const std::uint32_t atom : atoms_of(data, patch))
-            if (atom != kNone) sum.atoms.insert(atom);
+            if (atom != kNone) sum.atoms.push_back(atom);
         if (patch.kind == PatchKind::Contact) {
             sum.component.contact_area += patch.ses.area;
-            sum.sas_pieces.insert(patch.sas_component);
+            sum.sas_pieces.push_back(patch.sas_component);
         } else if (patch.kind == PatchKind::Toroidal) {
             const SasArc& arc = data.arcs[patch.feature];
             sum.component.toroidal_area += patch.ses.area;
@@ -155,14 +168,21 @@ std::vector<ComponentSums> sum_components(const SesPatches& patches) {
     return sums;
 }
 
+std::vector<std::uint32_t> sorted_without_repeats(std::vector<std::uint32_t> numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    numbers.shrink_to_fit();
+    return numbers;
+}
+
 void finish_component(const Evaluation& evaluation, const MeasureOptions& options, ComponentSums& sum) {
     SurfaceComponent& component = sum.component;
     component.kind = sum.signed_volume > 0.0 ? ComponentKind::Outer : ComponentKind::Cavity;
     component.ses_volume = std::abs(sum.signed_volume);
     component.sas_volume = std::abs(component.sas_volume);
-    component.sas_components = sum.sas_pieces.size();
+    component.sas_components = sorted_without_repeats(std::move(sum.sas_pieces)).size();
     component.centre = evaluation.patches.origin() + (1.0 / component.ses_area) * sum.first_moment;
-    component.atoms.assign(sum.atoms.begin(), sum.atoms.end());
+    component.atoms = sorted_without_repeats(std::move(sum.atoms));
     if (!options.cavities || component.kind != ComponentKind::Cavity || sum.probes.empty()) return;
     const InscribedSphere sphere = largest_inscribed_sphere(evaluation.surface, sum.probes);
     component.inscribed_centre = sphere.centre;
@@ -188,6 +208,7 @@ std::vector<SurfaceComponent> make_components(const Evaluation& evaluation, cons
     number.resize(sums.size());
     for (std::uint32_t place = 0; place < order.size(); ++place) number[order[place]] = place;
     std::vector<SurfaceComponent> components;
+    components.reserve(order.size());
     for (const std::uint32_t c : order) {
         components.push_back(std::move(sums[c].component));
         if (inside_of[c] != kNone) components.back().inside_of = number[inside_of[c]];
@@ -230,12 +251,13 @@ void add_depths(const AccessibleSurface& surface, const Atoms& atoms, Measures& 
 Measures describe(const Atoms& atoms, const MeasureOptions& options, const Evaluation& evaluation) {
     Measures measures;
     measures.options = options;
-    measures.totals = evaluation.totals;
+    measures.totals = evaluation.sums.totals;
     measures.sas_components = evaluation.patches.sas_component_count();
     measures.atoms.resize(atoms.size());
     share_among_atoms(evaluation.patches, measures);
     std::vector<std::uint32_t> number;
     measures.components = make_components(evaluation, options, number);
+    measures.patches.reserve(evaluation.patches.patches().size());
     for (const SesPatch& patch : evaluation.patches.patches())
         measures.patches.push_back({patch.kind, atoms_of(evaluation.patches.data(), patch), number[patch.component],
                                     patch.ses.area, patch.sas.area});
@@ -249,17 +271,20 @@ Measures measure(const Atoms& atoms, const MeasureOptions& options) {
     if (!(options.probe >= 0.0) || !std::isfinite(options.probe))
         throw UsageError(fmt::format("probe {:g}: must be finite and not negative", options.probe));
     const ThreadLimit limit(options.threads);
-    auto first = std::make_unique<Evaluation>(atoms, options.probe, 0);
-    auto second = std::make_unique<Evaluation>(atoms, options.probe, 1);
-    for (std::uint64_t seed = 2; !agree(*first, *second) && seed < kMostSeeds; ++seed) {
-        first = std::move(second);
-        second = std::make_unique<Evaluation>(atoms, options.probe, seed);
+    auto evaluation = std::make_unique<Evaluation>(AccessibleSurface(atoms, options.probe), 0);
+    Check check(evaluation->surface, 1);
+    while (!agree(evaluation->sums, check.sums) && check.seed + 1 < kMostSeeds) {
+        evaluation = std::make_unique<Evaluation>(evaluation->surface.perturbed(check.seed), check.seed);
+        check = Check(evaluation->surface, check.seed + 1);
     }
-    Measures measures = describe(atoms, options, *first);
-    measures.errors = estimate_errors(*first, *second);
-    measures.degenerate = first->patches.degenerate() || second->patches.degenerate();
-    measures.agreed = agree(*first, *second);
-    if (!measures.agreed) measures.disputed = name_disputed(*first, *second, atoms.size());
+    Measures measures = describe(atoms, options, *evaluation);
+    const double perturbation = std::max(evaluation->surface.data().perturbation, check.perturbation);
+    measures.errors = estimate_errors(evaluation->sums.totals, check.sums.totals, perturbation);
+    measures.degenerate = evaluation->sums.degenerate || check.sums.degenerate;
+    measures.agreed = agree(evaluation->sums, check.sums);
+    if (!measures.agreed)
+        measures.disputed =
+            name_disputed(*evaluation, Evaluation(evaluation->surface.perturbed(check.seed), check.seed), atoms.size());
     return measures;
 }
 

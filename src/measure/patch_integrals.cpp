@@ -3,8 +3,22 @@
 #include "measure/patch_integrals.h"
 
 #include <cmath>
+#include <numeric>
 
 namespace meniscus {
+
+Vec3 middle_of(std::span<const Vec3> centres) {
+    Box box;
+    for (const Vec3& centre : centres) box.include(centre);
+    return 0.5 * (box.low + box.high);
+}
+
+void measure_exposed_regions(const AccessibleSurface::Data& data, std::uint32_t atom, SphericalRegions& regions) {
+    const std::span<const Cap> caps = data.caps_of(atom);
+    std::vector<std::uint32_t> all(caps.size());
+    std::iota(all.begin(), all.end(), 0U);
+    regions.measure(caps, data.contour_of(atom), all);
+}
 
 PatchIntegrals sphere_patch(const Vec3& centre, double radius, const SphericalRegion& region, int side) {
     const double r2 = radius * radius;

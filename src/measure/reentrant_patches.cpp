@@ -34,17 +34,18 @@ class Trimmer {
 public:
     Trimmer(const AccessibleSurface& surface, std::uint64_t seed) : data_(surface.data()), seed_(seed) {}
 
-    ReentrantPatch trim(std::uint32_t v) {
-        ReentrantPatch patch;
+    void trim(std::uint32_t v, ReentrantPatch& patch) {
+        patch.consistent = true;
+        patch.degenerate = false;
         patch.triangle = gather_edges(v);
         gather_probes(v, patch);
         for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
             patch.degenerate = patch.degenerate || attempt > 0;
-            if (cut(v, attempt, patch)) return patch;
+            if (cut(v, attempt, patch)) return;
         }
         patch.regions.clear();
+        patch.arcs.clear();
         patch.consistent = false;
-        return patch;
     }
 
     /// Of the patch trimmed last.
@@ -61,7 +62,19 @@ private:
         base_.clear();
         for (std::uint32_t k = 0; k < kEdges; ++k)
             base_.push_back({normalised(cross(d[k], d[(k + 1) % 3])), 0.0, k});  // away from the third: see SasVertex
+        // The triangle of three directions within a hemisphere lies in the cap around their mean.
+        const Vec3 sum = d[0] + d[1] + d[2];
+        middle_ = (1.0 / std::max(norm(sum), 1e-3)) * sum;
+        cosine_ = std::max(0.0, std::min({dot(middle_, d[0]), dot(middle_, d[1]), dot(middle_, d[2])}));
+        sine_ = std::sqrt(std::max(0.0, 1.0 - cosine_ * cosine_));
+        may_miss_ = cosine_ > 1e-3;
         return triangle_angle(d);
+    }
+
+    // Whether a probe's cap lies wholly beyond the sides of the triangle.
+    bool misses_triangle(const Vec3& axis, double t) const {
+        constexpr double kSlack = 1e-6;  // shifts of planes, rounding
+        return may_miss_ && dot(axis, middle_) < t * cosine_ - std::sqrt(1.0 - t * t) * sine_ - kSlack;
     }
 
     // Neighbouring vertices share a search: they are numbered in spatial order.
@@ -94,7 +107,7 @@ private:
             const double d = norm(between);
             if (d < kSamePosition)
                 patch.degenerate = true;
-            else if (d < reach)
+            else if (d < reach && !misses_triangle((1.0 / d) * between, d / reach))
                 base_.push_back({(1.0 / d) * between, d / reach, w});
         }
     }
@@ -139,6 +152,10 @@ private:
     std::uint32_t searched_begin_ = 0;  // vertices that near_ is complete for
     std::uint32_t searched_end_ = 0;
     std::vector<std::uint32_t> near_;
+    Vec3 middle_;  // of a cap that holds the triangle, with the cosine and sine of its angle
+    double cosine_ = 1.0;
+    double sine_ = 0.0;
+    bool may_miss_ = false;
     std::vector<Cap> base_;
     std::vector<Cap> caps_;
     ContourBuilder builder_;
@@ -147,23 +164,30 @@ private:
 
 }  // namespace
 
+void for_each_reentrant_patch(const AccessibleSurface& surface, std::uint64_t seed,
+                              const std::function<void(std::uint32_t, ReentrantPatch&)>& visit) {
+    if (surface.probe() == 0.0) return;
+    parallel_chunks(surface.vertex_count(), 128, [&](std::size_t begin, std::size_t end) {
+        Trimmer trimmer(surface, seed);
+        ReentrantPatch patch;
+        for (std::size_t v = begin; v < end; ++v) {
+            trimmer.trim(static_cast<std::uint32_t>(v), patch);
+            visit(static_cast<std::uint32_t>(v), patch);
+        }
+    });
+}
+
 std::vector<ReentrantPatch> trim_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed) {
     std::vector<ReentrantPatch> patches(surface.vertex_count());
-    if (surface.probe() == 0.0) {
-        for (ReentrantPatch& patch : patches) patch.regions.clear();
-        return patches;
-    }
-    parallel_chunks(patches.size(), 128, [&](std::size_t begin, std::size_t end) {
-        Trimmer trimmer(surface, seed);
-        for (std::size_t v = begin; v < end; ++v) patches[v] = trimmer.trim(static_cast<std::uint32_t>(v));
-    });
+    for_each_reentrant_patch(surface, seed, [&](std::uint32_t v, ReentrantPatch& patch) { patches[v] = patch; });
     return patches;
 }
 
 std::uint32_t reentrant_region_of(const AccessibleSurface& surface, std::uint64_t seed, std::uint32_t vertex,
                                   const Vec3& direction) {
     Trimmer trimmer(surface, seed);
-    trimmer.trim(vertex);
+    ReentrantPatch patch;
+    trimmer.trim(vertex, patch);
     return trimmer.region_of(direction);
 }
 

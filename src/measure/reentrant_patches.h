@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -40,6 +41,10 @@ struct ReentrantPatch {
 /// atoms whose circle is smaller than the probe have bisector planes through one line, in ordinary proteins too.
 /// cost     linear at protein density; parallel over vertices
 std::vector<ReentrantPatch> trim_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed);
+
+/// The same patches one after the other: calls visit(vertex, patch), from several threads, each vertex once.
+void for_each_reentrant_patch(const AccessibleSurface& surface, std::uint64_t seed,
+                              const std::function<void(std::uint32_t, ReentrantPatch&)>& visit);
 
 /// The region of a trimmed patch that holds a direction; trims the patch again, with the same result.
 std::uint32_t reentrant_region_of(const AccessibleSurface& surface, std::uint64_t seed, std::uint32_t vertex,

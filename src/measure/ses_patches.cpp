@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/parallel.h"
 #include "geometry/nearest_feature.h"
@@ -15,21 +14,10 @@ namespace {
 // Stretches of border shorter than this (radian) may owe themselves to a perturbation: they connect nothing.
 constexpr double kShortestBorder = 1e-6;
 
-// Measures the exposed regions of an atom's enlarged sphere.
-void measure_sphere(const AccessibleSurface::Data& data, std::uint32_t atom, SphericalRegions& regions) {
-    const std::span<const Cap> caps = data.caps_of(atom);
-    std::vector<std::uint32_t> all(caps.size());
-    std::iota(all.begin(), all.end(), 0U);
-    regions.measure(caps, data.contour_of(atom), all);
-}
-
 }  // namespace
 
 SesPatches::SesPatches(const AccessibleSurface& surface, std::uint64_t seed)
-    : surface_(&surface), data_(&surface.data()), seed_(seed) {
-    Box box;
-    for (const Vec3& centre : data_->atoms.centres) box.include(centre);
-    origin_ = 0.5 * (box.low + box.high);
+    : surface_(&surface), data_(&surface.data()), seed_(seed), origin_(middle_of(data_->atoms.centres)) {
     add_contact_patches();
     add_toroidal_patches();
     reentrant_ = trim_reentrant_patches(surface, seed);
@@ -46,7 +34,7 @@ void SesPatches::add_contact_patches() {
         for (std::size_t i = begin; i < end; ++i) {
             const auto atom = static_cast<std::uint32_t>(i);
             if (data_->exposed[i] == 0) continue;
-            measure_sphere(*data_, atom, regions);
+            measure_exposed_regions(*data_, atom, regions);
             const Vec3 centre = data_->atoms.centres[i] - origin_;
             const double rho = data_->rho[i];
             for (std::uint32_t r = 0; r < regions.regions().size(); ++r)
@@ -58,6 +46,7 @@ void SesPatches::add_contact_patches() {
                 arc_region[data_->contour_begin[i] + a] = regions.arcs()[a].region;
         }
     });
+    patches_.reserve(atoms + data_->arcs.size() + data_->vertices.size());  // about: few fall apart
     first_contact_.assign(1, 0);
     for (const std::vector<SesPatch>& own : of_atom) {
         patches_.insert(patches_.end(), own.begin(), own.end());
@@ -185,7 +174,7 @@ std::uint32_t SesPatches::component_at(const Vec3& point) const {
     const NearestHit hit = nearest_hit(*data_, point);
     if (hit.by_ball) {
         SphericalRegions regions;
-        measure_sphere(*data_, hit.ball.atom, regions);
+        measure_exposed_regions(*data_, hit.ball.atom, regions);
         const Vec3 q = point - data_->atoms.centres[hit.ball.atom];
         const std::uint32_t part = regions.regions().size() > 1 ? regions.region_of(normalised(q)) : 0;
         return patches_[first_contact_[hit.ball.atom] + part].component;

@@ -238,6 +238,20 @@ TEST(AccessibleSurface, LipschitzConstantOfTheDistanceIsOne) {
             norm(step[i]) + 1e-8);
 }
 
+// perturbed() finds the contours with the help of the first ones; the constructor does without.
+TEST(AccessibleSurface, PerturbedIsWhatTheConstructorFindsWithThatSeed) {
+    std::vector<Atoms> arrangements = {
+        two_spheres(3.0), cubic_lattice(4, 2.8, 1.6), {{{0, 0, 0}, {0.1, 0, 0}}, {3, 1}}};
+    for (std::uint64_t seed = 0; seed < 20; ++seed) arrangements.push_back(random_cluster(seed, 120, 12.0));
+    for (const Atoms& atoms : arrangements) {
+        const AccessibleSurface anew(atoms, kProbe, 1);
+        const AccessibleSurface perturbed = AccessibleSurface(atoms, kProbe).perturbed(1);
+        EXPECT_EQ(counts_of(perturbed), counts_of(anew));
+        for (const Vec3& p : random_points_around(atoms, 200, 4.0, 3))
+            EXPECT_NEAR(perturbed.nearest(p).signed_distance, anew.nearest(p).signed_distance, 1e-13);
+    }
+}
+
 TEST(AccessibleSurface, RefusesInvalidInput) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/patch_totals.h"
+
+#include <gtest/gtest.h>
+
+#include "measure/ses_patches.h"
+#include "support/arrangements.h"
+
+namespace meniscus {
+namespace {
+
+// The sums without patches against the sum over the patches.
+TEST(PatchTotals, AreTheSumsOverAllPatches) {
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        const AccessibleSurface surface(testing::random_cluster(seed, 150, 12.0), 1.4, seed);
+        const PatchTotals found = sum_patches(surface, seed);
+        PatchIntegrals ses[3];
+        PatchIntegrals sas;
+        const SesPatches patches(surface, seed);
+        for (const SesPatch& patch : patches.patches()) {
+            ses[static_cast<int>(patch.kind)] += patch.ses;
+            sas += patch.sas;
+        }
+        const auto of = [&](PatchKind kind) { return ses[static_cast<int>(kind)]; };
+        const double tolerance = 1e-12 * found.totals.sas_volume;
+        EXPECT_NEAR(found.totals.sas_area, sas.area, tolerance);
+        EXPECT_NEAR(found.totals.sas_volume, sas.volume, tolerance);
+        EXPECT_NEAR(found.totals.contact_area, of(PatchKind::Contact).area, tolerance);
+        EXPECT_NEAR(found.totals.toroidal_area, of(PatchKind::Toroidal).area, tolerance);
+        EXPECT_NEAR(found.totals.reentrant_area, of(PatchKind::Reentrant).area, tolerance);
+        EXPECT_NEAR(found.totals.ses_volume, ses[0].volume + ses[1].volume + ses[2].volume, tolerance);
+        EXPECT_EQ(found.degenerate, patches.degenerate());
+        EXPECT_EQ(found.unresolved, patches.unresolved());
+    }
+}
+
+}  // namespace
+}  // namespace meniscus
