@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the program over the reference structures and holds every result against the exact values.
 
-For each input: the flow at 0.25 Å from three initial densities (closed, manifold, converged, mean distance, the same
-number of pieces), and the mesh volume at 0.25 and 0.5 Å where an exact volume is known. Ends with exit code 1 if any
+For each input: the flow at 0.25 Å from six initial densities (closed, manifold, converged, distances, steps, solver
+iterations, the sign at the deepest point of every exact piece, the same number of pieces), and the mesh volume at 0.25 and 0.5 Å where an exact volume is known. Ends with exit code 1 if any
 bound is broken.
 
 usage: accuracy.py [--program FILE] [--data FOLDER] [NAME ...]
@@ -19,10 +19,11 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-STRUCTURES = ("1ubq.pdb", "1crn.pdb", "1hga.pdb", "1mah.pdb", "1fss.pdb", "1bna.pdb", "1d66.pdb", "4hhb.pdb", "4hhb.cif",
-              "1l2y.pdb", "2isk.pdb", "1npc.pdb.gz", "1a63.pqr")
-DENSITIES = (-0.2, -0.5, -4.0)
-MEAN_DISTANCE = 0.004  # Å, at 0.25 Å
+TOO_LARGE = ("1aon", "1tw7", "2btv", "3jc8", "6xm4", "7cgo", "7o0u")  # more than 14,000 atoms
+SUFFIXES = (".pdb", ".ent", ".cif", ".pqr", ".xyzr", ".gz")
+DENSITIES = (-0.2, -0.3, -0.5, -0.8, -1.4, -4.0)
+# At 0.25 Å, for proteins and nucleic acids.
+BOUNDS = {"mean_distance": 0.0032, "p99_distance": 0.04, "steps": 10, "solver_iterations": 90}
 
 
 def exact_volumes(data):
@@ -56,14 +57,17 @@ def examine(program, path, name, exact, folder):
         faults += failed
         if report is None:
             return name, None, faults
-        if report["mesh"]["mean_distance"] > MEAN_DISTANCE:
-            faults.append(f"mean distance {report['mesh']['mean_distance']:.4f}")
+        if not name.startswith("spheres/"):
+            found = report["mesh"] | report["flow"]
+            faults += [f"{key} {found[key]} from C = {density}" for key, bound in BOUNDS.items() if found[key] > bound]
         reports.append(report)
     pieces = [report["mesh"]["components"] for report in reports]
     if len(set(pieces)) > 1:
         faults.append(f"pieces {pieces}")
     row = {"atoms": reports[1]["input"]["atoms"], "mean": reports[1]["mesh"]["mean_distance"],
-           "p99": reports[1]["mesh"]["p99_distance"], "pieces": pieces[1], "seconds": reports[1]["time_s"]["total"]}
+           "p99": reports[1]["mesh"]["p99_distance"], "pieces": pieces[1],
+           "steps": max(report["flow"]["steps"] for report in reports),
+           "iterations": max(report["flow"]["solver_iterations"] for report in reports), "seconds": reports[1]["time_s"]["total"]}
     if exact is not None:
         coarse, failed = run(program, path, folder, spacing=0.5)
         faults += failed
@@ -88,17 +92,19 @@ def main():
         parser.error("name the folder of reference data with --data or MENISCUS_TEST_DATA")
     exact = exact_volumes(arguments.data)
     inputs = [(name, arguments.data / "reference" / name) for name in exact]
-    inputs += [(name, arguments.data / "structures" / name) for name in STRUCTURES]
+    inputs += [(path.name, path) for path in sorted((arguments.data / "structures").iterdir())
+               if path.suffix in SUFFIXES and not path.name.startswith(TOO_LARGE)]
     if arguments.names:
         inputs = [pair for pair in inputs if any(part in pair[0] for part in arguments.names)]
     broken = 0
-    print(f"{'input':<32} {'atoms':>6} {'pieces':>6} {'mean Å':>8} {'p99 Å':>8} {'V 0.25':>8} {'V 0.5':>8} {'s':>6}")
+    print(f"{'input':<32} {'atoms':>6} {'pieces':>6} {'mean Å':>8} {'p99 Å':>8} {'steps':>5} {'iter.':>5} {'V 0.25':>8} {'V 0.5':>8} {'s':>6}")
     with tempfile.TemporaryDirectory() as folder:
         for name, path in inputs:
             name, row, faults = examine(arguments.program.resolve(), path, name, exact.get(name), pathlib.Path(folder))
             if row is not None:
                 volume = "".join(f" {row[key]:8.3%}" if key in row else f" {'':8}" for key in ("fine", "coarse"))
-                print(f"{name:<32} {row['atoms']:6} {row['pieces']:6} {row['mean']:8.4f} {row['p99']:8.4f}{volume} "
+                print(f"{name:<32} {row['atoms']:6} {row['pieces']:6} {row['mean']:8.4f} {row['p99']:8.4f} "
+                      f"{row['steps']:5} {row['iterations']:5}{volume} "
                       f"{row['seconds']:6.2f}", flush=True)
             for fault in faults:
                 print(f"{name}: {fault}", flush=True)

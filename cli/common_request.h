@@ -43,8 +43,8 @@ void add_run_options(CLI::App& command, CommonRequest& request, int& threads);
 const char* name_of(HydrogenPolicy policy);
 const char* name_of(HeteroPolicy policy);
 
-/// Joins an option and a negative number after it ("--density" "-.5") with "=", because CLI11 takes some negative
-/// numbers for options.
+/// Joins an option and a negative number or a list that begins with one ("--density" "-.5") with "=", because CLI11
+/// takes some negative numbers for options.
 std::vector<std::string> join_negative_values(const std::vector<std::string>& arguments);
 
 }  // namespace meniscus::cli

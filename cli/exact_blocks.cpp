@@ -50,6 +50,11 @@ ordered_json exact_json(const Measures& measures) {
     ordered_json block = totals_json(measures.totals);
     block["errors"] = totals_json(measures.errors);
     block["sas_components"] = measures.sas_components;
+    const PatchAreas& piece = measures.largest_sas_piece;
+    block["largest_sas_piece"] = {{"ses_area", piece.sum()},
+                                  {"contact_area", piece.contact},
+                                  {"toroidal_area", piece.toroidal},
+                                  {"reentrant_area", piece.reentrant}};
     block["degenerate"] = measures.degenerate;
     return block;
 }

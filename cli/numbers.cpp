@@ -34,6 +34,8 @@ bool has_sign(double value, Sign sign) {
             return value >= 0.0;
         case Sign::Negative:
             return value < 0.0;
+        case Sign::Any:
+            return true;
     }
     return false;
 }
@@ -46,6 +48,8 @@ const char* describe(Sign sign) {
             return "0 or greater";
         case Sign::Negative:
             return "less than 0";
+        case Sign::Any:
+            return "of any sign";
     }
     return "";
 }

@@ -9,7 +9,7 @@
 namespace meniscus::cli {
 
 /// What a number may be beside finite.
-enum class Sign { Positive, NotNegative, Negative };
+enum class Sign { Positive, NotNegative, Negative, Any };
 
 /// The number that `text` spells.
 /// option   the option's name, for the message

@@ -25,8 +25,9 @@ struct Suffix {
 };
 
 constexpr std::array kSuffixes{
-    Suffix{".ply", OutputKind::Mesh}, Suffix{".obj", OutputKind::Mesh},     Suffix{".stl", OutputKind::Mesh},
-    Suffix{".off", OutputKind::Mesh}, Suffix{".xyzr", OutputKind::Spheres}, Suffix{".xyzrn", OutputKind::Spheres},
+    Suffix{".ply", OutputKind::Mesh},    Suffix{".obj", OutputKind::Mesh},     Suffix{".stl", OutputKind::Mesh},
+    Suffix{".off", OutputKind::Mesh},    Suffix{".xyzr", OutputKind::Spheres}, Suffix{".xyzrn", OutputKind::Spheres},
+    Suffix{".png", OutputKind::Picture},
 };
 
 constexpr std::array kMeasureSuffixes{
@@ -36,14 +37,19 @@ constexpr std::array kMeasureSuffixes{
     Suffix{".cif", OutputKind::StructureCopy},
 };
 
-OutputKind find_kind(std::span<const Suffix> suffixes, const std::string& path) {
+constexpr std::array kHistorySuffixes{
+    Suffix{".csv", OutputKind::History},
+    Suffix{".json", OutputKind::History},
+};
+
+OutputKind find_kind(std::span<const Suffix> suffixes, const std::string& path, const char* option = "-o") {
     const std::string suffix = fs::path(path).extension().string();
     const auto found =
         std::find_if(suffixes.begin(), suffixes.end(), [&](const Suffix& s) { return suffix == s.text; });
     if (found != suffixes.end()) return found->kind;
     std::string known;
     for (const Suffix& s : suffixes) known.append(known.empty() ? "" : " ").append(s.text);
-    throw UsageError(fmt::format("-o {}: the suffix chooses the format; known are {}", path, known));
+    throw UsageError(fmt::format("{} {}: the suffix chooses the format; known are {}", option, path, known));
 }
 
 /// "dir/a.b.ply" with "_m01" -> "dir/a.b_m01.ply".
@@ -99,6 +105,14 @@ std::vector<Output> plan_measure_outputs(const std::vector<std::string>& asked, 
     plan.reserve(asked.size());
     for (const std::string& path : asked) plan.push_back({with_mark(path, mark), measure_kind_of(path)});
     return plan;
+}
+
+Output plan_history(const std::string& asked, const std::string& mark) {
+    return {with_mark(asked, mark), find_kind(kHistorySuffixes, asked, "--history")};
+}
+
+std::string snapshot_path(const std::string& mesh, int step) {
+    return with_mark(mesh, fmt::format("_step{:03}", step));
 }
 
 void check_paths(const std::vector<std::string>& paths, const std::string& input) {

@@ -11,7 +11,9 @@ namespace meniscus::cli {
 enum class OutputKind {
     Mesh,
     Spheres,
+    Picture,
     AtomTable,      ///< NAME.atoms.csv beside a mesh
+    History,        ///< of a flow
     Table,          ///< of measures
     StructureCopy,  ///< with measures in the B-factor column
 };
@@ -37,6 +39,13 @@ std::vector<Output> plan_outputs(const std::vector<std::string>& asked, const st
 
 /// All files of one structure that `measure` writes: those of -o.
 std::vector<Output> plan_measure_outputs(const std::vector<std::string>& asked, const std::string& mark);
+
+/// Where the record of a flow goes.
+/// throws   UsageError for a suffix other than .csv and .json
+Output plan_history(const std::string& asked, const std::string& mark);
+
+/// The mesh of a step beside the final one: "a.ply" -> "a_step007.ply".
+std::string snapshot_path(const std::string& mesh, int step);
 
 /// Refuses what could not be written in the end, or would overwrite something of the same run.
 ///

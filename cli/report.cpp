@@ -14,6 +14,7 @@
 #include "io/atomic_file.h"
 #include "meniscus/errors.h"
 #include "meniscus/version.h"
+#include "output_plan.h"
 
 namespace meniscus::cli {
 
@@ -39,18 +40,35 @@ ordered_json input_block(const Structure& structure, double probe, int model) {
             {"warnings", structure.warnings}};
 }
 
-ordered_json surface_options_block(const SurfaceRequest& request, const RunFacts& facts) {
+ordered_json time_step_json(double step) { return std::isinf(step) ? ordered_json("inf") : ordered_json(step); }
+
+bool has_picture(const std::vector<std::string>& outputs) {
+    return std::any_of(outputs.begin(), outputs.end(),
+                       [](const std::string& path) { return kind_of(path) == OutputKind::Picture; });
+}
+
+ordered_json surface_options_block(const SurfaceRequest& request, const Structure& structure, const RunFacts& facts) {
     const SurfaceOptions& o = request.surface;
     const bool flow = o.method == Method::Flow;
-    return {{"method", name_of(o.method)},
-            {"flow", if_used(flow, request.flow)},
-            {"probe", o.probe},
-            {"spacing", o.spacing},
-            {"density", if_used(o.method != Method::Direct, o.density)},
-            {"time_step", if_used(flow, o.time_step)},
-            {"max_steps", if_used(flow, o.max_steps)},
-            {"threads", facts.threads},
-            {"memory_mb", if_used(o.memory_limit_mb > 0, o.memory_limit_mb)}};
+    ordered_json block{{"method", name_of(o.method)},
+                       {"flow", if_used(flow, name_of(request.flow.name))},
+                       {"curvature", if_used(flow, name_of(o.flow.curvature))},
+                       {"anchor", if_used(flow, o.flow.anchor)},
+                       {"reinitialise", if_used(flow, name_of(o.flow.reinitialiser))},
+                       {"solver", if_used(flow, name_of(o.flow.solver))},
+                       {"slope", if_used(flow, name_of(o.flow.slope))},
+                       {"probe", o.probe},
+                       {"spacing", o.spacing},
+                       {"components", name_of(o.pieces)},
+                       {"density", if_used(o.method != Method::Direct, o.density)},
+                       {"time_step", if_used(flow, time_step_json(o.flow.time_step))},
+                       {"half_width", if_used(flow, o.flow.half_width)},
+                       {"max_steps", if_used(flow, o.flow.max_steps)},
+                       {"tolerance", if_used(flow, o.flow.tolerance)},
+                       {"threads", facts.threads},
+                       {"memory_mb", if_used(o.memory_limit_mb > 0, o.memory_limit_mb)}};
+    report_picture(request.picture, structure, has_picture(request.outputs), block);
+    return block;
 }
 
 ordered_json measure_options_block(const MeasureRequest& request, const RunFacts& facts) {
@@ -84,6 +102,19 @@ ordered_json options_block(ordered_json block, const CommonRequest& request) {
 /// How far a value is from the exact one, relative to that; nan where there is nothing.
 double deviation(double value, double exact) { return (value - exact) / std::abs(exact); }
 
+/// Exact area and volume of the pieces that a mesh keeps.
+SurfaceTotals exact_counterpart(const Measures& exact, Pieces pieces) {
+    if (pieces == Pieces::All) return exact.totals;
+    SurfaceTotals sum;
+    for (const SurfaceComponent& c : exact.components) {
+        const bool outer = c.kind == ComponentKind::Outer;
+        if (outer != (pieces == Pieces::Outer)) continue;
+        sum.ses_area += c.ses_area;
+        sum.ses_volume += outer ? c.ses_volume : -c.ses_volume;
+    }
+    return sum;
+}
+
 ordered_json mesh_block(const Surface& surface, const SurfaceTotals& exact) {
     const MeshMeasures& m = surface.measures;
     return {{"vertices", surface.mesh.vertices.size()},
@@ -106,6 +137,22 @@ ordered_json mesh_block(const Surface& surface, const SurfaceTotals& exact) {
             {"smallest_triangle_angle_deg", m.smallest_angle_deg}};
 }
 
+ordered_json history_block(const std::vector<FlowStep>& history) {
+    ordered_json list = ordered_json::array();
+    for (const FlowStep& s : history)
+        list.push_back({{"step", s.step},
+                        {"time", s.time},
+                        {"area", s.area},
+                        {"volume", s.volume},
+                        {"mean_distance", s.mean_distance},
+                        {"max_distance", s.max_distance},
+                        {"residual", s.residual},
+                        {"solver_iterations", s.solver_iterations},
+                        {"components", s.components},
+                        {"genus", s.genus}});
+    return list;
+}
+
 ordered_json flow_block(const Surface& surface) {
     if (surface.options.method != Method::Flow) return nullptr;
     const FlowSummary& f = surface.flow;
@@ -117,7 +164,11 @@ ordered_json flow_block(const Surface& surface) {
             {"max_distance", f.max_distance},
             {"solver_iterations", f.solver_iterations},
             {"initial_area", f.initial_area},
-            {"reinitialisations", f.reinitialisations}};
+            {"reinitialisations", f.reinitialisations},
+            {"end", name_of(f.end)},
+            {"kept_step", f.kept_step},
+            {"explanation", f.explanation},
+            {"history", history_block(surface.history)}};
 }
 
 ordered_json checks_block(const std::vector<Check>& checks) {
@@ -135,6 +186,7 @@ ordered_json time_block(const StageTimes& s, const RunFacts& facts) {
             {"flow", s.flow},
             {"mesh", s.mesh},
             {"exact", facts.exact_seconds},
+            {"picture", facts.picture_seconds},
             {"write", facts.write_seconds}};
 }
 
@@ -147,10 +199,10 @@ ordered_json make_report(const SurfaceRequest& request, const Structure& structu
     return {{"meniscus", kVersion},
             {"schema", 1},
             {"input", input_block(structure, surface.options.probe, facts.model)},
-            {"options", options_block(surface_options_block(request, facts), request)},
+            {"options", options_block(surface_options_block(request, structure, facts), request)},
             {"exact", exact_json(exact)},
             {"components", components_json(exact)},
-            {"mesh", mesh_block(surface, exact.totals)},
+            {"mesh", mesh_block(surface, exact_counterpart(exact, surface.options.pieces))},
             {"flow", flow_block(surface)},
             {"checks", checks_block(checks)},
             {"time_s", time_block(surface.seconds, facts)},

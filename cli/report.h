@@ -16,13 +16,14 @@ namespace meniscus::cli {
 
 /// What the program itself knows about a run, beside the library's results.
 struct RunFacts {
-    int model = 1;                ///< position in the file, from 1
-    int threads = 1;              ///< in use
-    double read_seconds = 0.0;    ///< with all models: counted with the first
-    double exact_seconds = 0.0;   ///< of the exact measures
-    double write_seconds = 0.0;   ///< of the files of -o
-    double total_seconds = 0.0;   ///< wall clock
-    double peak_memory_mb = 0.0;  ///< of the process so far, in units of 2^20 bytes
+    int model = 1;                 ///< position in the file, from 1
+    int threads = 1;               ///< in use
+    double read_seconds = 0.0;     ///< with all models: counted with the first
+    double exact_seconds = 0.0;    ///< of the exact measures
+    double picture_seconds = 0.0;  ///< of colours and pictures, without writing them
+    double write_seconds = 0.0;    ///< of the files of -o
+    double total_seconds = 0.0;    ///< wall clock
+    double peak_memory_mb = 0.0;   ///< of the process so far, in units of 2^20 bytes
 };
 
 /// The report of one surface. Numbers that are not finite become null.

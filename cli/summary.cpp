@@ -28,8 +28,9 @@ std::string describe_mesh(const Surface& surface) {
 }
 
 std::string describe_flow(const FlowSummary& flow) {
-    return fmt::format("{}, {}", counted(static_cast<std::size_t>(flow.steps), "step", "steps"),
-                       flow.converged ? "converged" : "not converged");
+    const std::string steps = counted(static_cast<std::size_t>(flow.steps), "step", "steps");
+    const std::string why = flow.explanation.empty() ? "" : ": " + flow.explanation;
+    return fmt::format("{}, {}{}", steps, flow.converged ? "converged" : "not converged", why);
 }
 
 }  // namespace
@@ -56,9 +57,12 @@ std::string make_summary(const Structure& structure, const Surface& surface, con
 
 std::string failed_checks(const Surface& surface, const Measures& exact) {
     std::string list = disputed_patches(exact.agreed, exact.disputed);
-    for (const Check& c : surface.checks)
-        if (!c.passed)
-            list += fmt::format("{}{} ({:g}, bound {:g})", list.empty() ? "" : ", ", c.name, c.value, c.bound);
+    for (const Check& c : surface.checks) {
+        if (c.passed) continue;
+        const bool of_flow = c.name == "converged" && !surface.flow.explanation.empty();
+        list += (list.empty() ? "" : ", ") + c.name + " (" +
+                (of_flow ? surface.flow.explanation : fmt::format("{:g}, bound {:g}", c.value, c.bound)) + ")";
+    }
     return list;
 }
 

@@ -7,7 +7,11 @@
 #include <cstdint>
 #include <memory>
 
+#include "interrupt.h"
+#include "meniscus/accessible_surface.h"
+#include "meniscus/errors.h"
 #include "meniscus/measures.h"
+#include "meniscus/tables.h"
 #include "summary.h"
 
 namespace meniscus::cli {
@@ -17,11 +21,11 @@ using nlohmann::ordered_json;
 namespace {
 
 void write_mesh_with_residues(const std::string& path, const SurfaceRequest& request, const Structure& structure,
-                              const Mesh& mesh) {
+                              const Mesh& mesh, std::span<const Colour> colours) {
     std::vector<std::uint32_t> residues(mesh.atoms.size());
     std::transform(mesh.atoms.begin(), mesh.atoms.end(), residues.begin(),
                    [&](std::uint32_t atom) { return structure.labels[atom].residue; });
-    write_mesh(path, mesh, {.encoding = request.encoding, .extra = {{"residue", residues}}});
+    write_mesh(path, mesh, {.encoding = request.encoding, .extra = {{"residue", residues}}, .colours = colours});
 }
 
 class SurfaceRun : public StructureRun {
@@ -31,15 +35,64 @@ public:
 
 private:
     std::vector<Output> plan(const std::string& name, const std::string& mark) const override {
-        return plan_outputs(request_.outputs, name, mark);
+        std::vector<Output> outputs = plan_outputs(request_.outputs, name, mark);
+        if (!request_.flow.history.empty()) outputs.push_back(plan_history(request_.flow.history, mark));
+        if (request_.flow.snapshots > 0 && first_mesh(outputs) == nullptr)
+            throw UsageError("--snapshots writes meshes beside the final one; give a mesh with -o");
+        if (!request_.picture.drawn_by.empty() && !has(outputs, OutputKind::Picture))
+            throw UsageError(request_.picture.drawn_by + " shapes a picture; ask for one with -o FILE.png");
+        return outputs;
+    }
+
+    static bool has(const std::vector<Output>& outputs, OutputKind kind) {
+        return std::any_of(outputs.begin(), outputs.end(), [kind](const Output& o) { return o.kind == kind; });
+    }
+
+    static const Output* first_mesh(const std::vector<Output>& outputs) {
+        const auto found = std::find_if(outputs.begin(), outputs.end(),
+                                        [](const Output& output) { return output.kind == OutputKind::Mesh; });
+        return found == outputs.end() ? nullptr : &*found;
     }
 
     /// The exact measures, which only reports show, come first: their memory is free again when the grid needs it.
     void compute(const Job& job) override {
         const SurfaceOptions& options = request_.surface;
         if (!request_.report.empty()) measure_exactly(job.structure.atoms);
-        surface_ = compute_surface(job.structure.atoms, options,
-                                   [this](std::string_view stage, double fraction) { show(stage, fraction); });
+        FlowObserver observer;
+        if (request_.flow.snapshots > 0)
+            observer = [&](const FlowStep& step, const Mesh& mesh) { write_snapshot(job, step, mesh); };
+        surface_ = compute_surface(
+            job.structure.atoms, options, [this](std::string_view stage, double fraction) { show(stage, fraction); },
+            observer);
+        if (!request_.report.empty() && options.method == Method::Flow)
+            surface_.checks.push_back(check_pieces(surface_, exact_, job.structure.atoms));
+        Stopwatch watch;
+        colours_ = colour_vertices(surface_.mesh, job.structure, request_.picture.colours);
+        if (has(job.outputs, OutputKind::Picture)) draw(job.structure);
+        picture_seconds_ = watch.lap();
+    }
+
+    void draw(const Structure& structure) {
+        show("picture", 0.0);
+        PictureOptions options = request_.picture.picture;
+        options.threads = request_.surface.threads;
+        const ColourOptions& colours = request_.picture.colours;
+        const AccessibleSurface accessible(structure.atoms, request_.surface.probe);
+        ColourField field;
+        if (surface_.level_set) field = colour_by_level_set(*surface_.level_set, colours);
+        if (!field) field = colour_by_feature(accessible, structure, colours);
+        picture_ = draw_picture(surface_.mesh, colours_, options, field);
+        show("picture", 1.0);
+    }
+
+    void write_snapshot(const Job& job, const FlowStep& step, const Mesh& mesh) const {
+        if (step.step % request_.flow.snapshots != 0) return;
+        {
+            const WritingSection section;
+            write_mesh_with_residues(snapshot_path(first_mesh(job.outputs)->path, step.step), request_, job.structure,
+                                     mesh, colour_vertices(mesh, job.structure, request_.picture.colours));
+        }
+        throw_if_interrupted();
     }
 
     void measure_exactly(const Atoms& atoms) {
@@ -53,7 +106,11 @@ private:
     void write(const Output& output, const Job& job) const override {
         switch (output.kind) {
             case OutputKind::Mesh:
-                return write_mesh_with_residues(output.path, request_, job.structure, surface_.mesh);
+                return write_mesh_with_residues(output.path, request_, job.structure, surface_.mesh, colours_);
+            case OutputKind::Picture:
+                return write_picture(output.path, picture_);
+            case OutputKind::History:
+                return write_table(output.path, history_table(surface_.history));
             case OutputKind::Spheres:
                 return write_spheres(output.path, job.structure);
             default:
@@ -66,6 +123,7 @@ private:
     ordered_json report(const Job& job, const RunFacts& facts) const override {
         RunFacts all = facts;
         all.exact_seconds = exact_seconds_;
+        all.picture_seconds = picture_seconds_;
         return make_report(request_, job.structure, surface_, exact_, all);
     }
 
@@ -76,7 +134,10 @@ private:
     const SurfaceRequest& request_;
     Measures exact_;
     double exact_seconds_ = 0.0;
+    double picture_seconds_ = 0.0;
     Surface surface_;
+    std::vector<Colour> colours_;  // of the mesh's vertices
+    Picture picture_;
 };
 
 }  // namespace

@@ -10,23 +10,21 @@ namespace {
 
 constexpr Words<Method, 3> kMethods{
     {{"flow", Method::Flow}, {"direct", Method::Direct}, {"gaussian", Method::Gaussian}}};
-constexpr Words<const char*, 1> kFlows{{{"anchored", "anchored"}}};
+
+constexpr Words<Pieces, 3> kPieces{{{"all", Pieces::All}, {"outer", Pieces::Outer}, {"cavities", Pieces::Cavities}}};
 
 constexpr const char* kFormats =
-    "-o writes meshes (.ply .obj .stl .off), with the table NAME.atoms.csv beside them, and the kept atoms\n"
-    "(.xyzr .xyzrn). Without -o the mesh goes to NAME.ply in the current folder.";
+    "-o writes meshes (.ply .obj .stl .off), with the table NAME.atoms.csv beside them, pictures (.png),\n"
+    "and the kept atoms (.xyzr .xyzrn). Without -o the mesh goes to NAME.ply in the current folder.";
 
 void add_shape_options(CLI::App& command, SurfaceRequest& request) {
     SurfaceOptions& surface = request.surface;
     add_probe(command, surface.probe);
     add_choice(command, "--method", surface.method, kMethods, "Smooth flow, sharp direct, or only the Gaussian start");
-    add_choice(command, "--flow", request.flow, kFlows, "Which evolution the flow runs");
     add_number(command, "--spacing", surface.spacing, Sign::Positive, "H", "Grid spacing, Å");
+    add_choice(command, "--components", surface.pieces, kPieces, "Which closed pieces the mesh keeps");
     add_number(command, "--density", surface.density, Sign::Negative, "C",
                "Constant of the initial Gaussian map, Å^-2");
-    add_number(command, "--time-step", surface.time_step, Sign::Positive, "T", "Time step of the flow, in units of H²");
-    add_count(command, "--max-steps", surface.max_steps, "Most steps of the flow")
-        ->default_str(fmt::format("{}", surface.max_steps));
 }
 
 void add_encoding(CLI::App& command, SurfaceRequest& request) {
@@ -42,6 +40,15 @@ void add_memory_limit(CLI::App& command, SurfaceRequest& request) {
         ->type_name("LIMIT");
 }
 
+/// What depends on several options.
+void complete(SurfaceRequest& request) {
+    request.surface.flow = resolve(request.flow);
+    const bool recorded = !request.flow.history.empty() || request.flow.snapshots > 0;
+    if (recorded && request.surface.method != Method::Flow)
+        throw UsageError("--history and --snapshots show the steps of a flow; use --method flow");
+    request.surface.history = !request.flow.history.empty();
+}
+
 }  // namespace
 
 void add_surface_options(CLI::App& command, SurfaceRequest& request) {
@@ -51,13 +58,20 @@ void add_surface_options(CLI::App& command, SurfaceRequest& request) {
     add_atom_options(command, request);
     command.option_defaults()->group("Surface");
     add_shape_options(command, request);
+    command.option_defaults()->group("Flow");
+    add_flow_options(command, request.flow);
+    command.parse_complete_callback([&request] { complete(request); });
     command.option_defaults()->group("Output");
     add_output_options(command, request);
     add_encoding(command, request);
+    command.option_defaults()->group("Colours and pictures");
+    add_picture_options(command, request.picture);
     command.option_defaults()->group("Running");
     add_run_options(command, request, request.surface.threads);
     add_memory_limit(command, request);
 }
+
+const char* name_of(Pieces pieces) { return word_for(kPieces, pieces); }
 
 const char* name_of(Method method) { return word_for(kMethods, method); }
 

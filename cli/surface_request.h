@@ -6,16 +6,19 @@
 #include <string>
 
 #include "common_request.h"
+#include "flow_request.h"
 #include "meniscus/surface.h"
 #include "meniscus/write.h"
+#include "picture_options.h"
 
 namespace meniscus::cli {
 
 /// Without -o the mesh goes to NAME.ply in the current folder.
 struct SurfaceRequest : CommonRequest {
     SurfaceOptions surface;
-    std::string flow = "anchored";  ///< which evolution Method::Flow runs
+    FlowRequest flow;  ///< surface.flow is what it resolves to
     Encoding encoding = Encoding::Binary;
+    PictureRequest picture;
 };
 
 /// Gives a subcommand its options; parsing fills `request`, which must outlive the parser.
@@ -24,7 +27,8 @@ struct SurfaceRequest : CommonRequest {
 /// CLI11 itself refuses.
 void add_surface_options(CLI::App& command, SurfaceRequest& request);
 
-/// The word behind `--method`.
+/// The words behind `--method` and `--components`.
 const char* name_of(Method method);
+const char* name_of(Pieces pieces);
 
 }  // namespace meniscus::cli

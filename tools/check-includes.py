@@ -18,17 +18,21 @@ ROOMS = {
     "mesh": ("grid",),
     "measure": ("geometry", "mesh"),
     "tables": ("radii",),
-    "io": (),
+    "colours": ("radii",),
+    "render": (),
+    "io": ("grid",),
     "pipeline": ("geometry", "grid", "band", "flow", "mesh", "measure"),
 }
 # What clients may use beside the public headers: how to write a file of their own whole or not at all.
 FOR_CLIENTS = ("src/io/atomic_file.h",)
 # Public headers that numerical rooms must not see, and words that only some folders may include.
-FILE_HEADERS = ("include/meniscus/structure.h", "include/meniscus/write.h")
-NUMERICAL = ("geometry", "grid", "band", "flow", "mesh", "measure")
+FILE_HEADERS = ("include/meniscus/structure.h", "include/meniscus/write.h", "include/meniscus/level_set_file.h")
+NUMERICAL = ("geometry", "grid", "band", "flow", "mesh", "measure", "render")
 ONLY_IN = {
     "<tbb/": ("src/core/",),
     "<gemmi/": ("src/structure/", "src/radii/", "src/io/gemmi/"),
+    "<embree3/": ("src/render/",),
+    "<png.h>": ("src/io/", "tests/io/"),
     "<CLI/": ("cli/", "tests/cli/"),
     "<iostream>": ("cli/", "src/structure/", "src/io/", "tests/", "bench/", "fuzz/"),
     "<fstream>": ("cli/", "src/core/", "src/structure/", "src/radii/", "src/io/", "tests/", "bench/", "fuzz/"),

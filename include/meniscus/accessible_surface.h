@@ -24,10 +24,11 @@ namespace meniscus {
 struct NearestFeature {
     double signed_distance = 0.0;  ///< Å, negative inside; see signed_distance()
     PatchKind patch = PatchKind::Contact;
-    std::uint32_t atom = 0;       ///< nearest atom of the feature, in the caller's order
-    double mean_curvature = 0.0;  ///< of the parallel surface through the point, Å^-1; may be ±inf at cusps
-    Vec3 foot;                    ///< nearest point of K (a probe centre), Å
-    Vec3 normal;                  ///< gradient of the signed distance; unit vector, zero where undefined
+    std::uint32_t atom = 0;           ///< nearest atom of the feature, in the caller's order
+    double mean_curvature = 0.0;      ///< of the parallel surface through the point, Å^-1; may be ±inf at cusps
+    double gaussian_curvature = 0.0;  ///< of the same surface, Å^-2; may be ±inf at cusps
+    Vec3 foot;                        ///< nearest point of K (a probe centre), Å
+    Vec3 normal;                      ///< gradient of the signed distance; unit vector, zero where undefined
 };
 
 class AccessibleSurface;

@@ -78,12 +78,24 @@ struct AtomMeasure {
     double ses_area() const { return contact_area + toroidal_area + reentrant_area; }
 };
 
+/// Areas of patches of the SES by kind, Å².
+struct PatchAreas {
+    double contact = 0.0;
+    double toroidal = 0.0;
+    double reentrant = 0.0;
+
+    double sum() const { return contact + toroidal + reentrant; }
+};
+
 /// All that measure() finds.
 struct Measures {
     MeasureOptions options;
     SurfaceTotals totals;
     SurfaceTotals errors;  ///< absolute error estimates
     std::size_t sas_components = 0;
+    /// SES patches of the piece of the SAS with the largest area: all that a probe reaches by rolling without leaving
+    /// the atoms. Programs that start from one reduced surface report this as the outer component.
+    PatchAreas largest_sas_piece;
     std::vector<SurfaceComponent> components;  ///< by falling volume
     std::vector<AtomMeasure> atoms;            ///< in the caller's order; of exact duplicates the first has it all
     std::vector<PatchMeasure> patches;

@@ -32,6 +32,11 @@ struct Mesh {
     std::vector<std::uint32_t> atoms;       ///< index of the nearest atom, in the caller's order
     std::vector<PatchKind> patches;         ///< kind of the nearest patch
     std::vector<std::uint32_t> components;  ///< 0 outer, then by falling enclosed volume
+    std::vector<float> areas{};             ///< a third of the areas of the triangles around, Å²
+    /// Curvatures of the surface itself, not of the triangles; principal ones are capped at ±1/spacing.
+    std::vector<float> mean_curvatures{};      ///< Å^-1, positive on a sphere
+    std::vector<float> gaussian_curvatures{};  ///< Å^-2
+    std::vector<float> shape_indices{};        ///< from -1 (cup) to 1 (ball); see PrincipalCurvatures
     std::vector<Triangle> triangles;
 };
 

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "meniscus/atoms.h"
+#include "meniscus/flow.h"
 #include "meniscus/level_set.h"
+#include "meniscus/measures.h"
 #include "meniscus/mesh.h"
 #include "meniscus/progress.h"
 
@@ -21,30 +23,20 @@ enum class Method {
     Gaussian,  ///< only the Gaussian density envelope that the flow starts from; not the SES
 };
 
+/// Which closed pieces of the surface the mesh keeps.
+enum class Pieces { All, Outer, Cavities };
+
 /// Everything that decides the result. Lengths in Å.
 struct SurfaceOptions {
     Method method = Method::Flow;
     double probe = 1.4;               ///< probe radius; 0 gives the van der Waals surface
     double spacing = 0.5;             ///< grid spacing
     double density = -0.5;            ///< constant C of the initial Gaussian map, Å^-2, negative
-    double time_step = 16.0;          ///< τ of the flow, in units of spacing²
-    double anchor = 16.0;             ///< λ of the flow's anchor, in units of spacing^-2
-    int max_steps = 30;               ///< of the flow
+    FlowOptions flow{};               ///< which evolution Method::Flow runs
+    bool history = false;             ///< keep a record of every step of the flow
+    Pieces pieces = Pieces::All;      ///< what the mesh keeps
     int threads = 0;                  ///< 0: all cores; results do not depend on it
     std::size_t memory_limit_mb = 0;  ///< 0: what the machine has available
-};
-
-/// How the flow went.
-struct FlowSummary {
-    int steps = 0;
-    double time = 0.0;  ///< Å²: the flow's speed is a curvature
-    bool converged = false;
-    double residual = 0.0;       ///< mean |change| per unit time over |Φ| < spacing at the last step, Å^-1
-    double mean_distance = 0.0;  ///< of the vertices to the exact SES, Å
-    double max_distance = 0.0;
-    int solver_iterations = 0;  ///< over all steps
-    double initial_area = 0.0;  ///< Å², of the Gaussian start
-    int reinitialisations = 0;
 };
 
 /// Distances of the mesh's vertices to the exact solvent-excluded surface, Å, absolute values.
@@ -79,6 +71,7 @@ struct Surface {
     double corrected_volume = 0.0;  ///< Å³
     DistanceSummary distance;
     FlowSummary flow;                           ///< zero for Method::Direct and Method::Gaussian
+    std::vector<FlowStep> history;              ///< if asked for, and always for a flow without an anchor
     std::shared_ptr<const LevelSet> level_set;  ///< absent for Method::Direct
     std::vector<Check> checks;
     StageTimes seconds;
@@ -91,7 +84,16 @@ struct Surface {
 /// throws   UsageError for options out of range, std::invalid_argument for no atoms, a radius that is not
 ///          positive or a coordinate that is not finite, LimitError when it would not fit into memory
 /// cost     linear in the number of atoms; memory proportional to area / spacing²
+/// observer sees every step of a flow; where there is one, steps cost a mesh each
 /// source   Pan & Tai 2009, with the anchored flow of docs/design/flow.md
-Surface compute_surface(const Atoms& atoms, const SurfaceOptions& options = {}, const Progress& progress = {});
+Surface compute_surface(const Atoms& atoms, const SurfaceOptions& options = {}, const Progress& progress = {},
+                        const FlowObserver& observer = {});
+
+/// Holds a flow's level set against the exact pieces of the surface: how many, with an inscribed radius above 1.5
+/// spacings, have the wrong sign at their deepest point (of an outer piece: in the middle of its largest atom).
+///
+/// measured   with cavities, of the same atoms and probe radius
+/// cost       a few microseconds per piece
+Check check_pieces(const Surface& surface, const Measures& measured, const Atoms& atoms);
 
 }  // namespace meniscus

@@ -15,6 +15,7 @@
 #include <variant>
 #include <vector>
 
+#include "meniscus/flow.h"
 #include "meniscus/interfaces.h"
 #include "meniscus/measures.h"
 #include "meniscus/structure.h"
@@ -116,6 +117,9 @@ Table measures_table(const Structure& structure, const Measures& measures, RowsP
 /// The areas without and with the other side, of every atom, residue or chain of every interface.
 /// throws   UsageError for RowsPer::Cavity
 Table interface_table(const Structure& structure, std::span<const ChainInterface> interfaces, RowsPer per);
+
+/// A row per step of a flow; the columns are the members of FlowStep.
+Table history_table(std::span<const FlowStep> history);
 
 /// "A:LEU12": chain, name, number and insertion code of a residue, as people write them; empty for one without name.
 std::string residue_label(const Residue& residue);

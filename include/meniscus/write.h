@@ -9,7 +9,9 @@
 #include <variant>
 #include <vector>
 
+#include "meniscus/colour.h"
 #include "meniscus/mesh.h"
+#include "meniscus/picture.h"
 #include "meniscus/structure.h"
 #include "meniscus/tables.h"
 
@@ -26,6 +28,7 @@ struct VertexArray {
 struct WriteOptions {
     Encoding encoding = Encoding::Binary;  ///< of PLY and STL; OBJ and OFF are text
     std::vector<VertexArray> extra{};      ///< written by formats with named vertex values (PLY), after the mesh's own
+    std::span<const Colour> colours{};     ///< one per vertex, or none; written by PLY, after everything else
 };
 
 /// Writes a mesh; the suffix of `path` chooses the format: .ply .obj .stl .off.
@@ -37,6 +40,10 @@ struct WriteOptions {
 /// throws   UsageError for an unknown suffix or arrays whose sizes do not match; LimitError for more triangles than the
 ///          format can count; OutputError when the file cannot be written
 void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& options = {});
+
+/// Writes a picture as PNG, with eight bits per channel in sRGB and an alpha channel if a pixel is not opaque.
+/// throws   UsageError for a number of pixels that is zero or does not match the size; OutputError
+void write_picture(const std::string& path, const Picture& picture);
 
 /// Writes the kept atoms as "x y z radius" (.xyzr) or "x y z radius 1 ATOM_RESIDUE_NUMBER_CHAIN" (.xyzrn), Å, with
 /// enough digits to read the same numbers back.

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The level-set evolution that carries the Gaussian start to the solvent-excluded surface.
 //
-// Anchored mean-curvature flow, Φ_t = ΔΦ - 2 H_par |∇Φ| + λ(s - Φ): the paper's equation (2.4) with the curvature
-// of the parallel surface and a term that holds Φ to the signed distance s, without which the SES is not a
-// stable steady state (docs/design/flow.md).
+// One loop for all flows: reinitialise, one semi-implicit Euler step, measure the change. FlowOptions says with which
+// curvature field, anchor, reinitialiser and solver.
 #pragma once
 
 #include <functional>
@@ -13,39 +12,53 @@
 
 #include "band/distance_band.h"
 #include "grid/block_grid.h"
+#include "meniscus/flow.h"
 
 namespace meniscus {
-
-struct EvolutionOptions {
-    double half_width = 3.0;  ///< k: unknowns are the nodes with |Φ| or |s| below k spacings
-    double time_step = 16.0;  ///< τ, in units of spacing²; the anchor keeps the system well conditioned
-    double anchor = 16.0;     ///< λ, in units of spacing^-2
-    double tolerance = 1e-4;  ///< stop when residual / λ is below it, in spacings
-    int max_steps = 30;
-};
 
 /// How wide the sampled band must be around the unknowns, in spacings: the spline's stencils reach two nodes.
 inline constexpr double kBandRim = 2.0;
 
+/// What an evolution works on: one entry per node of the grid.
+struct FlowFields {
+    const BlockGrid* grid = nullptr;
+    std::span<const float> distance;   ///< s, clamped to ±margin, Å
+    std::span<const float> curvature;  ///< H0 with half_width + kBandRim spacings of the SES at least, Å^-1
+    double margin = 0.0;               ///< Å
+};
+
+/// Coefficients of the spline and its values at the nodes; outside the unknowns, values of what holds it there.
+struct FlowState {
+    std::vector<float> coefficients;
+    std::vector<float> values;
+};
+
 struct EvolutionResult {
-    std::vector<float> coefficients;  ///< of the tri-cubic B-spline
-    std::vector<float> values;        ///< of the spline at the nodes
+    FlowState state;
     int steps = 0;
     double time = 0.0;      ///< Å²
     double residual = 0.0;  ///< mean |ΔΦ|/τ over |Φ| < spacing at the last step, Å^-1
-    bool converged = false;
+    FlowEnd end = FlowEnd::StepsUsedUp;
     int solver_iterations = 0;
+    int reinitialisations = 0;
+
+    bool converged() const { return end == FlowEnd::Converged; }
 };
 
-/// Runs the anchored flow from `start`, node values of Φ, until it is steady.
+/// Called after every step with how far the flow is and the fraction of the way done; the state is the result's.
+using EvolutionObserver = std::function<void(const EvolutionResult&, double fraction)>;
+
+/// Runs a flow from `start`, node values of Φ.
 ///
-/// band     sampled with margin (half_width + kBandRim) spacings on the same grid
-/// step     called after every step with the fraction done, may be empty
 /// source   Pan & Tai 2009, eqs. 2.4, 3.3-3.5, with the changes of docs/design/flow.md
-EvolutionResult evolve_anchored(const BlockGrid& grid, const DistanceBand& band, std::span<const float> start,
-                                const EvolutionOptions& options, const std::function<void(double)>& step);
+EvolutionResult evolve(const FlowFields& fields, std::span<const float> start, const FlowOptions& options,
+                       const EvolutionObserver& observer);
 
 /// Coefficients of the spline that takes `values` at the nodes where |value| < half_width spacings.
 std::vector<float> interpolating_coefficients(const BlockGrid& grid, std::span<const float> values, double half_width);
+
+/// Half the discrete Laplacian of the spline through the distance, where |s| < half_width spacings: what
+/// CurvatureField::Sharp is; `curvature` elsewhere.
+std::vector<float> sharp_curvature(const BlockGrid& grid, const DistanceBand& band, double half_width);
 
 }  // namespace meniscus

@@ -12,13 +12,14 @@ namespace meniscus {
 namespace {
 
 constexpr std::size_t kBlocksPerChunk = 32;
+constexpr std::size_t kRestart = 30;  // of GMRES
 
 using BlockValues = std::array<float, kBlockNodes>;
 
 void apply_to_block(const BlockGrid& grid, const Stencil& stencil, std::span<const float> field, BlockId block,
                     float fill, std::span<float, kBlockNodes> result) {
     std::array<float, kPaddedNodes> padded;
-    gather_padded(grid, field, block, fill, padded);
+    gather_padded<float>(grid, field, block, fill, padded);
     apply_stencil(stencil, padded, result);
 }
 
@@ -31,6 +32,50 @@ double sum_over(std::span<const BlockId> blocks, const Term& term) {
         return sum;
     });
 }
+
+// Least squares min |e1·norm - H y| for a Hessenberg matrix H that grows by columns.
+class HessenbergSolver {
+public:
+    explicit HessenbergSolver(double norm) : right_{norm} {}
+
+    std::size_t size() const { return columns_.size(); }
+    double residual() const { return std::abs(right_.back()); }
+
+    void add(std::vector<double> column) {
+        const std::size_t j = size();
+        for (std::size_t i = 0; i < j; ++i) rotations_[i].turn(column[i], column[i + 1]);
+        rotations_.push_back(Rotation(column[j], column[j + 1]));
+        rotations_[j].turn(column[j], column[j + 1]);
+        right_.push_back(0.0);
+        rotations_[j].turn(right_[j], right_[j + 1]);
+        columns_.push_back(std::move(column));
+    }
+
+    std::vector<double> solution() const {
+        std::vector<double> y(right_.begin(), right_.end() - 1);
+        for (std::size_t i = y.size(); i-- > 0;) {
+            for (std::size_t j = i + 1; j < y.size(); ++j) y[i] -= columns_[j][i] * y[j];
+            y[i] /= columns_[i][i];
+        }
+        return y;
+    }
+
+private:
+    struct Rotation {
+        double cosine;
+        double sine;
+        Rotation(double a, double b) : cosine(a / std::hypot(a, b)), sine(b / std::hypot(a, b)) {}
+        void turn(double& a, double& b) const {
+            const double turned = cosine * a + sine * b;
+            b = cosine * b - sine * a;
+            a = turned;
+        }
+    };
+
+    std::vector<std::vector<double>> columns_;
+    std::vector<Rotation> rotations_;
+    std::vector<double> right_;
+};
 
 }  // namespace
 
@@ -113,18 +158,106 @@ void SplineSystem::turn(double beta) {
 
 SolveResult SplineSystem::solve(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill,
                                 std::span<const float> b, std::span<float> x, const SolveOptions& options) {
+    return options.solver == Solver::Cg ? solve_cg(stencil, mask, fill, b, x, options)
+                                        : solve_gmres(stencil, mask, fill, b, x, options);
+}
+
+double SplineSystem::root_mean_square(double squared_norm) const {
+    return unknowns_ > 0 ? std::sqrt(squared_norm / static_cast<double>(unknowns_)) : 0.0;
+}
+
+SolveResult SplineSystem::solve_cg(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill,
+                                   std::span<const float> b, std::span<float> x, const SolveOptions& options) {
     double squared = start(stencil, mask, fill, b, x);
-    const auto rms = [&] { return unknowns_ > 0 ? std::sqrt(squared / static_cast<double>(unknowns_)) : 0.0; };
-    SolveResult result{0, rms()};
+    SolveResult result{0, root_mean_square(squared)};
     while (result.residual > options.tolerance && result.iterations < options.max_iterations) {
         const double alpha = squared / apply(stencil, mask);
         const double next = advance(alpha, x);
         turn(next / squared);
         squared = next;
         ++result.iterations;
-        result.residual = rms();
+        result.residual = root_mean_square(squared);
     }
     return result;
+}
+
+void SplineSystem::copy_scaled(std::span<const float> field, double scale, std::vector<float>& vector) const {
+    const auto factor = static_cast<float>(scale);
+    vector.resize(active_.size() * kBlockNodes);
+    parallel_for(active_.size(), kBlocksPerChunk, [&](std::size_t k) {
+        const std::size_t first = std::size_t{active_[k]} * kBlockNodes;
+        for (std::size_t n = 0; n < kBlockNodes; ++n) vector[k * kBlockNodes + n] = factor * field[first + n];
+    });
+}
+
+void SplineSystem::set_direction(const std::vector<float>& vector) {
+    parallel_for(active_.size(), kBlocksPerChunk, [&](std::size_t k) {
+        std::copy_n(vector.begin() + static_cast<std::ptrdiff_t>(k * kBlockNodes), kBlockNodes,
+                    direction_.begin() + static_cast<std::ptrdiff_t>(std::size_t{active_[k]} * kBlockNodes));
+    });
+}
+
+double SplineSystem::dot_image(const std::vector<float>& vector) const {
+    return parallel_sum<double>(active_.size(), kBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
+        double sum = 0.0;
+        for (std::size_t k = begin; k < end; ++k) {
+            const std::size_t first = std::size_t{active_[k]} * kBlockNodes;
+            for (std::size_t n = 0; n < kBlockNodes; ++n)
+                sum += double{image_[first + n]} * vector[k * kBlockNodes + n];
+        }
+        return sum;
+    });
+}
+
+// image -= scale · vector; returns the image's squared norm.
+double SplineSystem::subtract_from_image(const std::vector<float>& vector, double scale) {
+    const auto factor = static_cast<float>(scale);
+    return parallel_sum<double>(active_.size(), kBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
+        double sum = 0.0;
+        for (std::size_t k = begin; k < end; ++k) {
+            const std::size_t first = std::size_t{active_[k]} * kBlockNodes;
+            for (std::size_t n = 0; n < kBlockNodes; ++n) {
+                image_[first + n] -= factor * vector[k * kBlockNodes + n];
+                sum += double{image_[first + n]} * image_[first + n];
+            }
+        }
+        return sum;
+    });
+}
+
+// Saad & Schultz 1986: Arnoldi by modified Gram-Schmidt, the small least-squares problem by Givens rotations.
+SolveResult SplineSystem::solve_gmres(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill,
+                                      std::span<const float> b, std::span<float> x, const SolveOptions& options) {
+    std::vector<std::vector<float>> basis(kRestart + 1);
+    SolveResult result;
+    for (;;) {
+        const double norm = std::sqrt(start(stencil, mask, fill, b, x));
+        result.residual = root_mean_square(norm * norm);
+        if (result.residual <= options.tolerance || result.iterations >= options.max_iterations) return result;
+        copy_scaled(residual_, 1.0 / norm, basis[0]);
+        HessenbergSolver small(norm);
+        while (small.size() < kRestart && root_mean_square(small.residual() * small.residual()) > options.tolerance &&
+               result.iterations < options.max_iterations) {
+            const std::size_t j = small.size();
+            set_direction(basis[j]);
+            apply(stencil, mask);
+            std::vector<double> column(j + 2);
+            double squared = 0.0;
+            for (std::size_t i = 0; i <= j; ++i) {
+                column[i] = dot_image(basis[i]);
+                squared = subtract_from_image(basis[i], column[i]);
+            }
+            column[j + 1] = std::sqrt(squared);
+            small.add(std::move(column));
+            copy_scaled(image_, squared > 0.0 ? 1.0 / std::sqrt(squared) : 0.0, basis[j + 1]);
+            ++result.iterations;
+        }
+        const std::vector<double> weights = small.solution();
+        for (std::size_t j = 0; j < weights.size(); ++j) {
+            set_direction(basis[j]);
+            advance(weights[j], x);
+        }
+    }
 }
 
 }  // namespace meniscus

@@ -10,6 +10,7 @@
 
 #include "grid/block_grid.h"
 #include "grid/stencil.h"
+#include "meniscus/flow.h"
 
 namespace meniscus {
 
@@ -24,6 +25,7 @@ void apply_everywhere(const BlockGrid& grid, const Stencil& stencil, std::span<c
                       const BlockFill& fill, std::span<float> result);
 
 struct SolveOptions {
+    Solver solver = Solver::Cg;
     double tolerance = 1e-6;  ///< stop when the root mean square of the residual is below it
     int max_iterations = 200;
 };
@@ -33,7 +35,8 @@ struct SolveResult {
     double residual = 0.0;  ///< root mean square over the unknowns
 };
 
-/// Conjugate gradients for: (stencil applied to x) = b on the nodes of the mask, x given on all others.
+/// Solves (stencil applied to x) = b on the nodes of the mask, x given on all others, by conjugate gradients or by
+/// GMRES restarted every 30 iterations, which needs as many vectors.
 ///
 /// The stencil must be positive definite. Sums run over blocks in fixed order: the same bits for any number of
 /// threads. Reuses its memory from solve to solve.
@@ -46,11 +49,21 @@ public:
                       std::span<float> x, const SolveOptions& options);
 
 private:
+    SolveResult solve_cg(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill, std::span<const float> b,
+                         std::span<float> x, const SolveOptions& options);
+    SolveResult solve_gmres(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill,
+                            std::span<const float> b, std::span<float> x, const SolveOptions& options);
     double start(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill, std::span<const float> b,
                  std::span<const float> x);
     double apply(const Stencil& stencil, const NodeMask& mask);
     double advance(double alpha, std::span<float> x);
     void turn(double beta);
+    double root_mean_square(double squared_norm) const;
+    /// Basis vectors hold the active blocks only, one after the other.
+    void copy_scaled(std::span<const float> field, double scale, std::vector<float>& vector) const;
+    void set_direction(const std::vector<float>& vector);
+    double dot_image(const std::vector<float>& vector) const;
+    double subtract_from_image(const std::vector<float>& vector, double scale);
 
     const BlockGrid* grid_;
     std::vector<BlockId> active_;  // blocks with unknowns

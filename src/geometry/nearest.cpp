@@ -59,6 +59,7 @@ NearestFeature contact_feature(const Data& data, const Vec3& p, const NearestBal
     feature.patch = PatchKind::Contact;
     feature.atom = data.atoms.original[ball.atom];
     feature.mean_curvature = contact_curvature(ball.l);
+    feature.gaussian_curvature = contact_gaussian_curvature(ball.l);
     feature.normal = ball.l > 0.0 ? (1.0 / ball.l) * (p - centre) : Vec3{};
     feature.foot = centre + data.rho[ball.atom] * (ball.l > 0.0 ? feature.normal : Vec3{0.0, 0.0, 1.0});
     return feature;
@@ -73,6 +74,7 @@ NearestFeature edge_feature(const Data& data, const Vec3& p, const NearestEdge& 
         feature.patch = PatchKind::Reentrant;
         feature.atom = nearest_atom(data, vertex.atoms, p);
         feature.mean_curvature = reentrant_curvature(distance);
+        feature.gaussian_curvature = reentrant_gaussian_curvature(distance);
         feature.foot = vertex.position;
     } else {
         const SasArc& arc = data.arcs[edge.arc];
@@ -81,6 +83,7 @@ NearestFeature edge_feature(const Data& data, const Vec3& p, const NearestEdge& 
         feature.patch = PatchKind::Toroidal;
         feature.atom = nearest_atom(data, arc.atoms, p);
         feature.mean_curvature = toroidal_curvature(arc.radius, foot.from_axis, distance);
+        feature.gaussian_curvature = toroidal_gaussian_curvature(arc.radius, foot.from_axis, distance);
         feature.foot = arc.centre + arc.radius * radial;
     }
     point_towards_foot(feature, p, distance);

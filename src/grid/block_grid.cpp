@@ -39,26 +39,4 @@ Vec3 BlockGrid::corner(const BlockCoord& coord) const {
     return origin_ + Vec3{edge * coord.x, edge * coord.y, edge * coord.z};
 }
 
-void gather_padded(const BlockGrid& grid, std::span<const float> field, BlockId block, float fill,
-                   std::span<float, kPaddedNodes> padded) {
-    const auto& around = grid.neighbours(block);
-    std::size_t to = 0;
-    for (int z = -1; z <= kBlockEdge; ++z)
-        for (int y = -1; y <= kBlockEdge; ++y, to += kPaddedEdge) {
-            const int row = node_in_block(0, y & (kBlockEdge - 1), z & (kBlockEdge - 1));
-            const auto value = [&](int dx, int x) {
-                const BlockId b = around[static_cast<std::size_t>(neighbour_slot(dx, side_of(y), side_of(z)))];
-                return b == kNoBlock ? fill : field[std::size_t{b} * kBlockNodes + static_cast<std::size_t>(row + x)];
-            };
-            const BlockId middle = around[static_cast<std::size_t>(neighbour_slot(0, side_of(y), side_of(z)))];
-            padded[to] = value(-1, kBlockEdge - 1);
-            if (middle == kNoBlock)
-                std::fill_n(padded.begin() + static_cast<std::ptrdiff_t>(to + 1), kBlockEdge, fill);
-            else
-                std::copy_n(field.begin() + static_cast<std::ptrdiff_t>(std::size_t{middle} * kBlockNodes) + row,
-                            kBlockEdge, padded.begin() + static_cast<std::ptrdiff_t>(to + 1));
-            padded[to + kPaddedEdge - 1] = value(1, 0);
-        }
-}
-
 }  // namespace meniscus

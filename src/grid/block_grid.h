@@ -6,6 +6,7 @@
 // node = x + 8 * (y + 8 * z) inside the block. Blocks are ordered by (z, y, x).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstddef>
@@ -74,6 +75,15 @@ public:
     Vec3 corner(BlockId block) const { return corner(blocks_[block]); }
     Vec3 corner(const BlockCoord& coord) const;
 
+    /// Position of an entry of a field, Å.
+    Vec3 position(std::size_t entry) const {
+        const std::size_t node = entry % kBlockNodes;
+        const std::size_t y = node / kBlockEdge % kBlockEdge;
+        const std::size_t z = node / (kBlockEdge * kBlockEdge);
+        const Vec3 steps{static_cast<double>(node % kBlockEdge), static_cast<double>(y), static_cast<double>(z)};
+        return corner(static_cast<BlockId>(entry / kBlockNodes)) + spacing_ * steps;
+    }
+
 private:
     double spacing_;
     Vec3 origin_;
@@ -88,7 +98,27 @@ inline constexpr int kPaddedNodes = kPaddedEdge * kPaddedEdge * kPaddedEdge;
 
 /// Copies a block and the nodes next to it: padded node (x + 1) + 10 * ((y + 1) + 10 * (z + 1)).
 /// Nodes of missing blocks become `fill`.
-void gather_padded(const BlockGrid& grid, std::span<const float> field, BlockId block, float fill,
-                   std::span<float, kPaddedNodes> padded);
+template <class T>
+void gather_padded(const BlockGrid& grid, std::span<const T> field, BlockId block, T fill,
+                   std::span<T, kPaddedNodes> padded) {
+    const auto& around = grid.neighbours(block);
+    std::size_t to = 0;
+    for (int z = -1; z <= kBlockEdge; ++z)
+        for (int y = -1; y <= kBlockEdge; ++y, to += kPaddedEdge) {
+            const int row = node_in_block(0, y & (kBlockEdge - 1), z & (kBlockEdge - 1));
+            const auto value = [&](int dx, int x) {
+                const BlockId b = around[static_cast<std::size_t>(neighbour_slot(dx, side_of(y), side_of(z)))];
+                return b == kNoBlock ? fill : field[std::size_t{b} * kBlockNodes + static_cast<std::size_t>(row + x)];
+            };
+            const BlockId middle = around[static_cast<std::size_t>(neighbour_slot(0, side_of(y), side_of(z)))];
+            padded[to] = value(-1, kBlockEdge - 1);
+            if (middle == kNoBlock)
+                std::fill_n(padded.begin() + static_cast<std::ptrdiff_t>(to + 1), kBlockEdge, fill);
+            else
+                std::copy_n(field.begin() + static_cast<std::ptrdiff_t>(std::size_t{middle} * kBlockNodes) + row,
+                            kBlockEdge, padded.begin() + static_cast<std::ptrdiff_t>(to + 1));
+            padded[to + kPaddedEdge - 1] = value(1, 0);
+        }
+}
 
 }  // namespace meniscus

@@ -8,6 +8,7 @@
 #include <functional>
 #include <string>
 
+#include "io/measured_arrays.h"
 #include "io/precision.h"
 #include "meniscus/version.h"
 
@@ -42,8 +43,10 @@ public:
         if (!mesh.patches.empty()) add<std::uint8_t>("patch", [&mesh](std::size_t v) { return mesh.patches[v]; });
         if (!mesh.components.empty())
             add<std::int32_t>("component", [&mesh](std::size_t v) { return mesh.components[v]; });
+        for (const auto& [name, values] : measured_arrays(mesh)) add(name, values);
         for (const VertexArray& array : options.extra)
             std::visit([&](auto values) { add(array.name, values); }, array.values);
+        if (!options.colours.empty()) add_colours(options.colours);
     }
 
     void write() {
@@ -74,6 +77,16 @@ private:
             put(static_cast<T>(vectors[v].x));
             put(static_cast<T>(vectors[v].y));
             put(static_cast<T>(vectors[v].z));
+        });
+    }
+
+    void add_colours(std::span<const Colour> colours) {
+        for (const char* name : {"red", "green", "blue", "alpha"}) declare<std::uint8_t>(name);
+        properties_.emplace_back([this, colours](std::size_t v) {
+            put(colours[v].red);
+            put(colours[v].green);
+            put(colours[v].blue);
+            put(colours[v].alpha);
         });
     }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "io/atomic_file.h"
+#include "io/measured_arrays.h"
 #include "io/obj.h"
 #include "io/off.h"
 #include "io/ply.h"
@@ -42,6 +43,8 @@ void check(const Mesh& mesh, const WriteOptions& options) {
     if (!mesh.atoms.empty()) check_size("atom", mesh.atoms.size(), n);
     if (!mesh.patches.empty()) check_size("patch", mesh.patches.size(), n);
     if (!mesh.components.empty()) check_size("component", mesh.components.size(), n);
+    for (const auto& [name, values] : measured_arrays(mesh)) check_size(name, values.size(), n);
+    if (!options.colours.empty()) check_size("colours", options.colours.size(), n);
     for (const VertexArray& array : options.extra) {
         if (!is_word(array.name)) throw UsageError("'" + array.name + "' cannot be the name of a vertex array");
         std::visit([&](auto values) { check_size(array.name, values.size(), n); }, array.values);

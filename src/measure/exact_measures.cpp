@@ -131,6 +131,21 @@ void share_among_atoms(const SesPatches& patches, Measures& measures) {
     }
 }
 
+PatchAreas areas_of_largest_sas_piece(const SesPatches& patches) {
+    std::vector<double> sas_area(patches.sas_component_count());
+    for (const SesPatch& patch : patches.patches())
+        if (patch.kind == PatchKind::Contact) sas_area[patch.sas_component] += patch.sas.area;
+    const auto largest = std::max_element(sas_area.begin(), sas_area.end()) - sas_area.begin();
+    PatchAreas areas;
+    for (const SesPatch& patch : patches.patches()) {
+        if (patch.sas_component != static_cast<std::uint32_t>(largest)) continue;
+        if (patch.kind == PatchKind::Contact) areas.contact += patch.ses.area;
+        if (patch.kind == PatchKind::Toroidal) areas.toroidal += patch.ses.area;
+        if (patch.kind == PatchKind::Reentrant) areas.reentrant += patch.ses.area;
+    }
+    return areas;
+}
+
 // Sums per component, in the numbering of the evaluation.
 struct ComponentSums {
     SurfaceComponent component;
@@ -253,6 +268,7 @@ Measures describe(const Atoms& atoms, const MeasureOptions& options, const Evalu
     measures.options = options;
     measures.totals = evaluation.sums.totals;
     measures.sas_components = evaluation.patches.sas_component_count();
+    measures.largest_sas_piece = areas_of_largest_sas_piece(evaluation.patches);
     measures.atoms.resize(atoms.size());
     share_among_atoms(evaluation.patches, measures);
     std::vector<std::uint32_t> number;

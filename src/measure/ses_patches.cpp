@@ -168,6 +168,21 @@ void SesPatches::number_components() {
     sas_components_ = set_count(sas_piece);
     for (std::size_t p = 0; p < piece.size(); ++p) patches_[p].component = piece[p];
     for (std::size_t p = 0; p < sas_piece.size(); ++p) patches_[p].sas_component = sas_piece[p];
+    hand_on_sas_components();
+}
+
+// A torus has the piece of the SAS that its arc lies on, a reentrant patch that of its vertex's arcs.
+void SesPatches::hand_on_sas_components() {
+    std::vector<std::uint32_t> of_arc(data_->arcs.size(), kNone);
+    for (std::uint32_t i = 0; i < data_->atoms.size(); ++i)
+        for (std::size_t c = data_->contour_begin[i]; c < data_->contour_begin[i + 1]; ++c)
+            of_arc[data_->contour_arc[c]] = patches_[first_contact_[i] + contact_beside_arc_[c]].sas_component;
+    for (std::size_t p = first_torus_.front(); p < patches_.size(); ++p) {
+        SesPatch& patch = patches_[p];
+        const std::uint32_t arc =
+            patch.kind == PatchKind::Toroidal ? patch.feature : vertex_arcs_[patch.feature].front();
+        if (arc != kNone) patch.sas_component = of_arc[arc];
+    }
 }
 
 std::uint32_t SesPatches::component_at(const Vec3& point) const {

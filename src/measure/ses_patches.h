@@ -20,7 +20,7 @@ struct SesPatch {
     std::uint32_t feature = 0;  ///< atom in canonical order, arc or vertex
     std::uint32_t part = 0;     ///< region or piece of it
     std::uint32_t component = 0;
-    std::uint32_t sas_component = kNone;  ///< contact patches
+    std::uint32_t sas_component = kNone;
     PatchIntegrals ses;
     PatchIntegrals sas;  ///< contact patches
 };
@@ -47,6 +47,7 @@ private:
     void add_toroidal_patches();
     void add_reentrant_patches();
     void number_components();
+    void hand_on_sas_components();
     std::uint32_t torus_patch(std::uint32_t arc, std::uint32_t atom) const;
     std::uint32_t torus_patch_at(std::uint32_t arc, const Vec3& point) const;
     std::uint32_t arc_at_edge(std::uint32_t vertex, std::uint32_t edge) const;

@@ -90,4 +90,21 @@ std::vector<MeshComponent> label_components(Mesh& mesh) {
     return std::move(found.pieces);
 }
 
+void keep_components(Mesh& mesh, const std::vector<bool>& keep) {
+    const auto kept = [&](VertexId v) { return keep[mesh.components[v]]; };
+    std::vector<VertexId> number(mesh.vertices.size());
+    VertexId next = 0;
+    for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
+        if (!kept(v)) continue;
+        mesh.vertices[next] = mesh.vertices[v];
+        number[v] = next++;
+    }
+    const auto gone =
+        std::remove_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) { return !kept(t[0]); });
+    mesh.triangles.erase(gone, mesh.triangles.end());
+    for (Triangle& t : mesh.triangles) t = {number[t[0]], number[t[1]], number[t[2]]};
+    mesh.vertices.resize(next);
+    label_components(mesh);
+}
+
 }  // namespace meniscus

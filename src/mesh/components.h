@@ -28,6 +28,10 @@ Components find_components(const Mesh& mesh);
 /// find_components, kept in mesh.components.
 std::vector<MeshComponent> label_components(Mesh& mesh);
 
+/// Drops the pieces that `keep`, one entry per number in mesh.components, says no to. The mesh must have no other
+/// vertex array yet; the pieces that stay are numbered anew.
+void keep_components(Mesh& mesh, const std::vector<bool>& keep);
+
 /// Size, area and signed volume of the pieces that a labelling of the vertices tells apart.
 /// Sums run in the order of the triangles; volumes are taken from a vertex of each piece, so that they do not lose
 /// digits far from the origin.

@@ -13,12 +13,11 @@
 #include "core/parallel.h"
 #include "flow/evolution.h"
 #include "flow/gaussian_density.h"
-#include "geometry/local_features.h"
 #include "measure/corrected.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
-#include "mesh/components.h"
-#include "mesh/extract.h"
+#include "pipeline/flow_stage.h"
+#include "pipeline/surface_mesh.h"
 
 namespace meniscus {
 namespace {
@@ -32,6 +31,8 @@ constexpr Vec3 kGridShift{0.3819660, 0.2360680, 0.1458980};
 
 // A flow's mean distance to the exact surface is near 0.01 spacings; ten times that means something broke.
 constexpr double kMeanDistanceBound = 0.1;  // in spacings
+
+constexpr double kWidestBand = 16.0;  // spacings
 
 class StageClock {
 public:
@@ -50,14 +51,24 @@ void require(bool holds, std::string_view option, double value, std::string_view
     if (!holds) throw UsageError(fmt::format("{} {:g}: must be {}", option, value, wanted));
 }
 
+bool positive(double v) { return std::isfinite(v) && v > 0.0; }
+
+void check_flow(const FlowOptions& flow) {
+    require(std::isfinite(flow.anchor) && flow.anchor >= 0.0, "anchor", flow.anchor, "finite and not negative");
+    require(flow.time_step > 0.0, "time step", flow.time_step, "positive");
+    require(std::isfinite(flow.time_step) || flow.anchor > 0.0, "time step", flow.time_step,
+            "finite where there is no anchor");
+    require(flow.half_width >= 2.0 && flow.half_width <= kWidestBand, "half width", flow.half_width,
+            fmt::format("from 2 to {:g}", kWidestBand));
+    require(positive(flow.tolerance), "tolerance", flow.tolerance, "finite and positive");
+    require(flow.max_steps >= 1, "max steps", flow.max_steps, "at least 1");
+}
+
 void check_options(const SurfaceOptions& options) {
-    const auto positive = [](double v) { return std::isfinite(v) && v > 0.0; };
     require(std::isfinite(options.probe) && options.probe >= 0.0, "probe", options.probe, "finite and not negative");
     require(positive(options.spacing), "spacing", options.spacing, "finite and positive");
     require(positive(-options.density), "density", options.density, "finite and negative");
-    require(positive(options.time_step), "time step", options.time_step, "finite and positive");
-    require(positive(options.anchor), "anchor", options.anchor, "finite and positive");
-    require(options.max_steps >= 1, "max steps", options.max_steps, "at least 1");
+    if (options.method == Method::Flow) check_flow(options.flow);
     require(options.threads >= 0, "threads", options.threads, "0 (all cores) or more");
 }
 
@@ -76,10 +87,11 @@ struct Field {
 // One computation in progress: the stages, in the order in which they run.
 class Pipeline {
 public:
-    Pipeline(const Atoms& atoms, const SurfaceOptions& options, const Progress& progress)
+    Pipeline(const Atoms& atoms, const SurfaceOptions& options, const Progress& progress, const FlowObserver& observer)
         : options_(options),
           progress_(progress),
-          margin_((EvolutionOptions{}.half_width + kBandRim) * options.spacing) {
+          observer_(observer),
+          margin_(flow_margin(options.method == Method::Flow ? options.flow : FlowOptions{}, options.spacing)) {
         surface_.options = options;
         report("geometry", 0.0);
         accessible_ = std::make_unique<AccessibleSurface>(atoms, options.probe);
@@ -123,7 +135,7 @@ private:
         else if (options_.method == Method::Direct)
             sample_exact(field);
         else
-            run_flow(density, field);
+            evolve_start(density, field);
         return field;
     }
 
@@ -136,96 +148,36 @@ private:
     void make_envelope(const GaussianDensity& density, Field& field) {
         field.values = density.sample(*field.grid, margin_);
         field.level_set = std::make_shared<const LevelSet>(
-            field.grid, interpolating_coefficients(*field.grid, field.values, EvolutionOptions{}.half_width));
+            field.grid, interpolating_coefficients(*field.grid, field.values, FlowOptions{}.half_width));
         surface_.seconds.band = clock_.lap();
         report("band", 1.0);
     }
 
-    void run_flow(const GaussianDensity& density, Field& field) {
-        const DistanceBand band = sample_distance(*accessible_, *field.grid, margin_);
+    void evolve_start(const GaussianDensity& density, Field& field) {
+        DistanceBand band = sample_distance(*accessible_, *field.grid, margin_);
         report("band", 0.8);
         std::vector<float> start = density.sample(*field.grid, margin_);
-        surface_.flow.initial_area = measure_mesh(extract_zero_set(*field.grid, start)).area;
         surface_.seconds.band = clock_.lap();
         report("band", 1.0);
 
-        const EvolutionOptions evolution{
-            .time_step = options_.time_step, .anchor = options_.anchor, .max_steps = options_.max_steps};
-        EvolutionResult result = evolve_anchored(*field.grid, band, std::move(start), evolution,
-                                                 [&](double fraction) { report("flow", fraction); });
-        surface_.flow.steps = result.steps;
-        surface_.flow.time = result.time;
-        surface_.flow.converged = result.converged;
-        surface_.flow.residual = result.residual;
-        surface_.flow.solver_iterations = result.solver_iterations;
-        field.values = std::move(result.values);
-        field.level_set = std::make_shared<const LevelSet>(field.grid, std::move(result.coefficients));
+        FlowOutcome outcome =
+            run_flow(*accessible_, field.grid, std::move(band), std::move(start), options_, progress_, observer_);
+        surface_.flow = std::move(outcome.summary);
+        surface_.history = std::move(outcome.history);
+        field.values = std::move(outcome.state.values);
+        field.level_set = std::make_shared<const LevelSet>(field.grid, std::move(outcome.state.coefficients));
         surface_.seconds.flow = clock_.lap();
         report("flow", 1.0);
     }
 
     void make_mesh(const Field& field) {
-        surface_.mesh = extract_zero_set(*field.grid, field.values);
-        report("mesh", 0.3);
-        Mesh& mesh = surface_.mesh;
-        if (field.level_set)
-            project_onto_level_set(*field.level_set, mesh);
-        else
-            project_onto_exact_surface(mesh);
-        report("mesh", 0.6);
-        const std::vector<NearestFeature> features = nearest_features(*accessible_, mesh.vertices);
-        attach(features, !field.level_set);
-        label_components(mesh);
-    }
-
-    static void project_onto_level_set(const LevelSet& level_set, Mesh& mesh) {
-        mesh.normals.resize(mesh.vertices.size());
-        parallel_for(mesh.vertices.size(), 1024, [&](std::size_t v) {
-            mesh.vertices[v] = level_set.project(mesh.vertices[v]);
-            const Vec3 gradient = level_set.sample(mesh.vertices[v]).gradient;
-            mesh.normals[v] = squared_norm(gradient) > 0.0 ? normalised(gradient) : Vec3{0.0, 0.0, 1.0};
-        });
-    }
-
-    // Next to ridges the distance is a lower bound, so a step can fall short: a few are taken.
-    void project_onto_exact_surface(Mesh& mesh) const {
-        constexpr int kSteps = 3;
-        for (int step = 0; step < kSteps; ++step) {
-            const std::vector<NearestFeature> features = nearest_features(*accessible_, mesh.vertices);
-            parallel_for(mesh.vertices.size(), 1024, [&](std::size_t v) {
-                mesh.vertices[v] = mesh.vertices[v] - features[v].signed_distance * features[v].normal;
-            });
-        }
-    }
-
-    void attach(const std::vector<NearestFeature>& features, bool with_normals) {
-        Mesh& mesh = surface_.mesh;
-        mesh.atoms.resize(features.size());
-        mesh.patches.resize(features.size());
-        if (with_normals) mesh.normals.resize(features.size());
-        std::vector<double> distances(features.size());
-        for (std::size_t v = 0; v < features.size(); ++v) {
-            mesh.atoms[v] = features[v].atom;
-            mesh.patches[v] = features[v].patch;
-            if (with_normals) mesh.normals[v] = features[v].normal;
-            distances[v] = std::abs(features[v].signed_distance);
-        }
-        surface_.distance = summarise(distances);
-        surface_.flow.mean_distance = options_.method == Method::Flow ? surface_.distance.mean : 0.0;
-        surface_.flow.max_distance = options_.method == Method::Flow ? surface_.distance.max : 0.0;
-    }
-
-    static DistanceSummary summarise(std::vector<double>& distances) {
-        if (distances.empty()) return {};
-        DistanceSummary summary;
-        for (const double d : distances) summary.mean += d;
-        summary.mean /= static_cast<double>(distances.size());
-        const auto p99 =
-            distances.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(distances.size() - 1));
-        std::nth_element(distances.begin(), p99, distances.end());
-        summary.p99 = *p99;
-        summary.max = *std::max_element(p99, distances.end());
-        return summary;
+        SurfaceMesh meshed =
+            mesh_surface(*accessible_, *field.grid, field.values, field.level_set.get(), options_.pieces);
+        surface_.mesh = std::move(meshed.mesh);
+        surface_.distance = meshed.distance;
+        if (options_.method != Method::Flow) return;
+        surface_.flow.mean_distance = surface_.distance.mean;
+        surface_.flow.max_distance = surface_.distance.max;
     }
 
     void measure() {
@@ -236,7 +188,8 @@ private:
         const auto holds = [](std::string name, bool passed) {
             return Check{std::move(name), passed, passed ? 1.0 : 0.0, 1.0};
         };
-        surface_.checks.push_back(holds("not_empty", !surface_.mesh.triangles.empty()));
+        if (options_.pieces != Pieces::Cavities)  // there may be none
+            surface_.checks.push_back(holds("not_empty", !surface_.mesh.triangles.empty()));
         surface_.checks.push_back(holds("closed", surface_.measures.closed));
         surface_.checks.push_back(holds("manifold", surface_.measures.manifold));
         if (options_.method == Method::Flow) surface_.checks.push_back(holds("converged", surface_.flow.converged));
@@ -247,6 +200,7 @@ private:
 
     const SurfaceOptions& options_;
     const Progress& progress_;
+    const FlowObserver& observer_;
     double margin_;
     StageClock clock_;
     std::unique_ptr<AccessibleSurface> accessible_;
@@ -259,10 +213,11 @@ bool Surface::passed() const {
     return std::all_of(checks.begin(), checks.end(), [](const Check& check) { return check.passed; });
 }
 
-Surface compute_surface(const Atoms& atoms, const SurfaceOptions& options, const Progress& progress) {
+Surface compute_surface(const Atoms& atoms, const SurfaceOptions& options, const Progress& progress,
+                        const FlowObserver& observer) {
     check_options(options);
     const ThreadLimit limit(options.threads);
-    return Pipeline(atoms, options, progress).run();
+    return Pipeline(atoms, options, progress, observer).run();
 }
 
 }  // namespace meniscus

@@ -81,6 +81,12 @@ TEST_F(OutputPlan, LeavesDevicesAndStandardOutputAlone) {
     EXPECT_NO_THROW(check_paths({"-", "/dev/null", "/dev/null"}, "-"));
 }
 
+TEST_F(OutputPlan, APictureNeedsNeitherMeshNorTable) {
+    const std::vector<Output> expected{{"a_m01.png", OutputKind::Picture}};
+    EXPECT_EQ(plan_outputs({"a.png"}, "name", "_m01"), expected);
+    EXPECT_THROW(measure_kind_of("a.png"), UsageError);
+}
+
 TEST_F(OutputPlan, TablesAndCopiesAreThoseOfMeasure) {
     EXPECT_EQ(measure_kind_of("a.csv"), OutputKind::Table);
     EXPECT_EQ(measure_kind_of("a.json"), OutputKind::Table);

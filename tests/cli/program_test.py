@@ -85,7 +85,9 @@ class Help(ProgramTest):
         text = self.run_program("surface", "--help").stdout
         for option in ("--probe --radii --hydrogens --model --assembly --altloc --chains --select --hetero --waters "
                        "--strict-radii --report --threads --quiet --progress --method --flow --spacing --density "
-                       "--time-step --max-steps -o --memory --ascii").split():
+                       "--curvature --anchor --reinitialise --solver --slope --time-step --half-width --max-steps "
+                       "--tolerance --history --snapshots --components -o --memory --ascii --color --view --size --background --depth-cue "
+                       "--perspective --outline").split():
             self.assertIn(f"  {option} ", text)
         text = self.run_program("measure", "--help").stdout
         for option in ("--probe --radii --hydrogens --model --assembly --altloc --chains --select --hetero --waters "
@@ -105,11 +107,19 @@ class Usage(ProgramTest):
         for option in ("--spacing", "--probe", "--density", "--time-step", "--max-steps", "--threads", "--memory",
                        "--model"):
             for value in ("abc", "", "nan", "inf", "-inf", "1e999", "1.4x"):
-                self.assertIn(option, self.refused("three.xyzr", option, value))
+                if (option, value) != ("--time-step", "inf"):
+                    self.assertIn(option, self.refused("three.xyzr", option, value))
         for option, value in (("--spacing", "0"), ("--spacing", "-1"), ("--probe", "-1"), ("--density", "0"),
                               ("--density", "1"), ("--time-step", "0"), ("--max-steps", "0"), ("--threads", "0"),
                               ("--threads", "1.5"), ("--memory", "0"), ("--model", "0"), ("--model", "-1")):
             self.assertIn(option, self.refused("three.xyzr", option, value))
+
+    def test_records_of_a_flow_need_a_flow(self):
+        self.assertIn("--method flow", self.refused("three.xyzr", "--method", "direct", "--history", "a.csv"))
+        self.assertIn("--history", self.refused("three.xyzr", "--history", "a.txt"))
+        self.assertIn("--snapshots", self.refused("three.xyzr", "--snapshots", "1", "-o", "a.xyzr"))
+        self.assertIn("time step", self.refused("three.xyzr", "--flow", "paper", "--time-step", "inf"))
+        self.refused("three.xyzr", "--half-width", "100")
 
     def test_unknown_words_are_refused_with_those_that_exist(self):
         self.assertIn("flow, direct, gaussian", self.refused("three.xyzr", "--method", "fast"))
@@ -117,6 +127,13 @@ class Usage(ProgramTest):
         self.assertIn("ligands", self.refused("three.xyzr", "--hetero", "haem"))
         self.assertIn("json", self.refused("three.xyzr", "--progress", "loud"))
         self.refused("three.xyzr", "--radii", "nosuchset")
+
+    def test_pictures_that_make_no_sense_are_refused(self):
+        for option, value in (("--color", "fancy"), ("--color", "residue:0:1"), ("--color", "depth:2:1"),
+                              ("--size", "100"), ("--size", "0x9"), ("--view", "sideways"), ("--view", "0,0,0"),
+                              ("--background", "#12"), ("--depth-cue", "2")):
+            self.assertIn(option, self.refused("three.xyzr", "-o", "a.png", option, value))
+        self.assertIn("-o FILE.png", self.refused("three.xyzr", "--outline"))
 
     def test_outputs_are_checked_before_anything_is_read(self):
         missing = "missing.pdb"
@@ -170,6 +187,63 @@ class Outputs(ProgramTest):
         self.assertEqual(self.files(), sorted([*names, "a.atoms.csv", "three.xyzr"]))
         for name in names:
             self.assertGreater((self.folder / name).stat().st_size, 0, name)
+
+    def test_a_picture_alone(self):
+        self.surface("three.xyzr", "-o", "a.png", "--size", "64x48")
+        self.assertEqual(self.files(), ["a.png", "three.xyzr"])
+        content = (self.folder / "a.png").read_bytes()
+        self.assertEqual(content[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual((int.from_bytes(content[16:20], "big"), int.from_bytes(content[20:24], "big")), (64, 48))
+
+    def test_colours_are_told_and_in_the_mesh(self):
+        (self.folder / "gly.pdb").write_text(glycine())
+        for scheme in ("patch element chain residue residue-patch hydrophobicity curvature component depth bfactor "
+                       "plddt curvature:-1:1 depth:0:3 bfactor:0:50").split():
+            report = self.report("gly.pdb", "-o", "a.ply", "-o", "a.png", "--size", "40x30", "--color", scheme)
+            self.assertEqual(report["options"]["color"], scheme.split(":")[0])
+            self.assertEqual(report["options"]["size"], [40, 30])
+        header = (self.folder / "a.ply").read_bytes().split(b"end_header")[0].decode("ascii")
+        self.assertRegex(header, r"uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n")
+
+    def test_the_history_has_a_row_per_step(self):
+        report = self.report("three.xyzr", "-o", "a.ply", "--history", "a.csv")
+        with (self.folder / "a.csv").open() as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), report["flow"]["steps"] + 1)
+        self.assertEqual([row["step"] for row in rows], [str(step) for step in range(len(rows))])
+        self.assertEqual(report["flow"]["history"][-1]["mean_distance"], float(rows[-1]["mean_distance"]))
+        self.surface("three.xyzr", "-o", "a.ply", "--history", "a.json")
+        self.assertEqual(len(json.loads((self.folder / "a.json").read_text())), len(rows))
+
+    def test_snapshots_lie_beside_the_final_mesh(self):
+        report = self.report("three.xyzr", "-o", "a.ply", "--snapshots", "2", "--time-step", "1")
+        steps = report["flow"]["steps"]
+        expected = [f"a_step{step:03}.ply" for step in range(0, steps + 1, 2)]
+        self.assertEqual(self.files(), sorted(["a.atoms.csv", "a.ply", "three.xyzr", *expected]))
+
+    def test_a_flow_that_diverges_is_exit_6_with_its_reason_and_its_best_state(self):
+        result = self.surface("three.xyzr", "-o", "a.ply", "--flow", "paper", "--report", "a.json", code=6)
+        self.assertRegex(result.stderr, r"nearest to the exact surface after step \d+")
+        report = json.loads((self.folder / "a.json").read_text())
+        rules = json.loads((SOURCE / "docs" / "report.schema.json").read_text(encoding="utf-8"))
+        self.assertEqual(schema.problems(report, rules), [])
+        self.assertFalse(report["flow"]["converged"])
+        best = min(step["mean_distance"] for step in report["flow"]["history"][1:] if step["mean_distance"] is not None)
+        self.assertAlmostEqual(report["mesh"]["mean_distance"], best)
+
+    def test_the_steady_state_in_one_solve(self):
+        once = self.report("three.xyzr", "-o", "a.ply", "--max-steps", "1", "--time-step", "inf")
+        steps = self.report("three.xyzr", "-o", "b.ply")
+        self.assertEqual((once["flow"]["steps"], once["options"]["time_step"]), (1, "inf"))
+        self.assertTrue(once["flow"]["converged"])
+        self.assertAlmostEqual(once["mesh"]["volume"], steps["mesh"]["volume"], places=3)
+
+    def test_components_are_chosen(self):
+        everything = self.report("three.xyzr", "-o", "a.ply")
+        outer = self.report("three.xyzr", "-o", "a.ply", "--components", "outer")
+        self.assertEqual(outer["mesh"]["area"], everything["mesh"]["area"])
+        none = self.report("three.xyzr", "-o", "a.ply", "--components", "cavities")
+        self.assertEqual(none["mesh"]["vertices"], 0)
 
     def test_text_on_demand(self):
         self.surface("three.xyzr", "-o", "a.ply", "-o", "a.stl", "--ascii")

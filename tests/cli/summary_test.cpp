@@ -17,7 +17,8 @@ Surface sample_surface() {
     surface.measures.components = {{100, 196, 4800.0, 10000.0}, {10, 16, 20.0, -5.0}};
     surface.measures.closed = true;
     surface.measures.manifold = true;
-    surface.flow = {.steps = 4, .converged = true};
+    surface.flow.steps = 4;
+    surface.flow.converged = true;
     surface.checks = {{"closed", true, 1.0, 1.0}, {"converged", false, 0.25, 0.125}};
     return surface;
 }

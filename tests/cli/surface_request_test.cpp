@@ -76,7 +76,7 @@ TEST(SurfaceRequest, TakesValuesOfAllKinds) {
     EXPECT_EQ(request.surface.method, Method::Direct);
     EXPECT_EQ(request.surface.memory_limit_mb, 4096u);
     EXPECT_EQ(request.surface.threads, 2);
-    EXPECT_EQ(request.surface.max_steps, 7);
+    EXPECT_EQ(request.surface.flow.max_steps, 7);
     EXPECT_EQ(request.outputs, (std::vector<std::string>{"a.ply", "b.stl"}));
     EXPECT_EQ(request.read.chains, (std::vector<std::string>{"A", "label:B"}));
     EXPECT_EQ(request.read.hetero, HeteroPolicy::Ligands);

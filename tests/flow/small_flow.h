@@ -26,16 +26,17 @@ inline constexpr std::size_t kNoLimit = 1'000'000;
 struct FlowProblem {
     FlowProblem(const Atoms& atoms, double probe, double h)
         : surface(atoms, probe),
-          margin((EvolutionOptions{}.half_width + kBandRim) * h),
+          margin((FlowOptions{}.half_width + kBandRim) * h),
           grid(std::make_shared<const BlockGrid>(h, origin(h), blocks(h))),
           band(sample_distance(surface, *grid, margin)) {}
 
     std::vector<float> start(double c) const { return GaussianDensity(surface, c).sample(*grid, margin); }
 
-    EvolutionResult evolve(double c, const EvolutionOptions& options = {}) const {
-        return evolve_anchored(*grid, band, start(c), options, {});
+    EvolutionResult evolve(double c, const FlowOptions& options = {}) const {
+        return meniscus::evolve(fields(), start(c), options, {});
     }
-    LevelSet level_set(const EvolutionResult& result) const { return {grid, result.coefficients}; }
+    FlowFields fields() const { return {grid.get(), band.distance, band.curvature, margin}; }
+    LevelSet level_set(const EvolutionResult& result) const { return {grid, result.state.coefficients}; }
 
     static Vec3 origin(double h) { return 0.3819660 * h * Vec3{1.0, 0.9, 0.8}; }
     std::vector<BlockCoord> blocks(double h) const {

@@ -17,6 +17,8 @@ namespace {
 
 using Field = std::vector<float>;
 
+constexpr Solver kSolvers[] = {Solver::Cg, Solver::Gmres};
+
 // Seven blocks in a cross, some neighbours missing.
 BlockGrid cross_of_blocks(double spacing) {
     return {spacing,
@@ -131,12 +133,15 @@ TEST(SplineSystem, EqualsElimination) {
     const Field b = random_field(2, grid.node_count());
     const BlockFill fill = random_field(3, grid.block_count());
     for (const Stencil& stencil : {spline_value(), flow_stencil(0.5, 1.0, 4.0), flow_stencil(0.5, 64.0, 16.0)}) {
-        Field x = random_field(4, grid.node_count());
-        Field known = x;
+        const Field start = random_field(4, grid.node_count());
+        Field known = start;
         for (const std::size_t n : unknowns) known[n] = 0.0F;
         const std::vector<double> expected = eliminate(dense_system(grid, stencil, unknowns, b, known, fill));
-        SplineSystem(grid).solve(stencil, mask, fill, b, x, {.tolerance = 1e-7 * stencil.centre});
-        for (std::size_t k = 0; k < unknowns.size(); ++k) EXPECT_NEAR(x[unknowns[k]], expected[k], 1e-5);
+        for (const Solver solver : kSolvers) {
+            Field x = start;
+            SplineSystem(grid).solve(stencil, mask, fill, b, x, {.solver = solver, .tolerance = 1e-7 * stencil.centre});
+            for (std::size_t k = 0; k < unknowns.size(); ++k) EXPECT_NEAR(x[unknowns[k]], expected[k], 1e-5);
+        }
     }
 }
 
@@ -146,13 +151,29 @@ TEST(SplineSystem, LeavesNoResidual) {
     const Field b = random_field(6, grid.node_count());
     const BlockFill fill(grid.block_count(), 0.5F);
     const Stencil stencil = flow_stencil(0.25, 16.0, 16.0);
-    Field x(grid.node_count());
     const double tolerance = 1e-6 * stencil.centre;
-    const SolveResult result = SplineSystem(grid).solve(stencil, mask, fill, b, x, {.tolerance = tolerance});
-    EXPECT_LE(result.residual, tolerance);
-    EXPECT_GT(result.iterations, 3);
-    EXPECT_LT(result.iterations, 60);
-    EXPECT_LT(residual_on_mask(applied(grid, stencil, x, fill), b, mask), 2.0 * tolerance);
+    for (const Solver solver : kSolvers) {
+        Field x(grid.node_count());
+        const SolveResult result =
+            SplineSystem(grid).solve(stencil, mask, fill, b, x, {.solver = solver, .tolerance = tolerance});
+        EXPECT_LE(result.residual, tolerance);
+        EXPECT_GT(result.iterations, 3);
+        EXPECT_LT(result.iterations, 60);
+        EXPECT_LT(residual_on_mask(applied(grid, stencil, x, fill), b, mask), 2.0 * tolerance);
+    }
+}
+
+TEST(SplineSystem, GmresRestartsWhereItsVectorsDoNotSuffice) {
+    const BlockGrid grid(0.5, {}, box_of_blocks({.z = 0, .y = 0, .x = 0}, {.z = 2, .y = 2, .x = 2}));
+    const NodeMask mask(grid.node_count(), 1);
+    const Field b = random_field(15, grid.node_count());
+    const BlockFill fill(grid.block_count(), 0.0F);
+    const Stencil stiff = 0.001 * spline_value() - spline_laplacian(grid.spacing());
+    Field x(grid.node_count());
+    const SolveResult result =
+        SplineSystem(grid).solve(stiff, mask, fill, b, x, {.solver = Solver::Gmres, .tolerance = 1e-5});
+    EXPECT_GT(result.iterations, 30);
+    EXPECT_LT(residual_on_mask(applied(grid, stiff, x, fill), b, mask), 5e-5);
 }
 
 TEST(SplineSystem, WritesOnTheMaskOnly) {
@@ -183,12 +204,14 @@ TEST(SplineSystem, NothingUnknownNeedsNoIteration) {
 TEST(SplineSystem, StopsAtTheAllowedIterations) {
     const BlockGrid grid = cross_of_blocks(0.5);
     const NodeMask mask(grid.node_count(), 1);
-    Field x(grid.node_count());
-    const SolveResult result =
-        SplineSystem(grid).solve(spline_value(), mask, BlockFill(grid.block_count(), 0.0F),
-                                 random_field(11, grid.node_count()), x, {.tolerance = 0.0, .max_iterations = 3});
-    EXPECT_EQ(result.iterations, 3);
-    EXPECT_GT(result.residual, 0.0);
+    for (const Solver solver : kSolvers) {
+        Field x(grid.node_count());
+        const SolveResult result = SplineSystem(grid).solve(spline_value(), mask, BlockFill(grid.block_count(), 0.0F),
+                                                            random_field(11, grid.node_count()), x,
+                                                            {.solver = solver, .tolerance = 0.0, .max_iterations = 3});
+        EXPECT_EQ(result.iterations, 3);
+        EXPECT_GT(result.residual, 0.0);
+    }
 }
 
 TEST(SplineSystem, AnEarlierSolveLeavesNoTrace) {
@@ -212,15 +235,18 @@ TEST(SplineSystem, HasTheSameBitsForAnyNumberOfThreads) {
     const BlockGrid grid(0.5, {}, box_of_blocks({.z = 0, .y = 0, .x = 0}, {.z = 4, .y = 4, .x = 4}));
     const NodeMask mask = random_mask(13, grid.node_count(), 0.6);
     const Field b = random_field(14, grid.node_count());
-    const auto solved = [&](int threads) {
+    const auto solved = [&](Solver solver, int threads) {
         const ThreadLimit limit(threads);
         Field x(grid.node_count());
-        SplineSystem(grid).solve(flow_stencil(0.5, 16.0, 16.0), mask, BlockFill(grid.block_count(), 0.0F), b, x, {});
+        SplineSystem(grid).solve(flow_stencil(0.5, 16.0, 16.0), mask, BlockFill(grid.block_count(), 0.0F), b, x,
+                                 {.solver = solver});
         return x;
     };
-    const Field one = solved(1);
-    EXPECT_EQ(one, solved(2));
-    EXPECT_EQ(one, solved(0));
+    for (const Solver solver : kSolvers) {
+        const Field one = solved(solver, 1);
+        EXPECT_EQ(one, solved(solver, 2));
+        EXPECT_EQ(one, solved(solver, 0));
+    }
 }
 
 // (x, A y) = (A x, y) and (x, A x) > 0 with zeros outside: what conjugate gradients need.

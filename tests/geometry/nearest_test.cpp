@@ -29,6 +29,7 @@ TEST(Nearest, OneSphereIsItsOwnDistance) {
     EXPECT_NEAR(at.signed_distance, 1.3, 1e-9);
     EXPECT_EQ(at.patch, PatchKind::Contact);
     EXPECT_NEAR(at.mean_curvature, 1.0 / 3.0, 1e-9);
+    EXPECT_NEAR(at.gaussian_curvature, 1.0 / 9.0, 1e-9);
     EXPECT_NEAR(at.normal.z, 1.0, 1e-12);
     EXPECT_NEAR(surface.nearest({1.0, 2.0, 3.0}).signed_distance, -1.7, 1e-9);
 }
@@ -41,6 +42,7 @@ TEST(Nearest, TorusOfTwoSpheresHasItsDistanceAndCurvature) {
     EXPECT_EQ(at.patch, PatchKind::Toroidal);
     EXPECT_NEAR(at.signed_distance, 1.4 - (a - x), 1e-9);
     EXPECT_NEAR(at.mean_curvature, 0.5 * (1.0 / x - 1.0 / (a - x)), 1e-9);
+    EXPECT_NEAR(at.gaussian_curvature, -1.0 / (x * (a - x)), 1e-9);
     EXPECT_NEAR(at.normal.x, 1.0, 1e-9);
 }
 
@@ -55,6 +57,7 @@ TEST(Nearest, ProbeOnThreeSpheresGivesAReentrantPatch) {
     EXPECT_EQ(at.patch, PatchKind::Reentrant);
     EXPECT_NEAR(at.signed_distance, 0.0, 1e-9);
     EXPECT_NEAR(at.mean_curvature, -1.0 / 1.4, 1e-9);
+    EXPECT_NEAR(at.gaussian_curvature, 1.0 / 1.96, 1e-9);
     EXPECT_NEAR(at.foot.z, height, 1e-9);
 }
 
@@ -81,6 +84,38 @@ TEST(Nearest, CurvatureIsHalfTheLaplacianOfTheDistance) {
         ++compared;
     }
     EXPECT_GT(compared, 500);
+}
+
+// The derivative of the normal in the tangent plane has mean and Gaussian curvature as half its trace and determinant.
+TEST(Nearest, GaussianCurvatureIsThatOfTheTurningNormal) {
+    const AccessibleSurface surface({{{0, 0, 0}, {2.2, 0.3, 0}, {0.8, 2.4, 0.2}}, {1.7, 1.5, 1.6}}, 1.4);
+    std::mt19937_64 random(4);
+    std::uniform_real_distribution<double> within(-3.0, 5.0);
+    constexpr double kStep = 1e-5;
+    int compared[3] = {0, 0, 0};
+    for (int n = 0; n < 4000; ++n) {
+        const Vec3 p{within(random), within(random), within(random)};
+        const NearestFeature at = surface.nearest(p);
+        if (std::abs(at.signed_distance) > 0.8 || std::abs(at.mean_curvature) > 5.0) continue;
+        const Vec3 e1 = normalised(cross(at.normal, std::abs(at.normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
+        const Vec3 e2 = cross(at.normal, e1);
+        bool same_patch = true;
+        const auto turn = [&](const Vec3& e) {
+            const NearestFeature before = surface.nearest(p - kStep * e);
+            const NearestFeature after = surface.nearest(p + kStep * e);
+            same_patch = same_patch && before.patch == at.patch && after.patch == at.patch &&
+                         norm(before.foot - after.foot) < 20 * kStep;
+            return (0.5 / kStep) * (after.normal - before.normal);
+        };
+        const Vec3 d1 = turn(e1);
+        const Vec3 d2 = turn(e2);
+        if (!same_patch) continue;
+        const double bound = 1e-5 * (1.0 + std::pow(at.mean_curvature, 2));
+        EXPECT_NEAR(0.5 * (dot(e1, d1) + dot(e2, d2)), at.mean_curvature, bound);
+        EXPECT_NEAR(dot(e1, d1) * dot(e2, d2) - dot(e1, d2) * dot(e2, d1), at.gaussian_curvature, bound);
+        ++compared[static_cast<int>(at.patch)];
+    }
+    for (const int count : compared) EXPECT_GT(count, 20);
 }
 
 TEST(Nearest, NormalIsTheGradientOfTheDistance) {

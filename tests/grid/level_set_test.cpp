@@ -8,10 +8,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <random>
 
+#include "support/level_sets.h"
 #include "support/shapes.h"
-#include "support/spline_of.h"
 
 namespace meniscus::testing {
 namespace {
@@ -19,14 +18,6 @@ namespace {
 const Sphere kSphere{.centre = {0.1, -0.2, 0.3}, .radius = 2.5};
 const Torus kTorus{.major = 3.0, .minor = 1.2};
 const Vec3 kCorner{4.5, 4.5, 4.5};
-
-std::vector<Vec3> random_points(std::size_t count, double extent) {
-    std::mt19937_64 random(3);
-    std::uniform_real_distribution<double> within(-extent, extent);
-    std::vector<Vec3> points(count);
-    for (Vec3& p : points) p = {within(random), within(random), within(random)};
-    return points;
-}
 
 // Random points that lie on the zero set of f, a distance.
 template <class Function>
@@ -44,16 +35,6 @@ std::vector<Vec3> points_on(const Function& f) {
     return points;
 }
 
-// Coefficients without any smoothness, on blocks around the origin.
-LevelSet rough_level_set(double spacing) {
-    BlockGrid grid(spacing, {0.07, 0.03, -0.01}, box_of_blocks({.z = -1, .y = -1, .x = -1}, {.z = 1, .y = 1, .x = 1}));
-    std::mt19937_64 random(4);
-    std::uniform_real_distribution<float> value(-1.0F, 1.0F);
-    std::vector<float> coefficients(grid.node_count());
-    for (float& c : coefficients) c = value(random);
-    return {std::make_shared<const BlockGrid>(std::move(grid)), std::move(coefficients)};
-}
-
 std::array<double, 10> numbers(const LevelSetSample& s) {
     return {s.value,      s.gradient.x, s.gradient.y, s.gradient.z, s.hessian[0],
             s.hessian[1], s.hessian[2], s.hessian[3], s.hessian[4], s.hessian[5]};
@@ -68,13 +49,24 @@ Vec3 on_border(const Vec3& p, int axis, const Vec3& q) {
     return {axis == 0 ? q.x : p.x, axis == 1 ? q.y : p.y, axis == 2 ? q.z : p.z};
 }
 
-// Largest error of the mean curvature at points of the sphere or torus.
+// Largest errors at points of the sphere or torus, whose principal curvatures `exact` knows.
+struct CurvatureErrors {
+    double mean = 0.0;
+    double gaussian = 0.0;
+    double shape_index = 0.0;
+};
+
 template <class Function, class Curvature>
-double curvature_error(double spacing, const Function& f, const Curvature& curvature) {
+CurvatureErrors curvature_errors(double spacing, const Function& f, const Curvature& exact) {
     const LevelSet spline = spline_of(spacing, -kCorner, kCorner, f);
-    double worst = 0.0;
-    for (const Vec3& p : points_on(f))
-        worst = std::max(worst, std::abs(spline.sample(p).mean_curvature() - curvature(p)));
+    CurvatureErrors worst;
+    for (const Vec3& p : points_on(f)) {
+        const LevelSetSample at = spline.sample(p);
+        const PrincipalCurvatures k = exact(p);
+        worst.mean = std::max(worst.mean, std::abs(at.mean_curvature() - k.mean()));
+        worst.gaussian = std::max(worst.gaussian, std::abs(at.gaussian_curvature() - k.gaussian()));
+        worst.shape_index = std::max(worst.shape_index, std::abs(at.shape_index() - k.shape_index()));
+    }
     return worst;
 }
 
@@ -136,25 +128,57 @@ TEST(LevelSet, IsTwiceContinuouslyDifferentiableAcrossCellsAndBlocks) {
             }
 }
 
-TEST(LevelSet, SphereIsApproachedWithFourthOrderAndItsCurvatureWithSecond) {
-    const auto curvature = [](const Vec3&) { return 1.0 / kSphere.radius; };
+TEST(LevelSet, SphereIsApproachedWithFourthOrderAndItsCurvaturesWithSecond) {
+    const auto curvature = [](const Vec3&) { return PrincipalCurvatures{1.0 / kSphere.radius, 1.0 / kSphere.radius}; };
     EXPECT_GT(std::log2(value_error(0.5, kSphere) / value_error(0.25, kSphere)), 3.5);
-    const double coarse = curvature_error(0.5, kSphere, curvature);
-    const double fine = curvature_error(0.25, kSphere, curvature);
-    EXPECT_GT(std::log2(coarse / fine), 1.8);
-    EXPECT_LT(fine, 0.005);
+    const CurvatureErrors coarse = curvature_errors(0.5, kSphere, curvature);
+    const CurvatureErrors fine = curvature_errors(0.25, kSphere, curvature);
+    EXPECT_GT(std::log2(coarse.mean / fine.mean), 1.8);
+    EXPECT_GT(std::log2(coarse.gaussian / fine.gaussian), 1.8);
+    EXPECT_LT(fine.mean, 0.005);
+    EXPECT_LT(fine.gaussian, 0.005);
+    EXPECT_LT(fine.shape_index, 0.02);
 }
 
-TEST(LevelSet, TorusIsApproachedWithFourthOrderAndItsCurvatureWithSecond) {
+TEST(LevelSet, TorusIsApproachedWithFourthOrderAndItsCurvaturesWithSecond) {
     const auto curvature = [](const Vec3& p) {
         const double from_axis = std::hypot(p.x, p.y);
-        return 0.5 * (1.0 / kTorus.minor + (from_axis - kTorus.major) / (kTorus.minor * from_axis));
+        return PrincipalCurvatures{1.0 / kTorus.minor, (from_axis - kTorus.major) / (kTorus.minor * from_axis)};
     };
     EXPECT_GT(std::log2(value_error(0.3, kTorus) / value_error(0.15, kTorus)), 3.2);
-    const double coarse = curvature_error(0.3, kTorus, curvature);
-    const double fine = curvature_error(0.15, kTorus, curvature);
-    EXPECT_GT(std::log2(coarse / fine), 1.8);
-    EXPECT_LT(fine, 0.02);
+    const CurvatureErrors coarse = curvature_errors(0.3, kTorus, curvature);
+    const CurvatureErrors fine = curvature_errors(0.15, kTorus, curvature);
+    EXPECT_GT(std::log2(coarse.mean / fine.mean), 1.8);
+    EXPECT_GT(std::log2(coarse.gaussian / fine.gaussian), 1.8);
+    EXPECT_LT(fine.mean, 0.02);
+    EXPECT_LT(fine.gaussian, 0.02);
+    EXPECT_LT(fine.shape_index, 0.05);
+}
+
+TEST(LevelSet, ManyPointsGiveTheSameAsOneByOne) {
+    const LevelSet spline = spline_of(0.25, -kCorner, kCorner, kTorus);
+    const std::vector<Vec3> points = random_points(3000, 6.5);  // some outside the band
+    const std::vector<double> values = spline.values(points);
+    const std::vector<Vec3> gradients = spline.gradients(points);
+    const std::vector<LevelSetSample> samples = spline.samples(points);
+    const std::vector<Vec3> feet = spline.closest_points(points);
+    ASSERT_EQ(feet.size(), points.size());
+    int outside = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const LevelSetSample one = spline.sample(points[i]);
+        outside += std::isnan(one.value) ? 1 : 0;
+        if (std::isnan(one.value)) {
+            EXPECT_TRUE(std::isnan(values[i]) && std::isnan(gradients[i].y) && std::isnan(samples[i].hessian[3]));
+            EXPECT_TRUE(std::isnan(feet[i].x));
+            continue;
+        }
+        EXPECT_EQ(values[i], one.value);
+        EXPECT_EQ(gradients[i], one.gradient);
+        EXPECT_EQ(numbers(samples[i]), numbers(one));
+        const Vec3 foot = spline.closest_point(points[i]);
+        EXPECT_TRUE(feet[i] == foot || std::isnan(foot.x));
+    }
+    EXPECT_GT(outside, 100);
 }
 
 TEST(LevelSet, IsNotANumberOutsideTheBand) {
@@ -171,6 +195,8 @@ TEST(LevelSet, IsNotANumberOutsideTheBand) {
         const LevelSetSample at = spline.sample({far, 0.0, 0.0});
         for (const double number : numbers(at)) EXPECT_TRUE(std::isnan(number));
         EXPECT_TRUE(std::isnan(at.mean_curvature()));
+        EXPECT_TRUE(std::isnan(at.gaussian_curvature()));
+        EXPECT_TRUE(std::isnan(at.shape_index()));
     }
 }
 
@@ -211,6 +237,40 @@ TEST(LevelSetSample, MeanCurvatureIsThatOfTheLevelSet) {
     // Φ = xy at (1, 1): a saddle-shaped hyperbola with curvature |1/√2|, here bending away from the negative side.
     const LevelSetSample mixed{1.0, {1.0, 1.0, 0.0}, {0.0, 0.0, 0.0, 1.0, 0.0, 0.0}};
     EXPECT_NEAR(mixed.mean_curvature(), -0.5 / std::sqrt(2.0), 1e-15);
+}
+
+TEST(LevelSetSample, PrincipalCurvaturesAreThoseOfTheLevelSet) {
+    const LevelSetSample cylinder{4.0, {4.0, 0.0, 0.0}, {2.0, 2.0, 0.0, 0.0, 0.0, 0.0}};
+    EXPECT_EQ(cylinder.gaussian_curvature(), 0.0);
+    EXPECT_NEAR(cylinder.principal_curvatures().largest, 0.5, 1e-15);
+    EXPECT_NEAR(cylinder.shape_index(), 0.5, 1e-15);
+    const LevelSetSample hollow{-4.0, {0.0, 0.0, -4.0}, {-2.0, -2.0, -2.0, 0.0, 0.0, 0.0}};
+    EXPECT_NEAR(hollow.gaussian_curvature(), 0.25, 1e-15);
+    EXPECT_NEAR(hollow.shape_index(), -1.0, 1e-15);
+    // Φ = z - x y / 2 at the origin: a saddle with curvatures ±1/2 along the diagonals.
+    const LevelSetSample saddle{0.0, {0.0, 0.0, 1.0}, {0.0, 0.0, 0.0, -0.5, 0.0, 0.0}};
+    EXPECT_NEAR(saddle.gaussian_curvature(), -0.25, 1e-15);
+    EXPECT_NEAR(saddle.principal_curvatures().smallest, -0.5, 1e-15);
+    EXPECT_EQ(saddle.shape_index(), 0.0);
+}
+
+TEST(LevelSetSample, CurvaturesDoNotDependOnTheFrame) {
+    // Φ = k1 u² / 2 + k2 v² / 2 + w with (u, v, w) an oblique orthonormal frame, scaled by 3.
+    const Vec3 w = normalised({1, -2, 0.5});
+    const Vec3 u = normalised(cross(w, {0, 0, 1}));
+    const Vec3 v = cross(w, u);
+    const double k1 = 0.8;
+    const double k2 = -0.3;
+    const auto second = [&](double Vec3::*a, double Vec3::*b) { return 3.0 * (k1 * u.*a * u.*b + k2 * v.*a * v.*b); };
+    const auto x = &Vec3::x;
+    const auto y = &Vec3::y;
+    const auto z = &Vec3::z;
+    const LevelSetSample at{
+        0.0, 3.0 * w, {second(x, x), second(y, y), second(z, z), second(x, y), second(x, z), second(y, z)}};
+    EXPECT_NEAR(at.mean_curvature(), 0.5 * (k1 + k2), 1e-14);
+    EXPECT_NEAR(at.gaussian_curvature(), k1 * k2, 1e-14);
+    EXPECT_NEAR(at.principal_curvatures().largest, k1, 1e-14);
+    EXPECT_NEAR(at.principal_curvatures().smallest, k2, 1e-14);
 }
 
 }  // namespace

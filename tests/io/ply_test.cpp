@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "meniscus/errors.h"
 #include "meniscus/version.h"
 #include "support/mesh_readers.h"
 #include "support/scratch_folder.h"
@@ -29,6 +30,10 @@ Mesh full_mesh() {
         mesh.atoms.push_back(v * 7 + 3000000000U);
         mesh.patches.push_back(static_cast<PatchKind>(v % 3));
         mesh.components.push_back(v % 2);
+        mesh.areas.push_back(0.01F * static_cast<float>(v));
+        mesh.mean_curvatures.push_back(1.0F / 3.0F - static_cast<float>(v));
+        mesh.gaussian_curvatures.push_back(1e-7F * static_cast<float>(v));
+        mesh.shape_indices.push_back(v % 2 == 0 ? -1.0F : 0.25F);
     }
     return mesh;
 }
@@ -43,10 +48,21 @@ TEST_P(Ply, EverythingReadsBack) {
         round_trip(mesh, {.encoding = GetParam(),
                           .extra = {{.name = "residue", .values = std::span<const std::uint32_t>(residues)},
                                     {.name = "depth", .values = std::span<const float>(depths)}}});
-    const std::vector<std::pair<std::string, std::string>> expected{
-        {"float", "x"},       {"float", "y"},      {"float", "z"},    {"float", "nx"},
-        {"float", "ny"},      {"float", "nz"},     {"uint", "atom"},  {"uchar", "patch"},
-        {"int", "component"}, {"uint", "residue"}, {"float", "depth"}};
+    const std::vector<std::pair<std::string, std::string>> expected{{"float", "x"},
+                                                                    {"float", "y"},
+                                                                    {"float", "z"},
+                                                                    {"float", "nx"},
+                                                                    {"float", "ny"},
+                                                                    {"float", "nz"},
+                                                                    {"uint", "atom"},
+                                                                    {"uchar", "patch"},
+                                                                    {"int", "component"},
+                                                                    {"float", "area"},
+                                                                    {"float", "mean_curvature"},
+                                                                    {"float", "gaussian_curvature"},
+                                                                    {"float", "shape_index"},
+                                                                    {"uint", "residue"},
+                                                                    {"float", "depth"}};
     EXPECT_EQ(ply.properties, expected);
     EXPECT_EQ(ply.triangles, mesh.triangles);
     EXPECT_TRUE(ply.read_to_the_end);
@@ -57,9 +73,26 @@ TEST_P(Ply, EverythingReadsBack) {
         EXPECT_EQ(ply.values.at("atom")[v], mesh.atoms[v]);
         EXPECT_EQ(ply.values.at("patch")[v], static_cast<double>(mesh.patches[v]));
         EXPECT_EQ(ply.values.at("component")[v], mesh.components[v]);
+        EXPECT_EQ(ply.values.at("area")[v], mesh.areas[v]);
+        EXPECT_EQ(ply.values.at("mean_curvature")[v], mesh.mean_curvatures[v]);
+        EXPECT_EQ(ply.values.at("gaussian_curvature")[v], mesh.gaussian_curvatures[v]);
+        EXPECT_EQ(ply.values.at("shape_index")[v], mesh.shape_indices[v]);
         EXPECT_EQ(ply.values.at("residue")[v], 4294967295.0);
         EXPECT_EQ(ply.values.at("depth")[v], -1.25);
     }
+}
+
+TEST_P(Ply, ColoursAreTheLastBytesOfAVertex) {
+    const std::vector<Colour> colours{{1, 2, 3, 255}, {4, 5, 6, 7}, {255, 0, 128, 255}, {0, 0, 0, 0}};
+    const PlyContent ply = round_trip(testing::tetrahedron(), {.encoding = GetParam(), .colours = colours});
+    ASSERT_EQ(ply.properties.size(), 7U);
+    EXPECT_EQ(ply.properties[3], (std::pair<std::string, std::string>{"uchar", "red"}));
+    EXPECT_EQ(ply.values.at("red"), (std::vector<double>{1, 4, 255, 0}));
+    EXPECT_EQ(ply.values.at("green"), (std::vector<double>{2, 5, 0, 0}));
+    EXPECT_EQ(ply.values.at("blue"), (std::vector<double>{3, 6, 128, 0}));
+    EXPECT_EQ(ply.values.at("alpha"), (std::vector<double>{255, 7, 255, 0}));
+    EXPECT_TRUE(ply.read_to_the_end);
+    EXPECT_THROW(round_trip(testing::tetrahedron(), {.colours = std::span(colours).first(3)}), UsageError);
 }
 
 TEST_P(Ply, OnlyWhatTheMeshHasIsWritten) {

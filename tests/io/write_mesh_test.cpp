@@ -44,6 +44,9 @@ TEST(WriteMesh, ArraysOfAnotherSizeAreRefused) {
     mesh = tetrahedron();
     mesh.atoms.resize(5);
     EXPECT_THROW(write_mesh(folder / "a.ply", mesh), UsageError);
+    mesh = tetrahedron();
+    mesh.shape_indices.resize(3);
+    EXPECT_THROW(write_mesh(folder / "a.ply", mesh), UsageError);
     const std::vector<float> values(3);
     const std::span<const float> view(values);
     EXPECT_THROW(write_mesh(folder / "a.ply", tetrahedron(), {.extra = {{.name = "depth", .values = view}}}),

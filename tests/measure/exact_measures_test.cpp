@@ -233,5 +233,14 @@ TEST(Measure, ProbeOutOfRangeIsAUsageError) {
     EXPECT_THROW(measure({}, {}), std::invalid_argument);
 }
 
+TEST(Measure, TheLargestPieceOfTheSasHasItsOwnPatchesOnly) {
+    const Measures one = measure({{{0, 0, 0}, {2.5, 0, 0}, {1.2, 2.2, 0}}, {1.7, 1.6, 1.5}});
+    EXPECT_NEAR(one.largest_sas_piece.sum(), one.totals.ses_area, 1e-9);
+    EXPECT_NEAR(one.largest_sas_piece.reentrant, one.totals.reentrant_area, 1e-9);
+    const Measures two = measure({{{0, 0, 0}, {2.5, 0, 0}, {1.2, 2.2, 0}, {30, 0, 0}}, {1.7, 1.6, 1.5, 1.7}});
+    EXPECT_NEAR(two.largest_sas_piece.sum(), one.totals.ses_area, 1e-9);
+    EXPECT_EQ(two.sas_components, 2U);
+}
+
 }  // namespace
 }  // namespace meniscus

@@ -58,6 +58,22 @@ TEST(Components, VolumeKeepsItsDigitsFarFromTheOrigin) {
     EXPECT_NEAR(label_components(mesh)[0].volume, 8.0 / 3.0, 1e-14);
 }
 
+TEST(Components, OnlyThoseToKeepAreKept) {
+    Mesh mesh;
+    append(mesh, extracted_sphere({.centre = {9, 0, 0}, .radius = 1.0}, 0.25));                     // third
+    append(mesh, turned_inside_out(extracted_sphere({.centre = {1, 0, 0}, .radius = 1.5}, 0.25)));  // second
+    append(mesh, extracted_sphere({.centre = {0, 0, 0}, .radius = 4.0}, 0.25));                     // first
+    const std::vector<MeshComponent> before = label_components(mesh);
+    keep_components(mesh, {true, false, true});
+    testing::expect_closed_manifold(mesh);
+    const std::vector<MeshComponent> after = measure_components(mesh, mesh.components);
+    ASSERT_EQ(after.size(), 2U);
+    EXPECT_DOUBLE_EQ(after[0].volume, before[0].volume);
+    EXPECT_DOUBLE_EQ(after[1].area, before[2].area);
+    keep_components(mesh, {false, false});
+    EXPECT_TRUE(mesh.vertices.empty() && mesh.triangles.empty() && mesh.components.empty());
+}
+
 TEST(Components, EqualVolumesKeepTheOrderOfTheirVertices) {
     Mesh mesh = testing::tetrahedron();
     append(mesh, testing::tetrahedron());

@@ -228,7 +228,7 @@ TEST(Surface, OptionsOutOfRangeAreUsageErrors) {
     EXPECT_THROW(compute_surface(atoms, {.probe = nan}), UsageError);
     EXPECT_THROW(compute_surface(atoms, {.spacing = 0.0}), UsageError);
     EXPECT_THROW(compute_surface(atoms, {.density = 0.5}), UsageError);
-    EXPECT_THROW(compute_surface(atoms, {.max_steps = 0}), UsageError);
+    EXPECT_THROW(compute_surface(atoms, {.flow = {.max_steps = 0}}), UsageError);
     EXPECT_THROW(compute_surface({}, {}), std::invalid_argument);
 }
 
@@ -249,7 +249,7 @@ TEST(Surface, ProgressEndsEveryStage) {
 }
 
 TEST(Surface, StepsTooFewToConvergeAreReported) {
-    const Surface surface = compute_surface(random_cluster(40, 9.0, 10), {.time_step = 0.1, .max_steps = 2});
+    const Surface surface = compute_surface(random_cluster(40, 9.0, 10), {.flow = {.time_step = 0.1, .max_steps = 2}});
     EXPECT_FALSE(surface.flow.converged);
     EXPECT_FALSE(surface.passed());
     expect_closed_manifold(surface.mesh);

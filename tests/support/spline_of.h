@@ -18,7 +18,7 @@ inline std::vector<float> with_stencil(const Stencil& stencil, const BlockGrid& 
     std::vector<float> result(field.size());
     std::vector<float> padded(kPaddedNodes);
     for (BlockId b = 0; b < grid.block_count(); ++b) {
-        gather_padded(grid, field, b, 0.0F, std::span<float, kPaddedNodes>(padded));
+        gather_padded<float>(grid, field, b, 0.0F, std::span<float, kPaddedNodes>(padded));
         apply_stencil(stencil, std::span<const float, kPaddedNodes>(padded),
                       std::span<float, kBlockNodes>(result.data() + std::size_t{b} * kBlockNodes, kBlockNodes));
     }

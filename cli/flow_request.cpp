@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "flow_request.h"
+
+#include <limits>
+
+#include "option_words.h"
+
+namespace meniscus::cli {
+
+namespace {
+
+constexpr Words<FlowName, 3> kFlows{
+    {{"anchored", FlowName::Anchored}, {"parallel", FlowName::Parallel}, {"paper", FlowName::Paper}}};
+constexpr Words<CurvatureField, 4> kCurvatures{{{"parallel", CurvatureField::Parallel},
+                                                {"sharp", CurvatureField::Sharp},
+                                                {"paper", CurvatureField::Paper},
+                                                {"paper-literal", CurvatureField::PaperLiteral}}};
+constexpr Words<Reinitialiser, 5> kReinitialisers{{{"none", Reinitialiser::None},
+                                                   {"closest-point", Reinitialiser::ClosestPoint},
+                                                   {"paper", Reinitialiser::Paper},
+                                                   {"paper-literal", Reinitialiser::PaperLiteral},
+                                                   {"godunov", Reinitialiser::Godunov}}};
+constexpr Words<Solver, 2> kSolvers{{{"cg", Solver::Cg}, {"gmres", Solver::Gmres}}};
+constexpr Words<Slope, 2> kSlopes{{{"unit", Slope::Unit}, {"computed", Slope::Computed}}};
+constexpr Words<FlowEnd, 5> kEnds{{{"converged", FlowEnd::Converged},
+                                   {"steps-used-up", FlowEnd::StepsUsedUp},
+                                   {"stalled", FlowEnd::Stalled},
+                                   {"vanished", FlowEnd::Vanished},
+                                   {"left-band", FlowEnd::LeftBand}}};
+
+constexpr const char* kOfTheFlow = "of the flow";
+
+/// An option whose default is a matter of the flow.
+template <class Target, class Parse>
+void add_piece(CLI::App& command, const char* name, Target& target, const std::string& type, const char* text,
+               const Parse& parse) {
+    command
+        .add_option_function<std::string>(
+            name, [&target, parse](const std::string& value) { target = parse(value); }, text)
+        ->type_name(type)
+        ->default_str(kOfTheFlow);
+}
+
+template <class T, std::size_t N>
+void add_word(CLI::App& command, const char* name, std::optional<T>& target, const Words<T, N>& words,
+              const char* text) {
+    add_piece(command, name, target, join(words, "|"), text,
+              [name, &words](const std::string& value) { return parse_word(name, value, words); });
+}
+
+void add_positive(CLI::App& command, const char* name, std::optional<double>& target, Sign sign, const char* symbol,
+                  const char* text) {
+    add_piece(command, name, target, symbol, text,
+              [name, sign](const std::string& value) { return parse_number(name, value, sign); });
+}
+
+double parse_time_step(const std::string& text) {
+    if (text == "inf") return std::numeric_limits<double>::infinity();
+    return parse_number("--time-step", text, Sign::Positive);
+}
+
+/// The three named flows.
+const FlowOptions& named(FlowName name) {
+    switch (name) {
+        case FlowName::Parallel:
+            return kParallelFlow;
+        case FlowName::Paper:
+            return kPaperFlow;
+        case FlowName::Anchored:
+            break;
+    }
+    return kAnchoredFlow;
+}
+
+}  // namespace
+
+void add_flow_options(CLI::App& command, FlowRequest& request) {
+    add_choice(command, "--flow", request.name, kFlows, "Which evolution the flow runs; the options below change it");
+    add_word(command, "--curvature", request.curvature, kCurvatures, "Its curvature field");
+    add_positive(command, "--anchor", request.anchor, Sign::NotNegative, "L", "Its anchor, in units of 1/H²; 0: none");
+    add_word(command, "--reinitialise", request.reinitialiser, kReinitialisers, "What keeps it a signed distance");
+    add_word(command, "--solver", request.solver, kSolvers, "What solves its linear systems");
+    add_word(command, "--slope", request.slope, kSlopes, "The factor |grad| of the curvature");
+    add_piece(command, "--time-step", request.time_step, "T", "Its time step, in units of H²; inf: one solve",
+              parse_time_step);
+    add_positive(command, "--half-width", request.half_width, Sign::Positive, "K",
+                 "Unknowns are the nodes so many H from the surface");
+    add_piece(command, "--max-steps", request.max_steps, "N", "Its most steps",
+              [](const std::string& value) { return parse_count("--max-steps", value); });
+    add_positive(command, "--tolerance", request.tolerance, Sign::Positive, "E",
+                 "It stops when so many H are left to go; without an anchor, at this speed, 1/Å");
+    command.add_option("--history", request.history, "Record of every step, .csv or .json")->type_name("FILE");
+    add_count(command, "--snapshots", request.snapshots, "Write a mesh every N steps");
+}
+
+FlowOptions resolve(const FlowRequest& request) {
+    FlowOptions flow = named(request.name);
+    flow.curvature = request.curvature.value_or(flow.curvature);
+    flow.anchor = request.anchor.value_or(flow.anchor);
+    flow.reinitialiser = request.reinitialiser.value_or(flow.reinitialiser);
+    flow.solver = request.solver.value_or(flow.solver);
+    flow.slope = request.slope.value_or(flow.slope);
+    flow.time_step = request.time_step.value_or(flow.time_step);
+    flow.half_width = request.half_width.value_or(flow.half_width);
+    flow.max_steps = request.max_steps.value_or(flow.max_steps);
+    flow.tolerance = request.tolerance.value_or(flow.tolerance);
+    return flow;
+}
+
+const char* name_of(FlowName name) { return word_for(kFlows, name); }
+const char* name_of(CurvatureField field) { return word_for(kCurvatures, field); }
+const char* name_of(Reinitialiser reinitialiser) { return word_for(kReinitialisers, reinitialiser); }
+const char* name_of(Solver solver) { return word_for(kSolvers, solver); }
+const char* name_of(Slope slope) { return word_for(kSlopes, slope); }
+const char* name_of(FlowEnd end) { return word_for(kEnds, end); }
+
+}  // namespace meniscus::cli

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "picture_options.h"
+
+#include <nlohmann/json.hpp>
+
+#include "option_words.h"
+
+namespace meniscus::cli {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr Words<ColourScheme, 13> kSchemes{{{"auto", ColourScheme::Automatic},
+                                            {"single", ColourScheme::Single},
+                                            {"patch", ColourScheme::Patch},
+                                            {"element", ColourScheme::Element},
+                                            {"chain", ColourScheme::Chain},
+                                            {"residue", ColourScheme::Residue},
+                                            {"residue-patch", ColourScheme::ResiduePatch},
+                                            {"hydrophobicity", ColourScheme::Hydrophobicity},
+                                            {"curvature", ColourScheme::Curvature},
+                                            {"component", ColourScheme::Component},
+                                            {"depth", ColourScheme::Depth},
+                                            {"bfactor", ColourScheme::BFactor},
+                                            {"plddt", ColourScheme::Plddt}}};
+
+/// From the molecule towards the viewer, in the frame of the input.
+struct NamedView {
+    const char* name;
+    Viewpoint viewpoint;
+};
+constexpr std::array kViews{
+    NamedView{"front", {{0, 0, 1}, {0, 1, 0}}}, NamedView{"back", {{0, 0, -1}, {0, 1, 0}}},
+    NamedView{"left", {{-1, 0, 0}, {0, 1, 0}}}, NamedView{"right", {{1, 0, 0}, {0, 1, 0}}},
+    NamedView{"top", {{0, 1, 0}, {0, 0, -1}}},  NamedView{"bottom", {{0, -1, 0}, {0, 0, 1}}},
+};
+constexpr const char* kViewWords = "auto, front, back, left, right, top, bottom, or X,Y,Z[:UX,UY,UZ]";
+
+constexpr Words<Colour, 3> kBackgrounds{{{"white", kWhite}, {"black", {0, 0, 0, 255}}, {"transparent", kTransparent}}};
+
+std::vector<std::string> split(const std::string& text, char separator) {
+    return text.empty() ? std::vector<std::string>{""} : CLI::detail::split(text, separator);
+}
+
+ColourOptions parse_colours(const std::string& text) {
+    const std::vector<std::string> parts = split(text, ':');
+    if (parts.size() != 1 && parts.size() != 3)
+        throw UsageError(fmt::format("--color: '{}' is neither a scheme nor SCHEME:MIN:MAX", text));
+    ColourOptions colours{.scheme = parse_word("--color", parts[0], kSchemes)};
+    if (parts.size() == 1) return colours;
+    if (!takes_range(colours.scheme))
+        throw UsageError(fmt::format("--color: {} takes no range; curvature, depth and bfactor do", parts[0]));
+    colours.range = {parse_number("--color", parts[1], Sign::Any), parse_number("--color", parts[2], Sign::Any)};
+    if (colours.range->min >= colours.range->max)
+        throw UsageError(fmt::format("--color: the range of '{}' is empty; write the smaller value first", text));
+    return colours;
+}
+
+Vec3 parse_direction(const std::string& text) {
+    const std::vector<std::string> parts = split(text, ',');
+    if (parts.size() != 3) throw UsageError(fmt::format("--view: unknown value '{}'; one of {}", text, kViewWords));
+    return {parse_number("--view", parts[0], Sign::Any), parse_number("--view", parts[1], Sign::Any),
+            parse_number("--view", parts[2], Sign::Any)};
+}
+
+/// Up is y, or where that is the way one looks, away from the viewer of "front".
+Vec3 usual_up(const Vec3& from) {
+    return from.x == 0.0 && from.z == 0.0 ? Vec3{0.0, 0.0, std::copysign(1.0, -from.y)} : Vec3{0.0, 1.0, 0.0};
+}
+
+Viewpoint parse_viewpoint(const std::string& text) {
+    const std::size_t colon = text.find(':');
+    const Vec3 from = parse_direction(text.substr(0, colon));
+    const Vec3 up = colon == std::string::npos ? usual_up(from) : parse_direction(text.substr(colon + 1));
+    if (squared_norm(cross(from, up)) == 0.0)
+        throw UsageError(fmt::format("--view: '{}' needs directions that are not zero and not parallel", text));
+    return {from, up};
+}
+
+std::optional<Viewpoint> parse_view(const std::string& text) {
+    if (text == "auto") return std::nullopt;
+    const auto found = std::find_if(kViews.begin(), kViews.end(), [&](const NamedView& v) { return text == v.name; });
+    return found != kViews.end() ? found->viewpoint : parse_viewpoint(text);
+}
+
+int parse_pixels(const std::string& text) {
+    const int pixels = parse_count("--size", text);
+    if (pixels > kLargestPicture)
+        throw UsageError(fmt::format("--size: {} pixels are too many; at most {}", pixels, kLargestPicture));
+    return pixels;
+}
+
+void set_size(PictureOptions& picture, const std::string& text) {
+    const std::vector<std::string> parts = split(text, 'x');
+    if (parts.size() != 2) throw UsageError(fmt::format("--size: must be WIDTHxHEIGHT in pixels, not '{}'", text));
+    picture.width = parse_pixels(parts[0]);
+    picture.height = parse_pixels(parts[1]);
+}
+
+Colour parse_background(const std::string& text) {
+    constexpr std::string_view kHexDigits = "0123456789abcdefABCDEF";
+    if (!text.starts_with('#')) return parse_word("--background", text, kBackgrounds);
+    if (text.size() != 7 || text.find_first_not_of(kHexDigits, 1) != std::string::npos)
+        throw UsageError(fmt::format("--background: '{}' is no colour; write six digits as in #ffcc00", text));
+    const auto channel = [&](std::size_t place) {
+        return static_cast<std::uint8_t>(std::stoi(text.substr(place, 2), nullptr, 16));
+    };
+    return {channel(1), channel(3), channel(5), 255};
+}
+
+std::string describe(const Colour& c) {
+    return c.alpha == 0 ? "transparent" : fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue);
+}
+
+/// An option that only pictures heed.
+template <class Set>
+void add_drawing(CLI::App& command, PictureRequest& request, const char* name, const char* symbol,
+                 const char* default_text, const char* text, const Set& set) {
+    const auto read = [&request, name, set](const std::string& value) {
+        request.drawn_by = name;
+        set(value);
+    };
+    command.add_option_function<std::string>(name, read, text)->type_name(symbol)->default_str(default_text);
+}
+
+template <class Set>
+void add_drawing_flag(CLI::App& command, PictureRequest& request, const char* name, const char* text, const Set& set) {
+    const auto read = [&request, name, set](std::int64_t) {
+        request.drawn_by = name;
+        set();
+    };
+    command.add_flag_function(name, read, text);
+}
+
+void add_colour(CLI::App& command, PictureRequest& request) {
+    const auto read = [&request](const std::string& text) { request.colours = parse_colours(text); };
+    command
+        .add_option_function<std::string>(
+            "--color", read,
+            "Colours of meshes (.ply) and pictures; auto: chain if there are several, else single. "
+            "curvature, depth and bfactor also as SCHEME:MIN:MAX")
+        ->type_name(join(kSchemes, "|"))
+        ->default_str(kSchemes.front().first);
+}
+
+}  // namespace
+
+void add_picture_options(CLI::App& command, PictureRequest& request) {
+    PictureOptions& picture = request.picture;
+    add_colour(command, request);
+    add_drawing(command, request, "--view", "VIEW", "auto",
+                "From where pictures look: front, back, left, right, top, bottom; X,Y,Z[:UX,UY,UZ] towards the viewer "
+                "and up; or auto, the longest axis across",
+                [&](const std::string& text) {
+                    picture.viewpoint = parse_view(text);
+                    request.view = text;
+                });
+    add_drawing(command, request, "--size", "WxH", "1600x1200", "Width and height of pictures, pixels",
+                [&](const std::string& text) { set_size(picture, text); });
+    add_drawing(command, request, "--background", "COLOR", "white", "Of pictures: white, black, transparent or #rrggbb",
+                [&](const std::string& text) { picture.background = parse_background(text); });
+    add_drawing(command, request, "--depth-cue", "F", "0", "Let what is far away fade into the background, 0 to 1",
+                [&](const std::string& text) {
+                    picture.depth_cue = parse_number("--depth-cue", text, Sign::NotNegative);
+                    if (picture.depth_cue > 1.0)
+                        throw UsageError(fmt::format("--depth-cue: must be from 0 to 1, not {}", text));
+                });
+    add_drawing_flag(command, request, "--perspective", "Draw what is nearer larger",
+                     [&] { picture.projection = Projection::Perspective; });
+    add_drawing_flag(command, request, "--outline", "Draw lines where the surface ends in front of something",
+                     [&] { picture.outline = true; });
+}
+
+void report_picture(const PictureRequest& request, const Structure& structure, bool drawn, ordered_json& options) {
+    const ColourScheme scheme = scheme_in_force(request.colours.scheme, structure);
+    options["color"] = word_for(kSchemes, scheme);
+    options["color_range"] = nullptr;
+    if (takes_range(scheme)) {
+        const ValueRange range = request.colours.range.value_or(default_range(scheme, structure));
+        options["color_range"] = {range.min, range.max};
+    }
+    for (const char* name : {"view", "size", "background", "perspective", "outline", "depth_cue"})
+        options[name] = nullptr;
+    if (!drawn) return;
+    const PictureOptions& picture = request.picture;
+    options["view"] = request.view;
+    options["size"] = {picture.width, picture.height};
+    options["background"] = describe(picture.background);
+    options["perspective"] = picture.projection == Projection::Perspective;
+    options["outline"] = picture.outline;
+    options["depth_cue"] = picture.depth_cue;
+}
+
+}  // namespace meniscus::cli

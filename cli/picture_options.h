@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The options that say how a surface is coloured and drawn.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "meniscus/colours.h"
+#include "meniscus/picture.h"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
+class App;
+}
+
+namespace meniscus::cli {
+
+struct PictureRequest {
+    ColourOptions colours;      ///< of meshes too
+    PictureOptions picture;     ///< threads are those of the run
+    std::string view = "auto";  ///< as asked for
+    std::string drawn_by{};     ///< an option that was given and that only pictures heed; empty if there is none
+};
+
+/// --color, --view, --size, --background, --perspective, --outline, --depth-cue. `request` must outlive the parser.
+/// While parsing, UsageError is thrown for values that make no sense.
+void add_picture_options(CLI::App& command, PictureRequest& request);
+
+/// The scheme and range in force, and how pictures are drawn, as the report has them.
+/// drawn   whether there is a picture; without one what shapes it is null
+void report_picture(const PictureRequest& request, const Structure& structure, bool drawn,
+                    nlohmann::ordered_json& options);
+
+}  // namespace meniscus::cli

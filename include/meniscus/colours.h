@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Colours of a surface: what a vertex lies on, told by the palettes that docs/conventions.md names.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "meniscus/accessible_surface.h"
+#include "meniscus/colour.h"
+#include "meniscus/level_set.h"
+#include "meniscus/mesh.h"
+#include "meniscus/structure.h"
+
+namespace meniscus {
+
+enum class ColourScheme {
+    Automatic,       ///< Chain if there are several, else Single
+    Single,          ///< one colour
+    Patch,           ///< contact, toroidal, reentrant
+    Element,         ///< of the nearest atom
+    Chain,           ///< of the nearest atom
+    Residue,         ///< kind of residue or nucleotide
+    ResiduePatch,    ///< contact patches by kind of residue, toroidal and reentrant ones red
+    Hydrophobicity,  ///< Kyte & Doolittle 1982, of the residue
+    Curvature,       ///< mean curvature, Å^-1
+    Component,       ///< outer pieces alike, every cavity its own
+    Depth,           ///< below the SES of a probe of kDepthProbe, Å
+    BFactor,         ///< of the nearest atom
+    Plddt,           ///< the bands of AlphaFold's confidence, which its files keep as B factors
+};
+
+/// The values that get the first and the last colour of a palette; what is beyond them gets the same.
+struct ValueRange {
+    double min = 0.0;
+    double max = 1.0;
+
+    bool operator==(const ValueRange&) const = default;
+};
+
+struct ColourOptions {
+    ColourScheme scheme = ColourScheme::Automatic;
+    std::optional<ValueRange> range{};  ///< Curvature, BFactor and Depth only; nothing: default_range()
+
+    bool operator==(const ColourOptions&) const = default;
+};
+
+/// Radius of the probe that cannot enter what ColourScheme::Depth calls deep, Å.
+inline constexpr double kDepthProbe = 10.0;
+
+/// The scheme that Automatic stands for; any other stands for itself.
+ColourScheme scheme_in_force(ColourScheme scheme, const Structure& structure);
+
+/// True for schemes of values: curvature, depth and B factor.
+bool takes_range(ColourScheme scheme);
+
+/// The range of a scheme of values unless another is given: curvature -0.7 to 0.7, depth 0 to 10, B factors the
+/// smallest to the largest of the kept atoms.
+ValueRange default_range(ColourScheme scheme, const Structure& structure);
+
+/// One colour per vertex, opaque.
+///
+/// mesh     with `atoms`, which index the structure's atoms, and the array that the scheme shows
+/// throws   UsageError for an array that is missing, an atom that the structure does not have, a range that is empty
+///          or not finite, and one for a scheme that takes none
+/// cost     O(n); Depth also builds an AccessibleSurface and asks it for every vertex
+std::vector<Colour> colour_vertices(const Mesh& mesh, const Structure& structure, const ColourOptions& options = {});
+
+/// The same colours at any point, by the point's nearest feature: sharp borders between patches and between atoms.
+/// Curvature is that of the exact surface.
+///
+/// surface  of the structure's atoms; must outlive the field
+/// returns  nothing for Component and Depth
+/// throws   as colour_vertices
+/// cost     of a call: O(log n)
+ColourField colour_by_feature(const AccessibleSurface& surface, const Structure& structure,
+                              const ColourOptions& options = {});
+
+/// Colours by the curvature of the level set through a point.
+///
+/// level_set  must outlive the field; points outside its band get the colour of the lowest curvature
+/// returns    nothing for schemes other than Curvature
+/// throws     as colour_vertices
+ColourField colour_by_level_set(const LevelSet& level_set, const ColourOptions& options);
+
+}  // namespace meniscus

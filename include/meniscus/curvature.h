@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Curvatures of a surface at a point, and how they follow from each other. All are positive on a sphere seen from
+// outside it, where the solvent is.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace meniscus {
+
+/// Principal curvatures, Å^-1.
+struct PrincipalCurvatures {
+    double largest = 0.0;
+    double smallest = 0.0;
+
+    double mean() const { return 0.5 * (largest + smallest); }
+    double gaussian() const { return largest * smallest; }
+
+    /// Shape index in [-1, 1] (Koenderink & van Doorn 1992): 2/π atan((k1 + k2) / (k1 - k2)), k1 >= k2.
+    ///
+    /// 1 on a ball, 0.5 on a ridge, 0 on a symmetric saddle, -0.5 in a rut, -1 in a cup. Where both are equal it is 1
+    /// or -1 by their sign, and 0 on a plane, which has no shape index.
+    double shape_index() const {
+        return std::atan2(largest + smallest, largest - smallest) * (2.0 * std::numbers::inv_pi);
+    }
+
+    /// Both limited to [-limit, limit], limit in Å^-1, and 0 where not a number: |mean| <= limit, |gaussian| <= limit².
+    PrincipalCurvatures capped(double limit) const {
+        const auto cap = [limit](double k) { return std::isnan(k) ? 0.0 : std::clamp(k, -limit, limit); };
+        return {cap(largest), cap(smallest)};
+    }
+};
+
+/// Principal curvatures from the mean (Å^-1) and the Gaussian curvature (Å^-2).
+///
+/// Equal where rounding makes gaussian exceed mean². At a cusp, where the mean curvature is infinite, both have its
+/// sign if gaussian is +inf, and the other one is 0 if it is not.
+inline PrincipalCurvatures principal_curvatures(double mean, double gaussian) {
+    if (std::isinf(mean)) {
+        const double other = gaussian > 0.0 && std::isinf(gaussian) ? mean : 0.0;
+        return {std::max(mean, other), std::min(mean, other)};
+    }
+    const double half_difference = std::sqrt(std::max(0.0, mean * mean - gaussian));
+    return {mean + half_difference, mean - half_difference};
+}
+
+}  // namespace meniscus

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of surfaces, drawn by casting rays.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "meniscus/colour.h"
+#include "meniscus/mesh.h"
+#include "meniscus/vec3.h"
+
+namespace meniscus {
+
+/// Pixels in rows from the top, each from the left.
+struct Picture {
+    int width = 0;
+    int height = 0;
+    std::vector<Colour> pixels{};
+};
+
+enum class Projection { Orthographic, Perspective };
+
+/// From where a surface is seen. Vectors need not be of unit length or perpendicular.
+struct Viewpoint {
+    Vec3 from{0.0, 0.0, 1.0};  ///< from the molecule towards the viewer
+    Vec3 up{0.0, 1.0, 0.0};    ///< shown upwards
+
+    bool operator==(const Viewpoint&) const = default;
+};
+
+inline constexpr Colour kWhite{255, 255, 255, 255};
+inline constexpr Colour kTransparent{255, 255, 255, 0};
+
+/// Largest width and height of a picture, pixels.
+inline constexpr int kLargestPicture = 16384;
+
+struct PictureOptions {
+    int width = 1600;  ///< pixels
+    int height = 1200;
+    /// Nothing: the longest principal axis of the vertices lies horizontally, the second vertically.
+    std::optional<Viewpoint> viewpoint{};
+    Projection projection = Projection::Orthographic;
+    Colour background = kWhite;
+    bool outline = false;    ///< dark lines where one part of the surface ends in front of another
+    double depth_cue = 0.0;  ///< share of the background in what is farthest away, 0 to 1
+    int threads = 0;         ///< 0: all cores; the picture does not depend on it
+
+    bool operator==(const PictureOptions&) const = default;
+};
+
+/// Draws a mesh, as large as fits.
+///
+/// Normals are interpolated between vertices, and so are colours. Light comes from the sky around, as far as the
+/// surface itself leaves it open, and from two lamps beside the viewer. mesh     with normals, closed or not; an empty
+/// one gives the background alone colours  one per vertex; their alpha is not used exact    if given, is asked for the
+/// colour in triangles whose corners differ, so that borders are sharp throws   UsageError for arrays whose sizes do
+/// not match, a size that is not 1 to kLargestPicture, a viewpoint whose
+///          vectors are zero, parallel or not finite, a depth cue outside 0 to 1
+/// cost     O(pixels), and 100 rays per vertex that can be seen
+Picture draw_picture(const Mesh& mesh, std::span<const Colour> colours, const PictureOptions& options = {},
+                     const ColourField& exact = {});
+
+}  // namespace meniscus

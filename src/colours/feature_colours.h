@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The schemes whose colours come from the kind of patch and the nearest atom.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "meniscus/colours.h"
+
+namespace meniscus {
+
+struct FeatureColours {
+    std::vector<Colour> of_atom{};                    ///< in the structure's order
+    std::array<std::optional<Colour>, 3> of_patch{};  ///< by PatchKind; goes before the atom's
+
+    Colour at(std::uint32_t atom, PatchKind patch) const {
+        return of_patch[static_cast<std::size_t>(patch)].value_or(of_atom[atom]);
+    }
+};
+
+/// Nothing for schemes of other things: curvature, component, depth.
+/// cost     O(n)
+std::optional<FeatureColours> feature_colours(const Structure& structure, const ColourOptions& options);
+
+/// A value's place in a range, 0 at its minimum, 1 at its maximum.
+double place_in(const ValueRange& range, double value);
+
+/// What is asked for, or the scheme's own.
+ValueRange range_in_force(const ColourOptions& options, const Structure& structure);
+
+}  // namespace meniscus

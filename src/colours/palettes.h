@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Palettes: distinct colours for things that have no order, ramps for values. All but the conventional ones (elements,
+// pLDDT) are told apart by the colour-blind.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "meniscus/colour.h"
+
+namespace meniscus {
+
+/// The colour that 0xRRGGBB stands for.
+constexpr Colour rgb(std::uint32_t code) {
+    return {static_cast<std::uint8_t>(code >> 16U), static_cast<std::uint8_t>(code >> 8U & 0xFFU),
+            static_cast<std::uint8_t>(code & 0xFFU)};
+}
+
+/// Of a surface that shows nothing but itself, and of what a scheme knows nothing about.
+inline constexpr Colour kPlain = rgb(0x77AADD);
+inline constexpr Colour kNeutral = rgb(0xCCCCCC);
+
+/// The n-th of a row of distinct colours, which begins again after seventeen.
+/// source   P. Tol, Colour Schemes, SRON technical note 2021: "light", then "muted"
+Colour distinct_colour(std::size_t n);
+
+/// Values from 0 to 1, values beyond as the ends; colours between those of the ramp are linear in sRGB.
+/// source   ColorBrewer (Harrower & Brewer, Cartogr. J. 40, 2003, 27-37), as are all ramps below
+Colour ramp_colour(std::span<const Colour> ramp, double value);
+
+std::span<const Colour> diverging_ramp();         ///< RdBu from blue: curvature
+std::span<const Colour> second_diverging_ramp();  ///< BrBG from green: hydrophobicity
+std::span<const Colour> warm_ramp();              ///< YlOrBr: B factors
+std::span<const Colour> cold_ramp();              ///< YlGnBu: depth
+
+}  // namespace meniscus

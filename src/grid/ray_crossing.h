@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Where a ray first crosses the zero set of a spline on a block grid; see LevelSet::intersect.
+#pragma once
+
+#include <span>
+
+#include "grid/block_grid.h"
+#include "meniscus/vec3.h"
+
+namespace meniscus {
+
+struct Ray {
+    Vec3 origin;          ///< Å
+    Vec3 direction;       ///< unit vector
+    double length = 0.0;  ///< Å, may be infinite
+};
+
+/// Distance along the ray, Å, or infinity.
+///
+/// low, high  corners of a box that holds all blocks, Å
+double first_crossing(const BlockGrid& grid, std::span<const float> coefficients, const Vec3& low, const Vec3& high,
+                      const Ray& ray);
+
+}  // namespace meniscus

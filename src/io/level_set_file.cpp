@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "meniscus/level_set_file.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "grid/block_grid.h"
+#include "io/atomic_file.h"
+#include "meniscus/errors.h"
+
+namespace meniscus {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "files are written and read as numbers are in memory");
+
+// Not text, and changed by programs that change the ends of lines.
+constexpr std::array<char, 8> kMagic{'\x8d', 'M', 'L', 'S', '\r', '\n', '\x1a', '\n'};
+constexpr std::uint32_t kFormatVersion = 1;
+constexpr std::uint32_t kByteOrder = 0x01020304;  // reads as 0x04030201 where the file is of the other byte order
+constexpr std::int32_t kFarthestBlock = 1 << 30;  // so that a block's neighbours can be counted too
+
+struct Header {
+    std::array<char, 8> magic = kMagic;
+    std::uint32_t version = kFormatVersion;
+    std::uint32_t byte_order = kByteOrder;
+    std::uint32_t block_edge = kBlockEdge;
+    std::uint32_t reserved = 0;
+    std::uint64_t blocks = 0;
+    double spacing = 0.0;
+    std::array<double, 3> origin{};
+};
+static_assert(sizeof(Header) == 64 && std::is_trivially_copyable_v<Header>);
+
+// As in the file: x, y, z.
+using StoredBlock = std::array<std::int32_t, 3>;
+
+constexpr std::uint64_t kBytesPerBlock = sizeof(StoredBlock) + sizeof(float) * kBlockNodes;
+constexpr std::uint64_t kBytesAround = sizeof(Header) + sizeof(std::uint32_t);
+
+// CRC-32 as in gzip and PNG.
+class Checksum {
+public:
+    void add(const void* data, std::size_t size) {
+        for (const auto* next = static_cast<const Bytef*>(data); size > 0;) {
+            const auto part = static_cast<uInt>(std::min<std::size_t>(size, 1U << 30U));
+            sum_ = ::crc32(sum_, next, part);
+            next += part;
+            size -= part;
+        }
+    }
+    std::uint32_t value() const { return static_cast<std::uint32_t>(sum_); }
+
+private:
+    uLong sum_ = 0;
+};
+
+class Writer {
+public:
+    explicit Writer(const std::string& path) : file_(path) {}
+
+    void write(const void* data, std::size_t size) {
+        if (size == 0) return;
+        checksum_.add(data, size);
+        file_.write(std::string_view(static_cast<const char*>(data), size));
+    }
+
+    void finish() {
+        file_.bytes(checksum_.value());
+        file_.commit();
+    }
+
+private:
+    AtomicFile file_;
+    Checksum checksum_;
+};
+
+class Reader {
+public:
+    explicit Reader(const std::string& path) : path_(path) {
+        std::error_code error;
+        size_ = std::filesystem::file_size(path, error);
+        if (error) fail("cannot be read: " + error.message());
+        file_.open(path, std::ios::binary);
+        if (!file_) fail("cannot be read");
+    }
+
+    LevelSet read() {
+        const Header header = read_header();
+        std::vector<StoredBlock> stored(header.blocks);
+        take(stored.data(), stored.size() * sizeof(StoredBlock));
+        std::vector<float> coefficients(header.blocks * kBlockNodes);
+        take(coefficients.data(), coefficients.size() * sizeof(float));
+        check_sum();
+        auto grid = std::make_shared<const BlockGrid>(
+            header.spacing, Vec3{header.origin[0], header.origin[1], header.origin[2]}, blocks_from(stored));
+        return {std::move(grid), std::move(coefficients)};
+    }
+
+private:
+    Header read_header() {
+        Header header;
+        if (size_ < sizeof header.magic) fail("is not a level-set file");
+        take(&header, std::min<std::size_t>(size_, sizeof header));
+        if (header.magic != kMagic) fail("is not a level-set file");
+        if (size_ < kBytesAround) fail("is cut off");
+        if (header.byte_order != kByteOrder) fail("was written in another byte order, which is not supported");
+        if (header.version != kFormatVersion)
+            fail("has version " + std::to_string(header.version) + " of the format, not 1");
+        if (header.block_edge != kBlockEdge) fail("has blocks of another size than 8");
+        if (header.blocks > (size_ - kBytesAround) / kBytesPerBlock) fail("is cut off");
+        if (header.blocks * kBytesPerBlock != size_ - kBytesAround) fail("is longer than it says");
+        if (!(header.spacing > 0.0 && std::isfinite(header.spacing))) fail("has a spacing that is not positive");
+        if (!std::all_of(header.origin.begin(), header.origin.end(), [](double x) { return std::isfinite(x); }))
+            fail("has an origin that is not finite");
+        return header;
+    }
+
+    void take(void* data, std::size_t size) {
+        if (size == 0) return;
+        file_.read(static_cast<char*>(data), static_cast<std::streamsize>(size));
+        if (!file_) fail("cannot be read to its end");
+        checksum_.add(data, size);
+    }
+
+    void check_sum() {
+        const std::uint32_t expected = checksum_.value();
+        std::uint32_t stored = 0;
+        take(&stored, sizeof stored);
+        if (stored != expected) fail("has been changed or damaged: its checksum does not match");
+    }
+
+    // The grid sorts its blocks; coefficients are in that order only if the file's are.
+    std::vector<BlockCoord> blocks_from(const std::vector<StoredBlock>& stored) const {
+        std::vector<BlockCoord> blocks;
+        blocks.reserve(stored.size());
+        for (const auto& [x, y, z] : stored) {
+            for (const std::int32_t c : {x, y, z})
+                if (c < -kFarthestBlock || c > kFarthestBlock) fail("has a block that is too far away");
+            blocks.push_back({.z = z, .y = y, .x = x});
+            if (blocks.size() > 1 && !(blocks[blocks.size() - 2] < blocks.back())) fail("has blocks out of order");
+        }
+        return blocks;
+    }
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw InputError(path_ + ": " + what + "; write the level set again");
+    }
+
+    std::string path_;
+    std::uint64_t size_ = 0;
+    std::ifstream file_;
+    Checksum checksum_;
+};
+
+}  // namespace
+
+void write_level_set(const std::string& path, const LevelSet& level_set) {
+    const BlockGrid& grid = level_set.grid();
+    Header header;
+    header.blocks = grid.block_count();
+    header.spacing = grid.spacing();
+    header.origin = {grid.origin().x, grid.origin().y, grid.origin().z};
+    Writer writer(path);
+    writer.write(&header, sizeof header);
+    for (const BlockCoord& c : grid.coords()) {
+        const StoredBlock block{c.x, c.y, c.z};
+        writer.write(block.data(), sizeof block);
+    }
+    writer.write(level_set.coefficients().data(), level_set.coefficients().size_bytes());
+    writer.finish();
+}
+
+LevelSet read_level_set(const std::string& path) { return Reader(path).read(); }
+
+}  // namespace meniscus

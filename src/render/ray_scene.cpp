@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/ray_scene.h"
+
+#include <embree3/rtcore.h>
+
+#include <new>
+#include <stdexcept>
+
+#include "core/parallel.h"
+
+namespace meniscus {
+namespace {
+
+Vec3 centre_of(const std::vector<Vec3>& points) {
+    Vec3 sum;
+    for (const Vec3& p : points) sum += p;
+    return (1.0 / static_cast<double>(points.size())) * sum;
+}
+
+float single(double value) { return static_cast<float>(value); }
+
+/// Coordinates about `centre`, where single precision is fine even for molecules far from the origin.
+void set_vertices(RTCGeometry geometry, const Mesh& mesh, const Vec3& centre) {
+    auto* xyz = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                            3 * sizeof(float), mesh.vertices.size()));
+    if (xyz == nullptr) throw std::bad_alloc();
+    for (const Vec3& vertex : mesh.vertices) {
+        const Vec3 p = vertex - centre;
+        *xyz++ = single(p.x);
+        *xyz++ = single(p.y);
+        *xyz++ = single(p.z);
+    }
+}
+
+void set_triangles(RTCGeometry geometry, const Mesh& mesh) {
+    auto* corners = static_cast<VertexId*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                                   sizeof(Triangle), mesh.triangles.size()));
+    if (corners == nullptr) throw std::bad_alloc();
+    for (const Triangle& triangle : mesh.triangles)
+        for (const VertexId corner : triangle) *corners++ = corner;
+}
+
+}  // namespace
+
+struct RayScene::Handles {
+    Handles() : device(rtcNewDevice(nullptr)), scene(device == nullptr ? nullptr : rtcNewScene(device)) {
+        if (scene == nullptr) throw std::runtime_error("pictures cannot be drawn here: Embree does not start");
+    }
+    ~Handles() {
+        rtcReleaseScene(scene);
+        rtcReleaseDevice(device);
+    }
+    Handles(const Handles&) = delete;
+    Handles& operator=(const Handles&) = delete;
+
+    RTCDevice device;
+    RTCScene scene;
+};
+
+RayScene::RayScene(const Mesh& mesh) : centre_(centre_of(mesh.vertices)) {
+    const ThreadLimit one_thread(1);  // builds the tree, so that ties between triangles are always decided alike
+    const auto handles = std::make_shared<Handles>();
+    RTCGeometry geometry = rtcNewGeometry(handles->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    set_vertices(geometry, mesh, centre_);
+    set_triangles(geometry, mesh);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(handles->scene, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcSetSceneFlags(handles->scene, RTC_SCENE_FLAG_ROBUST);  // no holes along edges
+    rtcCommitScene(handles->scene);
+    handles_ = handles;
+}
+
+std::optional<RayHit> RayScene::first_hit(const Ray& ray, double reach) const {
+    const Vec3 origin = ray.origin - centre_;
+    RTCRayHit query{};
+    query.ray.org_x = single(origin.x);
+    query.ray.org_y = single(origin.y);
+    query.ray.org_z = single(origin.z);
+    query.ray.dir_x = single(ray.direction.x);
+    query.ray.dir_y = single(ray.direction.y);
+    query.ray.dir_z = single(ray.direction.z);
+    query.ray.tfar = single(reach);
+    query.ray.mask = ~0U;
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(handles_->scene, &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    return RayHit{query.ray.tfar, query.hit.primID, query.hit.u, query.hit.v};
+}
+
+}  // namespace meniscus

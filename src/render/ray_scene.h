@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Where rays hit a mesh. The only pair of files that names Embree.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "meniscus/mesh.h"
+
+namespace meniscus {
+
+struct Ray {
+    Vec3 origin;
+    Vec3 direction;  ///< unit vector
+};
+
+/// A point of a triangle.
+struct RayHit {
+    double distance = 0.0;  ///< along the ray, Å
+    std::uint32_t triangle = 0;
+    double u = 0.0;  ///< share of the triangle's second corner
+    double v = 0.0;  ///< share of its third corner; the first has the rest
+};
+
+/// A mesh prepared for rays. Hits are the same for any number of threads.
+class RayScene {
+public:
+    /// mesh     with at least one triangle; not needed later
+    /// throws   std::runtime_error if Embree cannot work here
+    /// cost     O(n log n)
+    explicit RayScene(const Mesh& mesh);
+
+    /// The nearest triangle that a ray hits within `reach` (Å), seen from either side. From several threads at once.
+    std::optional<RayHit> first_hit(const Ray& ray, double reach) const;
+
+private:
+    struct Handles;
+    std::shared_ptr<const Handles> handles_;
+    Vec3 centre_;
+};
+
+}  // namespace meniscus

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meniscus {
+namespace {
+
+/// The sky is blocked by what lies within this share of the molecule's depth, but no farther than kLongestReach: beyond
+/// that, hollows of large assemblies would only be black.
+constexpr double kReachShare = 0.5;
+constexpr double kLongestReach = 25.0;
+constexpr double kShortestReach = 2.0;
+
+double reach_of_sky(const Camera& camera) {
+    return std::clamp(kReachShare * camera.depth_range(), kShortestReach, kLongestReach);
+}
+
+/// A quantity of the corners at a point of the triangle.
+template <class T, class Get>
+T interpolated(const Triangle& t, const RayHit& hit, const Get& get) {
+    return (1.0 - hit.u - hit.v) * get(t[0]) + hit.u * get(t[1]) + hit.v * get(t[2]);
+}
+
+Light interpolated_light(const Triangle& t, const RayHit& hit, std::span<const Colour> colours) {
+    const auto u = static_cast<float>(hit.u);
+    const auto v = static_cast<float>(hit.v);
+    return (1.0F - u - v) * to_light(colours[t[0]]) + u * to_light(colours[t[1]]) + v * to_light(colours[t[2]]);
+}
+
+}  // namespace
+
+Scene::Scene(const Mesh& mesh, std::span<const Colour> colours, const PictureOptions& options, const ColourField& exact)
+    : mesh_(mesh),
+      colours_(colours),
+      options_(options),
+      exact_(exact),
+      camera_(mesh.vertices, options),
+      rays_(mesh),
+      sky_(rays_, mesh, reach_of_sky(camera_)),
+      sky_from_inside_(rays_, mesh, reach_of_sky(camera_), SkyLight::Side::Molecule),
+      lamps_(camera_.frame()),
+      background_(to_light(options.background)) {}
+
+Light Scene::albedo(const RayHit& hit, const Vec3& point) const {
+    const Triangle& t = mesh_.triangles[hit.triangle];
+    const bool uniform = colours_[t[0]] == colours_[t[1]] && colours_[t[1]] == colours_[t[2]];
+    if (uniform) return to_light(colours_[t[0]]);
+    return exact_ ? to_light(exact_(point)) : interpolated_light(t, hit, colours_);
+}
+
+/// True where a ray meets the side of the molecule: walls of cavities shown alone, meshes that are not closed.
+bool Scene::faces_away(const Triangle& t, const Vec3& direction) const {
+    const Vec3& corner = mesh_.vertices[t[0]];
+    return dot(cross(mesh_.vertices[t[1]] - corner, mesh_.vertices[t[2]] - corner), direction) > 0.0;
+}
+
+Glimpse Scene::look(double x, double y) const {
+    const Ray ray = camera_.ray(x, y);
+    const std::optional<RayHit> hit = rays_.first_hit(ray, std::numeric_limits<double>::infinity());
+    if (!hit) return {.light = background_};
+    const Triangle& t = mesh_.triangles[hit->triangle];
+    const Vec3 point = ray.origin + hit->distance * ray.direction;
+    const Vec3 to_viewer = -ray.direction;
+    Vec3 normal = normalised(interpolated<Vec3>(t, *hit, [this](VertexId v) { return mesh_.normals[v]; }));
+    const bool inside = faces_away(t, ray.direction);
+    if (inside) normal = -normal;
+    const SkyLight& seen_sky = inside ? sky_from_inside_ : sky_;
+    const auto sky = interpolated<double>(t, *hit, [&seen_sky](VertexId v) { return double{seen_sky.at(v)}; });
+    const Light light = lamps_.shade(albedo(*hit, point), normal, to_viewer, static_cast<float>(sky));
+    const double depth = std::max(0.0, camera_.depth(point));
+    const double haze = options_.depth_cue * std::min(1.0, depth / std::max(camera_.depth_range(), 1e-9));
+    return {mixed(light, background_, static_cast<float>(haze)), static_cast<float>(depth)};
+}
+
+}  // namespace meniscus

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// What is seen at a point of the picture: a mesh in its colours and light, in front of a camera.
+#pragma once
+
+#include <limits>
+#include <span>
+
+#include "meniscus/picture.h"
+#include "render/camera.h"
+#include "render/ray_scene.h"
+#include "render/shading.h"
+#include "render/sky_light.h"
+
+namespace meniscus {
+
+/// What one ray sees.
+struct Glimpse {
+    Light light{};
+    float depth =
+        std::numeric_limits<float>::infinity();  ///< behind the nearest vertex, Å; infinite for the background
+
+    bool is_surface() const { return depth < std::numeric_limits<float>::infinity(); }
+};
+
+class Scene {
+public:
+    /// All arguments must outlive the scene. Precondition: they have passed the checks of draw_picture(), and the mesh
+    /// has a triangle.
+    Scene(const Mesh& mesh, std::span<const Colour> colours, const PictureOptions& options, const ColourField& exact);
+
+    const Camera& camera() const { return camera_; }
+
+    /// x, y   pixels from the picture's upper left corner
+    /// From several threads at once.
+    Glimpse look(double x, double y) const;
+
+private:
+    bool faces_away(const Triangle& t, const Vec3& direction) const;
+    Light albedo(const RayHit& hit, const Vec3& point) const;
+
+    const Mesh& mesh_;
+    std::span<const Colour> colours_;
+    const PictureOptions& options_;
+    const ColourField& exact_;
+    Camera camera_;
+    RayScene rays_;
+    SkyLight sky_;
+    SkyLight sky_from_inside_;
+    Lamps lamps_;
+    Light background_;
+};
+
+}  // namespace meniscus

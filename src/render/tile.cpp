@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/tile.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace meniscus {
+namespace {
+
+/// Looks at a pixel where the surface ends, and at one where only its colour or light changes.
+constexpr int kSamples = 16;
+constexpr int kFewSamples = 8;
+
+/// Neighbours that differ by more are looked at again: a step that the eye sees, on a scale where white is 1.
+constexpr float kVisibleStep = 0.03F;
+
+/// Lines are this share of the picture's width wide, but not below kThinnestLine pixels, and appear where depth jumps
+/// by this share of all.
+constexpr double kLineShare = 1.0 / 800.0;
+constexpr double kThinnestLine = 1.0;
+constexpr double kJumpShare = 0.02;
+constexpr double kSmallestJump = 1e-3;  // Å; for what is flat
+constexpr float kLineDarkness = 0.85F;
+
+/// Of a pixel, from its corner.
+constexpr double kMiddle = 0.5;
+
+/// Points of a (0, 2)-sequence (van der Corput and Sobol), scrambled by constants so that few already balance.
+std::array<std::array<double, 2>, kSamples> sample_places() {
+    std::array<std::array<double, 2>, kSamples> places;
+    for (unsigned i = 0; i < kSamples; ++i) {
+        unsigned x = 0;
+        unsigned y = 0;
+        unsigned direction = kSamples / 2;
+        for (unsigned bit = 0; 1U << bit < kSamples; ++bit) {
+            if ((i >> bit & 1U) != 0) {
+                x ^= unsigned{kSamples / 2} >> bit;
+                y ^= direction;
+            }
+            direction ^= direction >> 1U;
+        }
+        places[i] = {((x ^ 1U) + 0.5) / kSamples, ((y ^ 1U) + 0.5) / kSamples};
+    }
+    return places;
+}
+
+bool differ(float a, float b) { return std::abs(std::sqrt(a) - std::sqrt(b)) > kVisibleStep; }
+
+bool differ(const Light& a, const Light& b) {
+    return differ(a.red, b.red) || differ(a.green, b.green) || differ(a.blue, b.blue);
+}
+
+PixelBox grown(const PixelBox& box, int margin) {
+    return {box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin};
+}
+
+double line_radius(const PictureOptions& options) {
+    return options.outline ? std::max(kThinnestLine, kLineShare * options.width) : 0.0;
+}
+
+}  // namespace
+
+Tile::Tile(const Scene& scene, const PictureOptions& options, const PixelBox& box)
+    : scene_(scene),
+      box_(box),
+      margin_(static_cast<int>(std::ceil(line_radius(options))) + 1),
+      radius_(line_radius(options)),
+      jump_(std::max(kSmallestJump, kJumpShare * scene.camera().depth_range())),
+      background_opacity_(static_cast<float>(options.background.alpha) / 255.0F) {
+    const PixelBox all = grown(box, margin_);
+    for (int y = all.y; y < all.y + all.height; ++y)
+        for (int x = all.x; x < all.x + all.width; ++x) centres_.push_back(scene.look(x + kMiddle, y + kMiddle));
+    lights_.resize(centres_.size());
+    const PixelBox neighbours = grown(box, 1);
+    for (int y = neighbours.y; y < neighbours.y + neighbours.height; ++y)
+        for (int x = neighbours.x; x < neighbours.x + neighbours.width; ++x)
+            lights_[place(x, y)] = with_lines(centres_[place(x, y)], x + kMiddle, y + kMiddle);
+}
+
+/// Of a pixel of the box or its margin among the centres.
+std::size_t Tile::place(int x, int y) const {
+    const int columns = box_.width + 2 * margin_;
+    const int row = y - box_.y + margin_;
+    const int column = x - box_.x + margin_;
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+}
+
+/// How much of a line is at a place, 0 to 1: whether something much farther away is seen close by. So lines lie on the
+/// nearer side of a jump and do not widen the silhouette.
+double Tile::lines_near(double x, double y, float depth) const {
+    const int column = static_cast<int>(std::floor(x));
+    const int row = static_cast<int>(std::floor(y));
+    const int reach = margin_ - 1;
+    double strongest = 0.0;
+    for (int j = row - reach; j <= row + reach; ++j)
+        for (int i = column - reach; i <= column + reach; ++i) {
+            const double jump = (centres_[place(i, j)].depth - depth) / jump_;
+            const double distance = std::hypot(i + kMiddle - x, j + kMiddle - y);
+            const double nearness = std::clamp(radius_ + kMiddle - distance, 0.0, 1.0);
+            strongest = std::max(strongest, nearness * std::clamp(jump - 1.0, 0.0, 1.0));
+        }
+    return strongest;
+}
+
+Light Tile::with_lines(const Glimpse& seen, double x, double y) const {
+    if (radius_ == 0.0 || !seen.is_surface()) return seen.light;
+    return (1.0F - kLineDarkness * static_cast<float>(lines_near(x, y, seen.depth))) * seen.light;
+}
+
+/// How often a pixel must be looked at, beyond its centre.
+int Tile::samples_needed(int x, int y) const {
+    const std::size_t here = place(x, y);
+    int needed = 0;
+    for (int j = y - 1; j <= y + 1; ++j)
+        for (int i = x - 1; i <= x + 1; ++i) {
+            const std::size_t there = place(i, j);
+            if (centres_[here].is_surface() != centres_[there].is_surface()) return kSamples;
+            if (std::abs(centres_[here].depth - centres_[there].depth) > jump_) return kSamples;
+            if (differ(lights_[here], lights_[there])) needed = kFewSamples;
+        }
+    return needed;
+}
+
+/// Means are taken of light times opacity, so that a transparent background has no colour.
+Colour Tile::refined_pixel(int x, int y, int samples) const {
+    static const auto places = sample_places();
+    Light sum;
+    float opacity = 0.0F;
+    for (const auto& [dx, dy] : std::span(places).first(static_cast<std::size_t>(samples))) {
+        const Glimpse seen = scene_.look(x + dx, y + dy);
+        const float share = seen.is_surface() ? 1.0F : background_opacity_;
+        sum += share * with_lines(seen, x + dx, y + dy);
+        opacity += share;
+    }
+    return to_colour(opacity > 0.0F ? (1.0F / opacity) * sum : sum, opacity / static_cast<float>(samples));
+}
+
+void Tile::draw(Picture& picture) const {
+    for (int y = box_.y; y < box_.y + box_.height; ++y)
+        for (int x = box_.x; x < box_.x + box_.width; ++x) {
+            const std::size_t here = place(x, y);
+            Colour& pixel = picture.pixels[static_cast<std::size_t>(y) * picture.width + x];
+            const float opacity = centres_[here].is_surface() ? 1.0F : background_opacity_;
+            const int samples = samples_needed(x, y);
+            pixel = samples > 0 ? refined_pixel(x, y, samples) : to_colour(lights_[here], opacity);
+        }
+}
+
+}  // namespace meniscus

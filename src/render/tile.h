@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// A rectangle of the picture: looked at once per pixel, and again where that is not enough.
+#pragma once
+
+#include <vector>
+
+#include "meniscus/picture.h"
+#include "render/scene.h"
+
+namespace meniscus {
+
+/// Pixels of a picture: from the corner (x, y), inclusive.
+struct PixelBox {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
+/// Draws the pixels of a box. One that differs from a neighbour gets the mean light of up to sixteen fixed places in
+/// it.
+class Tile {
+public:
+    Tile(const Scene& scene, const PictureOptions& options, const PixelBox& box);
+
+    /// Precondition: the picture has the size of the options. Writes no pixel outside the box.
+    void draw(Picture& picture) const;
+
+private:
+    std::size_t place(int x, int y) const;
+    double lines_near(double x, double y, float depth) const;
+    Light with_lines(const Glimpse& seen, double x, double y) const;
+    int samples_needed(int x, int y) const;
+    Colour refined_pixel(int x, int y, int samples) const;
+
+    const Scene& scene_;
+    PixelBox box_;   // with a margin, in which neighbours of its pixels lie
+    int margin_;     // pixels
+    double radius_;  // of lines, pixels; 0 for none
+    double jump_;    // of depth that makes a line, Å
+    float background_opacity_;
+    std::vector<Glimpse> centres_;
+    std::vector<Light> lights_;  // of the centres, with lines
+};
+
+}  // namespace meniscus

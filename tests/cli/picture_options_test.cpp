@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "picture_options.h"
+
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "common_request.h"
+#include "meniscus/errors.h"
+
+namespace meniscus::cli {
+
+namespace {
+
+PictureRequest parse(std::vector<std::string> arguments) {
+    PictureRequest request;
+    CLI::App app;
+    add_picture_options(app, request);
+    arguments = join_negative_values(arguments);
+    std::reverse(arguments.begin(), arguments.end());
+    app.parse(arguments);
+    return request;
+}
+
+std::string refusal(const std::vector<std::string>& arguments) {
+    try {
+        parse(arguments);
+    } catch (const UsageError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST(PictureOptions, HasTheDefaultsOfTheLibrary) {
+    const PictureRequest request = parse({});
+    EXPECT_EQ(request.colours, ColourOptions{});
+    EXPECT_EQ(request.picture, PictureOptions{});
+    EXPECT_EQ(request.drawn_by, "");
+}
+
+TEST(PictureOptions, TakesValuesOfAllKinds) {
+    const PictureRequest request = parse({"--color", "curvature:-0.5:.25", "--size", "320x200", "--background",
+                                          "#0a0BfF", "--perspective", "--outline", "--depth-cue", "0.5"});
+    EXPECT_EQ(request.colours.scheme, ColourScheme::Curvature);
+    EXPECT_EQ(request.colours.range, (ValueRange{-0.5, 0.25}));
+    EXPECT_EQ(request.picture.width, 320);
+    EXPECT_EQ(request.picture.height, 200);
+    EXPECT_EQ(request.picture.background, (Colour{10, 11, 255, 255}));
+    EXPECT_EQ(request.picture.projection, Projection::Perspective);
+    EXPECT_TRUE(request.picture.outline);
+    EXPECT_EQ(request.picture.depth_cue, 0.5);
+    EXPECT_NE(request.drawn_by, "");
+    EXPECT_EQ(parse({"--color", "patch"}).drawn_by, "");
+    EXPECT_EQ(parse({"--background", "transparent"}).picture.background, kTransparent);
+}
+
+TEST(PictureOptions, ViewsAreWordsOrDirections) {
+    EXPECT_FALSE(parse({"--view", "auto"}).picture.viewpoint.has_value());
+    EXPECT_EQ(parse({"--view", "left"}).picture.viewpoint->from, (Vec3{-1, 0, 0}));
+    const Viewpoint given = parse({"--view", "-1,.5,2e1:0,0,-1"}).picture.viewpoint.value();
+    EXPECT_EQ(given.from, (Vec3{-1, 0.5, 20}));
+    EXPECT_EQ(given.up, (Vec3{0, 0, -1}));
+    EXPECT_EQ(parse({"--view", "1,2,3"}).picture.viewpoint->up, (Vec3{0, 1, 0}));
+    EXPECT_EQ(parse({"--view", "0,3,0"}).picture.viewpoint->up, parse({"--view", "top"}).picture.viewpoint->up);
+    EXPECT_EQ(parse({"--view", "0,-3,0"}).picture.viewpoint->up, parse({"--view", "bottom"}).picture.viewpoint->up);
+}
+
+TEST(PictureOptions, WhatMakesNoSenseIsRefusedWithItsOption) {
+    for (const char* text :
+         {"", "fancy", "patch:1:2", "depth:2:1", "depth:1", "depth:1:2:3", "depth:a:b", "depth:0:inf"})
+        EXPECT_TRUE(refusal({"--color", text}).starts_with("--color: ")) << text;
+    for (const char* text : {"", "sideways", "1,2", "1,2,3,4", "0,0,0", "0,0,1:0,0,2", "0,0,1:", "nan,0,1", "1,2,x"})
+        EXPECT_TRUE(refusal({"--view", text}).starts_with("--view: ")) << text;
+    for (const char* text : {"", "100", "100x", "x100", "0x5", "-1x5", "1.5x2", "16385x1", "2x3x4", "100X100"})
+        EXPECT_TRUE(refusal({"--size", text}).starts_with("--size: ")) << text;
+    for (const char* text : {"", "red", "#12", "#12345g", "#1234567", "123456"})
+        EXPECT_TRUE(refusal({"--background", text}).starts_with("--background: ")) << text;
+    for (const char* text : {"", "-0.1", "1.01", "nan"})
+        EXPECT_TRUE(refusal({"--depth-cue", text}).starts_with("--depth-cue: ")) << text;
+}
+
+TEST(PictureOptions, TheReportHasWhatIsInForce) {
+    nlohmann::ordered_json options;
+    report_picture(parse({"--view", "top", "--size", "3x4"}), {}, true, options);
+    EXPECT_EQ(options["color"], "single");
+    EXPECT_TRUE(options["color_range"].is_null());
+    EXPECT_EQ(options["view"], "top");
+    EXPECT_EQ(options["size"], (nlohmann::ordered_json{3, 4}));
+    EXPECT_EQ(options["background"], "#ffffff");
+    report_picture(parse({"--color", "curvature"}), {}, false, options);
+    EXPECT_EQ(options["color_range"], (nlohmann::ordered_json{-0.7, 0.7}));
+    EXPECT_TRUE(options["size"].is_null());
+}
+
+}  // namespace meniscus::cli

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "colours/atom_colours.h"
+#include "colours/palettes.h"
+#include "meniscus/colours.h"
+#include "meniscus/errors.h"
+#include "support/shapes.h"
+#include "tables/small_complex.h"
+
+namespace meniscus {
+namespace {
+
+using testing::small_complex;
+
+/// A mesh of one vertex per atom of small_complex(), with patches in turn.
+Mesh vertex_per_atom() {
+    Mesh mesh;
+    mesh.vertices = small_complex().atoms.centres;
+    for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
+        mesh.atoms.push_back(i);
+        mesh.patches.push_back(static_cast<PatchKind>(i % 3));
+    }
+    return mesh;
+}
+
+TEST(ColourVertices, EveryVertexHasTheColourOfItsAtomAndPatch) {
+    const auto colours = colour_vertices(vertex_per_atom(), small_complex(), {.scheme = ColourScheme::ResiduePatch});
+    EXPECT_EQ(colours[0], residue_colour("ALA"));
+    EXPECT_EQ(colours[1], colours[2]);
+    EXPECT_EQ(colours[3], residue_colour("MET"));
+    EXPECT_EQ(colours[0].alpha, 255);
+}
+
+TEST(ColourVertices, CurvatureIsSymmetricAboutWhite) {
+    Mesh mesh = vertex_per_atom();
+    mesh.mean_curvatures = {-5.0F, -0.7F, 0.0F, 0.35F, 0.7F, std::numeric_limits<float>::infinity()};
+    const auto colours = colour_vertices(mesh, small_complex(), {.scheme = ColourScheme::Curvature});
+    EXPECT_EQ(colours[0], colours[1]);
+    EXPECT_EQ(colours[2], diverging_ramp()[4]);
+    EXPECT_NEAR(colours[3].red, diverging_ramp()[6].red, 1);
+    EXPECT_EQ(colours[5], diverging_ramp().back());
+    const auto wide =
+        colour_vertices(mesh, small_complex(), {.scheme = ColourScheme::Curvature, .range = ValueRange{-1.4, 1.4}});
+    EXPECT_EQ(wide[0], colours[0]);
+    EXPECT_NEAR(wide[4].red, colours[3].red, 1);
+}
+
+TEST(ColourVertices, DepthIsBelowTheSurfaceOfALargeProbe) {
+    Structure two;
+    two.atoms = {.centres = {{-4.0, 0.0, 0.0}, {4.0, 0.0, 0.0}}, .radii = {2.0, 2.0}};
+    two.labels.resize(2);
+    Mesh mesh;
+    mesh.vertices = {{-6.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}};
+    // The probe that touches both atoms has its centre this far from their axis; the second point is below it.
+    const double height = std::sqrt(12.0 * 12.0 - 4.0 * 4.0);
+    const double depth = std::hypot(height, 2.0) - kDepthProbe;
+    const auto colours = colour_vertices(mesh, two, {.scheme = ColourScheme::Depth});
+    EXPECT_EQ(colours[0], cold_ramp().front());
+    EXPECT_EQ(colours[1], ramp_colour(cold_ramp(), depth / 10.0));
+}
+
+TEST(ColourVertices, OuterPiecesAreAlikeAndCavitiesAreNot) {
+    Mesh mesh = testing::extracted_sphere({.centre = {}, .radius = 3.0}, 0.5);
+    const std::size_t outer = mesh.vertices.size();
+    testing::append(mesh,
+                    testing::turned_inside_out(testing::extracted_sphere({.centre = {1, 0, 0}, .radius = 0.8}, 0.5)));
+    const std::size_t first_cavity = mesh.vertices.size();
+    testing::append(mesh,
+                    testing::turned_inside_out(testing::extracted_sphere({.centre = {-1, 0, 0}, .radius = 0.7}, 0.5)));
+    const std::size_t second_cavity = mesh.vertices.size();
+    testing::append(mesh, testing::extracted_sphere({.centre = {9, 0, 0}, .radius = 1.0}, 0.5));
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+        mesh.components.push_back(v < outer ? 0 : v < first_cavity ? 2 : v < second_cavity ? 3 : 1);
+    const auto colours = colour_vertices(mesh, {}, {.scheme = ColourScheme::Component});
+    EXPECT_EQ(colours.front(), colours.back());
+    EXPECT_NE(colours[outer], colours.front());
+    EXPECT_NE(colours[outer], colours[first_cavity]);
+    EXPECT_NE(colours[first_cavity], colours.front());
+}
+
+TEST(ColourVertices, WhatDoesNotFitIsRefused) {
+    const Structure structure = small_complex();
+    Mesh mesh = vertex_per_atom();
+    EXPECT_THROW(colour_vertices(mesh, structure, {.scheme = ColourScheme::Curvature}), UsageError);
+    EXPECT_THROW(colour_vertices(mesh, structure, {.scheme = ColourScheme::Component}), UsageError);
+    EXPECT_THROW(colour_vertices(mesh, structure, {.scheme = ColourScheme::Chain, .range = ValueRange{}}), UsageError);
+    EXPECT_THROW(colour_vertices(mesh, structure, {.scheme = ColourScheme::Depth, .range = ValueRange{1.0, 1.0}}),
+                 UsageError);
+    mesh.atoms[2] = 6;
+    EXPECT_THROW(colour_vertices(mesh, structure), UsageError);
+    mesh.atoms.clear();
+    EXPECT_THROW(colour_vertices(mesh, structure), UsageError);
+}
+
+TEST(ColourVertices, AnEmptyMeshHasNoColours) {
+    for (const ColourScheme scheme : {ColourScheme::Patch, ColourScheme::Component, ColourScheme::Curvature})
+        EXPECT_TRUE(colour_vertices({}, small_complex(), {.scheme = scheme}).empty());
+}
+
+TEST(ColourByFeature, BordersAreWhereThePatchesEnd) {
+    const Structure structure = small_complex();
+    const AccessibleSurface surface(structure.atoms, 1.4);
+    const ColourOptions options{.scheme = ColourScheme::Chain};
+    const ColourField field = colour_by_feature(surface, structure, options);
+    EXPECT_EQ(field({-1.7, 0.0, 0.0}), distinct_colour(0));
+    EXPECT_EQ(field({3.0, 5.7, 0.0}), distinct_colour(1));
+    EXPECT_EQ(field({32.0, 0.0, 0.0}), distinct_colour(2));
+    EXPECT_FALSE(colour_by_feature(surface, structure, {.scheme = ColourScheme::Component}));
+}
+
+TEST(ColourByFeature, CurvatureIsThatOfTheExactSurface) {
+    const Structure structure = small_complex();
+    const AccessibleSurface surface(structure.atoms, 1.4);
+    const ColourField field = colour_by_feature(surface, structure, {.scheme = ColourScheme::Curvature});
+    EXPECT_EQ(field({32.0, 0.0, 0.0}), ramp_colour(diverging_ramp(), (0.5 + 0.7) / 1.4));
+}
+
+}  // namespace
+}  // namespace meniscus

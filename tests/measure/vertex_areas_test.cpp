@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/vertex_areas.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "support/mesh_checks.h"
+#include "support/shapes.h"
+
+namespace meniscus::testing {
+namespace {
+
+TEST(VertexAreas, OfATetrahedronAreEqual) {
+    for (const float area : vertex_areas(tetrahedron()))
+        EXPECT_FLOAT_EQ(area, static_cast<float>(2.0 * std::sqrt(3.0)));
+}
+
+TEST(VertexAreas, SumToTheAreaOfTheMesh) {
+    Mesh mesh = projected_sphere({.centre = {1, 2, 3}, .radius = 2.0}, 0.2);
+    mesh.vertices.push_back({0, 0, 0});  // of no triangle
+    const std::vector<float> areas = vertex_areas(mesh);
+    ASSERT_EQ(areas.size(), mesh.vertices.size());
+    EXPECT_EQ(areas.back(), 0.0F);
+    EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0) / area_of(mesh), 1.0, 1e-7);
+}
+
+}  // namespace
+}  // namespace meniscus::testing

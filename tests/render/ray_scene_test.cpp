@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/ray_scene.h"
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.h"
+
+namespace meniscus {
+namespace {
+
+constexpr double kFar = 1e9;
+
+TEST(RayScene, FindsTheNearestTriangleAndThePointInIt) {
+    const Mesh mesh = testing::tetrahedron();
+    const RayScene scene(mesh);
+    const Ray ray{{0.1, 0.2, 5.0}, {0, 0, -1}};
+    const auto hit = scene.first_hit(ray, kFar);
+    ASSERT_TRUE(hit.has_value());
+    const auto& [a, b, c] = mesh.triangles[hit->triangle];
+    const Vec3 point =
+        (1.0 - hit->u - hit->v) * mesh.vertices[a] + hit->u * mesh.vertices[b] + hit->v * mesh.vertices[c];
+    EXPECT_LT(norm(point - (ray.origin + hit->distance * ray.direction)), 1e-5);
+    EXPECT_NEAR(point.x, 0.1, 1e-5);
+    EXPECT_GT(point.z, 0.0);
+}
+
+TEST(RayScene, ReachEndsARay) {
+    const RayScene scene(testing::tetrahedron());
+    EXPECT_FALSE(scene.first_hit({{0.1, 0.2, 5.0}, {0, 0, -1}}, 3.0).has_value());
+    EXPECT_FALSE(scene.first_hit({{0.1, 0.2, 5.0}, {0, 0, 1}}, kFar).has_value());
+    EXPECT_TRUE(scene.first_hit({{0.0, 0.0, 0.0}, {0, 0, 1}}, kFar).has_value()) << "seen from inside";
+}
+
+TEST(RayScene, FarFromTheOriginNothingIsLost) {
+    const Vec3 far{1e5, -2e5, 3e5};
+    Mesh mesh = testing::extracted_sphere({.centre = {}, .radius = 2.0}, 0.3);
+    for (Vec3& v : mesh.vertices) v = v + far;
+    const auto hit = RayScene(mesh).first_hit({far + Vec3{0.3, 0.4, 10}, {0, 0, -1}}, kFar);
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_NEAR(hit->distance, 10.0 - std::sqrt(4.0 - 0.25), 0.02);
+}
+
+TEST(RayScene, NoRayPassesThroughEdges) {
+    const Mesh mesh = testing::extracted_sphere({.centre = {}, .radius = 2.0}, 0.3);
+    const RayScene scene(mesh);
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const Vec3 middle = 0.5 * (mesh.vertices[a] + mesh.vertices[b]);
+        EXPECT_TRUE(scene.first_hit({{0, 0, 0}, normalised(middle)}, kFar).has_value());
+        EXPECT_TRUE(scene.first_hit({{0, 0, 0}, normalised(mesh.vertices[c])}, kFar).has_value());
+    }
+}
+
+}  // namespace
+}  // namespace meniscus

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/scene.h"
+
+#include <gtest/gtest.h>
+
+#include "render/small_scenes.h"
+
+namespace meniscus {
+namespace {
+
+using testing::blue_sphere;
+using testing::ColouredMesh;
+using testing::kBlue;
+using testing::kFront;
+
+constexpr PictureOptions kOptions{.width = 100, .height = 100, .viewpoint = kFront};
+const ColourField kNone;
+
+TEST(Scene, TheMiddleIsNearAndTheCornerIsBackground) {
+    const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.3);
+    const Scene scene(ball.mesh, ball.colours, kOptions, kNone);
+    EXPECT_NEAR(scene.look(50, 50).depth, 0.0, 0.02);
+    EXPECT_NEAR(scene.look(50 + 23, 50).depth, 2.0 - std::sqrt(3.0), 0.02);
+    EXPECT_FALSE(scene.look(1, 1).is_surface());
+    EXPECT_EQ(to_colour(scene.look(1, 1).light, 1.0F), kWhite);
+}
+
+TEST(Scene, ColoursAreAskedForOnlyWhereCornersDiffer) {
+    ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.3);
+    const ColourField red = [](const Vec3&) { return Colour{255, 0, 0, 255}; };
+    const Scene uniform(ball.mesh, ball.colours, kOptions, red);
+    EXPECT_GT(uniform.look(50, 50).light.blue, 0.1F);
+    for (std::size_t v = 0; v < ball.colours.size(); ++v) ball.colours[v].green = static_cast<std::uint8_t>(v % 256);
+    const Scene mixed_colours(ball.mesh, ball.colours, kOptions, red);
+    EXPECT_LT(mixed_colours.look(50, 50).light.blue, 0.1F);
+    const Scene interpolated(ball.mesh, ball.colours, kOptions, kNone);
+    EXPECT_GT(interpolated.look(50, 50).light.blue, 0.1F);
+}
+
+TEST(Scene, TheDepthCueFadesWhatIsFar) {
+    ColouredMesh balls = blue_sphere({.centre = {-3, 0, 5}, .radius = 1.0}, 0.3);
+    append(balls, blue_sphere({.centre = {3, 0, -5}, .radius = 1.0}, 0.3));
+    PictureOptions options = kOptions;
+    const Scene clear(balls.mesh, balls.colours, options, kNone);
+    PictureOptions hazy_options = kOptions;
+    hazy_options.depth_cue = 1.0;
+    const Scene hazy(balls.mesh, balls.colours, hazy_options, kNone);
+    EXPECT_NEAR(hazy.look(16, 50).light.red, clear.look(16, 50).light.red, 0.01);
+    EXPECT_GT(hazy.look(84, 50).light.red, 0.8F);
+}
+
+TEST(Scene, TheInsideOfAnOpenMeshIsLit) {
+    ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.3);
+    std::erase_if(ball.mesh.triangles, [&](const Triangle& t) { return ball.mesh.vertices[t[0]].z > 0.5; });
+    const Scene scene(ball.mesh, ball.colours, kOptions, kNone);
+    EXPECT_NEAR(scene.look(50, 50).depth, 4.0, 0.05);
+    EXPECT_GT(scene.look(50, 50).light.blue, 0.05F);
+}
+
+TEST(Scene, TheWallOfACavityAloneLooksLikeABall) {
+    const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.3);
+    ColouredMesh wall = ball;
+    wall.mesh = testing::turned_inside_out(ball.mesh);
+    for (Vec3& normal : wall.mesh.normals) normal = -normal;
+    const Light seen = Scene(wall.mesh, wall.colours, kOptions, kNone).look(50, 50).light;
+    EXPECT_NEAR(seen.blue, Scene(ball.mesh, ball.colours, kOptions, kNone).look(50, 50).light.blue, 1e-3);
+}
+
+}  // namespace
+}  // namespace meniscus

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/sky_light.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/shapes.h"
+
+namespace meniscus {
+namespace {
+
+TEST(SkyLight, NothingHidesTheSkyFromASphere) {
+    const Mesh mesh = testing::projected_sphere({.centre = {}, .radius = 3.0}, 0.4);
+    const RayScene scene(mesh);
+    const SkyLight sky(scene, mesh, 10.0);
+    for (VertexId v = 0; v < mesh.vertices.size(); ++v) EXPECT_GT(sky.at(v), 0.99F) << v;
+}
+
+TEST(SkyLight, InsideASphereItIsDark) {
+    Mesh mesh = testing::turned_inside_out(testing::projected_sphere({.centre = {}, .radius = 1.0}, 0.2));
+    for (Vec3& normal : mesh.normals) normal = -normal;
+    const RayScene scene(mesh);
+    const SkyLight sky(scene, mesh, 1e3);
+    for (VertexId v = 0; v < mesh.vertices.size(); ++v) EXPECT_LT(sky.at(v), 0.01F) << v;
+}
+
+TEST(SkyLight, EachSideHasItsOwnSky) {
+    const Mesh mesh = testing::turned_inside_out(testing::projected_sphere({.centre = {}, .radius = 1.0}, 0.2));
+    const RayScene scene(mesh);
+    const SkyLight inner(scene, mesh, 1e3, SkyLight::Side::Molecule);
+    for (VertexId v = 0; v < mesh.vertices.size(); ++v) EXPECT_LT(inner.at(v), 0.01F) << v;
+}
+
+TEST(SkyLight, WhatIsOutOfReachHidesNothing) {
+    Mesh mesh = testing::projected_sphere({.centre = {}, .radius = 1.0}, 0.3);
+    const std::size_t of_one = mesh.vertices.size();
+    Mesh lid = testing::projected_sphere({.centre = {0, 0, 9}, .radius = 3.0}, 0.5);
+    testing::append(mesh, lid);
+    mesh.normals.insert(mesh.normals.end(), lid.normals.begin(), lid.normals.end());
+    const auto top =
+        std::max_element(mesh.vertices.begin(), mesh.vertices.begin() + static_cast<std::ptrdiff_t>(of_one),
+                         [](const Vec3& a, const Vec3& b) { return a.z < b.z; });
+    const auto vertex = static_cast<VertexId>(top - mesh.vertices.begin());
+    const RayScene scene(mesh);
+    EXPECT_GT(SkyLight(scene, mesh, 4.0).at(vertex), 0.99F);
+    // A ball seen under the angle a above hides sin²(a) of a sky that is weighted by the cosine.
+    const double hidden = 9.0 / 64.0;
+    EXPECT_NEAR(SkyLight(scene, mesh, 1e6).at(vertex), 1.0 - hidden, 0.03);
+}
+
+}  // namespace
+}  // namespace meniscus
