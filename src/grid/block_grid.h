@@ -77,10 +77,11 @@ public:
 
     /// Position of an entry of a field, Å.
     Vec3 position(std::size_t entry) const {
+        constexpr std::size_t kEdge = kBlockEdge;
         const std::size_t node = entry % kBlockNodes;
-        const std::size_t y = node / kBlockEdge % kBlockEdge;
-        const std::size_t z = node / (kBlockEdge * kBlockEdge);
-        const Vec3 steps{static_cast<double>(node % kBlockEdge), static_cast<double>(y), static_cast<double>(z)};
+        const std::size_t y = node / kEdge % kEdge;
+        const std::size_t z = node / (kEdge * kEdge);
+        const Vec3 steps{static_cast<double>(node % kEdge), static_cast<double>(y), static_cast<double>(z)};
         return corner(static_cast<BlockId>(entry / kBlockNodes)) + spacing_ * steps;
     }
 
