@@ -47,6 +47,7 @@ void complete(SurfaceRequest& request) {
     if (recorded && request.surface.method != Method::Flow)
         throw UsageError("--history and --snapshots show the steps of a flow; use --method flow");
     request.surface.history = !request.flow.history.empty();
+    request.surface.initial_area = !request.report.empty();
 }
 
 }  // namespace

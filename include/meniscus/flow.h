@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 
 #include "meniscus/mesh.h"
@@ -47,7 +48,8 @@ struct FlowOptions {
     Reinitialiser reinitialiser = Reinitialiser::None;
     Solver solver = Solver::Cg;
     Slope slope = Slope::Unit;
-    double time_step = 16.0;  ///< τ, in units of spacing²; infinity with an anchor: the steady state in one solve
+    /// τ, in units of spacing². Infinity, with an anchor only: the steady state in one solve, whatever the start.
+    double time_step = std::numeric_limits<double>::infinity();
     double half_width = 3.0;  ///< k: unknowns are the nodes with |Φ| (anchored: |s|) below k spacings
     int max_steps = 30;
     /// Anchored: stop when mean |ΔΦ|/(τλ), an estimate of what is left, falls below so many spacings. Without an
@@ -108,7 +110,7 @@ struct FlowSummary {
     double mean_distance = 0.0;  ///< of the final mesh's vertices to the exact SES, Å
     double max_distance = 0.0;
     int solver_iterations = 0;  ///< over all steps
-    double initial_area = 0.0;  ///< Å², of the Gaussian start
+    double initial_area = 0.0;  ///< Å², of the Gaussian start; if asked for
     int reinitialisations = 0;
     int kept_step = 0;          ///< whose surface is the result: the last one, without an anchor the nearest to the SES
     std::string explanation{};  ///< why it did not converge; empty if it did

@@ -34,6 +34,7 @@ struct SurfaceOptions {
     double density = -0.5;            ///< constant C of the initial Gaussian map, Å^-2, negative
     FlowOptions flow{};               ///< which evolution Method::Flow runs
     bool history = false;             ///< keep a record of every step of the flow
+    bool initial_area = false;        ///< measure the Gaussian start, too, where the flow can do without
     Pieces pieces = Pieces::All;      ///< what the mesh keeps
     int threads = 0;                  ///< 0: all cores; results do not depend on it
     std::size_t memory_limit_mb = 0;  ///< 0: what the machine has available

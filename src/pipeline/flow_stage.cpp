@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "band/printed_curvature.h"
-#include "mesh/extract.h"
 #include "pipeline/surface_mesh.h"
 
 namespace meniscus {
@@ -109,7 +108,7 @@ std::string describe_end(const EvolutionResult& result) {
 
 // What became of a flow without an anchor.
 std::string describe_course(const EvolutionResult& result, const FlowRecord& record) {
-    if (!record.has_best()) return "";
+    if (!record.has_best()) return describe_end(result);
     const FlowStep& best = record.best_step();
     const FlowStep& last = record.last_step();
     const std::string end = describe_end(result);
@@ -128,21 +127,25 @@ void add_start(FlowRecord& record, const BlockGrid& grid, const std::vector<floa
 
 }  // namespace
 
+bool needs_start(const SurfaceOptions& options, const FlowObserver& observer) {
+    return std::isfinite(options.flow.time_step) || options.history || observer;
+}
+
 double flow_margin(const FlowOptions& options, double spacing) {
     return (options.half_width + kBandRim) * spacing + (options.anchor > 0.0 ? 0.0 : kRoom);
 }
 
 FlowOutcome run_flow(const AccessibleSurface& accessible, const std::shared_ptr<const BlockGrid>& grid,
-                     DistanceBand band, std::vector<float> start, const SurfaceOptions& options,
+                     DistanceBand band, const std::vector<float>& given_start, const SurfaceOptions& options,
                      const Progress& progress, const FlowObserver& observer) {
     const FlowOptions& flow = options.flow;
     const bool may_stray = flow.anchor == 0.0;
     const bool recorded = may_stray || options.history || observer;
     const std::vector<float> curvature = curvature_field(accessible, *grid, flow, band);
+    const std::vector<float>& start = given_start.empty() ? band.distance : given_start;
     const FlowFields fields{grid.get(), band.distance, curvature, band.margin};
     FlowRecord record(accessible, grid, observer);
     FlowOutcome outcome;
-    const double initial_area = measure_mesh(extract_zero_set(*grid, start)).area;
     if (recorded) add_start(record, *grid, start, flow.half_width);
 
     int iterations_before = 0;
@@ -157,7 +160,6 @@ FlowOutcome run_flow(const AccessibleSurface& accessible, const std::shared_ptr<
     });
 
     outcome.summary = summarise(result);
-    outcome.summary.initial_area = initial_area;
     outcome.summary.explanation = may_stray ? describe_course(result, record) : describe_end(result);
     if (may_stray && record.has_best()) {
         outcome.summary.kept_step = record.best_step().step;

@@ -17,16 +17,20 @@ namespace meniscus {
 /// How far the band of a flow reaches on both sides of the SES, Å. Without an anchor surfaces wander off.
 double flow_margin(const FlowOptions& options, double spacing);
 
+/// Whether the flow, or what is asked about it, depends on where it starts.
+bool needs_start(const SurfaceOptions& options, const FlowObserver& observer);
+
 struct FlowOutcome {
     FlowState state;
     FlowSummary summary;
     std::vector<FlowStep> history;
 };
 
-/// Runs the flow from node values `start`. Steps are meshed for `observer`, for the history where options ask for it,
-/// and for a flow without an anchor, of which the state nearest to the SES is the result.
+/// Runs the flow from node values `start`, which may be missing where it needs none. Steps are meshed for `observer`,
+/// for the history where options ask for it, and for a flow without an anchor, of which the state nearest to the SES is
+/// the result.
 FlowOutcome run_flow(const AccessibleSurface& accessible, const std::shared_ptr<const BlockGrid>& grid,
-                     DistanceBand band, std::vector<float> start, const SurfaceOptions& options,
+                     DistanceBand band, const std::vector<float>& start, const SurfaceOptions& options,
                      const Progress& progress, const FlowObserver& observer);
 
 }  // namespace meniscus

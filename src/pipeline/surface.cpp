@@ -16,6 +16,7 @@
 #include "measure/corrected.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
+#include "mesh/extract.h"
 #include "pipeline/flow_stage.h"
 #include "pipeline/surface_mesh.h"
 
@@ -33,6 +34,9 @@ constexpr Vec3 kGridShift{0.3819660, 0.2360680, 0.1458980};
 constexpr double kMeanDistanceBound = 0.1;  // in spacings
 
 constexpr double kWidestBand = 16.0;  // spacings
+
+// Nodes of a cell that the surface cuts are within its diagonal, the root of three spacings.
+constexpr double kMarchingMargin = 1.8;  // spacings
 
 class StageClock {
 public:
@@ -72,6 +76,12 @@ void check_options(const SurfaceOptions& options) {
     require(options.threads >= 0, "threads", options.threads, "0 (all cores) or more");
 }
 
+// How far the band reaches on both sides of the surface, Å.
+double margin_of(const SurfaceOptions& options) {
+    if (options.method == Method::Direct) return kMarchingMargin * options.spacing;
+    return flow_margin(options.method == Method::Flow ? options.flow : FlowOptions{}, options.spacing);
+}
+
 std::size_t block_limit(const SurfaceOptions& options) {
     const std::size_t bytes = options.memory_limit_mb > 0 ? options.memory_limit_mb << 20U : available_memory();
     return bytes / kBytesPerBlock;
@@ -88,10 +98,7 @@ struct Field {
 class Pipeline {
 public:
     Pipeline(const Atoms& atoms, const SurfaceOptions& options, const Progress& progress, const FlowObserver& observer)
-        : options_(options),
-          progress_(progress),
-          observer_(observer),
-          margin_(flow_margin(options.method == Method::Flow ? options.flow : FlowOptions{}, options.spacing)) {
+        : options_(options), progress_(progress), observer_(observer), margin_(margin_of(options)) {
         surface_.options = options;
         report("geometry", 0.0);
         accessible_ = std::make_unique<AccessibleSurface>(atoms, options.probe);
@@ -116,27 +123,42 @@ private:
     }
 
     Field make_field() {
-        const Lattice lattice{options_.spacing, options_.spacing * kGridShift};
         const GaussianDensity density(*accessible_, options_.density);
+        const bool evolves = options_.method == Method::Flow;
+        const bool from_density = options_.method == Method::Gaussian || (evolves && needs_start(options_, observer_));
+        Field field;
+        field.grid = make_grid(options_.method != Method::Gaussian, from_density ? &density : nullptr, margin_);
+        report("band", 0.2);
+        if (options_.method == Method::Gaussian)
+            make_envelope(density, field);
+        else if (evolves)
+            evolve_start(from_density ? &density : nullptr, field);
+        else
+            sample_exact(field);
+        if (evolves && options_.initial_area) measure_start(density);
+        return field;
+    }
+
+    /// The blocks near the exact surface, the Gaussian envelope, or both.
+    std::shared_ptr<const BlockGrid> make_grid(bool exact, const GaussianDensity* density, double margin) const {
+        const Lattice lattice{options_.spacing, options_.spacing * kGridShift};
         const std::size_t limit = block_limit(options_);
         std::vector<BlockCoord> blocks;
-        if (options_.method != Method::Gaussian) blocks = blocks_near_surface(*accessible_, lattice, margin_, limit);
-        if (options_.method != Method::Direct) {
-            const std::vector<BlockCoord> more = density.blocks_near_surface(lattice, margin_, limit);
+        if (exact) blocks = blocks_near_surface(*accessible_, lattice, margin, limit);
+        if (density != nullptr) {
+            const std::vector<BlockCoord> more = density->blocks_near_surface(lattice, margin, limit);
             std::vector<BlockCoord> all;
             std::set_union(blocks.begin(), blocks.end(), more.begin(), more.end(), std::back_inserter(all));
             blocks = std::move(all);
         }
-        Field field;
-        field.grid = std::make_shared<const BlockGrid>(lattice.spacing, lattice.origin, std::move(blocks));
-        report("band", 0.2);
-        if (options_.method == Method::Gaussian)
-            make_envelope(density, field);
-        else if (options_.method == Method::Direct)
-            sample_exact(field);
-        else
-            evolve_start(density, field);
-        return field;
+        return std::make_shared<const BlockGrid>(lattice.spacing, lattice.origin, std::move(blocks));
+    }
+
+    void measure_start(const GaussianDensity& density) {
+        const double margin = kMarchingMargin * options_.spacing;
+        const auto grid = make_grid(false, &density, margin);
+        surface_.flow.initial_area = measure_mesh(extract_zero_set(*grid, density.sample(*grid, margin))).area;
+        surface_.seconds.flow += clock_.lap();
     }
 
     void sample_exact(Field& field) {
@@ -153,15 +175,16 @@ private:
         report("band", 1.0);
     }
 
-    void evolve_start(const GaussianDensity& density, Field& field) {
+    void evolve_start(const GaussianDensity* density, Field& field) {
         DistanceBand band = sample_distance(*accessible_, *field.grid, margin_);
         report("band", 0.8);
-        std::vector<float> start = density.sample(*field.grid, margin_);
+        std::vector<float> start;
+        if (density != nullptr) start = density->sample(*field.grid, margin_);
         surface_.seconds.band = clock_.lap();
         report("band", 1.0);
 
         FlowOutcome outcome =
-            run_flow(*accessible_, field.grid, std::move(band), std::move(start), options_, progress_, observer_);
+            run_flow(*accessible_, field.grid, std::move(band), start, options_, progress_, observer_);
         surface_.flow = std::move(outcome.summary);
         surface_.history = std::move(outcome.history);
         field.values = std::move(outcome.state.values);

@@ -79,6 +79,28 @@ TEST(FlowStage, RecordsEveryStepOnDemand) {
     EXPECT_EQ(silent.mesh.vertices, surface.mesh.vertices);
 }
 
+TEST(FlowStage, MeasuresTheStartOnDemandWithoutATrace) {
+    SurfaceOptions options;
+    const Surface without = compute_surface(kPair, options);
+    EXPECT_EQ(without.flow.initial_area, 0.0);
+    options.initial_area = true;
+    const Surface measured = compute_surface(kPair, options);
+    EXPECT_EQ(measured.mesh.vertices, without.mesh.vertices);
+    options.method = Method::Gaussian;
+    EXPECT_NEAR(measured.flow.initial_area, compute_surface(kPair, options).measures.area, 0.02 * without.measures.area);
+}
+
+TEST(FlowStage, TheSteadyStateInOneSolveDoesNotKnowTheStart) {
+    SurfaceOptions options;
+    const Surface one = compute_surface(kPair, options);
+    options.density = -4.0;
+    options.history = true;
+    const Surface other = compute_surface(kPair, options);
+    EXPECT_EQ(one.mesh.vertices, other.mesh.vertices);
+    EXPECT_EQ(one.flow.steps, 1);
+    EXPECT_TRUE(std::isinf(one.flow.time));
+}
+
 TEST(FlowStage, ShowsEveryStepToAnObserver) {
     std::vector<int> steps;
     const Surface surface = compute_surface(kPair, {}, {}, [&](const FlowStep& step, const Mesh& mesh) {
