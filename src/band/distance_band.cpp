@@ -4,180 +4,158 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <memory>
+#include <numbers>
+#include <numeric>
 
 #include "core/parallel.h"
-#include "geometry/nearest_feature.h"
-#include "geometry/parallel_curvature.h"
 
 namespace meniscus {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kBlocksPerChunk = 16;
+constexpr std::size_t kGroupsPerChunk = 2;
+constexpr double kGroupEdge = 8.0;  // Å: blocks within this share one descent of the trees
+constexpr int kLongestShift = 4;
+constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding
 
 // Clamps to ±limit; a NaN (0/0 on the SAS itself) becomes the limit.
 double clamped(double value, double limit) { return value > -limit ? (value < limit ? value : limit) : -limit; }
 
-int node_x(int node) { return node % kBlockEdge; }
-int node_y(int node) { return node / kBlockEdge % kBlockEdge; }
-int node_z(int node) { return node / (kBlockEdge * kBlockEdge); }
+Box box_of_nodes(const Vec3& corner, int edge, double spacing) {
+    const double length = (edge - 1) * spacing;
+    return {corner, corner + Vec3{length, length, length}};
+}
+
+// Of a unit's first node from the block's, in spacings.
+Vec3 unit_steps(int unit) {
+    return BlockDistance::kUnitEdge * Vec3{1.0 * (unit & 1), 1.0 * (unit >> 1 & 1), 1.0 * (unit >> 2)};
+}
+
+// Calls visit(point of the unit, node of the block).
+template <class Visit>
+void for_each_node(int unit, const Visit& visit) {
+    constexpr int kEdge = BlockDistance::kUnitEdge;
+    const int first = kEdge * node_in_block(unit & 1, unit >> 1 & 1, unit >> 2);
+    std::size_t point = 0;
+    for (int z = 0; z < kEdge; ++z)
+        for (int y = 0; y < kEdge; ++y)
+            for (int x = 0; x < kEdge; ++x) visit(point++, static_cast<std::size_t>(first + node_in_block(x, y, z)));
+}
+
+// Blocks in cubes of a power of two on an edge, for which features are gathered together.
+class BlockGroups {
+public:
+    explicit BlockGroups(const BlockGrid& grid) : shift_(shift_of(grid.spacing())), blocks_(grid.block_count()) {
+        std::iota(blocks_.begin(), blocks_.end(), BlockId{0});
+        const auto group = [&](BlockId b) { return group_of(grid.coord(b)); };
+        std::stable_sort(blocks_.begin(), blocks_.end(), [&](BlockId a, BlockId b) { return group(a) < group(b); });
+        for (std::size_t i = 0; i < blocks_.size(); ++i)
+            if (i == 0 || group(blocks_[i - 1]) != group(blocks_[i])) begins_.push_back(i);
+        begins_.push_back(blocks_.size());
+    }
+
+    std::size_t size() const { return begins_.size() - 1; }
+    std::span<const BlockId> blocks(std::size_t group) const {
+        return std::span(blocks_).subspan(begins_[group], begins_[group + 1] - begins_[group]);
+    }
+
+private:
+    static int shift_of(double spacing) {
+        int shift = 0;
+        while (shift < kLongestShift && 2.0 * (kBlockEdge << shift) * spacing <= kGroupEdge) ++shift;
+        return shift;
+    }
+    BlockCoord group_of(const BlockCoord& c) const { return {c.z >> shift_, c.y >> shift_, c.x >> shift_}; }
+
+    int shift_;
+    std::vector<BlockId> blocks_;
+    std::vector<std::size_t> begins_;
+};
 
 }  // namespace
 
 BlockDistance::BlockDistance(const AccessibleSurface& surface, double spacing, double margin)
-    : surface_(&surface), data_(&surface.data()), local_(surface, margin), spacing_(spacing), margin_(margin) {}
-
-Vec3 BlockDistance::position(int node) const {
-    return corner_ + Vec3{spacing_ * node_x(node), spacing_ * node_y(node), spacing_ * node_z(node)};
+    : spacing_(spacing),
+      margin_(margin),
+      half_unit_(kAboveOne * 0.5 * std::numbers::sqrt3 * (kUnitEdge - 1) * spacing),
+      around_(surface, margin + half_unit_),
+      block_(surface, margin + half_unit_),
+      batch_(surface) {
+    for (int n = 0; n < kUnitNodes; ++n)
+        offsets_[n] = spacing * Vec3{1.0 * (n % kUnitEdge), 1.0 * (n / kUnitEdge % kUnitEdge),
+                                     1.0 * (n / (kUnitEdge * kUnitEdge))};
 }
 
-BlockDistance::NodeRange BlockDistance::nodes_in(const Box& box) const {
-    const auto first = [&](double offset) {
-        return static_cast<int>(std::clamp(std::ceil(offset / spacing_), 0.0, double{kBlockEdge}));
-    };
-    const auto last = [&](double offset) {
-        return static_cast<int>(std::clamp(std::floor(offset / spacing_) + 1.0, 0.0, double{kBlockEdge}));
-    };
-    const Vec3 low = box.low - corner_;
-    const Vec3 high = box.high - corner_;
-    return {{first(low.x), first(low.y), first(low.z)}, {last(high.x), last(high.y), last(high.z)}};
-}
-
-void BlockDistance::find_deepest_balls() {
-    std::fill_n(depth_, kBlockNodes, -kInfinity);
-    std::fill_n(ball_, kBlockNodes, 0);
-    const auto balls = local_.balls();
-    for (std::size_t b = 0; b < balls.size(); ++b) {
-        const Vec3 from = corner_ - data_->atoms.centres[balls[b]];
-        const double rho = data_->rho[balls[b]];
-        for (int row = 0; row < kBlockEdge * kBlockEdge; ++row) {
-            const int y = row % kBlockEdge;
-            const int z = row / kBlockEdge;
-            const double dy = from.y + spacing_ * y;
-            const double dz = from.z + spacing_ * z;
-            const double yz = dy * dy + dz * dz;
-            double* depth = depth_ + node_in_block(0, y, z);
-            std::int64_t* ball = ball_ + node_in_block(0, y, z);
-            for (int x = 0; x < kBlockEdge; ++x) {
-                const double dx = from.x + spacing_ * x;
-                const double here = rho - std::sqrt(dx * dx + yz);
-                ball[x] = here > depth[x] ? static_cast<std::int64_t>(b) : ball[x];
-                depth[x] = here > depth[x] ? here : depth[x];
-            }
-        }
-    }
-}
-
-void BlockDistance::claim_by_balls() {
-    open_ = 0;
-    for (int node = 0; node < kBlockNodes; ++node) {
-        squared_arc_[node] = kInfinity;
-        if (depth_[node] > data_->probe + margin_) {
-            claim_[node] = Claim::Deep;
-            continue;
-        }
-        const bool beyond_all = std::isinf(depth_[node]);  // no ball near: in K, farther than margin
-        const NearestBall ball{
-            beyond_all ? 0 : local_.balls()[static_cast<std::size_t>(ball_[node])], depth_[node],
-            beyond_all ? 0.0 : data_->rho[local_.balls()[static_cast<std::size_t>(ball_[node])]] - depth_[node]};
-        const bool owned = beyond_all || owned_by_ball(*data_, ball, position(node));
-        claim_[node] = owned ? Claim::Ball : Claim::Open;
-        open_ += owned ? 0 : 1;
-    }
-}
-
-void BlockDistance::offer_arcs() {
-    constexpr double kSlack = 1e-6;  // Å, for rounding at the borders of cells
-    for (const std::uint32_t a : local_.arcs()) {
-        const SasArc& arc = data_->arcs[a];
-        const NodeRange range = nodes_in(data_->arc_cells[a].grown(kSlack));
-        for (int z = range.begin[2]; z < range.end[2]; ++z)
-            for (int y = range.begin[1]; y < range.end[1]; ++y)
-                for (int x = range.begin[0]; x < range.end[0]; ++x) {
-                    const int node = node_in_block(x, y, z);
-                    if (claim_[node] != Claim::Open) continue;
-                    const ArcFoot foot = foot_on_arc(arc, position(node));
-                    if (!foot.within || foot.squared_distance >= squared_arc_[node]) continue;
-                    squared_arc_[node] = foot.squared_distance;
-                    arc_[node] = a;
-                    if (in_arc_cell(arc, foot)) {
-                        claim_[node] = Claim::Arc;
-                        --open_;
-                    }
-                }
-    }
-}
-
-void BlockDistance::offer_vertices() {
-    const double reach = data_->probe + margin_;
-    for (const std::uint32_t v : local_.vertices()) {
-        const Vec3 from = corner_ - data_->vertices[v].position;
-        Box box;
-        box.include(data_->vertices[v].position);
-        const NodeRange range = nodes_in(box.grown(reach));
-        for (int z = range.begin[2]; z < range.end[2]; ++z)
-            for (int y = range.begin[1]; y < range.end[1]; ++y) {
-                const double dy = from.y + spacing_ * y;
-                const double dz = from.z + spacing_ * z;
-                const double yz = dy * dy + dz * dz;
-                double* nearest = squared_vertex_ + node_in_block(0, y, z);
-                for (int x = 0; x < kBlockEdge; ++x) {  // whole rows, claimed or not: it vectorises
-                    const double dx = from.x + spacing_ * x;
-                    nearest[x] = std::min(nearest[x], dx * dx + yz);
-                }
-            }
-    }
-}
-
-BlockDistance::Sample BlockDistance::sample(int node) const {
-    if (claim_[node] == Claim::Deep) return {-kInfinity, 0.0};
-    if (claim_[node] == Claim::Ball) {
-        if (std::isinf(depth_[node])) return {kInfinity, 0.0};
-        const double l = data_->rho[local_.balls()[static_cast<std::size_t>(ball_[node])]] - depth_[node];
-        return {data_->probe - depth_[node], contact_curvature(l)};
-    }
-    if (claim_[node] == Claim::Open && squared_vertex_[node] <= squared_arc_[node]) {
-        const double distance = std::sqrt(squared_vertex_[node]);  // infinite: no feature within probe + margin
-        return {data_->probe - distance, reentrant_curvature(distance)};
-    }
-    const double distance = std::sqrt(squared_arc_[node]);
-    const SasArc& arc = data_->arcs[arc_[node]];
-    const double from_axis = foot_on_arc(arc, position(node)).from_axis;
-    return {data_->probe - distance, toroidal_curvature(arc.radius, from_axis, distance)};
-}
-
-void BlockDistance::evaluate(const Vec3& corner, std::span<float, kBlockNodes> distance,
-                             std::span<float, kBlockNodes> curvature) {
-    corner_ = corner;
+// The distance changes by at most 1 per Å: that of its middle settles a unit that is far from the band.
+void BlockDistance::screen_units(const Vec3& corner) {
+    const double to_middle = 0.5 * (kUnitEdge - 1);
+    Vec3 middles[kUnits];
     Box box;
-    box.include(corner);
-    box.include(position(kBlockNodes - 1));
-    local_.gather(box);
-    find_deepest_balls();
-    claim_by_balls();
-    if (open_ > 0) offer_arcs();
-    std::fill_n(squared_vertex_, kBlockNodes, kInfinity);
-    if (open_ > 0) offer_vertices();
-    for (int node = 0; node < kBlockNodes; ++node) {
-        const auto [s, h] = sample(node);
-        const auto at = static_cast<std::size_t>(node);
-        distance[at] = static_cast<float>(clamped(s, margin_));
-        curvature[at] = std::abs(s) < margin_ ? static_cast<float>(clamped(h, 1.0 / spacing_)) : 0.0F;
+    for (int u = 0; u < kUnits; ++u) {
+        middles[u] = corner + spacing_ * (unit_steps(u) + to_middle * Vec3{1.0, 1.0, 1.0});
+        box.include(middles[u]);
     }
+    const Claim all = batch_.start(block_, box, block_.margin());
+    if (all == Claim::Open) batch_.find(middles);
+    for (std::size_t u = 0; u < kUnits; ++u) sides_[u] = all == Claim::Open ? batch_.claim(u) : all;
 }
 
-DistanceBand sample_distance(const AccessibleSurface& surface, const BlockGrid& grid, double margin) {
+void BlockDistance::evaluate(const Vec3& corner, const BlockSamples& samples) {
+    block_.gather_from(around_, box_of_nodes(corner, kBlockEdge, spacing_));
+    screen_units(corner);
+    for (int u = 0; u < kUnits; ++u) evaluate_unit(u, corner + spacing_ * unit_steps(u), samples);
+}
+
+void BlockDistance::evaluate_unit(int unit, const Vec3& corner, const BlockSamples& samples) {
+    Claim side = sides_[unit];
+    if (side != Claim::Below && side != Claim::Above)
+        side = batch_.start(block_, box_of_nodes(corner, kUnitEdge, spacing_), margin_);
+    if (side == Claim::Below || side == Claim::Above) return fill_unit(unit, side, samples);
+    for (int n = 0; n < kUnitNodes; ++n) points_[n] = corner + offsets_[n];
+    batch_.find(points_);
+    for_each_node(unit, [&](std::size_t point, std::size_t node) { write(point, node, samples); });
+}
+
+void BlockDistance::fill_unit(int unit, Claim side, const BlockSamples& samples) const {
+    const auto distance = static_cast<float>(side == Claim::Below ? -margin_ : margin_);
+    for_each_node(unit, [&](std::size_t, std::size_t node) {
+        samples.distance[node] = distance;
+        if (!samples.curvature.empty()) samples.curvature[node] = 0.0F;
+    });
+}
+
+void BlockDistance::write(std::size_t point, std::size_t node, const BlockSamples& samples) const {
+    const Claim claim = batch_.claim(point);
+    const bool found = claim == Claim::Ball || claim == Claim::Edge;
+    const double s = found ? batch_.signed_distance(point) : (claim == Claim::Below ? -margin_ : margin_);
+    samples.distance[node] = static_cast<float>(clamped(s, margin_));
+    if (samples.curvature.empty()) return;
+    const bool within = std::abs(s) < margin_;
+    samples.curvature[node] = within ? static_cast<float>(clamped(batch_.mean_curvature(point), 1.0 / spacing_)) : 0.0F;
+}
+
+DistanceBand sample_distance(const AccessibleSurface& surface, const BlockGrid& grid, double margin,
+                             BandFields fields) {
     DistanceBand band;
     band.margin = margin;
     band.distance.resize(grid.node_count());
-    band.curvature.resize(grid.node_count());
-    parallel_chunks(grid.block_count(), kBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
+    if (fields == BandFields::DistanceAndCurvature) band.curvature.resize(grid.node_count());
+    const BlockGroups groups(grid);
+    parallel_chunks(groups.size(), kGroupsPerChunk, [&](std::size_t begin, std::size_t end) {
         const auto evaluator = std::make_unique<BlockDistance>(surface, grid.spacing(), margin);
-        for (std::size_t b = begin; b < end; ++b)
-            evaluator->evaluate(grid.corner(static_cast<BlockId>(b)),
-                                std::span<float, kBlockNodes>(band.distance.data() + b * kBlockNodes, kBlockNodes),
-                                std::span<float, kBlockNodes>(band.curvature.data() + b * kBlockNodes, kBlockNodes));
+        for (std::size_t g = begin; g < end; ++g) {
+            Box box;
+            for (const BlockId b : groups.blocks(g))
+                box.include(box_of_nodes(grid.corner(b), kBlockEdge, grid.spacing()));
+            evaluator->enter(box);
+            for (const BlockId b : groups.blocks(g)) {
+                const std::size_t first = std::size_t{b} * kBlockNodes;
+                evaluator->evaluate(grid.corner(b),
+                                    {std::span<float, kBlockNodes>(band.distance.data() + first, kBlockNodes),
+                                     band.curvature.empty() ? std::span<float>()
+                                                            : std::span(band.curvature).subspan(first, kBlockNodes)});
+            }
+        }
     });
     return band;
 }

@@ -3,70 +3,73 @@
 // The exact signed distance and the curvature of its level surfaces, sampled on the nodes of the band.
 #pragma once
 
-#include <memory>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "geometry/local_features.h"
+#include "geometry/nearest_batch.h"
 #include "grid/block_grid.h"
 #include "meniscus/accessible_surface.h"
 
 namespace meniscus {
+
+/// What to sample. Without the curvature it is a little quicker.
+enum class BandFields : std::uint8_t { Distance, DistanceAndCurvature };
 
 /// One entry per node of the grid.
 struct DistanceBand {
     double margin = 0.0;           ///< Å
     std::vector<float> distance;   ///< signed distance to the SES, clamped to ±margin, Å
     std::vector<float> curvature;  ///< mean curvature of the parallel surface, clamped to ±1/spacing, Å^-1;
-                                   ///< 0 where the distance is clamped
+                                   ///< 0 where the distance is clamped; empty if not asked for
 };
 
 /// Samples every node of the grid.
 ///
 /// cost     parallel over blocks
-DistanceBand sample_distance(const AccessibleSurface& surface, const BlockGrid& grid, double margin);
+DistanceBand sample_distance(const AccessibleSurface& surface, const BlockGrid& grid, double margin,
+                             BandFields fields = BandFields::DistanceAndCurvature);
+
+/// Where the samples of one block go. curvature: empty, or one entry per node.
+struct BlockSamples {
+    std::span<float, kBlockNodes> distance;
+    std::span<float> curvature;
+};
 
 /// Evaluates all nodes of one block after the other, reusing its memory.
 class BlockDistance {
 public:
     BlockDistance(const AccessibleSurface& surface, double spacing, double margin);
 
+    /// Goes to a box whose blocks will be evaluated.
+    void enter(const Box& box) { around_.gather(box); }
+
     /// corner: position of node (0, 0, 0)
-    void evaluate(const Vec3& corner, std::span<float, kBlockNodes> distance, std::span<float, kBlockNodes> curvature);
+    void evaluate(const Vec3& corner, const BlockSamples& samples);
+
+    // As many nodes as the batch takes at once; two along each axis make up a block.
+    static constexpr int kUnitEdge = kBlockEdge / 2;
+    static constexpr int kUnitNodes = kUnitEdge * kUnitEdge * kUnitEdge;
+    static constexpr int kUnits = kBlockNodes / kUnitNodes;
 
 private:
-    struct NodeRange {
-        int begin[3];
-        int end[3];
-    };
-    struct Sample {
-        double distance;
-        double curvature;
-    };
+    using Claim = NearestBatch::Claim;
 
-    Vec3 position(int node) const;
-    NodeRange nodes_in(const Box& box) const;
-    void find_deepest_balls();
-    void claim_by_balls();
-    void offer_arcs();
-    void offer_vertices();
-    Sample sample(int node) const;
+    void screen_units(const Vec3& corner);
+    void evaluate_unit(int unit, const Vec3& corner, const BlockSamples& samples);
+    void fill_unit(int unit, Claim side, const BlockSamples& samples) const;
+    void write(std::size_t point, std::size_t node, const BlockSamples& samples) const;
 
-    enum class Claim : std::uint8_t { Open, Ball, Deep, Arc };
-    alignas(64) double depth_[kBlockNodes];
-    alignas(64) std::int64_t ball_[kBlockNodes];      // position in local_.balls(), as wide as depth_ to vectorise
-    alignas(64) double squared_vertex_[kBlockNodes];  // distance² of the nearest vertex
-    double squared_arc_[kBlockNodes];                 // and of the nearest arc
-    std::uint32_t arc_[kBlockNodes];
-    Claim claim_[kBlockNodes];
-
-    const AccessibleSurface* surface_;
-    const AccessibleSurface::Data* data_;
-    LocalFeatures local_;
     double spacing_;
     double margin_;
-    Vec3 corner_;
-    int open_ = 0;
+    double half_unit_;      // Å: half a unit's diagonal
+    LocalFeatures around_;  // of many blocks
+    LocalFeatures block_;
+    NearestBatch batch_;
+    Vec3 offsets_[kUnitNodes];  // of the unit's nodes from its first
+    Vec3 points_[kUnitNodes];
+    Claim sides_[kUnits];  // Below and Above are for all nodes of the unit
 };
 
 }  // namespace meniscus

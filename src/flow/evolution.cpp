@@ -16,7 +16,7 @@ namespace meniscus {
 namespace {
 
 constexpr std::size_t kNodesPerChunk = std::size_t{32} * kBlockNodes;
-constexpr double kSolverAccuracy = 3e-5;  // root mean square error of Φ per solve, in spacings
+constexpr double kSolverAccuracy = 2e-5;  // root mean square error of Φ per solve, in spacings
 constexpr int kPatience = 3;              // steps in which the residual of an anchored flow must halve
 constexpr int kEdgeOfBand = 2;            // nodes from a missing block where a flow is said to have left the band
 

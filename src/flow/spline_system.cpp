@@ -16,24 +16,35 @@ constexpr std::size_t kRestart = 30;  // of GMRES
 
 using BlockValues = std::array<float, kBlockNodes>;
 
-void apply_to_block(const BlockGrid& grid, const Stencil& stencil, std::span<const float> field, BlockId block,
-                    float fill, std::span<float, kBlockNodes> result) {
-    std::array<float, kPaddedNodes> padded;
-    gather_padded<float>(grid, field, block, fill, padded);
-    apply_stencil(stencil, padded, result);
-}
+constexpr BlockValues kZeros{};
 
-// Calls term(block's first node) for every listed block and adds what it returns, in the list's order.
-template <class Term>
-double sum_over(std::span<const BlockId> blocks, const Term& term) {
-    return parallel_sum<double>(blocks.size(), kBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
-        double sum = 0.0;
-        for (std::size_t k = begin; k < end; ++k) sum += term(blocks[k]);
+// Sum of term(k) over `blocks` blocks, in their order.
+template <class T, class Term>
+T sum_over(std::size_t blocks, const Term& term) {
+    return parallel_sum<T>(blocks, kBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
+        T sum{};
+        for (std::size_t k = begin; k < end; ++k) sum += term(k);
         return sum;
     });
 }
 
-// Least squares min |e1·norm - H y| for a Hessenberg matrix H that grows by columns.
+// Calls body(around) with the nodes of the blocks around `block` in a field of
+// the grid, `fill` where there are none.
+template <class Body>
+auto with_blocks_around(const BlockGrid& grid, std::span<const float> field, BlockId block, float fill,
+                        const Body& body) {
+    BlockValues missing;
+    missing.fill(fill);
+    BlocksAround around;
+    for (std::size_t slot = 0; slot < std::size(around); ++slot) {
+        const BlockId b = grid.neighbours(block)[slot];
+        around[slot] = b == kNoBlock ? missing.data() : field.data() + std::size_t{b} * kBlockNodes;
+    }
+    return body(around);
+}
+
+// Least squares min |e1·norm - H y| for a Hessenberg matrix H that grows by
+// columns.
 class HessenbergSolver {
 public:
     explicit HessenbergSolver(double norm) : right_{norm} {}
@@ -77,170 +88,167 @@ private:
     std::vector<double> right_;
 };
 
-}  // namespace
+std::vector<float> scaled(const std::vector<float>& vector, double scale) {
+    std::vector<float> result(vector.size());
+    const auto factor = static_cast<float>(scale);
+    parallel_for(vector.size(), kBlocksPerChunk * kBlockNodes, [&](std::size_t n) { result[n] = factor * vector[n]; });
+    return result;
+}
 
+NodeBits bits_of(const std::uint8_t* mask) {
+    NodeBits bits{};
+    for (std::size_t n = 0; n < kBlockNodes; ++n)
+        bits.rows[n / kBlockEdge] = static_cast<std::uint8_t>(bits.rows[n / kBlockEdge] | mask[n] << n % kBlockEdge);
+    return bits;
+}
+
+}  // namespace
 void apply_everywhere(const BlockGrid& grid, const Stencil& stencil, std::span<const float> field,
                       const BlockFill& fill, std::span<float> result) {
+    const BlockKernels& kernels = block_kernels();
     parallel_for(grid.block_count(), kBlocksPerChunk, [&](std::size_t b) {
-        apply_to_block(grid, stencil, field, static_cast<BlockId>(b), fill[b],
-                       std::span<float, kBlockNodes>(result.data() + b * kBlockNodes, kBlockNodes));
+        with_blocks_around(grid, field, static_cast<BlockId>(b), fill[b], [&](const BlocksAround& around) {
+            kernels.apply(weights_of(stencil), around, result.data() + b * kBlockNodes);
+        });
     });
 }
 
-SplineSystem::SplineSystem(const BlockGrid& grid)
-    : grid_(&grid), residual_(grid.node_count()), direction_(grid.node_count()), image_(grid.node_count()) {}
+SplineSystem::SplineSystem(const BlockGrid& grid) : grid_(&grid) {}
 
-// residual = b - A x on the mask, 0 elsewhere; returns its squared norm.
-double SplineSystem::start(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill,
-                           std::span<const float> b, std::span<const float> x) {
+// The vectors may keep old values: begin() writes all of residual and
+// direction, apply() all of image.
+void SplineSystem::find_active(const NodeMask& mask) {
     active_.clear();
+    sets_.clear();
     unknowns_ = 0;
+    place_.assign(grid_->block_count(), kNoBlock);
     for (BlockId block = 0; block < grid_->block_count(); ++block) {
-        const auto first = mask.begin() + static_cast<std::ptrdiff_t>(std::size_t{block} * kBlockNodes);
-        const auto count = static_cast<std::size_t>(std::count(first, first + kBlockNodes, std::uint8_t{1}));
-        if (count > 0) active_.push_back(block);
+        const std::uint8_t* in = mask.data() + std::size_t{block} * kBlockNodes;
+        const auto count = static_cast<std::size_t>(std::count(in, in + kBlockNodes, std::uint8_t{1}));
+        if (count == 0) continue;
+        place_[block] = static_cast<std::uint32_t>(active_.size());
+        active_.push_back(block);
         unknowns_ += count;
+        sets_.push_back(bits_of(in));
     }
-    // Inactive neighbours are read by the stencil: they must hold zero, whatever an earlier solve left there.
-    std::fill(direction_.begin(), direction_.end(), 0.0F);
-    return sum_over(active_, [&](BlockId block) {
-        BlockValues image;
-        apply_to_block(*grid_, stencil, x, block, fill[block], image);
-        const std::size_t first = std::size_t{block} * kBlockNodes;
-        double sum = 0.0;
-        for (std::size_t n = 0; n < kBlockNodes; ++n) {
-            const float r = mask[first + n] != 0 ? b[first + n] - image[n] : 0.0F;
-            residual_[first + n] = direction_[first + n] = r;
-            sum += double{r} * r;
-        }
-        return sum;
+    residual_.resize(active_.size() * kBlockNodes);
+    direction_.resize(residual_.size());
+    image_.resize(residual_.size());
+}
+
+// residual = direction = b - A x on the unknowns; returns its squared norm.
+double SplineSystem::begin(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
+                           std::span<const float> x) {
+    const BlockKernels& kernels = block_kernels();
+    return sum_over<double>(active_.size(), [&](std::size_t k) {
+        const BlockId block = active_[k];
+        return with_blocks_around(*grid_, x, block, fill[block], [&](const BlocksAround& around) {
+            return kernels.begin(weights_of(stencil), around, sets_[k], b.data() + std::size_t{block} * kBlockNodes,
+                                 residual_.data() + k * kBlockNodes, direction_.data() + k * kBlockNodes);
+        });
     });
 }
 
-// image = A direction on the mask; returns direction · image.
-double SplineSystem::apply(const Stencil& stencil, const NodeMask& mask) {
-    return sum_over(active_, [&](BlockId block) {
-        BlockValues image;
-        apply_to_block(*grid_, stencil, direction_, block, 0.0F, image);
-        const std::size_t first = std::size_t{block} * kBlockNodes;
-        double sum = 0.0;
-        for (std::size_t n = 0; n < kBlockNodes; ++n) {
-            const float value = mask[first + n] != 0 ? image[n] : 0.0F;
-            image_[first + n] = value;
-            sum += double{value} * direction_[first + n];
+// image = A direction on the unknowns.
+ImageProducts SplineSystem::apply(const Stencil& stencil) {
+    const BlockKernels& kernels = block_kernels();
+    return sum_over<ImageProducts>(active_.size(), [&](std::size_t k) {
+        BlocksAround around;
+        for (std::size_t slot = 0; slot < std::size(around); ++slot) {
+            const BlockId b = grid_->neighbours(active_[k])[slot];
+            const std::uint32_t at = b == kNoBlock ? kNoBlock : place_[b];
+            around[slot] = at == kNoBlock ? kZeros.data() : direction_.data() + std::size_t{at} * kBlockNodes;
         }
-        return sum;
+        return kernels.apply_to_set(weights_of(stencil), around, sets_[k], image_.data() + k * kBlockNodes);
     });
 }
 
-// x += alpha direction, residual -= alpha image; returns the residual's squared norm.
-double SplineSystem::advance(double alpha, std::span<float> x) {
-    const auto step = static_cast<float>(alpha);
-    return sum_over(active_, [&](BlockId block) {
-        const std::size_t first = std::size_t{block} * kBlockNodes;
-        double sum = 0.0;
-        for (std::size_t n = first; n < first + kBlockNodes; ++n) {
-            x[n] += step * direction_[n];
-            residual_[n] -= step * image_[n];
-            sum += double{residual_[n]} * residual_[n];
-        }
-        return sum;
-    });
-}
-
-void SplineSystem::turn(double beta) {
-    const auto keep = static_cast<float>(beta);
-    parallel_for(active_.size(), kBlocksPerChunk, [&](std::size_t k) {
-        const std::size_t first = std::size_t{active_[k]} * kBlockNodes;
-        for (std::size_t n = first; n < first + kBlockNodes; ++n) direction_[n] = residual_[n] + keep * direction_[n];
+double SplineSystem::advance(const CgFactors& factors, std::span<float> x) {
+    const BlockKernels& kernels = block_kernels();
+    return sum_over<double>(active_.size(), [&](std::size_t k) {
+        const std::size_t at = k * kBlockNodes;
+        return kernels.advance(factors, image_.data() + at, x.data() + std::size_t{active_[k]} * kBlockNodes,
+                               residual_.data() + at, direction_.data() + at);
     });
 }
 
 SolveResult SplineSystem::solve(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill,
                                 std::span<const float> b, std::span<float> x, const SolveOptions& options) {
-    return options.solver == Solver::Cg ? solve_cg(stencil, mask, fill, b, x, options)
-                                        : solve_gmres(stencil, mask, fill, b, x, options);
+    find_active(mask);
+    return options.solver == Solver::Cg ? solve_cg(stencil, fill, b, x, options)
+                                        : solve_gmres(stencil, fill, b, x, options);
 }
 
 double SplineSystem::root_mean_square(double squared_norm) const {
     return unknowns_ > 0 ? std::sqrt(squared_norm / static_cast<double>(unknowns_)) : 0.0;
 }
 
-SolveResult SplineSystem::solve_cg(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill,
-                                   std::span<const float> b, std::span<float> x, const SolveOptions& options) {
-    double squared = start(stencil, mask, fill, b, x);
+// The next residual's norm is known before the step from that of the image,
+// because the residual is orthogonal to the image of the direction before: one
+// pass over memory does all of a step. Only beta rests on it; the norm itself
+// is summed again, or rounding would add up (Meurant 1987; Chen & Carson 2020).
+SolveResult SplineSystem::solve_cg(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
+                                   std::span<float> x, const SolveOptions& options) {
+    double squared = begin(stencil, fill, b, x);
     SolveResult result{0, root_mean_square(squared)};
     while (result.residual > options.tolerance && result.iterations < options.max_iterations) {
-        const double alpha = squared / apply(stencil, mask);
-        const double next = advance(alpha, x);
-        turn(next / squared);
-        squared = next;
+        const ImageProducts products = apply(stencil);
+        const double alpha = squared / products.with_direction;
+        const double beta = std::max(0.0, alpha * alpha * products.with_itself / squared - 1.0);
+        squared = advance({static_cast<float>(alpha), static_cast<float>(beta)}, x);
         ++result.iterations;
         result.residual = root_mean_square(squared);
     }
     return result;
 }
 
-void SplineSystem::copy_scaled(std::span<const float> field, double scale, std::vector<float>& vector) const {
-    const auto factor = static_cast<float>(scale);
-    vector.resize(active_.size() * kBlockNodes);
-    parallel_for(active_.size(), kBlocksPerChunk, [&](std::size_t k) {
-        const std::size_t first = std::size_t{active_[k]} * kBlockNodes;
-        for (std::size_t n = 0; n < kBlockNodes; ++n) vector[k * kBlockNodes + n] = factor * field[first + n];
-    });
-}
-
-void SplineSystem::set_direction(const std::vector<float>& vector) {
-    parallel_for(active_.size(), kBlocksPerChunk, [&](std::size_t k) {
-        std::copy_n(vector.begin() + static_cast<std::ptrdiff_t>(k * kBlockNodes), kBlockNodes,
-                    direction_.begin() + static_cast<std::ptrdiff_t>(std::size_t{active_[k]} * kBlockNodes));
-    });
-}
-
-double SplineSystem::dot_image(const std::vector<float>& vector) const {
-    return parallel_sum<double>(active_.size(), kBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
+double SplineSystem::dot_image(const Vector& vector) const {
+    return sum_over<double>(active_.size(), [&](std::size_t k) {
         double sum = 0.0;
-        for (std::size_t k = begin; k < end; ++k) {
-            const std::size_t first = std::size_t{active_[k]} * kBlockNodes;
-            for (std::size_t n = 0; n < kBlockNodes; ++n)
-                sum += double{image_[first + n]} * vector[k * kBlockNodes + n];
-        }
+        for (std::size_t n = k * kBlockNodes; n < (k + 1) * kBlockNodes; ++n) sum += double{image_[n]} * vector[n];
         return sum;
     });
 }
 
 // image -= scale · vector; returns the image's squared norm.
-double SplineSystem::subtract_from_image(const std::vector<float>& vector, double scale) {
+double SplineSystem::subtract_from_image(const Vector& vector, double scale) {
     const auto factor = static_cast<float>(scale);
-    return parallel_sum<double>(active_.size(), kBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
+    return sum_over<double>(active_.size(), [&](std::size_t k) {
         double sum = 0.0;
-        for (std::size_t k = begin; k < end; ++k) {
-            const std::size_t first = std::size_t{active_[k]} * kBlockNodes;
-            for (std::size_t n = 0; n < kBlockNodes; ++n) {
-                image_[first + n] -= factor * vector[k * kBlockNodes + n];
-                sum += double{image_[first + n]} * image_[first + n];
-            }
+        for (std::size_t n = k * kBlockNodes; n < (k + 1) * kBlockNodes; ++n) {
+            image_[n] -= factor * vector[n];
+            sum += double{image_[n]} * image_[n];
         }
         return sum;
     });
 }
 
-// Saad & Schultz 1986: Arnoldi by modified Gram-Schmidt, the small least-squares problem by Givens rotations.
-SolveResult SplineSystem::solve_gmres(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill,
-                                      std::span<const float> b, std::span<float> x, const SolveOptions& options) {
+// x += scale · vector.
+void SplineSystem::add_to(std::span<float> x, const Vector& vector, double scale) const {
+    const auto factor = static_cast<float>(scale);
+    parallel_for(active_.size(), kBlocksPerChunk, [&](std::size_t k) {
+        float* block = x.data() + std::size_t{active_[k]} * kBlockNodes;
+        for (std::size_t n = 0; n < kBlockNodes; ++n) block[n] += factor * vector[k * kBlockNodes + n];
+    });
+}
+
+// Saad & Schultz 1986: Arnoldi by modified Gram-Schmidt, the small
+// least-squares problem by Givens rotations.
+SolveResult SplineSystem::solve_gmres(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
+                                      std::span<float> x, const SolveOptions& options) {
     std::vector<std::vector<float>> basis(kRestart + 1);
     SolveResult result;
     for (;;) {
-        const double norm = std::sqrt(start(stencil, mask, fill, b, x));
+        const double norm = std::sqrt(begin(stencil, fill, b, x));
         result.residual = root_mean_square(norm * norm);
         if (result.residual <= options.tolerance || result.iterations >= options.max_iterations) return result;
-        copy_scaled(residual_, 1.0 / norm, basis[0]);
+        basis[0] = scaled(residual_, 1.0 / norm);
         HessenbergSolver small(norm);
         while (small.size() < kRestart && root_mean_square(small.residual() * small.residual()) > options.tolerance &&
                result.iterations < options.max_iterations) {
             const std::size_t j = small.size();
-            set_direction(basis[j]);
-            apply(stencil, mask);
+            direction_ = basis[j];
+            apply(stencil);
             std::vector<double> column(j + 2);
             double squared = 0.0;
             for (std::size_t i = 0; i <= j; ++i) {
@@ -249,14 +257,11 @@ SolveResult SplineSystem::solve_gmres(const Stencil& stencil, const NodeMask& ma
             }
             column[j + 1] = std::sqrt(squared);
             small.add(std::move(column));
-            copy_scaled(image_, squared > 0.0 ? 1.0 / std::sqrt(squared) : 0.0, basis[j + 1]);
+            basis[j + 1] = scaled(image_, squared > 0.0 ? 1.0 / std::sqrt(squared) : 0.0);
             ++result.iterations;
         }
         const std::vector<double> weights = small.solution();
-        for (std::size_t j = 0; j < weights.size(); ++j) {
-            set_direction(basis[j]);
-            advance(weights[j], x);
-        }
+        for (std::size_t j = 0; j < weights.size(); ++j) add_to(x, basis[j], weights[j]);
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Linear systems with a 27-point stencil on part of the band's nodes, solved matrix-free.
+// Linear systems with a 27-point stencil on part of the band's nodes, solved
+// matrix-free.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "grid/block_grid.h"
+#include "grid/block_kernels.h"
 #include "grid/stencil.h"
 #include "meniscus/flow.h"
 
@@ -35,42 +37,49 @@ struct SolveResult {
     double residual = 0.0;  ///< root mean square over the unknowns
 };
 
-/// Solves (stencil applied to x) = b on the nodes of the mask, x given on all others, by conjugate gradients or by
-/// GMRES restarted every 30 iterations, which needs as many vectors.
+/// Solves (stencil applied to x) = b on the nodes of the mask, x given on all
+/// others, by conjugate gradients or by GMRES restarted every 30 iterations,
+/// which needs as many vectors.
 ///
-/// The stencil must be positive definite. Sums run over blocks in fixed order: the same bits for any number of
-/// threads. Reuses its memory from solve to solve.
+/// The stencil must be positive definite. Sums run over blocks in fixed order:
+/// the same bits for any number of threads, and for any instructions
+/// (block_kernels.h). An iteration of conjugate gradients is two passes over
+/// the blocks with unknowns (docs/design/performance.md). Reuses its memory
+/// from solve to solve.
 class SplineSystem {
 public:
     explicit SplineSystem(const BlockGrid& grid);
 
-    /// x: start values on the mask, known values elsewhere; overwritten on the mask only.
+    /// x: start values on the mask, known values elsewhere; overwritten on the
+    /// mask only.
     SolveResult solve(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill, std::span<const float> b,
                       std::span<float> x, const SolveOptions& options);
 
 private:
-    SolveResult solve_cg(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill, std::span<const float> b,
-                         std::span<float> x, const SolveOptions& options);
-    SolveResult solve_gmres(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill,
-                            std::span<const float> b, std::span<float> x, const SolveOptions& options);
-    double start(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill, std::span<const float> b,
-                 std::span<const float> x);
-    double apply(const Stencil& stencil, const NodeMask& mask);
-    double advance(double alpha, std::span<float> x);
-    void turn(double beta);
+    using Vector = std::vector<float>;  // nodes of the active blocks, one block
+                                        // after the other
+
+    SolveResult solve_cg(const Stencil& stencil, const BlockFill& fill, std::span<const float> b, std::span<float> x,
+                         const SolveOptions& options);
+    SolveResult solve_gmres(const Stencil& stencil, const BlockFill& fill, std::span<const float> b, std::span<float> x,
+                            const SolveOptions& options);
+    void find_active(const NodeMask& mask);
+    double begin(const Stencil& stencil, const BlockFill& fill, std::span<const float> b, std::span<const float> x);
+    ImageProducts apply(const Stencil& stencil);
+    double advance(const CgFactors& factors, std::span<float> x);
     double root_mean_square(double squared_norm) const;
-    /// Basis vectors hold the active blocks only, one after the other.
-    void copy_scaled(std::span<const float> field, double scale, std::vector<float>& vector) const;
-    void set_direction(const std::vector<float>& vector);
-    double dot_image(const std::vector<float>& vector) const;
-    double subtract_from_image(const std::vector<float>& vector, double scale);
+    double dot_image(const Vector& vector) const;
+    double subtract_from_image(const Vector& vector, double scale);
+    void add_to(std::span<float> x, const Vector& vector, double scale) const;
 
     const BlockGrid* grid_;
-    std::vector<BlockId> active_;  // blocks with unknowns
+    std::vector<BlockId> active_;       // blocks with unknowns
+    std::vector<NodeBits> sets_;        // the unknowns of each active block
+    std::vector<std::uint32_t> place_;  // of each block in active_, else kNoBlock
     std::size_t unknowns_ = 0;
-    std::vector<float> residual_;
-    std::vector<float> direction_;
-    std::vector<float> image_;  // stencil applied to direction
+    Vector residual_;
+    Vector direction_;
+    Vector image_;  // stencil applied to direction
 };
 
 }  // namespace meniscus

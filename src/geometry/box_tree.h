@@ -39,9 +39,9 @@ struct Box {
     }
     /// Squared distance of a point from the box; 0 inside.
     double squared_distance(const Vec3& p) const {
-        const double dx = std::max({low.x - p.x, p.x - high.x, 0.0});
-        const double dy = std::max({low.y - p.y, p.y - high.y, 0.0});
-        const double dz = std::max({low.z - p.z, p.z - high.z, 0.0});
+        const double dx = std::max(std::max(low.x - p.x, p.x - high.x), 0.0);
+        const double dy = std::max(std::max(low.y - p.y, p.y - high.y), 0.0);
+        const double dz = std::max(std::max(low.z - p.z, p.z - high.z), 0.0);
         return dx * dx + dy * dy + dz * dz;
     }
 };

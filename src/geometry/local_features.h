@@ -3,6 +3,8 @@
 // The few features that can be nearest to the points of a small box: what makes many queries cheap.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,6 +12,59 @@
 #include "geometry/accessible_surface_data.h"
 
 namespace meniscus {
+
+/// A list of features, each a few numbers and its index: one array per number, which vectors can read. Refilled again
+/// and again without setting its memory.
+template <std::size_t kColumns>
+class FeatureList {
+public:
+    using Row = std::array<double, kColumns>;
+    static constexpr std::size_t kStep = 8;  // arrays are readable up to the next multiple
+
+    std::size_t size() const { return size_; }
+    std::size_t padded_size() const { return (size_ + kStep - 1) / kStep * kStep; }
+    bool empty() const { return size_ == 0; }
+    std::uint32_t index(std::size_t item) const { return indices_[item]; }
+    const double* column(std::size_t number) const { return columns_[number].data(); }
+
+    void clear() { size_ = 0; }
+    void add(const Row& row, std::uint32_t index) {
+        reserve(size_ + 1);
+        for (std::size_t c = 0; c < kColumns; ++c) columns_[c][size_] = row[c];
+        indices_[size_++] = index;
+    }
+    /// Becomes the marked items of a list, in order. Without a branch, for nobody could predict it.
+    void select(const FeatureList& from, std::span<const std::int64_t> marks) {
+        reserve(from.size());
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            for (std::size_t c = 0; c < kColumns; ++c) columns_[c][count] = from.columns_[c][i];
+            indices_[count] = from.indices_[i];
+            count += marks[i] != 0 ? 1 : 0;
+        }
+        size_ = count;
+    }
+
+private:
+    void reserve(std::size_t count) {
+        if (count <= indices_.size()) return;
+        const std::size_t room = (2 * count + kStep - 1) / kStep * kStep;
+        for (std::vector<double>& column : columns_) column.resize(room);
+        indices_.resize(room);
+    }
+
+    std::array<std::vector<double>, kColumns> columns_;
+    std::vector<std::uint32_t> indices_;
+    std::size_t size_ = 0;
+};
+
+using SphereList = FeatureList<4>;  ///< x, y, z, radius: balls, and vertices with the probe's radius
+using BoxList = FeatureList<6>;     ///< boxes: low x, y, z, high x, y, z
+
+template <std::size_t kColumns>
+Vec3 position_in(const FeatureList<kColumns>& list, std::size_t item) {
+    return {list.column(0)[item], list.column(1)[item], list.column(2)[item]};
+}
 
 /// Lists gathered for one box after the other, reusing their memory.
 ///
@@ -22,26 +77,38 @@ public:
 
     void gather(const Box& box);
 
-    std::span<const std::uint32_t> balls() const { return balls_; }
-    std::span<const std::uint32_t> arcs() const { return arcs_; }
-    std::span<const std::uint32_t> vertices() const { return vertices_; }
+    /// The same lists, sooner, from those of a box around this one and of no smaller margin.
+    void gather_from(const LocalFeatures& wider, const Box& box);
+
+    const AccessibleSurface& surface() const { return *surface_; }
+    double margin() const { return margin_; }
+    /// How far beyond a ball points are still within the margin, Å: 0 unless the margin exceeds the probe radius.
+    double beyond_balls() const;
+
+    const SphereList& balls() const { return balls_; }
+    const BoxList& arcs() const { return arcs_; }
+    const SphereList& vertices() const { return vertices_; }
 
     /// Same as AccessibleSurface::nearest for any point; quick for those the lists answer for.
     NearestFeature nearest(const Vec3& point) const;
 
 private:
-    double beyond_balls() const;
-
     const AccessibleSurface* surface_;
     double margin_;
-    std::vector<std::uint32_t> balls_;
-    std::vector<std::uint32_t> arcs_;
-    std::vector<std::uint32_t> vertices_;
+    SphereList balls_;
+    BoxList arcs_;
+    SphereList vertices_;
+    std::vector<std::int64_t> marks_;
 };
 
 /// The nearest feature of each point; quick for points near the surface in spatial order.
 ///
 /// cost     parallel over points
 std::vector<NearestFeature> nearest_features(const AccessibleSurface& surface, std::span<const Vec3> points);
+
+/// The same for points of one box, through the lists gathered for it.
+///
+/// cost     0.1 µs per point near the surface
+void nearest_features(const LocalFeatures& gathered, std::span<const Vec3> points, std::span<NearestFeature> result);
 
 }  // namespace meniscus

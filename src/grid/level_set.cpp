@@ -16,11 +16,10 @@ namespace meniscus {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr LevelSetSample kNowhere{kNan, {kNan, kNan, kNan}, {kNan, kNan, kNan, kNan, kNan, kNan}};
 constexpr std::size_t kPointsPerChunk = 256;
 
 LevelSetSample sample_at(SplineCursor& cursor, const Vec3& point) {
-    return cursor.move_to(point) ? cursor.sample() : kNowhere;
+    return cursor.move_to(point) ? cursor.sample() : nowhere();
 }
 
 // query(cursor, point) of every point, in parallel; neighbours in the list share a cursor.
@@ -104,19 +103,8 @@ std::vector<LevelSetSample> LevelSet::samples(std::span<const Vec3> points) cons
 }
 
 Vec3 LevelSet::project(const Vec3& point) const {
-    constexpr int kMaxIterations = 6;
-    const double close_enough = 1e-7 * spacing();
     SplineCursor cursor(*grid_, coefficients_);
-    Vec3 at = point;
-    for (int i = 0; i < kMaxIterations; ++i) {
-        const LevelSetSample here = sample_at(cursor, at);
-        const double slope2 = squared_norm(here.gradient);
-        if (!(slope2 > 0.0)) return point;
-        if (std::abs(here.value) <= close_enough) return at;
-        at = at - (here.value / slope2) * here.gradient;
-        if (!(norm(at - point) < spacing())) return point;
-    }
-    return at;
+    return land_on_zero_set(cursor, point, spacing()).point;
 }
 
 Vec3 LevelSet::closest_point(const Vec3& point) const {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace meniscus {
 namespace {
@@ -34,6 +35,23 @@ struct Weights {
         second[2] = (3.0 * u - 2.0) * s2;
         second[3] = t * s2;
     }
+};
+
+// The four nodes along one axis whose splines reach a cell, the second of which is the cell's lower node. They can lie
+// in the block before the cell's, or in the one after.
+struct SupportNodes {
+    int first;    // node, counted from the cell's block
+    int side;     // of the block that holds it: -1 or 0
+    int borders;  // between blocks, among the nodes: 0 or 1
+    int split;    // how many come before the border
+
+    explicit SupportNodes(int node)
+        : first(node - 1),
+          side(side_of(first)),
+          borders(side_of(node + 2) - side),
+          split(first < 0 ? 1 : kBlockEdge - first) {}
+    int beyond(int i) const { return i < split ? 0 : 1; }
+    int node(int i) const { return (first + i) & (kBlockEdge - 1); }
 };
 
 // Sums over the slowest axis of N lanes of four, each with its weight. Always in the same order, so that value() and
@@ -77,33 +95,41 @@ bool SplineCursor::move_to_cell(const std::array<std::int64_t, 3>& node) {
     return inside;
 }
 
+BlockId SplineCursor::find_block(const BlockCoord& at) {
+    if (block_ != kNoBlock && at == place_of_block_) return block_;
+    place_of_block_ = at;
+    return block_ = grid_->find(at);
+}
+
 bool SplineCursor::load(const std::array<std::int64_t, 3>& node) {
     const auto block = [&](std::size_t axis) { return static_cast<std::int32_t>(node[axis] >> 3); };
     const auto within = [&](std::size_t axis) { return static_cast<int>(node[axis] & (kBlockEdge - 1)); };
-    const BlockId found = grid_->find({.z = block(2), .y = block(1), .x = block(0)});
+    const BlockId found = find_block({.z = block(2), .y = block(1), .x = block(0)});
     return found != kNoBlock && copy_coefficients(found, {within(0), within(1), within(2)});
 }
 
 bool SplineCursor::copy_coefficients(BlockId block, const std::array<int, 3>& node) {
+    const SupportNodes x(node[0]);
+    const SupportNodes y(node[1]);
+    const SupportNodes z(node[2]);
     const auto& around = grid_->neighbours(block);
-    constexpr int kMask = kBlockEdge - 1;
-    const int first = node[0] - 1;
-    // Of a row of four the first few can lie in the block before, the last few in the one after.
-    const int split = first < 0 ? 1 : std::min(kSupport, kBlockEdge - first);
-    double* to = local_.data();
-    for (int z = node[2] - 1; z < node[2] - 1 + kSupport; ++z)
-        for (int y = node[1] - 1; y < node[1] - 1 + kSupport; ++y, to += kSupport) {
-            const auto copy = [&](int from, int end) {
-                const BlockId id =
-                    around[static_cast<std::size_t>(neighbour_slot(side_of(first + from), side_of(y), side_of(z)))];
+    const float* corner[2][2][2];  // of the blocks that hold coefficients, by the sides z, y, x
+    for (int k = 0; k <= z.borders; ++k)
+        for (int j = 0; j <= y.borders; ++j)
+            for (int i = 0; i <= x.borders; ++i) {
+                const BlockId id = around[static_cast<std::size_t>(neighbour_slot(x.side + i, y.side + j, z.side + k))];
                 if (id == kNoBlock) return false;
-                const float* row =
-                    coefficients_.data() + std::size_t{id} * kBlockNodes +
-                    static_cast<std::size_t>(node_in_block((first + from) & kMask, y & kMask, z & kMask));
-                for (int i = from; i < end; ++i) to[i] = row[i - from];
-                return true;
-            };
-            if (!copy(0, split) || (split < kSupport && !copy(split, kSupport))) return false;
+                corner[k][j][i] = coefficients_.data() + std::size_t{id} * kBlockNodes;
+            }
+    double* to = local_.data();
+    for (int k = 0; k < kSupport; ++k)
+        for (int j = 0; j < kSupport; ++j, to += kSupport) {
+            const float* const* row = corner[z.beyond(k)][y.beyond(j)];
+            const int offset = node_in_block(0, y.node(j), z.node(k));
+            if (x.borders == 0)
+                for (int i = 0; i < kSupport; ++i) to[i] = row[0][offset + x.first + i];
+            else
+                for (int i = 0; i < kSupport; ++i) to[i] = row[x.beyond(i)][offset + x.node(i)];
         }
     return true;
 }
@@ -114,6 +140,23 @@ double SplineCursor::value() const {
     contract<kSupport * kSupport>(local_.data(), Weights(place_[2], steps_per_length_).value, slab);
     contract<kSupport>(slab, Weights(place_[1], steps_per_length_).value, row);
     return contract(row, Weights(place_[0], steps_per_length_).value);
+}
+
+ValueAndGradient SplineCursor::value_and_gradient() const {
+    const Weights x(place_[0], steps_per_length_);
+    const Weights y(place_[1], steps_per_length_);
+    const Weights z(place_[2], steps_per_length_);
+    double f[kSupport * kSupport];  // as in sample()
+    double f_z[kSupport * kSupport];
+    contract<kSupport * kSupport>(local_.data(), z.value, f);
+    contract<kSupport * kSupport>(local_.data(), z.first, f_z);
+    double row[kSupport];
+    double row_y[kSupport];
+    double row_z[kSupport];
+    contract<kSupport>(f, y.value, row);
+    contract<kSupport>(f, y.first, row_y);
+    contract<kSupport>(f_z, y.value, row_z);
+    return {contract(row, x.value), {contract(row, x.first), contract(row_y, x.value), contract(row_z, x.value)}};
 }
 
 LevelSetSample SplineCursor::sample() const {
@@ -152,6 +195,36 @@ int SplineCursor::sign() const {
         negative += c < 0.0 ? 1 : 0;
     }
     return (positive == kCoefficients ? 1 : 0) - (negative == kCoefficients ? 1 : 0);
+}
+
+LevelSetSample nowhere() {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    return {kNan, {kNan, kNan, kNan}, {kNan, kNan, kNan, kNan, kNan, kNan}};
+}
+
+Landing land_on_zero_set(SplineCursor& cursor, const Vec3& point, double spacing) {
+    constexpr int kMaxIterations = 6;
+    constexpr int kUsuallyThere = 2;  // from this iteration on second derivatives are not in vain
+    const double close_enough = 1e-7 * spacing;
+    const auto sample_at = [&](const Vec3& p) { return cursor.move_to(p) ? cursor.sample() : nowhere(); };
+    Vec3 at = point;
+    for (int i = 0; i < kMaxIterations && cursor.move_to(at); ++i) {
+        LevelSetSample here;
+        if (i < kUsuallyThere) {
+            const ValueAndGradient first_order = cursor.value_and_gradient();
+            here.value = first_order.value;
+            here.gradient = first_order.gradient;
+        } else {
+            here = cursor.sample();
+        }
+        const double slope2 = squared_norm(here.gradient);
+        if (!(slope2 > 0.0)) break;
+        if (std::abs(here.value) <= close_enough) return {at, i < kUsuallyThere ? cursor.sample() : here};
+        at = at - (here.value / slope2) * here.gradient;
+        if (!(norm(at - point) < spacing)) break;
+        if (i + 1 == kMaxIterations) return {at, sample_at(at)};
+    }
+    return {point, sample_at(point)};
 }
 
 }  // namespace meniscus

@@ -13,6 +13,12 @@
 
 namespace meniscus {
 
+/// Value and gradient of a spline at one point: what a LevelSetSample costs without its second derivatives.
+struct ValueAndGradient {
+    double value = 0.0;
+    Vec3 gradient;
+};
+
 /// Keeps the 4³ coefficients that matter in the current cell. For one thread.
 class SplineCursor {
 public:
@@ -28,6 +34,7 @@ public:
     void move_within(const std::array<double, 3>& place) { place_ = place; }
 
     double value() const;
+    ValueAndGradient value_and_gradient() const;
     LevelSetSample sample() const;
 
     /// 1 if all coefficients of the cell are positive, -1 if all are negative: then so is the spline, everywhere in it.
@@ -40,14 +47,29 @@ private:
     static constexpr std::int64_t kNowhere = INT64_MIN;
 
     bool load(const std::array<std::int64_t, 3>& node);
+    BlockId find_block(const BlockCoord& at);
     bool copy_coefficients(BlockId block, const std::array<int, 3>& node);
 
     const BlockGrid* grid_;
     std::span<const float> coefficients_;
     double steps_per_length_;
+    BlockCoord place_of_block_{};
+    BlockId block_ = kNoBlock;  // there, if it has been looked up and exists
     std::array<std::int64_t, 3> node_{kNowhere, kNowhere, kNowhere};
     std::array<double, 3> place_{};
     std::array<double, kCoefficients> local_;  // x fastest
 };
+
+/// Where a projection ends, and the spline there.
+struct Landing {
+    Vec3 point;
+    LevelSetSample sample;
+};
+
+/// LevelSet::project. All of the sample is NaN outside the band.
+Landing land_on_zero_set(SplineCursor& cursor, const Vec3& point, double spacing);
+
+/// What a query of a point outside the band returns: NaN throughout.
+LevelSetSample nowhere();
 
 }  // namespace meniscus

@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/ply.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "io/measured_arrays.h"
 #include "io/precision.h"
@@ -30,6 +35,15 @@ constexpr const char* kTypeName<std::int32_t> = "int";
 template <>
 constexpr const char* kTypeName<std::uint32_t> = "uint";
 
+constexpr std::size_t kRun = 256;                      // records packed column by column: within a core's first cache
+constexpr std::size_t kBatch = std::size_t{1} << 19U;  // bytes packed before they are written: half a core's cache
+
+// A vertex property or a few in a row, of one type.
+struct Column {
+    std::function<void(std::size_t)> print;                          // one vertex, as text
+    std::function<void(std::size_t, std::size_t, std::byte*)> pack;  // vertices begin to end, into their records
+};
+
 class PlyWriter {
 public:
     PlyWriter(AtomicFile& file, const Mesh& mesh, const WriteOptions& options)
@@ -51,18 +65,35 @@ public:
 
     void write() {
         write_header();
-        for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
-            for (const auto& property : properties_) property(v);
-            end_line();
-        }
-        for (const Triangle& t : mesh_.triangles) write_face(t);
+        if (is_text_)
+            print_records();
+        else
+            pack_records();
     }
 
 private:
+    template <class T, std::size_t N, class Get>
+    void add_column(const std::array<std::string, N>& names, const Get& get) {
+        for (const std::string& name : names)
+            declarations_ += std::string("property ") + kTypeName<T> + ' ' + name + '\n';
+        const std::size_t offset = record_size_;
+        record_size_ += N * sizeof(T);
+        const auto print = [this, get](std::size_t v) {
+            for (const T value : get(v)) print_number(value);
+        };
+        const auto pack = [this, get, offset](std::size_t begin, std::size_t end, std::byte* records) {
+            const std::size_t size = record_size_;
+            for (std::size_t v = begin; v < end; ++v) {
+                const std::array<T, N> values = get(v);
+                std::memcpy(records + (v - begin) * size + offset, values.data(), sizeof values);
+            }
+        };
+        columns_.push_back({print, pack});
+    }
+
     template <class T, class Get>
     void add(const std::string& name, const Get& get) {
-        declare<T>(name);
-        properties_.emplace_back([this, get](std::size_t v) { put(static_cast<T>(get(v))); });
+        add_column<T, 1>({name}, [get](std::size_t v) { return std::array<T, 1>{static_cast<T>(get(v))}; });
     }
 
     template <class T>
@@ -71,28 +102,18 @@ private:
     }
 
     template <class T>
-    void add_vectors(const std::array<const char*, 3>& names, const std::vector<Vec3>& vectors) {
-        for (const char* name : names) declare<T>(name);
-        properties_.emplace_back([this, &vectors](std::size_t v) {
-            put(static_cast<T>(vectors[v].x));
-            put(static_cast<T>(vectors[v].y));
-            put(static_cast<T>(vectors[v].z));
+    void add_vectors(const std::array<std::string, 3>& names, const std::vector<Vec3>& vectors) {
+        add_column<T, 3>(names, [&vectors](std::size_t v) {
+            const auto& [x, y, z] = vectors[v];
+            return std::array<T, 3>{static_cast<T>(x), static_cast<T>(y), static_cast<T>(z)};
         });
     }
 
     void add_colours(std::span<const Colour> colours) {
-        for (const char* name : {"red", "green", "blue", "alpha"}) declare<std::uint8_t>(name);
-        properties_.emplace_back([this, colours](std::size_t v) {
-            put(colours[v].red);
-            put(colours[v].green);
-            put(colours[v].blue);
-            put(colours[v].alpha);
+        add_column<std::uint8_t, 4>({"red", "green", "blue", "alpha"}, [colours](std::size_t v) {
+            const auto& [red, green, blue, alpha] = colours[v];
+            return std::array<std::uint8_t, 4>{red, green, blue, alpha};
         });
-    }
-
-    template <class T>
-    void declare(const std::string& name) {
-        declarations_ += std::string("property ") + kTypeName<T> + ' ' + name + '\n';
     }
 
     void write_header() {
@@ -105,16 +126,44 @@ private:
                     " vertex_indices\nend_header\n");
     }
 
-    void write_face(const Triangle& triangle) {
-        put(std::uint8_t{3});
-        if (!is_text_) return file_.bytes(triangle);
-        for (const VertexId v : triangle) put(v);
-        end_line();
+    void pack_records() {
+        pack_in_batches(mesh_.vertices.size(), record_size_, [&](std::size_t begin, std::size_t end, std::byte* to) {
+            for (const Column& column : columns_) column.pack(begin, end, to);
+        });
+        constexpr std::size_t kFaceSize = 1 + sizeof(Triangle);
+        pack_in_batches(mesh_.triangles.size(), kFaceSize, [&](std::size_t begin, std::size_t end, std::byte* to) {
+            for (std::size_t t = begin; t < end; ++t, to += kFaceSize) {
+                *to = std::byte{3};
+                std::memcpy(to + 1, mesh_.triangles[t].data(), sizeof(Triangle));
+            }
+        });
+    }
+
+    template <class Pack>
+    void pack_in_batches(std::size_t count, std::size_t record_size, const Pack& pack) {
+        const std::size_t batch = kBatch / record_size;
+        std::vector<std::byte> records(std::min(count, batch) * record_size);
+        for (std::size_t begin = 0; begin < count; begin += batch) {
+            const std::size_t end = std::min(count, begin + batch);
+            pack(begin, end, records.data());
+            file_.write({reinterpret_cast<const char*>(records.data()), (end - begin) * record_size});
+        }
+    }
+
+    void print_records() {
+        for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+            for (const Column& column : columns_) column.print(v);
+            end_line();
+        }
+        for (const Triangle& triangle : mesh_.triangles) {
+            print_number(std::uint8_t{3});
+            for (const VertexId v : triangle) print_number(v);
+            end_line();
+        }
     }
 
     template <class T>
-    void put(T value) {
-        if (!is_text_) return file_.bytes(value);
+    void print_number(T value) {
         if (!at_line_start_) file_.write(' ');
         at_line_start_ = false;
         if constexpr (std::signed_integral<T>)
@@ -126,7 +175,7 @@ private:
     }
 
     void end_line() {
-        if (is_text_) file_.write('\n');
+        file_.write('\n');
         at_line_start_ = true;
     }
 
@@ -135,7 +184,8 @@ private:
     bool is_text_;
     bool at_line_start_ = true;
     std::string declarations_;
-    std::vector<std::function<void(std::size_t)>> properties_;
+    std::size_t record_size_ = 0;  // bytes of a vertex
+    std::vector<Column> columns_;
 };
 
 }  // namespace

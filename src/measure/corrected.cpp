@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "measure/lanes.h"
 #include "meniscus/errors.h"
 
 namespace meniscus {
@@ -119,16 +120,49 @@ Sums projected_sums(const Mesh& mesh, const Projector& project, std::size_t begi
     return sums;
 }
 
+// Some triangles with the normals at their corners, and what each of them contributes.
+struct TriangleLanes {
+    std::array<VectorLanes, 3> points;
+    std::array<VectorLanes, 3> normals;
+    Lanes whole_areas{};  // of each triangle: see Sum
+    Lanes whole_volumes{};
+    Lanes part_areas{};
+    Lanes part_volumes{};
+
+    void measure() {
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const auto middle = [&](std::size_t i, std::size_t j) {
+                return arc_middle(points[i].at(lane), normals[i].at(lane), points[j].at(lane), normals[j].at(lane));
+            };
+            Sums sums;
+            sums.add_triangle({points[0].at(lane), points[1].at(lane), points[2].at(lane)},
+                              {middle(0, 1), middle(1, 2), middle(2, 0)});
+            whole_areas[lane] = sums.whole.two_areas;
+            whole_volumes[lane] = sums.whole.six_volumes;
+            part_areas[lane] = sums.parts.two_areas;
+            part_volumes[lane] = sums.parts.six_volumes;
+        }
+    }
+
+    Sums contribution(std::size_t lane) const {
+        return {{whole_areas[lane], whole_volumes[lane]}, {part_areas[lane], part_volumes[lane]}};
+    }
+};
+
 Sums estimated_sums(const Mesh& mesh, std::size_t begin, std::size_t end) {
     const Vec3 origin = reference_point(mesh);
+    TriangleLanes lanes;
     Sums sums;
-    for (std::size_t t = begin; t < end; ++t) {
-        const Triangle& v = mesh.triangles[t];
-        const auto corner = [&](std::size_t i) { return mesh.vertices[v[i]] - origin; };
-        const auto middle = [&](std::size_t i, std::size_t j) {
-            return arc_middle(corner(i), mesh.normals[v[i]], corner(j), mesh.normals[v[j]]);
-        };
-        sums.add_triangle({corner(0), corner(1), corner(2)}, {middle(0, 1), middle(1, 2), middle(2, 0)});
+    for (std::size_t first = begin; first < end; first += kLanes) {
+        const std::size_t count = std::min(kLanes, end - first);
+        for (std::size_t lane = 0; lane < count; ++lane)
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                const VertexId v = mesh.triangles[first + lane][corner];
+                lanes.points[corner].set(lane, mesh.vertices[v] - origin);
+                lanes.normals[corner].set(lane, mesh.normals[v]);
+            }
+        lanes.measure();
+        for (std::size_t lane = 0; lane < count; ++lane) sums += lanes.contribution(lane);
     }
     return sums;
 }

@@ -7,8 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "core/parallel.h"
+
 namespace meniscus {
 namespace {
+
+constexpr std::size_t kChunk = 8192;  // vertices per task: some hundred microseconds
 
 // A triangle (v, from, to) seen from its corner v: one step round v, counter-clockwise.
 struct Step {
@@ -123,18 +127,34 @@ void examine_star(std::span<const Step> star, VertexId v, MeshTopology& topology
     topology.manifold = topology.manifold && fans.fans() == 1;
 }
 
+// What is seen from some of the vertices; edges count once per end.
+struct Part {
+    MeshTopology seen;
+
+    Part& operator+=(const Part& b) {
+        seen.closed = seen.closed && b.seen.closed;
+        seen.manifold = seen.manifold && b.seen.manifold;
+        seen.edges += b.seen.edges;
+        return *this;
+    }
+};
+
 }  // namespace
 
 MeshTopology examine_topology(std::size_t vertex_count, std::span<const Triangle> triangles) {
     Stars stars = collect_stars(vertex_count, triangles);
-    MeshTopology topology;
-    for (std::size_t v = 0; v < vertex_count; ++v) {
-        const auto star = std::span(stars.steps).subspan(stars.first[v], stars.first[v + 1] - stars.first[v]);
-        if (is_single_ring(star, static_cast<VertexId>(v)))
-            topology.edges += star.size();
-        else
-            examine_star(star, static_cast<VertexId>(v), topology);
-    }
+    const auto examine = [&](std::size_t begin, std::size_t end) {
+        Part part;
+        for (std::size_t v = begin; v < end; ++v) {
+            const auto star = std::span(stars.steps).subspan(stars.first[v], stars.first[v + 1] - stars.first[v]);
+            if (is_single_ring(star, static_cast<VertexId>(v)))
+                part.seen.edges += star.size();
+            else
+                examine_star(star, static_cast<VertexId>(v), part.seen);
+        }
+        return part;
+    };
+    MeshTopology topology = parallel_sum<Part>(vertex_count, kChunk, examine).seen;
     topology.edges /= 2;
     return topology;
 }

@@ -22,7 +22,7 @@ struct Components {
 /// Pieces are numbered by falling absolute volume, outer pieces and cavities in one row, but with the largest outer
 /// piece (positive volume) first, if there is one; ties by the smallest vertex number. A vertex without triangles is a
 /// piece of its own.
-/// cost     O(n) for n vertices and triangles, on one thread
+/// cost     O(n) for n vertices and triangles
 Components find_components(const Mesh& mesh);
 
 /// find_components, kept in mesh.components.

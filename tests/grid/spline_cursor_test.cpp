@@ -43,6 +43,38 @@ TEST(SplineCursor, ValueIsTheSumOverAllNodes) {
     }
 }
 
+TEST(SplineCursor, FirstDerivativesAloneHaveTheBitsOfTheSample) {
+    const LevelSet level_set = rough_level_set(0.5);
+    SplineCursor cursor(level_set.grid(), level_set.coefficients());
+    for (const Vec3& p : random_points(60, 3.0)) {
+        ASSERT_TRUE(cursor.move_to(p));
+        const ValueAndGradient first_order = cursor.value_and_gradient();
+        EXPECT_EQ(first_order.value, cursor.sample().value);
+        EXPECT_EQ(first_order.gradient, cursor.sample().gradient);
+    }
+}
+
+TEST(SplineCursor, ALandingHasTheSampleOfItsPoint) {
+    const LevelSet level_set = rough_level_set(0.5);
+    SplineCursor cursor(level_set.grid(), level_set.coefficients());
+    int stayed = 0;
+    for (const Vec3& p : random_points(300, 5.0)) {  // some outside the band, some too far from the zero set
+        const auto [point, at] = land_on_zero_set(cursor, p, level_set.spacing());
+        EXPECT_EQ(point, level_set.project(p));
+        const LevelSetSample sample = level_set.sample(point);
+        if (std::isnan(sample.value)) {
+            EXPECT_EQ(point, p);
+            EXPECT_TRUE(std::isnan(at.value) && std::isnan(at.gradient.x) && std::isnan(at.hessian[5]));
+            continue;
+        }
+        stayed += point == p ? 1 : 0;
+        EXPECT_EQ(at.value, sample.value);
+        EXPECT_EQ(at.gradient, sample.gradient);
+        for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(at.hessian[i], sample.hessian[i]);
+    }
+    EXPECT_GT(stayed, 20);
+}
+
 TEST(SplineCursor, WhereItHasBeenDoesNotMatter) {
     const LevelSet level_set = rough_level_set(0.5);
     SplineCursor cursor(level_set.grid(), level_set.coefficients());

@@ -111,6 +111,19 @@ TEST(Topology, ALoneVertexIsNotManifold) {
     EXPECT_FALSE(examine(mesh).manifold);
 }
 
+TEST(Topology, OneTurnedTriangleIsFoundAnywhereInALargeMesh) {
+    const Mesh whole = testing::extracted_sphere({.centre = {0.1, 0.2, 0.3}, .radius = 4.0}, 0.08);
+    ASSERT_GT(whole.vertices.size(), 20000U);
+    for (const std::size_t t : {std::size_t{0}, whole.triangles.size() / 2, whole.triangles.size() - 1}) {
+        Mesh mesh = whole;
+        std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
+        const MeshTopology topology = examine(mesh);
+        EXPECT_FALSE(topology.closed);
+        EXPECT_TRUE(topology.manifold);
+        EXPECT_EQ(topology.edges, mesh.triangles.size() * 3 / 2);
+    }
+}
+
 TEST(Topology, AgreesWithThePlainCheckerOnDamagedMeshes) {
     const Mesh whole = testing::extracted_sphere({.centre = {0.1, 0.2, 0.3}, .radius = 1.0}, 0.5);
     std::mt19937 random(5);

@@ -4,8 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
+#include <random>
+#include <utility>
 
+#include "core/disjoint_sets.h"
+#include "core/parallel.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 
@@ -79,6 +84,48 @@ TEST(Components, EqualVolumesKeepTheOrderOfTheirVertices) {
     append(mesh, testing::tetrahedron());
     label_components(mesh);
     EXPECT_EQ(mesh.components, (std::vector<std::uint32_t>{0, 0, 0, 0, 1, 1, 1, 1}));
+}
+
+// Many small pieces whose triangles are in no order, so that every task joins parts of all of them.
+Mesh scattered_triangles(std::size_t vertices, std::size_t triangles) {
+    std::mt19937 random(11);
+    Mesh mesh;
+    mesh.vertices.resize(vertices);
+    std::uniform_real_distribution<double> within(0.0, 1.0);
+    for (Vec3& v : mesh.vertices) v = {within(random), within(random), within(random)};
+    for (std::size_t t = 0; t < triangles; ++t) {
+        const auto corner = [&] { return static_cast<VertexId>(random() % vertices); };
+        mesh.triangles.push_back({corner(), corner(), corner()});
+    }
+    return mesh;
+}
+
+// How many different pairs of numbers two labellings make: as many as pieces if they tell the same apart.
+std::size_t count_pairs(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for (std::size_t i = 0; i < a.size(); ++i) pairs.emplace_back(a[i], b[i]);
+    std::sort(pairs.begin(), pairs.end());
+    return static_cast<std::size_t>(std::unique(pairs.begin(), pairs.end()) - pairs.begin());
+}
+
+TEST(Components, AreThoseOfPlainUnionFindForAnyNumberOfThreads) {
+    for (const std::size_t triangles : {20000U, 60000U}) {
+        const Mesh mesh = scattered_triangles(100000, triangles);
+        DisjointSets plain(mesh.vertices.size());
+        for (const auto& [a, b, c] : mesh.triangles) {
+            plain.join(a, b);
+            plain.join(b, c);
+        }
+        const std::vector<std::uint32_t> expected = plain.numbers();
+        const auto with_threads = [&](int threads) {
+            const ThreadLimit limit(threads);
+            return find_components(mesh).of_vertex;
+        };
+        const std::vector<std::uint32_t> found = with_threads(4);
+        EXPECT_EQ(found, with_threads(1));
+        EXPECT_EQ(set_count(found), set_count(expected));
+        EXPECT_EQ(count_pairs(found, expected), set_count(expected));
+    }
 }
 
 TEST(Components, NothingInAnEmptyMesh) {

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The nearest features of up to 64 neighbouring points at once, as vectors do it: docs/design/exact-geometry.md.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/local_features.h"
+#include "geometry/nearest_feature.h"
+#include "geometry/nearest_kernels.h"
+
+namespace meniscus {
+
+/// Works on one group of points after the other, reusing its memory. Same as AccessibleSurface::nearest for every point
+/// within a margin of the surface; of all others it says on which side they are.
+class NearestBatch {
+public:
+    enum class Claim : std::uint8_t {
+        Open,
+        Below,  ///< signed distance <= -margin
+        Above,  ///< signed distance >= margin
+        Ball,
+        Edge,  ///< arc or vertex
+    };
+
+    explicit NearestBatch(const AccessibleSurface& surface, const NearestKernels& kernels = nearest_kernels())
+        : data_(&surface.data()), kernels_(kernels) {}
+
+    /// Begins with a box that `local` answers for, and a margin up to that of `local`. Below or Above if that holds for
+    /// all its points: then there is nothing to find. Open otherwise.
+    Claim start(const LocalFeatures& local, const Box& box, double margin);
+
+    /// Finds what is nearest to points of that box, at most kBatchLanes.
+    void find(std::span<const Vec3> points);
+
+    Claim claim(std::size_t point) const { return claims_[point]; }
+    /// Precondition: claim is Ball or Edge.
+    double signed_distance(std::size_t point) const { return signed_distances_[point]; }
+    double mean_curvature(std::size_t point) const;
+    NearestFeature feature(std::size_t point) const;
+
+private:
+    void choose_contenders(double deepest);
+    void load(std::span<const Vec3> points);
+    void assign_to_balls();
+    void assign_exactly(std::size_t point);
+    void claim_by_balls();
+    void claim_by_ball(std::size_t contender);
+    void offer_edges();
+    void choose_edges();
+    void drop_above();
+    void claim_by_edges();
+
+    const AccessibleSurface::Data* data_;
+    NearestKernels kernels_;
+    const LocalFeatures* local_ = nullptr;
+
+    double margin_ = 0.0;
+    double beyond_ = 0.0;  // Å by which points within the margin may be outside of all balls
+    Box box_;
+    Vec3 middle_;
+    double half_diagonal_ = 0.0;
+    double depth_error_ = 0.0;              // Å, of depths in single precision
+    std::vector<double> depths_in_middle_;  // per ball of the lists
+    std::vector<std::int64_t> marks_;       // per feature of a list: whether it may matter to the box
+    SphereList contenders_;                 // balls that may be the deepest somewhere in the box
+    std::vector<SmallBall> small_;          // the same
+    std::vector<std::uint64_t> points_of_;  // the same: a bit for every point in which it is the deepest
+    std::vector<std::uint32_t> vertices_;   // positions in the lists' vertices
+    std::vector<std::uint32_t> arcs_;
+
+    std::span<const Vec3> points_;
+    LaneArray<Claim> claims_;
+    LaneArray<double> signed_distances_;
+    LaneArray<std::uint32_t> atoms_;
+    LaneArray<std::int64_t> tags_;
+
+    LanePoints<float> small_points_;
+    Depths depths_;
+    LanePoints<double> lanes_;  // of the points of one ball
+    Directions directions_;
+
+    std::size_t open_count_ = 0;
+    LaneArray<std::uint8_t> open_;  // points that no ball owns
+    LanePoints<double> open_points_;
+    NearestTags nearest_;
+};
+
+}  // namespace meniscus

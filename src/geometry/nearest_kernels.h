@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The inner loops of NearestBatch, over up to 64 points at once, for several instruction sets.
+//
+// Every set gives the same bits: vectors hold different points or features, whose numbers never meet. Arrays are read
+// and written in whole vectors: up to the next multiple of 64 bytes, where there need not be anything of sense.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/accessible_surface_data.h"
+#include "geometry/local_features.h"
+
+namespace meniscus {
+
+inline constexpr std::size_t kBatchLanes = 64;
+
+template <class T>
+struct alignas(64) LaneArray {
+    T at[kBatchLanes]{};
+
+    T& operator[](std::size_t lane) { return at[lane]; }
+    const T& operator[](std::size_t lane) const { return at[lane]; }
+};
+
+template <class T>
+struct LanePoints {
+    LaneArray<T> x;
+    LaneArray<T> y;
+    LaneArray<T> z;
+};
+
+/// A ball in single precision, relative to a point nearby.
+struct SmallBall {
+    float x;
+    float y;
+    float z;
+    float rho;
+};
+
+/// Per point: its depth in the ball where it is deepest, in the next one, and the position of the deepest ball in the
+/// list (the first of equals). In single precision: for how much depths are off see NearestBatch.
+struct Depths {
+    LaneArray<float> first;
+    LaneArray<float> second;
+    LaneArray<std::int32_t> ball;
+};
+
+/// Per point, from a ball's centre: its distance, and by how much its direction exceeds the nearest cap's rim
+/// (max over caps of axis·q - t |q|): the direction is exposed where that is not positive.
+struct Directions {
+    LaneArray<double> distance;
+    LaneArray<double> excess;
+};
+
+/// Per point, the nearest of what was offered so far: its squared distance, and its tag.
+struct NearestTags {
+    LaneArray<double> squared_distance;
+    LaneArray<std::int64_t> tag;
+};
+inline std::int64_t vertex_tag(std::uint32_t vertex) { return vertex; }
+inline std::int64_t arc_tag(std::uint32_t arc) { return -1 - std::int64_t{arc}; }
+inline bool is_arc(std::int64_t tag) { return tag < 0; }
+inline std::uint32_t arc_of(std::int64_t tag) { return static_cast<std::uint32_t>(-1 - tag); }
+
+struct NearestKernels {
+    /// Marks the spheres that, with radii enlarged by `beyond`, reach into a box.
+    void (*mark_reaching)(const SphereList& spheres, double beyond, const Box& box, std::int64_t* marks);
+    /// Marks the boxes that overlap one.
+    void (*mark_overlapping)(const BoxList& boxes, const Box& box, std::int64_t* marks);
+    /// How deep a point is in each ball.
+    void (*find_depths_of)(const Vec3& point, const SphereList& balls, double* depths);
+    void (*find_depths)(std::span<const SmallBall> balls, const LanePoints<float>& points, std::size_t count,
+                        Depths& depths);
+    void (*find_directions)(const Vec3& centre, std::span<const Cap> caps, const LanePoints<double>& points,
+                            std::size_t count, Directions& directions);
+    /// Of a list, the items at `chosen`.
+    void (*offer_vertices)(const SphereList& vertices, std::span<const std::uint32_t> chosen,
+                           const LanePoints<double>& points, std::size_t count, NearestTags& nearest);
+    /// Only where the nearest point of an arc is none of its ends, as foot_on_arc has it.
+    void (*offer_arcs)(std::span<const SasArc> arcs, std::span<const std::uint32_t> chosen,
+                       const LanePoints<double>& points, std::size_t count, NearestTags& nearest);
+};
+
+/// Those that this machine can run, the plainest first.
+std::vector<NearestKernels> supported_nearest_kernels();
+
+/// The last of them.
+const NearestKernels& nearest_kernels();
+
+}  // namespace meniscus

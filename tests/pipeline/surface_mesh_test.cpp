@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/surface_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "meniscus/surface.h"
+
+namespace meniscus::testing {
+namespace {
+
+// Three atoms around which probes meet: patches of every kind, ridges outside and inside.
+const Atoms kRidged{{{0, 0, 0}, {5.0, 0.3, 0.1}, {2.4, 4.2, 0.2}}, {1.7, 1.6, 1.8}};
+
+TEST(SurfaceMesh, VerticesOfTheExactDistanceLieOnTheSurface) {
+    const AccessibleSurface exact(kRidged, 1.4);
+    for (const double spacing : {1.0, 0.5, 0.2}) {
+        const Surface surface = compute_surface(kRidged, {.method = Method::Direct, .spacing = spacing});
+        std::vector<double> distances;
+        for (const Vec3& v : surface.mesh.vertices) distances.push_back(std::abs(exact.nearest(v).signed_distance));
+        std::sort(distances.begin(), distances.end());
+        EXPECT_LT(distances[distances.size() * 9 / 10], 1e-9) << spacing;
+        EXPECT_EQ(distances.back(), surface.distance.max) << spacing;
+    }
+}
+
+TEST(SurfaceMesh, LabelsAreThoseOfTheNearestFeatureWhereTheVertexHasComeToLie) {
+    const AccessibleSurface exact(kRidged, 1.4);
+    for (const Method method : {Method::Direct, Method::Flow})
+        for (const double spacing : {1.0, 0.4}) {
+            const Mesh mesh = compute_surface(kRidged, {.method = method, .spacing = spacing}).mesh;
+            for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+                const NearestFeature at = exact.nearest(mesh.vertices[v]);
+                EXPECT_EQ(mesh.atoms[v], at.atom);
+                EXPECT_EQ(mesh.patches[v], at.patch);
+                if (method == Method::Direct) {
+                    EXPECT_EQ(mesh.normals[v], at.normal);
+                }
+            }
+        }
+}
+
+TEST(SurfaceMesh, NormalsOfTheFlowAreGradientsAtTheVertices) {
+    const Surface surface = compute_surface(kRidged, {.spacing = 0.4});
+    for (std::size_t v = 0; v < surface.mesh.vertices.size(); ++v) {
+        const LevelSetSample at = surface.level_set->sample(surface.mesh.vertices[v]);
+        EXPECT_LE(std::abs(at.value), 1e-7 * 0.4);
+        EXPECT_EQ(surface.mesh.normals[v], normalised(at.gradient));
+    }
+}
+
+}  // namespace
+}  // namespace meniscus::testing
