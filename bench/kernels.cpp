@@ -12,9 +12,9 @@
 #include "flow/spline_system.h"
 #include "geometry/local_features.h"
 #include "measure/corrected.h"
-#include "mesh/extract.h"
 #include "meniscus/level_set.h"
 #include "meniscus/measures.h"
+#include "mesh/extract.h"
 
 namespace {
 
@@ -22,8 +22,8 @@ using namespace meniscus;
 
 constexpr int kAtoms = 4000;
 constexpr double kProbe = 1.4;
-constexpr double kDensity = 0.06;   // atoms per Å³ of a protein's inside
-constexpr double kLeastGap = 1.3;   // Å between centres
+constexpr double kDensity = 0.06;  // atoms per Å³ of a protein's inside
+constexpr double kLeastGap = 1.3;  // Å between centres
 
 Atoms make_ball() {
     std::mt19937_64 random(1);
@@ -96,7 +96,8 @@ void solve_per_node_and_iteration(benchmark::State& state) {
     constexpr int kIterations = 10;
     for (auto _ : state) {
         std::vector<float> x(on.grid.node_count());
-        system.solve(spline_value(), mask, fill, on.band.distance, x, {.tolerance = 0.0, .max_iterations = kIterations});
+        system.solve(spline_value(), mask, fill, on.band.distance, x,
+                     {.tolerance = 0.0, .max_iterations = kIterations});
         benchmark::DoNotOptimize(x.data());
     }
     set_items(state, kIterations * on.grid.node_count());

@@ -125,9 +125,8 @@ void BlockDistance::fill_unit(int unit, Claim side, const BlockSamples& samples)
 }
 
 void BlockDistance::write(std::size_t point, std::size_t node, const BlockSamples& samples) const {
-    const Claim claim = batch_.claim(point);
-    const bool found = claim == Claim::Ball || claim == Claim::Edge;
-    const double s = found ? batch_.signed_distance(point) : (claim == Claim::Below ? -margin_ : margin_);
+    const double side = batch_.claim(point) == Claim::Below ? -margin_ : margin_;
+    const double s = batch_.found(point) ? batch_.signed_distance(point) : side;
     samples.distance[node] = static_cast<float>(clamped(s, margin_));
     if (samples.curvature.empty()) return;
     const bool within = std::abs(s) < margin_;

@@ -3,6 +3,8 @@
 #include "geometry/local_features.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "core/parallel.h"
 #include "geometry/nearest_batch.h"
@@ -13,16 +15,12 @@ namespace meniscus {
 namespace {
 
 constexpr double kCellSlack = 1e-6;  // Å, for rounding at the borders of cells
-constexpr std::size_t kPointsPerChunk = 2048;
-constexpr double kMargin = 0.5;  // Å: points of a mesh are far nearer than this
+constexpr double kMargin = 0.5;      // Å: points of a mesh are far nearer to the surface than this
 
-// Groups of points that share lists. Larger ones are split; few points are cheaper one by one.
-constexpr std::size_t kPointsPerGather = 512;
-constexpr double kGatherDiagonal = 18.0;  // Å
-constexpr double kBatchDiagonal = 9.0;    // Å
-constexpr std::size_t kFewPoints = 4;
-
-double diagonal(const Box& box) { return norm(box.high - box.low); }
+constexpr std::size_t kPointsPerChunk = 8192;
+constexpr double kCellEdge = 8.0;             // Å: the points of a cell share their lists of features
+constexpr std::size_t kMostCells = 1U << 14;  // more mean that points are far apart
+constexpr std::size_t kFewPoints = 4;         // cheaper one by one
 
 Box box_of(std::span<const Vec3> points) {
     Box box;
@@ -30,31 +28,81 @@ Box box_of(std::span<const Vec3> points) {
     return box;
 }
 
+// Points of one neighbourhood after the other: a counting sort by cells.
+class CellOrder {
+public:
+    // False, and nothing done, where the points are too far apart.
+    bool sort(std::span<const Vec3> points, const Box& box) {
+        const Vec3 extent = (1.0 / kCellEdge) * (box.high - box.low);
+        const double nx = std::floor(extent.x) + 1.0;
+        const double ny = std::floor(extent.y) + 1.0;
+        const double nz = std::floor(extent.z) + 1.0;
+        if (!(nx * ny * nz <= static_cast<double>(kMostCells))) return false;
+        begins_.assign(static_cast<std::size_t>(nx * ny * nz) + 1, 0);
+        cells_.resize(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Vec3 q = (1.0 / kCellEdge) * (points[i] - box.low);
+            cells_[i] = static_cast<std::uint32_t>(std::floor(q.x) + nx * (std::floor(q.y) + ny * std::floor(q.z)));
+            ++begins_[cells_[i]];
+        }
+        std::exclusive_scan(begins_.begin(), begins_.end(), begins_.begin(), std::uint32_t{0});
+        order_.resize(points.size());
+        points_.resize(points.size());
+        for (std::uint32_t i = 0; i < points.size(); ++i) {
+            const std::uint32_t to = begins_[cells_[i]]++;
+            order_[to] = i;
+            points_[to] = points[i];
+        }
+        return true;
+    }
+
+    // Calls visit(points, their positions in the list that was sorted) for every cell that holds some.
+    template <class Visit>
+    void for_each_cell(const Visit& visit) const {
+        std::size_t begin = 0;
+        for (const std::uint32_t end : begins_) {
+            if (end > begin)
+                visit(std::span(points_).subspan(begin, end - begin), std::span(order_).subspan(begin, end - begin));
+            begin = end;
+        }
+    }
+
+private:
+    std::vector<std::uint32_t> begins_;  // per cell; after sorting where it ends
+    std::vector<std::uint32_t> cells_;   // per point
+    std::vector<std::uint32_t> order_;
+    std::vector<Vec3> points_;
+};
+
 class GroupSearch {
 public:
-    explicit GroupSearch(const AccessibleSurface& surface, double margin = kMargin)
-        : surface_(surface), wide_(surface, margin), batch_(surface) {}
+    explicit GroupSearch(const AccessibleSurface& surface) : surface_(surface), batch_(surface) {}
 
     void find(std::span<const Vec3> points, std::span<NearestFeature> result) {
-        const Box box = box_of(points);
         if (points.size() <= kFewPoints) return find_one_by_one(points, result);
-        if (points.size() > kPointsPerGather || diagonal(box) > kGatherDiagonal) {
+        CellOrder cells;
+        if (!cells.sort(points, box_of(points))) {
             const std::size_t half = points.size() / 2;
             find(points.first(half), result.first(half));
             return find(points.subspan(half), result.subspan(half));
         }
-        wide_.gather(box);
-        find_within(wide_, points, result);
+        LocalFeatures local(surface_, kMargin);
+        cells.for_each_cell([&](std::span<const Vec3> group, std::span<const std::uint32_t> positions) {
+            local.gather(box_of(group));
+            find_within(local, group, [&](std::size_t i) -> NearestFeature& { return result[positions[i]]; });
+        });
     }
 
-    void find_within(const LocalFeatures& wide, std::span<const Vec3> points, std::span<NearestFeature> result) {
-        const Box box = box_of(points);
-        if (points.size() > kBatchLanes || (diagonal(box) > kBatchDiagonal && points.size() > kFewPoints)) {
-            const std::size_t half = points.size() / 2;
-            find_within(wide, points.first(half), result.first(half));
-            return find_within(wide, points.subspan(half), result.subspan(half));
+    // Where result(i) is the place for that of points[i].
+    template <class Result>
+    void find_within(const LocalFeatures& local, std::span<const Vec3> points, const Result& result) {
+        for (std::size_t at = 0; at < points.size(); at += kBatchLanes) {
+            const std::span<const Vec3> batch = points.subspan(at, std::min(kBatchLanes, points.size() - at));
+            const bool open = batch_.start(local, box_of(batch), local.margin()) == NearestBatch::Claim::Open;
+            if (open) batch_.find(batch);
+            for (std::size_t i = 0; i < batch.size(); ++i)
+                result(at + i) = open && batch_.found(i) ? batch_.feature(i) : surface_.nearest(batch[i]);
         }
-        find_batch(wide, box, points, result);
     }
 
 private:
@@ -63,19 +111,7 @@ private:
                        [&](const Vec3& p) { return surface_.nearest(p); });
     }
 
-    void find_batch(const LocalFeatures& wide, const Box& box, std::span<const Vec3> points,
-                    std::span<NearestFeature> result) {
-        if (batch_.start(wide, box, wide.margin()) != NearestBatch::Claim::Open) return find_one_by_one(points, result);
-        batch_.find(points);
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const bool found =
-                batch_.claim(i) == NearestBatch::Claim::Ball || batch_.claim(i) == NearestBatch::Claim::Edge;
-            result[i] = found ? batch_.feature(i) : surface_.nearest(points[i]);
-        }
-    }
-
     const AccessibleSurface& surface_;
-    LocalFeatures wide_;
     NearestBatch batch_;
 };
 
@@ -109,8 +145,8 @@ void LocalFeatures::gather(const Box& box) {
 
 void LocalFeatures::gather_from(const LocalFeatures& wider, const Box& box) {
     const NearestKernels& kernels = nearest_kernels();
-    marks_.resize(std::max({marks_.size(), wider.balls_.padded_size(), wider.arcs_.padded_size(),
-                            wider.vertices_.padded_size()}));
+    marks_.resize(std::max(
+        {marks_.size(), wider.balls_.padded_size(), wider.arcs_.padded_size(), wider.vertices_.padded_size()}));
     kernels.mark_reaching(wider.balls_, beyond_balls(), box, marks_.data());
     balls_.select(wider.balls_, marks_);
     kernels.mark_overlapping(wider.arcs_, box, marks_.data());
@@ -147,7 +183,8 @@ std::vector<NearestFeature> nearest_features(const AccessibleSurface& surface, s
 }
 
 void nearest_features(const LocalFeatures& gathered, std::span<const Vec3> points, std::span<NearestFeature> result) {
-    GroupSearch(gathered.surface(), gathered.margin()).find_within(gathered, points, result);
+    GroupSearch(gathered.surface())
+        .find_within(gathered, points, [&](std::size_t i) -> NearestFeature& { return result[i]; });
 }
 
 }  // namespace meniscus

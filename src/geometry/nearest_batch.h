@@ -36,7 +36,8 @@ public:
     void find(std::span<const Vec3> points);
 
     Claim claim(std::size_t point) const { return claims_[point]; }
-    /// Precondition: claim is Ball or Edge.
+    bool found(std::size_t point) const { return claims_[point] == Claim::Ball || claims_[point] == Claim::Edge; }
+    /// Precondition of the others: found.
     double signed_distance(std::size_t point) const { return signed_distances_[point]; }
     double mean_curvature(std::size_t point) const;
     NearestFeature feature(std::size_t point) const;

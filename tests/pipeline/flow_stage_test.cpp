@@ -87,7 +87,8 @@ TEST(FlowStage, MeasuresTheStartOnDemandWithoutATrace) {
     const Surface measured = compute_surface(kPair, options);
     EXPECT_EQ(measured.mesh.vertices, without.mesh.vertices);
     options.method = Method::Gaussian;
-    EXPECT_NEAR(measured.flow.initial_area, compute_surface(kPair, options).measures.area, 0.02 * without.measures.area);
+    EXPECT_NEAR(measured.flow.initial_area, compute_surface(kPair, options).measures.area,
+                0.02 * without.measures.area);
 }
 
 TEST(FlowStage, TheSteadyStateInOneSolveDoesNotKnowTheStart) {
