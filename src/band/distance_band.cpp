@@ -39,7 +39,18 @@ void for_each_node(int unit, const Visit& visit) {
     std::size_t point = 0;
     for (int z = 0; z < kEdge; ++z)
         for (int y = 0; y < kEdge; ++y)
-            for (int x = 0; x < kEdge; ++x) visit(point++, static_cast<std::size_t>(first + node_in_block(x, y, z)));
+            for (int x = 0; x < kEdge; ++x) {
+                const int node = first + node_in_block(x, y, z);
+                visit(point++, static_cast<std::size_t>(node));
+            }
+}
+
+// Of a node of a unit from its first one, in spacings.
+Vec3 node_offset(int n) {
+    constexpr int kEdge = BlockDistance::kUnitEdge;
+    const int y = n / kEdge % kEdge;
+    const int z = n / (kEdge * kEdge);
+    return {static_cast<double>(n % kEdge), static_cast<double>(y), static_cast<double>(z)};
 }
 
 // Blocks in cubes of a power of two on an edge, for which features are gathered together.
@@ -81,9 +92,7 @@ BlockDistance::BlockDistance(const AccessibleSurface& surface, double spacing, d
       around_(surface, margin + half_unit_),
       block_(surface, margin + half_unit_),
       batch_(surface) {
-    for (int n = 0; n < kUnitNodes; ++n)
-        offsets_[n] = spacing * Vec3{1.0 * (n % kUnitEdge), 1.0 * (n / kUnitEdge % kUnitEdge),
-                                     1.0 * (n / (kUnitEdge * kUnitEdge))};
+    for (int n = 0; n < kUnitNodes; ++n) offsets_[n] = spacing * node_offset(n);
 }
 
 // The distance changes by at most 1 per Å: that of its middle settles a unit that is far from the band.

@@ -3,18 +3,115 @@
 #include "band/surface_blocks.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <unordered_set>
 
 #include "core/parallel.h"
 #include "geometry/accessible_surface_data.h"
+#include "geometry/nearest_batch.h"
 #include "meniscus/errors.h"
 
 namespace meniscus {
 namespace {
 
-using BlockSet = std::unordered_set<BlockCoord, BlockCoordHash>;
+constexpr std::size_t kCubesPerChunk = 4;
+
+using CubeSet = std::unordered_set<BlockCoord, BlockCoordHash>;
+
+// Blocks are looked at in cubes of 4³, one bit for each block.
+constexpr std::int32_t kCubeEdge = 4;
+using CubeMask = std::uint64_t;
+
+int cube_bit(int x, int y, int z) { return x + kCubeEdge * (y + kCubeEdge * z); }
+
+// The blocks of a cube that touch its neighbour in a direction.
+CubeMask facing(int dx, int dy, int dz) {
+    const auto touches = [](int at, int d) { return d == 0 || at == (d < 0 ? 0 : kCubeEdge - 1); };
+    CubeMask mask = 0;
+    for (int z = 0; z < kCubeEdge; ++z)
+        for (int y = 0; y < kCubeEdge; ++y)
+            for (int x = 0; x < kCubeEdge; ++x)
+                if (touches(x, dx) && touches(y, dy) && touches(z, dz)) mask |= CubeMask{1} << cube_bit(x, y, z);
+    return mask;
+}
+
+struct Direction {
+    BlockCoord step;
+    CubeMask facing = 0;
+};
+std::vector<Direction> directions() {
+    std::vector<Direction> all;
+    for (int dz = -1; dz <= 1; ++dz)
+        for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx)
+                if (dx != 0 || dy != 0 || dz != 0) all.push_back({{.z = dz, .y = dy, .x = dx}, facing(dx, dy, dz)});
+    return all;
+}
+
+// Finds which blocks of a cube have a centre within reach of the surface.
+class CubeSearch {
+public:
+    CubeSearch(const AccessibleSurface& surface, const Lattice& lattice, double reach)
+        : lattice_(lattice), part_edge_(part_edge(lattice.block_edge())), local_(surface, reach), batch_(surface) {}
+
+    CubeMask near(const BlockCoord& cube) {
+        CubeMask mask = 0;
+        for (int z = 0; z < kCubeEdge; z += part_edge_)
+            for (int y = 0; y < kCubeEdge; y += part_edge_)
+                for (int x = 0; x < kCubeEdge; x += part_edge_) mask |= near_in_part(cube, x, y, z);
+        return mask;
+    }
+
+private:
+    // In larger parts most features are far from most blocks.
+    static int part_edge(double block_edge) {
+        constexpr double kLargestPart = 16.0;  // Å
+        int edge = kCubeEdge;
+        while (edge > 1 && edge * block_edge > kLargestPart) edge /= 2;
+        return edge;
+    }
+
+    CubeMask near_in_part(const BlockCoord& cube, int x0, int y0, int z0) {
+        centres_.clear();
+        bits_.clear();
+        Box box;
+        for (int z = z0; z < z0 + part_edge_; ++z)
+            for (int y = y0; y < y0 + part_edge_; ++y)
+                for (int x = x0; x < x0 + part_edge_; ++x) {
+                    centres_.push_back(lattice_.centre(
+                        {.z = kCubeEdge * cube.z + z, .y = kCubeEdge * cube.y + y, .x = kCubeEdge * cube.x + x}));
+                    bits_.push_back(cube_bit(x, y, z));
+                    box.include(centres_.back());
+                }
+        local_.gather(box);
+        if (batch_.start(local_, box, local_.margin()) != NearestBatch::Claim::Open) return 0;
+        batch_.find(centres_);
+        CubeMask mask = 0;
+        for (std::size_t i = 0; i < centres_.size(); ++i)
+            if (batch_.found(i)) mask |= CubeMask{1} << bits_[i];
+        return mask;
+    }
+
+    const Lattice& lattice_;
+    int part_edge_;
+    LocalFeatures local_;
+    NearestBatch batch_;
+    std::vector<Vec3> centres_;
+    std::vector<int> bits_;
+};
+
+BlockCoord cube_of(const BlockCoord& block) { return {.z = block.z >> 2, .y = block.y >> 2, .x = block.x >> 2}; }
+
+void add_blocks(const BlockCoord& cube, CubeMask mask, std::vector<BlockCoord>& blocks) {
+    for (; mask != 0; mask &= mask - 1) {
+        const int bit = std::countr_zero(mask);
+        blocks.push_back({.z = kCubeEdge * cube.z + bit / (kCubeEdge * kCubeEdge),
+                          .y = kCubeEdge * cube.y + bit / kCubeEdge % kCubeEdge,
+                          .x = kCubeEdge * cube.x + bit % kCubeEdge});
+    }
+}
 
 // At least one point of the van der Waals spheres on every piece of the surface.
 std::vector<Vec3> points_on_surface(const AccessibleSurface::Data& data) {
@@ -46,31 +143,29 @@ BlockCoord Lattice::block_of(const Vec3& point) const {
 std::vector<BlockCoord> blocks_near_surface(const AccessibleSurface& surface, const Lattice& lattice, double margin,
                                             std::size_t max_blocks) {
     const double reach = margin + 0.5 * std::numbers::sqrt3 * lattice.block_edge();
-    const Vec3 to_centre = 0.5 * lattice.block_edge() * Vec3{1.0, 1.0, 1.0};
-    BlockSet seen;
+    const std::vector<Direction> around = directions();
+    CubeSet seen;
     std::vector<BlockCoord> frontier;
     for (const Vec3& point : points_on_surface(surface.data()))
-        if (const BlockCoord block = lattice.block_of(point); seen.insert(block).second) frontier.push_back(block);
+        if (const BlockCoord cube = cube_of(lattice.block_of(point)); seen.insert(cube).second)
+            frontier.push_back(cube);
 
     std::vector<BlockCoord> result;
-    std::vector<std::uint8_t> near;
+    std::vector<CubeMask> near;
     while (!frontier.empty()) {
-        near.assign(frontier.size(), 0);
-        parallel_for(frontier.size(), 16, [&](std::size_t b) {
-            const Vec3 centre = lattice.corner(frontier[b]) + to_centre;
-            near[b] = std::abs(surface.nearest(centre).signed_distance) < reach ? 1 : 0;
+        near.resize(frontier.size());
+        parallel_chunks(frontier.size(), kCubesPerChunk, [&](std::size_t begin, std::size_t end) {
+            CubeSearch search(surface, lattice, reach);
+            for (std::size_t c = begin; c < end; ++c) near[c] = search.near(frontier[c]);
         });
         std::vector<BlockCoord> next;
-        for (std::size_t b = 0; b < frontier.size(); ++b) {
-            if (near[b] == 0) continue;
-            const BlockCoord at = frontier[b];
-            result.push_back(at);
-            for (int dz = -1; dz <= 1; ++dz)
-                for (int dy = -1; dy <= 1; ++dy)
-                    for (int dx = -1; dx <= 1; ++dx) {
-                        const BlockCoord beside{.z = at.z + dz, .y = at.y + dy, .x = at.x + dx};
-                        if (seen.insert(beside).second) next.push_back(beside);
-                    }
+        for (std::size_t c = 0; c < frontier.size(); ++c) {
+            const BlockCoord& at = frontier[c];
+            add_blocks(at, near[c], result);
+            for (const auto& [step, facing] : around) {
+                const BlockCoord beside{.z = at.z + step.z, .y = at.y + step.y, .x = at.x + step.x};
+                if ((near[c] & facing) != 0 && seen.insert(beside).second) next.push_back(beside);
+            }
         }
         if (result.size() > max_blocks)
             throw LimitError("the narrow band would not fit into memory; enlarge --spacing or raise --memory");

@@ -20,6 +20,7 @@ struct Lattice {
     Vec3 corner(const BlockCoord& block) const {
         return origin + Vec3{block_edge() * block.x, block_edge() * block.y, block_edge() * block.z};
     }
+    Vec3 centre(const BlockCoord& block) const { return corner(block) + 0.5 * block_edge() * Vec3{1.0, 1.0, 1.0}; }
     /// The block that contains a point. throws LimitError where its coordinates would not fit in 32 bits
     BlockCoord block_of(const Vec3& point) const;
 };

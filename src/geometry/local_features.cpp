@@ -79,7 +79,8 @@ public:
     explicit GroupSearch(const AccessibleSurface& surface) : surface_(surface), batch_(surface) {}
 
     void find(std::span<const Vec3> points, std::span<NearestFeature> result) {
-        if (points.size() <= kFewPoints) return find_one_by_one(points, result);
+        if (points.size() <= kFewPoints)
+            return find_one_by_one(points, [&](std::size_t i) -> NearestFeature& { return result[i]; });
         CellOrder cells;
         if (!cells.sort(points, box_of(points))) {
             const std::size_t half = points.size() / 2;
@@ -88,8 +89,10 @@ public:
         }
         LocalFeatures local(surface_, kMargin);
         cells.for_each_cell([&](std::span<const Vec3> group, std::span<const std::uint32_t> positions) {
+            const auto place = [&](std::size_t i) -> NearestFeature& { return result[positions[i]]; };
+            if (group.size() <= kFewPoints) return find_one_by_one(group, place);
             local.gather(box_of(group));
-            find_within(local, group, [&](std::size_t i) -> NearestFeature& { return result[positions[i]]; });
+            find_within(local, group, place);
         });
     }
 
@@ -106,9 +109,9 @@ public:
     }
 
 private:
-    void find_one_by_one(std::span<const Vec3> points, std::span<NearestFeature> result) const {
-        std::transform(points.begin(), points.end(), result.begin(),
-                       [&](const Vec3& p) { return surface_.nearest(p); });
+    template <class Result>
+    void find_one_by_one(std::span<const Vec3> points, const Result& result) const {
+        for (std::size_t i = 0; i < points.size(); ++i) result(i) = surface_.nearest(points[i]);
     }
 
     const AccessibleSurface& surface_;
@@ -183,8 +186,9 @@ std::vector<NearestFeature> nearest_features(const AccessibleSurface& surface, s
 }
 
 void nearest_features(const LocalFeatures& gathered, std::span<const Vec3> points, std::span<NearestFeature> result) {
-    GroupSearch(gathered.surface())
-        .find_within(gathered, points, [&](std::size_t i) -> NearestFeature& { return result[i]; });
+    GroupSearch(gathered.surface()).find_within(gathered, points, [&](std::size_t i) -> NearestFeature& {
+        return result[i];
+    });
 }
 
 }  // namespace meniscus
