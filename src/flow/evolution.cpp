@@ -70,7 +70,8 @@ std::vector<float> computed_slope(const BlockGrid& grid, std::span<const float> 
             const int x = node % kBlockEdge;
             const int y = node / kBlockEdge % kBlockEdge;
             const int z = node / (kBlockEdge * kBlockEdge);
-            const float* at = &padded[static_cast<std::size_t>(x + 1 + kPaddedEdge * (y + 1 + kPaddedEdge * (z + 1)))];
+            const int entry = x + 1 + kPaddedEdge * (y + 1 + kPaddedEdge * (z + 1));
+            const float* at = &padded[static_cast<std::size_t>(entry)];
             float sum = 0.0F;
             for (const int step : {1, kPaddedEdge, kPaddedEdge * kPaddedEdge}) {
                 const float d = scale * (at[step] - at[-step]);

@@ -28,8 +28,7 @@ T sum_over(std::size_t blocks, const Term& term) {
     });
 }
 
-// Calls body(around) with the nodes of the blocks around `block` in a field of
-// the grid, `fill` where there are none.
+// Calls body(around) with the nodes of the blocks around `block` in a field of the grid, `fill` where there are none.
 template <class Body>
 auto with_blocks_around(const BlockGrid& grid, std::span<const float> field, BlockId block, float fill,
                         const Body& body) {
@@ -43,8 +42,7 @@ auto with_blocks_around(const BlockGrid& grid, std::span<const float> field, Blo
     return body(around);
 }
 
-// Least squares min |e1·norm - H y| for a Hessenberg matrix H that grows by
-// columns.
+// Least squares min |e1·norm - H y| for a Hessenberg matrix H that grows by columns.
 class HessenbergSolver {
 public:
     explicit HessenbergSolver(double norm) : right_{norm} {}
@@ -103,6 +101,7 @@ NodeBits bits_of(const std::uint8_t* mask) {
 }
 
 }  // namespace
+
 void apply_everywhere(const BlockGrid& grid, const Stencil& stencil, std::span<const float> field,
                       const BlockFill& fill, std::span<float> result) {
     const BlockKernels& kernels = block_kernels();
@@ -115,8 +114,7 @@ void apply_everywhere(const BlockGrid& grid, const Stencil& stencil, std::span<c
 
 SplineSystem::SplineSystem(const BlockGrid& grid) : grid_(&grid) {}
 
-// The vectors may keep old values: begin() writes all of residual and
-// direction, apply() all of image.
+// The vectors may keep old values: begin() writes all of residual and direction, apply() all of image.
 void SplineSystem::find_active(const NodeMask& mask) {
     active_.clear();
     sets_.clear();
@@ -183,10 +181,9 @@ double SplineSystem::root_mean_square(double squared_norm) const {
     return unknowns_ > 0 ? std::sqrt(squared_norm / static_cast<double>(unknowns_)) : 0.0;
 }
 
-// The next residual's norm is known before the step from that of the image,
-// because the residual is orthogonal to the image of the direction before: one
-// pass over memory does all of a step. Only beta rests on it; the norm itself
-// is summed again, or rounding would add up (Meurant 1987; Chen & Carson 2020).
+// The next residual's norm is known before the step from that of the image, because the residual is orthogonal to the
+// image of the direction before: one pass over memory does all of a step. Only beta rests on it; the norm itself is
+// summed again, or rounding would add up (Meurant 1987; Chen & Carson 2020).
 SolveResult SplineSystem::solve_cg(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
                                    std::span<float> x, const SolveOptions& options) {
     double squared = begin(stencil, fill, b, x);
@@ -232,8 +229,7 @@ void SplineSystem::add_to(std::span<float> x, const Vector& vector, double scale
     });
 }
 
-// Saad & Schultz 1986: Arnoldi by modified Gram-Schmidt, the small
-// least-squares problem by Givens rotations.
+// Saad & Schultz 1986: Arnoldi by modified Gram-Schmidt, the small least-squares problem by Givens rotations.
 SolveResult SplineSystem::solve_gmres(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
                                       std::span<float> x, const SolveOptions& options) {
     std::vector<std::vector<float>> basis(kRestart + 1);

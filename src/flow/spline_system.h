@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Linear systems with a 27-point stencil on part of the band's nodes, solved
-// matrix-free.
+// Linear systems with a 27-point stencil on part of the band's nodes, solved matrix-free.
 #pragma once
 
 #include <cstddef>
@@ -37,27 +36,22 @@ struct SolveResult {
     double residual = 0.0;  ///< root mean square over the unknowns
 };
 
-/// Solves (stencil applied to x) = b on the nodes of the mask, x given on all
-/// others, by conjugate gradients or by GMRES restarted every 30 iterations,
-/// which needs as many vectors.
+/// Solves (stencil applied to x) = b on the nodes of the mask, x given on all others, by conjugate gradients or by
+/// GMRES restarted every 30 iterations, which needs as many vectors.
 ///
-/// The stencil must be positive definite. Sums run over blocks in fixed order:
-/// the same bits for any number of threads, and for any instructions
-/// (block_kernels.h). An iteration of conjugate gradients is two passes over
-/// the blocks with unknowns (docs/design/performance.md). Reuses its memory
-/// from solve to solve.
+/// The stencil must be positive definite. Sums run over blocks in fixed order: the same bits for any number of threads,
+/// and for any instructions (block_kernels.h). An iteration of conjugate gradients is two passes over the blocks with
+/// unknowns (docs/design/performance.md). Reuses its memory from solve to solve.
 class SplineSystem {
 public:
     explicit SplineSystem(const BlockGrid& grid);
 
-    /// x: start values on the mask, known values elsewhere; overwritten on the
-    /// mask only.
+    /// x: start values on the mask, known values elsewhere; overwritten on the mask only.
     SolveResult solve(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill, std::span<const float> b,
                       std::span<float> x, const SolveOptions& options);
 
 private:
-    using Vector = std::vector<float>;  // nodes of the active blocks, one block
-                                        // after the other
+    using Vector = std::vector<float>;  // nodes of the active blocks, one block after the other
 
     SolveResult solve_cg(const Stencil& stencil, const BlockFill& fill, std::span<const float> b, std::span<float> x,
                          const SolveOptions& options);

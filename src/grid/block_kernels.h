@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Arithmetic on whole blocks, for the linear solver: stencils, and the passes
-// of conjugate gradients.
+// Arithmetic on whole blocks, for the linear solver: stencils, and the passes of conjugate gradients.
 //
-// row_kernels.cpp holds it and is compiled once for every set of instructions.
-// All give the same bits: the same operations in the same order, no fused
-// multiply-add, one sum for each place in a row of eight nodes.
+// row_kernels.cpp holds it and is compiled once for every set of instructions. All give the same bits: the same
+// operations in the same order, no fused multiply-add, one sum for each place in a row of eight nodes.
 #pragma once
 
 #include <cstdint>
@@ -30,8 +28,7 @@ constexpr StencilWeights weights_of(const Stencil& s) {
             static_cast<float>(s.corner)};
 }
 
-/// The nodes of the 27 blocks around and including one (see neighbour_slot); of
-/// a stand-in where there is no block.
+/// The nodes of the 27 blocks around and including one (see neighbour_slot); of a stand-in where there is no block.
 using BlocksAround = const float* [27];
 
 /// A set of a block's nodes: node (x, y, z) is bit x of rows[y + 8 z].
@@ -55,27 +52,24 @@ struct CgFactors {
     float beta;
 };
 
-/// Arrays hold the nodes of one block, as fields on the grid do, and do not
-/// overlap.
+/// Arrays hold the nodes of one block, as fields on the grid do, and do not overlap.
 struct BlockKernels {
     std::string_view instructions;  ///< "plain" or "avx2"
 
-    /// image = stencil applied to the block in the middle, as apply_stencil() up
-    /// to rounding.
+    /// image = stencil applied to the block in the middle, as apply_stencil() up to rounding.
     void (*apply)(const StencilWeights& weights, const BlocksAround& around, float* image);
 
-    /// The same on the nodes of the set, 0 on the others; returns scalar products
-    /// of the image.
+    /// The same on the nodes of the set, 0 on the others; returns scalar products of the image.
     ImageProducts (*apply_to_set)(const StencilWeights& weights, const BlocksAround& direction, const NodeBits& set,
                                   float* image);
 
-    /// residual = direction = b - stencil applied to x on the set, 0 on the
-    /// others; returns the residual's squared norm.
+    /// residual = direction = b - stencil applied to x on the set, 0 on the others; returns the residual's squared
+    /// norm.
     double (*begin)(const StencilWeights& weights, const BlocksAround& x, const NodeBits& set, const float* b,
                     float* residual, float* direction);
 
-    /// x += alpha direction, residual -= alpha image, direction = residual + beta
-    /// direction; returns the residual's squared norm.
+    /// x += alpha direction, residual -= alpha image, direction = residual + beta direction; returns the residual's
+    /// squared norm.
     double (*advance)(const CgFactors& factors, const float* image, float* x, float* residual, float* direction);
 };
 
@@ -85,9 +79,8 @@ std::vector<const BlockKernels*> all_block_kernels();
 /// Those with the wanted instructions; the fastest ones if there are none.
 const BlockKernels& choose_block_kernels(std::string_view instructions);
 
-/// Those with the instructions that the environment variable
-/// MENISCUS_INSTRUCTIONS names, else the fastest ones; the same from the first
-/// call to the end of the program.
+/// Those with the instructions that the environment variable MENISCUS_INSTRUCTIONS names, else the fastest ones; the
+/// same from the first call to the end of the program.
 const BlockKernels& block_kernels();
 
 }  // namespace meniscus

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Compiled once for every set of instructions, so nothing inline of other
-// headers may be called here: the linker would keep one copy of it, perhaps one
-// that older machines cannot run.
+// Compiled once for every set of instructions, so nothing inline of other headers may be called here: the linker would
+// keep one copy of it, perhaps one that older machines cannot run.
 #include "grid/block_kernels.h"
 
 namespace meniscus {
@@ -13,8 +12,7 @@ constexpr int kHalf = kBlockEdge / 2;
 using Quad = float __attribute__((vector_size(kHalf * sizeof(float))));
 using WideQuad = double __attribute__((vector_size(kHalf * sizeof(double))));
 
-// A row is as many vectors as the machine needs for it: compilers split wider
-// ones badly.
+// A row is as many vectors as the machine needs for it: compilers split wider ones badly.
 #ifdef __AVX2__
 constexpr int kParts = 1;
 using Part = float __attribute__((vector_size(kBlockEdge * sizeof(float))));
@@ -104,8 +102,7 @@ private:
     WideQuad sum_[2]{};
 };
 
-// The rows of a slab, z given, and of the rows beside it in y, -1 to 8; sides
-// are the sums of both neighbours in x.
+// The rows of a slab, z given, and of the rows beside it in y, -1 to 8; sides are the sums of both neighbours in x.
 struct Slab {
     Row own[kPaddedEdge];
     Row sides[kPaddedEdge];

@@ -42,7 +42,8 @@ constexpr Stencil spline_laplacian(double spacing) {
 /// A local stand-in for the inverse of B, whose error the flow damps (docs/design/flow.md).
 constexpr Stencil spline_quasi_interpolant() { return tensor_cube(8.0 / 6.0, -1.0 / 6.0); }
 
-/// Applies a stencil to all nodes of a block, given with one layer around it (gather_padded).
+/// Applies a stencil to all nodes of a block, given with one layer around it (gather_padded): the
+/// plain twin of BlockKernels::apply, which is what runs.
 void apply_stencil(const Stencil& stencil, std::span<const float, kPaddedNodes> padded,
                    std::span<float, kBlockNodes> result);
 

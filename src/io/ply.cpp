@@ -35,7 +35,6 @@ constexpr const char* kTypeName<std::int32_t> = "int";
 template <>
 constexpr const char* kTypeName<std::uint32_t> = "uint";
 
-constexpr std::size_t kRun = 256;                      // records packed column by column: within a core's first cache
 constexpr std::size_t kBatch = std::size_t{1} << 19U;  // bytes packed before they are written: half a core's cache
 
 // A vertex property or a few in a row, of one type.
