@@ -14,8 +14,8 @@ namespace meniscus {
 namespace {
 
 constexpr std::size_t kGroupsPerChunk = 2;
-constexpr double kGroupEdge = 8.0;  // Å: blocks within this share one descent of the trees
-constexpr int kLongestShift = 4;
+constexpr double kLargestGroup = 16.0;  // Å: blocks within this share one descent of the trees
+constexpr int kLongestShift = 2;
 constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding
 
 // Clamps to ±limit; a NaN (0/0 on the SAS itself) becomes the limit.
@@ -73,7 +73,7 @@ public:
 private:
     static int shift_of(double spacing) {
         int shift = 0;
-        while (shift < kLongestShift && 2.0 * (kBlockEdge << shift) * spacing <= kGroupEdge) ++shift;
+        while (shift < kLongestShift && 2.0 * (kBlockEdge << shift) * spacing <= kLargestGroup) ++shift;
         return shift;
     }
     BlockCoord group_of(const BlockCoord& c) const { return {c.z >> shift_, c.y >> shift_, c.x >> shift_}; }

@@ -134,8 +134,8 @@ void NearestBatch::claim_by_ball(std::size_t contender) {
         const bool owned = depth <= 0.0 || (exposed && directions_.excess[lane] <= 0.0);
         ++lane;
         if (owned) {
-            claims_[i] = depth <= -beyond_ ? Claim::Above : Claim::Ball;
             signed_distances_[i] = data_->probe - depth;
+            claims_[i] = signed_distances_[i] < margin_ ? Claim::Ball : Claim::Above;
             atoms_[i] = atom;
         } else {
             open_[open_count_] = static_cast<std::uint8_t>(i);
@@ -185,12 +185,11 @@ void NearestBatch::drop_above() {
 }
 
 void NearestBatch::claim_by_edges() {
-    const double reach = data_->probe + margin_;
     for (std::size_t k = 0; k < open_count_; ++k) {
         const std::size_t i = open_[k];
-        const double squared = nearest_.squared_distance[k];
-        claims_[i] = squared < reach * reach ? Claim::Edge : Claim::Below;
-        signed_distances_[i] = data_->probe - std::sqrt(squared);
+        const double s = data_->probe - std::sqrt(nearest_.squared_distance[k]);
+        claims_[i] = s >= margin_ ? Claim::Above : (s <= -margin_ ? Claim::Below : Claim::Edge);
+        signed_distances_[i] = s;
         tags_[i] = nearest_.tag[k];
     }
 }

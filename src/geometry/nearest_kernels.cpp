@@ -11,6 +11,7 @@
 #endif
 
 namespace meniscus {
+namespace {
 
 namespace plain {
 constexpr std::size_t kVectorBytes = 16;
@@ -34,6 +35,8 @@ constexpr std::size_t kVectorBytes = 64;
 }  // namespace avx512
 #pragma GCC pop_options
 #endif
+
+}  // namespace
 
 std::vector<NearestKernels> supported_nearest_kernels() {
     std::vector<NearestKernels> kernels{plain::kKernels};

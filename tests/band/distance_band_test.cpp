@@ -146,6 +146,20 @@ TEST(DistanceBand, EqualsBruteForceOnAwkwardArrangements) {
     }
 }
 
+TEST(DistanceBand, EqualsTheExactDistanceInANarrowBand) {
+    for (const Arrangement& a : awkward_arrangements()) {
+        SCOPED_TRACE(a.name);
+        expect_every_node(Sampled(a.atoms, a.probe, 0.25, 1.5 * 0.25));
+    }
+}
+
+TEST(DistanceBand, IsTheSameWithoutCurvature) {
+    const Sampled sampled(random_cluster(41, 100, 12.0), 1.4, 0.5, 1.0);
+    const DistanceBand band = sample_distance(sampled.surface, sampled.grid, sampled.margin, BandFields::Distance);
+    EXPECT_EQ(band.distance, sampled.band.distance);
+    EXPECT_TRUE(band.curvature.empty());
+}
+
 TEST(DistanceBand, HasTheRightSignDeepInsideAndFarOutside) {
     const Sampled sampled(cubic_lattice(5, 2.5, 1.7), 1.4, 0.5, 0.6);
     for (std::size_t n = 0; n < sampled.grid.node_count(); ++n) {

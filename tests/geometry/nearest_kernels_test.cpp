@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/nearest_kernels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "support/arrangements.h"
+
+namespace meniscus::testing {
+namespace {
+
+constexpr std::size_t kPoints = 61;  // no multiple of any vector
+
+// What all kernels say of the points in one box.
+struct Answers {
+    std::vector<std::int64_t> reaching;
+    std::vector<std::int64_t> overlapping;
+    std::vector<double> depths_in_middle;
+    Depths depths;
+    Directions directions;
+    NearestTags nearest;
+};
+
+class NearestKernelsTest : public ::testing::Test {
+protected:
+    NearestKernelsTest() {
+        local_.gather({{-2, -2, -2}, {9, 9, 9}});
+        for (std::size_t b = 0; b < local_.balls().size(); ++b) {
+            const Vec3 c = position_in(local_.balls(), b);
+            small_.push_back({static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z),
+                              static_cast<float>(local_.balls().column(3)[b])});
+        }
+        const std::vector<Vec3> points = random_points_around(atoms_, kPoints, 1.0);
+        for (std::size_t i = 0; i < kPoints; ++i) {
+            points_.x[i] = points[i].x;
+            points_.y[i] = points[i].y;
+            points_.z[i] = points[i].z;
+            small_points_.x[i] = static_cast<float>(points[i].x);
+            small_points_.y[i] = static_cast<float>(points[i].y);
+            small_points_.z[i] = static_cast<float>(points[i].z);
+        }
+    }
+
+    Vec3 point(std::size_t i) const { return {points_.x[i], points_.y[i], points_.z[i]}; }
+
+    Answers ask(const NearestKernels& kernels) const {
+        const AccessibleSurface::Data& data = surface_.data();
+        Answers answers;
+        answers.reaching.resize(local_.vertices().padded_size());
+        kernels.mark_reaching(local_.vertices(), 0.4, kBox, answers.reaching.data());
+        answers.reaching.resize(local_.vertices().size());
+        answers.overlapping.resize(local_.arcs().padded_size());
+        kernels.mark_overlapping(local_.arcs(), kBox, answers.overlapping.data());
+        answers.overlapping.resize(local_.arcs().size());
+        answers.depths_in_middle.resize(local_.balls().padded_size());
+        kernels.find_depths_of(kMiddle, local_.balls(), answers.depths_in_middle.data());
+        answers.depths_in_middle.resize(local_.balls().size());
+        kernels.find_depths(small_, small_points_, kPoints, answers.depths);
+        const std::uint32_t atom = local_.balls().index(0);
+        kernels.find_directions(data.atoms.centres[atom], data.caps_of(atom), points_, kPoints, answers.directions);
+        std::fill_n(answers.nearest.squared_distance.at, kPoints, 1e300);
+        std::vector<std::uint32_t> items(local_.vertices().size());
+        std::iota(items.begin(), items.end(), 0U);
+        kernels.offer_vertices(local_.vertices(), items, points_, kPoints, answers.nearest);
+        items.clear();
+        for (std::size_t a = 0; a < local_.arcs().size(); ++a) items.push_back(local_.arcs().index(a));
+        kernels.offer_arcs(data.arcs, items, points_, kPoints, answers.nearest);
+        return answers;
+    }
+
+    static constexpr Box kBox{{1, 1, 1}, {3, 3, 3}};
+    static constexpr Vec3 kMiddle{2, 2, 2};
+    Atoms atoms_ = random_cluster(8, 40, 8.0);
+    AccessibleSurface surface_{atoms_, 1.4};
+    LocalFeatures local_{surface_, 1.0};
+    std::vector<SmallBall> small_;
+    LanePoints<double> points_;
+    LanePoints<float> small_points_;
+};
+
+template <class T>
+void expect_equal(const LaneArray<T>& a, const LaneArray<T>& b) {
+    EXPECT_TRUE(std::equal(a.at, a.at + kPoints, b.at));
+}
+
+TEST_F(NearestKernelsTest, GiveTheSameBitsOnEveryInstructionSet) {
+    const std::vector<NearestKernels> all = supported_nearest_kernels();
+    const Answers plain = ask(all.front());
+    for (const NearestKernels& kernels : all) {
+        const Answers other = ask(kernels);
+        EXPECT_EQ(other.reaching, plain.reaching);
+        EXPECT_EQ(other.overlapping, plain.overlapping);
+        EXPECT_EQ(other.depths_in_middle, plain.depths_in_middle);
+        expect_equal(other.depths.first, plain.depths.first);
+        expect_equal(other.depths.second, plain.depths.second);
+        expect_equal(other.depths.ball, plain.depths.ball);
+        expect_equal(other.directions.distance, plain.directions.distance);
+        expect_equal(other.directions.excess, plain.directions.excess);
+        expect_equal(other.nearest.squared_distance, plain.nearest.squared_distance);
+        expect_equal(other.nearest.tag, plain.nearest.tag);
+    }
+}
+
+TEST_F(NearestKernelsTest, MarkWhatIsNearABox) {
+    const Answers answers = ask(nearest_kernels());
+    for (std::size_t v = 0; v < local_.vertices().size(); ++v) {
+        const double squared = kBox.squared_distance(position_in(local_.vertices(), v));
+        EXPECT_EQ(answers.reaching[v] != 0, squared < 1.8 * 1.8);
+    }
+    for (std::size_t a = 0; a < local_.arcs().size(); ++a) {
+        const Box cell = surface_.data().arc_cells[local_.arcs().index(a)].grown(1e-6);
+        EXPECT_EQ(answers.overlapping[a] != 0, cell.overlaps(kBox));
+    }
+}
+
+TEST_F(NearestKernelsTest, FindDepthsInAllBalls) {
+    const Answers answers = ask(nearest_kernels());
+    for (std::size_t i = 0; i < kPoints; ++i) {
+        std::vector<double> depths;
+        for (std::size_t b = 0; b < local_.balls().size(); ++b)
+            depths.push_back(local_.balls().column(3)[b] - norm(point(i) - position_in(local_.balls(), b)));
+        const auto deepest = std::max_element(depths.begin(), depths.end()) - depths.begin();
+        EXPECT_EQ(answers.depths.ball[i], deepest);
+        std::sort(depths.rbegin(), depths.rend());
+        EXPECT_NEAR(answers.depths.first[i], depths[0], 1e-5);
+        EXPECT_NEAR(answers.depths.second[i], depths[1], 1e-5);
+    }
+    for (std::size_t b = 0; b < local_.balls().size(); ++b)
+        EXPECT_EQ(answers.depths_in_middle[b],
+                  local_.balls().column(3)[b] - norm(kMiddle - position_in(local_.balls(), b)));
+}
+
+TEST_F(NearestKernelsTest, TellExposedDirections) {
+    const AccessibleSurface::Data& data = surface_.data();
+    const std::uint32_t atom = local_.balls().index(0);
+    const Answers answers = ask(nearest_kernels());
+    for (std::size_t i = 0; i < kPoints; ++i) {
+        const Vec3 q = point(i) - data.atoms.centres[atom];
+        EXPECT_EQ(answers.directions.distance[i], norm(q));
+        EXPECT_EQ(answers.directions.excess[i] <= 0.0, data.direction_exposed(atom, q, norm(q)));
+    }
+}
+
+TEST_F(NearestKernelsTest, FindTheNearestArcOrVertex) {
+    const AccessibleSurface::Data& data = surface_.data();
+    const Answers answers = ask(nearest_kernels());
+    for (std::size_t i = 0; i < kPoints; ++i) {
+        double best = 1e300;
+        for (std::size_t v = 0; v < local_.vertices().size(); ++v)
+            best = std::min(best, squared_norm(point(i) - position_in(local_.vertices(), v)));
+        for (std::size_t a = 0; a < local_.arcs().size(); ++a) {
+            const ArcFoot foot = foot_on_arc(data.arcs[local_.arcs().index(a)], point(i));
+            if (foot.within) best = std::min(best, foot.squared_distance);
+        }
+        EXPECT_EQ(answers.nearest.squared_distance[i], best);
+        const std::int64_t tag = answers.nearest.tag[i];
+        const double own = is_arc(tag) ? foot_on_arc(data.arcs[arc_of(tag)], point(i)).squared_distance
+                                       : squared_norm(point(i) - data.vertices[static_cast<std::size_t>(tag)].position);
+        EXPECT_EQ(own, best);
+    }
+}
+
+TEST(FeatureList, KeepsTheMarkedItemsInOrder) {
+    FeatureList<2> all;
+    for (std::uint32_t i = 0; i < 11; ++i) all.add({1.0 * i, 10.0 * i}, 100 + i);
+    FeatureList<2> some;
+    std::vector<std::int64_t> marks(all.padded_size(), 0);
+    marks[2] = marks[3] = marks[10] = -1;
+    some.select(all, marks);
+    ASSERT_EQ(some.size(), 3U);
+    EXPECT_EQ(some.padded_size(), 8U);
+    EXPECT_EQ(some.index(2), 110U);
+    EXPECT_EQ(some.column(0)[1], 3.0);
+    EXPECT_EQ(some.column(1)[2], 100.0);
+    some.clear();
+    EXPECT_TRUE(some.empty());
+}
+
+}  // namespace
+}  // namespace meniscus::testing
