@@ -85,8 +85,8 @@ private:
         for_each_node_of_block([&](int node, int entry) {
             const float own = padded[static_cast<std::size_t>(entry)];
             for (const int step : {1, kPaddedEdge, kPaddedEdge * kPaddedEdge})
-                for (const int side : {-step, step}) {
-                    const float other = padded[static_cast<std::size_t>(entry + side)];
+                for (const int beside : {entry - step, entry + step}) {
+                    const float other = padded[static_cast<std::size_t>(beside)];
                     if (!std::isnan(other) && (other < 0.0F) != (own < 0.0F)) {
                         cut.push_back(static_cast<std::uint16_t>(node));
                         return;
@@ -115,8 +115,8 @@ private:
         for (int dz = -1; dz <= 1; ++dz)
             for (int dy = -1; dy <= 1; ++dy)
                 for (int dx = -1; dx <= 1; ++dx) {
-                    const SeedId seed =
-                        padded[static_cast<std::size_t>(entry + dx + kPaddedEdge * (dy + kPaddedEdge * dz))];
+                    const int beside = entry + dx + kPaddedEdge * (dy + kPaddedEdge * dz);
+                    const SeedId seed = padded[static_cast<std::size_t>(beside)];
                     if (seed == kNoSeed || seed == best) continue;
                     const double d2 = squared_norm(seeds_[seed] - p);
                     if (d2 < least || (d2 == least && seed < best)) {

@@ -20,7 +20,8 @@ constexpr std::array<int, 3> kSteps{1, kEdge, kEdge* kEdge};
 using WideBlock = std::array<float, static_cast<std::size_t>(kEdge) * kEdge * kEdge>;
 
 std::size_t wide_entry(int x, int y, int z) {
-    return static_cast<std::size_t>((x + kRim) + kEdge * ((y + kRim) + kEdge * (z + kRim)));
+    const int entry = (x + kRim) + kEdge * ((y + kRim) + kEdge * (z + kRim));
+    return static_cast<std::size_t>(entry);
 }
 
 // A block and two layers of nodes around it; where there is no block, the value of the nearest node of this one.

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// The nearest features of up to 64 neighbouring points at once, as vectors do it: docs/design/exact-geometry.md.
+// The nearest features of up to 64 neighbouring points at once.
+//
+// Whose a point is follows from the same tests as in nearest_feature.h, with the points as the lanes of vectors. Only
+// the deepest ball is looked for in single precision: what that leaves in doubt is decided in double precision.
 #pragma once
 
 #include <cstdint>
