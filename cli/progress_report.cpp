@@ -33,7 +33,7 @@ ProgressReport::ProgressReport(ProgressMode mode, std::ostream& out) : mode_(mod
 ProgressReport::~ProgressReport() { clear(); }
 
 void ProgressReport::update(std::string_view stage, double fraction) {
-    if (mode_ != ProgressMode::On && mode_ != ProgressMode::Json) return;
+    if (!is_on()) return;
     const double part = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0;
     const int percent = static_cast<int>(100.0 * part);
     if (stage == stage_ && percent == percent_) return;
@@ -51,13 +51,15 @@ void ProgressReport::draw(int percent) {
     const int full = percent * kBarWidth / 100;
     out_ << fmt::format("\r{:<9} [{:<{}}] {:3} %", stage_, std::string(static_cast<std::size_t>(full), '#'), kBarWidth,
                         percent);
+    if (expected_ >= 1.0) out_ << fmt::format(", about {:.0f} s in all", expected_);
     drawn_ = true;
 }
 
 void ProgressReport::print_json(double fraction) {
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start_;
-    out_ << fmt::format("{{\"stage\": \"{}\", \"fraction\": {:.4f}, \"time_s\": {:.3f}}}\n", stage_, fraction,
-                        time.count());
+    const std::string expected = expected_ > 0.0 ? fmt::format(", \"expected_s\": {:.3f}", expected_) : "";
+    out_ << fmt::format("{{\"stage\": \"{}\", \"fraction\": {:.4f}, \"time_s\": {:.3f}{}}}\n", stage_, fraction,
+                        time.count(), expected);
 }
 
 void ProgressReport::clear() {

@@ -28,6 +28,11 @@ public:
     ProgressReport(const ProgressReport&) = delete;
     ProgressReport& operator=(const ProgressReport&) = delete;
 
+    bool is_on() const { return mode_ == ProgressMode::On || mode_ == ProgressMode::Json; }
+
+    /// How long all stages are expected to take together, s: shown from now on.
+    void expect(double seconds) { expected_ = seconds; }
+
     /// Shows a stage's fraction, 0 to 1. Repeats of the same stage and whole percent are left out.
     void update(std::string_view stage, double fraction);
 
@@ -43,6 +48,7 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::string stage_;
     int percent_ = -1;
+    double expected_ = 0.0;  // s; 0 where nothing is known
     bool drawn_ = false;
 };
 

@@ -178,6 +178,10 @@ ordered_json checks_block(const std::vector<Check>& checks) {
     return list;
 }
 
+ordered_json expected_block(const Cost& cost) {
+    return {{"vertices", std::round(cost.vertices)}, {"memory_mb", cost.memory_mb}, {"cpu_s", cost.seconds}};
+}
+
 ordered_json time_block(const StageTimes& s, const RunFacts& facts) {
     return {{"total", facts.total_seconds},
             {"read", facts.read_seconds},
@@ -205,6 +209,7 @@ ordered_json make_report(const SurfaceRequest& request, const Structure& structu
             {"mesh", mesh_block(surface, exact_counterpart(exact, surface.options.pieces))},
             {"flow", flow_block(surface)},
             {"checks", checks_block(checks)},
+            {"expected", expected_block(surface.expected)},
             {"time_s", time_block(surface.seconds, facts)},
             {"peak_memory_mb", facts.peak_memory_mb}};
 }

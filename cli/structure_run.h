@@ -68,6 +68,9 @@ protected:
     virtual nlohmann::ordered_json report(const Job& job, const RunFacts& facts) const = 0;
     virtual std::string summary(const Job& job, const RunFacts& facts) const = 0;
 
+    bool shows_progress() const { return progress_.is_on(); }
+    /// Processor time that the structure will take, to be shown with its progress, s.
+    void expect(double seconds) { progress_.expect(seconds / threads_in_use(threads_)); }
     void show(std::string_view stage, double fraction) { progress_.update(stage, fraction); }
 
 private:

@@ -57,6 +57,11 @@ private:
     /// The exact measures, which only reports show, come first: their memory is free again when the grid needs it.
     void compute(const Job& job) override {
         const SurfaceOptions& options = request_.surface;
+        if (!request_.report.empty() || shows_progress()) {
+            const Cost expected = estimate_cost(job.structure.atoms, options);
+            refuse_what_would_not_fit(job.structure.atoms, options, expected);
+            expect(expected.seconds);
+        }
         if (!request_.report.empty()) measure_exactly(job.structure.atoms);
         FlowObserver observer;
         if (request_.flow.snapshots > 0)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "meniscus/atoms.h"
+#include "meniscus/cost.h"
 #include "meniscus/flow.h"
 #include "meniscus/level_set.h"
 #include "meniscus/measures.h"
@@ -75,6 +76,7 @@ struct Surface {
     std::vector<FlowStep> history;              ///< if asked for, and always for a flow without an anchor
     std::shared_ptr<const LevelSet> level_set;  ///< absent for Method::Direct
     std::vector<Check> checks;
+    Cost expected;  ///< before the computation started
     StageTimes seconds;
 
     bool passed() const;  ///< every check passed

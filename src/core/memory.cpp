@@ -2,18 +2,58 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/memory.h"
 
+#include <sys/resource.h>
+
+#include <algorithm>
 #include <fstream>
 #include <limits>
 #include <string>
 
 namespace meniscus {
+namespace {
 
-std::size_t available_memory() {
+constexpr std::size_t kPlenty = std::numeric_limits<std::size_t>::max() / 2;
+
+// What the machine has left.
+std::size_t free_in_machine() {
     std::ifstream info("/proc/meminfo");
     std::size_t kilobytes = 0;
     for (std::string key; info >> key; info.ignore(std::numeric_limits<std::streamsize>::max(), '\n'))
         if (key == "MemAvailable:" && info >> kilobytes) return kilobytes * 1024;
-    return std::numeric_limits<std::size_t>::max() / 2;
+    return kPlenty;
 }
+
+// What one control group (version 2) leaves of its own limit.
+std::size_t free_in_group(const std::string& folder) {
+    std::size_t limit = 0;
+    if (!(std::ifstream(folder + "/memory.max") >> limit)) return kPlenty;  // "max", or no such file
+    std::ifstream statistics(folder + "/memory.stat");
+    std::string key;
+    std::size_t used = 0;  // but for cached files, which give way
+    while (statistics >> key >> used && key != "anon") continue;
+    return limit - std::min(limit, used);
+}
+
+// What a batch system or a container leaves to this process: the tightest of its group and those around it.
+std::size_t free_in_groups() {
+    std::ifstream groups("/proc/self/cgroup");
+    std::string group;
+    while (std::getline(groups, group) && !group.starts_with("0::")) continue;
+    std::size_t least = kPlenty;
+    for (group.erase(0, 3); group.starts_with('/'); group.resize(group.rfind('/')))
+        least = std::min(least, free_in_group("/sys/fs/cgroup" + group));
+    return least;
+}
+
+// What `ulimit -v` allows.
+std::size_t address_space() {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kPlenty;
+    return static_cast<std::size_t>(limit.rlim_cur);
+}
+
+}  // namespace
+
+std::size_t available_memory() { return std::min({free_in_machine(), free_in_groups(), address_space()}); }
 
 }  // namespace meniscus

@@ -90,6 +90,14 @@ void AtomicFile::open_temporary() {
     if (error != 0) fail(error);
 }
 
+void AtomicFile::reserve([[maybe_unused]] std::size_t size) {
+#ifdef FALLOC_FL_KEEP_SIZE
+    if (temporary_.empty()) return;
+    const int result = ::fallocate(descriptor_, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(size));
+    if (result != 0 && errno == ENOSPC) fail(errno);  // other errors: the file system cannot do this
+#endif
+}
+
 void AtomicFile::number(float value) {
     std::array<char, 32> digits;
     write(digits_of(value, digits));

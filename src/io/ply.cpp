@@ -37,6 +37,8 @@ constexpr const char* kTypeName<std::uint32_t> = "uint";
 
 constexpr std::size_t kBatch = std::size_t{1} << 19U;  // bytes packed before they are written: half a core's cache
 
+constexpr std::size_t kFaceSize = 1 + sizeof(Triangle);  // bytes
+
 // A vertex property or a few in a row, of one type.
 struct Column {
     std::function<void(std::size_t)> print;                          // one vertex, as text
@@ -126,10 +128,10 @@ private:
     }
 
     void pack_records() {
+        file_.reserve(mesh_.vertices.size() * record_size_ + mesh_.triangles.size() * kFaceSize);
         pack_in_batches(mesh_.vertices.size(), record_size_, [&](std::size_t begin, std::size_t end, std::byte* to) {
             for (const Column& column : columns_) column.pack(begin, end, to);
         });
-        constexpr std::size_t kFaceSize = 1 + sizeof(Triangle);
         pack_in_batches(mesh_.triangles.size(), kFaceSize, [&](std::size_t begin, std::size_t end, std::byte* to) {
             for (std::size_t t = begin; t < end; ++t, to += kFaceSize) {
                 *to = std::byte{3};

@@ -27,12 +27,15 @@ std::array<Vec3, 4> facet_of(const Mesh& mesh, const Triangle& triangle) {
     return {squared_norm(normal) > 0.0 ? normalised(normal) : Vec3{}, a, b, c};
 }
 
+constexpr std::size_t kFacetSize = 50;  // bytes
+
 void write_binary(AtomicFile& file, const Mesh& mesh) {
     if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max())
         throw LimitError("STL cannot hold more than 2^32 - 1 triangles; choose a larger --spacing or write PLY");
     std::array<char, 80> header{};  // must not begin with "solid"
     const std::string text = std::string("meniscus ") + kVersion + ", lengths in angstrom";
     std::copy(text.begin(), text.end(), header.begin());
+    file.reserve(sizeof header + sizeof(std::uint32_t) + mesh.triangles.size() * kFacetSize);
     file.bytes(header);
     file.bytes(static_cast<std::uint32_t>(mesh.triangles.size()));
     for (const Triangle& t : mesh.triangles) {

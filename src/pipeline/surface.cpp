@@ -9,7 +9,6 @@
 
 #include "band/distance_band.h"
 #include "band/surface_blocks.h"
-#include "core/memory.h"
 #include "core/parallel.h"
 #include "flow/evolution.h"
 #include "flow/gaussian_density.h"
@@ -17,14 +16,12 @@
 #include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "mesh/extract.h"
+#include "pipeline/band_size.h"
 #include "pipeline/flow_stage.h"
 #include "pipeline/surface_mesh.h"
 
 namespace meniscus {
 namespace {
-
-// Of the band's fields, the solver's vectors and the mesh: an upper estimate seen on proteins.
-constexpr std::size_t kBytesPerBlock = std::size_t{48} * 1024;
 
 // The grid starts here, in spacings: fractions without meaning, so that atoms at round coordinates with round
 // radii do not put the surface, or planes of symmetry, exactly onto nodes.
@@ -34,9 +31,6 @@ constexpr Vec3 kGridShift{0.3819660, 0.2360680, 0.1458980};
 constexpr double kMeanDistanceBound = 0.1;  // in spacings
 
 constexpr double kWidestBand = 16.0;  // spacings
-
-// Nodes of a cell that the surface cuts are within its diagonal, the root of three spacings.
-constexpr double kMarchingMargin = 1.8;  // spacings
 
 class StageClock {
 public:
@@ -76,17 +70,6 @@ void check_options(const SurfaceOptions& options) {
     require(options.threads >= 0, "threads", options.threads, "0 (all cores) or more");
 }
 
-// How far the band reaches on both sides of the surface, Å.
-double margin_of(const SurfaceOptions& options) {
-    if (options.method == Method::Direct) return kMarchingMargin * options.spacing;
-    return flow_margin(options.method == Method::Flow ? options.flow : FlowOptions{}, options.spacing);
-}
-
-std::size_t block_limit(const SurfaceOptions& options) {
-    const std::size_t bytes = options.memory_limit_mb > 0 ? options.memory_limit_mb << 20U : available_memory();
-    return bytes / kBytesPerBlock;
-}
-
 // What the methods hand on to meshing.
 struct Field {
     std::shared_ptr<const BlockGrid> grid;
@@ -98,7 +81,7 @@ struct Field {
 class Pipeline {
 public:
     Pipeline(const Atoms& atoms, const SurfaceOptions& options, const Progress& progress, const FlowObserver& observer)
-        : options_(options), progress_(progress), observer_(observer), margin_(margin_of(options)) {
+        : options_(options), progress_(progress), observer_(observer), margin_(band_margin(options)) {
         surface_.options = options;
         report("geometry", 0.0);
         accessible_ = std::make_unique<AccessibleSurface>(atoms, options.probe);
@@ -240,7 +223,11 @@ Surface compute_surface(const Atoms& atoms, const SurfaceOptions& options, const
                         const FlowObserver& observer) {
     check_options(options);
     const ThreadLimit limit(options.threads);
-    return Pipeline(atoms, options, progress, observer).run();
+    const Cost expected = estimate_cost(atoms, options);
+    refuse_what_would_not_fit(atoms, options, expected);
+    Surface surface = Pipeline(atoms, options, progress, observer).run();
+    surface.expected = expected;
+    return surface;
 }
 
 }  // namespace meniscus

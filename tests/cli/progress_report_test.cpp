@@ -51,6 +51,19 @@ TEST(ProgressReport, WritesOneJsonLinePerUpdate) {
     EXPECT_EQ(nlohmann::json::parse(lines[2])["fraction"], 0.0);
 }
 
+TEST(ProgressReport, TellsHowLongItWillTakeOnceItIsKnown) {
+    std::ostringstream json;
+    ProgressReport lines(ProgressMode::Json, json);
+    lines.expect(2.5);
+    lines.update("band", 0.25);
+    EXPECT_EQ(nlohmann::json::parse(json.str())["expected_s"], 2.5);
+    std::ostringstream screen;
+    ProgressReport bar(ProgressMode::On, screen);
+    bar.expect(12.4);
+    bar.update("band", 0.25);
+    EXPECT_TRUE(screen.str().ends_with(" 25 %, about 12 s in all")) << screen.str();
+}
+
 TEST(ProgressReport, TakesTheBarAwayAtTheEnd) {
     std::ostringstream out;
     {

@@ -40,8 +40,8 @@ nlohmann::ordered_json report_of(const SurfaceRequest& request, const Surface& s
 }  // namespace
 
 TEST(Report, HasTheBlocksOfTheInterfaceInOrder) {
-    const std::vector<std::string> expected{"meniscus", "schema", "input",  "options", "exact",         "components",
-                                            "mesh",     "flow",   "checks", "time_s",  "peak_memory_mb"};
+    const std::vector<std::string> expected{"meniscus", "schema", "input",  "options",  "exact",  "components",
+                                            "mesh",     "flow",   "checks", "expected", "time_s", "peak_memory_mb"};
     EXPECT_EQ(keys_of(report_of({})), expected);
     const std::vector<std::string> times{"total", "read",  "geometry", "band", "flow",
                                          "mesh",  "exact", "picture",  "write"};

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "meniscus/cost.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "core/memory.h"
+#include "grid/block_grid.h"
+#include "meniscus/errors.h"
+#include "meniscus/surface.h"
+#include "pipeline/band_size.h"
+#include "pipeline/flow_stage.h"
+
+namespace meniscus {
+namespace {
+
+constexpr double kMegabyte = 1024.0 * 1024.0;
+
+// Enough to know the area within some 15 %; small structures can afford more.
+constexpr std::size_t kLeastSamples = 100;
+constexpr std::size_t kPairs = 1'000'000;
+
+constexpr std::size_t kDirections = 16;
+
+// Evenly spread unit vectors: the golden spiral.
+std::array<Vec3, kDirections> spiral() {
+    std::array<Vec3, kDirections> directions;
+    for (std::size_t k = 0; k < kDirections; ++k) {
+        const double z = 1.0 - (2.0 * static_cast<double>(k) + 1.0) / static_cast<double>(kDirections);
+        const double angle = 2.0 * std::numbers::pi * std::numbers::phi * static_cast<double>(k);
+        const double across = std::sqrt(1.0 - z * z);
+        directions[k] = {across * std::cos(angle), across * std::sin(angle), z};
+    }
+    return directions;
+}
+
+// What the other atoms leave of enlarged spheres.
+class Exposure {
+public:
+    Exposure(const Atoms& atoms, double probe) : atoms_(atoms), probe_(probe) {}
+
+    /// The part of an atom's enlarged sphere that is accessible, 0 to 1.
+    double of(std::size_t atom) {
+        find_neighbours(atom);
+        const double rho = atoms_.radii[atom] + probe_;
+        std::size_t free = 0;
+        for (const Vec3& direction : directions_) free += is_covered(atoms_.centres[atom] + rho * direction) ? 0 : 1;
+        return static_cast<double>(free) / static_cast<double>(kDirections);
+    }
+
+private:
+    struct Neighbour {
+        Vec3 centre;
+        double squared_rho;
+    };
+
+    static double squared(double v) { return v * v; }
+
+    void find_neighbours(std::size_t atom) {
+        neighbours_.clear();
+        const Vec3 centre = atoms_.centres[atom];
+        const double rho = atoms_.radii[atom] + 2.0 * probe_;
+        for (std::size_t j = 0; j < atoms_.size(); ++j) {
+            const double reach = rho + atoms_.radii[j];
+            if (j != atom && squared_norm(atoms_.centres[j] - centre) < reach * reach)
+                neighbours_.push_back({atoms_.centres[j], squared(atoms_.radii[j] + probe_)});
+        }
+    }
+
+    bool is_covered(const Vec3& point) const {
+        return std::any_of(neighbours_.begin(), neighbours_.end(),
+                           [&point](const Neighbour& n) { return squared_norm(n.centre - point) < n.squared_rho; });
+    }
+
+    const Atoms& atoms_;
+    double probe_;
+    std::array<Vec3, kDirections> directions_ = spiral();
+    std::vector<Neighbour> neighbours_;
+};
+
+// The sum of the contact patches is known from the exposed parts f. What bridges them grows as the atoms lie closer:
+// on single spheres, peptides, proteins and assemblies alike the whole is near f^-b times as large, with b rising from
+// 0 for the van der Waals surface to 0.38 for water.
+double bridged_area(double contact_area, double exposed, double probe) {
+    const double b = std::min(probe, 0.3 + 0.057 * probe);
+    return contact_area * std::pow(exposed, -b);
+}
+
+double surface_area(const Atoms& atoms, double probe) {
+    if (atoms.empty()) return 0.0;
+    const std::size_t samples = std::clamp(kPairs / atoms.size(), kLeastSamples, std::max(kLeastSamples, atoms.size()));
+    const std::size_t step = std::max<std::size_t>(1, atoms.size() / samples);
+    Exposure exposure(atoms, probe);
+    double contact = 0.0;
+    double exposed = 0.0;
+    double count = 0.0;
+    for (std::size_t i = 0; i < atoms.size(); i += step) {
+        const double part = exposure.of(i);
+        contact += 4.0 * std::numbers::pi * atoms.radii[i] * atoms.radii[i] * part;
+        exposed += part;
+        count += 1.0;
+    }
+    if (exposed == 0.0) return 0.0;
+    return bridged_area(contact * static_cast<double>(atoms.size()) / count, exposed / count, probe);
+}
+
+// Blocks of the grid within a margin of the surface: those with their centre within half a diagonal more. Layers that
+// are thick beside the atoms overlap in clefts and inside.
+double block_count(double area, double spacing, double margin) {
+    constexpr double kOverlap = 12.0;  // Å
+    const double edge = kBlockEdge * spacing;
+    const double reach = margin + 0.5 * std::numbers::sqrt3 * edge;
+    const double outside = 8.0 / 3.0 * std::numbers::pi * reach * reach * reach;
+    return (2.0 * area * reach / (1.0 + reach / kOverlap) + outside) / (edge * edge * edge);
+}
+
+// What the parts of a computation take.
+struct Rates {
+    double per_atom;
+    double per_block;
+    double per_vertex;
+};
+struct Prices {
+    Rates bytes;
+    Rates nanoseconds;
+};
+constexpr double kBytesOfProgram = 12.0 * kMegabyte;
+
+constexpr Prices prices_of(Method method) {
+    if (method == Method::Direct) return {{1200.0, 2200.0, 170.0}, {8000.0, 8000.0, 600.0}};
+    return {{1200.0, 12000.0, 170.0}, {8000.0, 40000.0, 700.0}};
+}
+
+Cost cost_of(double atoms, double area, const SurfaceOptions& options) {
+    const double h = options.spacing;
+    const double blocks = block_count(area, h, band_margin(options));
+    Cost cost;
+    cost.area = area;
+    cost.vertices = 1.5 * area / (h * h);  // a plane cuts 1.5 edges per square of the grid, on average
+    const auto sum = [&](const Rates& rates) {
+        return rates.per_atom * atoms + rates.per_block * blocks + rates.per_vertex * cost.vertices;
+    };
+    cost.memory_mb = (kBytesOfProgram + sum(prices_of(options.method).bytes)) / kMegabyte;
+    cost.seconds = 1e-9 * sum(prices_of(options.method).nanoseconds);
+    return cost;
+}
+
+double limit_mb(const SurfaceOptions& options) {
+    return options.memory_limit_mb > 0 ? static_cast<double>(options.memory_limit_mb)
+                                       : static_cast<double>(available_memory()) / kMegabyte;
+}
+
+std::string amount(double megabytes) {
+    return megabytes < 1024.0 ? fmt::format("{:.0f} MB", megabytes) : fmt::format("{:.1f} GB", megabytes / 1024.0);
+}
+
+// Changes of the options with which the computation would fit.
+std::string advice(std::size_t atoms, double area, const SurfaceOptions& options) {
+    constexpr double kWidest = 5.0;  // Å: wider grids show no surface
+    const auto memory = [&](Method method, double spacing) {
+        SurfaceOptions other = options;
+        other.method = method;
+        other.spacing = spacing;
+        return cost_of(static_cast<double>(atoms), area, other).memory_mb;
+    };
+    std::string text;
+    double spacing = std::ceil(100.0 * options.spacing) / 100.0;
+    while (spacing <= kWidest && memory(options.method, spacing) > limit_mb(options)) spacing += 0.01;
+    if (spacing <= kWidest) text += fmt::format("--spacing {:.2f} or more, ", spacing);
+    const double direct = memory(Method::Direct, options.spacing);
+    if (direct <= limit_mb(options)) text += fmt::format("--method direct ({}), ", amount(direct));
+    return text + (options.memory_limit_mb > 0 ? "a larger --memory, or fewer atoms" : "or fewer atoms");
+}
+
+}  // namespace
+
+Cost estimate_cost(const Atoms& atoms, const SurfaceOptions& options) {
+    return cost_of(static_cast<double>(atoms.size()), surface_area(atoms, options.probe), options);
+}
+
+void refuse_what_would_not_fit(const Atoms& atoms, const SurfaceOptions& options, const Cost& cost) {
+    if (!std::isfinite(cost.memory_mb) || cost.memory_mb <= limit_mb(options)) return;
+    throw LimitError(fmt::format("the surface needs about {} of memory ({:.3g} million vertices), and {} {}; choose {}",
+                                 amount(cost.memory_mb), 1e-6 * cost.vertices, amount(limit_mb(options)),
+                                 options.memory_limit_mb > 0 ? "are allowed" : "are free",
+                                 advice(atoms.size(), cost.area, options)));
+}
+
+double band_margin(const SurfaceOptions& options) {
+    if (options.method == Method::Direct) return kMarchingMargin * options.spacing;
+    return flow_margin(options.method == Method::Flow ? options.flow : FlowOptions{}, options.spacing);
+}
+
+std::size_t block_limit(const SurfaceOptions& options) {
+    return static_cast<std::size_t>(limit_mb(options) * kMegabyte / prices_of(options.method).bytes.per_block);
+}
+
+}  // namespace meniscus

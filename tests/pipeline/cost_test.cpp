@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "meniscus/cost.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <regex>
+#include <string>
+
+#include "meniscus/errors.h"
+#include "meniscus/measures.h"
+#include "meniscus/structure.h"
+#include "meniscus/surface.h"
+
+namespace meniscus::testing {
+namespace {
+
+constexpr SurfaceOptions kFine{.spacing = 0.05, .memory_limit_mb = 300};
+
+Atoms ubiquitin() { return read_structure(MENISCUS_EXAMPLES "/1ubq.pdb", {}).atoms; }
+
+std::string refusal(const Atoms& atoms, const SurfaceOptions& options) {
+    try {
+        refuse_what_would_not_fit(atoms, options, estimate_cost(atoms, options));
+    } catch (const LimitError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Cost, KnowsTheAreaOfASphere) {
+    for (const double probe : {0.0, 1.4, 3.0})
+        EXPECT_NEAR(estimate_cost({{{}}, {1.7}}, {.probe = probe}).area, 4 * std::numbers::pi * 1.7 * 1.7, 1e-9);
+}
+
+TEST(Cost, IsNearTheTruthForAProtein) {
+    const Atoms atoms = ubiquitin();
+    for (const double probe : {0.0, 0.8, 1.4, 3.0}) {
+        const double area = measure(atoms, {.probe = probe}).totals.ses_area;
+        EXPECT_NEAR(estimate_cost(atoms, {.probe = probe}).area, area, 0.25 * area) << probe;
+    }
+    const auto vertices = static_cast<double>(compute_surface(atoms).mesh.vertices.size());
+    EXPECT_NEAR(estimate_cost(atoms, {}).vertices, vertices, 0.25 * vertices);
+}
+
+TEST(Cost, GrowsAsTheGridGetsFiner) {
+    const Atoms atoms = ubiquitin();
+    const Cost coarse = estimate_cost(atoms, {.spacing = 0.5});
+    const Cost fine = estimate_cost(atoms, {.spacing = 0.1});
+    EXPECT_NEAR(fine.vertices / coarse.vertices, 25.0, 1e-9);
+    EXPECT_GT(fine.memory_mb, 5 * coarse.memory_mb);
+    EXPECT_GT(fine.seconds, 15 * coarse.seconds);
+    EXPECT_LT(estimate_cost(atoms, {.method = Method::Direct}).seconds, coarse.seconds);
+}
+
+TEST(Cost, OfNothingIsLittle) { EXPECT_EQ(estimate_cost({}, {}).vertices, 0.0); }
+
+TEST(Cost, RefusalNamesWhatWouldFit) {
+    const Atoms atoms = ubiquitin();
+    const std::string text = refusal(atoms, kFine);
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(text, found, std::regex("--spacing ([0-9.]+) or more"))) << text;
+    EXPECT_NE(text.find("300 MB are allowed"), std::string::npos) << text;
+    EXPECT_NE(text.find("--memory"), std::string::npos) << text;
+    SurfaceOptions wider = kFine;
+    wider.spacing = std::stod(found[1]);
+    EXPECT_EQ(refusal(atoms, wider), "");
+    EXPECT_NO_THROW(compute_surface(atoms, wider));
+}
+
+TEST(Cost, RefusalOffersTheDirectMethodWhereThatFits) {
+    const Atoms atoms = ubiquitin();
+    SurfaceOptions options = kFine;
+    options.method = Method::Direct;
+    options.memory_limit_mb = static_cast<std::size_t>(estimate_cost(atoms, options).memory_mb) + 1;
+    EXPECT_EQ(refusal(atoms, options), "");
+    options.method = Method::Flow;
+    EXPECT_NE(refusal(atoms, options).find("--method direct"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace meniscus::testing
