@@ -25,7 +25,11 @@ void write_mesh_with_residues(const std::string& path, const SurfaceRequest& req
     std::vector<std::uint32_t> residues(mesh.atoms.size());
     std::transform(mesh.atoms.begin(), mesh.atoms.end(), residues.begin(),
                    [&](std::uint32_t atom) { return structure.labels[atom].residue; });
-    write_mesh(path, mesh, {.encoding = request.encoding, .extra = {{"residue", residues}}, .colours = colours});
+    write_mesh(path, mesh,
+               {.encoding = request.encoding,
+                .extra = {{"residue", residues}},
+                .colours = colours,
+                .threads = request.surface.threads});
 }
 
 class SurfaceRun : public StructureRun {

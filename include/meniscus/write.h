@@ -29,6 +29,7 @@ struct WriteOptions {
     Encoding encoding = Encoding::Binary;  ///< of PLY and STL; OBJ and OFF are text
     std::vector<VertexArray> extra{};      ///< written by formats with named vertex values (PLY), after the mesh's own
     std::span<const Colour> colours{};     ///< one per vertex, or none; written by PLY, after everything else
+    int threads = 0;                       ///< 0: all cores
 };
 
 /// Writes a mesh; the suffix of `path` chooses the format: .ply .obj .stl .off.

@@ -6,6 +6,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,6 +40,12 @@ void parallel_for(std::size_t n, std::size_t grain, const Body& body) {
 template <class Body>
 void parallel_chunks(std::size_t n, std::size_t chunk, const Body& body) {
     parallel_for((n + chunk - 1) / chunk, 1, [&](std::size_t c) { body(c * chunk, std::min(n, (c + 1) * chunk)); });
+}
+
+/// Calls both, in any order or at once.
+template <class First, class Second>
+void parallel_both(const First& first, const Second& second) {
+    tbb::parallel_invoke(first, second);
 }
 
 /// Sum of term(begin, end) over fixed chunks, added in their order: the same bits for any number of threads.

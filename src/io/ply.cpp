@@ -11,8 +11,10 @@
 #include <cstring>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/parallel.h"
 #include "io/measured_arrays.h"
 #include "io/precision.h"
 #include "meniscus/version.h"
@@ -140,14 +142,22 @@ private:
         });
     }
 
+    // One batch is written while the next one is packed.
     template <class Pack>
     void pack_in_batches(std::size_t count, std::size_t record_size, const Pack& pack) {
         const std::size_t batch = kBatch / record_size;
-        std::vector<std::byte> records(std::min(count, batch) * record_size);
-        for (std::size_t begin = 0; begin < count; begin += batch) {
-            const std::size_t end = std::min(count, begin + batch);
-            pack(begin, end, records.data());
-            file_.write({reinterpret_cast<const char*>(records.data()), (end - begin) * record_size});
+        std::array<std::vector<std::byte>, 2> records;
+        for (auto& buffer : records) buffer.resize(std::min(count, batch) * record_size);
+        const auto end_of = [&](std::size_t begin) { return std::min(count, begin + batch); };
+        pack(0, end_of(0), records[0].data());
+        for (std::size_t begin = 0; begin < count; begin = end_of(begin)) {
+            const std::size_t next = end_of(begin);
+            parallel_both(
+                [&] {
+                    file_.write({reinterpret_cast<const char*>(records[0].data()), (next - begin) * record_size});
+                },
+                [&] { pack(next, end_of(next), records[1].data()); });
+            std::swap(records[0], records[1]);
         }
     }
 

@@ -5,12 +5,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "core/parallel.h"
 
 namespace meniscus {
 namespace {
 
 // Neighbouring floats are 2^-13 = 1.2e-4 Å apart from here on.
 constexpr double kFarOff = 1024.0;
+
+constexpr std::size_t kItemsPerChunk = 1U << 14U;
 
 bool is_far_off(const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) >= kFarOff; }
 
@@ -35,13 +41,21 @@ void write_rounded(AtomicFile& file, const Vec3& p) {
     file.number(static_cast<Real>(p.z));
 }
 
+// Whether a test holds for any of the items.
+template <class Item, class Test>
+bool any_of(const std::vector<Item>& items, const Test& test) {
+    return parallel_sum<std::size_t>(items.size(), kItemsPerChunk, [&](std::size_t begin, std::size_t end) {
+               const auto at = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
+               return std::any_of(at(begin), at(end), test) ? std::size_t{1} : std::size_t{0};
+           }) > 0;
+}
+
 }  // namespace
 
 Precision precision_needed(const Mesh& mesh) {
-    const bool single_is_enough = std::none_of(mesh.vertices.begin(), mesh.vertices.end(), is_far_off) &&
-                                  std::none_of(mesh.triangles.begin(), mesh.triangles.end(),
-                                               [&](const Triangle& t) { return collapses_when_rounded(mesh, t); });
-    return single_is_enough ? Precision::Single : Precision::Double;
+    if (any_of(mesh.vertices, is_far_off)) return Precision::Double;
+    const bool collapses = any_of(mesh.triangles, [&](const Triangle& t) { return collapses_when_rounded(mesh, t); });
+    return collapses ? Precision::Double : Precision::Single;
 }
 
 void write_point(AtomicFile& file, const Vec3& point, Precision precision) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/parallel.h"
 #include "io/atomic_file.h"
 #include "io/measured_arrays.h"
 #include "io/obj.h"
@@ -58,6 +59,7 @@ void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& o
     if (suffix != ".ply" && suffix != ".obj" && suffix != ".stl" && suffix != ".off")
         throw UsageError(path + ": unknown suffix for a mesh; choose .ply, .obj, .stl or .off");
     check(mesh, options);
+    const ThreadLimit limit(options.threads);
     AtomicFile file(path);
     if (suffix == ".ply") write_ply(file, mesh, options);
     if (suffix == ".obj") write_obj(file, mesh);

@@ -145,7 +145,7 @@ private:
     }
 
     void sample_exact(Field& field) {
-        field.values = sample_distance(*accessible_, *field.grid, margin_).distance;
+        field.values = sample_distance(*accessible_, *field.grid, margin_, BandFields::Distance).distance;
         surface_.seconds.band = clock_.lap();
         report("band", 1.0);
     }

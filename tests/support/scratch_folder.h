@@ -20,8 +20,10 @@ class ScratchFolder {
 public:
     ScratchFolder() {
         const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-        path_ = std::filesystem::temp_directory_path() /
-                ("meniscus-test-" + std::to_string(::getpid()) + "-" + info->test_suite_name() + "-" + info->name());
+        std::string name =
+            "meniscus-test-" + std::to_string(::getpid()) + "-" + info->test_suite_name() + "-" + info->name();
+        std::replace(name.begin(), name.end(), '/', '-');  // of tests with parameters
+        path_ = std::filesystem::temp_directory_path() / name;
         std::filesystem::create_directories(path_);
     }
     ~ScratchFolder() {
