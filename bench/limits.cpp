@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the machine can do at best: what the stages of a run are held against in docs/design/performance.md.
 //
-// usage: limits
+// usage: limits              everything
+//        limits threads      only how much faster two threads compute than one
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -88,7 +90,11 @@ double nanoseconds_per_root() {
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+    if (argc > 1 && std::string_view(argv[1]) == "threads") {
+        fmt::print("{:.3f}\n", gain_of_two_threads());
+        return 0;
+    }
     fmt::print("stream, one thread           {:6.1f} GB/s\n", 1e-9 * stream_bytes_per_second());
     const double touch = first_touch_bytes_per_second();
     fmt::print("first touch                  {:6.1f} GB/s, {:.2f} µs per page of 4 KiB\n", 1e-9 * touch,

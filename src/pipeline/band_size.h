@@ -10,7 +10,7 @@
 namespace meniscus {
 
 /// Nodes of a cell that the surface cuts are within its diagonal, the root of three spacings.
-inline constexpr double kMarchingMargin = 1.8;  // spacings
+inline constexpr double kCutCell = 1.8;  // spacings
 
 /// How far the band reaches on both sides of the surface, Å.
 double band_margin(const SurfaceOptions& options);

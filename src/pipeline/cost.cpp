@@ -194,7 +194,7 @@ void refuse_what_would_not_fit(const Atoms& atoms, const SurfaceOptions& options
 }
 
 double band_margin(const SurfaceOptions& options) {
-    if (options.method == Method::Direct) return kMarchingMargin * options.spacing;
+    if (options.method == Method::Direct) return kCutCell * options.spacing;
     return flow_margin(options.method == Method::Flow ? options.flow : FlowOptions{}, options.spacing);
 }
 

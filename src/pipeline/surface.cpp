@@ -32,6 +32,10 @@ constexpr double kMeanDistanceBound = 0.1;  // in spacings
 
 constexpr double kWidestBand = 16.0;  // spacings
 
+// A distance changes by at most 1 per Å: both ends of an edge that the surface cuts are within the edge's length. Of
+// all other nodes marching cubes needs the sign alone.
+constexpr double kCutEdge = 1.01;  // spacings
+
 class StageClock {
 public:
     double lap() {
@@ -138,14 +142,15 @@ private:
     }
 
     void measure_start(const GaussianDensity& density) {
-        const double margin = kMarchingMargin * options_.spacing;
+        const double margin = kCutCell * options_.spacing;
         const auto grid = make_grid(false, &density, margin);
         surface_.flow.initial_area = measure_mesh(extract_zero_set(*grid, density.sample(*grid, margin))).area;
         surface_.seconds.flow += clock_.lap();
     }
 
     void sample_exact(Field& field) {
-        field.values = sample_distance(*accessible_, *field.grid, margin_, BandFields::Distance).distance;
+        field.values =
+            sample_distance(*accessible_, *field.grid, kCutEdge * options_.spacing, BandFields::Distance).distance;
         surface_.seconds.band = clock_.lap();
         report("band", 1.0);
     }
