@@ -67,7 +67,7 @@ Contour build_contour(const AccessibleSurface::Data& data, NeighbourCaps& neighb
     if (!builder.build_in_order(caps)) return Contour::Inconsistent;
     if (!builder.exposed()) return Contour::Buried;
     if (!neighbours.gather(i, cover, caps)) return Contour::Buried;
-    const bool consistent = cover.empty() ? builder.build(caps) : builder.extend_in_order(caps);
+    const bool consistent = cover.empty() ? builder.build(caps) : builder.extend(caps);
     if (!consistent) return Contour::Inconsistent;
     return builder.exposed() ? Contour::Exposed : Contour::Buried;
 }

@@ -90,14 +90,19 @@ bool ContourBuilder::build(std::span<const Cap> caps) {
 
 bool ContourBuilder::build_in_order(std::span<const Cap> caps) {
     start(caps);
-    return extend_in_order(caps);
-}
-
-bool ContourBuilder::extend_in_order(std::span<const Cap> caps) {
-    caps_ = caps;
-    if (rims_.size() < caps.size()) rims_.resize(caps.size());
     for (; inserted_ < caps.size() && exposed(); ++inserted_)
         if (!insert(static_cast<std::uint32_t>(inserted_))) return false;
+    return true;
+}
+
+bool ContourBuilder::extend(std::span<const Cap> caps) {
+    caps_ = caps;
+    if (rims_.size() < caps.size()) rims_.resize(caps.size());
+    order_.resize(caps.size() - inserted_);
+    std::iota(order_.begin(), order_.end(), static_cast<std::uint32_t>(inserted_));
+    drop_idle(0);
+    for (std::size_t i = 0; i < order_.size() && exposed(); ++i)
+        if (!insert(order_[i])) return false;
     return true;
 }
 

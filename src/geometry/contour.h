@@ -47,8 +47,8 @@ public:
 
     /// The same in the order of `caps`: for caps known to bury most, and then for the rest behind them.
     bool build_in_order(std::span<const Cap> caps);
-    /// Goes on after build_in_order; `caps` begins with those inserted by then.
-    bool extend_in_order(std::span<const Cap> caps);
+    /// Goes on after build_in_order, whose caps `caps` begins with, while something is exposed.
+    bool extend(std::span<const Cap> caps);
 
     /// The contour; empty when nothing or the whole sphere is exposed.
     std::span<const ContourArc> arcs() const { return arcs_; }
@@ -87,8 +87,8 @@ private:
 
     const CapKernels* kernels_ = &cap_kernels();
     std::span<const Cap> caps_;
-    std::size_t inserted_ = 0;          // by build_in_order and extend_in_order
-    std::vector<std::uint32_t> order_;  // of insertion by build
+    std::size_t inserted_ = 0;          // by build_in_order
+    std::vector<std::uint32_t> order_;  // of insertion by build and extend
     std::vector<Rim> rims_;             // of caps that reached the contour
     std::vector<ContourArc> arcs_;
     std::vector<Ends> ends_;           // of arcs_
