@@ -12,6 +12,7 @@
 #include "core/parallel.h"
 #include "geometry/accessible_surface_data.h"
 #include "geometry/cell_list.h"
+#include "geometry/neighbour_caps.h"
 
 namespace meniscus {
 namespace {
@@ -52,61 +53,34 @@ struct ChunkResult {
     std::vector<std::uint32_t> cover;
 };
 
-// The cap that atom j buries on the enlarged sphere of atom i; t <= -1 if all of it.
-Cap cap_between(const AccessibleSurface::Data& data, std::uint32_t i, std::uint32_t j) {
-    const Vec3 between = data.atoms.centres[j] - data.atoms.centres[i];
-    const double d = norm(between);
-    const double rho = data.rho[i];
-    return {(1.0 / d) * between, (d * d + rho * rho - data.rho[j] * data.rho[j]) / (2.0 * d * rho), j};
-}
-
-// Appends the caps that neighbours bury on atom i, but those of `known` atoms; false if one covers all of it.
-bool gather_caps(const AccessibleSurface::Data& data, const CellList& cells, std::uint32_t i,
-                 std::span<const std::uint32_t> known, std::vector<Cap>& caps) {
-    bool open = true;
-    const Vec3& centre = data.atoms.centres[i];
-    const double rho = data.rho[i];
-    cells.for_each_near(centre, rho + data.rho_max, [&](std::uint32_t j) {
-        const Vec3 between = data.atoms.centres[j] - centre;
-        const double d2 = squared_norm(between);
-        const double reach = rho + data.rho[j];
-        if (j == i || d2 >= reach * reach || std::find(known.begin(), known.end(), j) != known.end()) return;
-        const Cap cap = cap_between(data, i, j);
-        if (cap.t <= -1.0)
-            open = false;
-        else if (cap.t < 1.0)
-            caps.push_back(cap);
-    });
-    return open;
-}
-
 enum class Contour { Exposed, Buried, Inconsistent };
 
 // Builds the contour of atom i. `cover` names neighbours that buried most of it under another perturbation: an
 // atom that they bury again needs no look at the others, and on any other they leave little for these to cut.
-Contour build_contour(const AccessibleSurface::Data& data, const CellList& cells, std::uint32_t i,
+Contour build_contour(const AccessibleSurface::Data& data, NeighbourCaps& neighbours, std::uint32_t i,
                       std::span<const std::uint32_t> cover, std::vector<Cap>& caps, ContourBuilder& builder) {
     caps.clear();
     for (const std::uint32_t j : cover) {
         caps.push_back(cap_between(data, i, j));
-        if (!(std::abs(caps.back().t) < 1.0)) return build_contour(data, cells, i, {}, caps, builder);
+        if (!(std::abs(caps.back().t) < 1.0)) return build_contour(data, neighbours, i, {}, caps, builder);
     }
     if (!builder.build_in_order(caps)) return Contour::Inconsistent;
     if (!builder.exposed()) return Contour::Buried;
-    if (!gather_caps(data, cells, i, cover, caps)) return Contour::Buried;
-    const bool consistent = cover.empty() ? builder.build(caps) : builder.extend_in_order(caps);
+    if (!neighbours.gather(i, cover, caps)) return Contour::Buried;
+    const bool consistent = cover.empty() ? builder.build(caps) : builder.extend(caps);
     if (!consistent) return Contour::Inconsistent;
     return builder.exposed() ? Contour::Exposed : Contour::Buried;
 }
 
-void append_contour(const ContourBuilder& builder, std::span<const Cap> caps, ChunkResult& result) {
+// `place` is memory: of the kept caps among themselves.
+void append_contour(const ContourBuilder& builder, std::span<const Cap> caps, std::vector<std::uint32_t>& place,
+                    ChunkResult& result) {
     const std::span<const std::uint32_t> kept = builder.kept();
-    const auto among_kept = [&](std::uint32_t k) {
-        if (k == kWholeCircle) return k;
-        return static_cast<std::uint32_t>(std::find(kept.begin(), kept.end(), k) - kept.begin());
-    };
+    if (place.size() < caps.size()) place.resize(caps.size());
+    for (std::uint32_t k = 0; k < kept.size(); ++k) place[kept[k]] = k;
+    const auto among_kept = [&](std::uint32_t k) { return k == kWholeCircle ? k : place[k]; };
     for (const ContourArc& arc : builder.arcs())
-        result.arcs.push_back({among_kept(arc.cap), among_kept(arc.from), among_kept(arc.to), arc.start, arc.sweep});
+        result.arcs.push_back({place[arc.cap], among_kept(arc.from), among_kept(arc.to), arc.start, arc.sweep});
     for (const std::uint32_t k : kept) result.caps.push_back(caps[k]);
 }
 
@@ -120,12 +94,14 @@ bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const 
     data.exposed.assign(n, 0);
     parallel_chunks(n, kAtomsPerChunk, [&](std::size_t begin, std::size_t end) {
         ChunkResult& chunk = chunks[begin / kAtomsPerChunk];
+        NeighbourCaps neighbours(data, cells);
         ContourBuilder builder;
         std::vector<Cap> caps;
+        std::vector<std::uint32_t> place;
         for (std::size_t i = begin; i < end; ++i) {
             const auto atom = static_cast<std::uint32_t>(i);
             const auto cover = before == nullptr ? std::span<const std::uint32_t>{} : before->cover_of(atom);
-            const Contour contour = build_contour(data, cells, atom, cover, caps, builder);
+            const Contour contour = build_contour(data, neighbours, atom, cover, caps, builder);
             if (contour == Contour::Inconsistent) {
                 chunk.consistent = false;
                 return;
@@ -134,7 +110,7 @@ bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const 
             data.cover_begin[i + 1] = builder.kept().size();
             if (contour == Contour::Buried) continue;
             data.exposed[i] = 1;
-            append_contour(builder, caps, chunk);
+            append_contour(builder, caps, place, chunk);
             data.contour_begin[i + 1] = builder.arcs().size();
             data.cap_begin[i + 1] = builder.kept().size();
         }
@@ -283,9 +259,9 @@ void place_arcs(AccessibleSurface::Data& data, const VertexTable& table) {
             const std::uint32_t i = view.other;
             if (j < i) continue;
             for (std::size_t a = begin[i]; a < begin[i + 1]; ++a) {
+                if (data.arcs[a].atoms[1] != j) continue;
                 const ArcView own = view_of(data, i, data.contour[owned[a].contour]);
-                if (own.other == j && own.from == view.to && own.to == view.from)
-                    data.contour_arc[c] = static_cast<std::uint32_t>(a);
+                if (own.from == view.to && own.to == view.from) data.contour_arc[c] = static_cast<std::uint32_t>(a);
             }
         }
     });
@@ -299,15 +275,15 @@ Box box_of(const AccessibleSurface::Data& data, const SasArc& arc) {
         box.include(data.vertices[arc.end].position);
     }
     box.include(arc.centre + arc.radius * arc.middle);
-    for (const Vec3 unit : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
-        for (const double sign : {-1.0, 1.0}) {
-            const Vec3 direction = sign * (unit - dot(unit, arc.axis) * arc.axis);
-            const double length = norm(direction);
-            if (length < 1e-9) continue;  // the axis is parallel to this coordinate: the circle is flat in it
-            const Vec3 radial = (1.0 / length) * direction;
-            if (arc.whole_circle() || dot(radial, arc.middle) >= arc.cos_half)
-                box.include(arc.centre + arc.radius * radial);
-        }
+    for (const Vec3 unit : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+        const Vec3 direction = unit - dot(unit, arc.axis) * arc.axis;
+        const double length = norm(direction);
+        if (length < 1e-9) continue;  // the axis is parallel to this coordinate: the circle is flat in it
+        const Vec3 radial = (1.0 / length) * direction;
+        const double along = dot(radial, arc.middle);
+        if (arc.whole_circle() || along >= arc.cos_half) box.include(arc.centre + arc.radius * radial);
+        if (arc.whole_circle() || -along >= arc.cos_half) box.include(arc.centre - arc.radius * radial);
+    }
     return box.grown(1e-9);  // rounding
 }
 

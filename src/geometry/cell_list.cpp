@@ -21,12 +21,12 @@ CellList::CellList(const CanonicalAtoms& atoms) : atoms_(&atoms) {
     }
 }
 
-CellList::Range CellList::cells(double offset, double reach) const {
+CellList::Range CellList::cells(double low, double high) const {
     constexpr double kLastCell = (1 << 21) - 1;
     const auto index = [&](double at) {
         return static_cast<std::uint32_t>(std::clamp(at / atoms_->cell, 0.0, kLastCell));
     };
-    return {index(offset - reach), index(offset + reach)};
+    return {index(low), index(high)};
 }
 
 }  // namespace meniscus

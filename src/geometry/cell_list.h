@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/box_tree.h"
 #include "geometry/canonical_atoms.h"
 
 namespace meniscus {
@@ -18,9 +19,19 @@ public:
     /// Calls visit(j) for every atom j whose cell is within `reach` (Å) of `point` along each axis.
     template <class Visit>
     void for_each_near(const Vec3& point, double reach, const Visit& visit) const {
-        const Range x = cells(point.x - atoms_->corner.x, reach);
-        const Range y = cells(point.y - atoms_->corner.y, reach);
-        const Range z = cells(point.z - atoms_->corner.z, reach);
+        for_each_cell_near({point, point}, reach, [&](std::uint32_t begin, std::uint32_t end) {
+            for (std::uint32_t j = begin; j < end; ++j) visit(j);
+        });
+    }
+
+    /// The same around a box, cell by cell: calls visit(begin, end) for the atoms of each.
+    template <class Visit>
+    void for_each_cell_near(const Box& box, double reach, const Visit& visit) const {
+        const Vec3 low = box.low - atoms_->corner;
+        const Vec3 high = box.high - atoms_->corner;
+        const Range x = cells(low.x - reach, high.x + reach);
+        const Range y = cells(low.y - reach, high.y + reach);
+        const Range z = cells(low.z - reach, high.z + reach);
         for (std::uint32_t k = z.first; k <= z.last; ++k)
             for (std::uint32_t j = y.first; j <= y.last; ++j)
                 for (std::uint32_t i = x.first; i <= x.last; ++i) visit_cell(morton_key(i, j, k), visit);
@@ -37,13 +48,13 @@ private:
         std::uint32_t end;
     };
 
-    Range cells(double offset, double reach) const;
+    Range cells(double low, double high) const;
 
     template <class Visit>
     void visit_cell(std::uint64_t key, const Visit& visit) const {
         for (std::size_t slot = slot_of(key); table_[slot].end != 0; slot = (slot + 1) & (table_.size() - 1))
             if (table_[slot].key == key) {
-                for (std::uint32_t j = table_[slot].begin; j < table_[slot].end; ++j) visit(j);
+                visit(table_[slot].begin, table_[slot].end);
                 return;
             }
     }

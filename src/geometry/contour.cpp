@@ -3,21 +3,20 @@
 #include "geometry/contour.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
-#include <utility>
+#include <numeric>
 
 namespace meniscus {
 namespace {
 
-// Monotonic in the angle of (x, y), period 4, no trigonometry.
+double wrapped(double angle) { return angle + (angle < 0.0 ? 4.0 : 0.0); }
+
+// Monotonic in the angle of (x, y), period 4, no trigonometry; no branch, as any would be taken by chance.
 double diamond_angle(double x, double y) {
     const double p = y / (std::abs(x) + std::abs(y));
-    if (x < 0.0) return 2.0 - p;
-    return p < 0.0 ? 4.0 + p : p;
+    return wrapped(x < 0.0 ? 2.0 - p : p);
 }
-
-double wrapped(double angle) { return angle < 0.0 ? angle + 4.0 : angle; }
 
 // For rims that do not cross: whether the rim of `a` lies in cap `b`.
 bool rim_is_inside(const Cap& a, const Cap& b) { return dot(a.axis, b.axis) * a.t > b.t; }
@@ -37,11 +36,10 @@ RimCrossing cross_rims(const Cap& a, const Cap& b) {
     const double g = dot(a.axis, b.axis);
     // Positive when the line in which the rims' planes meet passes inside the unit sphere.
     const double discriminant = d - (a.t * a.t + b.t * b.t - 2.0 * g * a.t * b.t);
-    if (!(discriminant > 0.0)) return {};
     const double scale = 1.0 / d;
     const Vec3 middle = scale * ((a.t - g * b.t) * a.axis + (b.t - g * a.t) * b.axis);
-    const Vec3 off = scale * std::sqrt(discriminant) * w;
-    return {true, middle + off, middle - off};
+    const Vec3 off = scale * std::sqrt(std::max(0.0, discriminant)) * w;
+    return {discriminant > 0.0, middle + off, middle - off};
 }
 
 Vec3 rim_crossing(const Cap& a, const Cap& b) {
@@ -50,160 +48,222 @@ Vec3 rim_crossing(const Cap& a, const Cap& b) {
     return crossing.crosses ? crossing.onto : normalised(a.t * a.axis + b.t * b.axis);
 }
 
-const ContourBuilder::Frame& ContourBuilder::frame(std::uint32_t cap) {
-    if (frame_known_[cap] == 0) {
-        const Vec3 e1 = perpendicular(caps_[cap].axis);
-        frames_[cap] = {e1, cross(e1, caps_[cap].axis)};
-        frame_known_[cap] = 1;
-    }
-    return frames_[cap];
-}
-
-double ContourBuilder::pseudo_angle(std::uint32_t cap, const Vec3& n) {
-    const Frame& at = frame(cap);
+double ContourBuilder::pseudo_angle(std::uint32_t cap, const Vec3& n) const {
+    const Rim& at = rims_[cap];
     return diamond_angle(dot(n, at.e1), dot(n, at.e2));
 }
 
-// Most spheres are buried after a few caps: a heap gives the largest without sorting the rest.
-std::uint32_t ContourBuilder::take_largest() {
-    std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
-    const std::uint32_t cap = heap_.back().second;
-    heap_.pop_back();
-    return cap;
+// Counting sort by coarse size: the exact order of caps of about one size saves nothing.
+void ContourBuilder::order_by_size() {
+    constexpr std::size_t kSizes = 32;
+    const auto size_of = [](const Cap& cap) { return static_cast<std::size_t>((cap.t + 1.0) * (0.5 * kSizes)); };
+    std::array<std::uint32_t, kSizes + 2> place{};
+    for (const Cap& cap : caps_) ++place[size_of(cap) + 1];
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    order_.resize(caps_.size());
+    for (std::uint32_t k = 0; k < caps_.size(); ++k) order_[place[size_of(caps_[k])]++] = k;
 }
 
 void ContourBuilder::start(std::span<const Cap> caps) {
     caps_ = caps;
     inserted_ = 0;
-    frame_known_.clear();
     arcs_.clear();
+    ends_.clear();
     extents_.clear();
     kept_.clear();
+    kept_caps_.clear();
+    if (rims_.size() < caps.size()) rims_.resize(caps.size());
 }
 
 bool ContourBuilder::build(std::span<const Cap> caps) {
+    // Most caps change nothing, but to find that out one by one costs a wrong guess of the processor each.
+    constexpr std::size_t kFirstLook = 6;
+    constexpr std::size_t kSecondLook = 12;
     start(caps);
-    frame_known_.resize(caps.size());
-    if (frames_.size() < caps.size()) frames_.resize(caps.size());
-    heap_.clear();
-    for (std::uint32_t k = 0; k < caps.size(); ++k) heap_.emplace_back(caps[k].t, k);
-    std::make_heap(heap_.begin(), heap_.end(), std::greater<>());
-    while (!heap_.empty() && exposed())
-        if (!insert(take_largest())) return false;
+    order_by_size();
+    for (std::size_t i = 0; i < order_.size() && exposed(); ++i) {
+        if (i == kFirstLook || i == kSecondLook) drop_idle(i);
+        if (i < order_.size() && !insert(order_[i])) return false;
+    }
     return true;
 }
 
 bool ContourBuilder::build_in_order(std::span<const Cap> caps) {
     start(caps);
-    return extend_in_order(caps);
-}
-
-bool ContourBuilder::extend_in_order(std::span<const Cap> caps) {
-    caps_ = caps;
-    frame_known_.resize(caps.size());
-    if (frames_.size() < caps.size()) frames_.resize(caps.size());
     for (; inserted_ < caps.size() && exposed(); ++inserted_)
         if (!insert(static_cast<std::uint32_t>(inserted_))) return false;
     return true;
 }
 
+bool ContourBuilder::extend(std::span<const Cap> caps) {
+    caps_ = caps;
+    if (rims_.size() < caps.size()) rims_.resize(caps.size());
+    order_.resize(caps.size() - inserted_);
+    std::iota(order_.begin(), order_.end(), static_cast<std::uint32_t>(inserted_));
+    drop_idle(0);
+    for (std::size_t i = 0; i < order_.size() && exposed(); ++i)
+        if (!insert(order_[i])) return false;
+    return true;
+}
+
 bool ContourBuilder::insert(std::uint32_t k) {
-    constexpr double kSlack = 1e-9;  // for rounding; what is not ruled out is examined
     const Cap& cap = caps_[k];
-    const double sine = std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t));
-    next_arcs_.clear();
-    next_extents_.clear();
+    find_near(cap);
+    if (near_count_ == 0 && !is_exposed(cap.axis)) return true;
+    const Vec3 e1 = perpendicular(cap.axis);
+    rims_[k] = {cap.axis, cap.t, e1, cross(e1, cap.axis)};
+    cross_near(cap);
     entries_.clear();
     exits_.clear();
     bool changed = false;
-    bool all_apart = true;
-    for (std::size_t a = 0; a < arcs_.size(); ++a) {
-        const Extent& extent = extents_[a];
-        // Caps whose angular radii add up to less than the angle of their axes are apart.
-        const bool apart = cap.t > -extent.cosine &&
-                           dot(extent.middle, cap.axis) < cap.t * extent.cosine - sine * extent.sine - kSlack;
-        if (apart) {
-            keep(arcs_[a], extent);
-            continue;
-        }
-        all_apart = false;
-        const Cap& other = caps_[arcs_[a].cap];
-        if (const RimCrossing crossing = cross_rims(other, cap); crossing.crosses) {
-            const std::size_t before = entries_.size() + exits_.size() + next_arcs_.size();
-            cut(a, k, crossing);
-            const bool untouched = entries_.size() + exits_.size() + next_arcs_.size() == before + 1;
-            changed = changed || !untouched;
-        } else if (rim_is_inside(other, cap)) {
-            changed = true;
-        } else {
-            keep(arcs_[a], extent);
-        }
-    }
+    // From the last to the first: the gap that an arc leaves is filled with the last one.
+    for (std::size_t i = near_count_; i-- > 0;) changed = cut(i, k) || changed;
     if (!entries_.empty() || !exits_.empty()) {
         if (!close_rim(k)) return false;
-    } else if (is_exposed(all_apart ? cap.axis : point_on_rim(k))) {  // it crosses nothing: all of it or none
-        keep({.cap = k}, extent_of({.cap = k}, {}, {}));
+    } else if (near_count_ == 0 || is_exposed(point_on_rim(k))) {  // it crosses nothing: all of it or none
+        append({.cap = k}, {});
         changed = true;
     }
     if (!changed) return true;
     kept_.push_back(k);
-    std::swap(arcs_, next_arcs_);
-    std::swap(extents_, next_extents_);
+    kept_caps_.push_back(cap);
     return true;
 }
 
-// Keeps what of an arc lies outside cap k; along the arc's rim the cap is entered at `onto` and left at `back`.
-void ContourBuilder::cut(std::size_t a, std::uint32_t k, const RimCrossing& crossing) {
-    const ContourArc& arc = arcs_[a];
-    const Extent& extent = extents_[a];
-    const double in = pseudo_angle(arc.cap, crossing.onto);
-    const double out = pseudo_angle(arc.cap, crossing.back);
+// Drops those caps to come that lie wholly in buried ground: what is inserted in between only buries more.
+void ContourBuilder::drop_idle(std::size_t from) {
+    waiting_.resize(order_.size() - from);
+    idle_.resize(waiting_.size() + 7);
+    for (std::size_t i = 0; i < waiting_.size(); ++i) {
+        const Cap& cap = caps_[order_[from + i]];
+        waiting_[0][i] = cap.axis.x;
+        waiting_[1][i] = cap.axis.y;
+        waiting_[2][i] = cap.axis.z;
+        waiting_[3][i] = cap.t;
+        waiting_[4][i] = std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t));
+    }
+    kernels_->find_idle(waiting_, extents_, kept_caps_, idle_.data());
+    std::size_t kept = from;
+    for (std::size_t i = 0; i < waiting_.size(); ++i) {
+        order_[kept] = order_[from + i];
+        kept += idle_[i] > 0.0 ? 0 : 1;
+    }
+    order_.resize(kept);
+}
+
+// Caps whose angular radii add up to less than the angle of their axes are apart.
+void ContourBuilder::find_near(const Cap& cap) {
+    const double sine = std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t));
+    if (near_.size() < extents_.size()) near_.resize(2 * extents_.size());
+    near_count_ = 0;
+    for (std::uint32_t a = 0; a < extents_.size(); ++a) {
+        const ArcExtent& extent = extents_[a];
+        const double gap =
+            cap.t * extent.cosine - sine * extent.sine - ArcExtent::kSlack - dot(extent.middle, cap.axis);
+        // Radii that may add up to more than half a turn; the middle's length is at most 2.
+        const double sum = cap.t + 0.5 * extent.cosine;
+        near_[near_count_] = a;
+        near_count_ += std::min(gap, sum) > 0.0 ? 0 : 1;
+    }
+}
+
+// All before the first cut: long chains of arithmetic that overlap as long as no branch hangs on them.
+void ContourBuilder::cross_near(const Cap& cap) {
+    near_rims_.clear();
+    for (std::size_t i = 0; i < near_count_; ++i) near_rims_.push_back(arcs_[near_[i]].cap);
+    meetings_.resize(near_rims_.size());
+    kernels_->find_meetings(rims_, near_rims_, cap, meetings_);
+}
+
+RimCrossing ContourBuilder::crossing_of(std::size_t i) const {
+    const auto point = [&](std::size_t column) {
+        return Vec3{meetings_[column][i], meetings_[column + 1][i], meetings_[column + 2][i]};
+    };
+    return {meetings_[MeetingColumns::kDiscriminant][i] > 0.0, point(MeetingColumns::kOnto),
+            point(MeetingColumns::kBack)};
+}
+
+// Keeps what of an arc lies outside cap k; false if that is all of it.
+bool ContourBuilder::cut(std::size_t i, std::uint32_t k) {
+    const std::uint32_t a = near_[i];
+    if (meetings_[MeetingColumns::kDiscriminant][i] > 0.0) return cut_at(i, k);
+    if (!rim_is_inside(caps_[arcs_[a].cap], caps_[k])) return false;
+    remove(a);
+    return true;
+}
+
+// Along the arc's rim the cap is entered at `onto` and left at `back`.
+bool ContourBuilder::cut_at(std::size_t i, std::uint32_t k) {
+    const std::uint32_t a = near_[i];
+    const ContourArc arc = arcs_[a];
+    const Ends ends = ends_[a];
+    const RimCrossing crossing = crossing_of(i);
+    const double in = meetings_[MeetingColumns::kAngleOnto][i];
+    const double out = meetings_[MeetingColumns::kAngleBack][i];
+    const Ends between{crossing.back, crossing.onto};
     if (arc.from == kWholeCircle) {
-        keep_piece({.cap = arc.cap, .from = k, .to = k, .start = out, .sweep = wrapped(in - out)}, k, crossing.back,
-                   crossing.onto);
-        return;
+        replace(a, k, {.cap = arc.cap, .from = k, .to = k, .start = out, .sweep = wrapped(in - out)}, between);
+        return true;
     }
     const double to_in = wrapped(in - arc.start);
     const double to_out = wrapped(out - arc.start);
+    const Ends before{ends.start, crossing.onto};
+    const Ends behind{crossing.back, ends.end};
     if (to_in < to_out) {  // the arc starts outside the cap
-        if (to_in >= arc.sweep) {
-            keep(arc, extent);
-            return;
-        }
-        keep_piece({arc.cap, arc.from, k, arc.start, to_in}, k, extent.start, crossing.onto);
-        if (to_out < arc.sweep) keep_piece({arc.cap, k, arc.to, out, arc.sweep - to_out}, k, crossing.back, extent.end);
-    } else if (to_out < arc.sweep) {  // starts inside the cap and comes out of it
-        if (to_in < arc.sweep)
-            keep_piece({arc.cap, k, k, out, to_in - to_out}, k, crossing.back, crossing.onto);
-        else
-            keep_piece({arc.cap, k, arc.to, out, arc.sweep - to_out}, k, crossing.back, extent.end);
+        if (to_in >= arc.sweep) return false;
+        replace(a, k, {arc.cap, arc.from, k, arc.start, to_in}, before);
+        if (to_out >= arc.sweep) return true;
+        const ContourArc rest{arc.cap, k, arc.to, out, arc.sweep - to_out};
+        note_crossings(k, rest, behind);
+        append(rest, behind);
+    } else if (to_out >= arc.sweep) {
+        remove(a);
+    } else if (to_in < arc.sweep) {  // starts inside the cap and comes out of it
+        replace(a, k, {arc.cap, k, k, out, to_in - to_out}, between);
+    } else {
+        replace(a, k, {arc.cap, k, arc.to, out, arc.sweep - to_out}, behind);
     }
+    return true;
 }
 
-void ContourBuilder::keep_piece(const ContourArc& piece, std::uint32_t k, const Vec3& start, const Vec3& end) {
-    if (piece.to == k) entries_.push_back({pseudo_angle(k, end), piece.cap, end});
-    if (piece.from == k) exits_.push_back({pseudo_angle(k, start), piece.cap, start});
-    keep(piece, extent_of(piece, start, end));
+void ContourBuilder::note_crossings(std::uint32_t k, const ContourArc& piece, const Ends& ends) {
+    if (piece.to == k) entries_.push_back({pseudo_angle(k, ends.end), piece.cap, ends.end});
+    if (piece.from == k) exits_.push_back({pseudo_angle(k, ends.start), piece.cap, ends.start});
 }
 
-void ContourBuilder::keep(const ContourArc& arc, const Extent& extent) {
-    next_arcs_.push_back(arc);
-    next_extents_.push_back(extent);
+void ContourBuilder::replace(std::size_t a, std::uint32_t k, const ContourArc& piece, const Ends& ends) {
+    note_crossings(k, piece, ends);
+    arcs_[a] = piece;
+    ends_[a] = ends;
+    extents_[a] = extent_of(piece, ends);
+}
+
+void ContourBuilder::append(const ContourArc& arc, const Ends& ends) {
+    arcs_.push_back(arc);
+    ends_.push_back(ends);
+    extents_.push_back(extent_of(arc, ends));
+}
+
+void ContourBuilder::remove(std::size_t a) {
+    arcs_[a] = arcs_.back();
+    ends_[a] = ends_.back();
+    extents_[a] = extents_.back();
+    arcs_.pop_back();
+    ends_.pop_back();
+    extents_.pop_back();
 }
 
 // An arc of at most half its rim lies within the cap around the middle of its ends that has them on its rim; a longer
 // one within the cap of its own rim, or the complement of that, whichever is smaller.
-ContourBuilder::Extent ContourBuilder::extent_of(const ContourArc& arc, const Vec3& start, const Vec3& end) const {
+ArcExtent ContourBuilder::extent_of(const ContourArc& arc, const Ends& ends) const {
     if (arc.from != kWholeCircle && arc.sweep <= 2.0) {
-        const Vec3 sum = start + end;
-        if (const double length = norm(sum); length > 0.1) {
-            // The sine from the chord: 1 - cosine² would lose arcs of 1e-8 radian.
-            return {start, end, (1.0 / length) * sum, 0.5 * length, 0.5 * norm(end - start)};
-        }
+        const Vec3 sum = ends.start + ends.end;
+        if (const double length2 = squared_norm(sum); length2 > 0.01)
+            return {sum, 0.5 * length2, norm(cross(ends.start, ends.end))};
     }
     const Cap& cap = caps_[arc.cap];
     const double sign = cap.t < 0.0 ? -1.0 : 1.0;
-    return {start, end, sign * cap.axis, sign * cap.t, std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t))};
+    return {sign * cap.axis, sign * cap.t, std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t))};
 }
 
 // Joins each point where the contour reaches the rim of cap k to the next point where it leaves it.
@@ -216,21 +276,20 @@ bool ContourBuilder::close_rim(std::uint32_t k) {
         });
         if (exit == exits_.end()) return false;  // two entries without an exit between them
         const ContourArc arc{k, entry.cap, exit->cap, entry.angle, sweep_to(*exit)};
-        keep(arc, extent_of(arc, entry.point, exit->point));
+        append(arc, {entry.point, exit->point});
         *exit = exits_.back();
         exits_.pop_back();
     }
     return true;
 }
 
-Vec3 ContourBuilder::point_on_rim(std::uint32_t k) {
+Vec3 ContourBuilder::point_on_rim(std::uint32_t k) const {
     const Cap& cap = caps_[k];
-    return cap.t * cap.axis + std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t)) * frame(k).e1;
+    return cap.t * cap.axis + std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t)) * rims_[k].e1;
 }
 
 bool ContourBuilder::is_exposed(const Vec3& n) const {
-    return std::none_of(kept_.begin(), kept_.end(),
-                        [&](std::uint32_t j) { return dot(n, caps_[j].axis) > caps_[j].t; });
+    return std::none_of(kept_caps_.begin(), kept_caps_.end(), [&](const Cap& cap) { return dot(n, cap.axis) > cap.t; });
 }
 
 }  // namespace meniscus

@@ -10,21 +10,13 @@
 
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "geometry/cap_kernels.h"
+#include "geometry/contour_types.h"
 #include "meniscus/vec3.h"
 
 namespace meniscus {
-
-/// A cap {n : n·axis > t} of the unit sphere of directions that neighbour `atom` buries; |t| < 1.
-struct Cap {
-    Vec3 axis;
-    double t = 0.0;
-    std::uint32_t atom = 0;
-};
-
-inline constexpr std::uint32_t kWholeCircle = 0xffffffffU;
 
 /// An arc of a cap's rim on the contour. `cap`, `from` and `to` are positions in the list of caps; the arc runs
 /// from where the contour leaves cap `from` to where it enters cap `to`, both kWholeCircle for a whole rim.
@@ -47,7 +39,7 @@ RimCrossing cross_rims(const Cap& a, const Cap& b);
 /// Builds the contours of spheres one after the other, reusing its memory.
 class ContourBuilder {
 public:
-    /// Inserts the caps largest first, whatever their order.
+    /// Inserts the caps about largest first, whatever their order.
     ///
     /// returns  false if rounding made the arrangement inconsistent: perturb and try again
     /// cost     O(caps · arcs), stops as soon as nothing is exposed
@@ -55,8 +47,8 @@ public:
 
     /// The same in the order of `caps`: for caps known to bury most, and then for the rest behind them.
     bool build_in_order(std::span<const Cap> caps);
-    /// Goes on after build_in_order; `caps` begins with those inserted by then.
-    bool extend_in_order(std::span<const Cap> caps);
+    /// Goes on after build_in_order, whose caps `caps` begins with, while something is exposed.
+    bool extend(std::span<const Cap> caps);
 
     /// The contour; empty when nothing or the whole sphere is exposed.
     std::span<const ContourArc> arcs() const { return arcs_; }
@@ -70,45 +62,47 @@ private:
         std::uint32_t cap;  // the other rim
         Vec3 point;
     };
-    // The ends of an arc, and a cap of directions (n·middle >= cosine) that holds all of it.
-    struct Extent {
+    struct Ends {
         Vec3 start;
         Vec3 end;
-        Vec3 middle;
-        double cosine;
-        double sine;
     };
-
-    struct Frame {
-        Vec3 e1;  // direction of pseudo-angle 0
-        Vec3 e2;  // a quarter turn clockwise around the cap
-    };
-
     void start(std::span<const Cap> caps);
-    std::uint32_t take_largest();
-    const Frame& frame(std::uint32_t cap);
+    void order_by_size();
     bool insert(std::uint32_t k);
+    void drop_idle(std::size_t from);
+    void find_near(const Cap& cap);
+    void cross_near(const Cap& cap);
+    RimCrossing crossing_of(std::size_t i) const;
+    bool cut(std::size_t i, std::uint32_t k);
+    bool cut_at(std::size_t i, std::uint32_t k);
     bool close_rim(std::uint32_t k);
-    void cut(std::size_t a, std::uint32_t k, const RimCrossing& crossing);
-    void keep_piece(const ContourArc& piece, std::uint32_t k, const Vec3& start, const Vec3& end);
-    void keep(const ContourArc& arc, const Extent& extent);
-    Extent extent_of(const ContourArc& arc, const Vec3& start, const Vec3& end) const;
+    void replace(std::size_t a, std::uint32_t k, const ContourArc& piece, const Ends& ends);
+    void append(const ContourArc& arc, const Ends& ends);
+    void remove(std::size_t a);
+    void note_crossings(std::uint32_t k, const ContourArc& piece, const Ends& ends);
+    ArcExtent extent_of(const ContourArc& arc, const Ends& ends) const;
     bool is_exposed(const Vec3& n) const;
-    Vec3 point_on_rim(std::uint32_t k);
-    double pseudo_angle(std::uint32_t cap, const Vec3& n);
+    Vec3 point_on_rim(std::uint32_t k) const;
+    double pseudo_angle(std::uint32_t cap, const Vec3& n) const;
 
+    const CapKernels* kernels_ = &cap_kernels();
     std::span<const Cap> caps_;
-    std::size_t inserted_ = 0;                            // by build_in_order and extend_in_order
-    std::vector<std::pair<double, std::uint32_t>> heap_;  // (t, cap) of those to come, smallest t on top
-    std::vector<std::uint8_t> frame_known_;
-    std::vector<Frame> frames_;
+    std::size_t inserted_ = 0;          // by build_in_order
+    std::vector<std::uint32_t> order_;  // of insertion by build and extend
+    std::vector<Rim> rims_;             // of caps that reached the contour
     std::vector<ContourArc> arcs_;
-    std::vector<Extent> extents_;  // of arcs_
-    std::vector<ContourArc> next_arcs_;
-    std::vector<Extent> next_extents_;
+    std::vector<Ends> ends_;           // of arcs_
+    std::vector<ArcExtent> extents_;   // of arcs_
+    std::vector<std::uint32_t> near_;  // arcs that the inserted cap may reach
+    std::size_t near_count_ = 0;
+    std::vector<std::uint32_t> near_rims_;  // of those arcs
+    MeetingColumns meetings_;               // with those rims
     std::vector<Crossing> entries_;
     std::vector<Crossing> exits_;
     std::vector<std::uint32_t> kept_;
+    std::vector<Cap> kept_caps_;
+    CapColumns waiting_;  // of drop_idle
+    std::vector<double> idle_;
 };
 
 /// A unit vector perpendicular to the unit vector `axis`.

@@ -104,10 +104,12 @@ private:
         for (const std::uint32_t w : near_) {
             if (w == v) continue;
             const Vec3 between = data_.vertices[w].position - at;
-            const double d = norm(between);
+            const double d2 = squared_norm(between);
+            if (d2 >= reach * reach) continue;
+            const double d = std::sqrt(d2);
             if (d < kSamePosition)
                 patch.degenerate = true;
-            else if (d < reach && !misses_triangle((1.0 / d) * between, d / reach))
+            else if (!misses_triangle((1.0 / d) * between, d / reach))
                 base_.push_back({(1.0 / d) * between, d / reach, w});
         }
     }

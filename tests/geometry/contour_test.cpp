@@ -9,6 +9,7 @@
 #include <cmath>
 #include <random>
 #include <set>
+#include <span>
 
 namespace meniscus::testing {
 namespace {
@@ -240,6 +241,19 @@ TEST(Contour, DoesNotDependOnTheOrderOfInsertion) {
             ASSERT_TRUE(builder.build(caps));
             EXPECT_EQ(named_arcs(builder, caps), expected);
         }
+    }
+}
+
+TEST(Contour, ExtendedContourIsThatOfAllCaps) {
+    ContourBuilder builder;
+    for (std::uint32_t seed = 0; seed < 100; ++seed) {
+        const std::vector<Cap> caps = random_caps(seed, 30, 0.5, 0.98);
+        ASSERT_TRUE(builder.build(caps));
+        const auto expected = named_arcs(builder, caps);
+        ASSERT_TRUE(builder.build_in_order(std::span(caps).first(8)));
+        ASSERT_TRUE(builder.extend(caps));
+        EXPECT_EQ(named_arcs(builder, caps), expected);
+        expect_consistent(builder, caps);
     }
 }
 

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The caps that the neighbours of an atom bury on its enlarged sphere.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/accessible_surface_data.h"
+#include "geometry/cap_kernels.h"
+#include "geometry/cell_list.h"
+
+namespace meniscus {
+
+/// The cap that atom j buries on the enlarged sphere of atom i; t <= -1 if all of it, t >= 1 if nothing.
+Cap cap_between(const AccessibleSurface::Data& data, std::uint32_t i, std::uint32_t j);
+
+/// Finds the caps of one atom after the other. Atoms of a cell share a search of the cells around: ask for them one
+/// after the other, as they are numbered.
+class NeighbourCaps {
+public:
+    /// Keeps references to both.
+    NeighbourCaps(const AccessibleSurface::Data& data, const CellList& cells) : data_(data), cells_(cells) {}
+
+    /// Appends the caps that neighbours bury on atom i, but those of `known` atoms.
+    ///
+    /// returns  false if one neighbour covers all of the atom: then some caps are missing
+    /// cost     O(atoms of the cells around)
+    bool gather(std::uint32_t i, std::span<const std::uint32_t> known, std::vector<Cap>& caps);
+
+private:
+    void search_around(std::uint32_t i);
+    void find_neighbours(std::uint32_t i);
+
+    const AccessibleSurface::Data& data_;
+    const CellList& cells_;
+    std::uint32_t searched_begin_ = 0;  // atoms that the candidates are complete for
+    std::uint32_t searched_end_ = 0;
+    std::vector<std::uint32_t> candidates_;
+    BallColumns balls_;                      // of candidates_
+    std::vector<double> excess_;             // of candidates_, for the atom asked for
+    std::vector<std::uint32_t> neighbours_;  // positions in candidates_
+    std::size_t neighbour_count_ = 0;
+};
+
+}  // namespace meniscus

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/neighbour_caps.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "support/arrangements.h"
+
+namespace meniscus::testing {
+namespace {
+
+constexpr double kProbe = 1.4;
+
+std::set<std::uint32_t> atoms_of(const std::vector<Cap>& caps) {
+    std::set<std::uint32_t> atoms;
+    for (const Cap& cap : caps) EXPECT_TRUE(atoms.insert(cap.atom).second);
+    return atoms;
+}
+
+// Atoms whose enlarged spheres cut that of atom i.
+std::set<std::uint32_t> neighbours_of(const AccessibleSurface::Data& data, std::uint32_t i) {
+    std::set<std::uint32_t> neighbours;
+    for (std::uint32_t j = 0; j < data.atoms.size(); ++j) {
+        const double d = norm(data.atoms.centres[j] - data.atoms.centres[i]);
+        if (j != i && d < data.rho[i] + data.rho[j] && data.rho[i] < d + data.rho[j]) neighbours.insert(j);
+    }
+    return neighbours;
+}
+
+TEST(NeighbourCaps, FindsTheCapsOfAllNeighbours) {
+    const AccessibleSurface surface(random_cluster(1, 400, 30.0), kProbe);
+    const AccessibleSurface::Data& data = surface.data();
+    const CellList cells(data.atoms);
+    NeighbourCaps neighbours(data, cells);
+    std::vector<Cap> caps;
+    for (std::uint32_t i = 0; i < data.atoms.size(); ++i) {
+        caps.clear();
+        if (!neighbours.gather(i, {}, caps)) continue;
+        EXPECT_EQ(atoms_of(caps), neighbours_of(data, i));
+        for (const Cap& cap : caps) {
+            const Cap expected = cap_between(data, i, cap.atom);
+            EXPECT_EQ(cap.axis, expected.axis);
+            EXPECT_EQ(cap.t, expected.t);
+        }
+    }
+}
+
+TEST(NeighbourCaps, RimsLieOnBothSpheres) {
+    const AccessibleSurface surface(two_spheres(3.0, 1.2, 2.1), kProbe);
+    const AccessibleSurface::Data& data = surface.data();
+    const Cap cap = cap_between(data, 0, 1);
+    const Vec3 direction = cap.t * cap.axis + std::sqrt(1.0 - cap.t * cap.t) * perpendicular(cap.axis);
+    const Vec3 point = data.atoms.centres[0] + data.rho[0] * direction;
+    EXPECT_NEAR(norm(point - data.atoms.centres[1]), data.rho[1], 1e-14);
+}
+
+TEST(NeighbourCaps, LeavesOutAtomsThatAreKnown) {
+    const AccessibleSurface surface(random_cluster(2, 60, 8.0), kProbe);
+    const AccessibleSurface::Data& data = surface.data();
+    const CellList cells(data.atoms);
+    NeighbourCaps neighbours(data, cells);
+    for (std::uint32_t i = 0; i < data.atoms.size(); ++i) {
+        std::vector<Cap> all;
+        if (!neighbours.gather(i, {}, all) || all.size() < 3) continue;
+        const std::vector<std::uint32_t> known = {all[0].atom, all[2].atom};
+        std::vector<Cap> caps = {all[0], all[2]};
+        ASSERT_TRUE(neighbours.gather(i, known, caps));
+        EXPECT_EQ(caps.size(), all.size());
+        EXPECT_EQ(atoms_of(caps), atoms_of(all));
+    }
+}
+
+TEST(NeighbourCaps, TellsOfANeighbourThatCoversAll) {
+    const AccessibleSurface surface(two_spheres(0.5, 1.0, 3.0), kProbe);
+    const AccessibleSurface::Data& data = surface.data();
+    const CellList cells(data.atoms);
+    NeighbourCaps neighbours(data, cells);
+    const std::uint32_t small = data.rho[0] < data.rho[1] ? 0 : 1;
+    std::vector<Cap> caps;
+    EXPECT_FALSE(neighbours.gather(small, {}, caps));
+    caps.clear();
+    EXPECT_TRUE(neighbours.gather(1 - small, {}, caps));
+    EXPECT_TRUE(caps.empty());
+}
+
+}  // namespace
+}  // namespace meniscus::testing
