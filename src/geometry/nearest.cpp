@@ -50,6 +50,48 @@ void point_towards_foot(NearestFeature& feature, const Vec3& p, double distance)
     if (distance > 0.0) feature.normal = (1.0 / distance) * (feature.foot - p);
 }
 
+NearestFeature vertex_feature(const Data& data, const Vec3& p, std::uint32_t v, double distance) {
+    const SasVertex& vertex = data.vertices[v];
+    NearestFeature feature;
+    feature.signed_distance = data.probe - distance;
+    feature.patch = PatchKind::Reentrant;
+    feature.atom = nearest_atom(data, vertex.atoms, p);
+    feature.mean_curvature = reentrant_curvature(distance);
+    feature.gaussian_curvature = reentrant_gaussian_curvature(distance);
+    feature.foot = vertex.position;
+    point_towards_foot(feature, p, distance);
+    return feature;
+}
+
+// foot: that of p on the arc
+NearestFeature arc_feature(const Data& data, const Vec3& p, std::uint32_t a, const ArcFoot& foot, double distance) {
+    const SasArc& arc = data.arcs[a];
+    const Vec3 radial = foot.from_axis > 0.0 ? (1.0 / foot.from_axis) * foot.radial : arc.middle;
+    NearestFeature feature;
+    feature.signed_distance = data.probe - distance;
+    feature.patch = PatchKind::Toroidal;
+    feature.atom = nearest_atom(data, arc.atoms, p);
+    feature.mean_curvature = toroidal_curvature(arc.radius, foot.from_axis, distance);
+    feature.gaussian_curvature = toroidal_gaussian_curvature(arc.radius, foot.from_axis, distance);
+    feature.foot = arc.centre + arc.radius * radial;
+    point_towards_foot(feature, p, distance);
+    return feature;
+}
+
+// Whether p lies in the hull of a vertex and its three atoms.
+bool in_vertex_cell(const Data& data, const SasVertex& vertex, const Vec3& p) {
+    const Vec3 a = data.atoms.centres[vertex.atoms[0]] - vertex.position;
+    const Vec3 b = data.atoms.centres[vertex.atoms[1]] - vertex.position;
+    const Vec3 c = data.atoms.centres[vertex.atoms[2]] - vertex.position;
+    const Vec3 q = p - vertex.position;
+    const double whole = dot(a, cross(b, c));
+    const double turn = whole < 0.0 ? -1.0 : 1.0;
+    const double of_a = turn * dot(q, cross(b, c));
+    const double of_b = turn * dot(q, cross(c, a));
+    const double of_c = turn * dot(q, cross(a, b));
+    return of_a >= 0.0 && of_b >= 0.0 && of_c >= 0.0 && of_a + of_b + of_c <= turn * whole;
+}
+
 }  // namespace
 
 NearestFeature contact_feature(const Data& data, const Vec3& p, const NearestBall& ball) {
@@ -67,27 +109,49 @@ NearestFeature contact_feature(const Data& data, const Vec3& p, const NearestBal
 
 NearestFeature edge_feature(const Data& data, const Vec3& p, const NearestEdge& edge) {
     const double distance = std::sqrt(edge.squared_distance);
-    NearestFeature feature;
-    feature.signed_distance = data.probe - distance;
-    if (edge.vertex != kNoVertex) {
-        const SasVertex& vertex = data.vertices[edge.vertex];
-        feature.patch = PatchKind::Reentrant;
-        feature.atom = nearest_atom(data, vertex.atoms, p);
-        feature.mean_curvature = reentrant_curvature(distance);
-        feature.gaussian_curvature = reentrant_gaussian_curvature(distance);
-        feature.foot = vertex.position;
-    } else {
-        const SasArc& arc = data.arcs[edge.arc];
-        const ArcFoot foot = foot_on_arc(arc, p);
-        const Vec3 radial = foot.from_axis > 0.0 ? (1.0 / foot.from_axis) * foot.radial : arc.middle;
-        feature.patch = PatchKind::Toroidal;
-        feature.atom = nearest_atom(data, arc.atoms, p);
-        feature.mean_curvature = toroidal_curvature(arc.radius, foot.from_axis, distance);
-        feature.gaussian_curvature = toroidal_gaussian_curvature(arc.radius, foot.from_axis, distance);
-        feature.foot = arc.centre + arc.radius * radial;
+    if (edge.vertex != kNoVertex) return vertex_feature(data, p, edge.vertex, distance);
+    return arc_feature(data, p, edge.arc, foot_on_arc(data.arcs[edge.arc], p), distance);
+}
+
+SurfaceStep step_from_ball(const Data& data, const Vec3& p, std::uint32_t atom) {
+    const Vec3& centre = data.atoms.centres[atom];
+    const double l = norm(p - centre);
+    const double s = data.probe - (data.rho[atom] - l);
+    SurfaceStep step;
+    step.settled = l > 0.0;
+    step.point = step.settled ? p - s * ((1.0 / l) * (p - centre)) : p;
+    const double after = norm(step.point - centre);
+    step.feature = contact_feature(data, step.point, {atom, data.rho[atom] - after, after});
+    return step;
+}
+
+SurfaceStep step_from_arc(const Data& data, const Vec3& p, std::uint32_t a) {
+    const SasArc& arc = data.arcs[a];
+    const ArcFoot before = foot_on_arc(arc, p);
+    const double distance = std::sqrt(before.squared_distance);
+    SurfaceStep step;
+    step.point = p;
+    const bool steps = before.from_axis > 0.0 && distance > 0.0;
+    if (steps) {
+        const Vec3 x = arc.centre + (arc.radius / before.from_axis) * before.radial;
+        step.point = p - (data.probe - distance) * ((1.0 / distance) * (x - p));
     }
-    point_towards_foot(feature, p, distance);
-    return feature;
+    const ArcFoot foot = foot_on_arc(arc, step.point);
+    step.feature = arc_feature(data, step.point, a, foot, std::sqrt(foot.squared_distance));
+    const bool crosses_axis = arc.radius * distance <= data.probe * (arc.radius - before.from_axis);
+    step.settled = steps && (distance >= data.probe || (!crosses_axis && in_arc_cell(arc, foot)));
+    return step;
+}
+
+SurfaceStep step_from_vertex(const Data& data, const Vec3& p, std::uint32_t v) {
+    const SasVertex& vertex = data.vertices[v];
+    const Vec3 to_foot = vertex.position - p;
+    const double distance = norm(to_foot);
+    SurfaceStep step;
+    step.point = distance > 0.0 ? p - (data.probe - distance) * ((1.0 / distance) * to_foot) : p;
+    step.feature = vertex_feature(data, step.point, v, norm(vertex.position - step.point));
+    step.settled = distance > 0.0 && (distance >= data.probe || in_vertex_cell(data, vertex, step.point));
+    return step;
 }
 
 NearestHit nearest_hit(const AccessibleSurface::Data& data, const Vec3& p) {

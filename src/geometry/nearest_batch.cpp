@@ -202,6 +202,14 @@ double NearestBatch::mean_curvature(std::size_t point) const {
     return toroidal_curvature(arc.radius, foot_on_arc(arc, points_[point]).from_axis, distance);
 }
 
+SurfaceStep NearestBatch::step_to_surface(std::size_t point) const {
+    const Vec3& p = points_[point];
+    if (claims_[point] == Claim::Ball) return step_from_ball(*data_, p, atoms_[point]);
+    const std::int64_t tag = tags_[point];
+    return is_arc(tag) ? step_from_arc(*data_, p, arc_of(tag))
+                       : step_from_vertex(*data_, p, static_cast<std::uint32_t>(tag));
+}
+
 NearestFeature NearestBatch::feature(std::size_t point) const {
     const Vec3& p = points_[point];
     if (claims_[point] == Claim::Ball) {

@@ -44,6 +44,8 @@ public:
     double signed_distance(std::size_t point) const { return signed_distances_[point]; }
     double mean_curvature(std::size_t point) const;
     NearestFeature feature(std::size_t point) const;
+    /// A step along the distance to the surface.
+    SurfaceStep step_to_surface(std::size_t point) const;
 
 private:
     void choose_contenders(double deepest);

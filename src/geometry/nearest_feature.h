@@ -58,4 +58,22 @@ NearestHit nearest_hit(const AccessibleSurface::Data& data, const Vec3& p);
 NearestFeature contact_feature(const AccessibleSurface::Data& data, const Vec3& p, const NearestBall& ball);
 NearestFeature edge_feature(const AccessibleSurface::Data& data, const Vec3& p, const NearestEdge& edge);
 
+/// Where a step along the distance leads, and what is nearest there.
+struct SurfaceStep {
+    Vec3 point;
+    NearestFeature feature;  ///< of the point that was left, at `point`
+    bool settled = false;    ///< it is the nearest one at `point`, too, which therefore lies on the surface
+};
+
+/// A step from p, whose nearest feature is the ball, arc or vertex, to the surface.
+///
+/// The step goes along the line through p and its foot x on the SAS, to the distance of the probe's radius from x. In a
+/// ball that owns p it keeps the direction, which is exposed, and the ball: settled. x stays the nearest point of K
+/// all the way from c to x if the balls around the atoms of an arc or vertex cover the ball around c through x, and
+/// they do for every c in the hull of x and these atoms. So a step towards x is settled, and one away from x until it
+/// leaves the hull through its far side: the axis of the arc's circle, the plane of the vertex's three atoms.
+SurfaceStep step_from_ball(const AccessibleSurface::Data& data, const Vec3& p, std::uint32_t atom);
+SurfaceStep step_from_arc(const AccessibleSurface::Data& data, const Vec3& p, std::uint32_t arc);
+SurfaceStep step_from_vertex(const AccessibleSurface::Data& data, const Vec3& p, std::uint32_t vertex);
+
 }  // namespace meniscus

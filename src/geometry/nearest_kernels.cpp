@@ -6,6 +6,8 @@
 #include <cstring>
 #include <limits>
 
+#include "core/instructions.h"
+
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define MENISCUS_X86_KERNELS
 #endif
@@ -14,6 +16,7 @@ namespace meniscus {
 namespace {
 
 namespace plain {
+constexpr std::string_view kInstructions = "plain";
 constexpr std::size_t kVectorBytes = 16;
 #include "geometry/nearest_kernels.inc"
 }  // namespace plain
@@ -22,6 +25,7 @@ constexpr std::size_t kVectorBytes = 16;
 #pragma GCC push_options
 #pragma GCC target("avx2")
 namespace avx2 {
+constexpr std::string_view kInstructions = "avx2";
 constexpr std::size_t kVectorBytes = 32;
 #include "geometry/nearest_kernels.inc"
 }  // namespace avx2
@@ -30,6 +34,7 @@ constexpr std::size_t kVectorBytes = 32;
 #pragma GCC push_options
 #pragma GCC target("avx512f")
 namespace avx512 {
+constexpr std::string_view kInstructions = "avx512";
 constexpr std::size_t kVectorBytes = 64;
 #include "geometry/nearest_kernels.inc"
 }  // namespace avx512
@@ -47,9 +52,17 @@ std::vector<NearestKernels> supported_nearest_kernels() {
     return kernels;
 }
 
+const NearestKernels& choose_nearest_kernels(std::string_view instructions) {
+    static const std::vector<NearestKernels> all = supported_nearest_kernels();
+    std::vector<std::string_view> names;
+    names.reserve(all.size());
+    for (const NearestKernels& kernels : all) names.push_back(kernels.instructions);
+    return all[choose_instructions(names, instructions)];
+}
+
 const NearestKernels& nearest_kernels() {
-    static const NearestKernels fastest = supported_nearest_kernels().back();
-    return fastest;
+    static const NearestKernels& chosen = choose_nearest_kernels(wanted_instructions());
+    return chosen;
 }
 
 }  // namespace meniscus

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "geometry/accessible_surface_data.h"
@@ -67,6 +68,8 @@ inline bool is_arc(std::int64_t tag) { return tag < 0; }
 inline std::uint32_t arc_of(std::int64_t tag) { return static_cast<std::uint32_t>(-1 - tag); }
 
 struct NearestKernels {
+    std::string_view instructions;  ///< "plain", "avx2" or "avx512"
+
     /// Marks the spheres that, with radii enlarged by `beyond`, reach into a box.
     void (*mark_reaching)(const SphereList& spheres, double beyond, const Box& box, std::int64_t* marks);
     /// Marks the boxes that overlap one.
@@ -88,7 +91,11 @@ struct NearestKernels {
 /// Those that this machine can run, the plainest first.
 std::vector<NearestKernels> supported_nearest_kernels();
 
-/// The last of them.
+/// Those with the wanted instructions; the last ones if there are none.
+const NearestKernels& choose_nearest_kernels(std::string_view instructions);
+
+/// Those with the instructions that the environment variable MENISCUS_INSTRUCTIONS names, else the last ones; the same
+/// from the first call to the end of the program.
 const NearestKernels& nearest_kernels();
 
 }  // namespace meniscus

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "grid/block_kernels.h"
 
-#include <cstdlib>
+#include "core/instructions.h"
 
 namespace meniscus {
 
@@ -22,16 +22,14 @@ std::vector<const BlockKernels*> all_block_kernels() {
 
 const BlockKernels& choose_block_kernels(std::string_view instructions) {
     const std::vector<const BlockKernels*> all = all_block_kernels();
-    for (const BlockKernels* kernels : all)
-        if (kernels->instructions == instructions) return *kernels;
-    return *all.back();
+    std::vector<std::string_view> names;
+    names.reserve(all.size());
+    for (const BlockKernels* kernels : all) names.push_back(kernels->instructions);
+    return *all[choose_instructions(names, instructions)];
 }
 
 const BlockKernels& block_kernels() {
-    static const BlockKernels& chosen = [&]() -> const BlockKernels& {
-        const char* wanted = std::getenv("MENISCUS_INSTRUCTIONS");
-        return choose_block_kernels(wanted != nullptr ? wanted : "");
-    }();
+    static const BlockKernels& chosen = choose_block_kernels(wanted_instructions());
     return chosen;
 }
 

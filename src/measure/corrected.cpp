@@ -12,6 +12,7 @@
 
 #include "core/parallel.h"
 #include "measure/lanes.h"
+#include "measure/triangle_lanes.h"
 #include "meniscus/errors.h"
 
 namespace meniscus {
@@ -58,12 +59,9 @@ struct Sums {
     }
 };
 
-// The value that whole and parts tend to when the error of parts is a fourth of that of whole.
-double extrapolate(double whole, double parts) { return parts + (parts - whole) / 3.0; }
-
-CorrectedMeasures extrapolate(const Sums& sums) {
-    return {.area = extrapolate(sums.whole.two_areas, sums.parts.two_areas) / 2.0,
-            .volume = extrapolate(sums.whole.six_volumes, sums.parts.six_volumes) / 6.0};
+CorrectedMeasures corrected_by(const Sums& sums) {
+    return extrapolate({sums.whole.two_areas / 2.0, sums.whole.six_volumes / 6.0},
+                       {sums.parts.two_areas / 2.0, sums.parts.six_volumes / 6.0});
 }
 
 // Volumes are taken from a vertex of the mesh, so that they do not lose digits far from the origin.
@@ -120,57 +118,33 @@ Sums projected_sums(const Mesh& mesh, const Projector& project, std::size_t begi
     return sums;
 }
 
-// Some triangles with the normals at their corners, and what each of them contributes.
-struct TriangleLanes {
-    std::array<VectorLanes, 3> points;
-    std::array<VectorLanes, 3> normals;
-    Lanes whole_areas{};  // of each triangle: see Sum
-    Lanes whole_volumes{};
-    Lanes part_areas{};
-    Lanes part_volumes{};
-
-    void measure() {
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-            const auto middle = [&](std::size_t i, std::size_t j) {
-                return arc_middle(points[i].at(lane), normals[i].at(lane), points[j].at(lane), normals[j].at(lane));
-            };
-            Sums sums;
-            sums.add_triangle({points[0].at(lane), points[1].at(lane), points[2].at(lane)},
-                              {middle(0, 1), middle(1, 2), middle(2, 0)});
-            whole_areas[lane] = sums.whole.two_areas;
-            whole_volumes[lane] = sums.whole.six_volumes;
-            part_areas[lane] = sums.parts.two_areas;
-            part_volumes[lane] = sums.parts.six_volumes;
-        }
-    }
-
-    Sums contribution(std::size_t lane) const {
-        return {{whole_areas[lane], whole_volumes[lane]}, {part_areas[lane], part_volumes[lane]}};
-    }
-};
-
 Sums estimated_sums(const Mesh& mesh, std::size_t begin, std::size_t end) {
     const Vec3 origin = reference_point(mesh);
     TriangleLanes lanes;
     Sums sums;
     for (std::size_t first = begin; first < end; first += kLanes) {
         const std::size_t count = std::min(kLanes, end - first);
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            lanes.set_points(lane, mesh, mesh.triangles[first + lane], origin);
+            lanes.set_normals(lane, mesh, mesh.triangles[first + lane]);
+        }
+        triangle_kernels().measure_with_parts(lanes);
         for (std::size_t lane = 0; lane < count; ++lane)
-            for (std::size_t corner = 0; corner < 3; ++corner) {
-                const VertexId v = mesh.triangles[first + lane][corner];
-                lanes.points[corner].set(lane, mesh.vertices[v] - origin);
-                lanes.normals[corner].set(lane, mesh.normals[v]);
-            }
-        lanes.measure();
-        for (std::size_t lane = 0; lane < count; ++lane) sums += lanes.contribution(lane);
+            sums += Sums{{lanes.two_areas[lane], lanes.six_volumes[lane]},
+                         {lanes.parts_two_areas[lane], lanes.parts_six_volumes[lane]}};
     }
     return sums;
 }
 
 }  // namespace
 
+CorrectedMeasures extrapolate(const CorrectedMeasures& whole, const CorrectedMeasures& parts) {
+    return {.area = parts.area + (parts.area - whole.area) / 3.0,
+            .volume = parts.volume + (parts.volume - whole.volume) / 3.0};
+}
+
 CorrectedMeasures corrected_measures(const Mesh& mesh, const Projector& project) {
-    return extrapolate(parallel_sum<Sums>(mesh.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+    return corrected_by(parallel_sum<Sums>(mesh.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
         return projected_sums(mesh, project, begin, end);
     }));
 }
@@ -178,7 +152,7 @@ CorrectedMeasures corrected_measures(const Mesh& mesh, const Projector& project)
 CorrectedMeasures corrected_measures(const Mesh& mesh) {
     if (mesh.normals.size() != mesh.vertices.size())
         throw UsageError("curvature-corrected measures need one normal per vertex");
-    return extrapolate(parallel_sum<Sums>(mesh.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+    return corrected_by(parallel_sum<Sums>(mesh.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
         return estimated_sums(mesh, begin, end);
     }));
 }

@@ -2,11 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/parallel.h"
+#include "measure/surface_measures.h"
 #include "measure/topology.h"
+#include "measure/triangle_lanes.h"
+#include "measure/vertex_areas.h"
 #include "meniscus/errors.h"
 #include "meniscus/mesh.h"
 #include "mesh/components.h"
@@ -47,50 +53,154 @@ struct SquaredTangent {
     SquaredTangent& operator+=(const SquaredTangent& b) { return *this = b < *this ? b : *this; }
 };
 
-// Of the smallest corner of a triangle, which lies opposite the shortest side: the sides a, b at this corner have
-// a · b = (a² + b² - shortest²) / 2, at least a sixth of the sum of all three squares. 0 for a point.
-SquaredTangent smallest_corner(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const double ab = squared_norm(b - a);
-    const double bc = squared_norm(c - b);
-    const double ca = squared_norm(a - c);
-    const double product = 0.5 * (ab + bc + ca) - std::min(std::min(ab, bc), ca);
-    const double adjacent = product * product;
-    return {squared_norm(cross(b - a, c - a)), adjacent > 0.0 ? adjacent : 1.0};
-}
+// What one run of triangles of the same piece measures.
+struct RunSums {
+    std::uint32_t piece = 0;
+    std::size_t triangles = 0;
+    double two_areas = 0.0;
+    double six_volumes = 0.0;
+};
 
-double smallest_angle_deg(const Mesh& mesh) {
-    if (mesh.triangles.empty()) return 0.0;
-    const auto smallest_of = [&](std::size_t begin, std::size_t end) {
-        SquaredTangent smallest;
-        for (std::size_t t = begin; t < end; ++t) {
-            const auto& [a, b, c] = mesh.triangles[t];
-            const SquaredTangent corner = smallest_corner(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
-            if (corner < smallest) smallest = corner;
-        }
-        return smallest;
-    };
-    const auto smallest = parallel_sum<SquaredTangent>(mesh.triangles.size(), kChunk, smallest_of);
-    return std::atan(std::sqrt(smallest.opposite / smallest.adjacent)) * 180.0 / std::numbers::pi;
-}
+struct TriangleSums {
+    std::vector<RunSums> runs;
+    double parts_two_areas = 0.0;
+    double parts_six_volumes = 0.0;
+    SquaredTangent smallest;
 
-}  // namespace
-
-MeshMeasures measure_mesh(const Mesh& mesh) {
-    check(mesh);
-    MeshMeasures measures;
-    measures.components =
-        mesh.components.empty() ? find_components(mesh).pieces : measure_components(mesh, mesh.components);
-    for (const MeshComponent& piece : measures.components) {
-        measures.area += piece.area;
-        measures.volume += piece.volume;
+    TriangleSums& operator+=(const TriangleSums& b) {
+        runs.insert(runs.end(), b.runs.begin(), b.runs.end());
+        parts_two_areas += b.parts_two_areas;
+        parts_six_volumes += b.parts_six_volumes;
+        smallest += b.smallest;
+        return *this;
     }
+};
+
+// One pass over the triangles, in which every one is looked at while its corners are at hand.
+class TrianglePass {
+public:
+    TrianglePass(const Mesh& mesh, std::span<const std::uint32_t> of_vertex) : mesh_(mesh), of_vertex_(of_vertex) {
+        for (VertexId v = 0; v < of_vertex.size(); ++v) {
+            const std::size_t p = of_vertex[v];
+            if (p >= pieces_.size()) {
+                pieces_.resize(p + 1);
+                origins_.resize(p + 1);
+            }
+            if (pieces_[p].vertices++ == 0) origins_[p] = mesh.vertices[v];
+        }
+    }
+
+    // thirds: empty, or where a third of every triangle's area goes. Only then are the parts measured.
+    MeshMeasures run(std::span<float> thirds) {
+        sums_ = parallel_sum<TriangleSums>(mesh_.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+            return sums_of(begin, end, thirds);
+        });
+        for (const RunSums& run : sums_.runs) {
+            pieces_[run.piece].triangles += run.triangles;
+            pieces_[run.piece].area += run.two_areas / 2.0;
+            pieces_[run.piece].volume += run.six_volumes / 6.0;
+        }
+        MeshMeasures measures;
+        for (const MeshComponent& piece : pieces_) {
+            measures.area += piece.area;
+            measures.volume += piece.volume;
+        }
+        measures.components = std::move(pieces_);
+        const double tangent = std::sqrt(sums_.smallest.opposite / sums_.smallest.adjacent);
+        if (!mesh_.triangles.empty()) measures.smallest_angle_deg = std::atan(tangent) * 180.0 / std::numbers::pi;
+        return measures;
+    }
+
+    // After run with thirds.
+    CorrectedMeasures parts() const { return {sums_.parts_two_areas / 2.0, sums_.parts_six_volumes / 6.0}; }
+
+private:
+    TriangleSums sums_of(std::size_t begin, std::size_t end, std::span<float> thirds) const {
+        TriangleLanes lanes;
+        TriangleSums sums;
+        for (std::size_t first = begin; first < end; first += kLanes) {
+            const std::size_t count = std::min(kLanes, end - first);
+            load(first, count, !thirds.empty(), lanes);
+            if (thirds.empty()) {
+                triangle_kernels().measure(lanes);
+            } else {
+                triangle_kernels().measure_with_parts(lanes);
+                add_parts(lanes, thirds.subspan(first, count), sums);
+            }
+            add_to_runs(first, count, lanes, sums);
+        }
+        return sums;
+    }
+
+    std::uint32_t piece_of(std::size_t t) const { return of_vertex_[mesh_.triangles[t][0]]; }
+
+    void load(std::size_t first, std::size_t count, bool with_normals, TriangleLanes& lanes) const {
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            const Triangle& triangle = mesh_.triangles[first + lane];
+            lanes.set_points(lane, mesh_, triangle, origins_[piece_of(first + lane)]);
+            if (with_normals) lanes.set_normals(lane, mesh_, triangle);
+        }
+    }
+
+    static void add_parts(const TriangleLanes& lanes, std::span<float> thirds, TriangleSums& sums) {
+        for (std::size_t lane = 0; lane < thirds.size(); ++lane) {
+            thirds[lane] = static_cast<float>(lanes.two_areas[lane] / 6.0);
+            sums.parts_two_areas += lanes.parts_two_areas[lane];
+            sums.parts_six_volumes += lanes.parts_six_volumes[lane];
+        }
+    }
+
+    void add_to_runs(std::size_t first, std::size_t count, const TriangleLanes& lanes, TriangleSums& sums) const {
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            const std::uint32_t piece = piece_of(first + lane);
+            if (sums.runs.empty() || sums.runs.back().piece != piece) sums.runs.push_back({.piece = piece});
+            RunSums& run = sums.runs.back();
+            ++run.triangles;
+            run.two_areas += lanes.two_areas[lane];
+            run.six_volumes += lanes.six_volumes[lane];
+            const SquaredTangent corner{lanes.opposite[lane], lanes.adjacent[lane]};
+            if (corner < sums.smallest) sums.smallest = corner;
+        }
+    }
+
+    const Mesh& mesh_;
+    std::span<const std::uint32_t> of_vertex_;
+    std::vector<MeshComponent> pieces_;
+    std::vector<Vec3> origins_;  // first vertex of each piece: volumes taken from there keep their digits
+    TriangleSums sums_;
+};
+
+void add_topology(const Mesh& mesh, MeshMeasures& measures) {
     const MeshTopology topology = examine_topology(mesh.vertices.size(), mesh.triangles);
     measures.closed = topology.closed;
     measures.manifold = topology.manifold;
     measures.euler_characteristic = static_cast<std::int64_t>(mesh.vertices.size()) -
                                     static_cast<std::int64_t>(topology.edges) +
                                     static_cast<std::int64_t>(mesh.triangles.size());
-    measures.smallest_angle_deg = smallest_angle_deg(mesh);
+}
+
+}  // namespace
+
+MeshMeasures measure_mesh(const Mesh& mesh) {
+    check(mesh);
+    const std::vector<std::uint32_t> found =
+        mesh.components.empty() ? find_components(mesh).of_vertex : std::vector<std::uint32_t>();
+    MeshMeasures measures = TrianglePass(mesh, mesh.components.empty() ? found : mesh.components).run({});
+    add_topology(mesh, measures);
+    return measures;
+}
+
+SurfaceMeasures measure_surface(Mesh& mesh) {
+    check(mesh);
+    if (mesh.normals.size() != mesh.vertices.size() || mesh.components.size() != mesh.vertices.size())
+        throw UsageError("measures of a surface need one normal and one component number per vertex");
+    const auto thirds = std::make_unique_for_overwrite<float[]>(mesh.triangles.size());
+    TrianglePass pass(mesh, mesh.components);
+    SurfaceMeasures measures{.mesh = pass.run({thirds.get(), mesh.triangles.size()}), .corrected = {}, .areas = {}};
+    measures.corrected = extrapolate({measures.mesh.area, measures.mesh.volume}, pass.parts());
+    measures.areas = vertex_areas(mesh, {thirds.get(), mesh.triangles.size()});
+    renumber(measures.mesh.components, mesh.components);
+    add_topology(mesh, measures.mesh);
     return measures;
 }
 

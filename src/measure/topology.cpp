@@ -3,6 +3,10 @@
 #include "measure/topology.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -20,48 +24,61 @@ struct Step {
     VertexId to = 0;
 };
 
-// The steps round every vertex: entries first[v] .. first[v + 1] of steps.
+// The triangles round every vertex, as numbers of their corners: corner k of triangle t is number 3 t + k. Entries
+// first[v] .. first[v + 1] of corners. Index: a type that holds the number of any corner.
+template <class Index>
 struct Stars {
-    std::vector<std::size_t> first;
-    std::vector<Step> steps;
+    std::vector<Index> first;
+    std::unique_ptr<Index[]> corners;
 };
 
-Stars collect_stars(std::size_t vertex_count, std::span<const Triangle> triangles) {
-    Stars stars;
-    // While filling, entry v + 1 is where the next step of v goes; in the end that is where v's steps end.
+template <class Index>
+Stars<Index> collect_stars(std::size_t vertex_count, std::span<const Triangle> triangles) {
+    Stars<Index> stars;
+    // While filling, entry v + 1 is where the next corner of v goes; in the end that is where v's corners end.
     stars.first.assign(vertex_count + 2, 0);
     for (const Triangle& t : triangles)
         for (const VertexId v : t) ++stars.first[v + std::size_t{2}];
     std::partial_sum(stars.first.begin(), stars.first.end(), stars.first.begin());
-    stars.steps.resize(3 * triangles.size());
-    const auto add = [&](VertexId v, VertexId from, VertexId to) {
-        stars.steps[stars.first[v + std::size_t{1}]++] = {from, to};
-    };
-    for (const auto& [a, b, c] : triangles) {
-        add(a, b, c);
-        add(b, c, a);
-        add(c, a, b);
-    }
+    stars.corners = std::make_unique_for_overwrite<Index[]>(3 * triangles.size());
+    Index corner = 0;
+    for (const Triangle& t : triangles)
+        for (const VertexId v : t) stars.corners[stars.first[v + std::size_t{1}]++] = corner++;
     return stars;
 }
 
-// Longest star that is searched step by step; longer ones are rare and sorted instead.
-constexpr std::size_t kShortStar = 16;
+Step step_at(const Triangle& triangle, std::size_t corner) {
+    return {triangle[corner < 2 ? corner + 1 : 0], triangle[corner > 0 ? corner - 1 : 2]};
+}
 
-// The usual case, quickly: the steps form one ring. Sorts them along it; taking every step once and coming back only
-// with the last proves that no neighbour is visited twice.
-bool is_single_ring(std::span<Step> star, VertexId v) {
-    if (star.size() < 3 || star.size() > kShortStar) return false;
-    const VertexId start = star[0].from;
-    for (std::size_t k = 0;; ++k) {
-        const VertexId at = star[k].to;
-        if (at == v) return false;
-        if (at == start) return k + 1 == star.size();
-        std::size_t next = k + 1;
-        while (next < star.size() && star[next].from != at) ++next;
-        if (next == star.size()) return false;
-        std::swap(star[k + 1], star[next]);
+// Stars of fewer steps than this are examined without a branch; longer ones are rare and sorted instead.
+constexpr std::uint32_t kShortStar = 16;
+
+// The steps round a vertex; its own number stands in the rest of `from`, at least once.
+struct ShortStar {
+    std::array<VertexId, kShortStar> from;
+    std::array<VertexId, kShortStar> to;
+    std::size_t size = 0;
+};
+
+// The usual case, quickly: the steps form one ring. Which step begins where another ends is found by comparing all with
+// all; the number of the only one is known from the sum over those found. Taking every step once and coming back only
+// with the last proves that no neighbour is visited twice. kWidth: more than there are steps.
+template <std::uint32_t kWidth>
+bool is_single_ring(const ShortStar& star) {
+    std::array<std::uint32_t, kWidth> next;
+    for (std::uint32_t k = 0; k < kWidth; ++k) {
+        std::uint32_t sum = 0;
+        for (std::uint32_t j = 0; j < kWidth; ++j) sum += star.from[j] == star.to[k] ? kWidth + j : 0;
+        next[k] = sum - kWidth;
     }
+    std::uint32_t at = 0;
+    for (std::size_t taken = 1; taken <= star.size; ++taken) {
+        at = next[at];
+        if (at >= star.size) return false;  // none, several, or the vertex itself
+        if (at == 0) return taken == star.size;
+    }
+    return false;
 }
 
 // One end of a step: a triangle that has the edge v-neighbour, as its first side (leaving v) or its last (coming to v).
@@ -139,24 +156,72 @@ struct Part {
     }
 };
 
-}  // namespace
+template <class Index>
+class StarExaminer {
+public:
+    StarExaminer(const Stars<Index>& stars, std::span<const Triangle> triangles)
+        : stars_(stars), triangles_(triangles) {}
 
-MeshTopology examine_topology(std::size_t vertex_count, std::span<const Triangle> triangles) {
-    Stars stars = collect_stars(vertex_count, triangles);
-    const auto examine = [&](std::size_t begin, std::size_t end) {
+    Part examine(std::size_t begin, std::size_t end) const {
         Part part;
         for (std::size_t v = begin; v < end; ++v) {
-            const auto star = std::span(stars.steps).subspan(stars.first[v], stars.first[v + 1] - stars.first[v]);
-            if (is_single_ring(star, static_cast<VertexId>(v)))
-                part.seen.edges += star.size();
+            const auto vertex = static_cast<VertexId>(v);
+            if (forms_a_ring(vertex))
+                part.seen.edges += corners(vertex).size();
             else
-                examine_star(star, static_cast<VertexId>(v), part.seen);
+                examine_star(steps(vertex), vertex, part.seen);
         }
         return part;
-    };
+    }
+
+private:
+    std::span<const Index> corners(VertexId v) const {
+        return {stars_.corners.get() + stars_.first[v], stars_.corners.get() + stars_.first[v + std::size_t{1}]};
+    }
+    Step step(Index corner) const { return step_at(triangles_[corner / 3], corner % 3); }
+
+    bool forms_a_ring(VertexId v) const {
+        constexpr std::uint32_t kHalf = kShortStar / 2;
+        ShortStar star;
+        star.size = corners(v).size();
+        if (star.size < 3 || star.size >= kShortStar) return false;
+        star.from.fill(v);
+        star.to.fill(v);
+        for (std::size_t i = 0; i < star.size; ++i) {
+            const auto [from, to] = step(corners(v)[i]);
+            star.from[i] = from;
+            star.to[i] = to;
+        }
+        return star.size < kHalf ? is_single_ring<kHalf>(star) : is_single_ring<kShortStar>(star);
+    }
+
+    std::vector<Step> steps(VertexId v) const {
+        std::vector<Step> steps;
+        steps.reserve(corners(v).size());
+        for (const Index corner : corners(v)) steps.push_back(step(corner));
+        return steps;
+    }
+
+    const Stars<Index>& stars_;
+    std::span<const Triangle> triangles_;
+};
+
+template <class Index>
+MeshTopology examine_stars(std::size_t vertex_count, std::span<const Triangle> triangles) {
+    const Stars<Index> stars = collect_stars<Index>(vertex_count, triangles);
+    const StarExaminer<Index> examiner(stars, triangles);
+    const auto examine = [&](std::size_t begin, std::size_t end) { return examiner.examine(begin, end); };
     MeshTopology topology = parallel_sum<Part>(vertex_count, kChunk, examine).seen;
     topology.edges /= 2;
     return topology;
+}
+
+}  // namespace
+
+MeshTopology examine_topology(std::size_t vertex_count, std::span<const Triangle> triangles) {
+    return triangles.size() <= std::numeric_limits<std::uint32_t>::max() / 3
+               ? examine_stars<std::uint32_t>(vertex_count, triangles)
+               : examine_stars<std::uint64_t>(vertex_count, triangles);
 }
 
 }  // namespace meniscus

@@ -4,16 +4,10 @@
 
 namespace meniscus {
 
-std::vector<float> vertex_areas(const Mesh& mesh) {
+std::vector<float> vertex_areas(const Mesh& mesh, std::span<const float> thirds) {
     std::vector<float> areas(mesh.vertices.size(), 0.0F);
-    for (const auto& [a, b, c] : mesh.triangles) {
-        const Vec3& origin = mesh.vertices[a];
-        const double doubled = norm(cross(mesh.vertices[b] - origin, mesh.vertices[c] - origin));
-        const auto third = static_cast<float>(doubled / 6.0);
-        areas[a] += third;
-        areas[b] += third;
-        areas[c] += third;
-    }
+    for (std::size_t t = 0; t < thirds.size(); ++t)
+        for (const VertexId v : mesh.triangles[t]) areas[v] += thirds[t];
     return areas;
 }
 

@@ -50,7 +50,8 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
-// Pieces numbered by their smallest vertex.
+}  // namespace
+
 std::vector<std::uint32_t> pieces_by_first_vertex(const Mesh& mesh) {
     SharedSets sets(mesh.vertices.size());
     parallel_chunks(mesh.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
@@ -67,7 +68,6 @@ std::vector<std::uint32_t> pieces_by_first_vertex(const Mesh& mesh) {
     return piece;
 }
 
-// order[i] = old number of the piece that becomes number i.
 std::vector<std::uint32_t> final_order(const std::vector<MeshComponent>& pieces) {
     std::vector<std::uint32_t> order(pieces.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -79,8 +79,6 @@ std::vector<std::uint32_t> final_order(const std::vector<MeshComponent>& pieces)
     if (outer != order.end()) std::rotate(order.begin(), outer, outer + 1);
     return order;
 }
-
-}  // namespace
 
 std::vector<MeshComponent> measure_components(const Mesh& mesh, std::span<const std::uint32_t> of_vertex) {
     std::vector<MeshComponent> pieces;
@@ -113,18 +111,24 @@ std::vector<MeshComponent> measure_components(const Mesh& mesh, std::span<const 
     return pieces;
 }
 
-Components find_components(const Mesh& mesh) {
-    Components found{.of_vertex = pieces_by_first_vertex(mesh), .pieces = {}};
-    const std::vector<MeshComponent> pieces = measure_components(mesh, found.of_vertex);
+void renumber(std::vector<MeshComponent>& pieces, std::vector<std::uint32_t>& of_vertex) {
     const std::vector<std::uint32_t> order = final_order(pieces);
+    if (std::is_sorted(order.begin(), order.end())) return;
     std::vector<std::uint32_t> number(pieces.size());
-    found.pieces.reserve(pieces.size());
+    std::vector<MeshComponent> ordered;
+    ordered.reserve(pieces.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) {
         number[order[i]] = i;
-        found.pieces.push_back(pieces[order[i]]);
+        ordered.push_back(pieces[order[i]]);
     }
-    parallel_for(found.of_vertex.size(), kChunk,
-                 [&](std::size_t v) { found.of_vertex[v] = number[found.of_vertex[v]]; });
+    pieces = std::move(ordered);
+    parallel_for(of_vertex.size(), kChunk, [&](std::size_t v) { of_vertex[v] = number[of_vertex[v]]; });
+}
+
+Components find_components(const Mesh& mesh) {
+    Components found{.of_vertex = pieces_by_first_vertex(mesh), .pieces = {}};
+    found.pieces = measure_components(mesh, found.of_vertex);
+    renumber(found.pieces, found.of_vertex);
     return found;
 }
 

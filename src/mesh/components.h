@@ -11,6 +11,15 @@
 
 namespace meniscus {
 
+/// The number of each vertex's piece, in the order of their first vertices.
+///
+/// cost     O(n) for n vertices and triangles
+std::vector<std::uint32_t> pieces_by_first_vertex(const Mesh& mesh);
+
+/// By falling absolute volume, but with the largest outer piece (positive volume) first, if there is one; equals stay
+/// in order. Returns which piece becomes the first, the second and so on.
+std::vector<std::uint32_t> final_order(const std::vector<MeshComponent>& pieces);
+
 /// The connected pieces of a mesh.
 struct Components {
     std::vector<std::uint32_t> of_vertex;  ///< number of each vertex's piece
@@ -19,11 +28,12 @@ struct Components {
 
 /// Finds the connected pieces of a mesh.
 ///
-/// Pieces are numbered by falling absolute volume, outer pieces and cavities in one row, but with the largest outer
-/// piece (positive volume) first, if there is one; ties by the smallest vertex number. A vertex without triangles is a
-/// piece of its own.
-/// cost     O(n) for n vertices and triangles
+/// Pieces are numbered in their final_order, outer pieces and cavities in one row; ties by the smallest vertex number.
+/// A vertex without triangles is a piece of its own. cost     O(n) for n vertices and triangles
 Components find_components(const Mesh& mesh);
+
+/// Puts the pieces of a labelling into their final order, in which it numbers them anew.
+void renumber(std::vector<MeshComponent>& pieces, std::vector<std::uint32_t>& of_vertex);
 
 /// find_components, kept in mesh.components.
 std::vector<MeshComponent> label_components(Mesh& mesh);

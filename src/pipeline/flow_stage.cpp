@@ -9,6 +9,8 @@
 #include <limits>
 
 #include "band/printed_curvature.h"
+#include "measure/surface_measures.h"
+#include "mesh/extract.h"
 #include "pipeline/surface_mesh.h"
 
 namespace meniscus {
@@ -44,8 +46,11 @@ public:
 
     void add(const FlowState& state, FlowStep step) {
         const LevelSet level_set(grid_, state.coefficients);
-        const SurfaceMesh surface = mesh_surface(accessible_, *grid_, state.values, &level_set, Pieces::All);
-        const MeshMeasures measures = measure_mesh(surface.mesh);
+        SurfaceMesh surface = mesh_surface(accessible_, extract_zero_set(*grid_, state.values), &level_set,
+                                           {.spacing = grid_->spacing()});
+        SurfaceMeasures measured = measure_surface(surface.mesh);
+        surface.mesh.areas = std::move(measured.areas);
+        const MeshMeasures& measures = measured.mesh;
         step.area = measures.area;
         step.volume = measures.volume;
         const bool empty = surface.mesh.vertices.empty();

@@ -12,7 +12,7 @@
 #include "core/parallel.h"
 #include "flow/evolution.h"
 #include "flow/gaussian_density.h"
-#include "measure/corrected.h"
+#include "measure/surface_measures.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "mesh/extract.h"
@@ -94,9 +94,7 @@ public:
     }
 
     Surface run() {
-        const Field field = make_field();
-        make_mesh(field);
-        surface_.level_set = field.level_set;
+        make_mesh(make_field());
         surface_.seconds.mesh = clock_.lap();
         report("mesh", 1.0);
         measure();
@@ -181,9 +179,12 @@ private:
         report("flow", 1.0);
     }
 
-    void make_mesh(const Field& field) {
-        SurfaceMesh meshed =
-            mesh_surface(*accessible_, *field.grid, field.values, field.level_set.get(), options_.pieces);
+    void make_mesh(Field field) {
+        Mesh zero_set = extract_zero_set(*field.grid, field.values);
+        field.values = {};  // the mesh grows into their memory
+        SurfaceMesh meshed = mesh_surface(*accessible_, std::move(zero_set), field.level_set.get(),
+                                          {.spacing = options_.spacing, .pieces = options_.pieces});
+        surface_.level_set = std::move(field.level_set);
         surface_.mesh = std::move(meshed.mesh);
         surface_.distance = meshed.distance;
         if (options_.method != Method::Flow) return;
@@ -192,10 +193,11 @@ private:
     }
 
     void measure() {
-        surface_.measures = measure_mesh(surface_.mesh);
-        const CorrectedMeasures corrected = corrected_measures(surface_.mesh);
-        surface_.corrected_area = corrected.area;
-        surface_.corrected_volume = corrected.volume;
+        SurfaceMeasures measures = measure_surface(surface_.mesh);
+        surface_.measures = std::move(measures.mesh);
+        surface_.mesh.areas = std::move(measures.areas);
+        surface_.corrected_area = measures.corrected.area;
+        surface_.corrected_volume = measures.corrected.volume;
         const auto holds = [](std::string name, bool passed) {
             return Check{std::move(name), passed, passed ? 1.0 : 0.0, 1.0};
         };

@@ -3,86 +3,139 @@
 #include "pipeline/surface_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "core/parallel.h"
 #include "geometry/local_features.h"
+#include "geometry/nearest_batch.h"
 #include "grid/spline_cursor.h"
-#include "measure/vertex_areas.h"
 #include "mesh/components.h"
-#include "mesh/extract.h"
 
 namespace meniscus {
 namespace {
 
 void label_and_choose(Mesh& mesh, Pieces pieces) {
+    if (pieces == Pieces::All) {
+        mesh.components = pieces_by_first_vertex(mesh);
+        return;
+    }
     const std::vector<MeshComponent> components = label_components(mesh);
-    if (pieces == Pieces::All) return;
     std::vector<bool> keep(components.size());
     for (std::size_t c = 0; c < keep.size(); ++c) keep[c] = (components[c].volume > 0.0) == (pieces == Pieces::Outer);
     keep_components(mesh, keep);
 }
 
+// Neighbouring vertices, as many as are treated at once.
+struct VertexRun {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    Box box;
+};
+
+// Runs of vertices in groups, each of one neighbourhood.
+class RunGroups {
+public:
+    explicit RunGroups(std::span<const Vec3> points, double longest) {
+        for (std::size_t v = 0; v < points.size();) {
+            runs_.push_back(run_from(points, v, longest));
+            v = runs_.back().end;
+        }
+        std::stable_sort(runs_.begin(), runs_.end(),
+                         [](const VertexRun& a, const VertexRun& b) { return group_of(a) < group_of(b); });
+        for (std::size_t i = 0; i < runs_.size(); ++i)
+            if (i == 0 || group_of(runs_[i - 1]) != group_of(runs_[i])) begins_.push_back(i);
+        begins_.push_back(runs_.size());
+    }
+
+    std::size_t size() const { return begins_.size() - 1; }
+    std::span<const VertexRun> runs(std::size_t group) const {
+        return std::span(runs_).subspan(begins_[group], begins_[group + 1] - begins_[group]);
+    }
+
+private:
+    static constexpr double kGroupEdge = 10.0;  // Å
+
+    static VertexRun run_from(std::span<const Vec3> points, std::size_t begin, double longest) {
+        VertexRun run{begin, begin, {}};
+        const std::size_t most = std::min(points.size(), begin + kBatchLanes);
+        for (; run.end < most; ++run.end) {
+            Box box = run.box;
+            box.include(points[run.end]);
+            const Vec3 size = box.high - box.low;
+            if (std::max({size.x, size.y, size.z}) > longest && run.end > begin) break;
+            run.box = box;
+        }
+        return run;
+    }
+    static std::array<double, 3> group_of(const VertexRun& run) {
+        const Vec3& p = run.box.low;
+        return {std::floor(p.z / kGroupEdge), std::floor(p.y / kGroupEdge), std::floor(p.x / kGroupEdge)};
+    }
+
+    std::vector<VertexRun> runs_;
+    std::vector<std::size_t> begins_;
+};
+
 // Moves points onto the exact surface. A step along the distance ends there, but next to ridges the distance is a
 // lower bound and a step can fall short: a few are taken.
 class ExactProjector {
 public:
-    explicit ExactProjector(const AccessibleSurface& surface) : surface_(surface), local_(surface, kMargin) {}
+    explicit ExactProjector(const AccessibleSurface& surface)
+        : surface_(surface), around_(surface, kMargin), local_(surface, kMargin), batch_(surface) {}
 
-    // Moves neighbouring points and fills in their nearest features where they have come to lie.
-    void project(std::span<Vec3> points, std::span<NearestFeature> features) {
-        Box box;
-        for (const Vec3& p : points) box.include(p);
-        if (points.size() > 1 && norm(box.high - box.low) > kLargestBox) {
-            const std::size_t half = points.size() / 2;
-            project(points.first(half), features.first(half));
-            return project(points.subspan(half), features.subspan(half));
-        }
+    // Goes to a box whose points will be moved.
+    void enter(const Box& box) { around_.gather(box.grown(kRoom)); }
+
+    // Moves at most kBatchLanes points of a box and fills in their nearest features where they have come to lie.
+    void project(const Box& box, std::span<Vec3> points, std::span<NearestFeature> features) {
         box_ = box.grown(kRoom);
-        local_.gather(box_);
-        nearest_features(local_, points, features);
-        for (int step = 0; step < kSteps && move(points, features); ++step) find_where_moved(points, features);
+        local_.gather_from(around_, box_);
+        const bool open = batch_.start(local_, box, kMargin) == NearestBatch::Claim::Open;
+        if (open) batch_.find(points);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (open && batch_.found(i)) {
+                const SurfaceStep step = batch_.step_to_surface(i);
+                features[i] = step.feature;
+                points_[i] = step.point;
+                if (!step.settled) features[i] = step_on(points_[i], kSteps - 1);
+            } else {
+                points_[i] = points[i];
+                features[i] = step_on(points_[i], kSteps);
+            }
+        }
+        std::copy_n(points_.begin(), points.size(), points.begin());
     }
 
 private:
-    static constexpr double kLargestBox = 12.0;   // Å, its diagonal; larger groups are split
-    static constexpr double kRoom = 0.1;          // Å around a group: most points move less
+    static constexpr double kRoom = 0.1;          // Å around a run: most points move less
     static constexpr double kMargin = 0.5;        // Å: points of a mesh are far nearer to the surface than this
     static constexpr double kCloseEnough = 1e-9;  // Å
     static constexpr int kSteps = 3;
 
-    // Moves those that do not lie on the surface yet; returns whether there were any.
-    bool move(std::span<Vec3> points, std::span<const NearestFeature> features) {
-        moved_.clear();
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            if (!(std::abs(features[i].signed_distance) > kCloseEnough)) continue;
-            points[i] = points[i] - features[i].signed_distance * features[i].normal;
-            moved_.push_back(i);
+    NearestFeature step_on(Vec3& point, int steps) const {
+        NearestFeature feature = nearest(point);
+        for (; steps > 0 && std::abs(feature.signed_distance) > kCloseEnough; --steps) {
+            point = point - feature.signed_distance * feature.normal;
+            feature = nearest(point);
         }
-        return !moved_.empty();
+        return feature;
     }
 
-    void find_where_moved(std::span<const Vec3> points, std::span<NearestFeature> features) {
-        const auto left = std::partition(moved_.begin(), moved_.end(),
-                                         [&](std::size_t i) { return box_.squared_distance(points[i]) == 0.0; });
-        std::for_each(left, moved_.end(), [&](std::size_t i) { features[i] = surface_.nearest(points[i]); });
-        moved_.erase(left, moved_.end());
-        places_.clear();
-        for (const std::size_t i : moved_) places_.push_back(points[i]);
-        found_.resize(places_.size());
-        nearest_features(local_, places_, found_);
-        for (std::size_t k = 0; k < moved_.size(); ++k) features[moved_[k]] = found_[k];
+    NearestFeature nearest(const Vec3& point) const {
+        return box_.squared_distance(point) == 0.0 ? local_.nearest(point) : surface_.nearest(point);
     }
 
     const AccessibleSurface& surface_;
+    LocalFeatures around_;  // of many runs
     LocalFeatures local_;
+    NearestBatch batch_;
     Box box_;
-    std::vector<std::size_t> moved_;  // of a group, those that the last step moved
-    std::vector<Vec3> places_;        // theirs
-    std::vector<NearestFeature> found_;
+    std::array<Vec3, kBatchLanes> points_;
 };
 
 DistanceSummary summarise(std::vector<double>& distances) {
@@ -95,6 +148,19 @@ DistanceSummary summarise(std::vector<double>& distances) {
     summary.p99 = *p99;
     summary.max = *std::max_element(p99, distances.end());
     return summary;
+}
+
+// Spheres and their insides have the same curvature in all directions.
+PrincipalCurvatures principal_curvatures_at(const NearestFeature& feature) {
+    const double mean = feature.mean_curvature;
+    return feature.patch == PatchKind::Toroidal ? principal_curvatures(mean, feature.gaussian_curvature)
+                                                : PrincipalCurvatures{mean, mean};
+}
+
+// As k.shape_index(), without its arc tangent where that is known.
+double shape_index_of(const PrincipalCurvatures& k) {
+    if (k.largest != k.smallest || k.largest == 0.0) return k.shape_index();
+    return k.largest > 0.0 ? 1.0 : -1.0;
 }
 
 // Moves the vertices to where they stay and gives them what is known of the surface there.
@@ -117,17 +183,18 @@ public:
 
     // Returns the distances to the exact surface.
     std::vector<double> run() {
-        parallel_chunks(mesh_.vertices.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-            if (level_set_ != nullptr)
-                finish_on_level_set(begin, end);
-            else
-                finish_on_exact_surface(begin, end);
-        });
+        if (level_set_ != nullptr)
+            parallel_chunks(mesh_.vertices.size(), kChunk,
+                            [&](std::size_t begin, std::size_t end) { finish_on_level_set(begin, end); });
+        else
+            finish_on_exact_surface();
         return std::move(distances_);
     }
 
 private:
     static constexpr std::size_t kChunk = 1024;  // vertices per task
+    static constexpr std::size_t kGroupsPerTask = 2;
+    static constexpr double kLongestRun = 12.0;  // spacings: a block and a half
 
     std::span<Vec3> vertices(std::size_t begin, std::size_t end) const {
         return std::span(mesh_.vertices).subspan(begin, end - begin);
@@ -145,14 +212,27 @@ private:
         for (std::size_t v = begin; v < end; ++v) label(v, features[v - begin]);
     }
 
-    void finish_on_exact_surface(std::size_t begin, std::size_t end) {
-        std::vector<NearestFeature> features(end - begin);
-        ExactProjector(accessible_).project(vertices(begin, end), features);
-        for (std::size_t v = begin; v < end; ++v) {
-            const NearestFeature& at = features[v - begin];
-            mesh_.normals[v] = at.normal;
-            set_curvatures(v, principal_curvatures(at.mean_curvature, at.gaussian_curvature));
-            label(v, at);
+    void finish_on_exact_surface() {
+        const RunGroups groups(mesh_.vertices, kLongestRun * spacing_);
+        parallel_chunks(groups.size(), kGroupsPerTask, [&](std::size_t begin, std::size_t end) {
+            const auto projector = std::make_unique<ExactProjector>(accessible_);
+            for (std::size_t g = begin; g < end; ++g) finish_group(groups.runs(g), *projector);
+        });
+    }
+
+    void finish_group(std::span<const VertexRun> runs, ExactProjector& projector) {
+        Box box;
+        for (const VertexRun& run : runs) box.include(run.box);
+        projector.enter(box);
+        std::array<NearestFeature, kBatchLanes> features;
+        for (const VertexRun& run : runs) {
+            projector.project(run.box, vertices(run.begin, run.end), features);
+            for (std::size_t v = run.begin; v < run.end; ++v) {
+                const NearestFeature& at = features[v - run.begin];
+                mesh_.normals[v] = at.normal;
+                set_curvatures(v, principal_curvatures_at(at));
+                label(v, at);
+            }
         }
     }
 
@@ -161,7 +241,7 @@ private:
         const PrincipalCurvatures capped = k.capped(1.0 / spacing_);
         mesh_.mean_curvatures[v] = static_cast<float>(capped.mean());
         mesh_.gaussian_curvatures[v] = static_cast<float>(capped.gaussian());
-        mesh_.shape_indices[v] = static_cast<float>(capped.shape_index());
+        mesh_.shape_indices[v] = static_cast<float>(shape_index_of(capped));
     }
 
     void label(std::size_t v, const NearestFeature& feature) {
@@ -179,13 +259,12 @@ private:
 
 }  // namespace
 
-SurfaceMesh mesh_surface(const AccessibleSurface& accessible, const BlockGrid& grid, std::span<const float> values,
-                         const LevelSet* level_set, Pieces pieces) {
-    SurfaceMesh result{extract_zero_set(grid, values), {}};
-    label_and_choose(result.mesh, pieces);
-    std::vector<double> distances = VertexFinisher(accessible, level_set, grid.spacing(), result.mesh).run();
+SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, const LevelSet* level_set,
+                         const MeshingOptions& options) {
+    SurfaceMesh result{std::move(zero_set), {}};
+    label_and_choose(result.mesh, options.pieces);
+    std::vector<double> distances = VertexFinisher(accessible, level_set, options.spacing, result.mesh).run();
     result.distance = summarise(distances);
-    result.mesh.areas = vertex_areas(result.mesh);
     return result;
 }
 

@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// From node values to a labelled mesh whose vertices lie on the surface, and how far that is from the exact one.
+// From an extracted zero set to a labelled mesh whose vertices lie on the surface, and how far that is from the exact
+// one.
 #pragma once
 
-#include <span>
-
-#include "grid/block_grid.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/level_set.h"
 #include "meniscus/mesh.h"
@@ -18,10 +16,15 @@ struct SurfaceMesh {
     DistanceSummary distance;
 };
 
-/// pieces      what is kept of the zero set
-/// level_set   whose values at the nodes `values` are: vertices are projected onto its zero set; null: onto the exact
-/// SES
-SurfaceMesh mesh_surface(const AccessibleSurface& accessible, const BlockGrid& grid, std::span<const float> values,
-                         const LevelSet* level_set, Pieces pieces);
+struct MeshingOptions {
+    double spacing = 0.0;         ///< of the grid that the zero set was extracted from, Å
+    Pieces pieces = Pieces::All;  ///< what is kept of the zero set
+};
+
+/// zero_set    as extract_zero_set gives it
+/// level_set   whose zero set it is: vertices are projected onto that; null: onto the exact SES
+/// returns     all vertex arrays but the areas; measure_surface gives those and the pieces their final order
+SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, const LevelSet* level_set,
+                         const MeshingOptions& options);
 
 }  // namespace meniscus

@@ -95,6 +95,56 @@ TEST(NearestBatch, TakesAnyNumberOfPoints) {
         expect_cube(surface, batch, local, points_in_cube({0.2, 0.3, 0.1}, 0.5, count), 1.0);
 }
 
+// Of settled steps from points near the surface; how many there were is added to.
+void expect_steps_to_lead_to_the_surface(const AccessibleSurface& surface, NearestBatch& batch, LocalFeatures& local,
+                                         const std::vector<Vec3>& points, std::size_t& settled) {
+    Box box;
+    for (const Vec3& p : points) box.include(p);
+    local.gather(box);
+    if (batch.start(local, box, local.margin()) != Claim::Open) return;
+    batch.find(points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!batch.found(i)) continue;
+        const SurfaceStep step = batch.step_to_surface(i);
+        if (!step.settled) continue;
+        ++settled;
+        const NearestFeature exact = surface.nearest(step.point);
+        EXPECT_NEAR(exact.signed_distance, 0.0, 1e-7);
+        EXPECT_NEAR(step.feature.signed_distance, exact.signed_distance, 1e-7);
+        EXPECT_NEAR(norm(step.point - points[i]), std::abs(batch.signed_distance(i)), 1e-9);
+    }
+}
+
+TEST(NearestBatch, SettledStepsLeadToTheSurface) {
+    for (const Arrangement& a : awkward_arrangements()) {
+        SCOPED_TRACE(a.name);
+        const AccessibleSurface surface(a.atoms, a.probe);
+        NearestBatch batch(surface);
+        LocalFeatures local(surface, 0.9);
+        std::size_t settled = 0;
+        for (const Vec3& corner : random_points_around(a.atoms, 60, 2.0))
+            expect_steps_to_lead_to_the_surface(surface, batch, local, points_in_cube(corner, 0.4, 64), settled);
+        EXPECT_GT(settled, 50U);
+    }
+}
+
+TEST(NearestBatch, StepsAcrossTheAxisOfACircleAreNotSettled) {
+    const AccessibleSurface surface(two_spheres(5.0), 1.4);  // the probe rolls around with a hole in the middle
+    NearestBatch batch(surface);
+    LocalFeatures local(surface, 0.9);
+    const std::vector<Vec3> points{{2.5, 0.05, 0.0}, {2.5, 0.0, 0.1}, {2.3, 0.3, 0.1}};
+    const Box box{{2.0, -1.0, -1.0}, {3.0, 1.0, 1.0}};
+    local.gather(box);
+    ASSERT_EQ(batch.start(local, box, 0.9), Claim::Open);
+    batch.find(points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        ASSERT_TRUE(batch.found(i));
+        const SurfaceStep step = batch.step_to_surface(i);
+        const bool on_surface = std::abs(surface.nearest(step.point).signed_distance) < 1e-7;
+        EXPECT_EQ(step.settled, on_surface) << i;
+    }
+}
+
 TEST(NearestBatch, KnowsTheSideOfWholeBoxes) {
     const AccessibleSurface surface(equal_spheres({{0, 0, 0}}, 10.0), 1.4);
     NearestBatch batch(surface);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/instructions.h"
 #include "support/arrangements.h"
 
 namespace meniscus::testing {
@@ -103,6 +104,14 @@ TEST_F(NearestKernelsTest, GiveTheSameBitsOnEveryInstructionSet) {
         expect_equal(other.nearest.squared_distance, plain.nearest.squared_distance);
         expect_equal(other.nearest.tag, plain.nearest.tag);
     }
+}
+
+TEST(NearestKernels, AreChosenByName) {
+    for (const NearestKernels& kernels : supported_nearest_kernels())
+        EXPECT_EQ(choose_nearest_kernels(kernels.instructions).instructions, kernels.instructions);
+    EXPECT_EQ(choose_nearest_kernels("plain").instructions, "plain");
+    EXPECT_EQ(choose_nearest_kernels("").instructions, supported_nearest_kernels().back().instructions);
+    EXPECT_EQ(&nearest_kernels(), &choose_nearest_kernels(wanted_instructions()));
 }
 
 TEST_F(NearestKernelsTest, MarkWhatIsNearABox) {

@@ -4,7 +4,12 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <vector>
 
+#include "core/parallel.h"
+#include "measure/corrected.h"
+#include "measure/surface_measures.h"
 #include "meniscus/errors.h"
 #include "meniscus/mesh.h"
 #include "mesh/components.h"
@@ -16,6 +21,7 @@ namespace {
 
 using testing::append;
 using testing::extracted_sphere;
+using testing::projected_sphere;
 using testing::tetrahedron;
 
 TEST(MeshMeasures, Tetrahedron) {
@@ -122,6 +128,68 @@ TEST(MeshMeasures, MalformedMeshesAreRefused) {
     EXPECT_THROW(measure_mesh(mesh), UsageError);
     mesh.components = {0, 0, 0, 0xffffffffU};
     EXPECT_THROW(measure_mesh(mesh), UsageError);
+}
+
+Mesh two_spheres() {
+    Mesh mesh = projected_sphere({.centre = {1, 2, 3}, .radius = 2.0}, 0.1);
+    const Mesh other = projected_sphere({.centre = {9, 2, 3}, .radius = 3.0}, 0.1);
+    append(mesh, other);
+    mesh.normals.insert(mesh.normals.end(), other.normals.begin(), other.normals.end());
+    return mesh;
+}
+
+TEST(MeasureSurface, IsWhatTheSeparateMeasuresAre) {
+    Mesh mesh = two_spheres();
+    label_components(mesh);
+    const SurfaceMeasures surface = measure_surface(mesh);
+    const MeshMeasures plain = measure_mesh(mesh);
+    EXPECT_EQ(surface.mesh.area, plain.area);
+    EXPECT_EQ(surface.mesh.volume, plain.volume);
+    EXPECT_EQ(surface.mesh.smallest_angle_deg, plain.smallest_angle_deg);
+    EXPECT_TRUE(surface.mesh.closed && surface.mesh.manifold);
+    EXPECT_EQ(surface.mesh.euler_characteristic, 4);
+    const CorrectedMeasures corrected = corrected_measures(mesh);
+    EXPECT_NEAR(surface.corrected.area, corrected.area, 1e-11 * corrected.area);
+    EXPECT_NEAR(surface.corrected.volume, corrected.volume, 1e-11 * corrected.volume);
+    const double sum = std::accumulate(surface.areas.begin(), surface.areas.end(), 0.0);
+    EXPECT_NEAR(sum, plain.area, 1e-6 * plain.area);
+}
+
+TEST(MeasureSurface, PiecesAreThoseOfMeasureComponents) {
+    Mesh mesh = two_spheres();
+    const std::vector<MeshComponent> expected = label_components(mesh);
+    const std::vector<MeshComponent> pieces = measure_surface(mesh).mesh.components;
+    ASSERT_EQ(pieces.size(), expected.size());
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        EXPECT_EQ(pieces[p].vertices, expected[p].vertices);
+        EXPECT_EQ(pieces[p].triangles, expected[p].triangles);
+        EXPECT_NEAR(pieces[p].area, expected[p].area, 1e-11 * expected[p].area);
+        EXPECT_NEAR(pieces[p].volume, expected[p].volume, 1e-11 * expected[p].volume);
+    }
+}
+
+TEST(MeasureSurface, SameBitsForAnyNumberOfThreads) {
+    Mesh mesh = projected_sphere({.centre = {1, 2, 3}, .radius = 2.0}, 0.03);
+    label_components(mesh);
+    const auto with_threads = [&](int threads) {
+        const ThreadLimit limit(threads);
+        return measure_surface(mesh);
+    };
+    const SurfaceMeasures one = with_threads(1);
+    const SurfaceMeasures four = with_threads(4);
+    EXPECT_EQ(one.mesh.area, four.mesh.area);
+    EXPECT_EQ(one.corrected.area, four.corrected.area);
+    EXPECT_EQ(one.corrected.volume, four.corrected.volume);
+    EXPECT_EQ(one.areas, four.areas);
+}
+
+TEST(MeasureSurface, NeedsNormalsAndComponents) {
+    Mesh mesh = tetrahedron();
+    label_components(mesh);
+    EXPECT_THROW(measure_surface(mesh), UsageError);
+    mesh.normals = mesh.vertices;
+    mesh.components.clear();
+    EXPECT_THROW(measure_surface(mesh), UsageError);
 }
 
 }  // namespace

@@ -57,6 +57,18 @@ TEST(Components, LargestOuterPieceComesFirstEvenBesideALargerHole) {
     EXPECT_EQ(mesh.components.front(), 1U);
 }
 
+TEST(Components, AreRenumberedTogetherWithWhatTheyMeasure) {
+    std::vector<MeshComponent> pieces{
+        {.vertices = 1, .volume = -9.0}, {.vertices = 2, .volume = 3.0}, {.vertices = 3, .volume = 5.0}};
+    std::vector<std::uint32_t> of_vertex{0, 1, 1, 2, 2, 2};
+    renumber(pieces, of_vertex);
+    EXPECT_EQ(of_vertex, (std::vector<std::uint32_t>{1, 2, 2, 0, 0, 0}));
+    ASSERT_EQ(pieces.size(), 3U);
+    EXPECT_EQ(pieces[0].vertices, 3U);
+    EXPECT_EQ(pieces[1].vertices, 1U);
+    EXPECT_EQ(pieces[2].vertices, 2U);
+}
+
 TEST(Components, VolumeKeepsItsDigitsFarFromTheOrigin) {
     Mesh mesh = testing::tetrahedron();
     for (Vec3& v : mesh.vertices) v += Vec3{1 << 20, -(1 << 20), 1 << 20};

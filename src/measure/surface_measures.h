@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// All that is measured of a finished surface, in one pass over its triangles.
+#pragma once
+
+#include <vector>
+
+#include "measure/corrected.h"
+#include "meniscus/mesh.h"
+
+namespace meniscus {
+
+struct SurfaceMeasures {
+    MeshMeasures mesh;            ///< as measure_mesh
+    CorrectedMeasures corrected;  ///< as corrected_measures, by normals
+    std::vector<float> areas;     ///< per vertex: a third of the areas of the triangles around, Å²
+};
+
+/// Numbers the pieces in mesh.components anew, in the final order of what they measure (mesh/components.h).
+///
+/// throws   UsageError for a mesh without normals or components, and as measure_mesh
+/// cost     O(n) for n triangles, 4 bytes of scratch memory each beside those of examine_topology
+SurfaceMeasures measure_surface(Mesh& mesh);
+
+}  // namespace meniscus
