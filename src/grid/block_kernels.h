@@ -59,7 +59,10 @@ struct BlockKernels {
     /// image = stencil applied to the block in the middle, as apply_stencil() up to rounding.
     void (*apply)(const StencilWeights& weights, const BlocksAround& around, float* image);
 
-    /// The same on the nodes of the set, 0 on the others; returns scalar products of the image.
+    /// The same on the nodes of the set; the others keep what they have.
+    void (*apply_within)(const StencilWeights& weights, const BlocksAround& around, const NodeBits& set, float* image);
+
+    /// As apply() on the nodes of the set, 0 on the others; returns scalar products of the image.
     ImageProducts (*apply_to_set)(const StencilWeights& weights, const BlocksAround& direction, const NodeBits& set,
                                   float* image);
 
@@ -71,6 +74,16 @@ struct BlockKernels {
     /// x += alpha direction, residual -= alpha image, direction = residual + beta direction; returns the residual's
     /// squared norm.
     double (*advance)(const CgFactors& factors, const float* image, float* x, float* residual, float* direction);
+
+    /// The nodes with |field| < near.
+    NodeBits (*find_near)(float near, const float* field);
+
+    /// residual as begin() makes it.
+    double (*find_residual)(const StencilWeights& weights, const BlocksAround& x, const NodeBits& set, const float* b,
+                            float* residual);
+
+    /// x += stencil applied to residual, on the set.
+    void (*correct)(const StencilWeights& weights, const BlocksAround& residual, const NodeBits& set, float* x);
 };
 
 /// The kernels that this machine can run, the slowest first: the plain ones.

@@ -81,6 +81,29 @@ Row keep(const Row& row, int bits) {
     return c;
 }
 
+#ifdef __AVX2__
+int any_bit(const PartBits& b) {
+    const PartBits quarters = b | __builtin_shufflevector(b, b, 4, 5, 6, 7, 0, 1, 2, 3);
+    const PartBits pairs = quarters | __builtin_shufflevector(quarters, quarters, 2, 3, 0, 1, 6, 7, 4, 5);
+    return pairs[0] | pairs[1];
+}
+#else
+int any_bit(const PartBits& b) {
+    const PartBits pairs = b | __builtin_shufflevector(b, b, 2, 3, 0, 1);
+    return pairs[0] | pairs[1];
+}
+#endif
+
+// The bits of the places where |row| < near.
+int bits_near(const Row& row, float near) {
+    int bits = 0;
+    for (int i = 0; i < kParts; ++i) {
+        const PartBits in = (row.part[i] < near) & (row.part[i] > -near);
+        bits |= any_bit(in & kBitOfPlace) << (kPlaces * i);
+    }
+    return bits;
+}
+
 // Sum of scalar products of rows, each place of a row by itself until the end.
 class RowSum {
 public:
@@ -152,6 +175,13 @@ void apply(const StencilWeights& weights, const BlocksAround& around, float* ima
     apply_rows(weights, around, [&](int n, const Row& value) { store(value, image + n); });
 }
 
+void apply_within(const StencilWeights& weights, const BlocksAround& around, const NodeBits& set, float* image) {
+    apply_rows(weights, around, [&](int n, const Row& value) {
+        const int bits = set.rows[n / kBlockEdge];
+        store(keep(value, bits) + keep(load(image + n), ~bits), image + n);
+    });
+}
+
 ImageProducts apply_to_set(const StencilWeights& weights, const BlocksAround& direction, const NodeBits& set,
                            float* image) {
     constexpr int kMiddle = neighbour_slot(0, 0, 0);
@@ -192,14 +222,39 @@ double advance(const CgFactors& factors, const float* image, float* x, float* re
     return squares.total();
 }
 
+NodeBits find_near(float near, const float* field) {
+    NodeBits set;
+    for (int n = 0; n < kBlockNodes; n += kBlockEdge)
+        set.rows[n / kBlockEdge] = static_cast<std::uint8_t>(bits_near(load(field + n), near));
+    return set;
+}
+
+double find_residual(const StencilWeights& weights, const BlocksAround& x, const NodeBits& set, const float* b,
+                     float* residual) {
+    RowSum squares;
+    apply_rows(weights, x, [&](int n, const Row& value) {
+        const Row left = keep(load(b + n) - value, set.rows[n / kBlockEdge]);
+        store(left, residual + n);
+        squares.add(left, left);
+    });
+    return squares.total();
+}
+
+void correct(const StencilWeights& weights, const BlocksAround& residual, const NodeBits& set, float* x) {
+    apply_rows(weights, residual,
+               [&](int n, const Row& value) { store(load(x + n) + keep(value, set.rows[n / kBlockEdge]), x + n); });
+}
+
 }  // namespace
 
 #ifdef MENISCUS_AVX2_KERNELS
 extern const BlockKernels kAvx2Kernels;
-const BlockKernels kAvx2Kernels{"avx2", apply, apply_to_set, begin, advance};
+const BlockKernels kAvx2Kernels{"avx2",  apply,     apply_within,  apply_to_set, begin,
+                                advance, find_near, find_residual, correct};
 #else
 extern const BlockKernels kPlainKernels;
-const BlockKernels kPlainKernels{"plain", apply, apply_to_set, begin, advance};
+const BlockKernels kPlainKernels{"plain", apply,     apply_within,  apply_to_set, begin,
+                                 advance, find_near, find_residual, correct};
 #endif
 
 }  // namespace meniscus

@@ -94,6 +94,8 @@ double product(std::span<const float> a, std::span<const float> b) {
 // What kernels make of the same input.
 struct Results {
     Values applied;
+    Values within = random_block(7);
+    NodeBits near_zero;
     Values image;
     ImageProducts products;
     Values first_residual;
@@ -103,6 +105,9 @@ struct Results {
     Values residual = random_block(5);
     Values direction = random_block(6);
     double norm;
+    Values other_residual;
+    double other_norm;
+    Values corrected = random_block(4);
 
     explicit Results(const BlockKernels& kernels) {
         const Neighbourhood near;
@@ -112,6 +117,10 @@ struct Results {
         products = kernels.apply_to_set(weights, near.around(), set, image.data());
         first_norm = kernels.begin(weights, near.around(), set, random_block(3).data(), first_residual.data(),
                                    first_direction.data());
+        kernels.apply_within(weights, near.around(), set, within.data());
+        near_zero = kernels.find_near(0.4F, near.own());
+        other_norm = kernels.find_residual(weights, near.around(), set, random_block(3).data(), other_residual.data());
+        kernels.correct(weights, near.around(), set, corrected.data());
         norm = kernels.advance(kFactors, image.data(), x.data(), residual.data(), direction.data());
     }
 };
@@ -134,6 +143,28 @@ TEST_P(EachBlockKernels, ApplyItToTheSetOnly) {
     const std::span<const float> own(near_.own(), kBlockNodes);
     EXPECT_NEAR(results_.products.with_direction, product(results_.image, own), 1e-11);
     EXPECT_NEAR(results_.products.with_itself, product(results_.image, results_.image), 1e-11);
+}
+
+TEST_P(EachBlockKernels, ApplyItWithinTheSet) {
+    const Values before = random_block(7);
+    for (std::size_t n = 0; n < kBlockNodes; ++n)
+        ASSERT_EQ(results_.within[n], in_set(set_, n) ? results_.applied[n] : before[n]);
+}
+
+TEST_P(EachBlockKernels, FindSmallValues) {
+    for (std::size_t n = 0; n < kBlockNodes; ++n)
+        ASSERT_EQ(in_set(results_.near_zero, n), std::abs(near_.own()[n]) < 0.4F);
+}
+
+TEST_P(EachBlockKernels, FindTheResidualThatBeginFinds) {
+    EXPECT_EQ(results_.other_residual, results_.first_residual);
+    EXPECT_EQ(results_.other_norm, results_.first_norm);
+}
+
+TEST_P(EachBlockKernels, CorrectOnTheSetOnly) {
+    const Values x = random_block(4);
+    for (std::size_t n = 0; n < kBlockNodes; ++n)
+        ASSERT_EQ(results_.corrected[n], in_set(set_, n) ? x[n] + results_.applied[n] : x[n]);
 }
 
 TEST_P(EachBlockKernels, BeginWithTheResidual) {
@@ -160,6 +191,8 @@ TEST_P(EachBlockKernels, AdvanceByOneStep) {
 TEST_P(EachBlockKernels, HaveTheBitsOfThePlainOnes) {
     const Results plain(choose_block_kernels("plain"));
     EXPECT_EQ(results_.applied, plain.applied);
+    EXPECT_EQ(results_.within, plain.within);
+    EXPECT_EQ(results_.corrected, plain.corrected);
     EXPECT_EQ(results_.image, plain.image);
     EXPECT_EQ(results_.products.with_direction, plain.products.with_direction);
     EXPECT_EQ(results_.products.with_itself, plain.products.with_itself);
