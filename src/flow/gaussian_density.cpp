@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "core/parallel.h"
+#include "grid/block_kernels.h"
 #include "meniscus/errors.h"
 
 namespace meniscus {
@@ -29,27 +30,22 @@ Box box_of(const Vec3& corner, double spacing) {
 }
 
 // exp(C d²) at the nodes of a row, relative to its largest. From the node that is nearest to the atom outwards every
-// term is the one before times a ratio, which itself changes by a constant factor.
-struct AxisTable {
-    double term[kBlockEdge];
-    double squared_nearest;
-
-    // offset: of the first node from the atom; ratio_change: exp(2 C spacing²)
-    AxisTable(double c, double offset, double spacing, double ratio_change) {
-        const int nearest = static_cast<int>(std::clamp(0.5 - offset / spacing, 0.0, kBlockEdge - 1.0));
-        const double d = offset + spacing * nearest;
-        squared_nearest = d * d;
-        term[nearest] = 1.0;
-        if (nearest < kBlockEdge - 1) {
-            double ratio = std::exp(c * spacing * (spacing + 2.0 * d));
-            for (int n = nearest + 1; n < kBlockEdge; ++n, ratio *= ratio_change) term[n] = term[n - 1] * ratio;
-        }
-        if (nearest > 0) {
-            double ratio = std::exp(c * spacing * (spacing - 2.0 * d));
-            for (int n = nearest - 1; n >= 0; --n, ratio *= ratio_change) term[n] = term[n + 1] * ratio;
-        }
+// term is the one before times a ratio, which itself changes by a constant factor. offset: of the first node from the
+// atom; ratio_change: exp(2 C spacing²). Returns d² of the nearest node.
+double fill_axis(double c, double offset, double spacing, double ratio_change, std::span<double, kBlockEdge> term) {
+    const int nearest = static_cast<int>(std::clamp(0.5 - offset / spacing, 0.0, kBlockEdge - 1.0));
+    const double d = offset + spacing * nearest;
+    term[nearest] = 1.0;
+    if (nearest < kBlockEdge - 1) {
+        double ratio = std::exp(c * spacing * (spacing + 2.0 * d));
+        for (int n = nearest + 1; n < kBlockEdge; ++n, ratio *= ratio_change) term[n] = term[n - 1] * ratio;
     }
-};
+    if (nearest > 0) {
+        double ratio = std::exp(c * spacing * (spacing - 2.0 * d));
+        for (int n = nearest - 1; n >= 0; --n, ratio *= ratio_change) term[n] = term[n + 1] * ratio;
+    }
+    return d * d;
+}
 
 bool contains(const Box& outer, const Box& inner) {
     return outer.low.x <= inner.low.x && outer.low.y <= inner.low.y && outer.low.z <= inner.low.z &&
@@ -89,7 +85,7 @@ GaussianDensity::GaussianDensity(const AccessibleSurface& surface, double c) : d
 // How the terms of a block's nodes are summed.
 struct GaussianDensity::NodeSums {
     BlockNodes block;
-    double ratio_change;  // of AxisTable
+    double ratio_change;  // of fill_axis()
     double unit;          // sums are in units of its exponential
     double negligible;    // of a sum, in these units
 };
@@ -167,26 +163,18 @@ std::vector<BlockCoord> GaussianDensity::blocks_near_surface(const Lattice& latt
     return near;
 }
 
-// Adds the terms of an atom to the sums at the nodes, in units of e^unit. The Gaussian is a product over the axes:
-// three short tables instead of an exponential per node. Rows of nodes to which it adds at most `negligible` are left
-// out.
+// Adds the terms of an atom to the sums at the nodes. The Gaussian is a product over the axes: three short tables
+// instead of an exponential per node.
 void GaussianDensity::add_terms(std::uint32_t atom, const NodeSums& to, std::span<double, kBlockNodes> sums) const {
     const Vec3 from = to.block.corner - data_->atoms.centres[atom];
-    const AxisTable ex(c_, from.x, to.block.spacing, to.ratio_change);
-    const AxisTable ey(c_, from.y, to.block.spacing, to.ratio_change);
-    const AxisTable ez(c_, from.z, to.block.spacing, to.ratio_change);
-    const double squared_nearest = ex.squared_nearest + ey.squared_nearest + ez.squared_nearest;
+    const double h = to.block.spacing;
+    AxisProduct product;
+    const double squared_nearest = fill_axis(c_, from.x, h, to.ratio_change, product.x) +
+                                   fill_axis(c_, from.y, h, to.ratio_change, product.y) +
+                                   fill_axis(c_, from.z, h, to.ratio_change, product.z);
     const double scale = std::exp(exponent(atom, squared_nearest) - to.unit);
-    for (int z = 0; z < kBlockEdge; ++z) {
-        const double at_z = scale * ez.term[z];
-        if (at_z <= to.negligible) continue;
-        for (int y = 0; y < kBlockEdge; ++y) {
-            const double at_yz = at_z * ey.term[y];
-            if (at_yz <= to.negligible) continue;
-            double* row = sums.data() + node_in_block(0, y, z);
-            for (int x = 0; x < kBlockEdge; ++x) row[x] += at_yz * ex.term[x];
-        }
-    }
+    for (double& z : product.z) z *= scale;
+    block_kernels().add_product(product, to.negligible, sums.data());
 }
 
 // Φ0 at every node. Sums are in units of the largest term of the block, so that nothing overflows; where they are past

@@ -52,6 +52,13 @@ struct CgFactors {
     float beta;
 };
 
+/// A function on a block that is a product of one factor per axis.
+struct AxisProduct {
+    double x[kBlockEdge];
+    double y[kBlockEdge];
+    double z[kBlockEdge];
+};
+
 /// Arrays hold the nodes of one block, as fields on the grid do, and do not overlap.
 struct BlockKernels {
     std::string_view instructions;  ///< "plain" or "avx2"
@@ -77,6 +84,9 @@ struct BlockKernels {
 
     /// The nodes with |field| < near.
     NodeBits (*find_near)(float near, const float* field);
+
+    /// sums += product, but for rows whose factors of y and z give `negligible` at most.
+    void (*add_product)(const AxisProduct& product, double negligible, double* sums);
 
     /// residual as begin() makes it.
     double (*find_residual)(const StencilWeights& weights, const BlocksAround& x, const NodeBits& set, const float* b,

@@ -62,6 +62,14 @@ Row load(const float* from) {
 
 void store(const Row& row, float* to) { __builtin_memcpy(to, &row, sizeof row); }
 
+WideQuad load_wide(const double* from) {
+    WideQuad quad;
+    __builtin_memcpy(&quad, from, sizeof quad);
+    return quad;
+}
+
+void store_wide(const WideQuad& quad, double* to) { __builtin_memcpy(to, &quad, sizeof quad); }
+
 // Sum of a node's two neighbours along the row.
 Row sum_of_sides(const Row& left, const Row& own, const Row& right) {
     Row c;
@@ -229,6 +237,22 @@ NodeBits find_near(float near, const float* field) {
     return set;
 }
 
+void add_product(const AxisProduct& product, double negligible, double* sums) {
+    const WideQuad low = load_wide(product.x);
+    const WideQuad high = load_wide(product.x + kHalf);
+    for (int z = 0; z < kBlockEdge; ++z) {
+        if (product.z[z] <= negligible) continue;
+        for (int y = 0; y < kBlockEdge; ++y) {
+            const double factor = product.z[z] * product.y[y];
+            if (factor <= negligible) continue;
+            const int first = kBlockEdge * (y + kBlockEdge * z);
+            double* row = sums + first;
+            store_wide(load_wide(row) + factor * low, row);
+            store_wide(load_wide(row + kHalf) + factor * high, row + kHalf);
+        }
+    }
+}
+
 double find_residual(const StencilWeights& weights, const BlocksAround& x, const NodeBits& set, const float* b,
                      float* residual) {
     RowSum squares;
@@ -249,12 +273,12 @@ void correct(const StencilWeights& weights, const BlocksAround& residual, const 
 
 #ifdef MENISCUS_AVX2_KERNELS
 extern const BlockKernels kAvx2Kernels;
-const BlockKernels kAvx2Kernels{"avx2",  apply,     apply_within,  apply_to_set, begin,
-                                advance, find_near, find_residual, correct};
+const BlockKernels kAvx2Kernels{"avx2",  apply,     apply_within, apply_to_set,  begin,
+                                advance, find_near, add_product,  find_residual, correct};
 #else
 extern const BlockKernels kPlainKernels;
-const BlockKernels kPlainKernels{"plain", apply,     apply_within,  apply_to_set, begin,
-                                 advance, find_near, find_residual, correct};
+const BlockKernels kPlainKernels{"plain", apply,     apply_within, apply_to_set,  begin,
+                                 advance, find_near, add_product,  find_residual, correct};
 #endif
 
 }  // namespace meniscus

@@ -134,7 +134,7 @@ TEST(NodesNear, AreThoseOfTheMask) {
     for (std::size_t k = 0; k < unknowns.blocks.size(); ++k)
         for (std::size_t n = 0; n < kBlockNodes; ++n) {
             const bool in = ((unsigned{unknowns.nodes[k].rows[n / kBlockEdge]} >> (n % kBlockEdge)) & 1U) != 0;
-            EXPECT_EQ(in, std::abs(field[unknowns.blocks[k] * kBlockNodes + n]) < 0.3F);
+            EXPECT_EQ(in, std::abs(field[std::size_t{unknowns.blocks[k]} * kBlockNodes + n]) < 0.3F);
             count += in ? 1 : 0;
         }
     EXPECT_EQ(unknowns.count, count);

@@ -19,6 +19,7 @@ using Values = std::array<float, kBlockNodes>;
 
 constexpr float kFill = 0.7F;
 constexpr Stencil kStencil{2.1, -0.3, 0.17, 0.05};
+constexpr double kNegligible = 0.05;
 constexpr CgFactors kFactors{0.37F, 0.61F};
 
 std::vector<float> random_values(std::uint64_t seed, std::size_t size) {
@@ -91,6 +92,16 @@ double product(std::span<const float> a, std::span<const float> b) {
     return sum;
 }
 
+AxisProduct axis_product() {
+    AxisProduct product;
+    for (int n = 0; n < kBlockEdge; ++n) {
+        product.x[n] = 1.0 + 0.3 * n;
+        product.y[n] = 0.1 * n;
+        product.z[n] = 1.0 / (1 + n);
+    }
+    return product;
+}
+
 // What kernels make of the same input.
 struct Results {
     Values applied;
@@ -108,6 +119,7 @@ struct Results {
     Values other_residual;
     double other_norm;
     Values corrected = random_block(4);
+    std::array<double, kBlockNodes> sums{};
 
     explicit Results(const BlockKernels& kernels) {
         const Neighbourhood near;
@@ -121,6 +133,8 @@ struct Results {
         near_zero = kernels.find_near(0.4F, near.own());
         other_norm = kernels.find_residual(weights, near.around(), set, random_block(3).data(), other_residual.data());
         kernels.correct(weights, near.around(), set, corrected.data());
+        sums.fill(0.7);
+        kernels.add_product(axis_product(), kNegligible, sums.data());
         norm = kernels.advance(kFactors, image.data(), x.data(), residual.data(), direction.data());
     }
 };
@@ -154,6 +168,17 @@ TEST_P(EachBlockKernels, ApplyItWithinTheSet) {
 TEST_P(EachBlockKernels, FindSmallValues) {
     for (std::size_t n = 0; n < kBlockNodes; ++n)
         ASSERT_EQ(in_set(results_.near_zero, n), std::abs(near_.own()[n]) < 0.4F);
+}
+
+TEST_P(EachBlockKernels, AddAProductWhereItCounts) {
+    const AxisProduct product = axis_product();
+    for (int z = 0; z < kBlockEdge; ++z)
+        for (int y = 0; y < kBlockEdge; ++y)
+            for (int x = 0; x < kBlockEdge; ++x) {
+                const double row = product.y[y] * product.z[z];
+                const double expected = 0.7 + (row > kNegligible ? row * product.x[x] : 0.0);
+                ASSERT_NEAR(results_.sums[static_cast<std::size_t>(node_in_block(x, y, z))], expected, 1e-12);
+            }
 }
 
 TEST_P(EachBlockKernels, FindTheResidualThatBeginFinds) {
@@ -192,6 +217,7 @@ TEST_P(EachBlockKernels, HaveTheBitsOfThePlainOnes) {
     const Results plain(choose_block_kernels("plain"));
     EXPECT_EQ(results_.applied, plain.applied);
     EXPECT_EQ(results_.within, plain.within);
+    EXPECT_EQ(results_.sums, plain.sums);
     EXPECT_EQ(results_.corrected, plain.corrected);
     EXPECT_EQ(results_.image, plain.image);
     EXPECT_EQ(results_.products.with_direction, plain.products.with_direction);
