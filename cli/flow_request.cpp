@@ -21,7 +21,7 @@ constexpr Words<Reinitialiser, 5> kReinitialisers{{{"none", Reinitialiser::None}
                                                    {"paper", Reinitialiser::Paper},
                                                    {"paper-literal", Reinitialiser::PaperLiteral},
                                                    {"godunov", Reinitialiser::Godunov}}};
-constexpr Words<Solver, 2> kSolvers{{{"cg", Solver::Cg}, {"gmres", Solver::Gmres}}};
+constexpr Words<Solver, 3> kSolvers{{{"richardson", Solver::Richardson}, {"cg", Solver::Cg}, {"gmres", Solver::Gmres}}};
 constexpr Words<Slope, 2> kSlopes{{{"unit", Slope::Unit}, {"computed", Slope::Computed}}};
 constexpr Words<FlowEnd, 5> kEnds{{{"converged", FlowEnd::Converged},
                                    {"steps-used-up", FlowEnd::StepsUsedUp},

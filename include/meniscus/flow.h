@@ -33,8 +33,12 @@ enum class Reinitialiser {
     Godunov,       ///< first-order upwind differences between neighbouring nodes, eight iterations
 };
 
-/// The linear solver. Both stop at the same residual.
-enum class Solver { Cg, Gmres };
+/// The linear solver. All stop at the same residual.
+enum class Solver {
+    Richardson,  ///< corrections by an approximate inverse, which is a stencil itself
+    Cg,
+    Gmres,
+};
 
 /// The factor |∇Φ| of H0.
 enum class Slope {
@@ -46,7 +50,7 @@ struct FlowOptions {
     CurvatureField curvature = CurvatureField::Parallel;
     double anchor = 16.0;  ///< λ, in units of spacing^-2; 0 for none
     Reinitialiser reinitialiser = Reinitialiser::None;
-    Solver solver = Solver::Cg;
+    Solver solver = Solver::Richardson;
     Slope slope = Slope::Unit;
     /// τ, in units of spacing². Infinity, with an anchor only: the steady state in one solve, whatever the start.
     double time_step = std::numeric_limits<double>::infinity();

@@ -10,27 +10,15 @@
 #include "flow/closest_points.h"
 #include "flow/reinitialise.h"
 #include "flow/spline_system.h"
+#include "flow/steady_state.h"
 #include "grid/stencil.h"
 
 namespace meniscus {
 namespace {
 
 constexpr std::size_t kNodesPerChunk = std::size_t{32} * kBlockNodes;
-constexpr double kSolverAccuracy = 2e-5;  // root mean square error of Φ per solve, in spacings
-constexpr int kPatience = 3;              // steps in which the residual of an anchored flow must halve
-constexpr int kEdgeOfBand = 2;            // nodes from a missing block where a flow is said to have left the band
-
-// ±margin, by the sign that prevails in each block: what its missing neighbours would hold.
-BlockFill fill_by_sign(const BlockGrid& grid, std::span<const float> field, double margin) {
-    BlockFill fill(grid.block_count());
-    parallel_for(grid.block_count(), 64, [&](std::size_t b) {
-        const auto block = field.subspan(b * kBlockNodes, kBlockNodes);
-        double sum = 0.0;
-        for (const float v : block) sum += v;
-        fill[b] = static_cast<float>(sum < 0.0 ? -margin : margin);
-    });
-    return fill;
-}
+constexpr int kPatience = 3;    // steps in which the residual of an anchored flow must halve
+constexpr int kEdgeOfBand = 2;  // nodes from a missing block where a flow is said to have left the band
 
 void for_each_node(std::size_t nodes, const auto& body) {
     parallel_chunks(nodes, kNodesPerChunk, [&](std::size_t begin, std::size_t end) {
@@ -263,6 +251,15 @@ double fraction_done(const std::vector<double>& left, const FlowOptions& options
 
 EvolutionResult evolve(const FlowFields& fields, std::span<const float> start, const FlowOptions& options,
                        const EvolutionObserver& observer) {
+    if (is_one_solve(options)) {
+        EvolutionResult result = solve_steady_state(*fields.grid,
+                                                    {fields.margin,
+                                                     {fields.distance.begin(), fields.distance.end()},
+                                                     {fields.curvature.begin(), fields.curvature.end()}},
+                                                    options);
+        if (observer) observer(result, 1.0);
+        return result;
+    }
     Evolution flow(fields, start, options);
     std::vector<double> left;
     bool ended = false;

@@ -19,6 +19,9 @@ namespace meniscus {
 /// How wide the sampled band must be around the unknowns, in spacings: the spline's stencils reach two nodes.
 inline constexpr double kBandRim = 2.0;
 
+/// Root mean square error of Φ that a solve leaves, in spacings.
+inline constexpr double kSolverAccuracy = 2e-5;
+
 /// What an evolution works on: one entry per node of the grid.
 struct FlowFields {
     const BlockGrid* grid = nullptr;

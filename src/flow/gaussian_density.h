@@ -31,10 +31,21 @@ public:
 private:
     enum class Where : std::uint8_t { Inside, Outside, Near };
 
-    void gather(const Box& box, std::vector<std::uint32_t>& atoms) const;
-    Where classify(const Box& box, double margin, std::vector<std::uint32_t>& atoms) const;
-    void evaluate(const Vec3& corner, double spacing, std::span<const std::uint32_t> atoms,
-                  std::span<double, kBlockNodes> log_sums) const;
+    /// The atoms whose terms count in some box, gathered for a row of blocks at a time.
+    class AtomsAround;
+
+    /// The nodes of a block: the position of the first, and the spacing, Å.
+    struct BlockNodes {
+        Vec3 corner;
+        double spacing;
+    };
+    struct NodeSums;
+
+    Where classify(const Box& box, double margin, std::span<const std::uint32_t> atoms) const;
+    void evaluate(const BlockNodes& block, double margin, std::span<const std::uint32_t> atoms,
+                  std::span<float, kBlockNodes> values) const;
+    void add_terms(std::uint32_t atom, const NodeSums& to, std::span<double, kBlockNodes> sums) const;
+    double largest_exponent(const BlockNodes& block, int node, std::span<const std::uint32_t> atoms) const;
     /// Of the term of atom i at squared distance d2 from its centre.
     double exponent(std::uint32_t i, double d2) const {
         return c_ * (d2 - data_->atoms.radii[i] * data_->atoms.radii[i]);

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
 
 #include "core/parallel.h"
 
@@ -13,6 +17,8 @@ namespace {
 
 constexpr std::size_t kBlocksPerChunk = 32;
 constexpr std::size_t kRestart = 30;  // of GMRES
+constexpr int kCycle = 3;             // step lengths of Richardson's iteration
+constexpr double kLeastGain = 0.2;    // of a cycle: flows have below 0.02
 
 using BlockValues = std::array<float, kBlockNodes>;
 
@@ -100,7 +106,50 @@ NodeBits bits_of(const std::uint8_t* mask) {
     return bits;
 }
 
+Unknowns unknowns_of(const NodeMask& mask) {
+    Unknowns unknowns;
+    for (std::size_t first = 0; first < mask.size(); first += kBlockNodes) {
+        const std::uint8_t* in = mask.data() + first;
+        const auto count = static_cast<std::size_t>(std::count(in, in + kBlockNodes, std::uint8_t{1}));
+        if (count == 0) continue;
+        unknowns.blocks.push_back(static_cast<BlockId>(first / kBlockNodes));
+        unknowns.nodes.push_back(bits_of(in));
+        unknowns.count += count;
+    }
+    return unknowns;
+}
+
 }  // namespace
+
+Unknowns nodes_near(const BlockGrid& grid, std::span<const float> field, float near) {
+    std::vector<NodeBits> sets(grid.block_count());
+    std::vector<std::uint16_t> counts(grid.block_count());
+    parallel_for(grid.block_count(), kBlocksPerChunk, [&](std::size_t b) {
+        sets[b] = block_kernels().find_near(near, field.data() + b * kBlockNodes);
+        for (const std::uint8_t row : sets[b].rows)
+            counts[b] = static_cast<std::uint16_t>(counts[b] + std::popcount(row));
+    });
+    Unknowns unknowns;
+    for (std::size_t b = 0; b < sets.size(); ++b) {
+        if (counts[b] == 0) continue;
+        unknowns.blocks.push_back(static_cast<BlockId>(b));
+        unknowns.nodes.push_back(sets[b]);
+        unknowns.count += counts[b];
+    }
+    return unknowns;
+}
+
+BlockFill fill_by_sign(const BlockGrid& grid, std::span<const float> field, double margin) {
+    BlockFill fill(grid.block_count());
+    parallel_for(grid.block_count(), kBlocksPerChunk, [&](std::size_t b) {
+        float sums[kBlockEdge] = {};  // by place in a row: vectors add them
+        const float* block = field.data() + b * kBlockNodes;
+        for (std::size_t n = 0; n < kBlockNodes; ++n) sums[n % kBlockEdge] += block[n];
+        const float sum = std::accumulate(std::begin(sums), std::end(sums), 0.0F);
+        fill[b] = static_cast<float>(sum < 0.0F ? -margin : margin);
+    });
+    return fill;
+}
 
 void apply_everywhere(const BlockGrid& grid, const Stencil& stencil, std::span<const float> field,
                       const BlockFill& fill, std::span<float> result) {
@@ -112,37 +161,52 @@ void apply_everywhere(const BlockGrid& grid, const Stencil& stencil, std::span<c
     });
 }
 
+void apply_within(const BlockGrid& grid, const Stencil& stencil, std::span<const float> field, const BlockFill& fill,
+                  const Unknowns& unknowns, std::span<float> result) {
+    const BlockKernels& kernels = block_kernels();
+    parallel_for(unknowns.blocks.size(), kBlocksPerChunk, [&](std::size_t k) {
+        const BlockId block = unknowns.blocks[k];
+        with_blocks_around(grid, field, block, fill[block], [&](const BlocksAround& around) {
+            kernels.apply_within(weights_of(stencil), around, unknowns.nodes[k],
+                                 result.data() + std::size_t{block} * kBlockNodes);
+        });
+    });
+}
+
 SplineSystem::SplineSystem(const BlockGrid& grid) : grid_(&grid) {}
 
-// The vectors may keep old values: begin() writes all of residual and direction, apply() all of image.
-void SplineSystem::find_active(const NodeMask& mask) {
-    active_.clear();
-    sets_.clear();
-    unknowns_ = 0;
+void SplineSystem::set_unknowns(Unknowns unknowns) {
+    unknowns_ = std::move(unknowns);
     place_.assign(grid_->block_count(), kNoBlock);
-    for (BlockId block = 0; block < grid_->block_count(); ++block) {
-        const std::uint8_t* in = mask.data() + std::size_t{block} * kBlockNodes;
-        const auto count = static_cast<std::size_t>(std::count(in, in + kBlockNodes, std::uint8_t{1}));
-        if (count == 0) continue;
-        place_[block] = static_cast<std::uint32_t>(active_.size());
-        active_.push_back(block);
-        unknowns_ += count;
-        sets_.push_back(bits_of(in));
-    }
-    residual_.resize(active_.size() * kBlockNodes);
+    for (std::size_t k = 0; k < unknowns_.blocks.size(); ++k)
+        place_[unknowns_.blocks[k]] = static_cast<std::uint32_t>(k);
+    residual_.resize(unknowns_.blocks.size() * kBlockNodes);  // may keep old values: all are overwritten
+}
+
+void SplineSystem::make_krylov_vectors() {
     direction_.resize(residual_.size());
     image_.resize(residual_.size());
+}
+
+// The blocks around the k-th one with unknowns, in a vector on the unknowns; zeros elsewhere.
+void SplineSystem::find_around(std::size_t k, const Vector& vector, BlocksAround& around) const {
+    const auto& neighbours = grid_->neighbours(unknowns_.blocks[k]);
+    for (std::size_t slot = 0; slot < std::size(around); ++slot) {
+        const std::uint32_t at = neighbours[slot] == kNoBlock ? kNoBlock : place_[neighbours[slot]];
+        around[slot] = at == kNoBlock ? kZeros.data() : vector.data() + std::size_t{at} * kBlockNodes;
+    }
 }
 
 // residual = direction = b - A x on the unknowns; returns its squared norm.
 double SplineSystem::begin(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
                            std::span<const float> x) {
     const BlockKernels& kernels = block_kernels();
-    return sum_over<double>(active_.size(), [&](std::size_t k) {
-        const BlockId block = active_[k];
+    return sum_over<double>(unknowns_.blocks.size(), [&](std::size_t k) {
+        const BlockId block = unknowns_.blocks[k];
         return with_blocks_around(*grid_, x, block, fill[block], [&](const BlocksAround& around) {
-            return kernels.begin(weights_of(stencil), around, sets_[k], b.data() + std::size_t{block} * kBlockNodes,
-                                 residual_.data() + k * kBlockNodes, direction_.data() + k * kBlockNodes);
+            return kernels.begin(weights_of(stencil), around, unknowns_.nodes[k],
+                                 b.data() + std::size_t{block} * kBlockNodes, residual_.data() + k * kBlockNodes,
+                                 direction_.data() + k * kBlockNodes);
         });
     });
 }
@@ -150,35 +214,97 @@ double SplineSystem::begin(const Stencil& stencil, const BlockFill& fill, std::s
 // image = A direction on the unknowns.
 ImageProducts SplineSystem::apply(const Stencil& stencil) {
     const BlockKernels& kernels = block_kernels();
-    return sum_over<ImageProducts>(active_.size(), [&](std::size_t k) {
+    return sum_over<ImageProducts>(unknowns_.blocks.size(), [&](std::size_t k) {
         BlocksAround around;
-        for (std::size_t slot = 0; slot < std::size(around); ++slot) {
-            const BlockId b = grid_->neighbours(active_[k])[slot];
-            const std::uint32_t at = b == kNoBlock ? kNoBlock : place_[b];
-            around[slot] = at == kNoBlock ? kZeros.data() : direction_.data() + std::size_t{at} * kBlockNodes;
-        }
-        return kernels.apply_to_set(weights_of(stencil), around, sets_[k], image_.data() + k * kBlockNodes);
+        find_around(k, direction_, around);
+        return kernels.apply_to_set(weights_of(stencil), around, unknowns_.nodes[k], image_.data() + k * kBlockNodes);
     });
 }
 
 double SplineSystem::advance(const CgFactors& factors, std::span<float> x) {
     const BlockKernels& kernels = block_kernels();
-    return sum_over<double>(active_.size(), [&](std::size_t k) {
+    return sum_over<double>(unknowns_.blocks.size(), [&](std::size_t k) {
         const std::size_t at = k * kBlockNodes;
-        return kernels.advance(factors, image_.data() + at, x.data() + std::size_t{active_[k]} * kBlockNodes,
+        return kernels.advance(factors, image_.data() + at, x.data() + std::size_t{unknowns_.blocks[k]} * kBlockNodes,
                                residual_.data() + at, direction_.data() + at);
     });
 }
 
 SolveResult SplineSystem::solve(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill,
                                 std::span<const float> b, std::span<float> x, const SolveOptions& options) {
-    find_active(mask);
-    return options.solver == Solver::Cg ? solve_cg(stencil, fill, b, x, options)
-                                        : solve_gmres(stencil, fill, b, x, options);
+    return solve(stencil, unknowns_of(mask), fill, b, x, options);
+}
+
+SolveResult SplineSystem::solve(const Stencil& stencil, Unknowns unknowns, const BlockFill& fill,
+                                std::span<const float> b, std::span<float> x, const SolveOptions& options) {
+    set_unknowns(std::move(unknowns));
+    switch (options.solver) {
+        case Solver::Richardson:
+            return solve_richardson(stencil, fill, b, x, options);
+        case Solver::Cg:
+            return solve_cg(stencil, fill, b, x, options);
+        case Solver::Gmres:
+            return solve_gmres(stencil, fill, b, x, options);
+    }
+    return {};
 }
 
 double SplineSystem::root_mean_square(double squared_norm) const {
-    return unknowns_ > 0 ? std::sqrt(squared_norm / static_cast<double>(unknowns_)) : 0.0;
+    return unknowns_.count > 0 ? std::sqrt(squared_norm / static_cast<double>(unknowns_.count)) : 0.0;
+}
+
+// residual = b - A x on the unknowns; returns its squared norm.
+double SplineSystem::find_residual(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
+                                   std::span<const float> x) {
+    const BlockKernels& kernels = block_kernels();
+    return sum_over<double>(unknowns_.blocks.size(), [&](std::size_t k) {
+        const BlockId block = unknowns_.blocks[k];
+        return with_blocks_around(*grid_, x, block, fill[block], [&](const BlocksAround& around) {
+            return kernels.find_residual(weights_of(stencil), around, unknowns_.nodes[k],
+                                         b.data() + std::size_t{block} * kBlockNodes,
+                                         residual_.data() + k * kBlockNodes);
+        });
+    });
+}
+
+// x += inverse applied to residual, on the unknowns.
+void SplineSystem::correct(const Stencil& inverse, std::span<float> x) const {
+    const BlockKernels& kernels = block_kernels();
+    parallel_for(unknowns_.blocks.size(), kBlocksPerChunk, [&](std::size_t k) {
+        BlocksAround around;
+        find_around(k, residual_, around);
+        kernels.correct(weights_of(inverse), around, unknowns_.nodes[k],
+                        x.data() + std::size_t{unknowns_.blocks[k]} * kBlockNodes);
+    });
+}
+
+// Richardson 1910, with an approximate inverse of the stencil (27 coefficients, too) before the residual. Both are
+// multiples of the identity on waves, so the bounds of the product are known, and with them the step lengths of
+// Chebyshev's roots for cycles of kCycle steps (Young 1953). Works in place: a residual is all its memory. On sets of
+// nodes where both stencils miss most of their neighbours the bounds do not hold; conjugate gradients end what a cycle
+// does not bring nearer.
+SolveResult SplineSystem::solve_richardson(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
+                                           std::span<float> x, const SolveOptions& options) {
+    const Stencil inverse = approximate_inverse(stencil);
+    const Range range = range_of_product(stencil, inverse);
+    const double middle = 0.5 * (range.least + range.greatest);
+    const double radius = 0.5 * (range.greatest - range.least);
+    SolveResult result{0, root_mean_square(find_residual(stencil, fill, b, x))};
+    double before = std::numeric_limits<double>::infinity();  // residual at the start of a cycle
+    while (result.residual > options.tolerance && result.iterations < options.max_iterations) {
+        const int step = result.iterations % kCycle;
+        if (step == 0 && !(result.residual < kLeastGain * before)) {
+            const SolveResult rest = solve_cg(
+                stencil, fill, b, x,
+                {.tolerance = options.tolerance, .max_iterations = options.max_iterations - result.iterations});
+            return {result.iterations + rest.iterations, rest.residual};
+        }
+        if (step == 0) before = result.residual;
+        correct((1.0 / (middle + radius * std::cos(std::numbers::pi * (step + 0.5) / kCycle))) * inverse, x);
+        result.residual = root_mean_square(find_residual(stencil, fill, b, x));
+        ++result.iterations;
+    }
+    return result;
 }
 
 // The next residual's norm is known before the step from that of the image, because the residual is orthogonal to the
@@ -186,6 +312,7 @@ double SplineSystem::root_mean_square(double squared_norm) const {
 // summed again, or rounding would add up (Meurant 1987; Chen & Carson 2020).
 SolveResult SplineSystem::solve_cg(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
                                    std::span<float> x, const SolveOptions& options) {
+    make_krylov_vectors();
     double squared = begin(stencil, fill, b, x);
     SolveResult result{0, root_mean_square(squared)};
     while (result.residual > options.tolerance && result.iterations < options.max_iterations) {
@@ -200,7 +327,7 @@ SolveResult SplineSystem::solve_cg(const Stencil& stencil, const BlockFill& fill
 }
 
 double SplineSystem::dot_image(const Vector& vector) const {
-    return sum_over<double>(active_.size(), [&](std::size_t k) {
+    return sum_over<double>(unknowns_.blocks.size(), [&](std::size_t k) {
         double sum = 0.0;
         for (std::size_t n = k * kBlockNodes; n < (k + 1) * kBlockNodes; ++n) sum += double{image_[n]} * vector[n];
         return sum;
@@ -210,7 +337,7 @@ double SplineSystem::dot_image(const Vector& vector) const {
 // image -= scale · vector; returns the image's squared norm.
 double SplineSystem::subtract_from_image(const Vector& vector, double scale) {
     const auto factor = static_cast<float>(scale);
-    return sum_over<double>(active_.size(), [&](std::size_t k) {
+    return sum_over<double>(unknowns_.blocks.size(), [&](std::size_t k) {
         double sum = 0.0;
         for (std::size_t n = k * kBlockNodes; n < (k + 1) * kBlockNodes; ++n) {
             image_[n] -= factor * vector[n];
@@ -223,8 +350,8 @@ double SplineSystem::subtract_from_image(const Vector& vector, double scale) {
 // x += scale · vector.
 void SplineSystem::add_to(std::span<float> x, const Vector& vector, double scale) const {
     const auto factor = static_cast<float>(scale);
-    parallel_for(active_.size(), kBlocksPerChunk, [&](std::size_t k) {
-        float* block = x.data() + std::size_t{active_[k]} * kBlockNodes;
+    parallel_for(unknowns_.blocks.size(), kBlocksPerChunk, [&](std::size_t k) {
+        float* block = x.data() + std::size_t{unknowns_.blocks[k]} * kBlockNodes;
         for (std::size_t n = 0; n < kBlockNodes; ++n) block[n] += factor * vector[k * kBlockNodes + n];
     });
 }
@@ -232,6 +359,7 @@ void SplineSystem::add_to(std::span<float> x, const Vector& vector, double scale
 // Saad & Schultz 1986: Arnoldi by modified Gram-Schmidt, the small least-squares problem by Givens rotations.
 SolveResult SplineSystem::solve_gmres(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
                                       std::span<float> x, const SolveOptions& options) {
+    make_krylov_vectors();
     std::vector<std::vector<float>> basis(kRestart + 1);
     SolveResult result;
     for (;;) {

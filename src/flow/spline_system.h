@@ -25,6 +25,23 @@ using BlockFill = std::vector<float>;
 void apply_everywhere(const BlockGrid& grid, const Stencil& stencil, std::span<const float> field,
                       const BlockFill& fill, std::span<float> result);
 
+/// The nodes that are unknowns, block by block.
+struct Unknowns {
+    std::vector<BlockId> blocks;  ///< those with unknowns, ascending
+    std::vector<NodeBits> nodes;  ///< of each of them
+    std::size_t count = 0;
+};
+
+/// Those with |field| < near.
+Unknowns nodes_near(const BlockGrid& grid, std::span<const float> field, float near);
+
+/// ±margin, by the sign that prevails in each block: what its missing neighbours would hold.
+BlockFill fill_by_sign(const BlockGrid& grid, std::span<const float> field, double margin);
+
+/// The same on the unknowns; the other nodes keep what they have.
+void apply_within(const BlockGrid& grid, const Stencil& stencil, std::span<const float> field, const BlockFill& fill,
+                  const Unknowns& unknowns, std::span<float> result);
+
 struct SolveOptions {
     Solver solver = Solver::Cg;
     double tolerance = 1e-6;  ///< stop when the root mean square of the residual is below it
@@ -36,11 +53,11 @@ struct SolveResult {
     double residual = 0.0;  ///< root mean square over the unknowns
 };
 
-/// Solves (stencil applied to x) = b on the nodes of the mask, x given on all others, by conjugate gradients or by
-/// GMRES restarted every 30 iterations, which needs as many vectors.
+/// Solves (stencil applied to x) = b on the nodes of the mask, x given on all others, by Richardson's iteration, by
+/// conjugate gradients or by GMRES restarted every 30 iterations, which needs as many vectors.
 ///
 /// The stencil must be positive definite. Sums run over blocks in fixed order: the same bits for any number of threads,
-/// and for any instructions (block_kernels.h). An iteration of conjugate gradients is two passes over the blocks with
+/// and for any instructions (block_kernels.h). An iteration of the first two is two passes over the blocks with
 /// unknowns (docs/design/performance.md). Reuses its memory from solve to solve.
 class SplineSystem {
 public:
@@ -49,15 +66,24 @@ public:
     /// x: start values on the mask, known values elsewhere; overwritten on the mask only.
     SolveResult solve(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill, std::span<const float> b,
                       std::span<float> x, const SolveOptions& options);
+    SolveResult solve(const Stencil& stencil, Unknowns unknowns, const BlockFill& fill, std::span<const float> b,
+                      std::span<float> x, const SolveOptions& options);
 
 private:
     using Vector = std::vector<float>;  // nodes of the active blocks, one block after the other
 
+    SolveResult solve_richardson(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
+                                 std::span<float> x, const SolveOptions& options);
     SolveResult solve_cg(const Stencil& stencil, const BlockFill& fill, std::span<const float> b, std::span<float> x,
                          const SolveOptions& options);
     SolveResult solve_gmres(const Stencil& stencil, const BlockFill& fill, std::span<const float> b, std::span<float> x,
                             const SolveOptions& options);
-    void find_active(const NodeMask& mask);
+    void set_unknowns(Unknowns unknowns);
+    void make_krylov_vectors();
+    double find_residual(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
+                         std::span<const float> x);
+    void correct(const Stencil& inverse, std::span<float> x) const;
+    void find_around(std::size_t k, const Vector& vector, BlocksAround& around) const;
     double begin(const Stencil& stencil, const BlockFill& fill, std::span<const float> b, std::span<const float> x);
     ImageProducts apply(const Stencil& stencil);
     double advance(const CgFactors& factors, std::span<float> x);
@@ -67,10 +93,8 @@ private:
     void add_to(std::span<float> x, const Vector& vector, double scale) const;
 
     const BlockGrid* grid_;
-    std::vector<BlockId> active_;       // blocks with unknowns
-    std::vector<NodeBits> sets_;        // the unknowns of each active block
-    std::vector<std::uint32_t> place_;  // of each block in active_, else kNoBlock
-    std::size_t unknowns_ = 0;
+    Unknowns unknowns_;
+    std::vector<std::uint32_t> place_;  // of each block among those with unknowns, else kNoBlock
     Vector residual_;
     Vector direction_;
     Vector image_;  // stencil applied to direction

@@ -52,6 +52,13 @@ struct CgFactors {
     float beta;
 };
 
+/// A function on a block that is a product of one factor per axis.
+struct AxisProduct {
+    double x[kBlockEdge];
+    double y[kBlockEdge];
+    double z[kBlockEdge];
+};
+
 /// Arrays hold the nodes of one block, as fields on the grid do, and do not overlap.
 struct BlockKernels {
     std::string_view instructions;  ///< "plain" or "avx2"
@@ -59,7 +66,10 @@ struct BlockKernels {
     /// image = stencil applied to the block in the middle, as apply_stencil() up to rounding.
     void (*apply)(const StencilWeights& weights, const BlocksAround& around, float* image);
 
-    /// The same on the nodes of the set, 0 on the others; returns scalar products of the image.
+    /// The same on the nodes of the set; the others keep what they have.
+    void (*apply_within)(const StencilWeights& weights, const BlocksAround& around, const NodeBits& set, float* image);
+
+    /// As apply() on the nodes of the set, 0 on the others; returns scalar products of the image.
     ImageProducts (*apply_to_set)(const StencilWeights& weights, const BlocksAround& direction, const NodeBits& set,
                                   float* image);
 
@@ -71,6 +81,19 @@ struct BlockKernels {
     /// x += alpha direction, residual -= alpha image, direction = residual + beta direction; returns the residual's
     /// squared norm.
     double (*advance)(const CgFactors& factors, const float* image, float* x, float* residual, float* direction);
+
+    /// The nodes with |field| < near.
+    NodeBits (*find_near)(float near, const float* field);
+
+    /// sums += product, but for rows whose factors of y and z give `negligible` at most.
+    void (*add_product)(const AxisProduct& product, double negligible, double* sums);
+
+    /// residual as begin() makes it.
+    double (*find_residual)(const StencilWeights& weights, const BlocksAround& x, const NodeBits& set, const float* b,
+                            float* residual);
+
+    /// x += stencil applied to residual, on the set.
+    void (*correct)(const StencilWeights& weights, const BlocksAround& residual, const NodeBits& set, float* x);
 };
 
 /// The kernels that this machine can run, the slowest first: the plain ones.

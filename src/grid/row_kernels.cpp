@@ -62,6 +62,14 @@ Row load(const float* from) {
 
 void store(const Row& row, float* to) { __builtin_memcpy(to, &row, sizeof row); }
 
+WideQuad load_wide(const double* from) {
+    WideQuad quad;
+    __builtin_memcpy(&quad, from, sizeof quad);
+    return quad;
+}
+
+void store_wide(const WideQuad& quad, double* to) { __builtin_memcpy(to, &quad, sizeof quad); }
+
 // Sum of a node's two neighbours along the row.
 Row sum_of_sides(const Row& left, const Row& own, const Row& right) {
     Row c;
@@ -79,6 +87,29 @@ Row keep(const Row& row, int bits) {
         c.part[i] = reinterpret_cast<Part>(reinterpret_cast<PartBits>(row.part[i]) & in);
     }
     return c;
+}
+
+#ifdef __AVX2__
+int any_bit(const PartBits& b) {
+    const PartBits quarters = b | __builtin_shufflevector(b, b, 4, 5, 6, 7, 0, 1, 2, 3);
+    const PartBits pairs = quarters | __builtin_shufflevector(quarters, quarters, 2, 3, 0, 1, 6, 7, 4, 5);
+    return pairs[0] | pairs[1];
+}
+#else
+int any_bit(const PartBits& b) {
+    const PartBits pairs = b | __builtin_shufflevector(b, b, 2, 3, 0, 1);
+    return pairs[0] | pairs[1];
+}
+#endif
+
+// The bits of the places where |row| < near.
+int bits_near(const Row& row, float near) {
+    int bits = 0;
+    for (int i = 0; i < kParts; ++i) {
+        const PartBits in = (row.part[i] < near) & (row.part[i] > -near);
+        bits |= any_bit(in & kBitOfPlace) << (kPlaces * i);
+    }
+    return bits;
 }
 
 // Sum of scalar products of rows, each place of a row by itself until the end.
@@ -152,6 +183,13 @@ void apply(const StencilWeights& weights, const BlocksAround& around, float* ima
     apply_rows(weights, around, [&](int n, const Row& value) { store(value, image + n); });
 }
 
+void apply_within(const StencilWeights& weights, const BlocksAround& around, const NodeBits& set, float* image) {
+    apply_rows(weights, around, [&](int n, const Row& value) {
+        const int bits = set.rows[n / kBlockEdge];
+        store(keep(value, bits) + keep(load(image + n), ~bits), image + n);
+    });
+}
+
 ImageProducts apply_to_set(const StencilWeights& weights, const BlocksAround& direction, const NodeBits& set,
                            float* image) {
     constexpr int kMiddle = neighbour_slot(0, 0, 0);
@@ -192,14 +230,55 @@ double advance(const CgFactors& factors, const float* image, float* x, float* re
     return squares.total();
 }
 
+NodeBits find_near(float near, const float* field) {
+    NodeBits set;
+    for (int n = 0; n < kBlockNodes; n += kBlockEdge)
+        set.rows[n / kBlockEdge] = static_cast<std::uint8_t>(bits_near(load(field + n), near));
+    return set;
+}
+
+void add_product(const AxisProduct& product, double negligible, double* sums) {
+    const WideQuad low = load_wide(product.x);
+    const WideQuad high = load_wide(product.x + kHalf);
+    for (int z = 0; z < kBlockEdge; ++z) {
+        if (product.z[z] <= negligible) continue;
+        for (int y = 0; y < kBlockEdge; ++y) {
+            const double factor = product.z[z] * product.y[y];
+            if (factor <= negligible) continue;
+            const int first = kBlockEdge * (y + kBlockEdge * z);
+            double* row = sums + first;
+            store_wide(load_wide(row) + factor * low, row);
+            store_wide(load_wide(row + kHalf) + factor * high, row + kHalf);
+        }
+    }
+}
+
+double find_residual(const StencilWeights& weights, const BlocksAround& x, const NodeBits& set, const float* b,
+                     float* residual) {
+    RowSum squares;
+    apply_rows(weights, x, [&](int n, const Row& value) {
+        const Row left = keep(load(b + n) - value, set.rows[n / kBlockEdge]);
+        store(left, residual + n);
+        squares.add(left, left);
+    });
+    return squares.total();
+}
+
+void correct(const StencilWeights& weights, const BlocksAround& residual, const NodeBits& set, float* x) {
+    apply_rows(weights, residual,
+               [&](int n, const Row& value) { store(load(x + n) + keep(value, set.rows[n / kBlockEdge]), x + n); });
+}
+
 }  // namespace
 
 #ifdef MENISCUS_AVX2_KERNELS
 extern const BlockKernels kAvx2Kernels;
-const BlockKernels kAvx2Kernels{"avx2", apply, apply_to_set, begin, advance};
+const BlockKernels kAvx2Kernels{"avx2",  apply,     apply_within, apply_to_set,  begin,
+                                advance, find_near, add_product,  find_residual, correct};
 #else
 extern const BlockKernels kPlainKernels;
-const BlockKernels kPlainKernels{"plain", apply, apply_to_set, begin, advance};
+const BlockKernels kPlainKernels{"plain", apply,     apply_within, apply_to_set,  begin,
+                                 advance, find_near, add_product,  find_residual, correct};
 #endif
 
 }  // namespace meniscus

@@ -77,10 +77,10 @@ bool SplineCursor::move_to(const Vec3& point) {
     std::array<std::int64_t, 3> node;
     std::array<double, 3> place;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double floor = std::floor(u[axis]);
-        if (!(std::abs(floor) < kFarthestNode)) return false;
-        node[axis] = static_cast<std::int64_t>(floor);
-        place[axis] = u[axis] - floor;
+        if (!(std::abs(u[axis]) < kFarthestNode)) return false;
+        const auto towards_zero = static_cast<std::int64_t>(u[axis]);  // std::floor is a call on old machines
+        node[axis] = towards_zero - (static_cast<double>(towards_zero) > u[axis] ? 1 : 0);
+        place[axis] = u[axis] - static_cast<double>(node[axis]);
     }
     if (!move_to_cell(node)) return false;
     place_ = place;

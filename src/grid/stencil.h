@@ -29,6 +29,23 @@ constexpr Stencil tensor_cube(double middle, double side) {
     return {middle * middle * middle, middle * middle * side, middle * side * side, side * side * side};
 }
 
+/// The factor of a wave cos(θ·x) along whose axes cos θ is as given: what the stencil multiplies it by.
+constexpr double symbol_of(const Stencil& s, double x, double y, double z) {
+    return s.centre + 2.0 * s.face * (x + y + z) + 4.0 * s.edge * (x * y + y * z + z * x) + 8.0 * s.corner * x * y * z;
+}
+
+/// A stencil whose symbol interpolates the inverse of another's, which must have no zero, at cos θ = ±√½ along each
+/// axis: there the product of two symbols that are linear in every cos θ oscillates least about 1.
+Stencil approximate_inverse(const Stencil& s);
+
+/// The range of the product of two symbols, from waves that are constant, alternate or are halfway between along each
+/// axis.
+struct Range {
+    double least = 0.0;
+    double greatest = 0.0;
+};
+Range range_of_product(const Stencil& a, const Stencil& b);
+
 /// B: values at the nodes of a tri-cubic B-spline from its coefficients, (1, 4, 1)/6 per axis.
 constexpr Stencil spline_value() { return tensor_cube(4.0 / 6.0, 1.0 / 6.0); }
 

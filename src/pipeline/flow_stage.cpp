@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "band/printed_curvature.h"
+#include "flow/steady_state.h"
 #include "measure/surface_measures.h"
 #include "mesh/extract.h"
 #include "pipeline/surface_mesh.h"
@@ -130,6 +131,16 @@ void add_start(FlowRecord& record, const BlockGrid& grid, const std::vector<floa
     record.add({interpolating_coefficients(grid, start, half_width), start}, {});
 }
 
+// Uses up the band where it can; the start may be part of it.
+EvolutionResult run_evolution(const BlockGrid& grid, DistanceBand& band, const std::vector<float>& start,
+                              const FlowOptions& options, const EvolutionObserver& observer) {
+    if (!is_one_solve(options))
+        return evolve({&grid, band.distance, band.curvature, band.margin}, start, options, observer);
+    EvolutionResult result = solve_steady_state(grid, std::move(band), options);
+    observer(result, 1.0);
+    return result;
+}
+
 }  // namespace
 
 bool needs_start(const SurfaceOptions& options, const FlowObserver& observer) {
@@ -146,15 +157,14 @@ FlowOutcome run_flow(const AccessibleSurface& accessible, const std::shared_ptr<
     const FlowOptions& flow = options.flow;
     const bool may_stray = flow.anchor == 0.0;
     const bool recorded = may_stray || options.history || observer;
-    const std::vector<float> curvature = curvature_field(accessible, *grid, flow, band);
+    band.curvature = curvature_field(accessible, *grid, flow, band);
     const std::vector<float>& start = given_start.empty() ? band.distance : given_start;
-    const FlowFields fields{grid.get(), band.distance, curvature, band.margin};
     FlowRecord record(accessible, grid, observer);
     FlowOutcome outcome;
     if (recorded) add_start(record, *grid, start, flow.half_width);
 
     int iterations_before = 0;
-    EvolutionResult result = evolve(fields, start, flow, [&](const EvolutionResult& at, double fraction) {
+    const EvolutionObserver observe = [&](const EvolutionResult& at, double fraction) {
         if (recorded)
             record.add(at.state, {.step = at.steps,
                                   .time = at.time,
@@ -162,7 +172,8 @@ FlowOutcome run_flow(const AccessibleSurface& accessible, const std::shared_ptr<
                                   .solver_iterations = at.solver_iterations - iterations_before});
         iterations_before = at.solver_iterations;
         if (progress) progress("flow", fraction);
-    });
+    };
+    EvolutionResult result = run_evolution(*grid, band, start, flow, observe);
 
     outcome.summary = summarise(result);
     outcome.summary.explanation = may_stray ? describe_course(result, record) : describe_end(result);

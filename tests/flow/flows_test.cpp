@@ -126,13 +126,15 @@ double largest_difference(const FlowProblem& problem, const std::vector<float>& 
     return largest;
 }
 
-TEST(Flows, GmresAndConjugateGradientsGiveTheSameSurface) {
+TEST(Flows, AllSolversGiveTheSameSurface) {
     const FlowProblem problem(random_cluster(3, 30, 9.0), kProbe, 0.25);
-    const EvolutionResult cg = problem.evolve(-0.5);
-    const EvolutionResult gmres = problem.evolve(-0.5, {.solver = Solver::Gmres});
-    EXPECT_TRUE(gmres.converged());
-    EXPECT_LT(largest_difference(problem, cg.state.values, gmres.state.values), 1e-3);
-    EXPECT_NEAR(gmres.solver_iterations, cg.solver_iterations, 6);
+    const EvolutionResult cg = problem.evolve(-0.5, {.solver = Solver::Cg});
+    for (const Solver solver : {Solver::Richardson, Solver::Gmres}) {
+        const EvolutionResult other = problem.evolve(-0.5, {.solver = solver});
+        EXPECT_TRUE(other.converged());
+        EXPECT_LT(largest_difference(problem, cg.state.values, other.state.values), 1e-3);
+        EXPECT_NEAR(other.solver_iterations, cg.solver_iterations, 6);
+    }
 }
 
 TEST(Flows, OneSolveGivesTheSteadyState) {

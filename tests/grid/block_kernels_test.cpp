@@ -19,6 +19,7 @@ using Values = std::array<float, kBlockNodes>;
 
 constexpr float kFill = 0.7F;
 constexpr Stencil kStencil{2.1, -0.3, 0.17, 0.05};
+constexpr double kNegligible = 0.05;
 constexpr CgFactors kFactors{0.37F, 0.61F};
 
 std::vector<float> random_values(std::uint64_t seed, std::size_t size) {
@@ -91,9 +92,21 @@ double product(std::span<const float> a, std::span<const float> b) {
     return sum;
 }
 
+AxisProduct axis_product() {
+    AxisProduct product;
+    for (int n = 0; n < kBlockEdge; ++n) {
+        product.x[n] = 1.0 + 0.3 * n;
+        product.y[n] = 0.1 * n;
+        product.z[n] = 1.0 / (1 + n);
+    }
+    return product;
+}
+
 // What kernels make of the same input.
 struct Results {
     Values applied;
+    Values within = random_block(7);
+    NodeBits near_zero;
     Values image;
     ImageProducts products;
     Values first_residual;
@@ -103,6 +116,10 @@ struct Results {
     Values residual = random_block(5);
     Values direction = random_block(6);
     double norm;
+    Values other_residual;
+    double other_norm;
+    Values corrected = random_block(4);
+    std::array<double, kBlockNodes> sums{};
 
     explicit Results(const BlockKernels& kernels) {
         const Neighbourhood near;
@@ -112,6 +129,12 @@ struct Results {
         products = kernels.apply_to_set(weights, near.around(), set, image.data());
         first_norm = kernels.begin(weights, near.around(), set, random_block(3).data(), first_residual.data(),
                                    first_direction.data());
+        kernels.apply_within(weights, near.around(), set, within.data());
+        near_zero = kernels.find_near(0.4F, near.own());
+        other_norm = kernels.find_residual(weights, near.around(), set, random_block(3).data(), other_residual.data());
+        kernels.correct(weights, near.around(), set, corrected.data());
+        sums.fill(0.7);
+        kernels.add_product(axis_product(), kNegligible, sums.data());
         norm = kernels.advance(kFactors, image.data(), x.data(), residual.data(), direction.data());
     }
 };
@@ -134,6 +157,39 @@ TEST_P(EachBlockKernels, ApplyItToTheSetOnly) {
     const std::span<const float> own(near_.own(), kBlockNodes);
     EXPECT_NEAR(results_.products.with_direction, product(results_.image, own), 1e-11);
     EXPECT_NEAR(results_.products.with_itself, product(results_.image, results_.image), 1e-11);
+}
+
+TEST_P(EachBlockKernels, ApplyItWithinTheSet) {
+    const Values before = random_block(7);
+    for (std::size_t n = 0; n < kBlockNodes; ++n)
+        ASSERT_EQ(results_.within[n], in_set(set_, n) ? results_.applied[n] : before[n]);
+}
+
+TEST_P(EachBlockKernels, FindSmallValues) {
+    for (std::size_t n = 0; n < kBlockNodes; ++n)
+        ASSERT_EQ(in_set(results_.near_zero, n), std::abs(near_.own()[n]) < 0.4F);
+}
+
+TEST_P(EachBlockKernels, AddAProductWhereItCounts) {
+    const AxisProduct product = axis_product();
+    for (int z = 0; z < kBlockEdge; ++z)
+        for (int y = 0; y < kBlockEdge; ++y)
+            for (int x = 0; x < kBlockEdge; ++x) {
+                const double row = product.y[y] * product.z[z];
+                const double expected = 0.7 + (row > kNegligible ? row * product.x[x] : 0.0);
+                ASSERT_NEAR(results_.sums[static_cast<std::size_t>(node_in_block(x, y, z))], expected, 1e-12);
+            }
+}
+
+TEST_P(EachBlockKernels, FindTheResidualThatBeginFinds) {
+    EXPECT_EQ(results_.other_residual, results_.first_residual);
+    EXPECT_EQ(results_.other_norm, results_.first_norm);
+}
+
+TEST_P(EachBlockKernels, CorrectOnTheSetOnly) {
+    const Values x = random_block(4);
+    for (std::size_t n = 0; n < kBlockNodes; ++n)
+        ASSERT_EQ(results_.corrected[n], in_set(set_, n) ? x[n] + results_.applied[n] : x[n]);
 }
 
 TEST_P(EachBlockKernels, BeginWithTheResidual) {
@@ -160,6 +216,9 @@ TEST_P(EachBlockKernels, AdvanceByOneStep) {
 TEST_P(EachBlockKernels, HaveTheBitsOfThePlainOnes) {
     const Results plain(choose_block_kernels("plain"));
     EXPECT_EQ(results_.applied, plain.applied);
+    EXPECT_EQ(results_.within, plain.within);
+    EXPECT_EQ(results_.sums, plain.sums);
+    EXPECT_EQ(results_.corrected, plain.corrected);
     EXPECT_EQ(results_.image, plain.image);
     EXPECT_EQ(results_.products.with_direction, plain.products.with_direction);
     EXPECT_EQ(results_.products.with_itself, plain.products.with_itself);

@@ -145,5 +145,39 @@ TEST(Stencil, QuasiInterpolantReproducesCubics) {
         EXPECT_NEAR(spline.value(p), cubic(p), 5e-6);
 }
 
+constexpr Stencil kSteady = 16.0 * spline_value() - spline_laplacian(1.0);  // what the default flow solves
+
+TEST(Stencil, SymbolIsTheFactorOfAWave) {
+    const Vec3 turn{0.3, 1.1, 2.6};  // per node
+    const auto wave = [&](const Vec3& p) { return std::cos(dot(turn, p) + 0.4); };
+    const double factor = symbol_of(kSteady, std::cos(turn.x), std::cos(turn.y), std::cos(turn.z));
+    EXPECT_LT(worst_error(kSteady, 1.0, wave, [&](const Vec3& p) { return factor * wave(p); }), 1e-4);
+}
+
+TEST(Stencil, ApproximateInverseIsExactAtItsWaves) {
+    const double q = std::sqrt(0.5);
+    const Stencil inverse = approximate_inverse(kSteady);
+    for (const Vec3 c : {Vec3{q, q, q}, Vec3{q, -q, q}, Vec3{-q, q, -q}, Vec3{-q, -q, -q}})
+        EXPECT_NEAR(symbol_of(inverse, c.x, c.y, c.z) * symbol_of(kSteady, c.x, c.y, c.z), 1.0, 1e-12);
+}
+
+// The bounds are those of 27 waves; any other exceeds them by little.
+TEST(Stencil, RangeOfAProductBoundsAllWaves) {
+    std::mt19937_64 random(2);
+    std::uniform_real_distribution<double> cosine(-1.0, 1.0);
+    for (const Stencil& stencil : {kSteady, spline_value(), spline_value() - spline_laplacian(1.0)}) {
+        const Stencil inverse = approximate_inverse(stencil);
+        const Range range = range_of_product(stencil, inverse);
+        EXPECT_GT(range.least, 0.6);
+        EXPECT_LT(range.greatest, 1.5);
+        for (int i = 0; i < 1000; ++i) {
+            const Vec3 c{cosine(random), cosine(random), cosine(random)};
+            const double product = symbol_of(stencil, c.x, c.y, c.z) * symbol_of(inverse, c.x, c.y, c.z);
+            EXPECT_GT(product, range.least - 0.02);
+            EXPECT_LT(product, range.greatest + 0.02);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace meniscus::testing
