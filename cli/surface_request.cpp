@@ -27,6 +27,24 @@ void add_shape_options(CLI::App& command, SurfaceRequest& request) {
                "Constant of the initial Gaussian map, Å^-2");
 }
 
+void add_remesh_options(CLI::App& command, SurfaceRequest& request) {
+    RemeshOptions& remesh = request.surface.remesh;
+    const auto edge = [&remesh](const std::string& text) {
+        remesh.edge = parse_number("--edge", text, Sign::Positive);
+    };
+    const auto density = [&remesh](const std::string& text) {
+        remesh.edge = edge_of_density(parse_number("--vertex-density", text, Sign::Positive));
+    };
+    CLI::Option* by_edge =
+        command.add_option_function<std::string>("--edge", edge, "Even triangles with edges of about this length, Å");
+    by_edge->type_name("L");
+    command.add_option_function<std::string>("--vertex-density", density, "The same by their vertices per Å²")
+        ->type_name("D")
+        ->excludes(by_edge);
+    command.add_flag("--adaptive", remesh.adaptive, "Shorter edges where the surface bends more");
+    command.add_flag("--keep-ridges", remesh.keep_ridges, "Edges run along the creases of the surface");
+}
+
 void add_encoding(CLI::App& command, SurfaceRequest& request) {
     const auto ascii = [&request](std::int64_t) { request.encoding = Encoding::Text; };
     command.add_flag_function("--ascii", ascii, "Write PLY and STL as text");
@@ -46,6 +64,9 @@ void complete(SurfaceRequest& request) {
     const bool recorded = !request.flow.history.empty() || request.flow.snapshots > 0;
     if (recorded && request.surface.method != Method::Flow)
         throw UsageError("--history and --snapshots show the steps of a flow; use --method flow");
+    const RemeshOptions& remesh = request.surface.remesh;
+    if ((remesh.adaptive || remesh.keep_ridges) && !remesh.is_on())
+        throw UsageError("--adaptive and --keep-ridges shape even triangles; ask for them with --edge");
     request.surface.history = !request.flow.history.empty();
     request.surface.initial_area = !request.report.empty();
 }
@@ -62,6 +83,8 @@ void add_surface_options(CLI::App& command, SurfaceRequest& request) {
     command.option_defaults()->group("Flow");
     add_flow_options(command, request.flow);
     command.parse_complete_callback([&request] { complete(request); });
+    command.option_defaults()->group("Triangles");
+    add_remesh_options(command, request);
     command.option_defaults()->group("Output");
     add_output_options(command, request);
     add_encoding(command, request);

@@ -16,18 +16,19 @@ ROOMS = {
     "band": ("geometry", "grid"),
     "flow": ("geometry", "grid", "band"),
     "mesh": ("grid",),
+    "remesh": ("geometry",),
     "measure": ("geometry", "mesh"),
     "tables": ("radii",),
     "colours": ("radii",),
     "render": (),
     "io": ("grid",),
-    "pipeline": ("geometry", "grid", "band", "flow", "mesh", "measure"),
+    "pipeline": ("geometry", "grid", "band", "flow", "mesh", "remesh", "measure"),
 }
 # What clients may use beside the public headers: how to write a file of their own whole or not at all.
 FOR_CLIENTS = ("src/io/atomic_file.h",)
 # Public headers that numerical rooms must not see, and words that only some folders may include.
 FILE_HEADERS = ("include/meniscus/structure.h", "include/meniscus/write.h", "include/meniscus/level_set_file.h")
-NUMERICAL = ("geometry", "grid", "band", "flow", "mesh", "measure", "render")
+NUMERICAL = ("geometry", "grid", "band", "flow", "mesh", "remesh", "measure", "render")
 ONLY_IN = {
     "<tbb/": ("src/core/",),
     "<gemmi/": ("src/structure/", "src/radii/", "src/io/gemmi/"),

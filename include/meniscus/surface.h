@@ -15,6 +15,7 @@
 #include "meniscus/measures.h"
 #include "meniscus/mesh.h"
 #include "meniscus/progress.h"
+#include "meniscus/remesh.h"
 
 namespace meniscus {
 
@@ -37,6 +38,7 @@ struct SurfaceOptions {
     bool history = false;             ///< keep a record of every step of the flow
     bool initial_area = false;        ///< measure the Gaussian start, too, where the flow can do without
     Pieces pieces = Pieces::All;      ///< what the mesh keeps
+    RemeshOptions remesh{};           ///< even triangles of a chosen size; needs a spacing of at most 0.5 Å
     int threads = 0;                  ///< 0: all cores; results do not depend on it
     std::size_t memory_limit_mb = 0;  ///< 0: what the machine has available
 };

@@ -19,6 +19,7 @@
 #include "pipeline/band_size.h"
 #include "pipeline/flow_stage.h"
 #include "pipeline/surface_mesh.h"
+#include "pipeline/surface_projector.h"
 
 namespace meniscus {
 namespace {
@@ -31,6 +32,8 @@ constexpr Vec3 kGridShift{0.3819660, 0.2360680, 0.1458980};
 constexpr double kMeanDistanceBound = 0.1;  // in spacings
 
 constexpr double kWidestBand = 16.0;  // spacings
+
+constexpr double kCoarsestForRemeshing = 0.5;  // Å: coarser grids do not know the surface well enough
 
 // A distance changes by at most 1 per Å: both ends of an edge that the surface cuts are within the edge's length. Of
 // all other nodes marching cubes needs the sign alone.
@@ -73,6 +76,10 @@ void check_options(const SurfaceOptions& options) {
     require(positive(options.spacing), "spacing", options.spacing, "finite and positive");
     require(positive(-options.density), "density", options.density, "finite and negative");
     if (options.method == Method::Flow) check_flow(options.flow);
+    const RemeshOptions& remesh = options.remesh;
+    require(remesh.edge == 0.0 || positive(remesh.edge), "edge", remesh.edge, "finite and positive");
+    require(!remesh.is_on() || options.spacing <= kCoarsestForRemeshing, "spacing", options.spacing,
+            fmt::format("at most {:g} where triangles are made even", kCoarsestForRemeshing));
     require(options.threads >= 0, "threads", options.threads, "0 (all cores) or more");
 }
 
@@ -195,6 +202,8 @@ private:
     void make_mesh(Field field) {
         Mesh zero_set = extract_zero_set(*field.grid, field.values);
         field.values = {};  // the mesh grows into their memory
+        const SurfaceProjector project = surface_projector(*accessible_, field.level_set.get(), options_.spacing);
+        if (options_.remesh.is_on()) zero_set = remesh(zero_set, options_.remesh, project);
         SurfaceMesh meshed = mesh_surface(*accessible_, std::move(zero_set), field.level_set.get(),
                                           {.spacing = options_.spacing, .pieces = options_.pieces});
         surface_.level_set = std::move(field.level_set);
@@ -209,8 +218,9 @@ private:
         SurfaceMeasures measures = measure_surface(surface_.mesh);
         surface_.measures = std::move(measures.mesh);
         surface_.mesh.areas = std::move(measures.areas);
-        surface_.corrected_area = measures.corrected.area;
-        surface_.corrected_volume = measures.corrected.volume;
+        const CorrectedMeasures corrected = options_.remesh.is_on() ? corrected_on_surface() : measures.corrected;
+        surface_.corrected_area = corrected.area;
+        surface_.corrected_volume = corrected.volume;
         const auto holds = [](std::string name, bool passed) {
             return Check{std::move(name), passed, passed ? 1.0 : 0.0, 1.0};
         };
@@ -222,6 +232,17 @@ private:
         if (options_.method == Method::Gaussian) return;
         const double bound = kMeanDistanceBound * options_.spacing;
         surface_.checks.push_back({"mean_distance", surface_.distance.mean <= bound, surface_.distance.mean, bound});
+    }
+
+    // Normals tell the middle of short edges; those of large triangles are looked for.
+    CorrectedMeasures corrected_on_surface() const {
+        const SurfaceProjector project = surface_projector(*accessible_, surface_.level_set.get(), options_.spacing);
+        return corrected_measures(surface_.mesh, [&project](std::span<Vec3> places) {
+            std::vector<SurfacePoint> points(places.size());
+            for (std::size_t i = 0; i < points.size(); ++i) points[i].position = places[i];
+            project(points);
+            for (std::size_t i = 0; i < points.size(); ++i) places[i] = points[i].position;
+        });
     }
 
     const SurfaceOptions& options_;

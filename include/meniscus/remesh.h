@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// How the mesh of a surface is made even.
+#pragma once
+
+#include <cmath>
+
+namespace meniscus {
+
+/// Even triangles of a chosen size instead of those that marching cubes cuts out of the grid.
+struct RemeshOptions {
+    /// Length to be kept to, Å; 0 leaves the mesh of the grid. Nearly all edges are from 0.6 to 1.5 times as long, 0.8
+    /// times on average: triangles of that size stay within 0.03 edge² of the surface in the mean (Å, edge in Å).
+    double edge = 0.0;
+    bool adaptive = false;     ///< shorter where the surface bends more, longer where it is flat
+    bool keep_ridges = false;  ///< edges of the mesh run along creases of the surface
+
+    bool is_on() const { return edge > 0.0; }
+};
+
+/// The RemeshOptions::edge that gives so many vertices per Å² of the surface.
+inline double edge_of_density(double vertices_per_square_angstrom) {
+    constexpr double kVerticesPerSquareEdge = 1.82;
+    return std::sqrt(kVerticesPerSquareEdge / vertices_per_square_angstrom);
+}
+
+}  // namespace meniscus

@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "remesh/remesher.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/parallel.h"
+#include "remesh/mend_angles.h"
+#include "remesh/ridges.h"
+#include "remesh/self_intersections.h"
+#include "remesh/working_mesh.h"
+
+namespace meniscus {
+namespace {
+
+constexpr std::size_t kChunk = 512;  // vertices projected at once
+
+// Edges outside these parts of the target length are collapsed or split (Botsch & Kobbelt 2004).
+constexpr double kShort = 4.0 / 5.0;
+constexpr double kLong = 4.0 / 3.0;
+constexpr int kIterations = 6;
+
+// Of the length asked for: what splitting and collapsing aims at, so that triangles lie near enough to the surface.
+constexpr double kAim = 0.85;
+
+// Adaptive lengths follow the square root of the radius of curvature, which keeps the distance of the triangles from
+// the surface the same everywhere; a probe's or an atom's radius is where the length is the one asked for.
+constexpr double kUsualRadius = 1.5;  // Å
+constexpr double kLeastPart = 0.5;
+constexpr double kLargestPart = 2.0;
+
+// Where changes made the mesh pass through itself they are undone, and nothing so near is changed in the next attempt.
+constexpr double kFrozen = 0.7;  // target lengths, times the number of the attempt
+constexpr int kAttempts = 4;
+
+class Remesher {
+public:
+    Remesher(const Mesh& mesh, const RemeshOptions& options, const SurfaceProjector& project)
+        : options_(options), project_(project), aim_(kAim * options.edge), mesh_(mesh, aim_) {
+        project_points(0, mesh_.points.size());
+        if (options.keep_ridges) insert_ridges(mesh_, project_);
+    }
+
+    Mesh run() {
+        attempt([this] {
+            for (int i = 0; i < kIterations; ++i) iterate();
+        });
+        thaw();
+        attempt([this] { mend_angles(mesh_, project_); });
+        return result();
+    }
+
+private:
+    // Makes changes that leave a mesh which passes through itself nowhere but where it did before.
+    template <class Change>
+    void attempt(const Change& change) {
+        const WorkingMesh before = mesh_;
+        std::optional<std::vector<Vec3>> old_places;
+        std::vector<Vec3> places;
+        for (int i = 1;; ++i) {
+            change();
+            std::vector<Vec3> found = places_of_self_intersections(result());
+            if (found.empty()) return;
+            if (!old_places) old_places = places_of_self_intersections(mesh_of(before));
+            std::erase_if(found, [&](const Vec3& place) { return is_near(place, *old_places, aim_); });
+            if (found.empty() || i == kAttempts) return;
+            places.insert(places.end(), found.begin(), found.end());
+            mesh_ = before;
+            freeze_near(places, kFrozen * i * aim_);
+        }
+    }
+
+    static bool is_near(const Vec3& point, std::span<const Vec3> places, double reach) {
+        return std::any_of(places.begin(), places.end(),
+                           [&](const Vec3& place) { return squared_norm(point - place) < reach * reach; });
+    }
+
+    void freeze_near(std::span<const Vec3> places, double reach) {
+        for (std::size_t v = 0; v < mesh_.points.size(); ++v)
+            if (is_near(mesh_.points[v].position, places, reach)) mesh_.holds[v] = Hold::Frozen;
+    }
+
+    void thaw() { std::replace(mesh_.holds.begin(), mesh_.holds.end(), Hold::Frozen, Hold::Free); }
+
+    void iterate() {
+        if (options_.adaptive) adapt();
+        collapse_short();
+        split_long();
+        flip_towards_six();
+        relax();
+    }
+
+    bool is_present(std::size_t v) const { return mesh_.edges.has_vertex(static_cast<VertexId>(v)); }
+
+    void adapt() {
+        for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
+            const double part = 1.0 / std::sqrt(std::max(kUsualRadius * mesh_.points[v].curvature, 1e-6));
+            mesh_.targets[v] = aim_ * std::clamp(part, kLeastPart, kLargestPart);
+        }
+    }
+
+    void collapse_short() {
+        mesh_.for_each_edge([&](HalfEdge h) {
+            const double length = kShort * mesh_.target(mesh_.edges.origin(h), mesh_.edges.target(h));
+            if (mesh_.squared_length(h) < length * length) mesh_.collapse(h, 1.0);
+        });
+    }
+
+    // Longest first: halving the short sides of flat triangles would never end.
+    void split_long() {
+        const std::size_t first = mesh_.points.size();
+        for (std::vector<LongEdge> found = long_edges(); !found.empty(); found = long_edges())
+            for (const LongEdge& edge : found)
+                if (mesh_.squared_length(edge.half) == edge.squared_length) mesh_.split(edge.half);
+        project_points(first, mesh_.points.size());
+    }
+
+    struct LongEdge {
+        double squared_length;
+        HalfEdge half;
+    };
+
+    std::vector<LongEdge> long_edges() {
+        std::vector<LongEdge> found;
+        mesh_.for_each_edge([&](HalfEdge h) {
+            const VertexId a = mesh_.edges.origin(h);
+            const VertexId b = mesh_.edges.target(h);
+            const double length = kLong * mesh_.target(a, b);
+            const double squared = mesh_.squared_length(h);
+            const bool frozen = mesh_.holds[a] == Hold::Frozen || mesh_.holds[b] == Hold::Frozen;
+            if (!frozen && squared > length * length) found.push_back({squared, h});
+        });
+        std::sort(found.begin(), found.end(), [](const LongEdge& a, const LongEdge& b) {
+            return std::pair(-a.squared_length, a.half) < std::pair(-b.squared_length, b.half);
+        });
+        return found;
+    }
+
+    void flip_towards_six() {
+        const HalfEdges& edges = mesh_.edges;
+        const auto off = [&](VertexId v, int change) {
+            return std::abs(static_cast<int>(edges.valence(v)) + change - 6);
+        };
+        mesh_.for_each_edge([&](HalfEdge h) {
+            const VertexId a = edges.origin(h);
+            const VertexId b = edges.target(h);
+            const VertexId c = edges.opposite(h);
+            const VertexId d = edges.opposite(edges.twin(h));
+            const int before = off(a, 0) + off(b, 0) + off(c, 0) + off(d, 0);
+            const int after = off(a, -1) + off(b, -1) + off(c, 1) + off(d, 1);
+            if (after < before && mesh_.try_flip(h, WorkingMesh::Facing::Out).allowed) mesh_.edges.flip(h);
+        });
+    }
+
+    // Every free vertex moves to the middle of its neighbours, along the surface. What turns triangles over is undone.
+    void relax() {
+        std::vector<SurfacePoint> moved = mesh_.points;
+        for_chunks(0, moved.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t v = begin; v < end; ++v)
+                if (is_present(v) && mesh_.holds[v] == Hold::Free)
+                    moved[v].position = relaxed(static_cast<VertexId>(v));
+            project_present(moved, begin, end);
+        });
+        std::swap(mesh_.points, moved);
+        undo_where_turned(moved);
+    }
+
+    Vec3 relaxed(VertexId v) const {
+        Vec3 sum;
+        double count = 0.0;
+        mesh_.edges.for_each_leaving(v, [&](HalfEdge h) {
+            sum += mesh_.at(mesh_.edges.target(h));
+            count += 1.0;
+        });
+        const SurfacePoint& p = mesh_.points[v];
+        const Vec3 step = (1.0 / count) * sum - p.position;
+        return p.position + step - dot(step, p.normal) * p.normal;
+    }
+
+    void undo_where_turned(const std::vector<SurfacePoint>& before) {
+        const HalfEdges& edges = mesh_.edges;
+        for (bool again = true; again;) {
+            again = false;
+            for (HalfEdge h = 0; h < edges.half_edge_slots(); h += 3) {
+                if (!edges.has(h)) continue;
+                const VertexId corners[3]{edges.origin(h), edges.target(h), edges.opposite(h)};
+                if (mesh_.faces_out(corners[0], corners[1], corners[2])) continue;
+                for (const VertexId v : corners) {
+                    if (mesh_.at(v) == before[v].position) continue;
+                    mesh_.points[v] = before[v];
+                    again = true;
+                }
+            }
+        }
+    }
+
+    template <class Body>
+    void for_chunks(std::size_t first, std::size_t last, const Body& body) const {
+        parallel_chunks(last - first, kChunk,
+                        [&](std::size_t begin, std::size_t end) { body(first + begin, first + end); });
+    }
+
+    void project_points(std::size_t first, std::size_t last) {
+        for_chunks(first, last, [&](std::size_t begin, std::size_t end) { project_present(mesh_.points, begin, end); });
+    }
+
+    void project_present(std::vector<SurfacePoint>& points, std::size_t begin, std::size_t end) const {
+        const auto moves = [&](std::size_t v) { return is_present(v) && mesh_.holds[v] == Hold::Free; };
+        std::vector<SurfacePoint> present;
+        for (std::size_t v = begin; v < end; ++v)
+            if (moves(v)) present.push_back(points[v]);
+        if (present.empty()) return;
+        project_(present);
+        std::size_t k = 0;
+        for (std::size_t v = begin; v < end; ++v)
+            if (moves(v)) points[v] = present[k++];
+    }
+
+    Mesh result() const { return mesh_of(mesh_); }
+
+    static Mesh mesh_of(const WorkingMesh& working) {
+        HalfEdges::Compacted compacted = working.edges.compact();
+        Mesh mesh;
+        mesh.triangles = std::move(compacted.triangles);
+        mesh.vertices.reserve(compacted.old_number.size());
+        for (const VertexId v : compacted.old_number) mesh.vertices.push_back(working.at(v));
+        return mesh;
+    }
+
+    const RemeshOptions& options_;
+    const SurfaceProjector& project_;
+    double aim_;  // length of edges, Å
+    WorkingMesh mesh_;
+};
+
+}  // namespace
+
+Mesh remesh(const Mesh& mesh, const RemeshOptions& options, const SurfaceProjector& project) {
+    return Remesher(mesh, options, project).run();
+}
+
+}  // namespace meniscus

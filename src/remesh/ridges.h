@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Creases of the surface as edges of the mesh.
+#pragma once
+
+#include "remesh/working_mesh.h"
+
+namespace meniscus {
+
+/// Puts a vertex held as a ridge into every edge that crosses a crease, where the tangent planes of both ends meet:
+/// vertices of neighbouring triangles then share an edge, which runs along the crease.
+///
+/// source   Kobbelt et al. 2001, Feature sensitive surface extraction from volume data
+void insert_ridges(WorkingMesh& mesh, const SurfaceProjector& project);
+
+}  // namespace meniscus

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "remesh/self_intersections.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "core/parallel.h"
+#include "geometry/box_tree.h"
+#include "geometry/canonical_atoms.h"
+
+namespace meniscus {
+namespace {
+
+constexpr std::size_t kChunk = 256;
+constexpr double kCells = (1 << 21) - 1;  // along the longest edge of the box round the mesh
+
+double orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    return dot(cross(b - a, c - a), d - a);
+}
+
+// Where the inside of a segment passes through the inside of a triangle.
+std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& t) {
+    const double from = orientation(t[0], t[1], t[2], p);
+    const double to = orientation(t[0], t[1], t[2], q);
+    if (from * to >= 0.0) return std::nullopt;
+    const double u = orientation(p, q, t[0], t[1]);
+    const double v = orientation(p, q, t[1], t[2]);
+    const double w = orientation(p, q, t[2], t[0]);
+    if (!((u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0))) return std::nullopt;
+    return p + (from / (from - to)) * (q - p);
+}
+
+// Triangles in spatial order, as the tree wants them.
+class Finder {
+public:
+    explicit Finder(const Mesh& mesh) : mesh_(mesh), order_(in_spatial_order(mesh)), tree_(boxes(mesh, order_)) {}
+
+    std::vector<Vec3> run() const {
+        std::vector<std::vector<Vec3>> found((order_.size() + kChunk - 1) / kChunk);
+        parallel_chunks(order_.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) find_after(i, found[begin / kChunk]);
+        });
+        std::vector<Vec3> places;
+        for (const auto& part : found) places.insert(places.end(), part.begin(), part.end());
+        return places;
+    }
+
+private:
+    static Box box_of(const Mesh& mesh, const Triangle& triangle) {
+        Box box;
+        for (const VertexId v : triangle) box.include(mesh.vertices[v]);
+        return box;
+    }
+
+    static std::vector<std::uint32_t> in_spatial_order(const Mesh& mesh) {
+        Box all;
+        for (const Vec3& p : mesh.vertices) all.include(p);
+        const Vec3 extent = all.high - all.low;
+        const double cells = kCells / std::max({extent.x, extent.y, extent.z, 1e-9});
+        const auto cell = [cells](double offset) { return static_cast<std::uint32_t>(cells * offset); };
+        std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
+        keys.reserve(mesh.triangles.size());
+        for (const Triangle& t : mesh.triangles) {
+            const Vec3 from = mesh.vertices[t[0]] - all.low;
+            keys.emplace_back(morton_key(cell(from.x), cell(from.y), cell(from.z)),
+                              static_cast<std::uint32_t>(keys.size()));
+        }
+        std::sort(keys.begin(), keys.end());
+        std::vector<std::uint32_t> order;
+        order.reserve(keys.size());
+        for (const auto& [key, triangle] : keys) order.push_back(triangle);
+        return order;
+    }
+
+    static std::vector<Box> boxes(const Mesh& mesh, const std::vector<std::uint32_t>& order) {
+        std::vector<Box> result;
+        result.reserve(order.size());
+        for (const std::uint32_t t : order) result.push_back(box_of(mesh, mesh.triangles[t]));
+        return result;
+    }
+
+    // Meetings of the i-th triangle with those that follow it.
+    void find_after(std::size_t i, std::vector<Vec3>& places) const {
+        const Triangle& mine = mesh_.triangles[order_[i]];
+        tree_.for_each_overlapping(box_of(mesh_, mine), [&](std::uint32_t j) {
+            if (j <= i) return;
+            if (const auto place = meeting(mine, mesh_.triangles[order_[j]])) places.push_back(*place);
+        });
+    }
+
+    std::optional<Vec3> meeting(const Triangle& s, const Triangle& t) const {
+        const auto shared = std::count_if(s.begin(), s.end(), [&](VertexId v) { return contains(t, v); });
+        if (shared >= 2) return std::nullopt;
+        if (const auto place = sides_through(s, t)) return place;
+        return sides_through(t, s);
+    }
+
+    static bool contains(const Triangle& t, VertexId v) { return t[0] == v || t[1] == v || t[2] == v; }
+
+    // Where a side of one triangle that has no corner of the other passes through the other.
+    std::optional<Vec3> sides_through(const Triangle& s, const Triangle& t) const {
+        const std::array<Vec3, 3> corners{mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const VertexId a = s[k];
+            const VertexId b = s[(k + 1) % 3];
+            if (contains(t, a) || contains(t, b)) continue;
+            if (const auto place = piercing(mesh_.vertices[a], mesh_.vertices[b], corners)) return place;
+        }
+        return std::nullopt;
+    }
+
+    const Mesh& mesh_;
+    std::vector<std::uint32_t> order_;
+    BoxTree tree_;
+};
+
+}  // namespace
+
+std::vector<Vec3> places_of_self_intersections(const Mesh& mesh) { return Finder(mesh).run(); }
+
+}  // namespace meniscus
