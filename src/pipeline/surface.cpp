@@ -181,7 +181,7 @@ private:
 
     void make_mesh(Field field) {
         Mesh zero_set = extract_zero_set(*field.grid, field.values);
-        field.values = {};  // the mesh grows into their memory
+        std::vector<float>().swap(field.values);  // the mesh grows into their memory
         SurfaceMesh meshed = mesh_surface(*accessible_, std::move(zero_set), field.level_set.get(),
                                           {.spacing = options_.spacing, .pieces = options_.pieces});
         surface_.level_set = std::move(field.level_set);
