@@ -22,10 +22,6 @@ struct Step {
     VertexId to = 0;
 };
 
-Step step_at(const Triangle& triangle, std::size_t corner) {
-    return {triangle[corner < 2 ? corner + 1 : 0], triangle[corner > 0 ? corner - 1 : 2]};
-}
-
 // Stars of fewer steps than this are examined without a branch; longer ones are rare and sorted instead.
 constexpr std::uint32_t kShortStar = 16;
 
@@ -134,7 +130,10 @@ struct Part {
 class StretchStars {
 public:
     StretchStars(VertexId first, std::size_t count)
-        : first_(first), sizes_(count, 0), stars_(std::make_unique_for_overwrite<ShortStar[]>(count)) {
+        : first_(first),
+          count_(static_cast<VertexId>(count)),
+          sizes_(std::make_unique<std::uint32_t[]>(count)),
+          stars_(std::make_unique_for_overwrite<ShortStar[]>(count)) {
         for (std::size_t i = 0; i < count; ++i) {
             stars_[i].from.fill(vertex(i));
             stars_[i].to.fill(vertex(i));
@@ -143,17 +142,17 @@ public:
 
     // Adds those corners of a triangle that lie within the stretch.
     void add(const Triangle& triangle) {
-        for (std::size_t corner = 0; corner < triangle.size(); ++corner) {
-            const VertexId i = triangle[corner] - first_;  // beyond all others where it comes before the first
-            if (i < sizes_.size()) add_step(i, step_at(triangle, corner));
-        }
+        const auto [a, b, c] = triangle;
+        add_step(a, {b, c});
+        add_step(b, {c, a});
+        add_step(c, {a, b});
     }
 
     // After all triangles.
     MeshTopology examine() {
         std::stable_sort(more_.begin(), more_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
         MeshTopology seen;
-        for (std::size_t i = 0; i < sizes_.size(); ++i) {
+        for (std::size_t i = 0; i < count_; ++i) {
             if (forms_a_ring(i))
                 seen.edges += sizes_[i];
             else
@@ -165,8 +164,10 @@ public:
 private:
     VertexId vertex(std::size_t i) const { return first_ + static_cast<VertexId>(i); }
 
-    void add_step(VertexId i, const Step& step) {
-        const std::size_t n = sizes_[i]++;
+    void add_step(VertexId v, const Step& step) {
+        const VertexId i = v - first_;  // beyond all others where it comes before the first
+        if (i >= count_) return;
+        const std::uint32_t n = sizes_[i]++;
         if (n < kShortStar) {
             stars_[i].from[n] = step.from;
             stars_[i].to[n] = step.to;
@@ -185,7 +186,7 @@ private:
     std::vector<Step> steps(std::size_t i) const {
         std::vector<Step> steps;
         steps.reserve(sizes_[i]);
-        for (std::size_t n = 0; n < std::min<std::size_t>(sizes_[i], kShortStar); ++n)
+        for (std::size_t n = 0; n < std::min(sizes_[i], kShortStar); ++n)
             steps.push_back({stars_[i].from[n], stars_[i].to[n]});
         const auto first = std::lower_bound(more_.begin(), more_.end(), i,
                                             [](const auto& entry, std::size_t number) { return entry.first < number; });
@@ -194,7 +195,8 @@ private:
     }
 
     VertexId first_;
-    std::vector<std::uint32_t> sizes_;
+    VertexId count_;
+    std::unique_ptr<std::uint32_t[]> sizes_;
     std::unique_ptr<ShortStar[]> stars_;
     std::vector<std::pair<std::size_t, Step>> more_;  // what the short stars had no room for, and whose
 };
