@@ -9,7 +9,7 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kChunk = 2048;  // runs per task: some hundred microseconds
+constexpr std::size_t kChunk = 1024;  // runs per task: some hundred microseconds
 
 }  // namespace
 

@@ -19,7 +19,7 @@ namespace meniscus {
 class VertexStretches {
 public:
     /// triangles   must outlive this; every corner below vertex_count
-    /// cost        O(n); a quarter of a byte per triangle and stretch that its run touches
+    /// cost        O(n); an eighth of a byte per triangle and stretch that its run touches
     VertexStretches(std::size_t vertex_count, std::span<const Triangle> triangles);
 
     std::size_t size() const { return (vertex_count_ + kLength - 1) / kLength; }
@@ -36,8 +36,8 @@ public:
     }
 
 private:
-    static constexpr std::size_t kLength = 2048;  // vertices
-    static constexpr std::size_t kRun = 32;       // triangles
+    static constexpr std::size_t kLength = 4096;  // vertices
+    static constexpr std::size_t kRun = 64;       // triangles
 
     struct Touch {
         std::uint32_t stretch = 0;

@@ -34,7 +34,7 @@ std::vector<std::size_t> corners_of(std::size_t vertex_count, std::span<const Tr
 TEST(VertexStretches, OfNothingAreNone) { EXPECT_EQ(VertexStretches(0, {}).size(), 0U); }
 
 TEST(VertexStretches, HoldEveryVertexOnce) {
-    for (const std::size_t n : {1U, 2047U, 2048U, 2049U, 10000U}) {
+    for (const std::size_t n : {1U, 4095U, 4096U, 4097U, 10000U}) {
         const VertexStretches stretches(n, {});
         std::size_t next = 0;
         for (std::size_t s = 0; s < stretches.size(); ++s) {
