@@ -126,7 +126,7 @@ private:
     }
 
     static void connect(const Rows& rows, const LocalVertices& local, std::vector<Triangle>& triangles) {
-        std::array<Triangle, kMaxCellTriangles * kBlockNodes> buffer;
+        std::array<Triangle, std::size_t{kMaxCellTriangles} * kBlockNodes> buffer;
         Triangle* out = buffer.data();
         for_each_cut_cell(rows, [&](std::size_t cell, unsigned c) {
             const CellCase& cut = kCellCases[c];
