@@ -107,8 +107,8 @@ private:
     void measure_exactly(const Atoms& atoms) {
         Stopwatch watch;
         exact_ = measure(atoms, {.probe = request_.surface.probe, .threads = request_.surface.threads});
-        exact_.patches = {};
-        exact_.atoms = {};
+        std::vector<PatchMeasure>().swap(exact_.patches);
+        std::vector<AtomMeasure>().swap(exact_.atoms);
         exact_seconds_ = watch.lap();
     }
 

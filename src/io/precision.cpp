@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "core/parallel.h"
@@ -41,6 +42,15 @@ void write_rounded(AtomicFile& file, const Vec3& p) {
     file.number(static_cast<Real>(p.z));
 }
 
+// Of all vertices: corners that lie apart already in x are told apart without their places, which take six times the
+// memory.
+std::unique_ptr<const float[]> rounded_x(const Mesh& mesh) {
+    auto x = std::make_unique_for_overwrite<float[]>(mesh.vertices.size());
+    parallel_for(mesh.vertices.size(), kItemsPerChunk,
+                 [&](std::size_t v) { x[v] = static_cast<float>(mesh.vertices[v].x); });
+    return x;
+}
+
 // Whether a test holds for any of the items.
 template <class Item, class Test>
 bool any_of(const std::vector<Item>& items, const Test& test) {
@@ -54,7 +64,11 @@ bool any_of(const std::vector<Item>& items, const Test& test) {
 
 Precision precision_needed(const Mesh& mesh) {
     if (any_of(mesh.vertices, is_far_off)) return Precision::Double;
-    const bool collapses = any_of(mesh.triangles, [&](const Triangle& t) { return collapses_when_rounded(mesh, t); });
+    const std::unique_ptr<const float[]> x = rounded_x(mesh);
+    const auto same_x = [&x](VertexId a, VertexId b) { return static_cast<unsigned>(x[a] == x[b]); };
+    const bool collapses = any_of(mesh.triangles, [&](const Triangle& t) {
+        return (same_x(t[0], t[1]) | same_x(t[1], t[2]) | same_x(t[2], t[0])) != 0 && collapses_when_rounded(mesh, t);
+    });
     return collapses ? Precision::Double : Precision::Single;
 }
 

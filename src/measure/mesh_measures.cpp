@@ -142,24 +142,34 @@ private:
         }
     }
 
+    // Sums are kept in variables of their own while they grow: what may lie where something else is written would go
+    // through memory every time.
     static void add_parts(const TriangleLanes& lanes, std::span<float> thirds, TriangleSums& sums) {
+        double two_areas = sums.parts_two_areas;
+        double six_volumes = sums.parts_six_volumes;
         for (std::size_t lane = 0; lane < thirds.size(); ++lane) {
             thirds[lane] = static_cast<float>(lanes.two_areas[lane] / 6.0);
-            sums.parts_two_areas += lanes.parts_two_areas[lane];
-            sums.parts_six_volumes += lanes.parts_six_volumes[lane];
+            two_areas += lanes.parts_two_areas[lane];
+            six_volumes += lanes.parts_six_volumes[lane];
         }
+        sums.parts_two_areas = two_areas;
+        sums.parts_six_volumes = six_volumes;
     }
 
     void add_to_runs(std::size_t first, std::size_t count, const TriangleLanes& lanes, TriangleSums& sums) const {
-        for (std::size_t lane = 0; lane < count; ++lane) {
+        for (std::size_t lane = 0; lane < count;) {
             const std::uint32_t piece = piece_of(first + lane);
             if (sums.runs.empty() || sums.runs.back().piece != piece) sums.runs.push_back({.piece = piece});
-            RunSums& run = sums.runs.back();
-            ++run.triangles;
-            run.two_areas += lanes.two_areas[lane];
-            run.six_volumes += lanes.six_volumes[lane];
-            const SquaredTangent corner{lanes.opposite[lane], lanes.adjacent[lane]};
-            if (corner < sums.smallest) sums.smallest = corner;
+            RunSums run = sums.runs.back();
+            SquaredTangent smallest = sums.smallest;
+            for (; lane < count && piece_of(first + lane) == piece; ++lane) {
+                ++run.triangles;
+                run.two_areas += lanes.two_areas[lane];
+                run.six_volumes += lanes.six_volumes[lane];
+                smallest += {lanes.opposite[lane], lanes.adjacent[lane]};
+            }
+            sums.runs.back() = run;
+            sums.smallest = smallest;
         }
     }
 

@@ -5,18 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 #include "core/parallel.h"
+#include "measure/vertex_stretches.h"
 
 namespace meniscus {
 namespace {
-
-constexpr std::size_t kChunk = 8192;  // vertices per task: some hundred microseconds
 
 // A triangle (v, from, to) seen from its corner v: one step round v, counter-clockwise.
 struct Step {
@@ -24,48 +22,20 @@ struct Step {
     VertexId to = 0;
 };
 
-// The triangles round every vertex, as numbers of their corners: corner k of triangle t is number 3 t + k. Entries
-// first[v] .. first[v + 1] of corners. Index: a type that holds the number of any corner.
-template <class Index>
-struct Stars {
-    std::vector<Index> first;
-    std::unique_ptr<Index[]> corners;
-};
-
-template <class Index>
-Stars<Index> collect_stars(std::size_t vertex_count, std::span<const Triangle> triangles) {
-    Stars<Index> stars;
-    // While filling, entry v + 1 is where the next corner of v goes; in the end that is where v's corners end.
-    stars.first.assign(vertex_count + 2, 0);
-    for (const Triangle& t : triangles)
-        for (const VertexId v : t) ++stars.first[v + std::size_t{2}];
-    std::partial_sum(stars.first.begin(), stars.first.end(), stars.first.begin());
-    stars.corners = std::make_unique_for_overwrite<Index[]>(3 * triangles.size());
-    Index corner = 0;
-    for (const Triangle& t : triangles)
-        for (const VertexId v : t) stars.corners[stars.first[v + std::size_t{1}]++] = corner++;
-    return stars;
-}
-
-Step step_at(const Triangle& triangle, std::size_t corner) {
-    return {triangle[corner < 2 ? corner + 1 : 0], triangle[corner > 0 ? corner - 1 : 2]};
-}
-
 // Stars of fewer steps than this are examined without a branch; longer ones are rare and sorted instead.
 constexpr std::uint32_t kShortStar = 16;
 
-// The steps round a vertex; its own number stands in the rest of `from`, at least once.
+// The first steps round a vertex; where there are fewer, its own number stands in the rest.
 struct ShortStar {
     std::array<VertexId, kShortStar> from;
     std::array<VertexId, kShortStar> to;
-    std::size_t size = 0;
 };
 
 // The usual case, quickly: the steps form one ring. Which step begins where another ends is found by comparing all with
 // all; the number of the only one is known from the sum over those found. Taking every step once and coming back only
 // with the last proves that no neighbour is visited twice. kWidth: more than there are steps.
 template <std::uint32_t kWidth>
-bool is_single_ring(const ShortStar& star) {
+bool is_single_ring(const ShortStar& star, std::size_t size) {
     std::array<std::uint32_t, kWidth> next;
     for (std::uint32_t k = 0; k < kWidth; ++k) {
         std::uint32_t sum = 0;
@@ -73,10 +43,10 @@ bool is_single_ring(const ShortStar& star) {
         next[k] = sum - kWidth;
     }
     std::uint32_t at = 0;
-    for (std::size_t taken = 1; taken <= star.size; ++taken) {
+    for (std::size_t taken = 1; taken <= size; ++taken) {
         at = next[at];
-        if (at >= star.size) return false;  // none, several, or the vertex itself
-        if (at == 0) return taken == star.size;
+        if (at >= size) return false;  // none, several, or the vertex itself
+        if (at == 0) return taken == size;
     }
     return false;
 }
@@ -156,72 +126,93 @@ struct Part {
     }
 };
 
-template <class Index>
-class StarExaminer {
+// The triangles round every vertex of one stretch.
+class StretchStars {
 public:
-    StarExaminer(const Stars<Index>& stars, std::span<const Triangle> triangles)
-        : stars_(stars), triangles_(triangles) {}
-
-    Part examine(std::size_t begin, std::size_t end) const {
-        Part part;
-        for (std::size_t v = begin; v < end; ++v) {
-            const auto vertex = static_cast<VertexId>(v);
-            if (forms_a_ring(vertex))
-                part.seen.edges += corners(vertex).size();
-            else
-                examine_star(steps(vertex), vertex, part.seen);
+    StretchStars(VertexId first, std::size_t count)
+        : first_(first),
+          count_(static_cast<VertexId>(count)),
+          sizes_(std::make_unique<std::uint32_t[]>(count)),
+          stars_(std::make_unique_for_overwrite<ShortStar[]>(count)) {
+        for (std::size_t i = 0; i < count; ++i) {
+            stars_[i].from.fill(vertex(i));
+            stars_[i].to.fill(vertex(i));
         }
-        return part;
+    }
+
+    // Adds those corners of a triangle that lie within the stretch.
+    void add(const Triangle& triangle) {
+        const auto [a, b, c] = triangle;
+        add_step(a, {b, c});
+        add_step(b, {c, a});
+        add_step(c, {a, b});
+    }
+
+    // After all triangles.
+    MeshTopology examine() {
+        std::stable_sort(more_.begin(), more_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        MeshTopology seen;
+        for (std::size_t i = 0; i < count_; ++i) {
+            if (forms_a_ring(i))
+                seen.edges += sizes_[i];
+            else
+                examine_star(steps(i), vertex(i), seen);
+        }
+        return seen;
     }
 
 private:
-    std::span<const Index> corners(VertexId v) const {
-        return {stars_.corners.get() + stars_.first[v], stars_.corners.get() + stars_.first[v + std::size_t{1}]};
-    }
-    Step step(Index corner) const { return step_at(triangles_[corner / 3], corner % 3); }
+    VertexId vertex(std::size_t i) const { return first_ + static_cast<VertexId>(i); }
 
-    bool forms_a_ring(VertexId v) const {
-        constexpr std::uint32_t kHalf = kShortStar / 2;
-        ShortStar star;
-        star.size = corners(v).size();
-        if (star.size < 3 || star.size >= kShortStar) return false;
-        star.from.fill(v);
-        star.to.fill(v);
-        for (std::size_t i = 0; i < star.size; ++i) {
-            const auto [from, to] = step(corners(v)[i]);
-            star.from[i] = from;
-            star.to[i] = to;
+    void add_step(VertexId v, const Step& step) {
+        const VertexId i = v - first_;  // beyond all others where it comes before the first
+        if (i >= count_) return;
+        const std::uint32_t n = sizes_[i]++;
+        if (n < kShortStar) {
+            stars_[i].from[n] = step.from;
+            stars_[i].to[n] = step.to;
+        } else {
+            more_.emplace_back(i, step);
         }
-        return star.size < kHalf ? is_single_ring<kHalf>(star) : is_single_ring<kShortStar>(star);
     }
 
-    std::vector<Step> steps(VertexId v) const {
+    bool forms_a_ring(std::size_t i) const {
+        constexpr std::uint32_t kHalf = kShortStar / 2;
+        const std::size_t size = sizes_[i];
+        if (size < 3 || size >= kShortStar) return false;
+        return size < kHalf ? is_single_ring<kHalf>(stars_[i], size) : is_single_ring<kShortStar>(stars_[i], size);
+    }
+
+    std::vector<Step> steps(std::size_t i) const {
         std::vector<Step> steps;
-        steps.reserve(corners(v).size());
-        for (const Index corner : corners(v)) steps.push_back(step(corner));
+        steps.reserve(sizes_[i]);
+        for (std::size_t n = 0; n < std::min(sizes_[i], kShortStar); ++n)
+            steps.push_back({stars_[i].from[n], stars_[i].to[n]});
+        const auto first = std::lower_bound(more_.begin(), more_.end(), i,
+                                            [](const auto& entry, std::size_t number) { return entry.first < number; });
+        for (auto at = first; steps.size() < sizes_[i]; ++at) steps.push_back(at->second);
         return steps;
     }
 
-    const Stars<Index>& stars_;
-    std::span<const Triangle> triangles_;
+    VertexId first_;
+    VertexId count_;
+    std::unique_ptr<std::uint32_t[]> sizes_;
+    std::unique_ptr<ShortStar[]> stars_;
+    std::vector<std::pair<std::size_t, Step>> more_;  // what the short stars had no room for, and whose
 };
-
-template <class Index>
-MeshTopology examine_stars(std::size_t vertex_count, std::span<const Triangle> triangles) {
-    const Stars<Index> stars = collect_stars<Index>(vertex_count, triangles);
-    const StarExaminer<Index> examiner(stars, triangles);
-    const auto examine = [&](std::size_t begin, std::size_t end) { return examiner.examine(begin, end); };
-    MeshTopology topology = parallel_sum<Part>(vertex_count, kChunk, examine).seen;
-    topology.edges /= 2;
-    return topology;
-}
 
 }  // namespace
 
 MeshTopology examine_topology(std::size_t vertex_count, std::span<const Triangle> triangles) {
-    return triangles.size() <= std::numeric_limits<std::uint32_t>::max() / 3
-               ? examine_stars<std::uint32_t>(vertex_count, triangles)
-               : examine_stars<std::uint64_t>(vertex_count, triangles);
+    const VertexStretches stretches(vertex_count, triangles);
+    const auto examine = [&](std::size_t stretch, std::size_t) {
+        StretchStars stars(stretches.first(stretch), stretches.count(stretch));
+        stretches.visit_triangles(stretch, [&](const Triangle& triangle) { stars.add(triangle); });
+        return Part{stars.examine()};
+    };
+    MeshTopology topology = parallel_sum<Part>(stretches.size(), 1, examine).seen;
+    topology.edges /= 2;
+    return topology;
 }
 
 }  // namespace meniscus

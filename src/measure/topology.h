@@ -21,7 +21,7 @@ struct MeshTopology {
 /// vertex without triangles is not manifold. A mesh of nothing is both.
 ///
 /// Precondition: every corner is below vertex_count.
-/// cost     O(n) for a mesh of bounded vertex degree, O(n log n) else; 14 bytes of scratch memory per triangle
+/// cost     O(n) for a mesh of bounded vertex degree, O(n log n) else; a byte of scratch memory per triangle
 MeshTopology examine_topology(std::size_t vertex_count, std::span<const Triangle> triangles);
 
 }  // namespace meniscus

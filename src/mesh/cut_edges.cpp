@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/parallel.h"
-#include "mesh/cell_cases.h"
 
 namespace meniscus {
 namespace {
@@ -85,12 +84,6 @@ std::size_t find_cut_edges(const Rows& rows, CutEdges& edges) {
     return count;
 }
 
-std::size_t count_triangles(const Rows& rows) {
-    std::size_t count = 0;
-    for_each_cut_cell(rows, [&](std::size_t, unsigned c) { count += kCellCases[c].count; });
-    return count;
-}
-
 }  // namespace
 
 std::vector<NodeBits> inside_bits(const BlockGrid& grid, std::span<const float> values) {
@@ -128,14 +121,9 @@ std::vector<CutEdges> find_cut_edges(const BlockGrid& grid, std::span<const Node
         const Rows rows = rows_of(grid, inside, b);
         if (!rows.mixed) return;
         edges[b].first_vertex = find_cut_edges(rows, edges[b]);  // counts for now
-        edges[b].first_triangle = count_triangles(rows);
     });
     std::size_t vertices = 0;
-    std::size_t triangles = 0;
-    for (CutEdges& e : edges) {
-        vertices += std::exchange(e.first_vertex, vertices);
-        triangles += std::exchange(e.first_triangle, triangles);
-    }
+    for (CutEdges& e : edges) vertices += std::exchange(e.first_vertex, vertices);
     return edges;
 }
 

@@ -48,7 +48,6 @@ struct CutEdges {
     std::array<NodeBits, 3> bits{};                               ///< by direction and the node nearer to the corner
     std::array<std::array<std::uint16_t, kBlockEdge>, 3> rank{};  ///< vertices before each word
     std::size_t first_vertex = 0;                                 ///< number of the block's first vertex
-    std::size_t first_triangle = 0;
 };
 
 /// Calls visit(bit) for every bit that is set, in rising order.
@@ -84,7 +83,7 @@ std::vector<NodeBits> inside_bits(const BlockGrid& grid, std::span<const float> 
 /// The rows of one block, given the inside bits of all.
 Rows rows_of(const BlockGrid& grid, std::span<const NodeBits> inside, std::size_t block);
 
-/// Cut edges of all blocks. One entry more than blocks: the last one's first_vertex and first_triangle are the totals.
+/// Cut edges of all blocks. One entry more than blocks: the last one's first_vertex is the total.
 std::vector<CutEdges> find_cut_edges(const BlockGrid& grid, std::span<const NodeBits> inside);
 
 }  // namespace meniscus

@@ -17,7 +17,8 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kGrain = 32;  // blocks per task: some tens of microseconds
+constexpr std::size_t kGrain = 16;  // blocks per task: some tens of microseconds
+constexpr std::size_t kTasks = 32;  // at once: what they make stays in a core's cache until it is appended
 
 // Vertices on the cut edges of a block and of the nodes next to it: entry direction * kLocalNodes + local_node.
 // Only the entries of cut edges are ever set or read.
@@ -54,24 +55,45 @@ void enter_neighbour(const CutEdges& edges, std::size_t octant, LocalVertices& l
         }
 }
 
-// Writes the part of the mesh that belongs to one block.
+// What belongs to some blocks in a row.
+struct MeshPart {
+    std::vector<Vec3> vertices;
+    std::vector<Triangle> triangles;
+
+    void append_to(Mesh& mesh) const {
+        mesh.vertices.insert(mesh.vertices.end(), vertices.begin(), vertices.end());
+        mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
+    }
+};
+
+// Makes the part of the mesh that belongs to one block.
 class BlockFiller {
 public:
-    BlockFiller(const BlockGrid& grid, std::span<const float> values, std::span<const CutEdges> edges, Mesh& mesh)
-        : grid_(grid), values_(values), edges_(edges), mesh_(mesh) {}
+    BlockFiller(const BlockGrid& grid, std::span<const float> values, std::span<const CutEdges> edges)
+        : grid_(grid), values_(values), edges_(edges) {}
 
-    void fill(std::size_t block, const Rows& rows) const {
+    void fill(std::size_t block, const Rows& rows, MeshPart& part) const {
+        fetch_values(block + 1);
         LocalVertices local;
-        place_vertices(block, local);
+        const std::size_t before = part.vertices.size();
+        part.vertices.resize(before + edges_[block + 1].first_vertex - edges_[block].first_vertex);
+        place_vertices(block, local, part.vertices.data() + before);
         const auto& around = grid_.neighbours(static_cast<BlockId>(block));
         for (std::size_t octant = 1; octant < 8; ++octant)
             if (rows.exists[octant]) enter_neighbour(edges_[upper_neighbour(around, octant)], octant, local);
-        connect(block, rows, local);
+        connect(rows, local, part.triangles);
     }
 
 private:
+    // Starts to bring a block into the cache: edges are cut here and there, which no processor foresees.
+    void fetch_values(std::size_t block) const {
+        constexpr std::size_t kLine = 16;  // values
+        const std::size_t end = std::min((block + 1) * kBlockNodes, values_.size());
+        for (std::size_t i = block * kBlockNodes; i < end; i += kLine) __builtin_prefetch(values_.data() + i);
+    }
+
     // Numbers the block's own vertices and sets their positions.
-    void place_vertices(std::size_t block, LocalVertices& local) const {
+    void place_vertices(std::size_t block, LocalVertices& local, Vec3* out) const {
         const Vec3 corner = grid_.corner(static_cast<BlockId>(block));
         std::size_t vertex = edges_[block].first_vertex;
         for (std::size_t d = 0; d < 3; ++d)
@@ -79,10 +101,10 @@ private:
                 for_each_bit(edges_[block].bits[d][z], [&](std::size_t bit) {
                     const std::size_t x = bit % kBlockEdge;
                     const std::size_t y = bit / kBlockEdge;
-                    local[d * kLocalNodes + local_node(x, y, z)] = static_cast<VertexId>(vertex);
+                    local[d * kLocalNodes + local_node(x, y, z)] = static_cast<VertexId>(vertex++);
                     std::array<double, 3> at{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
                     at[d] += root_fraction(block, d, bit + z * kBlockEdge * kBlockEdge);
-                    mesh_.vertices[vertex++] = corner + grid_.spacing() * Vec3{at[0], at[1], at[2]};
+                    *out++ = corner + grid_.spacing() * Vec3{at[0], at[1], at[2]};
                 });
     }
 
@@ -103,8 +125,9 @@ private:
         return values_[next * kBlockNodes + (node & ~last)];
     }
 
-    void connect(std::size_t block, const Rows& rows, const LocalVertices& local) const {
-        Triangle* out = mesh_.triangles.data() + edges_[block].first_triangle;
+    static void connect(const Rows& rows, const LocalVertices& local, std::vector<Triangle>& triangles) {
+        std::array<Triangle, std::size_t{kMaxCellTriangles} * kBlockNodes> buffer;
+        Triangle* out = buffer.data();
         for_each_cut_cell(rows, [&](std::size_t cell, unsigned c) {
             const CellCase& cut = kCellCases[c];
             for (std::size_t t = 0; t < cut.count; ++t) {
@@ -112,13 +135,16 @@ private:
                 *out++ = {local[cell + kEdgeOffsets[e]], local[cell + kEdgeOffsets[f]], local[cell + kEdgeOffsets[g]]};
             }
         });
+        triangles.insert(triangles.end(), buffer.data(), out);
     }
 
     const BlockGrid& grid_;
     std::span<const float> values_;
     std::span<const CutEdges> edges_;
-    Mesh& mesh_;
 };
+
+// Of a closed surface, whose genus is small against its size; else memory is found anew.
+std::size_t likely_triangles(std::size_t vertices) { return 2 * vertices + vertices / 16; }
 
 }  // namespace
 
@@ -130,13 +156,20 @@ Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values) {
         throw LimitError("the mesh would have " + std::to_string(totals.first_vertex) +
                          " vertices, more than 2^32 - 1; choose a larger --spacing");
     Mesh mesh;
-    mesh.vertices.resize(totals.first_vertex);
-    mesh.triangles.resize(totals.first_triangle);
-    const BlockFiller filler(grid, values, edges, mesh);
-    parallel_for(grid.block_count(), kGrain, [&](std::size_t b) {
-        const Rows rows = rows_of(grid, inside, b);
-        if (rows.mixed) filler.fill(b, rows);
-    });
+    mesh.vertices.reserve(totals.first_vertex);
+    mesh.triangles.reserve(likely_triangles(totals.first_vertex));
+    const BlockFiller filler(grid, values, edges);
+    std::vector<MeshPart> parts(kTasks);
+    for (std::size_t first = 0; first < grid.block_count(); first += kTasks * kGrain) {
+        parallel_for(kTasks, 1, [&](std::size_t task) {
+            parts[task].vertices.clear();
+            parts[task].triangles.clear();
+            const std::size_t begin = first + task * kGrain;
+            for (std::size_t b = begin; b < std::min(begin + kGrain, grid.block_count()); ++b)
+                if (const Rows rows = rows_of(grid, inside, b); rows.mixed) filler.fill(b, rows, parts[task]);
+        });
+        for (const MeshPart& part : parts) part.append_to(mesh);
+    }
     return mesh;
 }
 

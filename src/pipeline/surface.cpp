@@ -201,7 +201,7 @@ private:
 
     void make_mesh(Field field) {
         Mesh zero_set = extract_zero_set(*field.grid, field.values);
-        field.values = {};  // the mesh grows into their memory
+        std::vector<float>().swap(field.values);  // the mesh grows into their memory
         const SurfaceProjector project = surface_projector(*accessible_, field.level_set.get(), options_.spacing);
         if (options_.remesh.is_on()) zero_set = remesh(zero_set, options_.remesh, project);
         SurfaceMesh meshed = mesh_surface(*accessible_, std::move(zero_set), field.level_set.get(),
