@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "core/parallel.h"
 
@@ -21,6 +22,10 @@ constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding
 // Clamps to ±limit; a NaN (0/0 on the SAS itself) becomes the limit.
 double clamped(double value, double limit) { return value > -limit ? (value < limit ? value : limit) : -limit; }
 
+// Of a unit's middle from its first node, in spacings.
+constexpr double kHalfEdge = 0.5 * (BlockDistance::kUnitEdge - 1);
+constexpr Vec3 kToMiddle{kHalfEdge, kHalfEdge, kHalfEdge};
+
 Box box_of_nodes(const Vec3& corner, int edge, double spacing) {
     const double length = (edge - 1) * spacing;
     return {corner, corner + Vec3{length, length, length}};
@@ -31,18 +36,17 @@ Vec3 unit_steps(int unit) {
     return BlockDistance::kUnitEdge * Vec3{1.0 * (unit & 1), 1.0 * (unit >> 1 & 1), 1.0 * (unit >> 2)};
 }
 
-// Calls visit(point of the unit, node of the block).
+// Calls visit(node of the unit, node of the block) for the first node of each row along x.
 template <class Visit>
-void for_each_node(int unit, const Visit& visit) {
+void for_each_row(int unit, const Visit& visit) {
     constexpr int kEdge = BlockDistance::kUnitEdge;
     const int first = kEdge * node_in_block(unit & 1, unit >> 1 & 1, unit >> 2);
     std::size_t point = 0;
     for (int z = 0; z < kEdge; ++z)
-        for (int y = 0; y < kEdge; ++y)
-            for (int x = 0; x < kEdge; ++x) {
-                const int node = first + node_in_block(x, y, z);
-                visit(point++, static_cast<std::size_t>(node));
-            }
+        for (int y = 0; y < kEdge; ++y, point += kEdge) {
+            const int node = first + node_in_block(0, y, z);
+            visit(point, static_cast<std::size_t>(node));
+        }
 }
 
 // Of a node of a unit from its first one, in spacings.
@@ -53,15 +57,15 @@ Vec3 node_offset(int n) {
     return {static_cast<double>(n % kEdge), static_cast<double>(y), static_cast<double>(z)};
 }
 
-// Blocks in cubes of a power of two on an edge, for which features are gathered together.
+// Blocks in cubes of a power of two on an edge, for which features are gathered together, and in halves of these cubes.
 class BlockGroups {
 public:
-    explicit BlockGroups(const BlockGrid& grid) : shift_(shift_of(grid.spacing())), blocks_(grid.block_count()) {
+    explicit BlockGroups(const BlockGrid& grid)
+        : grid_(grid), shift_(shift_of(grid.spacing())), blocks_(grid.block_count()) {
         std::iota(blocks_.begin(), blocks_.end(), BlockId{0});
-        const auto group = [&](BlockId b) { return group_of(grid.coord(b)); };
-        std::stable_sort(blocks_.begin(), blocks_.end(), [&](BlockId a, BlockId b) { return group(a) < group(b); });
+        std::stable_sort(blocks_.begin(), blocks_.end(), [&](BlockId a, BlockId b) { return place(a) < place(b); });
         for (std::size_t i = 0; i < blocks_.size(); ++i)
-            if (i == 0 || group(blocks_[i - 1]) != group(blocks_[i])) begins_.push_back(i);
+            if (i == 0 || place(blocks_[i - 1]).first != place(blocks_[i]).first) begins_.push_back(i);
         begins_.push_back(blocks_.size());
     }
 
@@ -69,19 +73,49 @@ public:
     std::span<const BlockId> blocks(std::size_t group) const {
         return std::span(blocks_).subspan(begins_[group], begins_[group + 1] - begins_[group]);
     }
+    // Calls visit(blocks) for each part of a group.
+    template <class Visit>
+    void for_each_part(std::size_t group, const Visit& visit) const {
+        std::size_t begin = begins_[group];
+        for (std::size_t i = begin + 1; i <= begins_[group + 1]; ++i)
+            if (i == begins_[group + 1] || place(blocks_[i]) != place(blocks_[begin])) {
+                visit(std::span(blocks_).subspan(begin, i - begin));
+                begin = i;
+            }
+    }
 
 private:
+    static constexpr int kPartShift = 1;
+
+    // Of a block's group, and of its part.
+    std::pair<BlockCoord, BlockCoord> place(BlockId b) const {
+        const BlockCoord& c = grid_.coord(b);
+        return {coarser(c, shift_), coarser(c, std::max(0, shift_ - kPartShift))};
+    }
+    static BlockCoord coarser(const BlockCoord& c, int shift) { return {c.z >> shift, c.y >> shift, c.x >> shift}; }
     static int shift_of(double spacing) {
         int shift = 0;
         while (shift < kLongestShift && 2.0 * (kBlockEdge << shift) * spacing <= kLargestGroup) ++shift;
         return shift;
     }
-    BlockCoord group_of(const BlockCoord& c) const { return {c.z >> shift_, c.y >> shift_, c.x >> shift_}; }
 
+    const BlockGrid& grid_;
     int shift_;
     std::vector<BlockId> blocks_;
     std::vector<std::size_t> begins_;
 };
+
+Box box_of_blocks(const BlockGrid& grid, std::span<const BlockId> blocks) {
+    Box box;
+    for (const BlockId b : blocks) box.include(box_of_nodes(grid.corner(b), kBlockEdge, grid.spacing()));
+    return box;
+}
+
+BlockSamples samples_of(DistanceBand& band, BlockId block) {
+    const std::size_t first = std::size_t{block} * kBlockNodes;
+    return {std::span<float, kBlockNodes>(band.distance.data() + first, kBlockNodes),
+            band.curvature.empty() ? std::span<float>() : std::span(band.curvature).subspan(first, kBlockNodes)};
+}
 
 }  // namespace
 
@@ -90,56 +124,107 @@ BlockDistance::BlockDistance(const AccessibleSurface& surface, double spacing, d
       margin_(margin),
       half_unit_(kAboveOne * 0.5 * std::numbers::sqrt3 * (kUnitEdge - 1) * spacing),
       around_(surface, margin + half_unit_),
+      part_(surface, margin + half_unit_),
       block_(surface, margin + half_unit_),
       batch_(surface) {
-    for (int n = 0; n < kUnitNodes; ++n) offsets_[n] = spacing * node_offset(n);
+    const double near_foot = (surface.probe() - margin) / kAboveOne;
+    if (near_foot > 0.0) near_foot2_ = near_foot * near_foot;
+    for (int n = 0; n < kUnitNodes; ++n) {
+        offsets_[n] = spacing * node_offset(n);
+        const Vec3 step = spacing * (node_offset(n) - kToMiddle);
+        from_middle_[n] = kAboveOne * norm(step);
+        steps_.x[n] = step.x;
+        steps_.y[n] = step.y;
+        steps_.z[n] = step.z;
+    }
 }
 
 // The distance changes by at most 1 per Å: that of its middle settles a unit that is far from the band.
 void BlockDistance::screen_units(const Vec3& corner) {
-    const double to_middle = 0.5 * (kUnitEdge - 1);
-    Vec3 middles[kUnits];
+    Vec3 points[kUnits];
     Box box;
     for (int u = 0; u < kUnits; ++u) {
-        middles[u] = corner + spacing_ * (unit_steps(u) + to_middle * Vec3{1.0, 1.0, 1.0});
-        box.include(middles[u]);
+        points[u] = corner + spacing_ * (unit_steps(u) + kToMiddle);
+        box.include(points[u]);
     }
     const Claim all = batch_.start(block_, box, block_.margin());
-    if (all == Claim::Open) batch_.find(middles);
-    for (std::size_t u = 0; u < kUnits; ++u) sides_[u] = all == Claim::Open ? batch_.claim(u) : all;
+    if (all == Claim::Open) batch_.find(points);
+    for (std::size_t u = 0; u < kUnits; ++u) {
+        middles_[u].side = all == Claim::Open ? batch_.claim(u) : all;
+        if (all != Claim::Open || !batch_.found(u)) continue;
+        middles_[u].distance = batch_.signed_distance(u);
+        middles_[u].to_foot = batch_.foot(u) - points[u];
+    }
 }
 
 void BlockDistance::evaluate(const Vec3& corner, const BlockSamples& samples) {
-    block_.gather_from(around_, box_of_nodes(corner, kBlockEdge, spacing_));
+    curved_ = !samples.curvature.empty();
+    block_.gather_from(part_, box_of_nodes(corner, kBlockEdge, spacing_));
     screen_units(corner);
     for (int u = 0; u < kUnits; ++u) evaluate_unit(u, corner + spacing_ * unit_steps(u), samples);
 }
 
 void BlockDistance::evaluate_unit(int unit, const Vec3& corner, const BlockSamples& samples) {
-    Claim side = sides_[unit];
+    Claim side = middles_[unit].side;
     if (side != Claim::Below && side != Claim::Above)
         side = batch_.start(block_, box_of_nodes(corner, kUnitEdge, spacing_), margin_);
     if (side == Claim::Below || side == Claim::Above) return fill_unit(unit, side, samples);
-    for (int n = 0; n < kUnitNodes; ++n) points_[n] = corner + offsets_[n];
-    batch_.find(points_);
-    for_each_node(unit, [&](std::size_t point, std::size_t node) { write(point, node, samples); });
+    screen_nodes(middles_[unit]);
+    choose_points(corner);
+    sample_points();
+    write_unit(unit, samples);
 }
 
 void BlockDistance::fill_unit(int unit, Claim side, const BlockSamples& samples) const {
     const auto distance = static_cast<float>(side == Claim::Below ? -margin_ : margin_);
-    for_each_node(unit, [&](std::size_t, std::size_t node) {
-        samples.distance[node] = distance;
-        if (!samples.curvature.empty()) samples.curvature[node] = 0.0F;
+    for_each_row(unit, [&](std::size_t, std::size_t node) {
+        std::fill_n(&samples.distance[node], kUnitEdge, distance);
+        if (curved_) std::fill_n(&samples.curvature[node], kUnitEdge, 0.0F);
     });
 }
 
-void BlockDistance::write(std::size_t point, std::size_t node, const BlockSamples& samples) const {
-    const double side = batch_.claim(point) == Claim::Below ? -margin_ : margin_;
-    const double s = batch_.found(point) ? batch_.signed_distance(point) : side;
-    samples.distance[node] = static_cast<float>(clamped(s, margin_));
-    if (samples.curvature.empty()) return;
-    const bool within = std::abs(s) < margin_;
-    samples.curvature[node] = within ? static_cast<float>(clamped(batch_.mean_curvature(point), 1.0 / spacing_)) : 0.0F;
+// By the change of at most 1 per Å from the middle, and by the middle's foot, which is a point of K.
+void BlockDistance::screen_nodes(const Middle& middle) {
+    const double beyond = std::abs(middle.distance) - margin_;
+    const Vec3 foot = middle.to_foot;
+    const bool below = middle.distance <= -margin_;
+    const double near = below ? kNever : near_foot2_;
+    for (std::size_t n = 0; n < kUnitNodes; ++n) {
+        const double x = steps_.x[n] - foot.x;
+        const double y = steps_.y[n] - foot.y;
+        const double z = steps_.z[n] - foot.z;
+        const double over_near = x * x + y * y + z * z - near;
+        const double over_beyond = from_middle_[n] - beyond;
+        const double over = over_near < over_beyond ? over_near : over_beyond;  // the latter if the foot is not finite
+        within_[n] = over > 0.0 ? -1 : 0;
+    }
+    std::fill_n(distances_, kUnitNodes, static_cast<float>(below ? -margin_ : margin_));
+    if (curved_) std::fill_n(curvatures_, kUnitNodes, 0.0F);
+}
+
+void BlockDistance::choose_points(const Vec3& corner) {
+    count_ = marked_positions(within_, nodes_);
+    for (std::size_t i = 0; i < count_; ++i) points_[i] = corner + offsets_[nodes_[i]];
+}
+
+void BlockDistance::sample_points() {
+    if (count_ == 0) return;
+    batch_.find(std::span(points_).first(count_));
+    for (std::size_t i = 0; i < count_; ++i) distances_[nodes_[i]] = static_cast<float>(batch_.clamped_distance(i));
+    if (!curved_) return;
+    batch_.find_curvatures();
+    for (std::size_t i = 0; i < count_; ++i) {
+        const double curvature = clamped(batch_.mean_curvature(i), 1.0 / spacing_);
+        const bool within = std::abs(batch_.clamped_distance(i)) < margin_;
+        curvatures_[nodes_[i]] = within ? static_cast<float>(curvature) : 0.0F;
+    }
+}
+
+void BlockDistance::write_unit(int unit, const BlockSamples& samples) const {
+    for_each_row(unit, [&](std::size_t point, std::size_t node) {
+        std::copy_n(distances_ + point, kUnitEdge, &samples.distance[node]);
+        if (curved_) std::copy_n(curvatures_ + point, kUnitEdge, &samples.curvature[node]);
+    });
 }
 
 DistanceBand sample_distance(const AccessibleSurface& surface, const BlockGrid& grid, double margin,
@@ -152,17 +237,11 @@ DistanceBand sample_distance(const AccessibleSurface& surface, const BlockGrid& 
     parallel_chunks(groups.size(), kGroupsPerChunk, [&](std::size_t begin, std::size_t end) {
         const auto evaluator = std::make_unique<BlockDistance>(surface, grid.spacing(), margin);
         for (std::size_t g = begin; g < end; ++g) {
-            Box box;
-            for (const BlockId b : groups.blocks(g))
-                box.include(box_of_nodes(grid.corner(b), kBlockEdge, grid.spacing()));
-            evaluator->enter(box);
-            for (const BlockId b : groups.blocks(g)) {
-                const std::size_t first = std::size_t{b} * kBlockNodes;
-                evaluator->evaluate(grid.corner(b),
-                                    {std::span<float, kBlockNodes>(band.distance.data() + first, kBlockNodes),
-                                     band.curvature.empty() ? std::span<float>()
-                                                            : std::span(band.curvature).subspan(first, kBlockNodes)});
-            }
+            evaluator->enter(box_of_blocks(grid, groups.blocks(g)));
+            groups.for_each_part(g, [&](std::span<const BlockId> blocks) {
+                evaluator->enter_part(box_of_blocks(grid, blocks));
+                for (const BlockId b : blocks) evaluator->evaluate(grid.corner(b), samples_of(band, b));
+            });
         }
     });
     return band;

@@ -42,8 +42,9 @@ class BlockDistance {
 public:
     BlockDistance(const AccessibleSurface& surface, double spacing, double margin);
 
-    /// Goes to a box whose blocks will be evaluated.
+    /// Goes to a box, then to a part of it, whose blocks will be evaluated.
     void enter(const Box& box) { around_.gather(box); }
+    void enter_part(const Box& box) { part_.gather_from(around_, box); }
 
     /// corner: position of node (0, 0, 0)
     void evaluate(const Vec3& corner, const BlockSamples& samples);
@@ -56,20 +57,43 @@ public:
 private:
     using Claim = NearestBatch::Claim;
 
+    static constexpr double kNever = -1.0;  // no squared distance is below
+
+    // What is known of a unit from its middle.
+    struct Middle {
+        Claim side = Claim::Open;  // Below and Above are for all nodes of the unit
+        double distance = 0.0;     // signed, Å
+        Vec3 to_foot;              // nearest point of K
+    };
+
     void screen_units(const Vec3& corner);
     void evaluate_unit(int unit, const Vec3& corner, const BlockSamples& samples);
     void fill_unit(int unit, Claim side, const BlockSamples& samples) const;
-    void write(std::size_t point, std::size_t node, const BlockSamples& samples) const;
+    void screen_nodes(const Middle& middle);
+    void choose_points(const Vec3& corner);
+    void sample_points();
+    void write_unit(int unit, const BlockSamples& samples) const;
 
     double spacing_;
     double margin_;
-    double half_unit_;      // Å: half a unit's diagonal
-    LocalFeatures around_;  // of many blocks
+    double half_unit_;            // Å: half a unit's diagonal
+    double near_foot2_ = kNever;  // Å²: of nodes so near to a point of K that they are above the margin
+    bool curved_ = false;         // whether the curvature is asked for
+    LocalFeatures around_;        // of many blocks
+    LocalFeatures part_;          // of fewer of them
     LocalFeatures block_;
     NearestBatch batch_;
-    Vec3 offsets_[kUnitNodes];  // of the unit's nodes from its first
-    Vec3 points_[kUnitNodes];
-    Claim sides_[kUnits];  // Below and Above are for all nodes of the unit
+    Middle middles_[kUnits];
+
+    Vec3 offsets_[kUnitNodes];        // of the unit's nodes from its first
+    double from_middle_[kUnitNodes];  // Å: of the same from the unit's middle, rounded up
+    LanePoints<double> steps_;        // the same, as vectors
+    float distances_[kUnitNodes];     // of the unit's nodes
+    float curvatures_[kUnitNodes];
+    std::int64_t within_[kUnitNodes];  // whether a node may be within the margin
+    std::uint32_t nodes_[kUnitNodes];  // those that may
+    std::size_t count_ = 0;            // how many they are
+    Vec3 points_[kUnitNodes];          // where they are
 };
 
 }  // namespace meniscus

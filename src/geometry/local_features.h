@@ -13,6 +13,17 @@
 
 namespace meniscus {
 
+/// Writes the positions of marks that are set and returns how many they are; there must be room for all. Without a
+/// branch, for nobody could predict it.
+inline std::size_t marked_positions(std::span<const std::int64_t> marks, std::uint32_t* positions) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        positions[count] = static_cast<std::uint32_t>(i);
+        count += marks[i] != 0 ? 1 : 0;
+    }
+    return count;
+}
+
 /// A list of features, each a few numbers and its index: one array per number, which vectors can read. Refilled again
 /// and again without setting its memory.
 template <std::size_t kColumns>
@@ -33,16 +44,13 @@ public:
         for (std::size_t c = 0; c < kColumns; ++c) columns_[c][size_] = row[c];
         indices_[size_++] = index;
     }
-    /// Becomes the marked items of a list, in order. Without a branch, for nobody could predict it.
+    /// Becomes the marked items of a list, in order.
     void select(const FeatureList& from, std::span<const std::int64_t> marks) {
         reserve(from.size());
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < from.size(); ++i) {
-            for (std::size_t c = 0; c < kColumns; ++c) columns_[c][count] = from.columns_[c][i];
-            indices_[count] = from.indices_[i];
-            count += marks[i] != 0 ? 1 : 0;
-        }
-        size_ = count;
+        size_ = marked_positions(marks.first(from.size()), indices_.data());
+        for (std::size_t c = 0; c < kColumns; ++c)
+            for (std::size_t i = 0; i < size_; ++i) columns_[c][i] = from.columns_[c][indices_[i]];
+        for (std::size_t i = 0; i < size_; ++i) indices_[i] = from.indices_[indices_[i]];
     }
 
 private:

@@ -3,9 +3,9 @@
 #include "geometry/nearest_batch.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "geometry/parallel_curvature.h"
 
@@ -22,11 +22,6 @@ void set_point(LanePoints<T>& points, std::size_t lane, const Vec3& p) {
 template <class T>
 Vec3 get_point(const LanePoints<T>& points, std::size_t lane) {
     return {points.x[lane], points.y[lane], points.z[lane]};
-}
-
-template <class Visit>
-void for_each_bit(std::uint64_t bits, const Visit& visit) {
-    for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
 }  // namespace
@@ -54,13 +49,9 @@ void NearestBatch::choose_contenders(double deepest) {
     const double enough = deepest - 2.0 * half_diagonal_ * (1.0 + 1e-9);
     const SphereList& balls = local_->balls();
     marks_.resize(std::max(marks_.size(), balls.size()));
-    double extent = 0.0;
-    for (std::size_t b = 0; b < balls.size(); ++b) {
-        const double depth = depths_in_middle_[b];
-        marks_[b] = depth >= enough ? 1 : 0;
-        extent = std::max(extent, half_diagonal_ + 2.0 * balls.column(3)[b] - depth);
-    }
+    for (std::size_t b = 0; b < balls.size(); ++b) marks_[b] = depths_in_middle_[b] >= enough ? 1 : 0;
     contenders_.select(balls, marks_);
+    const double extent = half_diagonal_ + 2.0 * data_->rho_max - enough;
     // With coordinates up to m from the middle and u = 2^-24, differences are off by 2 u m each, their norm by
     // (2 √3 + 3) u m, the depth by less than 8 u (m + rho).
     depth_error_ = 8.0 * 0x1p-24 * extent;
@@ -70,40 +61,37 @@ void NearestBatch::find(std::span<const Vec3> points) {
     points_ = points;
     load(points);
     kernels_.find_depths(small_, small_points_, points.size(), depths_);
-    assign_to_balls();
-    open_count_ = 0;
-    claim_by_balls();
+    group_points();
+    sort_by_groups();
+    claim_by_groups();
     if (open_count_ > 0) offer_edges();
     claim_by_edges();
 }
 
 void NearestBatch::load(std::span<const Vec3> points) {
-    small_.clear();
+    small_.resize(contenders_.size());
     for (std::size_t b = 0; b < contenders_.size(); ++b) {
         const Vec3 from = position_in(contenders_, b) - middle_;
-        small_.push_back({static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z),
-                          static_cast<float>(contenders_.column(3)[b])});
+        small_[b] = {static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z),
+                     static_cast<float>(contenders_.column(3)[b])};
     }
     for (std::size_t i = 0; i < points.size(); ++i) set_point(small_points_, i, points[i] - middle_);
 }
 
-// Settles what single precision can settle: which points are beyond the margin, and whose the others are.
-void NearestBatch::assign_to_balls() {
-    points_of_.assign(contenders_.size(), 0);
-    const double above = -beyond_ - depth_error_;
-    const double below = data_->probe + margin_ + depth_error_;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        const float depth = depths_.first[i];
-        claims_[i] = depth < above ? Claim::Above : depth > below ? Claim::Below : Claim::Open;
-        if (claims_[i] != Claim::Open) continue;
-        if (depth - depths_.second[i] > 2.0 * depth_error_)  // false for NaN, too
-            points_of_[static_cast<std::size_t>(depths_.ball[i])] |= std::uint64_t{1} << i;
-        else
-            assign_exactly(i);
-    }
+// Settles what single precision can settle: which points are beyond the margin, and whose the others may be.
+void NearestBatch::group_points() {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    const auto above = static_cast<float>(-beyond_ - depth_error_);
+    const auto below = static_cast<float>(data_->probe + margin_ + depth_error_);
+    const auto lead = static_cast<float>(2.0 * depth_error_);
+    const DepthLimits limits{.above = std::nextafter(above, -kInfinity),
+                             .below = std::nextafter(below, kInfinity),
+                             .lead = std::nextafter(lead, kInfinity),
+                             .balls = static_cast<std::int32_t>(contenders_.size())};
+    kernels_.group_points(depths_, limits, points_.size(), groups_);
 }
 
-void NearestBatch::assign_exactly(std::size_t point) {
+std::size_t NearestBatch::deepest_exactly(std::size_t point) const {
     double best = -std::numeric_limits<double>::infinity();
     std::size_t deepest = 0;
     for (std::size_t b = 0; b < contenders_.size(); ++b) {
@@ -111,37 +99,62 @@ void NearestBatch::assign_exactly(std::size_t point) {
         if (depth > best) deepest = b;
         best = std::max(best, depth);
     }
-    points_of_[deepest] |= std::uint64_t{1} << point;
+    return deepest;
 }
 
-void NearestBatch::claim_by_balls() {
-    for (std::size_t b = 0; b < contenders_.size(); ++b)
-        if (points_of_[b] != 0) claim_by_ball(b);
+// A counting sort.
+void NearestBatch::sort_by_groups() {
+    ends_.assign(contenders_.size() + kSpecialGroups, 0);
+    for (std::size_t i = 0; i < points_.size(); ++i) ++ends_[static_cast<std::size_t>(groups_[i])];
+    std::exclusive_scan(ends_.begin(), ends_.end(), ends_.begin(), std::size_t{0});
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const std::size_t lane = ends_[static_cast<std::size_t>(groups_[i])]++;
+        sorted_[lane] = static_cast<std::uint32_t>(i);
+        set_point(lanes_, lane, points_[i]);
+    }
 }
 
-void NearestBatch::claim_by_ball(std::size_t contender) {
-    const std::uint64_t points = points_of_[contender];
-    std::size_t count = 0;
-    for_each_bit(points, [&](std::size_t i) { set_point(lanes_, count++, points_[i]); });
+LaneRange NearestBatch::lanes_of(std::size_t group) const { return {group == 0 ? 0 : ends_[group - 1], ends_[group]}; }
+
+void NearestBatch::claim_by_groups() {
+    open_count_ = 0;
+    const std::size_t balls = contenders_.size();
+    for (std::size_t b = 0; b < balls; ++b)
+        if (const LaneRange lanes = lanes_of(b); lanes.end > lanes.begin) claim_by_ball(b, lanes);
+    claim_by_side(Claim::Above, lanes_of(balls + kAboveGroup));
+    claim_by_side(Claim::Below, lanes_of(balls + kBelowGroup));
+    const LaneRange doubtful = lanes_of(balls + kDoubtfulGroup);
+    for (std::size_t lane = doubtful.begin; lane < doubtful.end; ++lane)
+        claim_by_ball(deepest_exactly(sorted_[lane]), {lane, lane + 1});
+}
+
+void NearestBatch::claim_by_side(Claim side, const LaneRange& lanes) {
+    for (std::size_t lane = lanes.begin; lane < lanes.end; ++lane) {
+        claims_[sorted_[lane]] = side;
+        signed_distances_[sorted_[lane]] = side == Claim::Above ? margin_ : -margin_;
+    }
+}
+
+// Without a branch, for nobody could predict it.
+void NearestBatch::claim_by_ball(std::size_t contender, const LaneRange& lanes) {
     const std::uint32_t atom = contenders_.index(contender);
     const bool exposed = data_->exposed[atom] != 0;
     const auto caps = exposed ? data_->caps_of(atom) : std::span<const Cap>();
-    kernels_.find_directions(position_in(contenders_, contender), caps, lanes_, count, directions_);
-    std::size_t lane = 0;
-    for_each_bit(points, [&](std::size_t i) {
-        const double l = directions_.distance[lane];
-        const double depth = contenders_.column(3)[contender] - l;
-        const bool owned = depth <= 0.0 || (exposed && directions_.excess[lane] <= 0.0);
-        ++lane;
-        if (owned) {
-            signed_distances_[i] = data_->probe - depth;
-            claims_[i] = signed_distances_[i] < margin_ ? Claim::Ball : Claim::Above;
-            atoms_[i] = atom;
-        } else {
-            open_[open_count_] = static_cast<std::uint8_t>(i);
-            set_point(open_points_, open_count_++, points_[i]);
-        }
-    });
+    kernels_.find_directions(position_in(contenders_, contender), caps, lanes_, lanes, directions_);
+    const double rho = contenders_.column(3)[contender];
+    for (std::size_t lane = lanes.begin; lane < lanes.end; ++lane) {
+        const double depth = rho - directions_.distance[lane];
+        const bool owned = (depth <= 0.0) | (exposed & (directions_.excess[lane] <= 0.0));
+        const double s = data_->probe - depth;
+        const std::uint32_t i = sorted_[lane];
+        const Claim ball = s < margin_ ? Claim::Ball : Claim::Above;
+        claims_[i] = owned ? ball : Claim::Open;
+        signed_distances_[i] = s;
+        atoms_[i] = atom;
+        open_[open_count_] = i;
+        set_point(open_points_, open_count_, get_point(lanes_, lane));
+        open_count_ += owned ? 0 : 1;
+    }
 }
 
 void NearestBatch::offer_edges() {
@@ -154,15 +167,16 @@ void NearestBatch::offer_edges() {
 }
 
 void NearestBatch::choose_edges() {
-    marks_.resize(std::max({marks_.size(), local_->vertices().padded_size(), local_->arcs().padded_size()}));
-    kernels_.mark_reaching(local_->vertices(), margin_, box_, marks_.data());
-    vertices_.clear();
-    for (std::uint32_t v = 0; v < local_->vertices().size(); ++v)
-        if (marks_[v] != 0) vertices_.push_back(v);
-    kernels_.mark_overlapping(local_->arcs(), box_, marks_.data());
-    arcs_.clear();
-    for (std::uint32_t a = 0; a < local_->arcs().size(); ++a)
-        if (marks_[a] != 0) arcs_.push_back(local_->arcs().index(a));
+    const SphereList& vertices = local_->vertices();
+    const BoxList& arcs = local_->arcs();
+    marks_.resize(std::max({marks_.size(), vertices.padded_size(), arcs.padded_size()}));
+    kernels_.mark_reaching(vertices, margin_, box_, marks_.data());
+    vertices_.resize(vertices.size());
+    vertices_.resize(marked_positions(std::span(marks_).first(vertices.size()), vertices_.data()));
+    kernels_.mark_overlapping(arcs, box_, marks_.data());
+    arcs_.resize(arcs.size());
+    arcs_.resize(marked_positions(std::span(marks_).first(arcs.size()), arcs_.data()));
+    for (std::uint32_t& a : arcs_) a = arcs.index(a);
 }
 
 // Every vertex is a point of K: where one is near enough, no arc can bring the point back within the margin.
@@ -171,35 +185,54 @@ void NearestBatch::drop_above() {
     if (near <= 0.0) return;
     std::size_t kept = 0;
     for (std::size_t k = 0; k < open_count_; ++k) {
-        if (nearest_.squared_distance[k] <= near * near) {
-            claims_[open_[k]] = Claim::Above;
-            continue;
-        }
+        const bool above = nearest_.squared_distance[k] <= near * near;
+        claims_[open_[k]] = above ? Claim::Above : Claim::Open;
+        signed_distances_[open_[k]] = margin_;
         open_[kept] = open_[k];
         set_point(open_points_, kept, get_point(open_points_, k));
         nearest_.squared_distance[kept] = nearest_.squared_distance[k];
         nearest_.tag[kept] = nearest_.tag[k];
-        ++kept;
+        kept += above ? 0 : 1;
     }
     open_count_ = kept;
 }
 
 void NearestBatch::claim_by_edges() {
+    constexpr Claim kClaims[] = {Claim::Edge, Claim::Above, Claim::Below};  // without a branch
+    for (std::size_t k = 0; k < open_count_; ++k)
+        edge_distances_[k] = data_->probe - std::sqrt(nearest_.squared_distance[k]);
     for (std::size_t k = 0; k < open_count_; ++k) {
         const std::size_t i = open_[k];
-        const double s = data_->probe - std::sqrt(nearest_.squared_distance[k]);
-        claims_[i] = s >= margin_ ? Claim::Above : (s <= -margin_ ? Claim::Below : Claim::Edge);
+        const double s = edge_distances_[k];
+        claims_[i] = kClaims[(s >= margin_ ? 1 : 0) + (s <= -margin_ ? 2 : 0)];
         signed_distances_[i] = s;
         tags_[i] = nearest_.tag[k];
     }
 }
 
-double NearestBatch::mean_curvature(std::size_t point) const {
-    const double distance = data_->probe - signed_distances_[point];
-    if (claims_[point] == Claim::Ball) return contact_curvature(data_->rho[atoms_[point]] - distance);
-    if (!is_arc(tags_[point])) return reentrant_curvature(distance);
+// Each formula for all points, without asking whose they are: nobody could predict it.
+void NearestBatch::find_curvatures() {
+    for (std::size_t i = 0; i < points_.size(); ++i)
+        curvatures_[i] = contact_curvature(data_->rho[atoms_[i]] - (data_->probe - signed_distances_[i]));
+    for (std::size_t k = 0; k < open_count_; ++k) {
+        const double distance = data_->probe - edge_distances_[k];
+        const std::int64_t tag = nearest_.tag[k];
+        const double circle_radius = is_arc(tag) ? data_->arcs[arc_of(tag)].radius : 0.0;
+        const double toroidal = toroidal_curvature(circle_radius, nearest_.from_axis[k], distance);
+        curvatures_[open_[k]] = is_arc(tag) ? toroidal : reentrant_curvature(distance);
+    }
+}
+
+Vec3 NearestBatch::foot(std::size_t point) const {
+    const Vec3& p = points_[point];
+    if (claims_[point] == Claim::Ball) {
+        const Vec3& centre = data_->atoms.centres[atoms_[point]];
+        return centre + (data_->rho[atoms_[point]] / norm(p - centre)) * (p - centre);
+    }
+    if (!is_arc(tags_[point])) return data_->vertices[static_cast<std::size_t>(tags_[point])].position;
     const SasArc& arc = data_->arcs[arc_of(tags_[point])];
-    return toroidal_curvature(arc.radius, foot_on_arc(arc, points_[point]).from_axis, distance);
+    const ArcFoot on_arc = foot_on_arc(arc, p);
+    return arc.centre + (arc.radius / on_arc.from_axis) * on_arc.radial;
 }
 
 SurfaceStep NearestBatch::step_to_surface(std::size_t point) const {

@@ -6,6 +6,7 @@
 // the deepest ball is looked for in single precision: what that leaves in doubt is decided in double precision.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -37,23 +38,32 @@ public:
 
     /// Finds what is nearest to points of that box, at most kBatchLanes.
     void find(std::span<const Vec3> points);
+    /// Then finds their mean curvatures.
+    void find_curvatures();
 
     Claim claim(std::size_t point) const { return claims_[point]; }
     bool found(std::size_t point) const { return claims_[point] == Claim::Ball || claims_[point] == Claim::Edge; }
+    /// The signed distance of any point, clamped to ±margin.
+    double clamped_distance(std::size_t point) const { return std::clamp(signed_distances_[point], -margin_, margin_); }
     /// Precondition of the others: found.
     double signed_distance(std::size_t point) const { return signed_distances_[point]; }
-    double mean_curvature(std::size_t point) const;
+    double mean_curvature(std::size_t point) const { return curvatures_[point]; }  ///< once they were found
     NearestFeature feature(std::size_t point) const;
+    /// The nearest point of K. Not finite in the centre of a ball and on the axis of an arc.
+    Vec3 foot(std::size_t point) const;
     /// A step along the distance to the surface.
     SurfaceStep step_to_surface(std::size_t point) const;
 
 private:
     void choose_contenders(double deepest);
     void load(std::span<const Vec3> points);
-    void assign_to_balls();
-    void assign_exactly(std::size_t point);
-    void claim_by_balls();
-    void claim_by_ball(std::size_t contender);
+    void group_points();
+    void sort_by_groups();
+    LaneRange lanes_of(std::size_t group) const;
+    std::size_t deepest_exactly(std::size_t point) const;
+    void claim_by_groups();
+    void claim_by_side(Claim side, const LaneRange& lanes);
+    void claim_by_ball(std::size_t contender, const LaneRange& lanes);
     void offer_edges();
     void choose_edges();
     void drop_above();
@@ -73,7 +83,6 @@ private:
     std::vector<std::int64_t> marks_;       // per feature of a list: whether it may matter to the box
     SphereList contenders_;                 // balls that may be the deepest somewhere in the box
     std::vector<SmallBall> small_;          // the same
-    std::vector<std::uint64_t> points_of_;  // the same: a bit for every point in which it is the deepest
     std::vector<std::uint32_t> vertices_;   // positions in the lists' vertices
     std::vector<std::uint32_t> arcs_;
 
@@ -82,16 +91,21 @@ private:
     LaneArray<double> signed_distances_;
     LaneArray<std::uint32_t> atoms_;
     LaneArray<std::int64_t> tags_;
+    LaneArray<double> curvatures_;
 
     LanePoints<float> small_points_;
     Depths depths_;
-    LanePoints<double> lanes_;  // of the points of one ball
+    LaneArray<std::int32_t> groups_;   // per point
+    std::vector<std::size_t> ends_;    // per group: where it ends in lanes_
+    LaneArray<std::uint32_t> sorted_;  // points in the order of their groups
+    LanePoints<double> lanes_;         // the same
     Directions directions_;
 
     std::size_t open_count_ = 0;
-    LaneArray<std::uint8_t> open_;  // points that no ball owns
+    LaneArray<std::uint32_t> open_;  // points that no ball owns
     LanePoints<double> open_points_;
     NearestTags nearest_;
+    LaneArray<double> edge_distances_;  // the same, signed
 };
 
 }  // namespace meniscus

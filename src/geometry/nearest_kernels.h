@@ -3,7 +3,7 @@
 // The inner loops of NearestBatch, over up to 64 points at once, for several instruction sets.
 //
 // Every set gives the same bits: vectors hold different points or features, whose numbers never meet. Arrays are read
-// and written in whole vectors: up to the next multiple of 64 bytes, where there need not be anything of sense.
+// and written in whole vectors: up to 64 bytes beyond the end, where there need not be anything of sense.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +19,10 @@ namespace meniscus {
 
 inline constexpr std::size_t kBatchLanes = 64;
 
+/// Vectors may start at any lane: there is room for one that starts at the last.
 template <class T>
 struct alignas(64) LaneArray {
-    T at[kBatchLanes]{};
+    T at[kBatchLanes + 64 / sizeof(T)]{};
 
     T& operator[](std::size_t lane) { return at[lane]; }
     const T& operator[](std::size_t lane) const { return at[lane]; }
@@ -32,6 +33,11 @@ struct LanePoints {
     LaneArray<T> x;
     LaneArray<T> y;
     LaneArray<T> z;
+};
+
+struct LaneRange {
+    std::size_t begin = 0;
+    std::size_t end = 0;
 };
 
 /// A ball in single precision, relative to a point nearby.
@@ -50,6 +56,20 @@ struct Depths {
     LaneArray<std::int32_t> ball;
 };
 
+/// What depths tell about points: beyond which ones they are on one side of the margin, and by how much the deepest
+/// ball must lead.
+struct DepthLimits {
+    float above = 0.0F;
+    float below = 0.0F;
+    float lead = 0.0F;
+    std::int32_t balls = 0;  ///< their number
+};
+/// Where a point belongs: the position of its deepest ball, or, after the last ball, one of these.
+inline constexpr std::int32_t kAboveGroup = 0;
+inline constexpr std::int32_t kBelowGroup = 1;
+inline constexpr std::int32_t kDoubtfulGroup = 2;
+inline constexpr std::int32_t kSpecialGroups = 3;  ///< their number
+
 /// Per point, from a ball's centre: its distance, and by how much its direction exceeds the nearest cap's rim
 /// (max over caps of axis·q - t |q|): the direction is exposed where that is not positive.
 struct Directions {
@@ -57,10 +77,12 @@ struct Directions {
     LaneArray<double> excess;
 };
 
-/// Per point, the nearest of what was offered so far: its squared distance, and its tag.
+/// Per point, the nearest of what was offered so far: its squared distance, its tag, and, if it is an arc, how far the
+/// point is from the arc's axis.
 struct NearestTags {
     LaneArray<double> squared_distance;
     LaneArray<std::int64_t> tag;
+    LaneArray<double> from_axis;
 };
 inline std::int64_t vertex_tag(std::uint32_t vertex) { return vertex; }
 inline std::int64_t arc_tag(std::uint32_t arc) { return -1 - std::int64_t{arc}; }
@@ -78,8 +100,10 @@ struct NearestKernels {
     void (*find_depths_of)(const Vec3& point, const SphereList& balls, double* depths);
     void (*find_depths)(std::span<const SmallBall> balls, const LanePoints<float>& points, std::size_t count,
                         Depths& depths);
+    void (*group_points)(const Depths& depths, const DepthLimits& limits, std::size_t count,
+                         LaneArray<std::int32_t>& groups);
     void (*find_directions)(const Vec3& centre, std::span<const Cap> caps, const LanePoints<double>& points,
-                            std::size_t count, Directions& directions);
+                            const LaneRange& lanes, Directions& directions);
     /// Of a list, the items at `chosen`.
     void (*offer_vertices)(const SphereList& vertices, std::span<const std::uint32_t> chosen,
                            const LanePoints<double>& points, std::size_t count, NearestTags& nearest);

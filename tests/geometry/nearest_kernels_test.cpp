@@ -22,6 +22,7 @@ struct Answers {
     std::vector<std::int64_t> overlapping;
     std::vector<double> depths_in_middle;
     Depths depths;
+    LaneArray<std::int32_t> groups;
     Directions directions;
     NearestTags nearest;
 };
@@ -61,8 +62,10 @@ protected:
         kernels.find_depths_of(kMiddle, local_.balls(), answers.depths_in_middle.data());
         answers.depths_in_middle.resize(local_.balls().size());
         kernels.find_depths(small_, small_points_, kPoints, answers.depths);
+        kernels.group_points(answers.depths, limits(), kPoints, answers.groups);
         const std::uint32_t atom = local_.balls().index(0);
-        kernels.find_directions(data.atoms.centres[atom], data.caps_of(atom), points_, kPoints, answers.directions);
+        kernels.find_directions(data.atoms.centres[atom], data.caps_of(atom), points_, {0, kPoints},
+                                answers.directions);
         std::fill_n(answers.nearest.squared_distance.at, kPoints, 1e300);
         std::vector<std::uint32_t> items(local_.vertices().size());
         std::iota(items.begin(), items.end(), 0U);
@@ -71,6 +74,10 @@ protected:
         for (std::size_t a = 0; a < local_.arcs().size(); ++a) items.push_back(local_.arcs().index(a));
         kernels.offer_arcs(data.arcs, items, points_, kPoints, answers.nearest);
         return answers;
+    }
+
+    DepthLimits limits() const {
+        return {.above = 0.5F, .below = 2.0F, .lead = 0.01F, .balls = static_cast<std::int32_t>(small_.size())};
     }
 
     static constexpr Box kBox{{1, 1, 1}, {3, 3, 3}};
@@ -99,6 +106,7 @@ TEST_F(NearestKernelsTest, GiveTheSameBitsOnEveryInstructionSet) {
         expect_equal(other.depths.first, plain.depths.first);
         expect_equal(other.depths.second, plain.depths.second);
         expect_equal(other.depths.ball, plain.depths.ball);
+        expect_equal(other.groups, plain.groups);
         expect_equal(other.directions.distance, plain.directions.distance);
         expect_equal(other.directions.excess, plain.directions.excess);
         expect_equal(other.nearest.squared_distance, plain.nearest.squared_distance);
@@ -143,6 +151,19 @@ TEST_F(NearestKernelsTest, FindDepthsInAllBalls) {
                   local_.balls().column(3)[b] - norm(kMiddle - position_in(local_.balls(), b)));
 }
 
+TEST_F(NearestKernelsTest, GroupPointsByWhatTheirDepthsTell) {
+    const Answers answers = ask(nearest_kernels());
+    const DepthLimits limit = limits();
+    for (std::size_t i = 0; i < kPoints; ++i) {
+        const float first = answers.depths.first[i];
+        std::int32_t expected = answers.depths.ball[i];
+        if (!(first - answers.depths.second[i] > limit.lead)) expected = limit.balls + kDoubtfulGroup;
+        if (first < limit.above) expected = limit.balls + kAboveGroup;
+        if (first > limit.below) expected = limit.balls + kBelowGroup;
+        EXPECT_EQ(answers.groups[i], expected);
+    }
+}
+
 TEST_F(NearestKernelsTest, TellExposedDirections) {
     const AccessibleSurface::Data& data = surface_.data();
     const std::uint32_t atom = local_.balls().index(0);
@@ -170,6 +191,9 @@ TEST_F(NearestKernelsTest, FindTheNearestArcOrVertex) {
         const double own = is_arc(tag) ? foot_on_arc(data.arcs[arc_of(tag)], point(i)).squared_distance
                                        : squared_norm(point(i) - data.vertices[static_cast<std::size_t>(tag)].position);
         EXPECT_EQ(own, best);
+        if (is_arc(tag)) {
+            EXPECT_EQ(answers.nearest.from_axis[i], foot_on_arc(data.arcs[arc_of(tag)], point(i)).from_axis);
+        }
     }
 }
 
