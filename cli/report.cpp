@@ -118,6 +118,25 @@ SurfaceTotals exact_counterpart(const Measures& exact, Pieces pieces) {
     return sum;
 }
 
+ordered_json percentiles_json(const Percentiles& p) {
+    return {{"min", p.min}, {"p5", p.p5}, {"p50", p.p50}, {"p95", p.p95}, {"max", p.max}};
+}
+
+ordered_json quality_json(const MeshQuality& quality) {
+    return {{"angle_histogram", quality.angles},
+            {"smallest_angles_deg", percentiles_json(quality.smallest_angles)},
+            {"edges", percentiles_json(quality.edges)},
+            {"aspect_ratios", percentiles_json(quality.aspect_ratios)}};
+}
+
+ordered_json two_sided_json(const std::optional<TwoSidedDistance>& distance) {
+    if (!distance) return nullptr;
+    const auto one_way = [](const SampledDistance& d) {
+        return ordered_json{{"mean", d.mean}, {"p99", d.p99}, {"max", d.max}};
+    };
+    return {{"to_exact", one_way(distance->to_exact)}, {"from_exact", one_way(distance->from_exact)}};
+}
+
 ordered_json mesh_block(const Surface& surface, const SurfaceTotals& exact) {
     const MeshMeasures& m = surface.measures;
     return {{"vertices", surface.mesh.vertices.size()},
@@ -137,7 +156,9 @@ ordered_json mesh_block(const Surface& surface, const SurfaceTotals& exact) {
             {"mean_distance", surface.distance.mean},
             {"p99_distance", surface.distance.p99},
             {"max_distance", surface.distance.max},
-            {"smallest_triangle_angle_deg", m.smallest_angle_deg}};
+            {"smallest_triangle_angle_deg", m.smallest_angle_deg},
+            {"quality", quality_json(measure_quality(surface.mesh))},
+            {"two_sided_distance", two_sided_json(surface.two_sided)}};
 }
 
 ordered_json history_block(const std::vector<FlowStep>& history) {

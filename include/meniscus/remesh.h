@@ -10,7 +10,7 @@ namespace meniscus {
 /// Even triangles of a chosen size instead of those that marching cubes cuts out of the grid.
 struct RemeshOptions {
     /// Length to be kept to, Å; 0 leaves the mesh of the grid. Nearly all edges are from 0.6 to 1.5 times as long, 0.8
-    /// times on average: triangles of that size stay within 0.03 edge² of the surface in the mean (Å, edge in Å).
+    /// times on average: triangles of that size are 0.036 edge² from the surface in the mean (Å, edge in Å).
     double edge = 0.0;
     bool adaptive = false;     ///< shorter where the surface bends more, longer where it is flat
     bool keep_ridges = false;  ///< edges of the mesh run along creases of the surface

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "meniscus/level_set.h"
 #include "meniscus/measures.h"
 #include "meniscus/mesh.h"
+#include "meniscus/mesh_quality.h"
 #include "meniscus/progress.h"
 #include "meniscus/remesh.h"
 
@@ -37,6 +39,7 @@ struct SurfaceOptions {
     FlowOptions flow{};               ///< which evolution Method::Flow runs
     bool history = false;             ///< keep a record of every step of the flow
     bool initial_area = false;        ///< measure the Gaussian start, too, where the flow can do without
+    bool two_sided_distance = false;  ///< measure how far mesh and exact SES are from each other between vertices, too
     Pieces pieces = Pieces::All;      ///< what the mesh keeps
     RemeshOptions remesh{};           ///< even triangles of a chosen size; needs a spacing of at most 0.5 Å
     int threads = 0;                  ///< 0: all cores; results do not depend on it
@@ -74,6 +77,7 @@ struct Surface {
     double corrected_area = 0.0;    ///< Å², curvature-corrected quadrature over the mesh
     double corrected_volume = 0.0;  ///< Å³
     DistanceSummary distance;
+    std::optional<TwoSidedDistance> two_sided;  ///< if asked for
     FlowSummary flow;                           ///< zero for Method::Direct and Method::Gaussian
     std::vector<FlowStep> history;              ///< if asked for, and always for a flow without an anchor
     std::shared_ptr<const LevelSet> level_set;  ///< absent for Method::Direct

@@ -7,17 +7,15 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <utility>
 
 #include "core/parallel.h"
 #include "geometry/box_tree.h"
-#include "geometry/canonical_atoms.h"
+#include "geometry/spatial_order.h"
 
 namespace meniscus {
 namespace {
 
 constexpr std::size_t kChunk = 256;
-constexpr double kCells = (1 << 21) - 1;  // along the longest edge of the box round the mesh
 
 double orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     return dot(cross(b - a, c - a), d - a);
@@ -38,7 +36,8 @@ std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const std::array<Vec3
 // Triangles in spatial order, as the tree wants them.
 class Finder {
 public:
-    explicit Finder(const Mesh& mesh) : mesh_(mesh), order_(in_spatial_order(mesh)), tree_(boxes(mesh, order_)) {}
+    explicit Finder(const Mesh& mesh)
+        : mesh_(mesh), order_(triangles_in_spatial_order(mesh)), tree_(boxes(mesh, order_)) {}
 
     std::vector<Vec3> run() const {
         std::vector<std::vector<Vec3>> found((order_.size() + kChunk - 1) / kChunk);
@@ -55,26 +54,6 @@ private:
         Box box;
         for (const VertexId v : triangle) box.include(mesh.vertices[v]);
         return box;
-    }
-
-    static std::vector<std::uint32_t> in_spatial_order(const Mesh& mesh) {
-        Box all;
-        for (const Vec3& p : mesh.vertices) all.include(p);
-        const Vec3 extent = all.high - all.low;
-        const double cells = kCells / std::max({extent.x, extent.y, extent.z, 1e-9});
-        const auto cell = [cells](double offset) { return static_cast<std::uint32_t>(cells * offset); };
-        std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
-        keys.reserve(mesh.triangles.size());
-        for (const Triangle& t : mesh.triangles) {
-            const Vec3 from = mesh.vertices[t[0]] - all.low;
-            keys.emplace_back(morton_key(cell(from.x), cell(from.y), cell(from.z)),
-                              static_cast<std::uint32_t>(keys.size()));
-        }
-        std::sort(keys.begin(), keys.end());
-        std::vector<std::uint32_t> order;
-        order.reserve(keys.size());
-        for (const auto& [key, triangle] : keys) order.push_back(triangle);
-        return order;
     }
 
     static std::vector<Box> boxes(const Mesh& mesh, const std::vector<std::uint32_t>& order) {

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "meniscus/mesh_quality.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "support/shapes.h"
+
+namespace meniscus::testing {
+namespace {
+
+TEST(MeshQuality, OfATetrahedronIsThatOfEquilateralTriangles) {
+    const MeshQuality quality = measure_quality(tetrahedron());
+    EXPECT_EQ(quality.angles[5] + quality.angles[6], 12u);
+    EXPECT_NEAR(quality.smallest_angles.min, 60.0, 1e-9);
+    EXPECT_NEAR(quality.aspect_ratios.max, 1.0, 1e-12);
+    EXPECT_NEAR(quality.edges.min, std::sqrt(8.0), 1e-12);
+    EXPECT_NEAR(quality.edges.max, std::sqrt(8.0), 1e-12);
+}
+
+TEST(MeshQuality, KnowsARightTriangle) {
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    const MeshQuality quality = measure_quality(mesh);
+    EXPECT_NEAR(quality.smallest_angles.p50, std::atan2(3.0, 4.0) * 180.0 / std::numbers::pi, 1e-9);
+    EXPECT_NEAR(quality.aspect_ratios.p50, 2.5 / (2.0 * 1.0), 1e-12);  // R = 5/2, r = 1
+    EXPECT_EQ(quality.angles[9], 1u);
+    EXPECT_EQ(std::accumulate(quality.angles.begin(), quality.angles.end(), std::size_t{0}), 3u);
+}
+
+TEST(MeshQuality, OfNothingIsNothing) {
+    EXPECT_EQ(measure_quality({}).edges.max, 0.0);
+    const AccessibleSurface surface({{{}}, {1.7}}, 1.4);
+    EXPECT_EQ(measure_distance({}, surface).to_exact.max, 0.0);
+}
+
+TEST(MeshDistance, OfASphereIsThatOfItsChords) {
+    const AccessibleSurface surface({{{}}, {3.0}}, 1.4);
+    double last = 0.0;
+    for (const double spacing : {0.8, 0.4}) {
+        const TwoSidedDistance distance = measure_distance(projected_sphere({{}, 3.0}, spacing), surface);
+        EXPECT_NEAR(distance.to_exact.mean, distance.from_exact.mean, 0.02 * distance.to_exact.mean);
+        EXPECT_GE(distance.to_exact.max, distance.to_exact.p99);
+        EXPECT_GT(distance.to_exact.p99, distance.to_exact.mean);
+        if (last > 0.0) {
+            EXPECT_NEAR(last / distance.to_exact.mean, 4.0, 0.8);
+        }
+        last = distance.to_exact.mean;
+    }
+}
+
+TEST(MeshDistance, OfAShiftedSphereIsTheShift) {
+    const AccessibleSurface surface({{{}}, {3.0}}, 1.4);
+    const TwoSidedDistance distance = measure_distance(projected_sphere({{}, 3.2}, 0.2), surface);
+    EXPECT_NEAR(distance.to_exact.mean, 0.2, 0.01);
+    EXPECT_NEAR(distance.from_exact.mean, 0.2, 0.01);
+}
+
+}  // namespace
+}  // namespace meniscus::testing
