@@ -279,6 +279,49 @@ class Outputs(ProgramTest):
         self.assertEqual((self.folder / "t1.ply").read_bytes(), (self.folder / "t2.ply").read_bytes())
 
 
+class EvenTriangles(ProgramTest):
+    def mesh(self, *arguments):
+        return self.report(UBIQUITIN, *arguments)["mesh"]
+
+    def test_edges_are_as_long_as_asked_for_and_angles_are_large(self):
+        for edge in (1.0, 2.0):
+            mesh = self.mesh("--edge", edge)
+            self.assertTrue(mesh["closed"] and mesh["manifold"])
+            self.assertGreater(mesh["smallest_triangle_angle_deg"], 5.0)
+            self.assertGreater(mesh["quality"]["smallest_angles_deg"]["p5"], 40.0)
+            self.assertGreater(mesh["quality"]["smallest_angles_deg"]["p50"], 45.0)
+            edges = mesh["quality"]["edges"]
+            self.assertTrue(0.6 * edge < edges["p5"] and edges["p95"] < 1.5 * edge, edges)
+            for way in mesh["two_sided_distance"].values():
+                self.assertLess(way["mean"], 0.045 * edge * edge)
+            self.assertLess(abs(mesh["corrected_area_deviation"]), 0.005 * edge * edge)
+
+    def test_the_topology_is_that_of_the_grid_mesh(self):
+        self.assertEqual(self.mesh("--edge", "1")["euler_characteristic"], self.mesh()["euler_characteristic"])
+
+    def test_density_counts_vertices(self):
+        mesh = self.mesh("--vertex-density", "1.5")
+        self.assertAlmostEqual(mesh["vertices"] / mesh["corrected_area"], 1.5, delta=0.12)
+
+    def test_adaptive_and_ridges_change_the_mesh(self):
+        plain = self.mesh("--edge", "1", "--method", "direct")
+        for option in ("--adaptive", "--keep-ridges"):
+            mesh = self.mesh("--edge", "1", "--method", "direct", option)
+            self.assertTrue(mesh["closed"] and mesh["manifold"])
+            self.assertNotEqual(mesh["vertices"], plain["vertices"])
+
+    def test_same_bits_for_any_number_of_threads(self):
+        for threads in ("1", "2"):
+            self.surface(UBIQUITIN, "--threads", threads, "--edge", "1", "-o", f"e{threads}.ply", "--quiet")
+        self.assertEqual((self.folder / "e1.ply").read_bytes(), (self.folder / "e2.ply").read_bytes())
+
+    def test_what_makes_no_sense_is_refused(self):
+        self.assertIn("spacing", self.refused(UBIQUITIN, "--edge", "1", "--spacing", "0.8"))
+        self.assertIn("--edge", self.refused(UBIQUITIN, "--edge", "0"))
+        self.assertIn("--edge", self.refused(UBIQUITIN, "--adaptive"))
+        self.refused(UBIQUITIN, "--edge", "1", "--vertex-density", "2")
+
+
 class Streams(ProgramTest):
     def test_the_summary_is_short_and_alone_on_standard_output(self):
         result = self.surface("three.xyzr")
@@ -336,7 +379,15 @@ class Report(ProgramTest):
 
 class Limits(ProgramTest):
     def test_what_does_not_fit_is_refused_with_the_option_to_change(self):
-        self.assertIn("--spacing", self.refused(UBIQUITIN, "--spacing", "0.05", "--memory", "50M", code=5))
+        refusal = self.refused(UBIQUITIN, "--spacing", "0.05", "--memory", "50M", code=5)
+        self.assertRegex(refusal, r"needs about [0-9.]+ [MG]B .* 50 MB are allowed; choose --spacing 0\.\d+ or more")
+
+    def test_what_it_will_take_is_told_before_and_in_the_report(self):
+        report = self.report(UBIQUITIN)
+        self.assertAlmostEqual(report["expected"]["vertices"], report["mesh"]["vertices"],
+                               delta=0.25 * report["mesh"]["vertices"])
+        lines = self.surface(UBIQUITIN, "--progress", "json").stderr.splitlines()
+        self.assertTrue(any("expected_s" in line for line in lines))
 
     def check_signal(self, number):
         """Sends a signal while the surface is computed."""
