@@ -131,7 +131,7 @@ ordered_json quality_json(const MeshQuality& quality) {
 
 ordered_json two_sided_json(const std::optional<TwoSidedDistance>& distance) {
     if (!distance) return nullptr;
-    const auto one_way = [](const SampledDistance& d) {
+    const auto one_way = [](const DistanceSummary& d) {
         return ordered_json{{"mean", d.mean}, {"p99", d.p99}, {"max", d.max}};
     };
     return {{"to_exact", one_way(distance->to_exact)}, {"from_exact", one_way(distance->from_exact)}};

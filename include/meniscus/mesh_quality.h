@@ -20,8 +20,8 @@ struct Percentiles {
     double max = 0.0;
 };
 
-/// Distances between two surfaces, by points spread evenly over the area of one of them, Å.
-struct SampledDistance {
+/// Distances between two surfaces, Å, absolute values.
+struct DistanceSummary {
     double mean = 0.0;
     double p99 = 0.0;
     double max = 0.0;
@@ -37,10 +37,10 @@ struct MeshQuality {
 /// cost     O(n), some 0.2 µs per triangle
 MeshQuality measure_quality(const Mesh& mesh);
 
-/// Distances between a mesh and the exact SES, both ways.
+/// Distances between a mesh and the exact SES, both ways, by points spread evenly over the triangles.
 struct TwoSidedDistance {
-    SampledDistance to_exact;    ///< from points of the triangles to the SES
-    SampledDistance from_exact;  ///< from the points of the SES below them to the mesh
+    DistanceSummary to_exact;    ///< from these points to the SES
+    DistanceSummary from_exact;  ///< from the points of the SES nearest to them to the mesh
 };
 
 /// cost     O(n log n), some 3 µs per triangle, parallel

@@ -46,13 +46,6 @@ struct SurfaceOptions {
     std::size_t memory_limit_mb = 0;  ///< 0: what the machine has available
 };
 
-/// Distances of the mesh's vertices to the exact solvent-excluded surface, Å, absolute values.
-struct DistanceSummary {
-    double mean = 0.0;
-    double p99 = 0.0;
-    double max = 0.0;
-};
-
 /// One self-check: passed means value <= bound, or value == bound for counts.
 struct Check {
     std::string name;
@@ -74,9 +67,9 @@ struct Surface {
     SurfaceOptions options;
     Mesh mesh;
     MeshMeasures measures;
-    double corrected_area = 0.0;    ///< Å², curvature-corrected quadrature over the mesh
-    double corrected_volume = 0.0;  ///< Å³
-    DistanceSummary distance;
+    double corrected_area = 0.0;                ///< Å², curvature-corrected quadrature over the mesh
+    double corrected_volume = 0.0;              ///< Å³
+    DistanceSummary distance;                   ///< of the mesh's vertices to the exact SES
     std::optional<TwoSidedDistance> two_sided;  ///< if asked for
     FlowSummary flow;                           ///< zero for Method::Direct and Method::Gaussian
     std::vector<FlowStep> history;              ///< if asked for, and always for a flow without an anchor

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/instructions.h"
+
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define MENISCUS_X86_KERNELS
 #endif
@@ -13,6 +15,7 @@ namespace meniscus {
 namespace {
 
 namespace plain {
+constexpr std::string_view kInstructions = "plain";
 constexpr std::size_t kVectorBytes = 16;
 #include "geometry/cap_kernels.inc"
 }  // namespace plain
@@ -21,6 +24,7 @@ constexpr std::size_t kVectorBytes = 16;
 #pragma GCC push_options
 #pragma GCC target("avx2")
 namespace avx2 {
+constexpr std::string_view kInstructions = "avx2";
 constexpr std::size_t kVectorBytes = 32;
 #include "geometry/cap_kernels.inc"
 }  // namespace avx2
@@ -29,6 +33,7 @@ constexpr std::size_t kVectorBytes = 32;
 #pragma GCC push_options
 #pragma GCC target("avx512f")
 namespace avx512 {
+constexpr std::string_view kInstructions = "avx512";
 constexpr std::size_t kVectorBytes = 64;
 #include "geometry/cap_kernels.inc"
 }  // namespace avx512
@@ -47,8 +52,8 @@ std::vector<CapKernels> supported_cap_kernels() {
 }
 
 const CapKernels& cap_kernels() {
-    static const CapKernels fastest = supported_cap_kernels().back();
-    return fastest;
+    static const CapKernels chosen = choose_kernels(supported_cap_kernels(), wanted_instructions());
+    return chosen;
 }
 
 }  // namespace meniscus

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "geometry/contour_types.h"
@@ -58,6 +59,7 @@ struct MeetingColumns : Columns<9> {
 };
 
 struct CapKernels {
+    std::string_view instructions;  ///< "plain", "avx2" or "avx512"
     /// excess[k]: squared distance of a ball's centre from `centre` less the square of both radii's sum; negative for
     /// balls that meet.
     void (*find_excess)(const BallColumns& balls, const Vec3& centre, double rho, double* excess);
@@ -72,7 +74,7 @@ struct CapKernels {
 /// Those that this machine can run, the plainest first.
 std::vector<CapKernels> supported_cap_kernels();
 
-/// The last of them.
+/// Those with the instructions that the environment variable MENISCUS_INSTRUCTIONS names, else the last ones.
 const CapKernels& cap_kernels();
 
 }  // namespace meniscus

@@ -54,10 +54,7 @@ std::vector<NearestKernels> supported_nearest_kernels() {
 
 const NearestKernels& choose_nearest_kernels(std::string_view instructions) {
     static const std::vector<NearestKernels> all = supported_nearest_kernels();
-    std::vector<std::string_view> names;
-    names.reserve(all.size());
-    for (const NearestKernels& kernels : all) names.push_back(kernels.instructions);
-    return all[choose_instructions(names, instructions)];
+    return choose_kernels(all, instructions);
 }
 
 const NearestKernels& nearest_kernels() {

@@ -72,7 +72,7 @@ public:
     explicit WeightedDistances(std::size_t count) : pairs_(count) {}
     void set(std::size_t i, double distance, double weight) { pairs_[i] = {distance, weight}; }
 
-    SampledDistance summarise() && {
+    DistanceSummary summarise() && {
         if (pairs_.empty()) return {};
         std::sort(pairs_.begin(), pairs_.end());
         double weight = 0.0;
@@ -81,7 +81,7 @@ public:
             weight += area;
             sum += area * distance;
         }
-        SampledDistance result{sum / weight, 0.0, pairs_.back().first};
+        DistanceSummary result{sum / weight, 0.0, pairs_.back().first};
         double below = 0.0;
         for (const auto& [distance, area] : pairs_) {
             below += area;

@@ -38,13 +38,7 @@ std::vector<TriangleKernels> supported_triangle_kernels() {
 }
 
 const TriangleKernels& triangle_kernels() {
-    static const TriangleKernels chosen = [] {
-        const std::vector<TriangleKernels> all = supported_triangle_kernels();
-        std::vector<std::string_view> names;
-        names.reserve(all.size());
-        for (const TriangleKernels& kernels : all) names.push_back(kernels.instructions);
-        return all[choose_instructions(names, wanted_instructions())];
-    }();
+    static const TriangleKernels chosen = choose_kernels(supported_triangle_kernels(), wanted_instructions());
     return chosen;
 }
 
