@@ -122,11 +122,12 @@ ordered_json percentiles_json(const Percentiles& p) {
     return {{"min", p.min}, {"p5", p.p5}, {"p50", p.p50}, {"p95", p.p95}, {"max", p.max}};
 }
 
-ordered_json quality_json(const MeshQuality& quality) {
-    return {{"angle_histogram", quality.angles},
-            {"smallest_angles_deg", percentiles_json(quality.smallest_angles)},
-            {"edges", percentiles_json(quality.edges)},
-            {"aspect_ratios", percentiles_json(quality.aspect_ratios)}};
+ordered_json quality_json(const std::optional<MeshQuality>& quality) {
+    if (!quality) return nullptr;
+    return {{"angle_histogram", quality->angles},
+            {"smallest_angles_deg", percentiles_json(quality->smallest_angles)},
+            {"edges", percentiles_json(quality->edges)},
+            {"aspect_ratios", percentiles_json(quality->aspect_ratios)}};
 }
 
 ordered_json two_sided_json(const std::optional<TwoSidedDistance>& distance) {
@@ -157,7 +158,7 @@ ordered_json mesh_block(const Surface& surface, const SurfaceTotals& exact) {
             {"p99_distance", surface.distance.p99},
             {"max_distance", surface.distance.max},
             {"smallest_triangle_angle_deg", m.smallest_angle_deg},
-            {"quality", quality_json(measure_quality(surface.mesh))},
+            {"quality", quality_json(surface.quality)},
             {"two_sided_distance", two_sided_json(surface.two_sided)}};
 }
 

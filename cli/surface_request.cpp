@@ -69,6 +69,7 @@ void complete(SurfaceRequest& request) {
         throw UsageError("--adaptive and --keep-ridges shape even triangles; ask for them with --edge");
     request.surface.history = !request.flow.history.empty();
     request.surface.initial_area = !request.report.empty();
+    request.surface.quality = !request.report.empty();
     request.surface.two_sided_distance = !request.report.empty() && remesh.is_on();
 }
 

@@ -39,6 +39,7 @@ struct SurfaceOptions {
     FlowOptions flow{};               ///< which evolution Method::Flow runs
     bool history = false;             ///< keep a record of every step of the flow
     bool initial_area = false;        ///< measure the Gaussian start, too, where the flow can do without
+    bool quality = false;             ///< look at the shapes of the triangles, too
     bool two_sided_distance = false;  ///< measure how far mesh and exact SES are from each other between vertices, too
     Pieces pieces = Pieces::All;      ///< what the mesh keeps
     RemeshOptions remesh{};           ///< even triangles of a chosen size; needs a spacing of at most 0.5 Å
@@ -70,6 +71,7 @@ struct Surface {
     double corrected_area = 0.0;                ///< Å², curvature-corrected quadrature over the mesh
     double corrected_volume = 0.0;              ///< Å³
     DistanceSummary distance;                   ///< of the mesh's vertices to the exact SES
+    std::optional<MeshQuality> quality;         ///< if asked for
     std::optional<TwoSidedDistance> two_sided;  ///< if asked for
     FlowSummary flow;                           ///< zero for Method::Direct and Method::Gaussian
     std::vector<FlowStep> history;              ///< if asked for, and always for a flow without an anchor

@@ -9,33 +9,36 @@
 #include <vector>
 
 #include "core/parallel.h"
-#include "geometry/box_tree.h"
-#include "geometry/canonical_atoms.h"
 #include "geometry/local_features.h"
-#include "geometry/spatial_order.h"
+#include "geometry/triangle_tree.h"
 
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kChunk = 256;  // triangles
+constexpr std::size_t kChunk = 256;  // triangles per task
 
-// Of a value that so many parts of the others are below. Changes the order.
-double at_part(std::vector<double>& values, double part) {
-    const auto place =
-        values.begin() + static_cast<std::ptrdiff_t>(std::lround(part * static_cast<double>(values.size() - 1)));
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
-}
-
+// Values that so many parts of all are below. Changes the order.
 Percentiles percentiles(std::vector<double> values) {
     if (values.empty()) return {};
-    return {at_part(values, 0.0), at_part(values, 0.05), at_part(values, 0.5), at_part(values, 0.95),
-            at_part(values, 1.0)};
+    const auto at = [&values](double part) {
+        const double place = part * static_cast<double>(values.size() - 1);
+        return values.begin() + static_cast<std::ptrdiff_t>(std::lround(place));
+    };
+    const auto low = at(0.05);
+    const auto middle = at(0.5);
+    const auto high = at(0.95);
+    std::nth_element(values.begin(), middle, values.end());
+    std::nth_element(values.begin(), low, middle);
+    std::nth_element(middle, high, values.end());
+    return {*std::min_element(values.begin(), low + 1), *low, *middle, *high, *std::max_element(high, values.end())};
 }
 
-double angle_between(const Vec3& a, const Vec3& b) {
-    return std::atan2(norm(cross(a, b)), dot(a, b)) * (180.0 / std::numbers::pi);
+// Between the sides a and b of a triangle, opposite c.
+double cosine_of_angle(double a, double b, double c) {
+    return std::clamp((a * a + b * b - c * c) / (2.0 * a * b), -1.0, 1.0);
 }
+
+double degrees(double cosine) { return std::acos(cosine) * (180.0 / std::numbers::pi); }
 
 // R / 2 r of sides a, b, c: a b c / ((b + c - a) (c + a - b) (a + b - c)).
 double aspect_ratio(double a, double b, double c) {
@@ -95,34 +98,17 @@ private:
     std::vector<std::pair<double, double>> pairs_;
 };
 
-// Finds the point of a mesh that is nearest to a point.
-class MeshTree {
-public:
-    explicit MeshTree(const Mesh& mesh) : mesh_(mesh), order_(triangles_in_spatial_order(mesh)) {
-        std::vector<Box> boxes(order_.size());
-        for (std::size_t i = 0; i < order_.size(); ++i)
-            for (const VertexId v : mesh.triangles[order_[i]]) boxes[i].include(mesh.vertices[v]);
-        tree_ = BoxTree(std::move(boxes));
-    }
-
-    double distance(const Vec3& point) const {
-        double least = std::numeric_limits<double>::infinity();
-        tree_.search_nearest(
-            point, [&least] { return least; },
-            [&](std::uint32_t i) {
-                const auto& [a, b, c] = mesh_.triangles[order_[i]];
-                const Vec3 nearest =
-                    nearest_in_triangle(point, mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]);
-                least = std::min(least, squared_norm(point - nearest));
-            });
-        return std::sqrt(least);
-    }
-
-private:
-    const Mesh& mesh_;
-    std::vector<std::uint32_t> order_;
-    BoxTree tree_;
-};
+double distance_to(const Mesh& mesh, const TriangleTree& triangles, const Vec3& point) {
+    double least = std::numeric_limits<double>::infinity();
+    triangles.tree.search_nearest(
+        point, [&least] { return least; },
+        [&](std::uint32_t i) {
+            const auto& [a, b, c] = mesh.triangles[triangles.order[i]];
+            const Vec3 nearest = nearest_in_triangle(point, mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
+            least = std::min(least, squared_norm(point - nearest));
+        });
+    return std::sqrt(least);
+}
 
 // Barycentric coordinates of points that stand for four equal parts of a triangle.
 constexpr std::array<std::array<double, 3>, 4> kSamples{{{1.0 / 3, 1.0 / 3, 1.0 / 3},
@@ -130,37 +116,54 @@ constexpr std::array<std::array<double, 3>, 4> kSamples{{{1.0 / 3, 1.0 / 3, 1.0 
                                                          {1.0 / 6, 2.0 / 3, 1.0 / 6},
                                                          {1.0 / 6, 1.0 / 6, 2.0 / 3}}};
 
+// Corners by their angles, see MeshQuality.
+struct AngleCounts {
+    decltype(MeshQuality::angles) of{};
+    AngleCounts& operator+=(const AngleCounts& other) {
+        for (std::size_t i = 0; i < of.size(); ++i) of[i] += other.of[i];
+        return *this;
+    }
+};
+
 }  // namespace
 
 MeshQuality measure_quality(const Mesh& mesh) {
-    MeshQuality quality;
-    std::vector<double> smallest;
-    std::vector<double> ratios;
-    std::vector<double> lengths;
-    smallest.reserve(mesh.triangles.size());
-    ratios.reserve(mesh.triangles.size());
-    lengths.reserve(mesh.triangles.size() * 3 / 2);
-    for (const Triangle& t : mesh.triangles) {
-        std::array<Vec3, 3> sides;  // from each corner to the next
-        for (std::size_t k = 0; k < 3; ++k) sides[k] = mesh.vertices[t[(k + 1) % 3]] - mesh.vertices[t[k]];
-        double least = 180.0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double angle = angle_between(sides[k], -sides[(k + 2) % 3]);
-            least = std::min(least, angle);
-            ++quality.angles[std::min<std::size_t>(17, static_cast<std::size_t>(angle / 10.0))];
-            if (t[k] < t[(k + 1) % 3]) lengths.push_back(norm(sides[k]));
+    const std::size_t count = mesh.triangles.size();
+    std::vector<double> smallest(count);
+    std::vector<double> ratios(count);
+    std::vector<double> lengths(3 * count);  // of a closed mesh every edge is there twice
+    const auto angles = parallel_sum<AngleCounts>(count, kChunk, [&](std::size_t begin, std::size_t end) {
+        AngleCounts counts;
+        for (std::size_t t = begin; t < end; ++t) {
+            const auto& [i, j, k] = mesh.triangles[t];
+            const double a = norm(mesh.vertices[k] - mesh.vertices[j]);
+            const double b = norm(mesh.vertices[i] - mesh.vertices[k]);
+            const double c = norm(mesh.vertices[j] - mesh.vertices[i]);
+            smallest[t] = 180.0;
+            for (const double cosine : {cosine_of_angle(b, c, a), cosine_of_angle(c, a, b), cosine_of_angle(a, b, c)}) {
+                const double angle = degrees(cosine);
+                smallest[t] = std::min(smallest[t], angle);
+                ++counts.of[std::min(counts.of.size() - 1, static_cast<std::size_t>(angle / 10.0))];
+            }
+            ratios[t] = aspect_ratio(a, b, c);
+            lengths[3 * t] = a;
+            lengths[3 * t + 1] = b;
+            lengths[3 * t + 2] = c;
         }
-        smallest.push_back(least);
-        ratios.push_back(aspect_ratio(norm(sides[0]), norm(sides[1]), norm(sides[2])));
-    }
-    quality.smallest_angles = percentiles(std::move(smallest));
-    quality.edges = percentiles(std::move(lengths));
-    quality.aspect_ratios = percentiles(std::move(ratios));
+        return counts;
+    });
+    MeshQuality quality;
+    quality.angles = angles.of;
+    parallel_both([&] { quality.edges = percentiles(std::move(lengths)); },
+                  [&] {
+                      quality.smallest_angles = percentiles(std::move(smallest));
+                      quality.aspect_ratios = percentiles(std::move(ratios));
+                  });
     return quality;
 }
 
 TwoSidedDistance measure_distance(const Mesh& mesh, const AccessibleSurface& surface) {
-    const MeshTree tree(mesh);
+    const TriangleTree triangles(mesh);
     WeightedDistances to_exact(kSamples.size() * mesh.triangles.size());
     WeightedDistances from_exact(kSamples.size() * mesh.triangles.size());
     parallel_chunks(mesh.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
@@ -177,7 +180,7 @@ TwoSidedDistance measure_distance(const Mesh& mesh, const AccessibleSurface& sur
             const std::size_t sample = kSamples.size() * begin + i;
             const double distance = features[i].signed_distance;
             to_exact.set(sample, std::abs(distance), area);
-            from_exact.set(sample, tree.distance(points[i] - distance * features[i].normal), area);
+            from_exact.set(sample, distance_to(mesh, triangles, points[i] - distance * features[i].normal), area);
         }
     });
     return {std::move(to_exact).summarise(), std::move(from_exact).summarise()};

@@ -221,6 +221,7 @@ private:
         const CorrectedMeasures corrected = options_.remesh.is_on() ? corrected_on_surface() : measures.corrected;
         surface_.corrected_area = corrected.area;
         surface_.corrected_volume = corrected.volume;
+        if (options_.quality) surface_.quality = measure_quality(surface_.mesh);
         if (options_.two_sided_distance) surface_.two_sided = measure_distance(surface_.mesh, *accessible_);
         const auto holds = [](std::string name, bool passed) {
             return Check{std::move(name), passed, passed ? 1.0 : 0.0, 1.0};

@@ -9,8 +9,7 @@
 #include <optional>
 
 #include "core/parallel.h"
-#include "geometry/box_tree.h"
-#include "geometry/spatial_order.h"
+#include "geometry/triangle_tree.h"
 
 namespace meniscus {
 namespace {
@@ -33,15 +32,13 @@ std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const std::array<Vec3
     return p + (from / (from - to)) * (q - p);
 }
 
-// Triangles in spatial order, as the tree wants them.
 class Finder {
 public:
-    explicit Finder(const Mesh& mesh)
-        : mesh_(mesh), order_(triangles_in_spatial_order(mesh)), tree_(boxes(mesh, order_)) {}
+    explicit Finder(const Mesh& mesh) : mesh_(mesh), triangles_(mesh) {}
 
     std::vector<Vec3> run() const {
-        std::vector<std::vector<Vec3>> found((order_.size() + kChunk - 1) / kChunk);
-        parallel_chunks(order_.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::vector<Vec3>> found((triangles_.order.size() + kChunk - 1) / kChunk);
+        parallel_chunks(triangles_.order.size(), kChunk, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) find_after(i, found[begin / kChunk]);
         });
         std::vector<Vec3> places;
@@ -50,25 +47,12 @@ public:
     }
 
 private:
-    static Box box_of(const Mesh& mesh, const Triangle& triangle) {
-        Box box;
-        for (const VertexId v : triangle) box.include(mesh.vertices[v]);
-        return box;
-    }
-
-    static std::vector<Box> boxes(const Mesh& mesh, const std::vector<std::uint32_t>& order) {
-        std::vector<Box> result;
-        result.reserve(order.size());
-        for (const std::uint32_t t : order) result.push_back(box_of(mesh, mesh.triangles[t]));
-        return result;
-    }
-
     // Meetings of the i-th triangle with those that follow it.
     void find_after(std::size_t i, std::vector<Vec3>& places) const {
-        const Triangle& mine = mesh_.triangles[order_[i]];
-        tree_.for_each_overlapping(box_of(mesh_, mine), [&](std::uint32_t j) {
+        const Triangle& mine = mesh_.triangles[triangles_.order[i]];
+        triangles_.tree.for_each_overlapping(box_of(mesh_, mine), [&](std::uint32_t j) {
             if (j <= i) return;
-            if (const auto place = meeting(mine, mesh_.triangles[order_[j]])) places.push_back(*place);
+            if (const auto place = meeting(mine, mesh_.triangles[triangles_.order[j]])) places.push_back(*place);
         });
     }
 
@@ -94,8 +78,7 @@ private:
     }
 
     const Mesh& mesh_;
-    std::vector<std::uint32_t> order_;
-    BoxTree tree_;
+    TriangleTree triangles_;
 };
 
 }  // namespace

@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/spatial_order.h"
+#include "geometry/triangle_tree.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "geometry/box_tree.h"
 #include "geometry/canonical_atoms.h"
 
 namespace meniscus {
+namespace {
 
+// By their first corners.
 std::vector<std::uint32_t> triangles_in_spatial_order(const Mesh& mesh) {
     constexpr double kCells = (1 << 21) - 1;  // along the longest edge of the box round the mesh
     Box all;
@@ -30,5 +31,16 @@ std::vector<std::uint32_t> triangles_in_spatial_order(const Mesh& mesh) {
     for (const auto& [key, triangle] : keys) order.push_back(triangle);
     return order;
 }
+
+std::vector<Box> boxes_of(const Mesh& mesh, const std::vector<std::uint32_t>& order) {
+    std::vector<Box> boxes;
+    boxes.reserve(order.size());
+    for (const std::uint32_t t : order) boxes.push_back(box_of(mesh, mesh.triangles[t]));
+    return boxes;
+}
+
+}  // namespace
+
+TriangleTree::TriangleTree(const Mesh& mesh) : order(triangles_in_spatial_order(mesh)), tree(boxes_of(mesh, order)) {}
 
 }  // namespace meniscus
