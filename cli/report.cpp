@@ -210,6 +210,7 @@ ordered_json expected_block(const Cost& cost) {
 ordered_json time_block(const StageTimes& s, const RunFacts& facts) {
     return {{"total", facts.total_seconds},
             {"read", facts.read_seconds},
+            {"estimate", s.estimate},
             {"geometry", s.geometry},
             {"band", s.band},
             {"flow", s.flow},

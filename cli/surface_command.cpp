@@ -61,11 +61,13 @@ private:
     /// The exact measures, which only reports show, come first: their memory is free again when the grid needs it.
     void compute(const Job& job) override {
         const SurfaceOptions& options = request_.surface;
+        Stopwatch estimating;
         if (!request_.report.empty() || shows_progress()) {
             const Cost expected = estimate_cost(job.structure.atoms, options);
             refuse_what_would_not_fit(job.structure.atoms, options, expected);
             expect(expected.seconds);
         }
+        const double estimate_seconds = estimating.lap();
         if (!request_.report.empty()) measure_exactly(job.structure.atoms);
         FlowObserver observer;
         if (request_.flow.snapshots > 0)
@@ -73,6 +75,7 @@ private:
         surface_ = compute_surface(
             job.structure.atoms, options, [this](std::string_view stage, double fraction) { show(stage, fraction); },
             observer);
+        surface_.seconds.estimate += estimate_seconds;
         if (!request_.report.empty() && options.method == Method::Flow)
             surface_.checks.push_back(check_pieces(surface_, exact_, job.structure.atoms));
         Stopwatch watch;

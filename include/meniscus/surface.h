@@ -57,6 +57,7 @@ struct Check {
 
 /// Wall-clock seconds per stage.
 struct StageTimes {
+    double estimate = 0.0;  ///< of what the computation will take
     double geometry = 0.0;
     double band = 0.0;
     double flow = 0.0;

@@ -266,10 +266,13 @@ Surface compute_surface(const Atoms& atoms, const SurfaceOptions& options, const
                         const FlowObserver& observer) {
     check_options(options);
     const ThreadLimit limit(options.threads);
+    StageClock clock;
     const Cost expected = estimate_cost(atoms, options);
     refuse_what_would_not_fit(atoms, options, expected);
+    const double estimate_seconds = clock.lap();
     Surface surface = Pipeline(atoms, options, progress, observer).run();
     surface.expected = expected;
+    surface.seconds.estimate = estimate_seconds;
     return surface;
 }
 
