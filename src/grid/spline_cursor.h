@@ -9,6 +9,7 @@
 #include <span>
 
 #include "grid/block_grid.h"
+#include "grid/spline_kernels.h"
 #include "meniscus/level_set.h"
 
 namespace meniscus {
@@ -58,12 +59,6 @@ private:
     std::array<std::int64_t, 3> node_{kNowhere, kNowhere, kNowhere};
     std::array<double, 3> place_{};
     std::array<double, kCoefficients> local_;  // x fastest
-};
-
-/// Where a projection ends, and the spline there.
-struct Landing {
-    Vec3 point;
-    LevelSetSample sample;
 };
 
 /// LevelSet::project. All of the sample is NaN outside the band.

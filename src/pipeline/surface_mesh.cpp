@@ -13,7 +13,7 @@
 #include "core/parallel.h"
 #include "geometry/local_features.h"
 #include "geometry/nearest_batch.h"
-#include "grid/spline_cursor.h"
+#include "grid/spline_block.h"
 #include "mesh/components.h"
 
 namespace meniscus {
@@ -201,9 +201,10 @@ private:
     }
 
     void finish_on_level_set(std::size_t begin, std::size_t end) {
-        SplineCursor cursor(level_set_->grid(), level_set_->coefficients());
+        std::vector<Landing> landings(end - begin);
+        SplineBlock(level_set_->grid(), level_set_->coefficients()).land(vertices(begin, end), landings);
         for (std::size_t v = begin; v < end; ++v) {
-            const auto [point, at] = land_on_zero_set(cursor, mesh_.vertices[v], spacing_);
+            const auto& [point, at] = landings[v - begin];
             mesh_.vertices[v] = point;
             mesh_.normals[v] = squared_norm(at.gradient) > 0.0 ? normalised(at.gradient) : Vec3{0.0, 0.0, 1.0};
             set_curvatures(v, at.principal_curvatures());

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "grid/spline_block.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace meniscus {
+namespace {
+
+constexpr std::size_t kFewPoints = 8;  // cheaper one by one
+
+// Of a block's first node and of the last cell's far end: points that Newton's method may move over a border of the
+// block, or rounding has moved, are still near enough to it.
+constexpr double kBeyond = 0.5;  // spacings
+
+bool is_near(const BlockGrid& grid, const Vec3& corner, const Vec3& point) {
+    const Vec3 at = (1.0 / grid.spacing()) * (point - corner);
+    const auto within = [](double v) { return (v > -kBeyond) & (v < kBlockEdge + kBeyond); };
+    return within(at.x) & within(at.y) & within(at.z);
+}
+
+BlockCoord block_of(const BlockGrid& grid, const Vec3& point) {
+    const Vec3 at = (1.0 / (kBlockEdge * grid.spacing())) * (point - grid.origin());
+    const auto floor = [](double v) { return static_cast<std::int32_t>(std::floor(v)); };
+    return {.z = floor(at.z), .y = floor(at.y), .x = floor(at.x)};
+}
+
+}  // namespace
+
+SplineBlock::SplineBlock(const BlockGrid& grid, std::span<const float> coefficients, const SplineKernels& kernels)
+    : grid_(grid), coefficients_(coefficients), kernels_(kernels), cursor_(grid, coefficients) {
+    around_.spacing = grid.spacing();
+    around_.values.fill(std::numeric_limits<float>::quiet_NaN());
+}
+
+void SplineBlock::land(std::span<const Vec3> points, std::span<Landing> landings) {
+    const auto one_by_one = [&](std::size_t i) {
+        landings[i] = land_on_zero_set(cursor_, points[i], grid_.spacing());
+    };
+    for (std::size_t begin = 0; begin < points.size();) {
+        const BlockCoord at = block_of(grid_, points[begin]);
+        const Vec3 corner = grid_.corner(at);
+        std::size_t end = begin + 1;
+        while (end < points.size() && is_near(grid_, corner, points[end])) ++end;
+        const BlockId block = end - begin < kFewPoints ? kNoBlock : grid_.find(at);
+        if (block != kNoBlock) {
+            enter(block);
+            kernels_.land(around_, points.subspan(begin, end - begin), &landings[begin]);
+        }
+        for (std::size_t i = begin; i < end; ++i)
+            if (block == kNoBlock || std::isnan(landings[i].sample.value)) one_by_one(i);
+        begin = end;
+    }
+}
+
+void SplineBlock::enter(BlockId block) {
+    constexpr int kBefore = SplineCoefficients::kBefore;
+    constexpr int kEdge = SplineCoefficients::kEdge;
+    if (block == block_) return;
+    block_ = block;
+    around_.first = grid_.corner(block) - kBefore * grid_.spacing() * Vec3{1.0, 1.0, 1.0};
+    const auto& neighbours = grid_.neighbours(block);
+    float* to = around_.values.data();
+    for (int z = -kBefore; z < kEdge - kBefore; ++z)
+        for (int y = -kBefore; y < kEdge - kBefore; ++y) {
+            const int row = node_in_block(0, y & (kBlockEdge - 1), z & (kBlockEdge - 1));
+            const auto copy = [&](int side, int first, int count) {
+                const BlockId from = neighbours[static_cast<std::size_t>(neighbour_slot(side, side_of(y), side_of(z)))];
+                if (from == kNoBlock)
+                    std::fill_n(to, count, std::numeric_limits<float>::quiet_NaN());
+                else
+                    std::copy_n(coefficients_.data() + std::size_t{from} * kBlockNodes + row + first, count, to);
+                to += count;
+            };
+            copy(-1, kBlockEdge - kBefore, kBefore);
+            copy(0, 0, kBlockEdge);
+            copy(1, 0, kEdge - kBefore - kBlockEdge);
+        }
+}
+
+}  // namespace meniscus
