@@ -40,6 +40,10 @@ struct Box {
         const bool in_z = (low.z <= b.high.z) & (b.low.z <= high.z);
         return in_x & in_y & in_z;
     }
+    bool contains(const Box& b) const {
+        return low.x <= b.low.x && low.y <= b.low.y && low.z <= b.low.z && b.high.x <= high.x && b.high.y <= high.y &&
+               b.high.z <= high.z;
+    }
     /// Squared distance of a point from the box; 0 inside.
     double squared_distance(const Vec3& p) const {
         const double dx = std::max(std::max(low.x - p.x, p.x - high.x), 0.0);

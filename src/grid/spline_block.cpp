@@ -31,14 +31,13 @@ BlockCoord block_of(const BlockGrid& grid, const Vec3& point) {
 
 SplineBlock::SplineBlock(const BlockGrid& grid, std::span<const float> coefficients, const SplineKernels& kernels)
     : grid_(grid), coefficients_(coefficients), kernels_(kernels), cursor_(grid, coefficients) {
+    around_.origin = grid.origin();
     around_.spacing = grid.spacing();
     around_.values.fill(std::numeric_limits<float>::quiet_NaN());
 }
 
 void SplineBlock::land(std::span<const Vec3> points, std::span<Landing> landings) {
-    const auto one_by_one = [&](std::size_t i) {
-        landings[i] = land_on_zero_set(cursor_, points[i], grid_.spacing());
-    };
+    const auto one_by_one = [&](std::size_t i) { landings[i] = land_on_zero_set(cursor_, points[i], grid_.spacing()); };
     for (std::size_t begin = 0; begin < points.size();) {
         const BlockCoord at = block_of(grid_, points[begin]);
         const Vec3 corner = grid_.corner(at);
@@ -60,7 +59,9 @@ void SplineBlock::enter(BlockId block) {
     constexpr int kEdge = SplineCoefficients::kEdge;
     if (block == block_) return;
     block_ = block;
-    around_.first = grid_.corner(block) - kBefore * grid_.spacing() * Vec3{1.0, 1.0, 1.0};
+    const BlockCoord& at = grid_.coord(block);
+    const auto first_node = [](std::int32_t coord) { return std::int64_t{kBlockEdge} * coord - kBefore; };
+    around_.first = {first_node(at.x), first_node(at.y), first_node(at.z)};
     const auto& neighbours = grid_.neighbours(block);
     float* to = around_.values.data();
     for (int z = -kBefore; z < kEdge - kBefore; ++z)

@@ -12,31 +12,6 @@ namespace {
 // Cells further from the origin than this cannot have a block, whose coordinates are of 32 bits.
 constexpr double kFarthestNode = 8e9;
 
-// Values and derivatives of the four cubic B-splines over a cell, at t in [0, 1] (eq. 2.1 of the paper).
-struct Weights {
-    double value[4];
-    double first[4];
-    double second[4];
-
-    Weights(double t, double steps_per_length) {
-        const double u = 1.0 - t;
-        const double s1 = steps_per_length;
-        const double s2 = s1 * s1;
-        value[0] = u * u * u / 6.0;
-        value[1] = (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0;
-        value[2] = (4.0 - 6.0 * u * u + 3.0 * u * u * u) / 6.0;
-        value[3] = t * t * t / 6.0;
-        first[0] = -0.5 * u * u * s1;
-        first[1] = (1.5 * t * t - 2.0 * t) * s1;
-        first[2] = (2.0 * u - 1.5 * u * u) * s1;
-        first[3] = 0.5 * t * t * s1;
-        second[0] = u * s2;
-        second[1] = (3.0 * t - 2.0) * s2;
-        second[2] = (3.0 * u - 2.0) * s2;
-        second[3] = t * s2;
-    }
-};
-
 // The four nodes along one axis whose splines reach a cell, the second of which is the cell's lower node. They can lie
 // in the block before the cell's, or in the one after.
 struct SupportNodes {
@@ -53,21 +28,6 @@ struct SupportNodes {
     int beyond(int i) const { return i < split ? 0 : 1; }
     int node(int i) const { return (first + i) & (kBlockEdge - 1); }
 };
-
-// Sums over the slowest axis of N lanes of four, each with its weight. Always in the same order, so that value() and
-// sample() give the same bits.
-template <int N>
-void contract(const double* from, const double (&weights)[4], double* to) {
-    for (int lane = 0; lane < N; ++lane)
-        to[lane] = (weights[0] * from[lane] + weights[1] * from[N + lane]) +
-                   (weights[2] * from[2 * N + lane] + weights[3] * from[3 * N + lane]);
-}
-
-double contract(const double* from, const double (&weights)[4]) {
-    double sum = 0.0;
-    contract<1>(from, weights, &sum);
-    return sum;
-}
 
 }  // namespace
 
@@ -121,7 +81,7 @@ bool SplineCursor::copy_coefficients(BlockId block, const std::array<int, 3>& no
                 if (id == kNoBlock) return false;
                 corner[k][j][i] = coefficients_.data() + std::size_t{id} * kBlockNodes;
             }
-    double* to = local_.data();
+    float* to = local_.data();
     for (int k = 0; k < kSupport; ++k)
         for (int j = 0; j < kSupport; ++j, to += kSupport) {
             const float* const* row = corner[z.beyond(k)][y.beyond(j)];
@@ -134,65 +94,12 @@ bool SplineCursor::copy_coefficients(BlockId block, const std::array<int, 3>& no
     return true;
 }
 
-double SplineCursor::value() const {
-    double slab[kSupport * kSupport];
-    double row[kSupport];
-    contract<kSupport * kSupport>(local_.data(), Weights(place_[2], steps_per_length_).value, slab);
-    contract<kSupport>(slab, Weights(place_[1], steps_per_length_).value, row);
-    return contract(row, Weights(place_[0], steps_per_length_).value);
-}
-
-ValueAndGradient SplineCursor::value_and_gradient() const {
-    const Weights x(place_[0], steps_per_length_);
-    const Weights y(place_[1], steps_per_length_);
-    const Weights z(place_[2], steps_per_length_);
-    double f[kSupport * kSupport];  // as in sample()
-    double f_z[kSupport * kSupport];
-    contract<kSupport * kSupport>(local_.data(), z.value, f);
-    contract<kSupport * kSupport>(local_.data(), z.first, f_z);
-    double row[kSupport];
-    double row_y[kSupport];
-    double row_z[kSupport];
-    contract<kSupport>(f, y.value, row);
-    contract<kSupport>(f, y.first, row_y);
-    contract<kSupport>(f_z, y.value, row_z);
-    return {contract(row, x.value), {contract(row, x.first), contract(row_y, x.value), contract(row_z, x.value)}};
-}
-
-LevelSetSample SplineCursor::sample() const {
-    const Weights x(place_[0], steps_per_length_);
-    const Weights y(place_[1], steps_per_length_);
-    const Weights z(place_[2], steps_per_length_);
-    double f[kSupport * kSupport];  // of y and x, after summing over z; suffixes name derivatives
-    double f_z[kSupport * kSupport];
-    double f_zz[kSupport * kSupport];
-    contract<kSupport * kSupport>(local_.data(), z.value, f);
-    contract<kSupport * kSupport>(local_.data(), z.first, f_z);
-    contract<kSupport * kSupport>(local_.data(), z.second, f_zz);
-    double row[kSupport];
-    double row_y[kSupport];
-    double row_z[kSupport];
-    double row_yy[kSupport];
-    double row_yz[kSupport];
-    double row_zz[kSupport];
-    contract<kSupport>(f, y.value, row);
-    contract<kSupport>(f, y.first, row_y);
-    contract<kSupport>(f, y.second, row_yy);
-    contract<kSupport>(f_z, y.value, row_z);
-    contract<kSupport>(f_z, y.first, row_yz);
-    contract<kSupport>(f_zz, y.value, row_zz);
-    return {contract(row, x.value),
-            {contract(row, x.first), contract(row_y, x.value), contract(row_z, x.value)},
-            {contract(row, x.second), contract(row_yy, x.value), contract(row_zz, x.value), contract(row_y, x.first),
-             contract(row_z, x.first), contract(row_yz, x.value)}};
-}
-
 int SplineCursor::sign() const {
     std::size_t positive = 0;
     std::size_t negative = 0;
-    for (const double c : local_) {
-        positive += c > 0.0 ? 1 : 0;
-        negative += c < 0.0 ? 1 : 0;
+    for (const float c : local_) {
+        positive += c > 0.0F ? 1 : 0;
+        negative += c < 0.0F ? 1 : 0;
     }
     return (positive == kCoefficients ? 1 : 0) - (negative == kCoefficients ? 1 : 0);
 }

@@ -14,18 +14,15 @@
 
 namespace meniscus {
 
-/// Value and gradient of a spline at one point: what a LevelSetSample costs without its second derivatives.
-struct ValueAndGradient {
-    double value = 0.0;
-    Vec3 gradient;
-};
-
 /// Keeps the 4³ coefficients that matter in the current cell. For one thread.
 class SplineCursor {
 public:
     /// Grid and coefficients, one per node, must outlive the cursor.
     SplineCursor(const BlockGrid& grid, std::span<const float> coefficients)
-        : grid_(&grid), coefficients_(coefficients), steps_per_length_(1.0 / grid.spacing()) {}
+        : grid_(&grid),
+          coefficients_(coefficients),
+          kernels_(&spline_kernels()),
+          steps_per_length_(1.0 / grid.spacing()) {}
 
     /// Goes to a point, Å. False outside the band, where the cursor may not be asked anything.
     bool move_to(const Vec3& point);
@@ -34,9 +31,9 @@ public:
     /// Goes to a place within the current cell, in spacings from its lower corner: 0 to 1, rounding errors allowed.
     void move_within(const std::array<double, 3>& place) { place_ = place; }
 
-    double value() const;
-    ValueAndGradient value_and_gradient() const;
-    LevelSetSample sample() const;
+    double value() const { return kernels_->value(place_in_cell()); }
+    ValueAndGradient value_and_gradient() const { return kernels_->value_and_gradient(place_in_cell()); }
+    LevelSetSample sample() const { return kernels_->sample(place_in_cell()); }
 
     /// 1 if all coefficients of the cell are positive, -1 if all are negative: then so is the spline, everywhere in it.
     /// 0 if they are not, and nothing is known.
@@ -47,18 +44,22 @@ private:
     static constexpr std::size_t kCoefficients = std::size_t{kSupport} * kSupport * kSupport;
     static constexpr std::int64_t kNowhere = INT64_MIN;
 
+    PlaceInCell place_in_cell() const {
+        return {local_.data(), kSupport, std::size_t{kSupport} * kSupport, place_, steps_per_length_};
+    }
     bool load(const std::array<std::int64_t, 3>& node);
     BlockId find_block(const BlockCoord& at);
     bool copy_coefficients(BlockId block, const std::array<int, 3>& node);
 
     const BlockGrid* grid_;
     std::span<const float> coefficients_;
+    const SplineKernels* kernels_;
     double steps_per_length_;
     BlockCoord place_of_block_{};
     BlockId block_ = kNoBlock;  // there, if it has been looked up and exists
     std::array<std::int64_t, 3> node_{kNowhere, kNowhere, kNowhere};
     std::array<double, 3> place_{};
-    std::array<double, kCoefficients> local_;  // x fastest
+    std::array<float, kCoefficients> local_;  // x fastest
 };
 
 /// LevelSet::project. All of the sample is NaN outside the band.

@@ -16,8 +16,8 @@ namespace meniscus {
 namespace {
 
 constexpr double kCloseEnough = 1e-7;  // of a spacing: |Φ| of a landing
-constexpr double kShortStep = 1e-3;    // of a spacing: Taylor's series ends with the second derivatives after these
-constexpr int kMostSamples = 6;
+constexpr int kUsualSteps = 2;         // of Newton's method
+constexpr int kMostSteps = 4;          // after them
 
 namespace plain {
 constexpr std::string_view kInstructions = "plain";
@@ -32,6 +32,14 @@ constexpr std::string_view kInstructions = "avx2";
 #include "grid/spline_kernels.inc"
 }  // namespace avx2
 #pragma GCC pop_options
+
+#pragma GCC push_options
+#pragma GCC target("avx512f,avx512vl,avx512dq")
+namespace avx512 {
+constexpr std::string_view kInstructions = "avx512";
+#include "grid/spline_kernels.inc"
+}  // namespace avx512
+#pragma GCC pop_options
 #endif
 
 }  // namespace
@@ -40,6 +48,7 @@ std::vector<SplineKernels> supported_spline_kernels() {
     std::vector<SplineKernels> kernels{plain::kKernels};
 #ifdef MENISCUS_X86_KERNELS
     if (__builtin_cpu_supports("avx2")) kernels.push_back(avx2::kKernels);
+    if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq")) kernels.push_back(avx512::kKernels);
 #endif
     return kernels;
 }

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <memory>
+#include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -81,15 +84,33 @@ private:
     std::vector<std::size_t> begins_;
 };
 
-// Moves points onto the exact surface. A step along the distance ends there, but next to ridges the distance is a
-// lower bound and a step can fall short: a few are taken.
+// Finds nearest features of points next to each other, and moves them onto the exact surface. A step along the distance
+// ends there, but next to ridges the distance is a lower bound and a step can fall short: a few are taken.
 class ExactProjector {
 public:
     explicit ExactProjector(const AccessibleSurface& surface)
         : surface_(surface), around_(surface, kMargin), local_(surface, kMargin), batch_(surface) {}
 
-    // Goes to a box whose points will be moved.
-    void enter(const Box& box) { around_.gather(box.grown(kRoom)); }
+    // Goes to a box whose points will be treated.
+    void enter(const Box& box) {
+        entered_ = box.grown(kRoom);
+        around_.gather(entered_);
+    }
+
+    // The nearest features of at most kBatchLanes points.
+    void find(std::span<const Vec3> points, std::span<NearestFeature> features) {
+        box_ = {};
+        for (const Vec3& p : points) box_.include(p);
+        if (!entered_.contains(box_)) {
+            for (std::size_t i = 0; i < points.size(); ++i) features[i] = surface_.nearest(points[i]);
+            return;
+        }
+        local_.gather_from(around_, box_);
+        const bool open = batch_.start(local_, box_, kMargin) == NearestBatch::Claim::Open;
+        if (open) batch_.find(points);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            features[i] = open && batch_.found(i) ? batch_.feature(i) : nearest(points[i]);
+    }
 
     // Moves at most kBatchLanes points of a box and fills in their nearest features where they have come to lie.
     void project(const Box& box, std::span<Vec3> points, std::span<NearestFeature> features) {
@@ -112,7 +133,7 @@ public:
     }
 
 private:
-    static constexpr double kRoom = 0.1;          // Å around a run: most points move less
+    static constexpr double kRoom = 0.1;          // Å: most points move less
     static constexpr double kMargin = 0.5;        // Å: points of a mesh are far nearer to the surface than this
     static constexpr double kCloseEnough = 1e-9;  // Å
     static constexpr int kSteps = 3;
@@ -134,7 +155,8 @@ private:
     LocalFeatures around_;  // of many runs
     LocalFeatures local_;
     NearestBatch batch_;
-    Box box_;
+    Box entered_;
+    Box box_;  // of local_
     std::array<Vec3, kBatchLanes> points_;
 };
 
@@ -157,10 +179,22 @@ PrincipalCurvatures principal_curvatures_at(const NearestFeature& feature) {
                                                 : PrincipalCurvatures{mean, mean};
 }
 
-// As k.shape_index(), without its arc tangent where that is known.
-double shape_index_of(const PrincipalCurvatures& k) {
-    if (k.largest != k.smallest || k.largest == 0.0) return k.shape_index();
-    return k.largest > 0.0 ? 1.0 : -1.0;
+// As k.shape_index() within 2e-8, which is less than single precision keeps, without a call: the arc tangent is
+// Abramowitz & Stegun 4.4.49.
+float shape_index_of(const PrincipalCurvatures& k) {
+    constexpr double kFactors[] = {-0.3333314528, 0.1999355085, -0.1420889944, 0.1065626393,
+                                   -0.0752896400, 0.0429096138, -0.0161657367, 0.0028662257};
+    const double sum = k.largest + k.smallest;
+    const double difference = k.largest - k.smallest;
+    const bool steep = std::abs(sum) > difference;
+    const double longer = steep ? std::abs(sum) : difference;
+    if (!(longer > 0.0)) return 0.0F;
+    const double t = (steep ? difference : std::abs(sum)) / longer;
+    const double t2 = t * t;
+    double series = 0.0;
+    for (std::size_t i = std::size(kFactors); i-- > 0;) series = t2 * (series + kFactors[i]);
+    const double angle = 2.0 * std::numbers::inv_pi * t * (1.0 + series);
+    return static_cast<float>(std::copysign(steep ? 1.0 - angle : angle, sum));
 }
 
 // Moves the vertices to where they stay and gives them what is known of the surface there.
@@ -183,57 +217,52 @@ public:
 
     // Returns the distances to the exact surface.
     std::vector<double> run() {
-        if (level_set_ != nullptr)
-            parallel_chunks(mesh_.vertices.size(), kChunk,
-                            [&](std::size_t begin, std::size_t end) { finish_on_level_set(begin, end); });
-        else
-            finish_on_exact_surface();
+        const RunGroups groups(mesh_.vertices, kLongestRun * spacing_);
+        parallel_chunks(groups.size(), kGroupsPerTask, [&](std::size_t begin, std::size_t end) {
+            const auto projector = std::make_unique<ExactProjector>(accessible_);
+            std::optional<SplineBlock> spline;
+            if (level_set_ != nullptr) spline.emplace(level_set_->grid(), level_set_->coefficients());
+            for (std::size_t g = begin; g < end; ++g) {
+                Box box;
+                for (const VertexRun& run : groups.runs(g)) box.include(run.box);
+                projector->enter(box);
+                for (const VertexRun& run : groups.runs(g))
+                    spline ? finish_on_level_set(run, *spline, *projector) : finish_on_exact_surface(run, *projector);
+            }
+        });
         return std::move(distances_);
     }
 
 private:
-    static constexpr std::size_t kChunk = 1024;  // vertices per task
     static constexpr std::size_t kGroupsPerTask = 2;
     static constexpr double kLongestRun = 12.0;  // spacings: a block and a half
 
-    std::span<Vec3> vertices(std::size_t begin, std::size_t end) const {
-        return std::span(mesh_.vertices).subspan(begin, end - begin);
+    std::span<Vec3> vertices(const VertexRun& run) const {
+        return std::span(mesh_.vertices).subspan(run.begin, run.end - run.begin);
     }
 
-    void finish_on_level_set(std::size_t begin, std::size_t end) {
-        std::vector<Landing> landings(end - begin);
-        SplineBlock(level_set_->grid(), level_set_->coefficients()).land(vertices(begin, end), landings);
-        for (std::size_t v = begin; v < end; ++v) {
-            const auto& [point, at] = landings[v - begin];
+    void finish_on_level_set(const VertexRun& run, SplineBlock& spline, ExactProjector& projector) {
+        std::array<Landing, kBatchLanes> landings;
+        spline.land(vertices(run), landings);
+        for (std::size_t v = run.begin; v < run.end; ++v) {
+            const auto& [point, at] = landings[v - run.begin];
             mesh_.vertices[v] = point;
             mesh_.normals[v] = squared_norm(at.gradient) > 0.0 ? normalised(at.gradient) : Vec3{0.0, 0.0, 1.0};
             set_curvatures(v, at.principal_curvatures());
         }
-        const std::vector<NearestFeature> features = nearest_features(accessible_, vertices(begin, end));
-        for (std::size_t v = begin; v < end; ++v) label(v, features[v - begin]);
-    }
-
-    void finish_on_exact_surface() {
-        const RunGroups groups(mesh_.vertices, kLongestRun * spacing_);
-        parallel_chunks(groups.size(), kGroupsPerTask, [&](std::size_t begin, std::size_t end) {
-            const auto projector = std::make_unique<ExactProjector>(accessible_);
-            for (std::size_t g = begin; g < end; ++g) finish_group(groups.runs(g), *projector);
-        });
-    }
-
-    void finish_group(std::span<const VertexRun> runs, ExactProjector& projector) {
-        Box box;
-        for (const VertexRun& run : runs) box.include(run.box);
-        projector.enter(box);
         std::array<NearestFeature, kBatchLanes> features;
-        for (const VertexRun& run : runs) {
-            projector.project(run.box, vertices(run.begin, run.end), features);
-            for (std::size_t v = run.begin; v < run.end; ++v) {
-                const NearestFeature& at = features[v - run.begin];
-                mesh_.normals[v] = at.normal;
-                set_curvatures(v, principal_curvatures_at(at));
-                label(v, at);
-            }
+        projector.find(vertices(run), features);
+        for (std::size_t v = run.begin; v < run.end; ++v) label(v, features[v - run.begin]);
+    }
+
+    void finish_on_exact_surface(const VertexRun& run, ExactProjector& projector) {
+        std::array<NearestFeature, kBatchLanes> features;
+        projector.project(run.box, vertices(run), features);
+        for (std::size_t v = run.begin; v < run.end; ++v) {
+            const NearestFeature& at = features[v - run.begin];
+            mesh_.normals[v] = at.normal;
+            set_curvatures(v, principal_curvatures_at(at));
+            label(v, at);
         }
     }
 
@@ -242,7 +271,7 @@ private:
         const PrincipalCurvatures capped = k.capped(1.0 / spacing_);
         mesh_.mean_curvatures[v] = static_cast<float>(capped.mean());
         mesh_.gaussian_curvatures[v] = static_cast<float>(capped.gaussian());
-        mesh_.shape_indices[v] = static_cast<float>(shape_index_of(capped));
+        mesh_.shape_indices[v] = shape_index_of(capped);
     }
 
     void label(std::size_t v, const NearestFeature& feature) {
