@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include "core/parallel.h"
 
@@ -16,9 +17,11 @@ namespace meniscus {
 namespace {
 
 constexpr std::size_t kBlocksPerChunk = 32;
-constexpr std::size_t kRestart = 30;  // of GMRES
-constexpr int kCycle = 3;             // step lengths of Richardson's iteration
-constexpr double kLeastGain = 0.2;    // of a cycle: flows have below 0.02
+constexpr std::size_t kRestart = 30;      // of GMRES
+constexpr int kCycle = 3;                 // step lengths of Richardson's iteration
+constexpr double kLeastGain = 0.2;        // of a cycle: flows have below 0.02
+constexpr std::size_t kLeastLayer = 256;  // blocks: work for many threads
+constexpr std::size_t kLayersKept = 3;    // of the residual: those that the correction of one needs
 
 using BlockValues = std::array<float, kBlockNodes>;
 
@@ -191,19 +194,35 @@ SplineSystem::SplineSystem(const BlockGrid& grid) : grid_(&grid) {}
 void SplineSystem::set_unknowns(Unknowns unknowns) {
     unknowns_ = std::move(unknowns);
     place_.assign(grid_->block_count(), kNoBlock);
-    for (std::size_t k = 0; k < unknowns_.blocks.size(); ++k)
-        place_[unknowns_.blocks[k]] = static_cast<std::uint32_t>(k);
-    residual_.resize(unknowns_.blocks.size() * kBlockNodes);  // may keep old values: all are overwritten
+}
+
+// Blocks of the same z, and of more z where they are few.
+void SplineSystem::make_layers() {
+    layers_.assign(1, 0);
+    const std::vector<BlockId>& blocks = unknowns_.blocks;
+    for (std::size_t k = 1; k < blocks.size(); ++k)
+        if (k - layers_.back() >= kLeastLayer && grid_->coord(blocks[k]).z != grid_->coord(blocks[k - 1]).z)
+            layers_.push_back(k);
+    layers_.push_back(blocks.size());
+    std::size_t largest = 0;
+    for (std::size_t l = 0; l + 1 < layers_.size(); ++l) largest = std::max(largest, layers_[l + 1] - layers_[l]);
+    for (std::size_t l = 0; l + 1 < layers_.size(); ++l)
+        for (std::size_t k = layers_[l]; k < layers_[l + 1]; ++k)
+            place_[blocks[k]] = static_cast<std::uint32_t>(l % kLayersKept * largest + (k - layers_[l]));
+    residual_.resize(std::min(kLayersKept * largest, blocks.size()) * kBlockNodes);
 }
 
 void SplineSystem::make_krylov_vectors() {
+    for (std::size_t k = 0; k < unknowns_.blocks.size(); ++k)
+        place_[unknowns_.blocks[k]] = static_cast<std::uint32_t>(k);
+    residual_.resize(unknowns_.blocks.size() * kBlockNodes);  // may keep old values: all are overwritten
     direction_.resize(residual_.size());
     image_.resize(residual_.size());
 }
 
-// The blocks around the k-th one with unknowns, in a vector on the unknowns; zeros elsewhere.
-void SplineSystem::find_around(std::size_t k, const Vector& vector, BlocksAround& around) const {
-    const auto& neighbours = grid_->neighbours(unknowns_.blocks[k]);
+// The blocks around one, in a vector on the unknowns; zeros where there are none.
+void SplineSystem::find_around(BlockId block, const Vector& vector, BlocksAround& around) const {
+    const auto& neighbours = grid_->neighbours(block);
     for (std::size_t slot = 0; slot < std::size(around); ++slot) {
         const std::uint32_t at = neighbours[slot] == kNoBlock ? kNoBlock : place_[neighbours[slot]];
         around[slot] = at == kNoBlock ? kZeros.data() : vector.data() + std::size_t{at} * kBlockNodes;
@@ -229,7 +248,7 @@ ImageProducts SplineSystem::apply(const Stencil& stencil) {
     const BlockKernels& kernels = block_kernels();
     return sum_over<ImageProducts>(unknowns_.blocks.size(), [&](std::size_t k) {
         BlocksAround around;
-        find_around(k, direction_, around);
+        find_around(unknowns_.blocks[k], direction_, around);
         return kernels.apply_to_set(weights_of(stencil), around, unknowns_.nodes[k], image_.data() + k * kBlockNodes);
     });
 }
@@ -266,69 +285,85 @@ double SplineSystem::root_mean_square(double squared_norm) const {
     return unknowns_.count > 0 ? std::sqrt(squared_norm / static_cast<double>(unknowns_.count)) : 0.0;
 }
 
-// residual = b - A x on the unknowns; returns its squared norm.
+// residual = b - A x on the unknowns of a layer; returns its squared norm.
 double SplineSystem::find_residual(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
-                                   std::span<const float> x) {
+                                   std::span<const float> x, std::size_t layer) {
     const BlockKernels& kernels = block_kernels();
-    return sum_over<double>(unknowns_.blocks.size(), [&](std::size_t k) {
-        const BlockId block = unknowns_.blocks[k];
-        if (k + 1 < unknowns_.blocks.size()) {
-            const BlockId next = unknowns_.blocks[k + 1];
-            fetch(b, next);
-            fetch(residual_, k + 1);
-            fetch(x, last_neighbour(*grid_, next));
+    const std::span blocks = blocks_of(layer);
+    const NodeBits* nodes = unknowns_.nodes.data() + layers_[layer];
+    return sum_over<double>(blocks.size(), [&](std::size_t k) {
+        const BlockId block = blocks[k];
+        if (k + 1 < blocks.size()) {
+            fetch(b, blocks[k + 1]);
+            fetch(x, last_neighbour(*grid_, blocks[k + 1]));
         }
         return with_blocks_around(*grid_, x, block, fill[block], [&](const BlocksAround& around) {
-            return kernels.find_residual(weights_of(stencil), around, unknowns_.nodes[k],
+            return kernels.find_residual(weights_of(stencil), around, nodes[k],
                                          b.data() + std::size_t{block} * kBlockNodes,
-                                         residual_.data() + k * kBlockNodes);
+                                         residual_.data() + std::size_t{place_[block]} * kBlockNodes);
         });
     });
 }
 
-// x += inverse applied to residual, on the unknowns.
-void SplineSystem::correct(const Stencil& inverse, std::span<float> x) const {
+// x += inverse applied to residual, on the unknowns of a layer.
+void SplineSystem::correct(const Stencil& inverse, std::span<float> x, std::size_t layer) const {
     const BlockKernels& kernels = block_kernels();
-    parallel_for(unknowns_.blocks.size(), kBlocksPerChunk, [&](std::size_t k) {
-        if (k + 1 < unknowns_.blocks.size()) {
-            const BlockId next = unknowns_.blocks[k + 1];
-            fetch(x, next);
-            if (const BlockId last = last_neighbour(*grid_, next); last != kNoBlock) fetch(residual_, place_[last]);
-        }
+    const std::span blocks = blocks_of(layer);
+    const NodeBits* nodes = unknowns_.nodes.data() + layers_[layer];
+    parallel_for(blocks.size(), kBlocksPerChunk, [&](std::size_t k) {
+        if (k + 1 < blocks.size()) fetch(x, blocks[k + 1]);
         BlocksAround around;
-        find_around(k, residual_, around);
-        kernels.correct(weights_of(inverse), around, unknowns_.nodes[k],
-                        x.data() + std::size_t{unknowns_.blocks[k]} * kBlockNodes);
+        find_around(blocks[k], residual_, around);
+        kernels.correct(weights_of(inverse), around, nodes[k], x.data() + std::size_t{blocks[k]} * kBlockNodes);
     });
+}
+
+// Returns the squared norm of b - A x and, if there is an inverse, adds it, applied to b - A x, to x. One pass over
+// memory: a layer is corrected when the residuals beside it are known, and nobody needs its old values any more.
+double SplineSystem::sweep(const Stencil& stencil, const std::optional<Stencil>& inverse, const BlockFill& fill,
+                           std::span<const float> b, std::span<float> x) {
+    const std::size_t layers = layers_.size() - 1;
+    double squares = 0.0;
+    for (std::size_t l = 0; l < layers; ++l) {
+        squares += find_residual(stencil, fill, b, x, l);
+        if (inverse && l > 0) correct(*inverse, x, l - 1);
+    }
+    if (inverse) correct(*inverse, x, layers - 1);
+    return squares;
 }
 
 // Richardson 1910, with an approximate inverse of the stencil (27 coefficients, too) before the residual. Both are
 // multiples of the identity on waves, so the bounds of the product are known, and with them the step lengths of
-// Chebyshev's roots for cycles of kCycle steps (Young 1953). Works in place: a residual is all its memory. On sets of
-// nodes where both stencils miss most of their neighbours the bounds do not hold; conjugate gradients end what a cycle
-// does not bring nearer.
+// Chebyshev's roots for cycles of kCycle steps (Young 1953). Works in place: a few layers of a residual are all its
+// memory. On sets of nodes where both stencils miss most of their neighbours the bounds do not hold; conjugate
+// gradients end what a cycle does not bring nearer.
 SolveResult SplineSystem::solve_richardson(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
                                            std::span<float> x, const SolveOptions& options) {
+    make_layers();
     const Stencil inverse = approximate_inverse(stencil);
     const Range range = range_of_product(stencil, inverse);
     const double middle = 0.5 * (range.least + range.greatest);
     const double radius = 0.5 * (range.greatest - range.least);
-    SolveResult result{0, root_mean_square(find_residual(stencil, fill, b, x))};
-    double before = std::numeric_limits<double>::infinity();  // residual at the start of a cycle
-    while (result.residual > options.tolerance && result.iterations < options.max_iterations) {
+    const auto correction_of = [&](int step) {
+        return (1.0 / (middle + radius * std::cos(std::numbers::pi * (step + 0.5) / kCycle))) * inverse;
+    };
+    SolveResult result;
+    double before = 0.0;  // residual at the start of a cycle
+    do {
         const int step = result.iterations % kCycle;
-        if (step == 0 && !(result.residual < kLeastGain * before)) {
-            const SolveResult rest = solve_cg(
-                stencil, fill, b, x,
-                {.tolerance = options.tolerance, .max_iterations = options.max_iterations - result.iterations});
-            return {result.iterations + rest.iterations, rest.residual};
-        }
-        if (step == 0) before = result.residual;
-        correct((1.0 / (middle + radius * std::cos(std::numbers::pi * (step + 0.5) / kCycle))) * inverse, x);
-        result.residual = root_mean_square(find_residual(stencil, fill, b, x));
-        ++result.iterations;
-    }
-    return result;
+        const double start = root_mean_square(sweep(stencil, correction_of(step), fill, b, x));
+        if (step == 0) before = start;
+        // The residual that is left costs half a step: it is not looked for before it can be small enough.
+        if (++result.iterations >= kCycle) result.residual = root_mean_square(sweep(stencil, {}, fill, b, x));
+        const bool stalls = result.iterations % kCycle == 0 && !(result.residual < kLeastGain * before);
+        if (stalls) break;
+    } while (result.iterations < kCycle ||
+             (result.residual > options.tolerance && result.iterations < options.max_iterations));
+    if (result.residual <= options.tolerance || result.iterations >= options.max_iterations) return result;
+    const SolveResult rest =
+        solve_cg(stencil, fill, b, x,
+                 {.tolerance = options.tolerance, .max_iterations = options.max_iterations - result.iterations});
+    return {result.iterations + rest.iterations, rest.residual};
 }
 
 // The next residual's norm is known before the step from that of the image, because the residual is orthogonal to the

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -57,8 +58,8 @@ struct SolveResult {
 /// conjugate gradients or by GMRES restarted every 30 iterations, which needs as many vectors.
 ///
 /// The stencil must be positive definite. Sums run over blocks in fixed order: the same bits for any number of threads,
-/// and for any instructions (block_kernels.h). An iteration of the first two is two passes over the blocks with
-/// unknowns (docs/design/performance.md). Reuses its memory from solve to solve.
+/// and for any instructions (block_kernels.h). An iteration of the first is one pass over the blocks with unknowns,
+/// of the second two (docs/design/performance.md). Reuses its memory from solve to solve.
 class SplineSystem {
 public:
     explicit SplineSystem(const BlockGrid& grid);
@@ -80,10 +81,16 @@ private:
                             const SolveOptions& options);
     void set_unknowns(Unknowns unknowns);
     void make_krylov_vectors();
+    void make_layers();
+    std::span<const BlockId> blocks_of(std::size_t layer) const {
+        return std::span(unknowns_.blocks).subspan(layers_[layer], layers_[layer + 1] - layers_[layer]);
+    }
+    double sweep(const Stencil& stencil, const std::optional<Stencil>& inverse, const BlockFill& fill,
+                 std::span<const float> b, std::span<float> x);
     double find_residual(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
-                         std::span<const float> x);
-    void correct(const Stencil& inverse, std::span<float> x) const;
-    void find_around(std::size_t k, const Vector& vector, BlocksAround& around) const;
+                         std::span<const float> x, std::size_t layer);
+    void correct(const Stencil& inverse, std::span<float> x, std::size_t layer) const;
+    void find_around(BlockId block, const Vector& vector, BlocksAround& around) const;
     double begin(const Stencil& stencil, const BlockFill& fill, std::span<const float> b, std::span<const float> x);
     ImageProducts apply(const Stencil& stencil);
     double advance(const CgFactors& factors, std::span<float> x);
@@ -94,8 +101,9 @@ private:
 
     const BlockGrid* grid_;
     Unknowns unknowns_;
-    std::vector<std::uint32_t> place_;  // of each block among those with unknowns, else kNoBlock
-    Vector residual_;
+    std::vector<std::uint32_t> place_;  // of each block with unknowns in the vectors, else kNoBlock
+    std::vector<std::size_t> layers_;   // of Richardson's iteration: where they begin among the blocks
+    Vector residual_;                   // of Richardson's iteration: of the last few layers
     Vector direction_;
     Vector image_;  // stencil applied to direction
 };
