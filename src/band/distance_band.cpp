@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/fresh_memory.h"
 #include "core/parallel.h"
 
 namespace meniscus {
@@ -231,8 +232,8 @@ DistanceBand sample_distance(const AccessibleSurface& surface, const BlockGrid& 
                              BandFields fields) {
     DistanceBand band;
     band.margin = margin;
-    band.distance.resize(grid.node_count());
-    if (fields == BandFields::DistanceAndCurvature) band.curvature.resize(grid.node_count());
+    resize_touched(band.distance, grid.node_count());
+    if (fields == BandFields::DistanceAndCurvature) resize_touched(band.curvature, grid.node_count());
     const BlockGroups groups(grid);
     parallel_chunks(groups.size(), kGroupsPerChunk, [&](std::size_t begin, std::size_t end) {
         const auto evaluator = std::make_unique<BlockDistance>(surface, grid.spacing(), margin);

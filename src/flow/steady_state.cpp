@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "flow/spline_system.h"
 #include "grid/block_kernels.h"
@@ -43,7 +44,7 @@ EvolutionResult solve_steady_state(const BlockGrid& grid, DistanceBand band, con
     const BlockFill fill = fill_by_sign(grid, band.distance, band.margin);
     EvolutionResult result;
     std::vector<float>& coefficients = result.state.coefficients;
-    coefficients.resize(grid.node_count());
+    resize_touched(coefficients, grid.node_count());
     apply_everywhere(grid, spline_quasi_interpolant(), band.distance, fill, coefficients);
     make_right_side(band.distance, static_cast<float>(lambda), band.curvature);
     const double tolerance = kSolverAccuracy * h * lambda;

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/fresh_memory.h"
 #include "core/parallel.h"
 
 namespace meniscus {
@@ -22,7 +23,10 @@ constexpr std::size_t kChunk = 8192;  // vertices or triangles per task: some te
 // compare-and-swap, and a shortcut that is written over another one leads to the same root.
 class SharedSets {
 public:
-    explicit SharedSets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
+    explicit SharedSets(std::size_t size) {
+        resize_touched(parent_, size);
+        std::iota(parent_.begin(), parent_.end(), 0U);
+    }
 
     std::uint32_t root(std::uint32_t i) {
         for (std::uint32_t parent = load(i); parent != i; parent = load(i)) {
@@ -61,7 +65,8 @@ std::vector<std::uint32_t> pieces_by_first_vertex(const Mesh& mesh) {
             sets.join(a, c);
         }
     });
-    std::vector<std::uint32_t> piece(mesh.vertices.size());
+    std::vector<std::uint32_t> piece;
+    resize_touched(piece, mesh.vertices.size());
     parallel_for(piece.size(), kChunk, [&](std::size_t v) { piece[v] = sets.root(static_cast<std::uint32_t>(v)); });
     std::uint32_t pieces = 0;
     for (std::uint32_t v = 0; v < piece.size(); ++v) piece[v] = piece[v] == v ? pieces++ : piece[piece[v]];

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "meniscus/errors.h"
 #include "mesh/cell_cases.h"
@@ -156,8 +157,8 @@ Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values) {
         throw LimitError("the mesh would have " + std::to_string(totals.first_vertex) +
                          " vertices, more than 2^32 - 1; choose a larger --spacing");
     Mesh mesh;
-    mesh.vertices.reserve(totals.first_vertex);
-    mesh.triangles.reserve(likely_triangles(totals.first_vertex));
+    reserve_touched(mesh.vertices, totals.first_vertex);
+    reserve_touched(mesh.triangles, likely_triangles(totals.first_vertex));
     const BlockFiller filler(grid, values, edges);
     std::vector<MeshPart> parts(kTasks);
     for (std::size_t first = 0; first < grid.block_count(); first += kTasks * kGrain) {

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "geometry/local_features.h"
 #include "geometry/nearest_batch.h"
@@ -201,18 +202,15 @@ float shape_index_of(const PrincipalCurvatures& k) {
 class VertexFinisher {
 public:
     VertexFinisher(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing, Mesh& mesh)
-        : accessible_(accessible),
-          level_set_(level_set),
-          spacing_(spacing),
-          mesh_(mesh),
-          distances_(mesh.vertices.size()) {
+        : accessible_(accessible), level_set_(level_set), spacing_(spacing), mesh_(mesh) {
         const std::size_t n = mesh.vertices.size();
-        mesh.normals.resize(n);
-        mesh.atoms.resize(n);
-        mesh.patches.resize(n);
-        mesh.mean_curvatures.resize(n);
-        mesh.gaussian_curvatures.resize(n);
-        mesh.shape_indices.resize(n);
+        resize_touched(distances_, n);
+        resize_touched(mesh.normals, n);
+        resize_touched(mesh.atoms, n);
+        resize_touched(mesh.patches, n);
+        resize_touched(mesh.mean_curvatures, n);
+        resize_touched(mesh.gaussian_curvatures, n);
+        resize_touched(mesh.shape_indices, n);
     }
 
     // Returns the distances to the exact surface.
