@@ -51,11 +51,11 @@ TEST(ChoosePieces, IslandsGoWithTheirCavityAndOuterPiecesStay) {
 
 TEST(ChoosePieces, BesideACavityIsNotWithinIt) {
     // In the corner of the cavity's box.
-    Mesh mesh = joined({cavity({}, 2.0), ball({1.7, 1.7, 1.7}, 0.5)});
+    Mesh mesh = joined({cavity({}, 2.0), ball({1.5, 1.5, 1.5}, 0.3)});
     const DroppedPieces dropped = drop_small_cavities(mesh, 100.0, kStay);
     EXPECT_EQ(dropped.cavities, 1u);
     EXPECT_EQ(dropped.islands, 0u);
-    EXPECT_EQ(mesh.vertices, ball({1.7, 1.7, 1.7}, 0.5).vertices);
+    EXPECT_EQ(mesh.vertices, ball({1.5, 1.5, 1.5}, 0.3).vertices);
 }
 
 TEST(ChoosePieces, VolumesAreThoseOnTheSurface) {
