@@ -284,6 +284,15 @@ TEST(Surface, TopologyIsSimplifiedOnlyOnRequest) {
     }
 }
 
+TEST(Surface, VanDerWaalsSurfacesAreMadeEven) {
+    for (const unsigned seed : {2U, 3U, 9U}) {  // with vertices in corners, where there is no normal
+        const Surface surface = compute_surface(random_cluster(100, 12.0, seed),
+                                                {.method = Method::Direct, .probe = 0.0, .remesh = {.edge = 1.5}});
+        EXPECT_TRUE(surface.passed());
+        expect_closed_manifold(surface.mesh);
+    }
+}
+
 TEST(Surface, PiecesSmallerThanAnEdgeVanishOnRequest) {
     Atoms atoms = ring_of_atoms();
     atoms.centres.push_back({20.0, 0.0, 0.0});
