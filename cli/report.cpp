@@ -60,15 +60,18 @@ ordered_json surface_options_block(const SurfaceRequest& request, const Structur
                        {"probe", o.probe},
                        {"spacing", o.spacing},
                        {"components", name_of(o.pieces)},
+                       {"min_cavity", o.min_cavity},
                        {"edge", if_used(o.remesh.is_on(), o.remesh.edge)},
                        {"adaptive", if_used(o.remesh.is_on(), o.remesh.adaptive)},
                        {"keep_ridges", if_used(o.remesh.is_on(), o.remesh.keep_ridges)},
+                       {"simplify_topology", if_used(o.remesh.is_on(), o.remesh.simplify_topology)},
                        {"density", if_used(o.method != Method::Direct, o.density)},
                        {"time_step", if_used(flow, time_step_json(o.flow.time_step))},
                        {"half_width", if_used(flow, o.flow.half_width)},
                        {"max_steps", if_used(flow, o.flow.max_steps)},
                        {"tolerance", if_used(flow, o.flow.tolerance)},
                        {"threads", facts.threads},
+                       {"verify", o.verify},
                        {"memory_mb", if_used(o.memory_limit_mb > 0, o.memory_limit_mb)}};
     report_picture(request.picture, structure, has_picture(request.outputs), block);
     return block;
@@ -105,13 +108,20 @@ ordered_json options_block(ordered_json block, const CommonRequest& request) {
 /// How far a value is from the exact one, relative to that; nan where there is nothing.
 double deviation(double value, double exact) { return (value - exact) / std::abs(exact); }
 
+/// Whether a piece is too small a cavity or lies within one.
+bool is_dropped(const SurfaceComponent& piece, const Measures& exact, double min_cavity) {
+    if (piece.kind == ComponentKind::Cavity && piece.ses_volume < min_cavity) return true;
+    return piece.inside_of != kNone && is_dropped(exact.components[piece.inside_of], exact, min_cavity);
+}
+
 /// Exact area and volume of the pieces that a mesh keeps.
-SurfaceTotals exact_counterpart(const Measures& exact, Pieces pieces) {
-    if (pieces == Pieces::All) return exact.totals;
+SurfaceTotals exact_counterpart(const Measures& exact, const SurfaceOptions& options) {
+    if (options.pieces == Pieces::All && options.min_cavity == 0.0) return exact.totals;
     SurfaceTotals sum;
     for (const SurfaceComponent& c : exact.components) {
         const bool outer = c.kind == ComponentKind::Outer;
-        if (outer != (pieces == Pieces::Outer)) continue;
+        if (options.pieces != Pieces::All && outer != (options.pieces == Pieces::Outer)) continue;
+        if (is_dropped(c, exact, options.min_cavity)) continue;
         sum.ses_area += c.ses_area;
         sum.ses_volume += outer ? c.ses_volume : -c.ses_volume;
     }
@@ -122,12 +132,15 @@ ordered_json percentiles_json(const Percentiles& p) {
     return {{"min", p.min}, {"p5", p.p5}, {"p50", p.p50}, {"p95", p.p95}, {"max", p.max}};
 }
 
-ordered_json quality_json(const std::optional<MeshQuality>& quality) {
+ordered_json quality_json(const Surface& surface) {
+    const std::optional<MeshQuality>& quality = surface.quality;
     if (!quality) return nullptr;
+    const std::optional<std::size_t>& verified = surface.self_intersections;
     return {{"angle_histogram", quality->angles},
             {"smallest_angles_deg", percentiles_json(quality->smallest_angles)},
             {"edges", percentiles_json(quality->edges)},
-            {"aspect_ratios", percentiles_json(quality->aspect_ratios)}};
+            {"aspect_ratios", percentiles_json(quality->aspect_ratios)},
+            {"self_intersections", if_used(verified.has_value(), verified.value_or(0))}};
 }
 
 ordered_json two_sided_json(const std::optional<TwoSidedDistance>& distance) {
@@ -154,11 +167,13 @@ ordered_json mesh_block(const Surface& surface, const SurfaceTotals& exact) {
             {"manifold", m.manifold},
             {"components", m.components.size()},
             {"euler_characteristic", m.euler_characteristic},
+            {"dropped", {{"cavities", surface.dropped.cavities}, {"islands", surface.dropped.islands}}},
+            {"simplified", {{"handles", surface.simplified.handles}, {"pieces", surface.simplified.pieces}}},
             {"mean_distance", surface.distance.mean},
             {"p99_distance", surface.distance.p99},
             {"max_distance", surface.distance.max},
             {"smallest_triangle_angle_deg", m.smallest_angle_deg},
-            {"quality", quality_json(surface.quality)},
+            {"quality", quality_json(surface)},
             {"two_sided_distance", two_sided_json(surface.two_sided)}};
 }
 
@@ -232,7 +247,7 @@ ordered_json make_report(const SurfaceRequest& request, const Structure& structu
             {"options", options_block(surface_options_block(request, structure, facts), request)},
             {"exact", exact_json(exact)},
             {"components", components_json(exact)},
-            {"mesh", mesh_block(surface, exact_counterpart(exact, surface.options.pieces))},
+            {"mesh", mesh_block(surface, exact_counterpart(exact, surface.options))},
             {"flow", flow_block(surface)},
             {"checks", checks_block(checks)},
             {"expected", expected_block(surface.expected)},

@@ -14,11 +14,21 @@ namespace meniscus::cli {
 
 namespace {
 
-std::string describe_components(const MeshMeasures& measures) {
+std::string describe_components(const Surface& surface) {
+    const MeshMeasures& measures = surface.measures;
     const auto outer = std::count_if(measures.components.begin(), measures.components.end(),
                                      [](const MeshComponent& c) { return c.volume > 0.0; });
     const std::size_t cavities = measures.components.size() - static_cast<std::size_t>(outer);
-    return fmt::format("{} ({} outer, {})", measures.components.size(), outer, counted(cavities, "cavity", "cavities"));
+    std::string text =
+        fmt::format("{} ({} outer, {})", measures.components.size(), outer, counted(cavities, "cavity", "cavities"));
+    if (surface.dropped.cavities > 0)
+        text += fmt::format("; {} below {:g} Å³ dropped", counted(surface.dropped.cavities, "cavity", "cavities"),
+                            surface.options.min_cavity);
+    if (surface.simplified.handles > 0)
+        text += fmt::format("; {} cut", counted(surface.simplified.handles, "handle", "handles"));
+    if (surface.simplified.pieces > 0)
+        text += fmt::format("; {} vanished", counted(surface.simplified.pieces, "piece", "pieces"));
+    return text;
 }
 
 std::string describe_mesh(const Surface& surface) {
@@ -44,7 +54,7 @@ std::string make_summary(const Structure& structure, const Surface& surface, con
     text += summary_line("area", fmt::format("{:.2f} Å² (flat triangles {:.2f} Å²)", surface.corrected_area, m.area));
     text +=
         summary_line("volume", fmt::format("{:.2f} Å³ (flat triangles {:.2f} Å³)", surface.corrected_volume, m.volume));
-    text += summary_line("components", describe_components(m));
+    text += summary_line("components", describe_components(surface));
     text += summary_line("mesh", describe_mesh(surface));
     text +=
         summary_line("distance", fmt::format("mean {:.4f}, 99 % below {:.4f}, largest {:.4f} Å from the exact surface",

@@ -23,6 +23,8 @@ void add_shape_options(CLI::App& command, SurfaceRequest& request) {
     add_choice(command, "--method", surface.method, kMethods, "Smooth flow, sharp direct, or only the Gaussian start");
     add_number(command, "--spacing", surface.spacing, Sign::Positive, "H", "Grid spacing, Å");
     add_choice(command, "--components", surface.pieces, kPieces, "Which closed pieces the mesh keeps");
+    add_number(command, "--min-cavity", surface.min_cavity, Sign::NotNegative, "V",
+               "Drop cavities that enclose less, Å³, and what lies in them; outer pieces stay");
     add_number(command, "--density", surface.density, Sign::Negative, "C",
                "Constant of the initial Gaussian map, Å^-2");
 }
@@ -43,6 +45,8 @@ void add_remesh_options(CLI::App& command, SurfaceRequest& request) {
         ->excludes(by_edge);
     command.add_flag("--adaptive", remesh.adaptive, "Shorter edges where the surface bends more");
     command.add_flag("--keep-ridges", remesh.keep_ridges, "Edges run along the creases of the surface");
+    command.add_flag("--simplify-topology", remesh.simplify_topology,
+                     "Cut handles, close tunnels and drop pieces narrower than an edge");
 }
 
 void add_encoding(CLI::App& command, SurfaceRequest& request) {
@@ -65,8 +69,9 @@ void complete(SurfaceRequest& request) {
     if (recorded && request.surface.method != Method::Flow)
         throw UsageError("--history and --snapshots show the steps of a flow; use --method flow");
     const RemeshOptions& remesh = request.surface.remesh;
-    if ((remesh.adaptive || remesh.keep_ridges) && !remesh.is_on())
-        throw UsageError("--adaptive and --keep-ridges shape even triangles; ask for them with --edge");
+    if ((remesh.adaptive || remesh.keep_ridges || remesh.simplify_topology) && !remesh.is_on())
+        throw UsageError(
+            "--adaptive, --keep-ridges and --simplify-topology shape even triangles; ask for them with --edge");
     request.surface.history = !request.flow.history.empty();
     request.surface.initial_area = !request.report.empty();
     request.surface.quality = !request.report.empty();
@@ -95,6 +100,8 @@ void add_surface_options(CLI::App& command, SurfaceRequest& request) {
     command.option_defaults()->group("Running");
     add_run_options(command, request, request.surface.threads);
     add_memory_limit(command, request);
+    command.add_flag("--verify", request.surface.verify,
+                     "The expensive self-checks, too: does the mesh pass through itself?");
 }
 
 const char* name_of(Pieces pieces) { return word_for(kPieces, pieces); }

@@ -41,7 +41,9 @@ struct SurfaceOptions {
     bool initial_area = false;        ///< measure the Gaussian start, too, where the flow can do without
     bool quality = false;             ///< look at the shapes of the triangles, too
     bool two_sided_distance = false;  ///< measure how far mesh and exact SES are from each other between vertices, too
+    bool verify = false;              ///< make the expensive self-checks, too
     Pieces pieces = Pieces::All;      ///< what the mesh keeps
+    double min_cavity = 0.0;          ///< Å³: cavities that enclose less are dropped, with all that lies in them
     RemeshOptions remesh{};           ///< even triangles of a chosen size; needs a spacing of at most 0.5 Å
     int threads = 0;                  ///< 0: all cores; results do not depend on it
     std::size_t memory_limit_mb = 0;  ///< 0: what the machine has available
@@ -53,6 +55,18 @@ struct Check {
     bool passed = false;
     double value = 0.0;
     double bound = 0.0;
+};
+
+/// What SurfaceOptions::min_cavity has dropped.
+struct DroppedPieces {
+    std::size_t cavities = 0;
+    std::size_t islands = 0;  ///< outer pieces within these cavities
+};
+
+/// What RemeshOptions::simplify_topology has changed.
+struct SimplifiedTopology {
+    std::size_t handles = 0;  ///< cut; tunnels closed among them
+    std::size_t pieces = 0;   ///< vanished
 };
 
 /// Wall-clock seconds per stage.
@@ -69,14 +83,17 @@ struct Surface {
     SurfaceOptions options;
     Mesh mesh;
     MeshMeasures measures;
-    double corrected_area = 0.0;                ///< Å², curvature-corrected quadrature over the mesh
-    double corrected_volume = 0.0;              ///< Å³
-    DistanceSummary distance;                   ///< of the mesh's vertices to the exact SES
-    std::optional<MeshQuality> quality;         ///< if asked for
-    std::optional<TwoSidedDistance> two_sided;  ///< if asked for
-    FlowSummary flow;                           ///< zero for Method::Direct and Method::Gaussian
-    std::vector<FlowStep> history;              ///< if asked for, and always for a flow without an anchor
-    std::shared_ptr<const LevelSet> level_set;  ///< absent for Method::Direct
+    double corrected_area = 0.0;                    ///< Å², curvature-corrected quadrature over the mesh
+    double corrected_volume = 0.0;                  ///< Å³
+    DistanceSummary distance;                       ///< of the mesh's vertices to the exact SES
+    std::optional<MeshQuality> quality;             ///< if asked for
+    std::optional<TwoSidedDistance> two_sided;      ///< if asked for
+    DroppedPieces dropped;                          ///< too small for the mesh
+    SimplifiedTopology simplified;                  ///< by making triangles even
+    std::optional<std::size_t> self_intersections;  ///< pairs of triangles that pass through each other, if verified
+    FlowSummary flow;                               ///< zero for Method::Direct and Method::Gaussian
+    std::vector<FlowStep> history;                  ///< if asked for, and always for a flow without an anchor
+    std::shared_ptr<const LevelSet> level_set;      ///< absent for Method::Direct
     std::vector<Check> checks;
     Cost expected;  ///< before the computation started
     StageTimes seconds;

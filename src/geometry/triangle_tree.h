@@ -15,6 +15,9 @@ struct TriangleTree {
     /// cost     O(n log n)
     explicit TriangleTree(const Mesh& mesh);
 
+    /// From a point to the nearest one of the mesh that the tree was made of, Å; infinite where that has no triangles.
+    double distance(const Mesh& mesh, const Vec3& point) const;
+
     std::vector<std::uint32_t> order;  ///< the triangle of each item: along a space-filling curve, ties as in the mesh
     BoxTree tree;
 };

@@ -46,29 +46,6 @@ double aspect_ratio(double a, double b, double c) {
     return product > 0.0 ? a * b * c / product : std::numeric_limits<double>::infinity();
 }
 
-// The point of a triangle that is nearest to p (Ericson 2005, Real-Time Collision Detection, 5.1.5).
-Vec3 nearest_in_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 ab = b - a;
-    const Vec3 ac = c - a;
-    const double d1 = dot(ab, p - a);
-    const double d2 = dot(ac, p - a);
-    if (d1 <= 0.0 && d2 <= 0.0) return a;
-    const double d3 = dot(ab, p - b);
-    const double d4 = dot(ac, p - b);
-    if (d3 >= 0.0 && d4 <= d3) return b;
-    const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + (d1 / (d1 - d3)) * ab;
-    const double d5 = dot(ab, p - c);
-    const double d6 = dot(ac, p - c);
-    if (d6 >= 0.0 && d5 <= d6) return c;
-    const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + (d2 / (d2 - d6)) * ac;
-    const double va = d3 * d6 - d5 * d4;
-    if (va <= 0.0 && d4 >= d3 && d5 >= d6) return b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b);
-    const double scale = 1.0 / (va + vb + vc);
-    return a + (vb * scale) * ab + (vc * scale) * ac;
-}
-
 // Distances with the area that each stands for.
 class WeightedDistances {
 public:
@@ -97,18 +74,6 @@ public:
 private:
     std::vector<std::pair<double, double>> pairs_;
 };
-
-double distance_to(const Mesh& mesh, const TriangleTree& triangles, const Vec3& point) {
-    double least = std::numeric_limits<double>::infinity();
-    triangles.tree.search_nearest(
-        point, [&least] { return least; },
-        [&](std::uint32_t i) {
-            const auto& [a, b, c] = mesh.triangles[triangles.order[i]];
-            const Vec3 nearest = nearest_in_triangle(point, mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
-            least = std::min(least, squared_norm(point - nearest));
-        });
-    return std::sqrt(least);
-}
 
 // Barycentric coordinates of points that stand for four equal parts of a triangle.
 constexpr std::array<std::array<double, 3>, 4> kSamples{{{1.0 / 3, 1.0 / 3, 1.0 / 3},
@@ -180,7 +145,7 @@ TwoSidedDistance measure_distance(const Mesh& mesh, const AccessibleSurface& sur
             const std::size_t sample = kSamples.size() * begin + i;
             const double distance = features[i].signed_distance;
             to_exact.set(sample, std::abs(distance), area);
-            from_exact.set(sample, distance_to(mesh, triangles, points[i] - distance * features[i].normal), area);
+            from_exact.set(sample, triangles.distance(mesh, points[i] - distance * features[i].normal), area);
         }
     });
     return {std::move(to_exact).summarise(), std::move(from_exact).summarise()};

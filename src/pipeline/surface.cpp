@@ -17,9 +17,12 @@
 #include "meniscus/errors.h"
 #include "mesh/extract.h"
 #include "pipeline/band_size.h"
+#include "pipeline/choose_pieces.h"
 #include "pipeline/flow_stage.h"
 #include "pipeline/surface_mesh.h"
 #include "pipeline/surface_projector.h"
+#include "remesh/narrow_handles.h"
+#include "remesh/self_intersections.h"
 
 namespace meniscus {
 namespace {
@@ -38,6 +41,8 @@ constexpr double kCoarsestForRemeshing = 0.5;  // Å: coarser grids do not know 
 // A distance changes by at most 1 per Å: both ends of an edge that the surface cuts are within the edge's length. Of
 // all other nodes marching cubes needs the sign alone.
 constexpr double kCutEdge = 1.01;  // spacings
+
+constexpr int kSimplifyingRounds = 3;  // none has needed more than two
 
 constexpr std::size_t kTrianglesPerChunk = 4096;
 
@@ -80,6 +85,10 @@ void check_options(const SurfaceOptions& options) {
     require(remesh.edge == 0.0 || positive(remesh.edge), "edge", remesh.edge, "finite and positive");
     require(!remesh.is_on() || options.spacing <= kCoarsestForRemeshing, "spacing", options.spacing,
             fmt::format("at most {:g} where triangles are made even", kCoarsestForRemeshing));
+    require(!remesh.simplify_topology || remesh.is_on(), "edge", remesh.edge,
+            "positive where the topology is simplified");
+    require(std::isfinite(options.min_cavity) && options.min_cavity >= 0.0, "min cavity", options.min_cavity,
+            "finite and not negative");
     require(options.threads >= 0, "threads", options.threads, "0 (all cores) or more");
 }
 
@@ -203,7 +212,8 @@ private:
         Mesh zero_set = extract_zero_set(*field.grid, field.values);
         std::vector<float>().swap(field.values);  // the mesh grows into their memory
         const SurfaceProjector project = surface_projector(*accessible_, field.level_set.get(), options_.spacing);
-        if (options_.remesh.is_on()) zero_set = remesh(zero_set, options_.remesh, project);
+        if (options_.min_cavity > 0.0) surface_.dropped = drop_small_cavities(zero_set, options_.min_cavity, project);
+        if (options_.remesh.is_on()) zero_set = make_even(std::move(zero_set), project);
         SurfaceMesh meshed = mesh_surface(*accessible_, std::move(zero_set), field.level_set.get(),
                                           {.spacing = options_.spacing, .pieces = options_.pieces});
         surface_.level_set = std::move(field.level_set);
@@ -212,6 +222,20 @@ private:
         if (options_.method != Method::Flow) return;
         surface_.flow.mean_distance = surface_.distance.mean;
         surface_.flow.max_distance = surface_.distance.max;
+    }
+
+    // Handles are too narrow for the triangles only where these are even; their ends are made even afterwards.
+    Mesh make_even(Mesh zero_set, const SurfaceProjector& project) {
+        const RemeshOptions& wanted = options_.remesh;
+        if (wanted.simplify_topology) surface_.simplified.pieces = drop_tiny_pieces(zero_set, wanted.edge);
+        Mesh even = remesh(zero_set, wanted, project);
+        for (int round = 0; wanted.simplify_topology && round < kSimplifyingRounds; ++round) {
+            const CutMesh cut = cut_narrow_handles(even, wanted.edge, project);
+            if (cut.handles == 0) break;
+            surface_.simplified.handles += cut.handles;
+            even = remesh(cut.mesh, wanted, project);
+        }
+        return even;
     }
 
     void measure() {
@@ -230,10 +254,17 @@ private:
             surface_.checks.push_back(holds("not_empty", !surface_.mesh.triangles.empty()));
         surface_.checks.push_back(holds("closed", surface_.measures.closed));
         surface_.checks.push_back(holds("manifold", surface_.measures.manifold));
+        if (options_.verify) verify();
         if (options_.method == Method::Flow) surface_.checks.push_back(holds("converged", surface_.flow.converged));
         if (options_.method == Method::Gaussian) return;
         const double bound = kMeanDistanceBound * options_.spacing;
         surface_.checks.push_back({"mean_distance", surface_.distance.mean <= bound, surface_.distance.mean, bound});
+    }
+
+    void verify() {
+        surface_.self_intersections = places_of_self_intersections(surface_.mesh).size();
+        const auto count = static_cast<double>(*surface_.self_intersections);
+        surface_.checks.push_back({"no_self_intersections", count == 0.0, count, 0.0});
     }
 
     // Normals tell the middle of short edges; those of large triangles are looked for.

@@ -7,6 +7,7 @@ usage: program_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 import csv
 import json
+import math
 import pathlib
 import shutil
 import signal
@@ -15,6 +16,7 @@ import sys
 import tempfile
 import unittest
 
+import mesh_files
 import schema
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
@@ -23,6 +25,11 @@ UBIQUITIN = SOURCE / "examples" / "1ubq.pdb"
 
 # Two overlapping spheres and a third apart: quick, with two components.
 SPHERES = "0 0 0 1.7\n1.2 0 0 1.52\n20 0 0 1.8\n"
+
+# Ninety atoms on a sphere of 6.5 Å: an outer surface and a cavity.
+SHELL = "".join(f"{6.5 * math.sqrt(1 - z * z) * math.cos(a):.4f} {6.5 * math.sqrt(1 - z * z) * math.sin(a):.4f} "
+                f"{6.5 * z:.4f} 1.7\n"
+                for z, a in ((1 - (2 * i + 1) / 90, 2.399963229728653 * i) for i in range(90)))
 
 ATOM = "ATOM  {serial:5}  {name:<3} GLY A{residue:4}    {x:8.3f}{y:8.3f}{z:8.3f}  1.00 10.00           {element}\n"
 
@@ -86,8 +93,9 @@ class Help(ProgramTest):
         for option in ("--probe --radii --hydrogens --model --assembly --altloc --chains --select --hetero --waters "
                        "--strict-radii --report --threads --quiet --progress --method --flow --spacing --density "
                        "--curvature --anchor --reinitialise --solver --slope --time-step --half-width --max-steps "
-                       "--tolerance --history --snapshots --components -o --memory --ascii --color --view --size --background --depth-cue "
-                       "--perspective --outline").split():
+                       "--tolerance --history --snapshots --components --min-cavity --edge --vertex-density --adaptive "
+                       "--keep-ridges --simplify-topology --verify -o --memory --ascii --color --view --size "
+                       "--background --depth-cue --perspective --outline").split():
             self.assertIn(f"  {option} ", text)
         text = self.run_program("measure", "--help").stdout
         for option in ("--probe --radii --hydrogens --model --assembly --altloc --chains --select --hetero --waters "
@@ -105,13 +113,14 @@ class Usage(ProgramTest):
 
     def test_numbers_that_make_no_sense_are_refused(self):
         for option in ("--spacing", "--probe", "--density", "--time-step", "--max-steps", "--threads", "--memory",
-                       "--model"):
+                       "--model", "--min-cavity"):
             for value in ("abc", "", "nan", "inf", "-inf", "1e999", "1.4x"):
                 if (option, value) != ("--time-step", "inf"):
                     self.assertIn(option, self.refused("three.xyzr", option, value))
         for option, value in (("--spacing", "0"), ("--spacing", "-1"), ("--probe", "-1"), ("--density", "0"),
                               ("--density", "1"), ("--time-step", "0"), ("--max-steps", "0"), ("--threads", "0"),
-                              ("--threads", "1.5"), ("--memory", "0"), ("--model", "0"), ("--model", "-1")):
+                              ("--threads", "1.5"), ("--memory", "0"), ("--model", "0"), ("--model", "-1"),
+                              ("--min-cavity", "-1")):
             self.assertIn(option, self.refused("three.xyzr", option, value))
 
     def test_records_of_a_flow_need_a_flow(self):
@@ -245,6 +254,34 @@ class Outputs(ProgramTest):
         none = self.report("three.xyzr", "-o", "a.ply", "--components", "cavities")
         self.assertEqual(none["mesh"]["vertices"], 0)
 
+    def test_small_cavities_are_dropped_on_request(self):
+        (self.folder / "shell.xyzr").write_text(SHELL)
+        volume = [c["ses_volume"] for c in self.report("shell.xyzr")["components"] if c["kind"] == "cavity"]
+        self.assertEqual(len(volume), 1)
+        for options in ([], ["--edge", "1"], ["--method", "direct"]):
+            for factor, pieces in ((0.8, 2), (1.2, 1)):
+                report = self.report("shell.xyzr", "--min-cavity", factor * volume[0], *options)
+                self.assertEqual(report["mesh"]["components"], pieces)
+                self.assertEqual(report["mesh"]["dropped"], {"cavities": 2 - pieces, "islands": 0})
+                self.assertEqual(report["options"]["min_cavity"], factor * volume[0])
+                self.assertLess(abs(report["mesh"]["volume_deviation"]), 0.02)
+        dropped = self.report("shell.xyzr", "--components", "cavities", "--min-cavity", 1.2 * volume[0])
+        self.assertEqual(dropped["mesh"]["vertices"], 0)
+
+    def test_meshes_that_pass_through_themselves_are_exit_6_on_request(self):
+        coarse = (UBIQUITIN, "--method", "direct", "--probe", "0", "--spacing", "1.5", "--report", "a.json")
+        self.surface(*coarse)
+        self.assertIsNone(json.loads((self.folder / "a.json").read_text())["mesh"]["quality"]["self_intersections"])
+        result = self.surface(*coarse, "--verify", code=6)
+        self.assertIn("no_self_intersections", result.stderr)
+        report = json.loads((self.folder / "a.json").read_text())
+        rules = json.loads((SOURCE / "docs" / "report.schema.json").read_text(encoding="utf-8"))
+        self.assertEqual(schema.problems(report, rules), [])
+        found = [check for check in report["checks"] if check["name"] == "no_self_intersections"]
+        self.assertEqual([check["passed"] for check in found], [False])
+        self.assertEqual(found[0]["value"], report["mesh"]["quality"]["self_intersections"])
+        self.assertGreater(found[0]["value"], 0)
+
     def test_text_on_demand(self):
         self.surface("three.xyzr", "-o", "a.ply", "-o", "a.stl", "--ascii")
         self.assertIn("format ascii 1.0", (self.folder / "a.ply").read_text(encoding="ascii"))
@@ -299,6 +336,25 @@ class EvenTriangles(ProgramTest):
     def test_the_topology_is_that_of_the_grid_mesh(self):
         self.assertEqual(self.mesh("--edge", "1")["euler_characteristic"], self.mesh()["euler_characteristic"])
 
+    def test_the_topology_stays_unless_asked_otherwise(self):
+        grid = self.mesh()
+        for edge in ("0.6", "1", "2", "4"):
+            even = self.mesh("--edge", edge)
+            for key in ("euler_characteristic", "components"):
+                self.assertEqual(even[key], grid[key], (edge, key))
+            self.assertEqual(even["simplified"], {"handles": 0, "pieces": 0})
+
+    def test_narrow_handles_are_cut_on_request(self):
+        grid = self.mesh()
+        simple = self.mesh("--edge", "2", "--simplify-topology", "--verify")
+        self.assertGreater(simple["simplified"]["handles"], 0)
+        self.assertEqual(simple["euler_characteristic"],
+                         grid["euler_characteristic"] + 2 * simple["simplified"]["handles"])
+        self.assertEqual(simple["components"], grid["components"])
+        self.assertTrue(simple["closed"] and simple["manifold"])
+        self.assertEqual(simple["quality"]["self_intersections"], 0)
+        self.assertGreater(simple["smallest_triangle_angle_deg"], 20.0)
+
     def test_density_counts_vertices(self):
         mesh = self.mesh("--vertex-density", "1.5")
         self.assertAlmostEqual(mesh["vertices"] / mesh["corrected_area"], 1.5, delta=0.12)
@@ -311,15 +367,61 @@ class EvenTriangles(ProgramTest):
             self.assertNotEqual(mesh["vertices"], plain["vertices"])
 
     def test_same_bits_for_any_number_of_threads(self):
-        for threads in ("1", "2"):
-            self.surface(UBIQUITIN, "--threads", threads, "--edge", "1", "-o", f"e{threads}.ply", "--quiet")
-        self.assertEqual((self.folder / "e1.ply").read_bytes(), (self.folder / "e2.ply").read_bytes())
+        for options in (["--edge", "1"], ["--edge", "2", "--simplify-topology", "--min-cavity", "20"]):
+            for threads in ("1", "2"):
+                self.surface(UBIQUITIN, "--threads", threads, *options, "-o", f"e{threads}.ply", "--quiet")
+            self.assertEqual((self.folder / "e1.ply").read_bytes(), (self.folder / "e2.ply").read_bytes(), options)
 
     def test_what_makes_no_sense_is_refused(self):
         self.assertIn("spacing", self.refused(UBIQUITIN, "--edge", "1", "--spacing", "0.8"))
         self.assertIn("--edge", self.refused(UBIQUITIN, "--edge", "0"))
         self.assertIn("--edge", self.refused(UBIQUITIN, "--adaptive"))
+        self.assertIn("--edge", self.refused(UBIQUITIN, "--simplify-topology"))
         self.refused(UBIQUITIN, "--edge", "1", "--vertex-density", "2")
+
+
+class Rereading(ProgramTest):
+    """What a file holds is the mesh that was made, whatever the format rounds."""
+
+    def expect_same_surface(self, vertices, triangles, mesh, what):
+        self.assertEqual(len(vertices), mesh["vertices"], what)
+        self.assertEqual(len(triangles), mesh["triangles"], what)
+        self.assertTrue(mesh_files.is_closed_and_oriented(triangles), what)
+        self.assertTrue(mesh_files.has_single_fans(triangles), what)
+        self.assertEqual(mesh_files.euler_characteristic(vertices, triangles), mesh["euler_characteristic"], what)
+        self.assertEqual(mesh_files.piece_count(vertices, triangles), mesh["components"], what)
+
+    def test_what_is_wrong_with_a_surface_is_found(self):
+        solid = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+        self.assertTrue(mesh_files.is_closed_and_oriented(solid) and mesh_files.has_single_fans(solid))
+        for wrong in (solid[1:], [(0, 1, 2), *solid[1:]], [*solid, solid[0]], [(0, 0, 1), *solid]):
+            self.assertFalse(mesh_files.is_closed_and_oriented(wrong), wrong)
+        touching = solid + [tuple(v and v + 3 for v in t) for t in solid]
+        self.assertTrue(mesh_files.is_closed_and_oriented(touching))
+        self.assertFalse(mesh_files.has_single_fans(touching))
+        self.assertEqual(mesh_files.piece_count(range(8), solid + [tuple(v + 4 for v in t) for t in solid]), 2)
+
+    def written(self, *options):
+        """The report's mesh, and vertices and triangles by format."""
+        outputs = [word for suffix in mesh_files.READERS for word in ("-o", f"a.{suffix}")]
+        mesh = self.report(UBIQUITIN, *options, *outputs)["mesh"]
+        return mesh, {suffix: read(self.folder / f"a.{suffix}") for suffix, read in mesh_files.READERS.items()}
+
+    def test_every_format_of_the_mesh_of_the_grid(self):
+        for options in ([], ["--method", "direct"]):
+            mesh, files = self.written(*options)
+            for suffix, (vertices, triangles) in files.items():
+                self.expect_same_surface(vertices, triangles, mesh, (suffix, options))
+                self.expect_same_surface(*mesh_files.merged(vertices, triangles), mesh, (suffix, options, "merged"))
+
+    def test_every_format_of_even_triangles_and_three_decimals(self):
+        for options in (["--edge", "1"], ["--edge", "0.6"], ["--edge", "2"], ["--edge", "2", "--simplify-topology"],
+                        ["--edge", "1", "--method", "direct"]):
+            mesh, files = self.written(*options)
+            self.assertGreater(mesh["quality"]["edges"]["min"], 0.02)
+            for suffix, (vertices, triangles) in files.items():
+                self.expect_same_surface(vertices, triangles, mesh, (suffix, options))
+                self.expect_same_surface(*mesh_files.merged(vertices, triangles, 3), mesh, (suffix, options, "rounded"))
 
 
 class Streams(ProgramTest):

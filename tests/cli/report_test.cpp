@@ -71,6 +71,40 @@ TEST(Report, LeavesOutWhatAMethodDoesNotUse) {
     EXPECT_EQ(report_of({})["options"]["threads"], 3);
 }
 
+TEST(Report, HoldsAMeshWithoutSmallCavitiesAgainstThePiecesThatItKeeps) {
+    // An outer piece, a cavity with an island, in which there is a cavity, and another cavity.
+    Measures exact;
+    exact.components.resize(5);
+    const double volumes[]{1000.0, 40.0, 15.0, 10.0, 2.0};
+    const std::uint32_t around[]{kNone, 0, 1, 0, 2};
+    for (std::size_t i = 0; i < 5; ++i) {
+        exact.components[i].kind = i == 0 || i == 2 ? ComponentKind::Outer : ComponentKind::Cavity;
+        exact.components[i].ses_volume = volumes[i];
+        exact.components[i].ses_area = volumes[i];
+        exact.components[i].inside_of = around[i];
+    }
+    exact.totals.ses_volume = 1000.0 - 40.0 + 15.0 - 10.0 - 2.0;
+    const auto deviation = [&](double min_cavity, double volume) {
+        Surface surface;
+        surface.options.min_cavity = min_cavity;
+        surface.measures.volume = volume;
+        return report_of({}, surface, exact)["mesh"]["volume_deviation"].get<double>();
+    };
+    EXPECT_EQ(deviation(0.0, 963.0), 0.0);
+    EXPECT_EQ(deviation(2.0, 963.0), 0.0) << "what encloses as much stays";
+    EXPECT_EQ(deviation(5.0, 965.0), 0.0);
+    EXPECT_EQ(deviation(20.0, 975.0), 0.0);
+    EXPECT_EQ(deviation(50.0, 1000.0), 0.0);
+}
+
+TEST(Report, TellsOfSelfIntersectionsWhereTheyWereLookedFor) {
+    Surface surface;
+    surface.quality.emplace();
+    EXPECT_TRUE(report_of({}, surface)["mesh"]["quality"]["self_intersections"].is_null());
+    surface.self_intersections = 0;
+    EXPECT_EQ(report_of({}, surface)["mesh"]["quality"]["self_intersections"], 0);
+}
+
 TEST(Report, WritesNoNumberThatIsNotFinite) {
     Surface surface;
     surface.distance.max = std::numeric_limits<double>::infinity();

@@ -33,6 +33,18 @@ Structure sample_structure() {
 
 }  // namespace
 
+TEST(Summary, TellsWhatWasLeftOut) {
+    Surface surface = sample_surface();
+    surface.options.min_cavity = 12.5;
+    surface.dropped.cavities = 3;
+    surface.simplified = {.handles = 2, .pieces = 1};
+    const std::string text = make_summary(sample_structure(), surface, {}, {});
+    EXPECT_NE(text.find("components  2 (1 outer, 1 cavity); 3 cavities below 12.5 Å³ dropped; 2 handles cut; "
+                        "1 piece vanished\n"),
+              std::string::npos)
+        << text;
+}
+
 TEST(Summary, IsShortAndNamesUnits) {
     const std::string text =
         make_summary(sample_structure(), sample_surface(), {.threads = 2}, {{"a.ply", OutputKind::Mesh}});

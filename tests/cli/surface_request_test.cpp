@@ -106,6 +106,19 @@ TEST(SurfaceRequest, NamesTheWordsThatExist) {
     EXPECT_THROW(parse({"a.pdb", "--hetero", "haem"}), UsageError);
 }
 
+TEST(SurfaceRequest, TakesWhatLeavesPiecesOut) {
+    const SurfaceRequest request =
+        parse({"a.pdb", "--min-cavity", "12.5", "--edge", "1", "--simplify-topology", "--verify"});
+    EXPECT_EQ(request.surface.min_cavity, 12.5);
+    EXPECT_TRUE(request.surface.remesh.simplify_topology);
+    EXPECT_TRUE(request.surface.verify);
+    EXPECT_TRUE(parse({"a.pdb", "--vertex-density", "2", "--simplify-topology"}).surface.remesh.simplify_topology);
+    EXPECT_THROW(parse({"a.pdb", "--simplify-topology"}), UsageError);
+    EXPECT_THROW(parse({"a.pdb", "--min-cavity", "-1"}), UsageError);
+    EXPECT_THROW(parse({"a.pdb", "--min-cavity", "nan"}), UsageError);
+    EXPECT_EQ(parse({"a.pdb", "--min-cavity", "0"}).surface.min_cavity, 0.0);
+}
+
 TEST(SurfaceRequest, RefusesValuesThatMakeNoSense) {
     EXPECT_THROW(parse({"a.pdb", "--chains", "A,,B"}), UsageError);
     EXPECT_THROW(parse({"a.pdb", "--altloc", "AB"}), UsageError);

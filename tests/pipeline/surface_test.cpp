@@ -229,7 +229,99 @@ TEST(Surface, OptionsOutOfRangeAreUsageErrors) {
     EXPECT_THROW(compute_surface(atoms, {.spacing = 0.0}), UsageError);
     EXPECT_THROW(compute_surface(atoms, {.density = 0.5}), UsageError);
     EXPECT_THROW(compute_surface(atoms, {.flow = {.max_steps = 0}}), UsageError);
+    EXPECT_THROW(compute_surface(atoms, {.min_cavity = -1.0}), UsageError);
+    EXPECT_THROW(compute_surface(atoms, {.min_cavity = nan}), UsageError);
+    EXPECT_THROW(compute_surface(atoms, {.remesh = {.simplify_topology = true}}), UsageError);
     EXPECT_THROW(compute_surface({}, {}), std::invalid_argument);
+}
+
+TEST(Surface, SmallCavitiesAreDroppedOnRequest) {
+    const Atoms atoms = hollow_shell(6.5, 90);
+    for (const double edge : {0.0, 0.8}) {
+        const SurfaceOptions options{.remesh = {.edge = edge}};
+        const Surface all = compute_surface(atoms, options);
+        ASSERT_EQ(all.measures.components.size(), 2U);
+        const double volume = -compute_surface(atoms).measures.components[1].volume;
+        for (const double least : {0.999 * volume, 1.001 * volume}) {
+            SurfaceOptions dropping = options;
+            dropping.min_cavity = least;
+            const Surface surface = compute_surface(atoms, dropping);
+            const bool dropped = least > volume;
+            EXPECT_EQ(surface.dropped.cavities, dropped ? 1U : 0U);
+            EXPECT_EQ(surface.measures.components.size(), dropped ? 1U : 2U);
+            EXPECT_EQ(surface.mesh.vertices == all.mesh.vertices, !dropped);
+            EXPECT_TRUE(surface.passed());
+        }
+    }
+}
+
+// A ring of atoms whose hole just lets the probe through.
+Atoms ring_of_atoms() {
+    Atoms atoms;
+    for (int i = 0; i < 12; ++i) {
+        const double angle = i * std::numbers::pi / 6.0;
+        atoms.centres.push_back({3.3 * std::cos(angle), 3.3 * std::sin(angle), 0.01 * i});
+        atoms.radii.push_back(1.7);
+    }
+    return atoms;
+}
+
+TEST(Surface, TopologyIsSimplifiedOnlyOnRequest) {
+    const auto run = [](double edge, bool simplify) {
+        return compute_surface(ring_of_atoms(),
+                               {.verify = true, .remesh = {.edge = edge, .simplify_topology = simplify}});
+    };
+    for (const double edge : {1.0, 2.0, 3.0, 4.0}) {
+        EXPECT_EQ(run(edge, false).measures.euler_characteristic, 0) << edge;
+        const Surface surface = run(edge, true);
+        const bool narrow = edge >= 3.0;  // the hole is 3.2 Å wide
+        EXPECT_EQ(surface.simplified.handles, narrow ? 1U : 0U) << edge;
+        EXPECT_EQ(surface.measures.euler_characteristic, narrow ? 2 : 0) << edge;
+        EXPECT_EQ(surface.measures.components.size(), 1U);
+        EXPECT_EQ(surface.self_intersections, 0U);
+        expect_closed_manifold(surface.mesh);
+        EXPECT_GT(surface.measures.smallest_angle_deg, 25.0) << edge;
+    }
+}
+
+TEST(Surface, VanDerWaalsSurfacesAreMadeEven) {
+    for (const unsigned seed : {2U, 3U, 9U}) {  // with vertices in corners, where there is no normal
+        const Surface surface = compute_surface(random_cluster(100, 12.0, seed),
+                                                {.method = Method::Direct, .probe = 0.0, .remesh = {.edge = 1.5}});
+        EXPECT_TRUE(surface.passed());
+        expect_closed_manifold(surface.mesh);
+    }
+}
+
+TEST(Surface, PiecesSmallerThanAnEdgeVanishOnRequest) {
+    Atoms atoms = ring_of_atoms();
+    atoms.centres.push_back({20.0, 0.0, 0.0});
+    atoms.radii.push_back(0.8);
+    const auto pieces = [&](bool simplify) {
+        return compute_surface(atoms, {.remesh = {.edge = 2.0, .simplify_topology = simplify}});
+    };
+    EXPECT_EQ(pieces(false).measures.components.size(), 2U);
+    EXPECT_EQ(pieces(true).measures.components.size(), 1U);
+    EXPECT_EQ(pieces(true).simplified.pieces, 1U);
+}
+
+TEST(Surface, SelfIntersectionsAreLookedForOnRequest) {
+    const auto named = [](const Surface& surface) {
+        return std::count_if(surface.checks.begin(), surface.checks.end(),
+                             [](const Check& check) { return check.name == "no_self_intersections"; });
+    };
+    const Surface plain = compute_surface(small_molecule());
+    EXPECT_EQ(named(plain), 0);
+    EXPECT_FALSE(plain.self_intersections);
+    const Surface verified = compute_surface(small_molecule(), {.verify = true});
+    EXPECT_EQ(named(verified), 1);
+    EXPECT_EQ(verified.self_intersections, 0U);
+    EXPECT_TRUE(verified.passed());
+    // A grid far too coarse for the creases between atoms.
+    const Surface coarse = compute_surface(random_cluster(300, 18.0, 11),
+                                           {.method = Method::Direct, .probe = 0.0, .spacing = 1.5, .verify = true});
+    EXPECT_GT(coarse.self_intersections, 0U);
+    EXPECT_FALSE(coarse.passed());
 }
 
 TEST(Surface, RefusesWhatWouldNotFit) {

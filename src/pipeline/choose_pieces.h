@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Which closed pieces of a zero set are too small to be meshed.
+#pragma once
+
+#include <cstddef>
+
+#include "meniscus/mesh.h"
+#include "meniscus/surface.h"
+#include "remesh/remesher.h"
+
+namespace meniscus {
+
+/// Drops the walls of cavities that enclose less than a volume, and the islands within these.
+///
+/// zero_set       as extract_zero_set gives it; triangles and positions that stay are the same bits
+/// least_volume   Å³, held against what a wall's triangles enclose once its vertices lie on the surface
+/// returns        how many pieces went
+DroppedPieces drop_small_cavities(Mesh& zero_set, double least_volume, const SurfaceProjector& project);
+
+/// Drops the pieces that fit into a ball of this diameter round the mean of their vertices, all but the largest outer
+/// one. Returns how many they were.
+std::size_t drop_tiny_pieces(Mesh& zero_set, double diameter);
+
+}  // namespace meniscus

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/triangle_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace meniscus::testing {
+namespace {
+
+Mesh random_triangles(int count) {
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> within(-5.0, 5.0);
+    const auto point = [&] { return Vec3{within(random), within(random), within(random)}; };
+    Mesh mesh;
+    for (int i = 0; i < count; ++i) {
+        const auto first = static_cast<VertexId>(mesh.vertices.size());
+        const Vec3 corner = point();
+        mesh.vertices.insert(mesh.vertices.end(), {corner, corner + 0.2 * point(), corner + 0.2 * point()});
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    return mesh;
+}
+
+// By points spread over all triangles: too far by up to their spacing, never too near.
+double sampled_distance(const Mesh& mesh, const Vec3& point, int steps) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b, c] : mesh.triangles)
+        for (int i = 0; i <= steps; ++i)
+            for (int j = 0; i + j <= steps; ++j) {
+                const double u = static_cast<double>(i) / steps;
+                const double v = static_cast<double>(j) / steps;
+                const Vec3 p = (1.0 - u - v) * mesh.vertices[a] + u * mesh.vertices[b] + v * mesh.vertices[c];
+                least = std::min(least, norm(point - p));
+            }
+    return least;
+}
+
+TEST(TriangleTree, DistanceIsThatOfTheNearestTriangle) {
+    const Mesh mesh = random_triangles(60);
+    const TriangleTree tree(mesh);
+    std::mt19937_64 random(4);
+    std::uniform_real_distribution<double> within(-8.0, 8.0);
+    for (int i = 0; i < 50; ++i) {
+        const Vec3 point{within(random), within(random), within(random)};
+        const double sampled = sampled_distance(mesh, point, 40);
+        const double distance = tree.distance(mesh, point);
+        EXPECT_LE(distance, sampled + 1e-12);
+        EXPECT_GT(distance, sampled - 0.1);
+    }
+}
+
+TEST(TriangleTree, DistanceToFacesSidesAndCorners) {
+    const Mesh mesh{.vertices = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}},
+                    .normals = {},
+                    .atoms = {},
+                    .patches = {},
+                    .components = {},
+                    .triangles = {{0, 1, 2}}};
+    const TriangleTree tree(mesh);
+    EXPECT_DOUBLE_EQ(tree.distance(mesh, {0.5, 0.5, -3}), 3.0);
+    EXPECT_DOUBLE_EQ(tree.distance(mesh, {1, -1, 0}), 1.0);
+    EXPECT_DOUBLE_EQ(tree.distance(mesh, {2, 2, 0}), std::sqrt(2.0));
+    EXPECT_DOUBLE_EQ(tree.distance(mesh, {5, 0, 4}), 5.0);
+    EXPECT_DOUBLE_EQ(tree.distance(mesh, {0, 2, 0}), 0.0);
+    EXPECT_TRUE(std::isinf(TriangleTree({}).distance({}, {})));
+}
+
+}  // namespace
+}  // namespace meniscus::testing

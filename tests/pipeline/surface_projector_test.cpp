@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/surface_projector.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace meniscus::testing {
+namespace {
+
+// Three balls that meet in a corner: of points within them, a whole cone is nearest to it.
+const Atoms kTripod{{{0.61, 0.013, -0.8}, {-0.36, 0.48, -0.81}, {0.02, -0.6, -0.79}}, {1.0, 1.02, 0.98}};
+
+TEST(SurfaceProjector, NormalsAreUnitVectorsAlsoInCorners) {
+    const AccessibleSurface exact(kTripod, 0.0);
+    const SurfaceProjector project = surface_projector(exact, nullptr, 0.5);
+    std::vector<SurfacePoint> points;
+    for (int i = 0; i < 1000; ++i) {
+        const double angle = 2.4 * i;
+        const double out = 0.0002 * i;
+        points.emplace_back().position = {out * std::cos(angle), out * std::sin(angle), -0.1 - 0.0001 * i};
+    }
+    int without = 0;
+    for (int times = 0; times < 2; ++times) {
+        project(points);
+        for (const SurfacePoint& point : points) {
+            const NearestFeature at = exact.nearest(point.position);
+            EXPECT_NEAR(norm(point.normal), 1.0, 1e-6);
+            EXPECT_NEAR(at.signed_distance, 0.0, 1e-8);
+            EXPECT_TRUE(std::isfinite(point.curvature));
+            without += std::abs(norm(at.normal) - 1.0) > 0.1 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(without, 0) << "no point has come to lie in a corner";
+}
+
+}  // namespace
+}  // namespace meniscus::testing
