@@ -18,7 +18,7 @@ namespace meniscus::cli {
 struct RunFacts {
     int model = 1;                 ///< position in the file, from 1
     int threads = 1;               ///< in use
-    double read_seconds = 0.0;     ///< with all models: counted with the first
+    double read_seconds = 0.0;     ///< with the start of the program; with all models: counted with the first
     double exact_seconds = 0.0;    ///< of the exact measures
     double picture_seconds = 0.0;  ///< of colours and pictures, without writing them
     double write_seconds = 0.0;    ///< of the files of -o

@@ -33,7 +33,7 @@ Outcome StructureRun::operator()() {
     check_all_paths(jobs);
     progress_.clear();
     print_warnings(jobs);
-    read_seconds_ = watch_.lap();
+    read_seconds_ += watch_.lap();
     for (const Job& job : jobs) run(job);
     finish();
     return outcome_;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -86,7 +87,7 @@ private:
     int threads_;
     ProgressReport progress_;
     Stopwatch watch_;
-    double read_seconds_ = 0.0;
+    double read_seconds_ = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;  // so far: the program was loaded
     nlohmann::ordered_json reports_ = nlohmann::ordered_json::array();
     std::string summary_;
     Outcome outcome_ = Outcome::Done;

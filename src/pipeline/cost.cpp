@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,7 +27,7 @@ constexpr double kMegabyte = 1024.0 * 1024.0;
 
 // Enough to know the area within some 15 %; small structures can afford more.
 constexpr std::size_t kLeastSamples = 100;
-constexpr std::size_t kPairs = 1'000'000;
+constexpr std::size_t kPairs = 500'000;
 
 constexpr std::size_t kDirections = 16;
 
@@ -63,15 +65,20 @@ private:
 
     static double squared(double v) { return v * v; }
 
+    // All pairs, without a branch: nobody could predict it.
     void find_neighbours(std::size_t atom) {
-        neighbours_.clear();
+        near_.resize(atoms_.size());
         const Vec3 centre = atoms_.centres[atom];
         const double rho = atoms_.radii[atom] + 2.0 * probe_;
-        for (std::size_t j = 0; j < atoms_.size(); ++j) {
+        std::size_t count = 0;
+        for (std::uint32_t j = 0; j < atoms_.size(); ++j) {
             const double reach = rho + atoms_.radii[j];
-            if (j != atom && squared_norm(atoms_.centres[j] - centre) < reach * reach)
-                neighbours_.push_back({atoms_.centres[j], squared(atoms_.radii[j] + probe_)});
+            near_[count] = j;
+            count += squared_norm(atoms_.centres[j] - centre) < reach * reach ? 1 : 0;
         }
+        neighbours_.clear();
+        for (const std::uint32_t j : std::span(near_).first(count))
+            if (j != atom) neighbours_.push_back({atoms_.centres[j], squared(atoms_.radii[j] + probe_)});
     }
 
     bool is_covered(const Vec3& point) const {
@@ -82,6 +89,7 @@ private:
     const Atoms& atoms_;
     double probe_;
     std::array<Vec3, kDirections> directions_ = spiral();
+    std::vector<std::uint32_t> near_;
     std::vector<Neighbour> neighbours_;
 };
 
