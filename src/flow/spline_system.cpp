@@ -209,7 +209,7 @@ void SplineSystem::make_layers() {
     for (std::size_t l = 0; l + 1 < layers_.size(); ++l)
         for (std::size_t k = layers_[l]; k < layers_[l + 1]; ++k)
             place_[blocks[k]] = static_cast<std::uint32_t>(l % kLayersKept * largest + (k - layers_[l]));
-    residual_.resize(std::min(kLayersKept * largest, blocks.size()) * kBlockNodes);
+    residual_.resize(std::min(kLayersKept, layers_.size() - 1) * largest * kBlockNodes);
 }
 
 void SplineSystem::make_krylov_vectors() {
