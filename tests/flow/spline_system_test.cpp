@@ -199,6 +199,28 @@ TEST(SplineSystem, RichardsonsIterationNeedsFewSteps) {
     EXPECT_LE(result.iterations, 6);
 }
 
+// Only a few layers of blocks of the residual are kept at a time; here the first is the smallest, then the last.
+TEST(SplineSystem, RichardsonsIterationSolvesThroughLayersOfAnySize) {
+    for (const bool growing : {true, false}) {
+        std::vector<BlockCoord> blocks;
+        for (std::int32_t z = 0; z < 5; ++z) {
+            const std::int32_t edge = 17 + 2 * (growing ? z : 4 - z);
+            for (std::int32_t y = 0; y < edge; ++y)
+                for (std::int32_t x = 0; x < edge; ++x) blocks.push_back({.z = z, .y = y, .x = x});
+        }
+        const BlockGrid grid(0.5, {}, blocks);
+        const NodeMask mask = random_mask(19, grid.node_count(), 0.8);
+        const Field b = random_field(20, grid.node_count());
+        const BlockFill fill(grid.block_count(), 0.0F);
+        const Stencil stencil = flow_stencil(0.5, 1e6, 16.0);
+        Field x(grid.node_count());
+        const SolveResult result =
+            SplineSystem(grid).solve(stencil, mask, fill, b, x, {.solver = Solver::Richardson, .tolerance = 2e-4});
+        EXPECT_LE(result.iterations, 6);
+        EXPECT_LE(residual_on_mask(applied(grid, stencil, x, fill), b, mask), 3e-4);
+    }
+}
+
 TEST(SplineSystem, GmresRestartsWhereItsVectorsDoNotSuffice) {
     const BlockGrid grid(0.5, {}, box_of_blocks({.z = 0, .y = 0, .x = 0}, {.z = 2, .y = 2, .x = 2}));
     const NodeMask mask(grid.node_count(), 1);
