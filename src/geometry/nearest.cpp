@@ -29,12 +29,12 @@ NearestBall deepest_ball(const Data& data, const Vec3& p) {
     return best;
 }
 
-// Of some atoms, the one whose van der Waals sphere is nearest to p, in the caller's numbering.
+// Of some atoms, the one whose van der Waals sphere is nearest to p.
 template <std::size_t N>
 std::uint32_t nearest_atom(const Data& data, const std::array<std::uint32_t, N>& atoms, const Vec3& p) {
     const auto gap = [&](std::uint32_t i) { return norm(p - data.atoms.centres[i]) - data.atoms.radii[i]; };
-    return data.atoms.original[*std::min_element(atoms.begin(), atoms.end(),
-                                                 [&](std::uint32_t a, std::uint32_t b) { return gap(a) < gap(b); })];
+    return *std::min_element(atoms.begin(), atoms.end(),
+                             [&](std::uint32_t a, std::uint32_t b) { return gap(a) < gap(b); });
 }
 
 NearestEdge nearest_edge(const Data& data, const Vec3& p) {
@@ -46,8 +46,14 @@ NearestEdge nearest_edge(const Data& data, const Vec3& p) {
     return best;
 }
 
-void point_towards_foot(NearestFeature& feature, const Vec3& p, double distance) {
-    if (distance > 0.0) feature.normal = (1.0 / distance) * (feature.foot - p);
+// The gradient points towards the foot. Where that is p but for rounding errors there is none; without a probe such
+// points are on the surface, where spheres meet, and look the way the nearest sphere does.
+void point_towards_foot(const Data& data, const Vec3& p, std::uint32_t atom, double distance, NearestFeature& feature) {
+    constexpr double kRounding = 1e-10;  // Å
+    if (distance > kRounding)
+        feature.normal = (1.0 / distance) * (feature.foot - p);
+    else if (data.probe == 0.0)
+        feature.normal = normalised(p - data.atoms.centres[atom]);
 }
 
 NearestFeature vertex_feature(const Data& data, const Vec3& p, std::uint32_t v, double distance) {
@@ -55,11 +61,12 @@ NearestFeature vertex_feature(const Data& data, const Vec3& p, std::uint32_t v, 
     NearestFeature feature;
     feature.signed_distance = data.probe - distance;
     feature.patch = PatchKind::Reentrant;
-    feature.atom = nearest_atom(data, vertex.atoms, p);
+    const std::uint32_t atom = nearest_atom(data, vertex.atoms, p);
+    feature.atom = data.atoms.original[atom];
     feature.mean_curvature = reentrant_curvature(distance);
     feature.gaussian_curvature = reentrant_gaussian_curvature(distance);
     feature.foot = vertex.position;
-    point_towards_foot(feature, p, distance);
+    point_towards_foot(data, p, atom, distance, feature);
     return feature;
 }
 
@@ -70,11 +77,12 @@ NearestFeature arc_feature(const Data& data, const Vec3& p, std::uint32_t a, con
     NearestFeature feature;
     feature.signed_distance = data.probe - distance;
     feature.patch = PatchKind::Toroidal;
-    feature.atom = nearest_atom(data, arc.atoms, p);
+    const std::uint32_t atom = nearest_atom(data, arc.atoms, p);
+    feature.atom = data.atoms.original[atom];
     feature.mean_curvature = toroidal_curvature(arc.radius, foot.from_axis, distance);
     feature.gaussian_curvature = toroidal_gaussian_curvature(arc.radius, foot.from_axis, distance);
     feature.foot = arc.centre + arc.radius * radial;
-    point_towards_foot(feature, p, distance);
+    point_towards_foot(data, p, atom, distance, feature);
     return feature;
 }
 

@@ -160,5 +160,24 @@ TEST(Nearest, AgreesWithBruteForceOnCrambin) {
     expect_brute_force_distances(read_spheres(*test_data() / "reference/xyzr/1crn.xyzr"), 1.4, 10000);
 }
 
+// Without a probe the seam of two spheres is the arc itself: its points look the way one of the spheres does.
+TEST(Nearest, SeamsWithoutAProbeHaveUnitNormals) {
+    const Vec3 centres[] = {{20.3, 30.1, 25.7}, {21.1, 31.7, 26.4}};
+    const AccessibleSurface surface({{centres[0], centres[1]}, {1.5, 1.6}}, 0.0);
+    std::mt19937 random(5);
+    std::normal_distribution<double> offset(0.0, 1.0);
+    int on_the_seam = 0;
+    for (int k = 0; k < 2000; ++k) {
+        const Vec3 away = normalised(Vec3{offset(random), offset(random), offset(random)});
+        const NearestFeature before = surface.nearest(0.5 * (centres[0] + centres[1]) + 0.3 * away);
+        const NearestFeature at = surface.nearest(before.foot);
+        EXPECT_NEAR(at.signed_distance, 0.0, 1e-9);  // atoms are shifted by 1e-10 Å
+        EXPECT_NEAR(norm(at.normal), 1.0, 1e-12);
+        EXPECT_GT(dot(at.normal, before.foot - centres[at.atom]), 0.0);
+        on_the_seam += at.patch == PatchKind::Contact ? 0 : 1;
+    }
+    EXPECT_GT(on_the_seam, 100);
+}
+
 }  // namespace
 }  // namespace meniscus::testing
