@@ -32,6 +32,19 @@ std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const std::array<Vec3
     return p + (from / (from - to)) * (q - p);
 }
 
+bool contains(const Triangle& t, VertexId v) { return t[0] == v || t[1] == v || t[2] == v; }
+
+// Where a side of one triangle that has no corner of the other passes through the other.
+std::optional<Vec3> sides_through(const Triangle& s, const std::array<Vec3, 3>& s_at, const Triangle& t,
+                                  const std::array<Vec3, 3>& t_at) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        if (contains(t, s[k]) || contains(t, s[next])) continue;
+        if (const auto place = piercing(s_at[k], s_at[next], t_at)) return place;
+    }
+    return std::nullopt;
+}
+
 class Finder {
 public:
     explicit Finder(const Mesh& mesh) : mesh_(mesh), triangles_(mesh) {}
@@ -52,29 +65,13 @@ private:
         const Triangle& mine = mesh_.triangles[triangles_.order[i]];
         triangles_.tree.for_each_overlapping(box_of(mesh_, mine), [&](std::uint32_t j) {
             if (j <= i) return;
-            if (const auto place = meeting(mine, mesh_.triangles[triangles_.order[j]])) places.push_back(*place);
+            const Triangle& other = mesh_.triangles[triangles_.order[j]];
+            if (const auto place = meeting(mine, corners_of(mine), other, corners_of(other))) places.push_back(*place);
         });
     }
 
-    std::optional<Vec3> meeting(const Triangle& s, const Triangle& t) const {
-        const auto shared = std::count_if(s.begin(), s.end(), [&](VertexId v) { return contains(t, v); });
-        if (shared >= 2) return std::nullopt;
-        if (const auto place = sides_through(s, t)) return place;
-        return sides_through(t, s);
-    }
-
-    static bool contains(const Triangle& t, VertexId v) { return t[0] == v || t[1] == v || t[2] == v; }
-
-    // Where a side of one triangle that has no corner of the other passes through the other.
-    std::optional<Vec3> sides_through(const Triangle& s, const Triangle& t) const {
-        const std::array<Vec3, 3> corners{mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const VertexId a = s[k];
-            const VertexId b = s[(k + 1) % 3];
-            if (contains(t, a) || contains(t, b)) continue;
-            if (const auto place = piercing(mesh_.vertices[a], mesh_.vertices[b], corners)) return place;
-        }
-        return std::nullopt;
+    std::array<Vec3, 3> corners_of(const Triangle& t) const {
+        return {mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]};
     }
 
     const Mesh& mesh_;
@@ -82,6 +79,14 @@ private:
 };
 
 }  // namespace
+
+std::optional<Vec3> meeting(const Triangle& s, const std::array<Vec3, 3>& s_at, const Triangle& t,
+                            const std::array<Vec3, 3>& t_at) {
+    const auto shared = std::count_if(s.begin(), s.end(), [&](VertexId v) { return contains(t, v); });
+    if (shared >= 2) return std::nullopt;
+    if (const auto place = sides_through(s, s_at, t, t_at)) return place;
+    return sides_through(t, t_at, s, s_at);
+}
 
 std::vector<Vec3> places_of_self_intersections(const Mesh& mesh) { return Finder(mesh).run(); }
 

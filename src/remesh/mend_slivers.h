@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The few bad triangles of a mesh, each with its neighbourhood alone: the rest of the mesh stays as it is.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "meniscus/mesh.h"
+#include "remesh/remesher.h"
+
+namespace meniscus {
+
+struct SliverOptions {
+    double smallest_angle_deg = 5.0;  ///< triangles with a smaller one are mended
+    double mended_angle_deg = 6.0;    ///< enough for a mended one
+    double edge = 0.5;                ///< usual length of edges, Å
+    double longest_edge = 1.0;        ///< of those that are made, Å
+    std::vector<bool> held{};         ///< per vertex, or empty: what must stay where it is
+};
+
+/// What changed about the vertices of a mesh.
+struct VertexChanges {
+    /// Where a vertex was removed, and the one from the end of the list that took its number.
+    std::vector<std::pair<VertexId, VertexId>> refilled;
+    std::size_t left = 0;         ///< vertices after that
+    std::vector<VertexId> moved;  ///< by their new numbers, rising
+
+    bool any() const { return !refilled.empty() || !moved.empty(); }
+};
+
+/// Applies the renumbering to an array with one entry per vertex.
+template <class T>
+void renumber_entries(const VertexChanges& changes, std::vector<T>& entries) {
+    if (entries.empty()) return;
+    for (const auto& [hole, from] : changes.refilled) entries[hole] = entries[from];
+    entries.resize(changes.left);
+}
+
+/// Mends triangles with small angles, with edges shorter than kShortestEdge and such that face the wrong way: flips and
+/// collapses edges and moves vertices on the surface, where that keeps the topology and passes the mesh through itself
+/// nowhere. What cannot be mended stays.
+///
+/// mesh      closed oriented 2-manifold with normals, its vertices on the surface. Positions, normals, components and
+///           triangles are changed; other vertex arrays are the caller's to renumber
+/// cost      a pass over the triangles, and about a millisecond for every triangle mended
+VertexChanges mend_slivers(Mesh& mesh, const SliverOptions& options, const SurfaceProjector& project);
+
+}  // namespace meniscus

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "remesh/patch_mender.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+#include <utility>
+
+namespace meniscus {
+namespace {
+
+constexpr int kMostChanges = 24;  // of a patch
+constexpr double kGain = 1e-3;    // of the tangent: less is not worth a change
+
+// What must hold afterwards unless it did not hold before: triangles face the way the surface does within 60 degrees,
+// and over an edge it turns by less than 105 (see working_mesh.h).
+constexpr double kFacing = 0.5;
+constexpr double kTurn = -0.25;
+
+// Places tried for a vertex: on rings round it, in parts of the mean length of its edges.
+constexpr std::array<double, 4> kRings{0.03, 0.08, 0.2, 0.4};
+constexpr int kPerRing = 8;
+
+// Changes that are tried together with moves of what they touch: those that begin best.
+constexpr std::size_t kTriedTogether = 8;
+constexpr int kSweeps = 3;
+
+double tangent_of_degrees(double degrees) { return std::tan(degrees * std::numbers::pi / 180.0); }
+
+bool is_inside(const Box& box, const Vec3& p) { return box.squared_distance(p) == 0.0; }
+
+}  // namespace
+
+PatchMender::PatchMender(Patch patch, std::vector<bool> free, const Box& room, const SliverOptions& options,
+                         const SurfaceProjector& project)
+    : patch_(std::move(patch)),
+      free_(std::move(free)),
+      room_(room),
+      options_(options),
+      project_(project),
+      wanted_(tangent_of_degrees(options.smallest_angle_deg)),
+      enough_(tangent_of_degrees(options.mended_angle_deg)) {}
+
+void PatchMender::run() {
+    std::vector<std::size_t> stuck;
+    for (int i = 0; i < kMostChanges; ++i) {
+        const std::optional<std::size_t> worst = worst_triangle(stuck);
+        if (!worst) return;
+        if (!mend(*worst)) stuck.push_back(*worst);
+    }
+}
+
+std::optional<std::size_t> PatchMender::worst_triangle(const std::vector<std::size_t>& stuck) const {
+    std::optional<std::size_t> worst;
+    double least = wanted_;
+    for (std::size_t t = 0; t < patch_.triangles.size(); ++t) {
+        const Triangle& corners = patch_.triangles[t];
+        if (!patch_.has(t) || !is_free(corners)) continue;
+        const double goodness = patch_.goodness(corners, kShortestEdge);
+        if (goodness >= least || std::find(stuck.begin(), stuck.end(), t) != stuck.end()) continue;
+        least = goodness;
+        worst = t;
+    }
+    return worst;
+}
+
+bool PatchMender::mend(std::size_t triangle) {
+    const Triangle corners = patch_.triangles[triangle];
+    return try_flips(corners, triangle) || try_moves(corners, triangle) || try_collapses(corners, triangle) ||
+           try_together(corners, triangle);
+}
+
+bool PatchMender::try_flips(const Triangle& corners, std::size_t triangle) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        Patch candidate = patch_;
+        if (flip(candidate, {corners[k], corners[(k + 1) % 3]}) && take_if_enough(candidate, triangle)) return true;
+    }
+    return false;
+}
+
+bool PatchMender::try_moves(const Triangle& corners, std::size_t triangle) {
+    for (const VertexId v : corners) {
+        Patch candidate = patch_;
+        move(candidate, v);
+        if (take_if_enough(candidate, triangle)) return true;
+    }
+    return false;
+}
+
+bool PatchMender::try_collapses(const Triangle& corners, std::size_t triangle) {
+    for (std::size_t k = 0; k < 3; ++k)
+        for (const Edge& edge : {Edge{corners[k], corners[(k + 1) % 3]}, Edge{corners[(k + 1) % 3], corners[k]}}) {
+            Patch candidate = patch_;
+            if (collapse(candidate, edge) && take_if_enough(candidate, triangle)) return true;
+        }
+    return false;
+}
+
+// Flips and collapses round the triangle, each with moves of the corners of what it changed; the best of all is taken.
+bool PatchMender::try_together(const Triangle& corners, std::size_t triangle) {
+    std::vector<Candidate> candidates;
+    const auto add = [&](Patch&& patch) {
+        const double goodness = shape_of(patch, changed_triangles(patch_, patch), kShortestEdge).least_goodness;
+        candidates.push_back({std::move(patch), goodness});
+    };
+    for (const auto& [a, b] : edges_round(corners)) {
+        if (Patch patch = patch_; a < b && flip(patch, {a, b})) add(std::move(patch));
+        if (Patch patch = patch_; collapse(patch, {a, b})) add(std::move(patch));
+    }
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.goodness > b.goodness; });
+    if (candidates.size() > kTriedTogether) candidates.resize(kTriedTogether);
+    candidates.push_back({patch_, 0.0});
+    const Candidate* best = nullptr;
+    for (Candidate& candidate : candidates) {
+        std::vector<VertexId> touched(corners.begin(), corners.end());
+        for (const std::size_t t : changed_triangles(patch_, candidate.patch))
+            touched.insert(touched.end(), candidate.patch.triangles[t].begin(), candidate.patch.triangles[t].end());
+        std::sort(touched.begin(), touched.end());
+        touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+        relax(candidate.patch, touched);
+        const std::optional<double> goodness = judge(candidate.patch, triangle);
+        candidate.goodness = goodness.value_or(-2.0);
+        if (goodness && (best == nullptr || candidate.goodness > best->goodness)) best = &candidate;
+    }
+    if (best == nullptr) return false;
+    patch_ = best->patch;
+    return true;
+}
+
+std::vector<PatchMender::Edge> PatchMender::edges_round(const Triangle& corners) const {
+    std::vector<Edge> edges;
+    for (const VertexId v : corners)
+        for (const std::size_t t : patch_.star(v))
+            for (std::size_t k = 0; k < 3; ++k) {
+                const VertexId a = patch_.triangles[t][k];
+                const VertexId b = patch_.triangles[t][(k + 1) % 3];
+                edges.emplace_back(a, b);
+                edges.emplace_back(b, a);
+            }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    return edges;
+}
+
+bool PatchMender::flip(Patch& patch, const Edge& edge) const {
+    if (!free_[edge.first] || !free_[edge.second]) return false;
+    const std::optional<Patch::Sides> sides = patch.sides(edge.first, edge.second);
+    return sides && free_[sides->left_corner] && free_[sides->right_corner] && patch.flip(edge.first, edge.second);
+}
+
+bool PatchMender::collapse(Patch& patch, const Edge& edge) const {
+    if (!free_[edge.first] || !free_[edge.second]) return false;
+    const std::optional<Patch::Sides> sides = patch.sides(edge.first, edge.second);
+    return sides && free_[sides->left_corner] && free_[sides->right_corner] && patch.collapse(edge.first, edge.second);
+}
+
+std::optional<double> PatchMender::judge(const Patch& candidate, std::size_t triangle) const {
+    std::vector<std::size_t> changed = changed_triangles(patch_, candidate);
+    if (changed.empty()) return std::nullopt;
+    if (!std::binary_search(changed.begin(), changed.end(), triangle))
+        changed.insert(std::lower_bound(changed.begin(), changed.end(), triangle), triangle);
+    const PatchShape before = shape_of(patch_, changed, kShortestEdge);
+    const PatchShape after = shape_of(candidate, changed, kShortestEdge);
+    const double longest = options_.longest_edge * options_.longest_edge;
+    if (after.least_goodness < before.least_goodness + kGain || after.facing < std::min(kFacing, before.facing) ||
+        after.turn < std::min(kTurn, before.turn) || after.longest > std::max(longest, before.longest))
+        return std::nullopt;
+    const std::size_t crossings = count_crossings(candidate, changed);
+    if (crossings > 0 && crossings > count_crossings(patch_, changed)) return std::nullopt;
+    return after.least_goodness;
+}
+
+bool PatchMender::take_if_enough(Patch& candidate, std::size_t triangle) {
+    const std::optional<double> goodness = judge(candidate, triangle);
+    if (!goodness || *goodness < enough_) return false;
+    patch_ = std::move(candidate);
+    return true;
+}
+
+void PatchMender::relax(Patch& patch, const std::vector<VertexId>& vertices) {
+    for (int sweep = 0; sweep < kSweeps; ++sweep)
+        for (const VertexId v : vertices) move(patch, v);
+}
+
+// Takes the place round a vertex whose triangles are best.
+void PatchMender::move(Patch& patch, VertexId v) {
+    if (!free_[v]) return;
+    const std::vector<std::size_t> star = patch.star(v);
+    if (star.empty()) return;
+    const PatchShape before = shape_of(patch, star, kShortestEdge);
+    if (before.least_goodness >= enough_) return;
+    double length = 0.0;
+    for (const std::size_t t : star)
+        for (const VertexId w : patch.triangles[t]) length += norm(patch.at(w) - patch.at(v));
+    SurfacePoint best = patch.points[v];
+    double least = before.least_goodness;
+    for (const SurfacePoint& place : places_round(best, length / (2.0 * static_cast<double>(star.size())))) {
+        if (!is_inside(room_, place.position)) continue;
+        patch.points[v] = place;
+        const PatchShape after = shape_of(patch, star, kShortestEdge);
+        if (after.least_goodness <= least || after.facing < std::min(kFacing, before.facing)) continue;
+        least = after.least_goodness;
+        best = place;
+    }
+    patch.points[v] = best;
+}
+
+const std::vector<SurfacePoint>& PatchMender::places_round(const SurfacePoint& centre, double step) {
+    const Vec3 axis = std::abs(centre.normal.x) < 0.6 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
+    const Vec3 u = normalised(cross(centre.normal, axis));
+    const Vec3 w = cross(centre.normal, u);
+    places_.clear();
+    for (const double ring : kRings)
+        for (int k = 0; k < kPerRing; ++k) {
+            const double angle = 2.0 * std::numbers::pi * k / kPerRing;
+            places_.push_back(centre);
+            places_.back().position += ring * step * (std::cos(angle) * u + std::sin(angle) * w);
+        }
+    project_(places_);
+    return places_;
+}
+
+}  // namespace meniscus

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Bad triangles of a patch, one by one: the least change that helps.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "geometry/box_tree.h"
+#include "remesh/mend_slivers.h"
+#include "remesh/patch.h"
+
+namespace meniscus {
+
+class PatchMender {
+public:
+    /// free  per vertex of the patch: whether triangles round it may change. They lie within `room`, and stay there.
+    PatchMender(Patch patch, std::vector<bool> free, const Box& room, const SliverOptions& options,
+                const SurfaceProjector& project);
+
+    void run();
+    const Patch& patch() const { return patch_; }
+
+private:
+    using Edge = std::pair<VertexId, VertexId>;
+    struct Candidate {
+        Patch patch;
+        double goodness = 0.0;  ///< of the worst triangle that changed
+    };
+
+    std::optional<std::size_t> worst_triangle(const std::vector<std::size_t>& stuck) const;
+    bool mend(std::size_t triangle);
+    bool try_flips(const Triangle& corners, std::size_t triangle);
+    bool try_moves(const Triangle& corners, std::size_t triangle);
+    bool try_collapses(const Triangle& corners, std::size_t triangle);
+    bool try_together(const Triangle& corners, std::size_t triangle);
+
+    std::vector<Edge> edges_round(const Triangle& corners) const;
+    bool is_free(const Triangle& corners) const { return free_[corners[0]] && free_[corners[1]] && free_[corners[2]]; }
+    bool flip(Patch& patch, const Edge& edge) const;
+    bool collapse(Patch& patch, const Edge& edge) const;
+
+    /// What a candidate makes of the triangle and all that it changes, if that is allowed and better than before.
+    std::optional<double> judge(const Patch& candidate, std::size_t triangle) const;
+    bool take_if_enough(Patch& candidate, std::size_t triangle);
+
+    void relax(Patch& patch, const std::vector<VertexId>& vertices);
+    void move(Patch& patch, VertexId v);
+    const std::vector<SurfacePoint>& places_round(const SurfacePoint& centre, double step);
+
+    Patch patch_;
+    std::vector<bool> free_;
+    Box room_;
+    const SliverOptions& options_;
+    const SurfaceProjector& project_;
+    double wanted_;  // tangents
+    double enough_;
+    std::vector<SurfacePoint> places_;
+};
+
+}  // namespace meniscus
