@@ -48,13 +48,6 @@ struct Cutting {
     std::vector<std::uint32_t> triangles;
 };
 
-// What became of it, as new values for numbers of the mesh.
-struct Outcome {
-    std::vector<std::pair<VertexId, SurfacePoint>> moved;
-    std::vector<VertexId> removed;
-    std::vector<std::pair<std::uint32_t, Triangle>> triangles;
-};
-
 class SliverMender {
 public:
     SliverMender(Mesh& mesh, const SliverOptions& options, const SurfaceProjector& project)
@@ -135,14 +128,15 @@ private:
         std::vector<std::uint32_t> waiting;
         const std::vector<Place> places = choose_places(pending, waiting);
         const BoxTree chunks(boxes_);
-        std::vector<Outcome> outcomes(places.size());
+        std::vector<Cutting> cuttings(places.size());
+        std::vector<Patch> mended(places.size());
         parallel_for(places.size(), 1, [&](std::size_t i) {
-            Cutting cutting = cut_out(chunks, places[i]);
-            PatchMender mender(cutting.patch, cutting.free, places[i].room, options_, project_);
+            cuttings[i] = cut_out(chunks, places[i]);
+            PatchMender mender(cuttings[i].patch, cuttings[i].free, places[i].room, options_, project_);
             mender.run();
-            outcomes[i] = outcome_of(cutting, mender.patch());
+            mended[i] = mender.patch();
         });
-        for (const Outcome& outcome : outcomes) apply(outcome);
+        for (std::size_t i = 0; i < places.size(); ++i) paste(cuttings[i], mended[i]);
         return waiting;
     }
 
@@ -198,7 +192,7 @@ private:
         for (const VertexId v : cutting.vertices) {
             cutting.patch.points.push_back({mesh_.vertices[v], mesh_.normals[v], 0.0});
             cutting.free.push_back(place.free.squared_distance(mesh_.vertices[v]) == 0.0 &&
-                                   (options_.held.empty() || !options_.held[v]));
+                                   (v >= options_.held.size() || !options_.held[v]));
         }
         for (const std::uint32_t t : cutting.triangles) {
             const auto& [a, b, c] = mesh_.triangles[t];
@@ -218,44 +212,72 @@ private:
         }
     }
 
-    static Outcome outcome_of(const Cutting& cutting, const Patch& after) {
-        Outcome outcome;
-        for (std::size_t v = 0; v < after.points.size(); ++v)
-            if (!(after.points[v].position == cutting.patch.points[v].position))
-                outcome.moved.emplace_back(cutting.vertices[v], after.points[v]);
+    // Puts a patch back, with what it has more than before at the end of the mesh.
+    void paste(Cutting& cutting, const Patch& after) {
+        add_new(cutting, after);
+        for (std::size_t v = 0; v < cutting.patch.points.size(); ++v) {
+            if (after.points[v].position == cutting.patch.points[v].position) continue;
+            mesh_.vertices[cutting.vertices[v]] = after.points[v].position;
+            mesh_.normals[cutting.vertices[v]] = after.points[v].normal;
+            moved_[cutting.vertices[v]] = true;
+        }
+        for (const std::size_t t : changed_triangles(cutting.patch, after)) {
+            const auto& [a, b, c] = after.triangles[t];
+            const std::uint32_t number = cutting.triangles[t];
+            const Triangle triangle{cutting.vertices[a], cutting.vertices[b], cutting.vertices[c]};
+            mesh_.triangles[number] = triangle;
+            if (is_removed(triangle))
+                removed_.push_back(number);
+            else
+                boxes_[number / kChunk].include(box_of(mesh_, triangle));
+        }
         std::vector<bool> in_use(after.points.size());
         for (std::size_t t = 0; t < after.triangles.size(); ++t)
             if (after.has(t))
                 for (const VertexId v : after.triangles[t]) in_use[v] = true;
         for (std::size_t v = 0; v < in_use.size(); ++v)
-            if (!in_use[v]) outcome.removed.push_back(cutting.vertices[v]);
-        for (const std::size_t t : changed_triangles(cutting.patch, after)) {
-            const auto& [a, b, c] = after.triangles[t];
-            outcome.triangles.push_back(
-                {cutting.triangles[t], {cutting.vertices[a], cutting.vertices[b], cutting.vertices[c]}});
-        }
-        return outcome;
+            if (!in_use[v]) holes_.push_back(cutting.vertices[v]);
     }
 
-    void apply(const Outcome& outcome) {
-        for (const auto& [v, point] : outcome.moved) {
-            mesh_.vertices[v] = point.position;
-            mesh_.normals[v] = point.normal;
-            moved_[v] = true;
+    void add_new(Cutting& cutting, const Patch& after) {
+        const std::size_t known = cutting.vertices.size();
+        for (std::size_t v = known; v < after.points.size(); ++v) {
+            cutting.vertices.push_back(static_cast<VertexId>(mesh_.vertices.size()));
+            mesh_.vertices.push_back(after.points[v].position);
+            mesh_.normals.push_back(after.points[v].normal);
+            moved_.push_back(true);
         }
-        for (const auto& [t, triangle] : outcome.triangles) {
-            if (is_removed(triangle)) removed_.push_back(t);
-            mesh_.triangles[t] = triangle;
+        for (std::size_t t = cutting.triangles.size(); t < after.triangles.size(); ++t) {
+            cutting.triangles.push_back(static_cast<std::uint32_t>(mesh_.triangles.size()));
+            mesh_.triangles.push_back({0, 0, 0});
+            boxes_.resize(mesh_.triangles.size() / kChunk + 1);
         }
-        holes_.insert(holes_.end(), outcome.removed.begin(), outcome.removed.end());
-        for (const auto& [t, triangle] : outcome.triangles)
-            if (!is_removed(triangle)) boxes_[t / kChunk].include(box_of(mesh_, triangle));
+        if (!mesh_.components.empty()) label_new(cutting, after, known);
+    }
+
+    // New vertices belong to the pieces of their neighbours, of which some may be new, too.
+    void label_new(const Cutting& cutting, const Patch& after, std::size_t known) {
+        constexpr std::uint32_t kNone = ~std::uint32_t{0};
+        mesh_.components.resize(mesh_.vertices.size(), kNone);
+        for (std::size_t i = known; i < cutting.vertices.size(); ++i)
+            for (std::size_t t = 0; t < after.triangles.size(); ++t) {
+                if (!after.has(t)) continue;
+                std::uint32_t label = kNone;
+                for (const VertexId v : after.triangles[t])
+                    label = std::min(label, mesh_.components[cutting.vertices[v]]);
+                for (const VertexId v : after.triangles[t]) mesh_.components[cutting.vertices[v]] = label;
+            }
+        for (std::size_t i = known; i < cutting.vertices.size(); ++i) {
+            std::uint32_t& label = mesh_.components[cutting.vertices[i]];
+            if (label == kNone) label = 0;  // removed again
+        }
     }
 
     // Vertices and triangles from the end take the places of removed ones.
     VertexChanges close_holes() {
         VertexChanges changes;
-        changes.left = mesh_.vertices.size() - holes_.size();
+        changes.with_new = mesh_.vertices.size();
+        changes.left = changes.with_new - holes_.size();
         std::sort(removed_.begin(), removed_.end(), std::greater<>());
         for (const std::uint32_t t : removed_) {
             mesh_.triangles[t] = mesh_.triangles.back();

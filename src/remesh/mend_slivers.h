@@ -22,25 +22,27 @@ struct SliverOptions {
 
 /// What changed about the vertices of a mesh.
 struct VertexChanges {
+    std::size_t with_new = 0;  ///< vertices with those that were added at the end of the list
     /// Where a vertex was removed, and the one from the end of the list that took its number.
     std::vector<std::pair<VertexId, VertexId>> refilled;
     std::size_t left = 0;         ///< vertices after that
-    std::vector<VertexId> moved;  ///< by their new numbers, rising
+    std::vector<VertexId> moved;  ///< with those that were added; by their new numbers, rising
 
     bool any() const { return !refilled.empty() || !moved.empty(); }
 };
 
-/// Applies the renumbering to an array with one entry per vertex.
+/// Applies the renumbering to an array with one entry per vertex. Entries of added ones are still to be set.
 template <class T>
 void renumber_entries(const VertexChanges& changes, std::vector<T>& entries) {
     if (entries.empty()) return;
+    entries.resize(changes.with_new);
     for (const auto& [hole, from] : changes.refilled) entries[hole] = entries[from];
     entries.resize(changes.left);
 }
 
-/// Mends triangles with small angles, with edges shorter than kShortestEdge and such that face the wrong way: flips and
-/// collapses edges and moves vertices on the surface, where that keeps the topology and passes the mesh through itself
-/// nowhere. What cannot be mended stays.
+/// Mends triangles with small angles, with edges shorter than kShortestEdge and such that face the wrong way: flips,
+/// collapses and splits edges and moves vertices on the surface, where that keeps the topology and passes the mesh
+/// through itself nowhere. What cannot be mended stays.
 ///
 /// mesh      closed oriented 2-manifold with normals, its vertices on the surface. Positions, normals, components and
 ///           triangles are changed; other vertex arrays are the caller's to renumber

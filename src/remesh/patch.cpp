@@ -116,6 +116,21 @@ bool Patch::collapse(VertexId a, VertexId b) {
     return true;
 }
 
+bool Patch::split(VertexId a, VertexId b) {
+    const std::optional<Sides> edge = sides(a, b);
+    if (!edge) return false;
+    const auto middle = static_cast<VertexId>(points.size());
+    const Vec3 normal = points[a].normal + points[b].normal;
+    points.push_back({0.5 * (at(a) + at(b)), squared_norm(normal) > 0.0 ? normalised(normal) : points[a].normal, 0.0});
+    const VertexId c = edge->left_corner;
+    const VertexId d = edge->right_corner;
+    triangles[edge->left] = {a, middle, c};
+    triangles[edge->right] = {b, middle, d};
+    triangles.push_back({middle, b, c});
+    triangles.push_back({middle, a, d});
+    return true;
+}
+
 PatchShape shape_of(const Patch& patch, std::span<const std::size_t> triangles, double shortest) {
     PatchShape shape{.least_goodness = 2.0};
     for (const std::size_t i : triangles) {
@@ -135,11 +150,13 @@ PatchShape shape_of(const Patch& patch, std::span<const std::size_t> triangles, 
 
 std::vector<std::size_t> changed_triangles(const Patch& before, const Patch& after) {
     std::vector<bool> moved(after.points.size());
-    for (std::size_t v = 0; v < moved.size(); ++v) moved[v] = !(before.points[v].position == after.points[v].position);
+    for (std::size_t v = 0; v < moved.size(); ++v)
+        moved[v] = v >= before.points.size() || !(before.points[v].position == after.points[v].position);
     std::vector<std::size_t> changed;
     for (std::size_t t = 0; t < after.triangles.size(); ++t) {
         const auto& [a, b, c] = after.triangles[t];
-        if (before.triangles[t] != after.triangles[t] || (after.has(t) && (moved[a] || moved[b] || moved[c])))
+        if (t >= before.triangles.size() || before.triangles[t] != after.triangles[t] ||
+            (after.has(t) && (moved[a] || moved[b] || moved[c])))
             changed.push_back(t);
     }
     return changed;
@@ -153,6 +170,7 @@ std::size_t count_crossings(const Patch& patch, std::span<const std::size_t> tri
     std::vector<bool> counted(boxes.size());
     std::size_t count = 0;
     for (const std::size_t i : triangles) {
+        if (!patch.has(i)) continue;
         counted[i] = true;
         for (std::size_t j = 0; j < boxes.size(); ++j) {
             if (counted[j] || !boxes[i].overlaps(boxes[j])) continue;

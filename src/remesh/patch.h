@@ -24,7 +24,9 @@ struct Patch {
     std::vector<Triangle> triangles;  ///< a removed one has the same corner three times
 
     const Vec3& at(VertexId v) const { return points[v].position; }
-    bool has(std::size_t triangle) const { return triangles[triangle][0] != triangles[triangle][1]; }
+    bool has(std::size_t triangle) const {
+        return triangle < triangles.size() && triangles[triangle][0] != triangles[triangle][1];
+    }
 
     /// The triangles round a vertex; all of them, if the vertex lies within the patch.
     std::vector<std::size_t> star(VertexId v) const;
@@ -47,6 +49,8 @@ struct Patch {
     bool flip(VertexId a, VertexId b);
     /// Moves a vertex into its neighbour b. As flip.
     bool collapse(VertexId a, VertexId b);
+    /// Puts a vertex, and with it two triangles, at the end of the lists: into the middle of an edge. As flip.
+    bool split(VertexId a, VertexId b);
 };
 
 /// What may not become worse when triangles change.
@@ -58,7 +62,8 @@ struct PatchShape {
 };
 PatchShape shape_of(const Patch& patch, std::span<const std::size_t> triangles, double shortest);
 
-/// Triangles that are not the same, or not in the same place, in two states of a patch.
+/// Triangles that are not the same, or not in the same place, in two states of a patch. Of those told to the other
+/// functions a state may lack some: they are left out.
 std::vector<std::size_t> changed_triangles(const Patch& before, const Patch& after);
 
 /// How often the given triangles pass through each other or through others of the patch.

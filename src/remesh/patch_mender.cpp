@@ -12,13 +12,14 @@
 namespace meniscus {
 namespace {
 
-constexpr int kMostChanges = 24;  // of a patch
+constexpr int kMostChanges = 40;  // of a patch
 constexpr double kGain = 1e-3;    // of the tangent: less is not worth a change
 
 // What must hold afterwards unless it did not hold before: triangles face the way the surface does within 60 degrees,
 // and over an edge it turns by less than 105 (see working_mesh.h).
 constexpr double kFacing = 0.5;
 constexpr double kTurn = -0.25;
+constexpr double kSlack = 0.15;
 
 // Places tried for a vertex: on rings round it, in parts of the mean length of its edges.
 constexpr std::array<double, 4> kRings{0.03, 0.08, 0.2, 0.4};
@@ -49,7 +50,10 @@ void PatchMender::run() {
     for (int i = 0; i < kMostChanges; ++i) {
         const std::optional<std::size_t> worst = worst_triangle(stuck);
         if (!worst) return;
-        if (!mend(*worst)) stuck.push_back(*worst);
+        if (mend(*worst))
+            stuck.clear();
+        else
+            stuck.push_back(*worst);
     }
 }
 
@@ -70,7 +74,7 @@ std::optional<std::size_t> PatchMender::worst_triangle(const std::vector<std::si
 bool PatchMender::mend(std::size_t triangle) {
     const Triangle corners = patch_.triangles[triangle];
     return try_flips(corners, triangle) || try_moves(corners, triangle) || try_collapses(corners, triangle) ||
-           try_together(corners, triangle);
+           try_together(corners, triangle, false) || try_together(corners, triangle, true);
 }
 
 bool PatchMender::try_flips(const Triangle& corners, std::size_t triangle) {
@@ -99,16 +103,18 @@ bool PatchMender::try_collapses(const Triangle& corners, std::size_t triangle) {
     return false;
 }
 
-// Flips and collapses round the triangle, each with moves of the corners of what it changed; the best of all is taken.
-bool PatchMender::try_together(const Triangle& corners, std::size_t triangle) {
+// Flips and collapses round the triangle, or else splits, each with moves of the corners of what it changed; the best
+// of all is taken.
+bool PatchMender::try_together(const Triangle& corners, std::size_t triangle, bool splits) {
     std::vector<Candidate> candidates;
     const auto add = [&](Patch&& patch) {
         const double goodness = shape_of(patch, changed_triangles(patch_, patch), kShortestEdge).least_goodness;
         candidates.push_back({std::move(patch), goodness});
     };
     for (const auto& [a, b] : edges_round(corners)) {
-        if (Patch patch = patch_; a < b && flip(patch, {a, b})) add(std::move(patch));
-        if (Patch patch = patch_; collapse(patch, {a, b})) add(std::move(patch));
+        if (Patch patch = patch_; !splits && a < b && flip(patch, {a, b})) add(std::move(patch));
+        if (Patch patch = patch_; !splits && collapse(patch, {a, b})) add(std::move(patch));
+        if (Patch patch = patch_; splits && a < b && split(patch, {a, b})) add(std::move(patch));
     }
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.goodness > b.goodness; });
@@ -158,6 +164,16 @@ bool PatchMender::collapse(Patch& patch, const Edge& edge) const {
     return sides && free_[sides->left_corner] && free_[sides->right_corner] && patch.collapse(edge.first, edge.second);
 }
 
+bool PatchMender::split(Patch& patch, const Edge& edge) {
+    if (!free_[edge.first] || !free_[edge.second]) return false;
+    const std::optional<Patch::Sides> sides = patch.sides(edge.first, edge.second);
+    if (!sides || !free_[sides->left_corner] || !free_[sides->right_corner]) return false;
+    if (!patch.split(edge.first, edge.second)) return false;
+    project_(std::span(&patch.points.back(), 1));
+    if (free_.size() < patch.points.size()) free_.push_back(true);
+    return is_inside(room_, patch.points.back().position);
+}
+
 std::optional<double> PatchMender::judge(const Patch& candidate, std::size_t triangle) const {
     std::vector<std::size_t> changed = changed_triangles(patch_, candidate);
     if (changed.empty()) return std::nullopt;
@@ -167,7 +183,7 @@ std::optional<double> PatchMender::judge(const Patch& candidate, std::size_t tri
     const PatchShape after = shape_of(candidate, changed, kShortestEdge);
     const double longest = options_.longest_edge * options_.longest_edge;
     if (after.least_goodness < before.least_goodness + kGain || after.facing < std::min(kFacing, before.facing) ||
-        after.turn < std::min(kTurn, before.turn) || after.longest > std::max(longest, before.longest))
+        after.turn < std::min(kTurn, before.turn - kSlack) || after.longest > std::max(longest, before.longest))
         return std::nullopt;
     const std::size_t crossings = count_crossings(candidate, changed);
     if (crossings > 0 && crossings > count_crossings(patch_, changed)) return std::nullopt;

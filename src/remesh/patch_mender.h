@@ -35,12 +35,13 @@ private:
     bool try_flips(const Triangle& corners, std::size_t triangle);
     bool try_moves(const Triangle& corners, std::size_t triangle);
     bool try_collapses(const Triangle& corners, std::size_t triangle);
-    bool try_together(const Triangle& corners, std::size_t triangle);
+    bool try_together(const Triangle& corners, std::size_t triangle, bool splits);
 
     std::vector<Edge> edges_round(const Triangle& corners) const;
     bool is_free(const Triangle& corners) const { return free_[corners[0]] && free_[corners[1]] && free_[corners[2]]; }
     bool flip(Patch& patch, const Edge& edge) const;
     bool collapse(Patch& patch, const Edge& edge) const;
+    bool split(Patch& patch, const Edge& edge);
 
     /// What a candidate makes of the triangle and all that it changes, if that is allowed and better than before.
     std::optional<double> judge(const Patch& candidate, std::size_t triangle) const;

@@ -11,6 +11,7 @@
 
 #include "core/parallel.h"
 #include "remesh/mend_angles.h"
+#include "remesh/mend_slivers.h"
 #include "remesh/ridges.h"
 #include "remesh/self_intersections.h"
 #include "remesh/working_mesh.h"
@@ -38,6 +39,11 @@ constexpr double kLargestPart = 2.0;
 constexpr double kFrozen = 0.7;  // target lengths, times the number of the attempt
 constexpr int kAttempts = 4;
 
+// Triangles with smaller angles are mended with all that lies round them; so much is enough then, degrees.
+constexpr double kSmallestAngle = 24.0;
+constexpr double kMendedAngle = 26.0;
+constexpr double kLongest = 2.2;  // of the target lengths
+
 class Remesher {
 public:
     Remesher(const Mesh& mesh, const RemeshOptions& options, const SurfaceProjector& project)
@@ -52,7 +58,7 @@ public:
         });
         thaw();
         attempt([this] { mend_angles(mesh_, project_); });
-        return result();
+        return mended();
     }
 
 private:
@@ -222,6 +228,23 @@ private:
     }
 
     Mesh result() const { return mesh_of(mesh_); }
+
+    // What the others could not mend, each with its neighbourhood as a whole.
+    Mesh mended() const {
+        Mesh mesh = result();
+        SliverOptions slivers{.smallest_angle_deg = kSmallestAngle,
+                              .mended_angle_deg = kMendedAngle,
+                              .edge = options_.edge,
+                              .longest_edge = kLongest * *std::max_element(mesh_.targets.begin(), mesh_.targets.end())};
+        for (VertexId v = 0; v < mesh_.points.size(); ++v) {
+            if (!is_present(v)) continue;
+            mesh.normals.push_back(mesh_.points[v].normal);
+            slivers.held.push_back(mesh_.holds[v] == Hold::Ridge);
+        }
+        mend_slivers(mesh, slivers, project_);
+        mesh.normals.clear();
+        return mesh;
+    }
 
     static Mesh mesh_of(const WorkingMesh& working) {
         HalfEdges::Compacted compacted = working.edges.compact();
