@@ -12,11 +12,11 @@
 namespace meniscus {
 namespace {
 
-constexpr int kMostChanges = 40;  // of a patch
-constexpr double kGain = 1e-3;    // of the tangent: less is not worth a change
+constexpr int kMostChanges = 200;  // of a patch
+constexpr double kGain = 1e-3;     // of the tangent: less is not worth a change
 
 // What must hold afterwards unless it did not hold before: triangles face the way the surface does within 60 degrees,
-// and over an edge it turns by less than 105 (see working_mesh.h).
+// and over new edges it turns by less than 105 (see working_mesh.h), or hardly more than before.
 constexpr double kFacing = 0.5;
 constexpr double kTurn = -0.25;
 constexpr double kSlack = 0.15;
@@ -182,8 +182,10 @@ std::optional<double> PatchMender::judge(const Patch& candidate, std::size_t tri
     const PatchShape before = shape_of(patch_, changed, kShortestEdge);
     const PatchShape after = shape_of(candidate, changed, kShortestEdge);
     const double longest = options_.longest_edge * options_.longest_edge;
+    const bool new_edges = candidate.triangles != patch_.triangles;
     if (after.least_goodness < before.least_goodness + kGain || after.facing < std::min(kFacing, before.facing) ||
-        after.turn < std::min(kTurn, before.turn - kSlack) || after.longest > std::max(longest, before.longest))
+        (new_edges && after.turn < std::min(kTurn, before.turn - kSlack)) ||
+        after.longest > std::max(longest, before.longest))
         return std::nullopt;
     const std::size_t crossings = count_crossings(candidate, changed);
     if (crossings > 0 && crossings > count_crossings(patch_, changed)) return std::nullopt;

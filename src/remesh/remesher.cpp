@@ -24,7 +24,8 @@ constexpr std::size_t kChunk = 512;  // vertices projected at once
 // Edges outside these parts of the target length are collapsed or split (Botsch & Kobbelt 2004).
 constexpr double kShort = 4.0 / 5.0;
 constexpr double kLong = 4.0 / 3.0;
-constexpr int kIterations = 6;
+constexpr int kParts = 2;  // after each the mesh is looked at for places where it passes through itself
+constexpr int kIterationsOfPart = 3;
 
 // Of the length asked for: what splitting and collapsing aims at, so that triangles lie near enough to the surface.
 constexpr double kAim = 0.85;
@@ -40,8 +41,8 @@ constexpr double kFrozen = 0.7;  // target lengths, times the number of the atte
 constexpr int kAttempts = 4;
 
 // Triangles with smaller angles are mended with all that lies round them; so much is enough then, degrees.
-constexpr double kSmallestAngle = 24.0;
-constexpr double kMendedAngle = 26.0;
+constexpr double kSmallestAngle = 30.0;
+constexpr double kMendedAngle = 31.0;
 constexpr double kLongest = 2.2;  // of the target lengths
 
 class Remesher {
@@ -53,11 +54,10 @@ public:
     }
 
     Mesh run() {
-        attempt([this] {
-            for (int i = 0; i < kIterations; ++i) iterate();
-        });
-        thaw();
-        attempt([this] { mend_angles(mesh_, project_); });
+        for (int part = 0; part < kParts; ++part)
+            attempt([this] {
+                for (int i = 0; i < kIterationsOfPart; ++i) iterate();
+            });
         return mended();
     }
 
