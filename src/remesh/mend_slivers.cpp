@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -17,6 +18,7 @@
 #include "geometry/triangle_tree.h"
 #include "remesh/patch.h"
 #include "remesh/patch_mender.h"
+#include "remesh/self_intersections.h"
 
 namespace meniscus {
 namespace {
@@ -59,6 +61,12 @@ public:
 
     VertexChanges run() {
         std::vector<std::uint32_t> pending = look_at_all();
+        if (options_.untangle) {
+            tangled_ = self_intersecting_triangles(mesh_);
+            std::vector<std::uint32_t> all;
+            std::set_union(pending.begin(), pending.end(), tangled_.begin(), tangled_.end(), std::back_inserter(all));
+            pending = std::move(all);
+        }
         if (!pending.empty()) moved_.resize(mesh_.vertices.size());
         while (!pending.empty()) pending = round(pending);
         return close_holes();
@@ -92,6 +100,9 @@ private:
     bool is_bad(const Triangle& triangle) const {
         const Patch alone{{point(triangle[0]), point(triangle[1]), point(triangle[2])}, {}};
         return alone.goodness({0, 1, 2}, kShortestEdge) < wanted_;
+    }
+    bool is_tangled(std::uint32_t triangle) const {
+        return std::binary_search(tangled_.begin(), tangled_.end(), triangle);
     }
     SurfacePoint point(VertexId v) const { return {mesh_.vertices[v], mesh_.normals[v], 0.0}; }
 
@@ -153,7 +164,7 @@ private:
         };
         for (const std::uint32_t t : pending) {
             const Triangle& triangle = mesh_.triangles[t];
-            if (is_removed(triangle) || !is_bad(triangle)) continue;
+            if (is_removed(triangle) || !(is_bad(triangle) || is_tangled(t))) continue;
             const Box box = box_of(mesh_, triangle);
             const Place place{t, box.grown(kFree * options_.edge), box.grown(kRoom * options_.edge)};
             bool overlaps = false;
@@ -276,6 +287,7 @@ private:
     // Vertices and triangles from the end take the places of removed ones.
     VertexChanges close_holes() {
         VertexChanges changes;
+        changes.was_tangled = !tangled_.empty();
         changes.with_new = mesh_.vertices.size();
         changes.left = changes.with_new - holes_.size();
         std::sort(removed_.begin(), removed_.end(), std::greater<>());
@@ -317,6 +329,7 @@ private:
     double wanted_;
     double squared_tangent_;
     std::vector<Box> boxes_;              // per chunk of triangles
+    std::vector<std::uint32_t> tangled_;  // triangles, as they were found
     std::vector<bool> moved_;             // per vertex, if there is anything to mend
     std::vector<VertexId> holes_;         // numbers of removed vertices
     std::vector<std::uint32_t> removed_;  // triangles

@@ -17,6 +17,7 @@ struct SliverOptions {
     double mended_angle_deg = 6.0;    ///< enough for a mended one
     double edge = 0.5;                ///< usual length of edges, Å
     double longest_edge = 1.0;        ///< of those that are made, Å
+    bool untangle = false;            ///< also mend where the mesh passes through itself
     std::vector<bool> held{};         ///< per vertex, or empty: what must stay where it is
 };
 
@@ -26,6 +27,7 @@ struct VertexChanges {
     /// Where a vertex was removed, and the one from the end of the list that took its number.
     std::vector<std::pair<VertexId, VertexId>> refilled;
     std::size_t left = 0;         ///< vertices after that
+    bool was_tangled = false;     ///< and there was such a place, which may be left
     std::vector<VertexId> moved;  ///< with those that were added; by their new numbers, rising
 
     bool any() const { return !refilled.empty() || !moved.empty(); }

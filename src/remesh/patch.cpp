@@ -30,6 +30,19 @@ double facing_of(const Patch& patch, const Triangle& t) {
                           patch.points[a].normal + patch.points[b].normal + patch.points[c].normal);
 }
 
+// Empty for removed triangles: they overlap nothing.
+std::vector<Box> boxes_of(const Patch& patch) {
+    std::vector<Box> boxes(patch.triangles.size());
+    for (std::size_t t = 0; t < boxes.size(); ++t)
+        if (patch.has(t))
+            for (const VertexId v : patch.triangles[t]) boxes[t].include(patch.at(v));
+    return boxes;
+}
+
+bool cross_each_other(const Patch& patch, const Triangle& s, const Triangle& t) {
+    return meeting(s, corners_of(patch, s), t, corners_of(patch, t)).has_value();
+}
+
 }  // namespace
 
 double tangent_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -162,22 +175,29 @@ std::vector<std::size_t> changed_triangles(const Patch& before, const Patch& aft
     return changed;
 }
 
+std::optional<std::pair<std::size_t, std::size_t>> first_crossing(const Patch& patch, const std::vector<bool>& marked) {
+    const std::vector<Box> boxes = boxes_of(patch);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const Triangle& s = patch.triangles[i];
+        if (!patch.has(i) || !(marked[s[0]] || marked[s[1]] || marked[s[2]])) continue;
+        for (std::size_t j = 0; j < boxes.size(); ++j)
+            if (i != j && boxes[i].overlaps(boxes[j]) && cross_each_other(patch, s, patch.triangles[j]))
+                return std::pair(i, j);
+    }
+    return std::nullopt;
+}
+
 std::size_t count_crossings(const Patch& patch, std::span<const std::size_t> triangles) {
-    std::vector<Box> boxes(patch.triangles.size());  // empty for removed ones: they overlap nothing
-    for (std::size_t t = 0; t < boxes.size(); ++t)
-        if (patch.has(t))
-            for (const VertexId v : patch.triangles[t]) boxes[t].include(patch.at(v));
+    const std::vector<Box> boxes = boxes_of(patch);
     std::vector<bool> counted(boxes.size());
     std::size_t count = 0;
     for (const std::size_t i : triangles) {
         if (!patch.has(i)) continue;
         counted[i] = true;
-        for (std::size_t j = 0; j < boxes.size(); ++j) {
-            if (counted[j] || !boxes[i].overlaps(boxes[j])) continue;
-            const Triangle& s = patch.triangles[i];
-            const Triangle& t = patch.triangles[j];
-            if (meeting(s, corners_of(patch, s), t, corners_of(patch, t))) ++count;
-        }
+        for (std::size_t j = 0; j < boxes.size(); ++j)
+            if (!counted[j] && boxes[i].overlaps(boxes[j]) &&
+                cross_each_other(patch, patch.triangles[i], patch.triangles[j]))
+                ++count;
     }
     return count;
 }

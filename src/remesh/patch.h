@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "meniscus/mesh.h"
@@ -65,6 +66,9 @@ PatchShape shape_of(const Patch& patch, std::span<const std::size_t> triangles, 
 /// Triangles that are not the same, or not in the same place, in two states of a patch. Of those told to the other
 /// functions a state may lack some: they are left out.
 std::vector<std::size_t> changed_triangles(const Patch& before, const Patch& after);
+
+/// The first pair of triangles that pass through each other and have a corner in common with the marked vertices.
+std::optional<std::pair<std::size_t, std::size_t>> first_crossing(const Patch& patch, const std::vector<bool>& marked);
 
 /// How often the given triangles pass through each other or through others of the patch.
 std::size_t count_crossings(const Patch& patch, std::span<const std::size_t> triangles);

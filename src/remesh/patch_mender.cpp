@@ -21,6 +21,8 @@ constexpr double kFacing = 0.5;
 constexpr double kTurn = -0.25;
 constexpr double kSlack = 0.15;
 
+constexpr double kFlat = 0.1;  // tangent: what parting triangles may leave to be mended afterwards
+
 // Places tried for a vertex: on rings round it, in parts of the mean length of its edges.
 constexpr std::array<double, 4> kRings{0.03, 0.08, 0.2, 0.4};
 constexpr int kPerRing = 8;
@@ -46,6 +48,7 @@ PatchMender::PatchMender(Patch patch, std::vector<bool> free, const Box& room, c
       enough_(tangent_of_degrees(options.mended_angle_deg)) {}
 
 void PatchMender::run() {
+    if (options_.untangle) untangle();
     std::vector<std::size_t> stuck;
     for (int i = 0; i < kMostChanges; ++i) {
         const std::optional<std::size_t> worst = worst_triangle(stuck);
@@ -55,6 +58,63 @@ void PatchMender::run() {
         else
             stuck.push_back(*worst);
     }
+}
+
+void PatchMender::untangle() {
+    for (int i = 0; i < kMostChanges; ++i) {
+        const auto crossing = first_crossing(patch_, free_);
+        if (!crossing || !part(*crossing)) return;
+    }
+}
+
+// Of the flips, collapses and splits of both triangles' edges, with moves round them and without, the one that leaves
+// the fewest crossings.
+bool PatchMender::part(const std::pair<std::size_t, std::size_t>& crossing) {
+    std::vector<Patch> candidates;
+    std::vector<VertexId> corners;
+    for (const std::size_t t : {crossing.first, crossing.second}) {
+        const Triangle& triangle = patch_.triangles[t];
+        corners.insert(corners.end(), triangle.begin(), triangle.end());
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Edge edge{triangle[k], triangle[(k + 1) % 3]};
+            if (Patch patch = patch_; split(patch, edge)) candidates.push_back(std::move(patch));
+            if (Patch patch = patch_; flip(patch, edge)) candidates.push_back(std::move(patch));
+            if (Patch patch = patch_; collapse(patch, edge)) candidates.push_back(std::move(patch));
+            if (Patch patch = patch_; collapse(patch, {edge.second, edge.first}))
+                candidates.push_back(std::move(patch));
+        }
+    }
+    for (std::size_t i = candidates.size(); i-- > 0;) {
+        Patch relaxed = candidates[i];
+        relax(relaxed, touched_by(relaxed, corners));
+        candidates.push_back(std::move(relaxed));
+    }
+    candidates.push_back(patch_);
+    relax(candidates.back(), corners);
+    const Patch* best = nullptr;
+    std::pair<std::ptrdiff_t, double> least{0, 0.0};  // crossings more than before, and goodness with its sign changed
+    for (const Patch& candidate : candidates) {
+        const std::vector<std::size_t> changed = changed_triangles(patch_, candidate);
+        const double goodness = shape_of(candidate, changed, kShortestEdge).least_goodness;
+        if (goodness < std::min(kFlat, shape_of(patch_, changed, kShortestEdge).least_goodness)) continue;
+        const std::pair mark{static_cast<std::ptrdiff_t>(count_crossings(candidate, changed)) -
+                                 static_cast<std::ptrdiff_t>(count_crossings(patch_, changed)),
+                             -goodness};
+        if (mark.first >= 0 || mark >= least) continue;
+        least = mark;
+        best = &candidate;
+    }
+    if (best == nullptr) return false;
+    patch_ = Patch(*best);
+    return true;
+}
+
+std::vector<VertexId> PatchMender::touched_by(const Patch& candidate, std::vector<VertexId> corners) const {
+    for (const std::size_t t : changed_triangles(patch_, candidate))
+        corners.insert(corners.end(), candidate.triangles[t].begin(), candidate.triangles[t].end());
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    return corners;
 }
 
 std::optional<std::size_t> PatchMender::worst_triangle(const std::vector<std::size_t>& stuck) const {
@@ -122,12 +182,7 @@ bool PatchMender::try_together(const Triangle& corners, std::size_t triangle, bo
     candidates.push_back({patch_, 0.0});
     const Candidate* best = nullptr;
     for (Candidate& candidate : candidates) {
-        std::vector<VertexId> touched(corners.begin(), corners.end());
-        for (const std::size_t t : changed_triangles(patch_, candidate.patch))
-            touched.insert(touched.end(), candidate.patch.triangles[t].begin(), candidate.patch.triangles[t].end());
-        std::sort(touched.begin(), touched.end());
-        touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-        relax(candidate.patch, touched);
+        relax(candidate.patch, touched_by(candidate.patch, {corners.begin(), corners.end()}));
         const std::optional<double> goodness = judge(candidate.patch, triangle);
         candidate.goodness = goodness.value_or(-2.0);
         if (goodness && (best == nullptr || candidate.goodness > best->goodness)) best = &candidate;

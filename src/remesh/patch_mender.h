@@ -32,6 +32,10 @@ private:
 
     std::optional<std::size_t> worst_triangle(const std::vector<std::size_t>& stuck) const;
     bool mend(std::size_t triangle);
+    void untangle();
+    bool part(const std::pair<std::size_t, std::size_t>& crossing);
+    /// The corners, and those of all triangles that a candidate changes.
+    std::vector<VertexId> touched_by(const Patch& candidate, std::vector<VertexId> corners) const;
     bool try_flips(const Triangle& corners, std::size_t triangle);
     bool try_moves(const Triangle& corners, std::size_t triangle);
     bool try_collapses(const Triangle& corners, std::size_t triangle);

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/parallel.h"
-#include "remesh/mend_angles.h"
 #include "remesh/mend_slivers.h"
 #include "remesh/ridges.h"
 #include "remesh/self_intersections.h"
@@ -24,8 +23,7 @@ constexpr std::size_t kChunk = 512;  // vertices projected at once
 // Edges outside these parts of the target length are collapsed or split (Botsch & Kobbelt 2004).
 constexpr double kShort = 4.0 / 5.0;
 constexpr double kLong = 4.0 / 3.0;
-constexpr int kParts = 2;  // after each the mesh is looked at for places where it passes through itself
-constexpr int kIterationsOfPart = 3;
+constexpr int kIterations = 6;
 
 // Of the length asked for: what splitting and collapsing aims at, so that triangles lie near enough to the surface.
 constexpr double kAim = 0.85;
@@ -53,34 +51,27 @@ public:
         if (options.keep_ridges) insert_ridges(mesh_, project_);
     }
 
+    // The mesh passes through itself nowhere but where it did before. Places where it would are mended; if that fails
+    // all is done again without them.
     Mesh run() {
-        for (int part = 0; part < kParts; ++part)
-            attempt([this] {
-                for (int i = 0; i < kIterationsOfPart; ++i) iterate();
-            });
-        return mended();
-    }
-
-private:
-    // Makes changes that leave a mesh which passes through itself nowhere but where it did before.
-    template <class Change>
-    void attempt(const Change& change) {
         const WorkingMesh before = mesh_;
         std::optional<std::vector<Vec3>> old_places;
         std::vector<Vec3> places;
         for (int i = 1;; ++i) {
-            change();
-            std::vector<Vec3> found = places_of_self_intersections(result());
-            if (found.empty()) return;
-            if (!old_places) old_places = places_of_self_intersections(mesh_of(before));
+            for (int k = 0; k < kIterations; ++k) iterate();
+            Mesh mesh = result();
+            if (!mend(mesh) || i == kAttempts) return mesh;
+            std::vector<Vec3> found = places_of_self_intersections(mesh);
+            if (!found.empty() && !old_places) old_places = places_of_self_intersections(mesh_of(before));
             std::erase_if(found, [&](const Vec3& place) { return is_near(place, *old_places, aim_); });
-            if (found.empty() || i == kAttempts) return;
+            if (found.empty()) return mesh;
             places.insert(places.end(), found.begin(), found.end());
             mesh_ = before;
             freeze_near(places, kFrozen * i * aim_);
         }
     }
 
+private:
     static bool is_near(const Vec3& point, std::span<const Vec3> places, double reach) {
         return std::any_of(places.begin(), places.end(),
                            [&](const Vec3& place) { return squared_norm(point - place) < reach * reach; });
@@ -90,8 +81,6 @@ private:
         for (std::size_t v = 0; v < mesh_.points.size(); ++v)
             if (is_near(mesh_.points[v].position, places, reach)) mesh_.holds[v] = Hold::Frozen;
     }
-
-    void thaw() { std::replace(mesh_.holds.begin(), mesh_.holds.end(), Hold::Frozen, Hold::Free); }
 
     void iterate() {
         if (options_.adaptive) adapt();
@@ -229,21 +218,21 @@ private:
 
     Mesh result() const { return mesh_of(mesh_); }
 
-    // What the others could not mend, each with its neighbourhood as a whole.
-    Mesh mended() const {
-        Mesh mesh = result();
+    // Mends small angles and crossings, each with its neighbourhood. Returns whether there were crossings.
+    bool mend(Mesh& mesh) const {
         SliverOptions slivers{.smallest_angle_deg = kSmallestAngle,
                               .mended_angle_deg = kMendedAngle,
                               .edge = options_.edge,
-                              .longest_edge = kLongest * *std::max_element(mesh_.targets.begin(), mesh_.targets.end())};
+                              .longest_edge = kLongest * *std::max_element(mesh_.targets.begin(), mesh_.targets.end()),
+                              .untangle = true};
         for (VertexId v = 0; v < mesh_.points.size(); ++v) {
             if (!is_present(v)) continue;
             mesh.normals.push_back(mesh_.points[v].normal);
             slivers.held.push_back(mesh_.holds[v] == Hold::Ridge);
         }
-        mend_slivers(mesh, slivers, project_);
+        const bool was_tangled = mend_slivers(mesh, slivers, project_).was_tangled;
         mesh.normals.clear();
-        return mesh;
+        return was_tangled;
     }
 
     static Mesh mesh_of(const WorkingMesh& working) {

@@ -45,28 +45,35 @@ std::optional<Vec3> sides_through(const Triangle& s, const std::array<Vec3, 3>& 
     return std::nullopt;
 }
 
+struct Crossing {
+    Vec3 place;
+    std::array<std::uint32_t, 2> triangles;
+};
+
 class Finder {
 public:
     explicit Finder(const Mesh& mesh) : mesh_(mesh), triangles_(mesh) {}
 
-    std::vector<Vec3> run() const {
-        std::vector<std::vector<Vec3>> found((triangles_.order.size() + kChunk - 1) / kChunk);
+    std::vector<Crossing> run() const {
+        std::vector<std::vector<Crossing>> found((triangles_.order.size() + kChunk - 1) / kChunk);
         parallel_chunks(triangles_.order.size(), kChunk, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) find_after(i, found[begin / kChunk]);
         });
-        std::vector<Vec3> places;
-        for (const auto& part : found) places.insert(places.end(), part.begin(), part.end());
-        return places;
+        std::vector<Crossing> all;
+        for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+        return all;
     }
 
 private:
     // Meetings of the i-th triangle with those that follow it.
-    void find_after(std::size_t i, std::vector<Vec3>& places) const {
-        const Triangle& mine = mesh_.triangles[triangles_.order[i]];
+    void find_after(std::size_t i, std::vector<Crossing>& found) const {
+        const std::uint32_t number = triangles_.order[i];
+        const Triangle& mine = mesh_.triangles[number];
         triangles_.tree.for_each_overlapping(box_of(mesh_, mine), [&](std::uint32_t j) {
             if (j <= i) return;
             const Triangle& other = mesh_.triangles[triangles_.order[j]];
-            if (const auto place = meeting(mine, corners_of(mine), other, corners_of(other))) places.push_back(*place);
+            if (const auto place = meeting(mine, corners_of(mine), other, corners_of(other)))
+                found.push_back({*place, {number, triangles_.order[j]}});
         });
     }
 
@@ -88,6 +95,19 @@ std::optional<Vec3> meeting(const Triangle& s, const std::array<Vec3, 3>& s_at, 
     return sides_through(t, t_at, s, s_at);
 }
 
-std::vector<Vec3> places_of_self_intersections(const Mesh& mesh) { return Finder(mesh).run(); }
+std::vector<Vec3> places_of_self_intersections(const Mesh& mesh) {
+    std::vector<Vec3> places;
+    for (const Crossing& crossing : Finder(mesh).run()) places.push_back(crossing.place);
+    return places;
+}
+
+std::vector<std::uint32_t> self_intersecting_triangles(const Mesh& mesh) {
+    std::vector<std::uint32_t> triangles;
+    for (const Crossing& crossing : Finder(mesh).run())
+        triangles.insert(triangles.end(), crossing.triangles.begin(), crossing.triangles.end());
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    return triangles;
+}
 
 }  // namespace meniscus

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -20,5 +21,8 @@ std::optional<Vec3> meeting(const Triangle& s, const std::array<Vec3, 3>& s_at, 
 ///
 /// cost     O(n log n), parallel over triangles
 std::vector<Vec3> places_of_self_intersections(const Mesh& mesh);
+
+/// The triangles of these pairs, rising.
+std::vector<std::uint32_t> self_intersecting_triangles(const Mesh& mesh);
 
 }  // namespace meniscus
