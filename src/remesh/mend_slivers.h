@@ -13,6 +13,7 @@
 namespace meniscus {
 
 struct SliverOptions {
+    double needed_angle_deg = 5.0;    ///< below this one change alone may not do: more are tried together
     double smallest_angle_deg = 5.0;  ///< triangles with a smaller one are mended
     double mended_angle_deg = 6.0;    ///< enough for a mended one
     double edge = 0.5;                ///< usual length of edges, Å

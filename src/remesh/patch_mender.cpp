@@ -44,6 +44,7 @@ PatchMender::PatchMender(Patch patch, std::vector<bool> free, const Box& room, c
       room_(room),
       options_(options),
       project_(project),
+      needed_(tangent_of_degrees(options.needed_angle_deg)),
       wanted_(tangent_of_degrees(options.smallest_angle_deg)),
       enough_(tangent_of_degrees(options.mended_angle_deg)) {}
 
@@ -134,7 +135,8 @@ std::optional<std::size_t> PatchMender::worst_triangle(const std::vector<std::si
 bool PatchMender::mend(std::size_t triangle) {
     const Triangle corners = patch_.triangles[triangle];
     return try_flips(corners, triangle) || try_moves(corners, triangle) || try_collapses(corners, triangle) ||
-           try_together(corners, triangle, false) || try_together(corners, triangle, true);
+           (patch_.goodness(corners, kShortestEdge) < needed_ &&
+            (try_together(corners, triangle, false) || try_together(corners, triangle, true)));
 }
 
 bool PatchMender::try_flips(const Triangle& corners, std::size_t triangle) {
@@ -183,9 +185,11 @@ bool PatchMender::try_together(const Triangle& corners, std::size_t triangle, bo
     const Candidate* best = nullptr;
     for (Candidate& candidate : candidates) {
         relax(candidate.patch, touched_by(candidate.patch, {corners.begin(), corners.end()}));
-        const std::optional<double> goodness = judge(candidate.patch, triangle);
-        candidate.goodness = goodness.value_or(-2.0);
-        if (goodness && (best == nullptr || candidate.goodness > best->goodness)) best = &candidate;
+        const std::optional<double> goodness =
+            judge(candidate.patch, triangle, best == nullptr ? -1.0 : best->goodness + kGain);
+        if (!goodness) continue;
+        candidate.goodness = *goodness;
+        best = &candidate;
     }
     if (best == nullptr) return false;
     patch_ = best->patch;
@@ -229,7 +233,7 @@ bool PatchMender::split(Patch& patch, const Edge& edge) {
     return is_inside(room_, patch.points.back().position);
 }
 
-std::optional<double> PatchMender::judge(const Patch& candidate, std::size_t triangle) const {
+std::optional<double> PatchMender::judge(const Patch& candidate, std::size_t triangle, double at_least) const {
     std::vector<std::size_t> changed = changed_triangles(patch_, candidate);
     if (changed.empty()) return std::nullopt;
     if (!std::binary_search(changed.begin(), changed.end(), triangle))
@@ -238,7 +242,8 @@ std::optional<double> PatchMender::judge(const Patch& candidate, std::size_t tri
     const PatchShape after = shape_of(candidate, changed, kShortestEdge);
     const double longest = options_.longest_edge * options_.longest_edge;
     const bool new_edges = candidate.triangles != patch_.triangles;
-    if (after.least_goodness < before.least_goodness + kGain || after.facing < std::min(kFacing, before.facing) ||
+    if (after.least_goodness < std::max(at_least, before.least_goodness + kGain) ||
+        after.facing < std::min(kFacing, before.facing) ||
         (new_edges && after.turn < std::min(kTurn, before.turn - kSlack)) ||
         after.longest > std::max(longest, before.longest))
         return std::nullopt;
@@ -248,8 +253,7 @@ std::optional<double> PatchMender::judge(const Patch& candidate, std::size_t tri
 }
 
 bool PatchMender::take_if_enough(Patch& candidate, std::size_t triangle) {
-    const std::optional<double> goodness = judge(candidate, triangle);
-    if (!goodness || *goodness < enough_) return false;
+    if (!judge(candidate, triangle, enough_)) return false;
     patch_ = std::move(candidate);
     return true;
 }

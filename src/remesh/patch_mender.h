@@ -47,8 +47,9 @@ private:
     bool collapse(Patch& patch, const Edge& edge) const;
     bool split(Patch& patch, const Edge& edge);
 
-    /// What a candidate makes of the triangle and all that it changes, if that is allowed and better than before.
-    std::optional<double> judge(const Patch& candidate, std::size_t triangle) const;
+    /// What a candidate makes of the triangle and all that it changes, if that is allowed, better than before and
+    /// `at_least` so good.
+    std::optional<double> judge(const Patch& candidate, std::size_t triangle, double at_least) const;
     bool take_if_enough(Patch& candidate, std::size_t triangle);
 
     void relax(Patch& patch, const std::vector<VertexId>& vertices);
@@ -60,7 +61,8 @@ private:
     Box room_;
     const SliverOptions& options_;
     const SurfaceProjector& project_;
-    double wanted_;  // tangents
+    double needed_;  // tangents
+    double wanted_;
     double enough_;
     std::vector<SurfacePoint> places_;
 };

@@ -39,6 +39,7 @@ constexpr double kFrozen = 0.7;  // target lengths, times the number of the atte
 constexpr int kAttempts = 4;
 
 // Triangles with smaller angles are mended with all that lies round them; so much is enough then, degrees.
+constexpr double kNeededAngle = 22.0;
 constexpr double kSmallestAngle = 30.0;
 constexpr double kMendedAngle = 31.0;
 constexpr double kLongest = 2.2;  // of the target lengths
@@ -220,7 +221,8 @@ private:
 
     // Mends small angles and crossings, each with its neighbourhood. Returns whether there were crossings.
     bool mend(Mesh& mesh) const {
-        SliverOptions slivers{.smallest_angle_deg = kSmallestAngle,
+        SliverOptions slivers{.needed_angle_deg = kNeededAngle,
+                              .smallest_angle_deg = kSmallestAngle,
                               .mended_angle_deg = kMendedAngle,
                               .edge = options_.edge,
                               .longest_edge = kLongest * *std::max_element(mesh_.targets.begin(), mesh_.targets.end()),
