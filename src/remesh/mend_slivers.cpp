@@ -46,6 +46,7 @@ struct Place {
 struct Cutting {
     Patch patch;
     std::vector<bool> free;
+    std::vector<bool> held;
     std::vector<VertexId> vertices;
     std::vector<std::uint32_t> triangles;
 };
@@ -143,7 +144,8 @@ private:
         std::vector<Patch> mended(places.size());
         parallel_for(places.size(), 1, [&](std::size_t i) {
             cuttings[i] = cut_out(chunks, places[i]);
-            PatchMender mender(cuttings[i].patch, cuttings[i].free, places[i].room, options_, project_);
+            PatchMender mender(cuttings[i].patch, cuttings[i].free, cuttings[i].held, places[i].room, options_,
+                               project_);
             mender.run();
             mended[i] = mender.patch();
         });
@@ -202,8 +204,8 @@ private:
         };
         for (const VertexId v : cutting.vertices) {
             cutting.patch.points.push_back({mesh_.vertices[v], mesh_.normals[v], 0.0});
-            cutting.free.push_back(place.free.squared_distance(mesh_.vertices[v]) == 0.0 &&
-                                   (v >= options_.held.size() || !options_.held[v]));
+            cutting.free.push_back(place.free.squared_distance(mesh_.vertices[v]) == 0.0);
+            cutting.held.push_back(v < options_.held.size() && options_.held[v]);
         }
         for (const std::uint32_t t : cutting.triangles) {
             const auto& [a, b, c] = mesh_.triangles[t];

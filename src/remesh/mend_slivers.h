@@ -19,7 +19,7 @@ struct SliverOptions {
     double edge = 0.5;                ///< usual length of edges, Å
     double longest_edge = 1.0;        ///< of those that are made, Å
     bool untangle = false;            ///< also mend where the mesh passes through itself
-    std::vector<bool> held{};         ///< per vertex, or empty: what must stay where it is
+    std::vector<bool> held{};         ///< per vertex, or empty: stays, and edges to others of its kind
 };
 
 /// What changed about the vertices of a mesh.

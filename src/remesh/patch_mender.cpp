@@ -37,10 +37,11 @@ bool is_inside(const Box& box, const Vec3& p) { return box.squared_distance(p) =
 
 }  // namespace
 
-PatchMender::PatchMender(Patch patch, std::vector<bool> free, const Box& room, const SliverOptions& options,
-                         const SurfaceProjector& project)
+PatchMender::PatchMender(Patch patch, std::vector<bool> free, std::vector<bool> held, const Box& room,
+                         const SliverOptions& options, const SurfaceProjector& project)
     : patch_(std::move(patch)),
       free_(std::move(free)),
+      held_(std::move(held)),
       room_(room),
       options_(options),
       project_(project),
@@ -212,24 +213,27 @@ std::vector<PatchMender::Edge> PatchMender::edges_round(const Triangle& corners)
 }
 
 bool PatchMender::flip(Patch& patch, const Edge& edge) const {
-    if (!free_[edge.first] || !free_[edge.second]) return false;
+    if (!free_[edge.first] || !free_[edge.second] || is_held(edge)) return false;
     const std::optional<Patch::Sides> sides = patch.sides(edge.first, edge.second);
     return sides && free_[sides->left_corner] && free_[sides->right_corner] && patch.flip(edge.first, edge.second);
 }
 
 bool PatchMender::collapse(Patch& patch, const Edge& edge) const {
-    if (!free_[edge.first] || !free_[edge.second]) return false;
+    if (!free_[edge.first] || !free_[edge.second] || held_[edge.first]) return false;
     const std::optional<Patch::Sides> sides = patch.sides(edge.first, edge.second);
     return sides && free_[sides->left_corner] && free_[sides->right_corner] && patch.collapse(edge.first, edge.second);
 }
 
 bool PatchMender::split(Patch& patch, const Edge& edge) {
-    if (!free_[edge.first] || !free_[edge.second]) return false;
+    if (!free_[edge.first] || !free_[edge.second] || is_held(edge)) return false;
     const std::optional<Patch::Sides> sides = patch.sides(edge.first, edge.second);
     if (!sides || !free_[sides->left_corner] || !free_[sides->right_corner]) return false;
     if (!patch.split(edge.first, edge.second)) return false;
     project_(std::span(&patch.points.back(), 1));
-    if (free_.size() < patch.points.size()) free_.push_back(true);
+    if (free_.size() < patch.points.size()) {
+        free_.push_back(true);
+        held_.push_back(false);
+    }
     return is_inside(room_, patch.points.back().position);
 }
 
@@ -265,7 +269,7 @@ void PatchMender::relax(Patch& patch, const std::vector<VertexId>& vertices) {
 
 // Takes the place round a vertex whose triangles are best.
 void PatchMender::move(Patch& patch, VertexId v) {
-    if (!free_[v]) return;
+    if (!free_[v] || held_[v]) return;
     const std::vector<std::size_t> star = patch.star(v);
     if (star.empty()) return;
     const PatchShape before = shape_of(patch, star, kShortestEdge);

@@ -17,8 +17,9 @@ namespace meniscus {
 class PatchMender {
 public:
     /// free  per vertex of the patch: whether triangles round it may change. They lie within `room`, and stay there.
-    PatchMender(Patch patch, std::vector<bool> free, const Box& room, const SliverOptions& options,
-                const SurfaceProjector& project);
+    /// held  per vertex: whether it stays where it is, and so do edges to others of its kind
+    PatchMender(Patch patch, std::vector<bool> free, std::vector<bool> held, const Box& room,
+                const SliverOptions& options, const SurfaceProjector& project);
 
     void run();
     const Patch& patch() const { return patch_; }
@@ -43,6 +44,7 @@ private:
 
     std::vector<Edge> edges_round(const Triangle& corners) const;
     bool is_free(const Triangle& corners) const { return free_[corners[0]] && free_[corners[1]] && free_[corners[2]]; }
+    bool is_held(const Edge& edge) const { return held_[edge.first] && held_[edge.second]; }
     bool flip(Patch& patch, const Edge& edge) const;
     bool collapse(Patch& patch, const Edge& edge) const;
     bool split(Patch& patch, const Edge& edge);
@@ -58,6 +60,7 @@ private:
 
     Patch patch_;
     std::vector<bool> free_;
+    std::vector<bool> held_;
     Box room_;
     const SliverOptions& options_;
     const SurfaceProjector& project_;

@@ -40,6 +40,7 @@ constexpr int kAttempts = 4;
 
 // Triangles with smaller angles are mended with all that lies round them; so much is enough then, degrees.
 constexpr double kNeededAngle = 22.0;
+constexpr double kNeededBesideRidges = 5.0;  // what stays where it is leaves little room
 constexpr double kSmallestAngle = 30.0;
 constexpr double kMendedAngle = 31.0;
 constexpr double kLongest = 2.2;  // of the target lengths
@@ -61,7 +62,7 @@ public:
         for (int i = 1;; ++i) {
             for (int k = 0; k < kIterations; ++k) iterate();
             Mesh mesh = result();
-            if (!mend(mesh) || i == kAttempts) return mesh;
+            if (!mend(mesh) || i == kAttempts || options_.keep_ridges) return mesh;
             std::vector<Vec3> found = places_of_self_intersections(mesh);
             if (!found.empty() && !old_places) old_places = places_of_self_intersections(mesh_of(before));
             std::erase_if(found, [&](const Vec3& place) { return is_near(place, *old_places, aim_); });
@@ -221,7 +222,7 @@ private:
 
     // Mends small angles and crossings, each with its neighbourhood. Returns whether there were crossings.
     bool mend(Mesh& mesh) const {
-        SliverOptions slivers{.needed_angle_deg = kNeededAngle,
+        SliverOptions slivers{.needed_angle_deg = options_.keep_ridges ? kNeededBesideRidges : kNeededAngle,
                               .smallest_angle_deg = kSmallestAngle,
                               .mended_angle_deg = kMendedAngle,
                               .edge = options_.edge,

@@ -301,7 +301,7 @@ class EvenTriangles(ProgramTest):
         for edge in (1.0, 2.0):
             mesh = self.mesh("--edge", edge)
             self.assertTrue(mesh["closed"] and mesh["manifold"])
-            self.assertGreater(mesh["smallest_triangle_angle_deg"], 5.0)
+            self.assertGreater(mesh["smallest_triangle_angle_deg"], 20.0)
             self.assertGreater(mesh["quality"]["smallest_angles_deg"]["p5"], 40.0)
             self.assertGreater(mesh["quality"]["smallest_angles_deg"]["p50"], 45.0)
             edges = mesh["quality"]["edges"]
