@@ -64,6 +64,7 @@ public:
         std::vector<std::uint32_t> pending = look_at_all();
         if (options_.untangle) {
             tangled_ = self_intersecting_triangles(mesh_);
+            was_tangled_ = !tangled_.empty();
             std::vector<std::uint32_t> all;
             std::set_union(pending.begin(), pending.end(), tangled_.begin(), tangled_.end(), std::back_inserter(all));
             pending = std::move(all);
@@ -150,7 +151,18 @@ private:
             mended[i] = mender.patch();
         });
         for (std::size_t i = 0; i < places.size(); ++i) paste(cuttings[i], mended[i]);
+        forget_tangled(places);
         return waiting;
+    }
+
+    // Tangled triangles have their turn together.
+    void forget_tangled(const std::vector<Place>& places) {
+        std::erase_if(tangled_, [&](std::uint32_t t) {
+            return std::any_of(places.begin(), places.end(), [&](const Place& place) {
+                return std::all_of(mesh_.triangles[t].begin(), mesh_.triangles[t].end(),
+                                   [&](VertexId v) { return place.free.squared_distance(mesh_.vertices[v]) == 0.0; });
+            });
+        });
     }
 
     // Places whose rooms do not overlap, in the order of the triangles.
@@ -289,7 +301,7 @@ private:
     // Vertices and triangles from the end take the places of removed ones.
     VertexChanges close_holes() {
         VertexChanges changes;
-        changes.was_tangled = !tangled_.empty();
+        changes.was_tangled = was_tangled_;
         changes.with_new = mesh_.vertices.size();
         changes.left = changes.with_new - holes_.size();
         std::sort(removed_.begin(), removed_.end(), std::greater<>());
@@ -331,7 +343,8 @@ private:
     double wanted_;
     double squared_tangent_;
     std::vector<Box> boxes_;              // per chunk of triangles
-    std::vector<std::uint32_t> tangled_;  // triangles, as they were found
+    std::vector<std::uint32_t> tangled_;  // triangles, as they were found, that have not had their turn
+    bool was_tangled_ = false;
     std::vector<bool> moved_;             // per vertex, if there is anything to mend
     std::vector<VertexId> holes_;         // numbers of removed vertices
     std::vector<std::uint32_t> removed_;  // triangles

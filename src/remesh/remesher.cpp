@@ -38,11 +38,15 @@ constexpr double kLargestPart = 2.0;
 constexpr double kFrozen = 0.7;  // target lengths, times the number of the attempt
 constexpr int kAttempts = 4;
 
-// Triangles with smaller angles are mended with all that lies round them; so much is enough then, degrees.
-constexpr double kNeededAngle = 22.0;
-constexpr double kNeededBesideRidges = 5.0;  // what stays where it is leaves little room
-constexpr double kSmallestAngle = 30.0;
-constexpr double kMendedAngle = 31.0;
+// Triangles with smaller angles are mended with all that lies round them (see SliverOptions), degrees. Beside ridges,
+// which stay where they are, there is little room for that.
+struct WantedAngles {
+    double needed;
+    double smallest;
+    double mended;
+};
+constexpr WantedAngles kWanted{22.0, 30.0, 31.0};
+constexpr WantedAngles kWantedBesideRidges{5.0, 12.0, 14.0};
 constexpr double kLongest = 2.2;  // of the target lengths
 
 class Remesher {
@@ -222,9 +226,10 @@ private:
 
     // Mends small angles and crossings, each with its neighbourhood. Returns whether there were crossings.
     bool mend(Mesh& mesh) const {
-        SliverOptions slivers{.needed_angle_deg = options_.keep_ridges ? kNeededBesideRidges : kNeededAngle,
-                              .smallest_angle_deg = kSmallestAngle,
-                              .mended_angle_deg = kMendedAngle,
+        const WantedAngles& wanted = options_.keep_ridges ? kWantedBesideRidges : kWanted;
+        SliverOptions slivers{.needed_angle_deg = wanted.needed,
+                              .smallest_angle_deg = wanted.smallest,
+                              .mended_angle_deg = wanted.mended,
                               .edge = options_.edge,
                               .longest_edge = kLongest * *std::max_element(mesh_.targets.begin(), mesh_.targets.end()),
                               .untangle = true};
