@@ -28,7 +28,7 @@ constexpr std::array<double, 4> kRings{0.03, 0.08, 0.2, 0.4};
 constexpr int kPerRing = 8;
 
 // Changes that are tried together with moves of what they touch: those that begin best.
-constexpr std::size_t kTriedTogether = 8;
+constexpr std::size_t kTriedTogether = 16;
 constexpr int kSweeps = 3;
 
 double tangent_of_degrees(double degrees) { return std::tan(degrees * std::numbers::pi / 180.0); }

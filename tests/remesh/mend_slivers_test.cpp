@@ -164,6 +164,57 @@ TEST(MendSlivers, DoNotPassThinWallsThroughThemselves) {
     }
 }
 
+TEST(MendSlivers, PartWallsThatPassThroughEachOtherIfAsked) {
+    // A wall thinner than the triangles are far from their sphere.
+    const Vec3 centre{0.07, 0.11, -0.05};
+    const std::vector<double> radii{2.0, 1.975};
+    Mesh tangled = projected_sphere({centre, radii[0]}, 0.4);
+    const Mesh inner = turned_inside_out(projected_sphere({centre, radii[1]}, 0.3));
+    append(tangled, inner);
+    for (const Vec3& normal : inner.normals) tangled.normals.push_back(-1.0 * normal);
+    EXPECT_GT(self_intersecting_triangles(tangled).size(), 20U);
+    Mesh mesh = tangled;
+    EXPECT_FALSE(mend_slivers(mesh, {.edge = 0.4}, onto_spheres(centre, radii)).was_tangled);
+    mesh = tangled;
+    EXPECT_TRUE(mend_slivers(mesh, {.edge = 0.4, .untangle = true}, onto_spheres(centre, radii)).was_tangled);
+    expect_mended(mesh);
+    EXPECT_EQ(euler_characteristic_of(mesh), 4);
+}
+
+TEST(MendSlivers, NewVerticesBelongToThePieceTheyLieOn) {
+    Mesh mesh = projected_sphere(kSphere, kSpacing);
+    Mesh other = projected_sphere({{20.0, 0.0, 0.0}, 3.0}, kSpacing);
+    mesh.components.assign(mesh.vertices.size(), 0);
+    mesh.components.resize(mesh.vertices.size() + other.vertices.size(), 1);
+    append(mesh, other);
+    mesh.normals.insert(mesh.normals.end(), other.normals.begin(), other.normals.end());
+    mend_slivers(mesh,
+                 {.needed_angle_deg = 30.0, .smallest_angle_deg = 30.0, .mended_angle_deg = 31.0, .edge = kSpacing},
+                 [](std::span<SurfacePoint> points) {
+                     for (SurfacePoint& point : points) {
+                         const Vec3 to = point.position.x > 10.0 ? Vec3{20.0, 0.0, 0.0} : kSphere.centre;
+                         point.normal = normalised(point.position - to);
+                         point.position = to + 3.0 * point.normal;
+                     }
+                 });
+    ASSERT_EQ(mesh.components.size(), mesh.vertices.size());
+    for (VertexId v = 0; v < mesh.vertices.size(); ++v)
+        EXPECT_EQ(mesh.components[v], mesh.vertices[v].x > 10.0 ? 1U : 0U);
+}
+
+TEST(MendSlivers, HeldVerticesStay) {
+    Mesh mesh = projected_sphere(kSphere, kSpacing);
+    const std::vector<Vec3> before = mesh.vertices;
+    std::vector<bool> held(before.size());
+    for (std::size_t v = 0; v < held.size(); ++v) held[v] = before[v].z > kSphere.centre.z;
+    const VertexChanges changes = mend_slivers(mesh, {.edge = kSpacing, .held = held}, onto(kSphere));
+    EXPECT_TRUE(changes.any());
+    for (std::size_t v = 0; v < before.size(); ++v) {
+        const bool stays = std::find(mesh.vertices.begin(), mesh.vertices.end(), before[v]) != mesh.vertices.end();
+        EXPECT_TRUE(stays || !held[v]);
+    }
+}
+
 TEST(MendSlivers, GiveTheSameForAnyNumberOfThreads) {
     const auto with = [](int threads) {
         const ThreadLimit limit(threads);
@@ -202,6 +253,22 @@ TEST(Patch, FlipsAndCollapsesLeaveAManifold) {
     EXPECT_TRUE(patch.collapse(0, 1));
     expect_closed_manifold(mesh_of(patch));
     EXPECT_EQ(mesh_of(patch).triangles.size(), 6U);
+}
+
+TEST(Patch, SplitAddsAVertexAndTwoTriangles) {
+    Patch patch = octahedron();
+    const double volume = volume_of(mesh_of(patch));
+    EXPECT_TRUE(patch.split(0, 4));
+    EXPECT_FALSE(patch.sides(0, 4));
+    EXPECT_TRUE(patch.sides(0, 6));
+    EXPECT_EQ(patch.star(6).size(), 4U);
+    const Mesh mesh = mesh_of(patch);
+    expect_closed_manifold(mesh);
+    EXPECT_EQ(mesh.vertices.size(), 7U);
+    EXPECT_EQ(mesh.triangles.size(), 10U);
+    EXPECT_NEAR(volume_of(mesh), volume, 1e-12);
+    EXPECT_EQ(changed_triangles(octahedron(), patch).size(), 4U);
+    EXPECT_FALSE(patch.split(0, 2));
 }
 
 TEST(Patch, RefusesWhatWouldBreakTheManifold) {
