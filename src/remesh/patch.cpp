@@ -64,8 +64,7 @@ std::vector<std::size_t> Patch::star(VertexId v) const {
 double Patch::goodness(const Triangle& triangle, double shortest) const {
     const auto& [a, b, c] = triangle;
     const Vec3 area = area_vector(at(a), at(b), at(c));
-    if (dot(area, points[a].normal) < 0.0 && dot(area, points[b].normal) < 0.0 && dot(area, points[c].normal) < 0.0)
-        return facing_of(*this, triangle);
+    if (dot(area, points[a].normal + points[b].normal + points[c].normal) < 0.0) return facing_of(*this, triangle);
     const double tangent = tangent_of_smallest_angle(at(a), at(b), at(c));
     const double length2 =
         std::min({squared_norm(at(b) - at(a)), squared_norm(at(c) - at(b)), squared_norm(at(a) - at(c))});

@@ -33,7 +33,7 @@ struct Patch {
     std::vector<std::size_t> star(VertexId v) const;
 
     /// Tangent of the smallest angle; less where an edge is shorter than `shortest`, below 0 where the triangle faces
-    /// away from the surface at all its corners.
+    /// away from the surface.
     double goodness(const Triangle& triangle, double shortest) const;
 
     /// The triangles on both sides of an edge and their other corners.
