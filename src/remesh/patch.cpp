@@ -64,7 +64,8 @@ std::vector<std::size_t> Patch::star(VertexId v) const {
 double Patch::goodness(const Triangle& triangle, double shortest) const {
     const auto& [a, b, c] = triangle;
     const Vec3 area = area_vector(at(a), at(b), at(c));
-    if (dot(area, points[a].normal + points[b].normal + points[c].normal) < 0.0) return facing_of(*this, triangle);
+    if (dot(area, points[a].normal) < 0.0 && dot(area, points[b].normal) < 0.0 && dot(area, points[c].normal) < 0.0)
+        return facing_of(*this, triangle);
     const double tangent = tangent_of_smallest_angle(at(a), at(b), at(c));
     const double length2 =
         std::min({squared_norm(at(b) - at(a)), squared_norm(at(c) - at(b)), squared_norm(at(a) - at(c))});
@@ -155,6 +156,7 @@ PatchShape shape_of(const Patch& patch, std::span<const std::size_t> triangles, 
             const SurfacePoint& b = patch.points[t[(k + 1) % 3]];
             shape.turn = std::min(shape.turn, dot(a.normal, b.normal));
             shape.longest = std::max(shape.longest, squared_norm(b.position - a.position));
+            shape.shortest = std::min(shape.shortest, squared_norm(b.position - a.position));
         }
     }
     return shape;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -33,7 +34,7 @@ struct Patch {
     std::vector<std::size_t> star(VertexId v) const;
 
     /// Tangent of the smallest angle; less where an edge is shorter than `shortest`, below 0 where the triangle faces
-    /// away from the surface.
+    /// away from the surface at all its corners.
     double goodness(const Triangle& triangle, double shortest) const;
 
     /// The triangles on both sides of an edge and their other corners.
@@ -60,6 +61,7 @@ struct PatchShape {
     double facing = 1.0;   ///< least cosine between a triangle's normal and the surface's at its corners
     double turn = 1.0;     ///< least cosine between the surface's normals at both ends of an edge
     double longest = 0.0;  ///< squared length of the longest edge, Å²
+    double shortest = std::numeric_limits<double>::infinity();  ///< of the shortest, Å²
 };
 PatchShape shape_of(const Patch& patch, std::span<const std::size_t> triangles, double shortest);
 

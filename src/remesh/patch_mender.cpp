@@ -33,6 +33,10 @@ constexpr int kSweeps = 3;
 
 double tangent_of_degrees(double degrees) { return std::tan(degrees * std::numbers::pi / 180.0); }
 
+bool makes_short_edges(const PatchShape& before, const PatchShape& after) {
+    return after.shortest < std::min(kShortestEdge * kShortestEdge, before.shortest);
+}
+
 bool is_inside(const Box& box, const Vec3& p) { return box.squared_distance(p) == 0.0; }
 
 }  // namespace
@@ -97,8 +101,10 @@ bool PatchMender::part(const std::pair<std::size_t, std::size_t>& crossing) {
     std::pair<std::ptrdiff_t, double> least{0, 0.0};  // crossings more than before, and goodness with its sign changed
     for (const Patch& candidate : candidates) {
         const std::vector<std::size_t> changed = changed_triangles(patch_, candidate);
-        const double goodness = shape_of(candidate, changed, kShortestEdge).least_goodness;
-        if (goodness < std::min(kFlat, shape_of(patch_, changed, kShortestEdge).least_goodness)) continue;
+        const PatchShape before = shape_of(patch_, changed, kShortestEdge);
+        const PatchShape after = shape_of(candidate, changed, kShortestEdge);
+        const double goodness = after.least_goodness;
+        if (goodness < std::min(kFlat, before.least_goodness) || makes_short_edges(before, after)) continue;
         const std::pair mark{static_cast<std::ptrdiff_t>(count_crossings(candidate, changed)) -
                                  static_cast<std::ptrdiff_t>(count_crossings(patch_, changed)),
                              -goodness};
@@ -249,7 +255,7 @@ std::optional<double> PatchMender::judge(const Patch& candidate, std::size_t tri
     if (after.least_goodness < std::max(at_least, before.least_goodness + kGain) ||
         after.facing < std::min(kFacing, before.facing) ||
         (new_edges && after.turn < std::min(kTurn, before.turn - kSlack)) ||
-        after.longest > std::max(longest, before.longest))
+        after.longest > std::max(longest, before.longest) || makes_short_edges(before, after))
         return std::nullopt;
     const std::size_t crossings = count_crossings(candidate, changed);
     if (crossings > 0 && crossings > count_crossings(patch_, changed)) return std::nullopt;
