@@ -70,8 +70,8 @@ struct MeshPart {
 // Makes the part of the mesh that belongs to one block.
 class BlockFiller {
 public:
-    BlockFiller(const BlockGrid& grid, std::span<const float> values, std::span<const CutEdges> edges)
-        : grid_(grid), values_(values), edges_(edges) {}
+    BlockFiller(const BlockGrid& grid, std::span<const float> values, std::span<const CutEdges> edges, double nearest)
+        : grid_(grid), values_(values), edges_(edges), nearest_(nearest) {}
 
     void fill(std::size_t block, const Rows& rows, MeshPart& part) const {
         fetch_values(block + 1);
@@ -113,7 +113,7 @@ private:
     double root_fraction(std::size_t block, std::size_t direction, std::size_t node) const {
         const double a = values_[block * kBlockNodes + node];
         const double b = value_beyond(block, direction, node);
-        return std::min(std::max(kMinEdgeFraction, a / (a - b)), 1.0 - kMinEdgeFraction);
+        return std::min(std::max(nearest_, a / (a - b)), 1.0 - nearest_);
     }
 
     // Value at the far end of the edge from a node along a direction; the node must exist.
@@ -142,6 +142,7 @@ private:
     const BlockGrid& grid_;
     std::span<const float> values_;
     std::span<const CutEdges> edges_;
+    double nearest_;
 };
 
 // Of a closed surface, whose genus is small against its size; else memory is found anew.
@@ -149,7 +150,7 @@ std::size_t likely_triangles(std::size_t vertices) { return 2 * vertices + verti
 
 }  // namespace
 
-Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values) {
+Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values, double nearest) {
     const std::vector<NodeBits> inside = inside_bits(grid, values);
     const std::vector<CutEdges> edges = find_cut_edges(grid, inside);
     const CutEdges& totals = edges.back();
@@ -159,7 +160,7 @@ Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values) {
     Mesh mesh;
     reserve_touched(mesh.vertices, totals.first_vertex);
     reserve_touched(mesh.triangles, likely_triangles(totals.first_vertex));
-    const BlockFiller filler(grid, values, edges);
+    const BlockFiller filler(grid, values, edges, nearest);
     std::vector<MeshPart> parts(kTasks);
     for (std::size_t first = 0; first < grid.block_count(); first += kTasks * kGrain) {
         parallel_for(kTasks, 1, [&](std::size_t task) {

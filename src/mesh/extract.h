@@ -18,16 +18,21 @@ namespace meniscus {
 /// they stay distinct.
 inline constexpr double kMinEdgeFraction = 0.02;
 
+/// The same for meshes whose vertices are put onto the surface afterwards: near the middle of the edges, which leaves
+/// hardly a sliver.
+inline constexpr double kSpreadFraction = 0.35;
+
 /// Triangles of the zero set of a sampled function; only `vertices` and `triangles` of the mesh are filled.
 ///
 /// values   one per node of the grid, finite, negative inside; 0 counts as outside
+/// nearest  how near vertices may come to nodes, as a fraction of the spacing
 /// returns  vertices on the grid edges between an inside and an outside node, where linear interpolation vanishes (but
-///          see kMinEdgeFraction), each used by at least one triangle; triangles counter-clockwise seen from outside.
+///          see `nearest`), each used by at least one triangle; triangles counter-clockwise seen from outside.
 ///          Always an oriented 2-manifold whose boundary, if any, runs where blocks are missing: closed if every node
 ///          of every cell with both signs exists. Order and bits do not depend on the number of threads.
 /// throws   LimitError for more than 2^32 - 1 vertices
 /// cost     O(nodes), with about 2.5 bytes of scratch memory per node
 /// source   Lorensen & Cline 1987, with the cases of mesh/cell_cases.h
-Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values);
+Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values, double nearest = kMinEdgeFraction);
 
 }  // namespace meniscus

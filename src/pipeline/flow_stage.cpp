@@ -47,8 +47,8 @@ public:
 
     void add(const FlowState& state, FlowStep step) {
         const LevelSet level_set(grid_, state.coefficients);
-        SurfaceMesh surface = mesh_surface(accessible_, extract_zero_set(*grid_, state.values), &level_set,
-                                           {.spacing = grid_->spacing()});
+        SurfaceMesh surface = mesh_surface(accessible_, extract_zero_set(*grid_, state.values, kSpreadFraction),
+                                           &level_set, {.spacing = grid_->spacing()});
         SurfaceMeasures measured = measure_surface(surface.mesh);
         surface.mesh.areas = std::move(measured.areas);
         const MeshMeasures& measures = measured.mesh;

@@ -209,13 +209,14 @@ private:
     }
 
     void make_mesh(Field field) {
-        Mesh zero_set = extract_zero_set(*field.grid, field.values);
+        Mesh zero_set = extract_zero_set(*field.grid, field.values, kSpreadFraction);
         std::vector<float>().swap(field.values);  // the mesh grows into their memory
         const SurfaceProjector project = surface_projector(*accessible_, field.level_set.get(), options_.spacing);
         if (options_.min_cavity > 0.0) surface_.dropped = drop_small_cavities(zero_set, options_.min_cavity, project);
         if (options_.remesh.is_on()) zero_set = make_even(std::move(zero_set), project);
-        SurfaceMesh meshed = mesh_surface(*accessible_, std::move(zero_set), field.level_set.get(),
-                                          {.spacing = options_.spacing, .pieces = options_.pieces});
+        SurfaceMesh meshed =
+            mesh_surface(*accessible_, std::move(zero_set), field.level_set.get(),
+                         {.spacing = options_.spacing, .edge = options_.remesh.edge, .pieces = options_.pieces});
         surface_.level_set = std::move(field.level_set);
         surface_.mesh = std::move(meshed.mesh);
         surface_.distance = meshed.distance;

@@ -19,6 +19,8 @@
 #include "geometry/nearest_batch.h"
 #include "grid/spline_block.h"
 #include "mesh/components.h"
+#include "pipeline/surface_projector.h"
+#include "remesh/mend_slivers.h"
 
 namespace meniscus {
 namespace {
@@ -285,6 +287,35 @@ private:
     std::vector<double> distances_;
 };
 
+// Mends the bad triangles and fills in what is known of the surface at vertices that moved.
+void mend(const AccessibleSurface& accessible, const LevelSet* level_set, const MeshingOptions& options, Mesh& mesh,
+          std::vector<double>& distances) {
+    const double edge = options.edge > 0.0 ? options.edge : options.spacing;
+    const VertexChanges changes = mend_slivers(mesh, {.edge = edge, .longest_edge = 2.0 * edge},
+                                               surface_projector(accessible, level_set, options.spacing));
+    if (!changes.any()) return;
+    renumber_entries(changes, mesh.atoms);
+    renumber_entries(changes, mesh.patches);
+    renumber_entries(changes, mesh.mean_curvatures);
+    renumber_entries(changes, mesh.gaussian_curvatures);
+    renumber_entries(changes, mesh.shape_indices);
+    renumber_entries(changes, distances);
+    Mesh moved;
+    for (const VertexId v : changes.moved) moved.vertices.push_back(mesh.vertices[v]);
+    const std::vector<double> moved_distances = VertexFinisher(accessible, level_set, options.spacing, moved).run();
+    for (std::size_t i = 0; i < changes.moved.size(); ++i) {
+        const VertexId v = changes.moved[i];
+        mesh.vertices[v] = moved.vertices[i];
+        mesh.normals[v] = moved.normals[i];
+        mesh.atoms[v] = moved.atoms[i];
+        mesh.patches[v] = moved.patches[i];
+        mesh.mean_curvatures[v] = moved.mean_curvatures[i];
+        mesh.gaussian_curvatures[v] = moved.gaussian_curvatures[i];
+        mesh.shape_indices[v] = moved.shape_indices[i];
+        distances[v] = moved_distances[i];
+    }
+}
+
 }  // namespace
 
 SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, const LevelSet* level_set,
@@ -292,6 +323,7 @@ SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, con
     SurfaceMesh result{std::move(zero_set), {}};
     label_and_choose(result.mesh, options.pieces);
     std::vector<double> distances = VertexFinisher(accessible, level_set, options.spacing, result.mesh).run();
+    mend(accessible, level_set, options, result.mesh, distances);
     result.distance = summarise(distances);
     return result;
 }

@@ -18,10 +18,11 @@ struct SurfaceMesh {
 
 struct MeshingOptions {
     double spacing = 0.0;         ///< of the grid that the zero set was extracted from, Å
+    double edge = 0.0;            ///< that triangles were made even with, Å; 0: they are those of the grid
     Pieces pieces = Pieces::All;  ///< what is kept of the zero set
 };
 
-/// zero_set    as extract_zero_set gives it
+/// zero_set    as extract_zero_set gives it; the few bad triangles that are left on the surface are mended
 /// level_set   whose zero set it is: vertices are projected onto that; null: onto the exact SES
 /// returns     all vertex arrays but the areas; measure_surface gives those and the pieces their final order
 SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, const LevelSet* level_set,

@@ -13,21 +13,11 @@ namespace meniscus {
 namespace {
 
 constexpr double kOnSurface = 1e-9;  // Å
-constexpr double kUnit = 1e-6;       // largest error of a normal's squared length
 constexpr int kSteps = 4;            // next to ridges a step along the distance falls short
 
 double largest_curvature(PrincipalCurvatures k, double spacing) {
     k = k.capped(1.0 / spacing);
     return std::max(std::abs(k.largest), std::abs(k.smallest));
-}
-
-// Within rounding of a corner the direction to it is no unit vector: what the point had before is near enough.
-void set_normal(SurfacePoint& point, const Vec3& normal) {
-    const auto is_unit = [](const Vec3& v) { return std::abs(squared_norm(v) - 1.0) < kUnit; };
-    if (is_unit(normal))
-        point.normal = normal;
-    else if (!is_unit(point.normal))
-        point.normal = {0.0, 0.0, 1.0};
 }
 
 void project_onto_exact(const AccessibleSurface& accessible, double spacing, std::span<SurfacePoint> points) {
@@ -42,7 +32,7 @@ void project_onto_exact(const AccessibleSurface& accessible, double spacing, std
         for (std::size_t k = 0; k < moving.size(); ++k) {
             SurfacePoint& point = points[moving[k]];
             const NearestFeature& at = features[k];
-            set_normal(point, at.normal);
+            point.normal = at.normal;
             point.curvature =
                 largest_curvature(principal_curvatures(at.mean_curvature, at.gaussian_curvature), spacing);
             if (!(std::abs(at.signed_distance) > kOnSurface) || step == kSteps) continue;

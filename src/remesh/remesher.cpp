@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/parallel.h"
-#include "remesh/mend_angles.h"
+#include "remesh/mend_slivers.h"
 #include "remesh/ridges.h"
 #include "remesh/self_intersections.h"
 #include "remesh/working_mesh.h"
@@ -38,6 +38,17 @@ constexpr double kLargestPart = 2.0;
 constexpr double kFrozen = 0.7;  // target lengths, times the number of the attempt
 constexpr int kAttempts = 4;
 
+// Triangles with smaller angles are mended with all that lies round them (see SliverOptions), degrees. Beside ridges,
+// which stay where they are, there is little room for that.
+struct WantedAngles {
+    double needed;
+    double smallest;
+    double mended;
+};
+constexpr WantedAngles kWanted{22.0, 30.0, 31.0};
+constexpr WantedAngles kWantedBesideRidges{5.0, 12.0, 14.0};
+constexpr double kLongest = 2.2;  // of the target lengths
+
 class Remesher {
 public:
     Remesher(const Mesh& mesh, const RemeshOptions& options, const SurfaceProjector& project)
@@ -46,35 +57,27 @@ public:
         if (options.keep_ridges) insert_ridges(mesh_, project_);
     }
 
+    // The mesh passes through itself nowhere but where it did before. Places where it would are mended; if that fails
+    // all is done again without them.
     Mesh run() {
-        attempt([this] {
-            for (int i = 0; i < kIterations; ++i) iterate();
-        });
-        thaw();
-        attempt([this] { mend_angles(mesh_, project_); });
-        return result();
-    }
-
-private:
-    // Makes changes that leave a mesh which passes through itself nowhere but where it did before.
-    template <class Change>
-    void attempt(const Change& change) {
         const WorkingMesh before = mesh_;
         std::optional<std::vector<Vec3>> old_places;
         std::vector<Vec3> places;
         for (int i = 1;; ++i) {
-            change();
-            std::vector<Vec3> found = places_of_self_intersections(result());
-            if (found.empty()) return;
-            if (!old_places) old_places = places_of_self_intersections(mesh_of(before));
+            for (int k = 0; k < kIterations; ++k) iterate();
+            Mesh mesh = result();
+            if (!mend(mesh) || i == kAttempts || options_.keep_ridges) return mesh;
+            std::vector<Vec3> found = places_of_self_intersections(mesh);
+            if (!found.empty() && !old_places) old_places = places_of_self_intersections(mesh_of(before));
             std::erase_if(found, [&](const Vec3& place) { return is_near(place, *old_places, aim_); });
-            if (found.empty() || i == kAttempts) return;
+            if (found.empty()) return mesh;
             places.insert(places.end(), found.begin(), found.end());
             mesh_ = before;
             freeze_near(places, kFrozen * i * aim_);
         }
     }
 
+private:
     static bool is_near(const Vec3& point, std::span<const Vec3> places, double reach) {
         return std::any_of(places.begin(), places.end(),
                            [&](const Vec3& place) { return squared_norm(point - place) < reach * reach; });
@@ -84,8 +87,6 @@ private:
         for (std::size_t v = 0; v < mesh_.points.size(); ++v)
             if (is_near(mesh_.points[v].position, places, reach)) mesh_.holds[v] = Hold::Frozen;
     }
-
-    void thaw() { std::replace(mesh_.holds.begin(), mesh_.holds.end(), Hold::Frozen, Hold::Free); }
 
     void iterate() {
         if (options_.adaptive) adapt();
@@ -222,6 +223,25 @@ private:
     }
 
     Mesh result() const { return mesh_of(mesh_); }
+
+    // Mends small angles and crossings, each with its neighbourhood. Returns whether there were crossings.
+    bool mend(Mesh& mesh) const {
+        const WantedAngles& wanted = options_.keep_ridges ? kWantedBesideRidges : kWanted;
+        SliverOptions slivers{.needed_angle_deg = wanted.needed,
+                              .smallest_angle_deg = wanted.smallest,
+                              .mended_angle_deg = wanted.mended,
+                              .edge = options_.edge,
+                              .longest_edge = kLongest * *std::max_element(mesh_.targets.begin(), mesh_.targets.end()),
+                              .untangle = true};
+        for (VertexId v = 0; v < mesh_.points.size(); ++v) {
+            if (!is_present(v)) continue;
+            mesh.normals.push_back(mesh_.points[v].normal);
+            slivers.held.push_back(mesh_.holds[v] == Hold::Ridge);
+        }
+        const bool was_tangled = mend_slivers(mesh, slivers, project_).was_tangled;
+        mesh.normals.clear();
+        return was_tangled;
+    }
 
     static Mesh mesh_of(const WorkingMesh& working) {
         HalfEdges::Compacted compacted = working.edges.compact();

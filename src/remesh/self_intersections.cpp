@@ -32,49 +32,53 @@ std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const std::array<Vec3
     return p + (from / (from - to)) * (q - p);
 }
 
+bool contains(const Triangle& t, VertexId v) { return t[0] == v || t[1] == v || t[2] == v; }
+
+// Where a side of one triangle that has no corner of the other passes through the other.
+std::optional<Vec3> sides_through(const Triangle& s, const std::array<Vec3, 3>& s_at, const Triangle& t,
+                                  const std::array<Vec3, 3>& t_at) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        if (contains(t, s[k]) || contains(t, s[next])) continue;
+        if (const auto place = piercing(s_at[k], s_at[next], t_at)) return place;
+    }
+    return std::nullopt;
+}
+
+struct Crossing {
+    Vec3 place;
+    std::array<std::uint32_t, 2> triangles;
+};
+
 class Finder {
 public:
     explicit Finder(const Mesh& mesh) : mesh_(mesh), triangles_(mesh) {}
 
-    std::vector<Vec3> run() const {
-        std::vector<std::vector<Vec3>> found((triangles_.order.size() + kChunk - 1) / kChunk);
+    std::vector<Crossing> run() const {
+        std::vector<std::vector<Crossing>> found((triangles_.order.size() + kChunk - 1) / kChunk);
         parallel_chunks(triangles_.order.size(), kChunk, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) find_after(i, found[begin / kChunk]);
         });
-        std::vector<Vec3> places;
-        for (const auto& part : found) places.insert(places.end(), part.begin(), part.end());
-        return places;
+        std::vector<Crossing> all;
+        for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+        return all;
     }
 
 private:
     // Meetings of the i-th triangle with those that follow it.
-    void find_after(std::size_t i, std::vector<Vec3>& places) const {
-        const Triangle& mine = mesh_.triangles[triangles_.order[i]];
+    void find_after(std::size_t i, std::vector<Crossing>& found) const {
+        const std::uint32_t number = triangles_.order[i];
+        const Triangle& mine = mesh_.triangles[number];
         triangles_.tree.for_each_overlapping(box_of(mesh_, mine), [&](std::uint32_t j) {
             if (j <= i) return;
-            if (const auto place = meeting(mine, mesh_.triangles[triangles_.order[j]])) places.push_back(*place);
+            const Triangle& other = mesh_.triangles[triangles_.order[j]];
+            if (const auto place = meeting(mine, corners_of(mine), other, corners_of(other)))
+                found.push_back({*place, {number, triangles_.order[j]}});
         });
     }
 
-    std::optional<Vec3> meeting(const Triangle& s, const Triangle& t) const {
-        const auto shared = std::count_if(s.begin(), s.end(), [&](VertexId v) { return contains(t, v); });
-        if (shared >= 2) return std::nullopt;
-        if (const auto place = sides_through(s, t)) return place;
-        return sides_through(t, s);
-    }
-
-    static bool contains(const Triangle& t, VertexId v) { return t[0] == v || t[1] == v || t[2] == v; }
-
-    // Where a side of one triangle that has no corner of the other passes through the other.
-    std::optional<Vec3> sides_through(const Triangle& s, const Triangle& t) const {
-        const std::array<Vec3, 3> corners{mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const VertexId a = s[k];
-            const VertexId b = s[(k + 1) % 3];
-            if (contains(t, a) || contains(t, b)) continue;
-            if (const auto place = piercing(mesh_.vertices[a], mesh_.vertices[b], corners)) return place;
-        }
-        return std::nullopt;
+    std::array<Vec3, 3> corners_of(const Triangle& t) const {
+        return {mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]};
     }
 
     const Mesh& mesh_;
@@ -83,6 +87,27 @@ private:
 
 }  // namespace
 
-std::vector<Vec3> places_of_self_intersections(const Mesh& mesh) { return Finder(mesh).run(); }
+std::optional<Vec3> meeting(const Triangle& s, const std::array<Vec3, 3>& s_at, const Triangle& t,
+                            const std::array<Vec3, 3>& t_at) {
+    const auto shared = std::count_if(s.begin(), s.end(), [&](VertexId v) { return contains(t, v); });
+    if (shared >= 2) return std::nullopt;
+    if (const auto place = sides_through(s, s_at, t, t_at)) return place;
+    return sides_through(t, t_at, s, s_at);
+}
+
+std::vector<Vec3> places_of_self_intersections(const Mesh& mesh) {
+    std::vector<Vec3> places;
+    for (const Crossing& crossing : Finder(mesh).run()) places.push_back(crossing.place);
+    return places;
+}
+
+std::vector<std::uint32_t> self_intersecting_triangles(const Mesh& mesh) {
+    std::vector<std::uint32_t> triangles;
+    for (const Crossing& crossing : Finder(mesh).run())
+        triangles.insert(triangles.end(), crossing.triangles.begin(), crossing.triangles.end());
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    return triangles;
+}
 
 }  // namespace meniscus

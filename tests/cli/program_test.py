@@ -316,6 +316,20 @@ class Outputs(ProgramTest):
         self.assertEqual((self.folder / "t1.ply").read_bytes(), (self.folder / "t2.ply").read_bytes())
 
 
+class EveryMesh(ProgramTest):
+    def test_has_no_slivers_and_no_short_edges(self):
+        for method in ("flow", "direct", "gaussian"):
+            for spacing in ("0.5", "1"):
+                mesh = self.report(UBIQUITIN, "--method", method, "--spacing", spacing)["mesh"]
+                self.assertTrue(mesh["closed"] and mesh["manifold"])
+                self.assertGreaterEqual(mesh["smallest_triangle_angle_deg"], 5.0, (method, spacing))
+                self.assertGreaterEqual(mesh["quality"]["edges"]["min"], 0.02, (method, spacing))
+
+    def test_a_part_of_the_pieces_is_mended_too(self):
+        mesh = self.report(UBIQUITIN, "--components", "outer", "--method", "direct")["mesh"]
+        self.assertGreaterEqual(mesh["smallest_triangle_angle_deg"], 5.0)
+
+
 class EvenTriangles(ProgramTest):
     def mesh(self, *arguments):
         return self.report(UBIQUITIN, *arguments)["mesh"]
@@ -324,7 +338,7 @@ class EvenTriangles(ProgramTest):
         for edge in (1.0, 2.0):
             mesh = self.mesh("--edge", edge)
             self.assertTrue(mesh["closed"] and mesh["manifold"])
-            self.assertGreater(mesh["smallest_triangle_angle_deg"], 5.0)
+            self.assertGreater(mesh["smallest_triangle_angle_deg"], 20.0)
             self.assertGreater(mesh["quality"]["smallest_angles_deg"]["p5"], 40.0)
             self.assertGreater(mesh["quality"]["smallest_angles_deg"]["p50"], 45.0)
             edges = mesh["quality"]["edges"]

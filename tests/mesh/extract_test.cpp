@@ -79,6 +79,42 @@ TEST(Extract, ProjectionKeepsVerticesApart) {
     }
 }
 
+TEST(Extract, VerticesKeepAsFarFromNodesAsAskedFor) {
+    const Sphere sphere{.centre = {0.01, 0.02, 0.03}, .radius = 1.9};
+    const SampledField field = testing::sample_box(0.25, {-2, -2, -2}, {2, 2, 2}, sphere);
+    const auto least_fraction = [&](double nearest) {
+        double least = 1.0;
+        for (const Vec3& v : extract_zero_set(field.grid, field.values, nearest).vertices) {
+            const Vec3 at = 4.0 * (v - field.grid.corner(BlockId{0}));
+            double off = 0.0;  // of the one coordinate that is not a node's
+            for (const double x : {at.x, at.y, at.z}) off = std::max(off, std::abs(x - std::round(x)));
+            least = std::min(least, off);
+        }
+        return least;
+    };
+    EXPECT_NEAR(least_fraction(kMinEdgeFraction), kMinEdgeFraction, 0.01);
+    EXPECT_NEAR(least_fraction(kSpreadFraction), kSpreadFraction, 1e-9);
+}
+
+TEST(Extract, SpreadVerticesLeaveHardlyASliverOnTheSurface) {
+    for (const double radius : {1.0, 1.25, 1.9, 2.5, 3.25}) {
+        const Sphere sphere{.centre = {0.01, 0.02, 0.03}, .radius = radius};
+        const Vec3 r{radius, radius, radius};
+        const SampledField field = testing::sample_box(0.25, -1.2 * r, 1.2 * r, sphere);
+        Mesh mesh = extract_zero_set(field.grid, field.values, kSpreadFraction);
+        testing::expect_closed_manifold(mesh);
+        double smallest_sine = 1.0;
+        for (Vec3& v : mesh.vertices) v = sphere.centre + radius * normalised(v - sphere.centre);
+        for (const Triangle& t : mesh.triangles)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Vec3 a = mesh.vertices[t[(k + 1) % 3]] - mesh.vertices[t[k]];
+                const Vec3 b = mesh.vertices[t[(k + 2) % 3]] - mesh.vertices[t[k]];
+                smallest_sine = std::min(smallest_sine, norm(cross(a, b)) / (norm(a) * norm(b)));
+            }
+        EXPECT_GT(smallest_sine, std::sin(10.0 * kPi / 180.0)) << radius;
+    }
+}
+
 TEST(Extract, PlanesThroughNodesCutBySphereAreClosed) {
     for (const Vec3& normal : {Vec3{0, 0, 1}, Vec3{0, 1, -1}, Vec3{1, 1, 1}}) {
         const SampledField field = testing::sample_box(

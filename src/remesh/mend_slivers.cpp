@@ -1,0 +1,359 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "remesh/mend_slivers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "core/parallel.h"
+#include "geometry/box_tree.h"
+#include "geometry/triangle_tree.h"
+#include "remesh/patch.h"
+#include "remesh/patch_mender.h"
+#include "remesh/self_intersections.h"
+
+namespace meniscus {
+namespace {
+
+constexpr std::size_t kChunk = 256;  // triangles: neighbours, if the mesh comes from blocks
+
+constexpr std::size_t kRenumbered = 8192;  // triangles per task
+constexpr std::size_t kAhead = 24;         // triangles: so far ahead their corners are fetched
+
+// Of 20 degrees. Triangles with larger angles are not looked at closely.
+constexpr double kSquaredTangent = 0.1325;
+
+// In usual lengths of edges: how far from a bad triangle things change, and how far all is known.
+constexpr double kFree = 2.5;
+constexpr double kRoom = 5.0;
+
+// A bad triangle's neighbourhood: vertices in `free` may move, all triangles that reach into `room` are there.
+struct Place {
+    std::uint32_t triangle = 0;
+    Box free;
+    Box room;
+};
+
+// The part of a mesh round a place, and the mesh's numbers for it.
+struct Cutting {
+    Patch patch;
+    std::vector<bool> free;
+    std::vector<bool> held;
+    std::vector<VertexId> vertices;
+    std::vector<std::uint32_t> triangles;
+};
+
+class SliverMender {
+public:
+    SliverMender(Mesh& mesh, const SliverOptions& options, const SurfaceProjector& project)
+        : mesh_(mesh),
+          options_(options),
+          project_(project),
+          wanted_(std::tan(options.smallest_angle_deg * std::numbers::pi / 180.0)),
+          squared_tangent_(std::max(kSquaredTangent, wanted_ * wanted_)) {}
+
+    VertexChanges run() {
+        std::vector<std::uint32_t> pending = look_at_all();
+        if (options_.untangle) {
+            tangled_ = self_intersecting_triangles(mesh_);
+            was_tangled_ = !tangled_.empty();
+            std::vector<std::uint32_t> all;
+            std::set_union(pending.begin(), pending.end(), tangled_.begin(), tangled_.end(), std::back_inserter(all));
+            pending = std::move(all);
+        }
+        if (!pending.empty()) moved_.resize(mesh_.vertices.size());
+        while (!pending.empty()) pending = round(pending);
+        return close_holes();
+    }
+
+private:
+    bool is_removed(const Triangle& t) const { return t[0] == t[1]; }
+
+    // Whether a triangle is worth a closer look; also tells its longest side.
+    bool may_be_bad(const Triangle& triangle, double& longest) const {
+        const Vec3& a = mesh_.vertices[triangle[0]];
+        const Vec3& b = mesh_.vertices[triangle[1]];
+        const Vec3& c = mesh_.vertices[triangle[2]];
+        const double ab = squared_norm(b - a);
+        const double bc = squared_norm(c - b);
+        const double ca = squared_norm(a - c);
+        const double shortest = std::min(std::min(ab, bc), ca);
+        const double product = 0.5 * (ab + bc + ca) - shortest;
+        longest = std::max(std::max(std::max(ab, bc), ca), longest);
+        const Vec3 area = cross(b - a, c - a);
+        return squared_norm(area) < squared_tangent_ * (product * product) ||
+               shortest < kShortestEdge * kShortestEdge || dot(area, mesh_.normals[triangle[0]]) < 0.0;
+    }
+
+    // Starts to bring a triangle's corners into the cache.
+    void fetch(const Triangle& triangle) const {
+        for (const VertexId v : triangle) __builtin_prefetch(&mesh_.vertices[v]);
+        __builtin_prefetch(&mesh_.normals[triangle[0]]);
+    }
+
+    bool is_bad(const Triangle& triangle) const {
+        const Patch alone{{point(triangle[0]), point(triangle[1]), point(triangle[2])}, {}};
+        return alone.goodness({0, 1, 2}, kShortestEdge) < wanted_;
+    }
+    bool is_tangled(std::uint32_t triangle) const {
+        return std::binary_search(tangled_.begin(), tangled_.end(), triangle);
+    }
+    SurfacePoint point(VertexId v) const { return {mesh_.vertices[v], mesh_.normals[v], 0.0}; }
+
+    std::vector<std::uint32_t> look_at_all() {
+        struct Chunk {
+            Box box;
+            double longest = 0.0;
+            std::vector<std::uint32_t> bad;
+        };
+        std::vector<Chunk> chunks((mesh_.triangles.size() + kChunk - 1) / kChunk);
+        parallel_chunks(mesh_.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+            Chunk& chunk = chunks[begin / kChunk];
+            double longest = 0.0;
+            for (std::size_t t = begin; t < end; ++t) {
+                fetch(mesh_.triangles[std::min(t + kAhead, mesh_.triangles.size() - 1)]);
+                if (may_be_bad(mesh_.triangles[t], longest) && is_bad(mesh_.triangles[t]))
+                    chunk.bad.push_back(static_cast<std::uint32_t>(t));
+            }
+            Box box;  // in a loop of its own, where it stays in registers
+            for (std::size_t t = begin; t < end; ++t) box.include(mesh_.vertices[mesh_.triangles[t][0]]);
+            chunk.box = box;
+            chunk.longest = longest;
+        });
+        std::vector<std::uint32_t> bad;
+        for (const Chunk& chunk : chunks) {
+            bad.insert(bad.end(), chunk.bad.begin(), chunk.bad.end());
+            boxes_.push_back(chunk.box.grown(std::sqrt(chunk.longest)));
+        }
+        return bad;
+    }
+
+    // Mends places far enough from each other side by side; returns the triangles that have to wait.
+    std::vector<std::uint32_t> round(const std::vector<std::uint32_t>& pending) {
+        std::vector<std::uint32_t> waiting;
+        const std::vector<Place> places = choose_places(pending, waiting);
+        const BoxTree chunks(boxes_);
+        std::vector<Cutting> cuttings(places.size());
+        std::vector<Patch> mended(places.size());
+        parallel_for(places.size(), 1, [&](std::size_t i) {
+            cuttings[i] = cut_out(chunks, places[i]);
+            PatchMender mender(cuttings[i].patch, cuttings[i].free, cuttings[i].held, places[i].room, options_,
+                               project_);
+            mender.run();
+            mended[i] = mender.patch();
+        });
+        for (std::size_t i = 0; i < places.size(); ++i) paste(cuttings[i], mended[i]);
+        forget_tangled(places);
+        return waiting;
+    }
+
+    // Tangled triangles have their turn together.
+    void forget_tangled(const std::vector<Place>& places) {
+        std::erase_if(tangled_, [&](std::uint32_t t) {
+            return std::any_of(places.begin(), places.end(), [&](const Place& place) {
+                return std::all_of(mesh_.triangles[t].begin(), mesh_.triangles[t].end(),
+                                   [&](VertexId v) { return place.free.squared_distance(mesh_.vertices[v]) == 0.0; });
+            });
+        });
+    }
+
+    // Places whose rooms do not overlap, in the order of the triangles.
+    std::vector<Place> choose_places(const std::vector<std::uint32_t>& pending, std::vector<std::uint32_t>& waiting) {
+        std::vector<Place> places;
+        std::map<std::array<int, 3>, std::vector<std::size_t>> cells;  // places by the cells that their rooms touch
+        const double cell = 4.0 * kRoom * options_.edge;
+        const auto for_each_cell = [cell](const Box& box, const auto& visit) {
+            const auto number = [cell](double x) { return static_cast<int>(std::floor(x / cell)); };
+            for (int z = number(box.low.z); z <= number(box.high.z); ++z)
+                for (int y = number(box.low.y); y <= number(box.high.y); ++y)
+                    for (int x = number(box.low.x); x <= number(box.high.x); ++x) visit(std::array<int, 3>{z, y, x});
+        };
+        for (const std::uint32_t t : pending) {
+            const Triangle& triangle = mesh_.triangles[t];
+            if (is_removed(triangle) || !(is_bad(triangle) || is_tangled(t))) continue;
+            const Box box = box_of(mesh_, triangle);
+            const Place place{t, box.grown(kFree * options_.edge), box.grown(kRoom * options_.edge)};
+            bool overlaps = false;
+            for_each_cell(place.room, [&](const std::array<int, 3>& at) {
+                const auto found = cells.find(at);
+                if (found == cells.end()) return;
+                for (const std::size_t other : found->second)
+                    overlaps = overlaps || places[other].room.overlaps(place.room);
+            });
+            if (overlaps) {
+                waiting.push_back(t);
+                continue;
+            }
+            for_each_cell(place.room, [&](const std::array<int, 3>& at) { cells[at].push_back(places.size()); });
+            places.push_back(place);
+        }
+        return places;
+    }
+
+    Cutting cut_out(const BoxTree& chunks, const Place& place) const {
+        Cutting cutting;
+        chunks.for_each_overlapping(place.room, [&](std::uint32_t chunk) {
+            const std::size_t end = std::min((chunk + 1) * kChunk, mesh_.triangles.size());
+            for (std::size_t t = chunk * kChunk; t < end; ++t)
+                if (!is_removed(mesh_.triangles[t]) && box_of(mesh_, mesh_.triangles[t]).overlaps(place.room))
+                    cutting.triangles.push_back(static_cast<std::uint32_t>(t));
+        });
+        for (const std::uint32_t t : cutting.triangles)
+            cutting.vertices.insert(cutting.vertices.end(), mesh_.triangles[t].begin(), mesh_.triangles[t].end());
+        std::sort(cutting.vertices.begin(), cutting.vertices.end());
+        cutting.vertices.erase(std::unique(cutting.vertices.begin(), cutting.vertices.end()), cutting.vertices.end());
+        const auto local = [&](VertexId v) {
+            return static_cast<VertexId>(std::lower_bound(cutting.vertices.begin(), cutting.vertices.end(), v) -
+                                         cutting.vertices.begin());
+        };
+        for (const VertexId v : cutting.vertices) {
+            cutting.patch.points.push_back({mesh_.vertices[v], mesh_.normals[v], 0.0});
+            cutting.free.push_back(place.free.squared_distance(mesh_.vertices[v]) == 0.0);
+            cutting.held.push_back(v < options_.held.size() && options_.held[v]);
+        }
+        for (const std::uint32_t t : cutting.triangles) {
+            const auto& [a, b, c] = mesh_.triangles[t];
+            cutting.patch.triangles.push_back({local(a), local(b), local(c)});
+        }
+        hold_what_sticks_out(place.room, cutting);
+        return cutting;
+    }
+
+    // Only vertices whose triangles lie wholly in the room are free: no other patch knows these.
+    static void hold_what_sticks_out(const Box& room, Cutting& cutting) {
+        for (const Triangle& t : cutting.patch.triangles) {
+            const bool inside = std::all_of(
+                t.begin(), t.end(), [&](VertexId v) { return room.squared_distance(cutting.patch.at(v)) == 0.0; });
+            if (inside) continue;
+            for (const VertexId v : t) cutting.free[v] = false;
+        }
+    }
+
+    // Puts a patch back, with what it has more than before at the end of the mesh.
+    void paste(Cutting& cutting, const Patch& after) {
+        add_new(cutting, after);
+        for (std::size_t v = 0; v < cutting.patch.points.size(); ++v) {
+            if (after.points[v].position == cutting.patch.points[v].position) continue;
+            mesh_.vertices[cutting.vertices[v]] = after.points[v].position;
+            mesh_.normals[cutting.vertices[v]] = after.points[v].normal;
+            moved_[cutting.vertices[v]] = true;
+        }
+        for (const std::size_t t : changed_triangles(cutting.patch, after)) {
+            const auto& [a, b, c] = after.triangles[t];
+            const std::uint32_t number = cutting.triangles[t];
+            const Triangle triangle{cutting.vertices[a], cutting.vertices[b], cutting.vertices[c]};
+            mesh_.triangles[number] = triangle;
+            if (is_removed(triangle))
+                removed_.push_back(number);
+            else
+                boxes_[number / kChunk].include(box_of(mesh_, triangle));
+        }
+        std::vector<bool> in_use(after.points.size());
+        for (std::size_t t = 0; t < after.triangles.size(); ++t)
+            if (after.has(t))
+                for (const VertexId v : after.triangles[t]) in_use[v] = true;
+        for (std::size_t v = 0; v < in_use.size(); ++v)
+            if (!in_use[v]) holes_.push_back(cutting.vertices[v]);
+    }
+
+    void add_new(Cutting& cutting, const Patch& after) {
+        const std::size_t known = cutting.vertices.size();
+        for (std::size_t v = known; v < after.points.size(); ++v) {
+            cutting.vertices.push_back(static_cast<VertexId>(mesh_.vertices.size()));
+            mesh_.vertices.push_back(after.points[v].position);
+            mesh_.normals.push_back(after.points[v].normal);
+            moved_.push_back(true);
+        }
+        for (std::size_t t = cutting.triangles.size(); t < after.triangles.size(); ++t) {
+            cutting.triangles.push_back(static_cast<std::uint32_t>(mesh_.triangles.size()));
+            mesh_.triangles.push_back({0, 0, 0});
+            boxes_.resize(mesh_.triangles.size() / kChunk + 1);
+        }
+        if (!mesh_.components.empty()) label_new(cutting, after, known);
+    }
+
+    // New vertices belong to the pieces of their neighbours, of which some may be new, too.
+    void label_new(const Cutting& cutting, const Patch& after, std::size_t known) {
+        constexpr std::uint32_t kNone = ~std::uint32_t{0};
+        mesh_.components.resize(mesh_.vertices.size(), kNone);
+        for (std::size_t i = known; i < cutting.vertices.size(); ++i)
+            for (std::size_t t = 0; t < after.triangles.size(); ++t) {
+                if (!after.has(t)) continue;
+                std::uint32_t label = kNone;
+                for (const VertexId v : after.triangles[t])
+                    label = std::min(label, mesh_.components[cutting.vertices[v]]);
+                for (const VertexId v : after.triangles[t]) mesh_.components[cutting.vertices[v]] = label;
+            }
+        for (std::size_t i = known; i < cutting.vertices.size(); ++i) {
+            std::uint32_t& label = mesh_.components[cutting.vertices[i]];
+            if (label == kNone) label = 0;  // removed again
+        }
+    }
+
+    // Vertices and triangles from the end take the places of removed ones.
+    VertexChanges close_holes() {
+        VertexChanges changes;
+        changes.was_tangled = was_tangled_;
+        changes.with_new = mesh_.vertices.size();
+        changes.left = changes.with_new - holes_.size();
+        std::sort(removed_.begin(), removed_.end(), std::greater<>());
+        for (const std::uint32_t t : removed_) {
+            mesh_.triangles[t] = mesh_.triangles.back();
+            mesh_.triangles.pop_back();
+        }
+        if (!holes_.empty()) close_vertex_holes(changes);
+        for (VertexId v = 0; v < std::min(moved_.size(), changes.left); ++v)
+            if (moved_[v]) changes.moved.push_back(v);
+        return changes;
+    }
+
+    void close_vertex_holes(VertexChanges& changes) {
+        std::sort(holes_.begin(), holes_.end());
+        auto last = static_cast<VertexId>(mesh_.vertices.size());
+        std::vector<VertexId> number(holes_.size());  // new ones, of the vertices from `left` on
+        for (const VertexId hole : holes_) {
+            if (hole >= changes.left) break;
+            do --last;
+            while (std::binary_search(holes_.begin(), holes_.end(), last));
+            changes.refilled.emplace_back(hole, last);
+            number[last - changes.left] = hole;
+            moved_[hole] = moved_[last];
+        }
+        parallel_chunks(mesh_.triangles.size(), kRenumbered, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t t = begin; t < end; ++t)
+                for (VertexId& v : mesh_.triangles[t])
+                    if (v >= changes.left) v = number[v - changes.left];
+        });
+        renumber_entries(changes, mesh_.vertices);
+        renumber_entries(changes, mesh_.normals);
+        renumber_entries(changes, mesh_.components);
+    }
+
+    Mesh& mesh_;
+    const SliverOptions& options_;
+    const SurfaceProjector& project_;
+    double wanted_;
+    double squared_tangent_;
+    std::vector<Box> boxes_;              // per chunk of triangles
+    std::vector<std::uint32_t> tangled_;  // triangles, as they were found, that have not had their turn
+    bool was_tangled_ = false;
+    std::vector<bool> moved_;             // per vertex, if there is anything to mend
+    std::vector<VertexId> holes_;         // numbers of removed vertices
+    std::vector<std::uint32_t> removed_;  // triangles
+};
+
+}  // namespace
+
+VertexChanges mend_slivers(Mesh& mesh, const SliverOptions& options, const SurfaceProjector& project) {
+    return SliverMender(mesh, options, project).run();
+}
+
+}  // namespace meniscus

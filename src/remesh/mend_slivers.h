@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The few bad triangles of a mesh, each with its neighbourhood alone: the rest of the mesh stays as it is.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "meniscus/mesh.h"
+#include "remesh/remesher.h"
+
+namespace meniscus {
+
+struct SliverOptions {
+    double needed_angle_deg = 5.0;    ///< below this one change alone may not do: more are tried together
+    double smallest_angle_deg = 5.0;  ///< triangles with a smaller one are mended
+    double mended_angle_deg = 6.0;    ///< enough for a mended one
+    double edge = 0.5;                ///< usual length of edges, Å
+    double longest_edge = 1.0;        ///< of those that are made, Å
+    bool untangle = false;            ///< also mend where the mesh passes through itself
+    std::vector<bool> held{};         ///< per vertex, or empty: stays, and edges to others of its kind
+};
+
+/// What changed about the vertices of a mesh.
+struct VertexChanges {
+    std::size_t with_new = 0;  ///< vertices with those that were added at the end of the list
+    /// Where a vertex was removed, and the one from the end of the list that took its number.
+    std::vector<std::pair<VertexId, VertexId>> refilled;
+    std::size_t left = 0;         ///< vertices after that
+    bool was_tangled = false;     ///< and there was such a place, which may be left
+    std::vector<VertexId> moved;  ///< with those that were added; by their new numbers, rising
+
+    bool any() const { return !refilled.empty() || !moved.empty(); }
+};
+
+/// Applies the renumbering to an array with one entry per vertex. Entries of added ones are still to be set.
+template <class T>
+void renumber_entries(const VertexChanges& changes, std::vector<T>& entries) {
+    if (entries.empty()) return;
+    entries.resize(changes.with_new);
+    for (const auto& [hole, from] : changes.refilled) entries[hole] = entries[from];
+    entries.resize(changes.left);
+}
+
+/// Mends triangles with small angles, with edges shorter than kShortestEdge and such that face the wrong way: flips,
+/// collapses and splits edges and moves vertices on the surface, where that keeps the topology and passes the mesh
+/// through itself nowhere. What cannot be mended stays.
+///
+/// mesh      closed oriented 2-manifold with normals, its vertices on the surface. Positions, normals, components and
+///           triangles are changed; other vertex arrays are the caller's to renumber
+/// cost      a pass over the triangles, and about a millisecond for every triangle mended
+VertexChanges mend_slivers(Mesh& mesh, const SliverOptions& options, const SurfaceProjector& project);
+
+}  // namespace meniscus

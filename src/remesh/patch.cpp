@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "remesh/patch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/box_tree.h"
+#include "remesh/self_intersections.h"
+#include "remesh/working_mesh.h"
+
+namespace meniscus {
+namespace {
+
+bool has_corner(const Triangle& t, VertexId v) { return t[0] == v || t[1] == v || t[2] == v; }
+
+std::array<Vec3, 3> corners_of(const Patch& patch, const Triangle& t) {
+    return {patch.at(t[0]), patch.at(t[1]), patch.at(t[2])};
+}
+
+double cosine_between(const Vec3& a, const Vec3& b) {
+    const double product = squared_norm(a) * squared_norm(b);
+    return product > 0.0 ? dot(a, b) / std::sqrt(product) : -1.0;
+}
+
+double facing_of(const Patch& patch, const Triangle& t) {
+    const auto& [a, b, c] = t;
+    return cosine_between(area_vector(patch.at(a), patch.at(b), patch.at(c)),
+                          patch.points[a].normal + patch.points[b].normal + patch.points[c].normal);
+}
+
+// Empty for removed triangles: they overlap nothing.
+std::vector<Box> boxes_of(const Patch& patch) {
+    std::vector<Box> boxes(patch.triangles.size());
+    for (std::size_t t = 0; t < boxes.size(); ++t)
+        if (patch.has(t))
+            for (const VertexId v : patch.triangles[t]) boxes[t].include(patch.at(v));
+    return boxes;
+}
+
+bool cross_each_other(const Patch& patch, const Triangle& s, const Triangle& t) {
+    return meeting(s, corners_of(patch, s), t, corners_of(patch, t)).has_value();
+}
+
+}  // namespace
+
+double tangent_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const double ab = squared_norm(b - a);
+    const double bc = squared_norm(c - b);
+    const double ca = squared_norm(a - c);
+    // It lies opposite the shortest side, between the other two.
+    const double product = 0.5 * (ab + bc + ca) - std::min({ab, bc, ca});
+    return product > 0.0 ? norm(area_vector(a, b, c)) / product : 0.0;
+}
+
+std::vector<std::size_t> Patch::star(VertexId v) const {
+    std::vector<std::size_t> found;
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        if (has_corner(triangles[t], v) && has(t)) found.push_back(t);
+    return found;
+}
+
+double Patch::goodness(const Triangle& triangle, double shortest) const {
+    const auto& [a, b, c] = triangle;
+    const Vec3 area = area_vector(at(a), at(b), at(c));
+    if (dot(area, points[a].normal) < 0.0 && dot(area, points[b].normal) < 0.0 && dot(area, points[c].normal) < 0.0)
+        return facing_of(*this, triangle);
+    const double tangent = tangent_of_smallest_angle(at(a), at(b), at(c));
+    const double length2 =
+        std::min({squared_norm(at(b) - at(a)), squared_norm(at(c) - at(b)), squared_norm(at(a) - at(c))});
+    constexpr double kOfShortEdges = 0.08;  // below the tangent of 5 degrees
+    return length2 < shortest * shortest ? std::min(tangent, kOfShortEdges * std::sqrt(length2) / shortest) : tangent;
+}
+
+std::optional<Patch::Sides> Patch::sides(VertexId a, VertexId b) const {
+    Sides found;
+    int count = 0;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        if (!has(t)) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const VertexId from = triangles[t][k];
+            const VertexId to = triangles[t][(k + 1) % 3];
+            const VertexId corner = triangles[t][(k + 2) % 3];
+            if (from == a && to == b) {
+                found.left = t;
+                found.left_corner = corner;
+                ++count;
+            } else if (from == b && to == a) {
+                found.right = t;
+                found.right_corner = corner;
+                ++count;
+            }
+        }
+    }
+    if (count != 2) return std::nullopt;
+    return found;
+}
+
+bool Patch::flip(VertexId a, VertexId b) {
+    const std::optional<Sides> edge = sides(a, b);
+    if (!edge) return false;
+    const VertexId c = edge->left_corner;
+    const VertexId d = edge->right_corner;
+    if (c == d || sides(c, d) || star(a).size() <= 3 || star(b).size() <= 3) return false;
+    triangles[edge->left] = {d, c, a};
+    triangles[edge->right] = {c, d, b};
+    return true;
+}
+
+bool Patch::collapse(VertexId a, VertexId b) {
+    const std::optional<Sides> edge = sides(a, b);
+    if (!edge) return false;
+    const VertexId c = edge->left_corner;
+    const VertexId d = edge->right_corner;
+    if (c == d || star(c).size() <= 3 || star(d).size() <= 3) return false;
+    const std::vector<std::size_t> round_a = star(a);
+    const std::vector<std::size_t> round_b = star(b);
+    const auto touches = [&](const std::vector<std::size_t>& star, VertexId v) {
+        return std::any_of(star.begin(), star.end(), [&](std::size_t t) { return has_corner(triangles[t], v); });
+    };
+    // The link condition: no other vertex is a neighbour of both.
+    for (const std::size_t t : round_a)
+        for (const VertexId v : triangles[t])
+            if (v != a && v != b && v != c && v != d && touches(round_b, v)) return false;
+    for (const std::size_t t : round_a) std::replace(triangles[t].begin(), triangles[t].end(), a, b);
+    triangles[edge->left] = {b, b, b};
+    triangles[edge->right] = {b, b, b};
+    return true;
+}
+
+bool Patch::split(VertexId a, VertexId b) {
+    const std::optional<Sides> edge = sides(a, b);
+    if (!edge) return false;
+    const auto middle = static_cast<VertexId>(points.size());
+    const Vec3 normal = points[a].normal + points[b].normal;
+    points.push_back({0.5 * (at(a) + at(b)), squared_norm(normal) > 0.0 ? normalised(normal) : points[a].normal, 0.0});
+    const VertexId c = edge->left_corner;
+    const VertexId d = edge->right_corner;
+    triangles[edge->left] = {a, middle, c};
+    triangles[edge->right] = {b, middle, d};
+    triangles.push_back({middle, b, c});
+    triangles.push_back({middle, a, d});
+    return true;
+}
+
+PatchShape shape_of(const Patch& patch, std::span<const std::size_t> triangles, double shortest) {
+    PatchShape shape{.least_goodness = 2.0};
+    for (const std::size_t i : triangles) {
+        if (!patch.has(i)) continue;
+        const Triangle& t = patch.triangles[i];
+        shape.least_goodness = std::min(shape.least_goodness, patch.goodness(t, shortest));
+        shape.facing = std::min(shape.facing, facing_of(patch, t));
+        for (std::size_t k = 0; k < 3; ++k) {
+            const SurfacePoint& a = patch.points[t[k]];
+            const SurfacePoint& b = patch.points[t[(k + 1) % 3]];
+            shape.turn = std::min(shape.turn, dot(a.normal, b.normal));
+            shape.longest = std::max(shape.longest, squared_norm(b.position - a.position));
+            shape.shortest = std::min(shape.shortest, squared_norm(b.position - a.position));
+        }
+    }
+    return shape;
+}
+
+std::vector<std::size_t> changed_triangles(const Patch& before, const Patch& after) {
+    std::vector<bool> moved(after.points.size());
+    for (std::size_t v = 0; v < moved.size(); ++v)
+        moved[v] = v >= before.points.size() || !(before.points[v].position == after.points[v].position);
+    std::vector<std::size_t> changed;
+    for (std::size_t t = 0; t < after.triangles.size(); ++t) {
+        const auto& [a, b, c] = after.triangles[t];
+        if (t >= before.triangles.size() || before.triangles[t] != after.triangles[t] ||
+            (after.has(t) && (moved[a] || moved[b] || moved[c])))
+            changed.push_back(t);
+    }
+    return changed;
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> first_crossing(const Patch& patch, const std::vector<bool>& marked) {
+    const std::vector<Box> boxes = boxes_of(patch);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const Triangle& s = patch.triangles[i];
+        if (!patch.has(i) || !(marked[s[0]] || marked[s[1]] || marked[s[2]])) continue;
+        for (std::size_t j = 0; j < boxes.size(); ++j)
+            if (i != j && boxes[i].overlaps(boxes[j]) && cross_each_other(patch, s, patch.triangles[j]))
+                return std::pair(i, j);
+    }
+    return std::nullopt;
+}
+
+std::size_t count_crossings(const Patch& patch, std::span<const std::size_t> triangles) {
+    const std::vector<Box> boxes = boxes_of(patch);
+    std::vector<bool> counted(boxes.size());
+    std::size_t count = 0;
+    for (const std::size_t i : triangles) {
+        if (!patch.has(i)) continue;
+        counted[i] = true;
+        for (std::size_t j = 0; j < boxes.size(); ++j)
+            if (!counted[j] && boxes[i].overlaps(boxes[j]) &&
+                cross_each_other(patch, patch.triangles[i], patch.triangles[j]))
+                ++count;
+    }
+    return count;
+}
+
+}  // namespace meniscus

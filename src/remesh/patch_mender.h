@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Bad triangles of a patch, one by one: the least change that helps.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "geometry/box_tree.h"
+#include "remesh/mend_slivers.h"
+#include "remesh/patch.h"
+
+namespace meniscus {
+
+class PatchMender {
+public:
+    /// free  per vertex of the patch: whether triangles round it may change. They lie within `room`, and stay there.
+    /// held  per vertex: whether it stays where it is, and so do edges to others of its kind
+    PatchMender(Patch patch, std::vector<bool> free, std::vector<bool> held, const Box& room,
+                const SliverOptions& options, const SurfaceProjector& project);
+
+    void run();
+    const Patch& patch() const { return patch_; }
+
+private:
+    using Edge = std::pair<VertexId, VertexId>;
+    struct Candidate {
+        Patch patch;
+        double goodness = 0.0;  ///< of the worst triangle that changed
+    };
+
+    std::optional<std::size_t> worst_triangle(const std::vector<std::size_t>& stuck) const;
+    bool mend(std::size_t triangle);
+    void untangle();
+    bool part(const std::pair<std::size_t, std::size_t>& crossing);
+    /// The corners, and those of all triangles that a candidate changes.
+    std::vector<VertexId> touched_by(const Patch& candidate, std::vector<VertexId> corners) const;
+    bool try_flips(const Triangle& corners, std::size_t triangle);
+    bool try_moves(const Triangle& corners, std::size_t triangle);
+    bool try_collapses(const Triangle& corners, std::size_t triangle);
+    bool try_together(const Triangle& corners, std::size_t triangle, bool splits);
+
+    std::vector<Edge> edges_round(const Triangle& corners) const;
+    bool is_free(const Triangle& corners) const { return free_[corners[0]] && free_[corners[1]] && free_[corners[2]]; }
+    bool is_held(const Edge& edge) const { return held_[edge.first] && held_[edge.second]; }
+    bool flip(Patch& patch, const Edge& edge) const;
+    bool collapse(Patch& patch, const Edge& edge) const;
+    bool split(Patch& patch, const Edge& edge);
+
+    /// What a candidate makes of the triangle and all that it changes, if that is allowed, better than before and
+    /// `at_least` so good.
+    std::optional<double> judge(const Patch& candidate, std::size_t triangle, double at_least) const;
+    bool take_if_enough(Patch& candidate, std::size_t triangle);
+
+    void relax(Patch& patch, const std::vector<VertexId>& vertices);
+    void move(Patch& patch, VertexId v);
+    const std::vector<SurfacePoint>& places_round(const SurfacePoint& centre, double step);
+
+    Patch patch_;
+    std::vector<bool> free_;
+    std::vector<bool> held_;
+    Box room_;
+    const SliverOptions& options_;
+    const SurfaceProjector& project_;
+    double needed_;  // tangents
+    double wanted_;
+    double enough_;
+    std::vector<SurfacePoint> places_;
+};
+
+}  // namespace meniscus
