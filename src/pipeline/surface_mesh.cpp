@@ -91,12 +91,17 @@ private:
 // ends there, but next to ridges the distance is a lower bound and a step can fall short: a few are taken.
 class ExactProjector {
 public:
-    explicit ExactProjector(const AccessibleSurface& surface)
-        : surface_(surface), around_(surface, kMargin), local_(surface, kMargin), batch_(surface) {}
+    // room   Å that points may move on their way to where they stay
+    ExactProjector(const AccessibleSurface& surface, double room)
+        : surface_(surface),
+          room_(std::max(room, kRoom)),
+          around_(surface, kMargin),
+          local_(surface, kMargin),
+          batch_(surface) {}
 
     // Goes to a box whose points will be treated.
     void enter(const Box& box) {
-        entered_ = box.grown(kRoom);
+        entered_ = box.grown(room_);
         around_.gather(entered_);
     }
 
@@ -155,6 +160,7 @@ private:
     }
 
     const AccessibleSurface& surface_;
+    double room_;
     LocalFeatures around_;  // of many runs
     LocalFeatures local_;
     NearestBatch batch_;
@@ -219,7 +225,7 @@ public:
     std::vector<double> run() {
         const RunGroups groups(mesh_.vertices, kLongestRun * spacing_);
         parallel_chunks(groups.size(), kGroupsPerTask, [&](std::size_t begin, std::size_t end) {
-            const auto projector = std::make_unique<ExactProjector>(accessible_);
+            const auto projector = std::make_unique<ExactProjector>(accessible_, kLongestWay * spacing_);
             std::optional<SplineBlock> spline;
             if (level_set_ != nullptr) spline.emplace(level_set_->grid(), level_set_->coefficients());
             for (std::size_t g = begin; g < end; ++g) {
@@ -236,6 +242,7 @@ public:
 private:
     static constexpr std::size_t kGroupsPerTask = 2;
     static constexpr double kLongestRun = 12.0;  // spacings: a block and a half
+    static constexpr double kLongestWay = 0.5;   // spacings: nearly all vertices move less
 
     std::span<Vec3> vertices(const VertexRun& run) const {
         return std::span(mesh_.vertices).subspan(run.begin, run.end - run.begin);
