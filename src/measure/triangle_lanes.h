@@ -39,7 +39,7 @@ struct TriangleLanes {
 };
 
 struct TriangleKernels {
-    std::string_view instructions;  ///< "plain" or "avx2"
+    std::string_view instructions;  ///< "plain", "avx2" or "avx512"
 
     /// All but the parts.
     void (*measure)(TriangleLanes& lanes);
