@@ -143,8 +143,8 @@ constexpr double kBytesOfProgram = 10.5 * kMegabyte;
 
 // As measured (docs/design/performance.md). A Gaussian start that is only looked at costs time as well.
 constexpr Prices prices_of(const SurfaceOptions& options) {
-    if (options.method == Method::Direct) return {{1800.0, 1000.0, 85.0}, {6500.0, 8800.0, 250.0}};
-    return {{1800.0, 4300.0, 85.0}, {6500.0, options.initial_area ? 42000.0 : 27000.0, 500.0}};
+    if (options.method == Method::Direct) return {{1800.0, 1000.0, 95.0}, {6500.0, 8800.0, 370.0}};
+    return {{1800.0, 3800.0, 85.0}, {6500.0, options.initial_area ? 35000.0 : 14000.0, 450.0}};
 }
 
 Cost cost_of(double atoms, double area, const SurfaceOptions& options) {
