@@ -88,7 +88,7 @@ private:
 };
 
 // Finds nearest features of points next to each other, and moves them onto the exact surface. A step along the distance
-// ends there, but next to ridges the distance is a lower bound and a step can fall short: a few are taken.
+// ends there, but next to ridges the distance is a lower bound and steps fall short: there many are taken.
 class ExactProjector {
 public:
     // room   Å that points may move on their way to where they stay
@@ -144,7 +144,7 @@ private:
     static constexpr double kRoom = 0.1;          // Å: most points move less
     static constexpr double kMargin = 0.5;        // Å: points of a mesh are far nearer to the surface than this
     static constexpr double kCloseEnough = 1e-9;  // Å
-    static constexpr int kSteps = 3;
+    static constexpr int kSteps = 60;
 
     NearestFeature step_on(Vec3& point, int steps) const {
         NearestFeature feature = nearest(point);
