@@ -47,10 +47,12 @@ struct VertexRun {
 class RunGroups {
 public:
     explicit RunGroups(std::span<const Vec3> points, double longest) {
-        for (std::size_t v = 0; v < points.size();) {
-            runs_.push_back(run_from(points, v, longest));
-            v = runs_.back().end;
-        }
+        runs_ = parallel_sum<Runs>(points.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+                    Runs runs;
+                    for (std::size_t v = begin; v < end; v = runs.list.back().end)
+                        runs.list.push_back(run_from(points.first(end), v, longest));
+                    return runs;
+                }).list;
         std::stable_sort(runs_.begin(), runs_.end(),
                          [](const VertexRun& a, const VertexRun& b) { return group_of(a) < group_of(b); });
         for (std::size_t i = 0; i < runs_.size(); ++i)
@@ -64,7 +66,16 @@ public:
     }
 
 private:
-    static constexpr double kGroupEdge = 10.0;  // Å
+    static constexpr double kGroupEdge = 10.0;      // Å
+    static constexpr std::size_t kChunk = 1 << 15;  // points per task
+
+    struct Runs {
+        std::vector<VertexRun> list;
+        Runs& operator+=(const Runs& b) {
+            list.insert(list.end(), b.list.begin(), b.list.end());
+            return *this;
+        }
+    };
 
     static VertexRun run_from(std::span<const Vec3> points, std::size_t begin, double longest) {
         VertexRun run{begin, begin, {}};
@@ -169,15 +180,33 @@ private:
     std::array<Vec3, kBatchLanes> points_;
 };
 
-DistanceSummary summarise(std::vector<double>& distances) {
+// The element that would stand at a place near the end if the values were sorted. A sample tells below which value it
+// cannot be, and most values are below that.
+double value_near_the_end(std::span<const double> values, std::size_t place) {
+    constexpr std::size_t kStride = 64;
+    const std::size_t beyond = values.size() - place;  // it is so manieth from the end
+    const auto nth_from_the_end = [](std::vector<double>& list, std::size_t count) {
+        const auto at = list.end() - static_cast<std::ptrdiff_t>(std::min(count, list.size()));
+        std::nth_element(list.begin(), at, list.end());
+        return *at;
+    };
+    std::vector<double> some;
+    for (std::size_t i = 0; i < values.size(); i += kStride) some.push_back(values[i]);
+    const double least = nth_from_the_end(some, 2 * beyond / kStride + kStride);
+    some.clear();
+    std::copy_if(values.begin(), values.end(), std::back_inserter(some), [&](double v) { return v >= least; });
+    if (some.size() < beyond) some.assign(values.begin(), values.end());
+    return nth_from_the_end(some, beyond);
+}
+
+DistanceSummary summarise(std::span<const double> distances) {
     if (distances.empty()) return {};
     DistanceSummary summary;
     for (const double d : distances) summary.mean += d;
     summary.mean /= static_cast<double>(distances.size());
-    const auto p99 = distances.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(distances.size() - 1));
-    std::nth_element(distances.begin(), p99, distances.end());
-    summary.p99 = *p99;
-    summary.max = *std::max_element(p99, distances.end());
+    summary.p99 =
+        value_near_the_end(distances, static_cast<std::size_t>(0.99 * static_cast<double>(distances.size() - 1)));
+    summary.max = *std::max_element(distances.begin(), distances.end());
     return summary;
 }
 
