@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -35,11 +36,19 @@ constexpr double kLeastPart = 0.5;
 constexpr double kLargestPart = 2.0;
 
 // Where changes made the mesh pass through itself they are undone, and nothing so near is changed in the next attempt.
-constexpr double kFrozen = 0.7;  // target lengths, times the number of the attempt
+constexpr double kFrozen = 0.7;  // target lengths, times the number of attempts
 constexpr int kAttempts = 4;
 
+// Nothing is put in so near to where ridges would lead through something, Å, times the number of the try.
+constexpr double kWithoutRidges = 0.1;
+constexpr int kInsertions = 8;
+
+// Ridges are let go so near to what cannot be mended beside them, in target lengths, times the number of the try.
+constexpr double kLetGo = 0.8;
+constexpr int kLettingGo = 3;
+
 // Triangles with smaller angles are mended with all that lies round them (see SliverOptions), degrees. Beside ridges,
-// which stay where they are, there is little room for that.
+// which stay where they are, there is little room for that; where too little they are let go.
 struct WantedAngles {
     double needed;
     double smallest;
@@ -47,6 +56,7 @@ struct WantedAngles {
 };
 constexpr WantedAngles kWanted{22.0, 30.0, 31.0};
 constexpr WantedAngles kWantedBesideRidges{5.0, 12.0, 14.0};
+constexpr WantedAngles kWantedWithoutRidges{20.0, 20.0, 21.0};
 constexpr double kLongest = 2.2;  // of the target lengths
 
 class Remesher {
@@ -54,38 +64,54 @@ public:
     Remesher(const Mesh& mesh, const RemeshOptions& options, const SurfaceProjector& project)
         : options_(options), project_(project), aim_(kAim * options.edge), mesh_(mesh, aim_) {
         project_points(0, mesh_.points.size());
-        if (options.keep_ridges) insert_ridges(mesh_, project_);
     }
 
     // The mesh passes through itself nowhere but where it did before. Places where it would are mended; if that fails
     // all is done again without them.
     Mesh run() {
         const WorkingMesh before = mesh_;
-        std::optional<std::vector<Vec3>> old_places;
         std::vector<Vec3> places;
         for (int i = 1;; ++i) {
+            freeze({places, kFrozen * (i - 1) * aim_});
+            if (options_.keep_ridges && i < kAttempts) keep_ridges(before);
             for (int k = 0; k < kIterations; ++k) iterate();
             Mesh mesh = result();
-            if (!mend(mesh) || i == kAttempts || options_.keep_ridges) return mesh;
-            std::vector<Vec3> found = places_of_self_intersections(mesh);
-            if (!found.empty() && !old_places) old_places = places_of_self_intersections(mesh_of(before));
-            std::erase_if(found, [&](const Vec3& place) { return is_near(place, *old_places, aim_); });
+            if (!mend(mesh, before) || i == kAttempts) return mesh;
+            const std::vector<Vec3> found = new_crossings(mesh, before);
             if (found.empty()) return mesh;
             places.insert(places.end(), found.begin(), found.end());
             mesh_ = before;
-            freeze_near(places, kFrozen * i * aim_);
         }
     }
 
 private:
-    static bool is_near(const Vec3& point, std::span<const Vec3> places, double reach) {
-        return std::any_of(places.begin(), places.end(),
-                           [&](const Vec3& place) { return squared_norm(point - place) < reach * reach; });
+    // Where a mesh passes through itself and that of the grid did not.
+    std::vector<Vec3> new_crossings(const Mesh& mesh, const WorkingMesh& before) {
+        std::vector<Vec3> found = places_of_self_intersections(mesh);
+        if (found.empty()) return found;
+        if (!old_crossings_) old_crossings_ = places_of_self_intersections(mesh_of(before));
+        const Surroundings old{*old_crossings_, aim_};
+        std::erase_if(found, [&](const Vec3& place) { return old.contain(place); });
+        return found;
     }
 
-    void freeze_near(std::span<const Vec3> places, double reach) {
+    void freeze(const Surroundings& surroundings) {
         for (std::size_t v = 0; v < mesh_.points.size(); ++v)
-            if (is_near(mesh_.points[v].position, places, reach)) mesh_.holds[v] = Hold::Frozen;
+            if (surroundings.contain(mesh_.points[v].position)) mesh_.holds[v] = Hold::Frozen;
+    }
+
+    // Puts in the ridges but those that make the mesh pass through itself.
+    void keep_ridges(const WorkingMesh& before) {
+        const WorkingMesh without = mesh_;
+        std::vector<Vec3> places;
+        for (int i = 1;; ++i) {
+            insert_ridges(mesh_, project_, {places, kWithoutRidges * i});
+            const std::vector<Vec3> found = new_crossings(mesh_of(mesh_), before);
+            if (found.empty()) return;
+            mesh_ = without;
+            if (i == kInsertions) return;
+            places.insert(places.end(), found.begin(), found.end());
+        }
     }
 
     void iterate() {
@@ -225,22 +251,57 @@ private:
     Mesh result() const { return mesh_of(mesh_); }
 
     // Mends small angles and crossings, each with its neighbourhood. Returns whether there were crossings.
-    bool mend(Mesh& mesh) const {
-        const WantedAngles& wanted = options_.keep_ridges ? kWantedBesideRidges : kWanted;
-        SliverOptions slivers{.needed_angle_deg = wanted.needed,
-                              .smallest_angle_deg = wanted.smallest,
-                              .mended_angle_deg = wanted.mended,
-                              .edge = options_.edge,
+    bool mend(Mesh& mesh, const WorkingMesh& before) {
+        SliverOptions slivers{.edge = options_.edge,
                               .longest_edge = kLongest * *std::max_element(mesh_.targets.begin(), mesh_.targets.end()),
                               .untangle = true};
+        want(options_.keep_ridges ? kWantedBesideRidges : kWanted, slivers);
         for (VertexId v = 0; v < mesh_.points.size(); ++v) {
             if (!is_present(v)) continue;
             mesh.normals.push_back(mesh_.points[v].normal);
             slivers.held.push_back(mesh_.holds[v] == Hold::Ridge);
         }
-        const bool was_tangled = mend_slivers(mesh, slivers, project_).was_tangled;
+        VertexChanges changes = mend_slivers(mesh, slivers, project_);
+        const bool was_tangled = changes.was_tangled;
+        want(kWantedWithoutRidges, slivers);
+        for (int i = 1; options_.keep_ridges && i <= kLettingGo; ++i) {
+            renumber_entries(changes, slivers.held);
+            const std::vector<Vec3> places = bad_places(mesh, before);
+            if (!let_go(mesh, {places, kLetGo * i * aim_}, slivers.held)) break;
+            changes = mend_slivers(mesh, slivers, project_);
+        }
         mesh.normals.clear();
         return was_tangled;
+    }
+
+    static void want(const WantedAngles& angles, SliverOptions& slivers) {
+        slivers.needed_angle_deg = angles.needed;
+        slivers.smallest_angle_deg = angles.smallest;
+        slivers.mended_angle_deg = angles.mended;
+    }
+
+    // Where a mesh has small angles or passes through itself.
+    std::vector<Vec3> bad_places(const Mesh& mesh, const WorkingMesh& before) {
+        const double narrow = std::cos(kWantedWithoutRidges.smallest * std::numbers::pi / 180.0);
+        std::vector<Vec3> places = new_crossings(mesh, before);
+        for (const auto& [a, b, c] : mesh.triangles) {
+            const Vec3& p = mesh.vertices[a];
+            const Vec3& q = mesh.vertices[b];
+            const Vec3& r = mesh.vertices[c];
+            if (cosine_of_smallest_angle(p, q, r) > narrow) places.push_back((1.0 / 3.0) * (p + q + r));
+        }
+        return places;
+    }
+
+    // Returns whether there were ridges.
+    static bool let_go(const Mesh& mesh, const Surroundings& surroundings, std::vector<bool>& held) {
+        bool any = false;
+        for (VertexId v = 0; v < held.size(); ++v) {
+            if (!held[v] || !surroundings.contain(mesh.vertices[v])) continue;
+            held[v] = false;
+            any = true;
+        }
+        return any;
     }
 
     static Mesh mesh_of(const WorkingMesh& working) {
@@ -256,6 +317,7 @@ private:
     const SurfaceProjector& project_;
     double aim_;  // length of edges, Å
     WorkingMesh mesh_;
+    std::optional<std::vector<Vec3>> old_crossings_;  // of the mesh of the grid, once they were looked for
 };
 
 }  // namespace

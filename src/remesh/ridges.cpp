@@ -29,6 +29,7 @@ public:
 
     // Where an edge crosses a crease.
     std::optional<Vec3> crossing(HalfEdge h) const {
+        if (is_frozen(mesh_.edges.origin(h)) || is_frozen(mesh_.edges.target(h))) return std::nullopt;
         const SurfacePoint& a = mesh_.points[mesh_.edges.origin(h)];
         const SurfacePoint& b = mesh_.points[mesh_.edges.target(h)];
         const double cosine = dot(a.normal, b.normal);
@@ -43,17 +44,20 @@ public:
     }
 
 private:
+    bool is_frozen(VertexId v) const { return mesh_.holds[v] == Hold::Frozen; }
+
     const WorkingMesh& mesh_;
     const SurfaceProjector& project_;
 };
 
 }  // namespace
 
-void insert_ridges(WorkingMesh& mesh, const SurfaceProjector& project) {
+void insert_ridges(WorkingMesh& mesh, const SurfaceProjector& project, const Surroundings& left_out) {
     const RidgeFinder finder(mesh, project);
     std::vector<std::pair<HalfEdge, Vec3>> crossings;
     mesh.for_each_edge([&](HalfEdge h) {
-        if (const auto place = finder.crossing(h)) crossings.emplace_back(h, *place);
+        const auto place = finder.crossing(h);
+        if (place && !left_out.contain(*place)) crossings.emplace_back(h, *place);
     });
     for (const auto& [h, place] : crossings) {
         const VertexId v = mesh.split(h);

@@ -8,9 +8,10 @@
 namespace meniscus {
 
 /// Puts a vertex held as a ridge into every edge that crosses a crease, where the tangent planes of both ends meet:
-/// vertices of neighbouring triangles then share an edge, which runs along the crease.
+/// vertices of neighbouring triangles then share an edge, which runs along the crease. Creases around some places are
+/// left out.
 ///
 /// source   Kobbelt et al. 2001, Feature sensitive surface extraction from volume data
-void insert_ridges(WorkingMesh& mesh, const SurfaceProjector& project);
+void insert_ridges(WorkingMesh& mesh, const SurfaceProjector& project, const Surroundings& left_out);
 
 }  // namespace meniscus
