@@ -6,11 +6,14 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "core/parallel.h"
+#include "geometry/box_tree.h"
 #include "remesh/mend_slivers.h"
 #include "remesh/ridges.h"
 #include "remesh/self_intersections.h"
@@ -20,6 +23,8 @@ namespace meniscus {
 namespace {
 
 constexpr std::size_t kChunk = 512;  // vertices projected at once
+constexpr double kCell = 6.0;        // Å: vertices of such a cell come together
+constexpr double kMostCells = 2e6;   // along an edge of the box; 21 bits
 
 // Edges outside these parts of the target length are collapsed or split (Botsch & Kobbelt 2004).
 constexpr double kShort = 4.0 / 5.0;
@@ -63,7 +68,9 @@ class Remesher {
 public:
     Remesher(const Mesh& mesh, const RemeshOptions& options, const SurfaceProjector& project)
         : options_(options), project_(project), aim_(kAim * options.edge), mesh_(mesh, aim_) {
-        project_points(0, mesh_.points.size());
+        std::vector<VertexId> all(mesh_.points.size());
+        std::iota(all.begin(), all.end(), VertexId{0});
+        project_points(mesh_.points, all);
     }
 
     // The mesh passes through itself nowhere but where it did before. Places where it would are mended; if that fails
@@ -122,7 +129,8 @@ private:
         relax();
     }
 
-    bool is_present(std::size_t v) const { return mesh_.edges.has_vertex(static_cast<VertexId>(v)); }
+    bool is_present(VertexId v) const { return mesh_.edges.has_vertex(v); }
+    bool is_free(VertexId v) const { return is_present(v) && mesh_.holds[v] == Hold::Free; }
 
     void adapt() {
         for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
@@ -140,11 +148,14 @@ private:
 
     // Longest first: halving the short sides of flat triangles would never end.
     void split_long() {
-        const std::size_t first = mesh_.points.size();
+        const std::size_t known = mesh_.points.size();
         for (std::vector<LongEdge> found = long_edges(); !found.empty(); found = long_edges())
             for (const LongEdge& edge : found)
                 if (mesh_.squared_length(edge.half) == edge.squared_length) mesh_.split(edge.half);
-        project_points(first, mesh_.points.size());
+        std::vector<VertexId> added(mesh_.points.size() - known);
+        std::iota(added.begin(), added.end(), static_cast<VertexId>(known));
+        sort_by_cells(added);
+        project_points(mesh_.points, added);
     }
 
     struct LongEdge {
@@ -187,11 +198,13 @@ private:
     // Every free vertex moves to the middle of its neighbours, along the surface. What turns triangles over is undone.
     void relax() {
         std::vector<SurfacePoint> moved = mesh_.points;
-        for_chunks(0, moved.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t v = begin; v < end; ++v)
-                if (is_present(v) && mesh_.holds[v] == Hold::Free)
-                    moved[v].position = relaxed(static_cast<VertexId>(v));
-            project_present(moved, begin, end);
+        std::vector<VertexId> free;
+        for (VertexId v = 0; v < moved.size(); ++v)
+            if (is_free(v)) free.push_back(v);
+        sort_by_cells(free);
+        for_chunks(free, [&](std::span<const VertexId> chunk) {
+            for (const VertexId v : chunk) moved[v].position = relaxed(v);
+            project_chunk(moved, chunk);
         });
         std::swap(mesh_.points, moved);
         undo_where_turned(moved);
@@ -226,26 +239,41 @@ private:
         }
     }
 
+    // Neighbours in space come together: those that edges were split into are in no order.
+    void sort_by_cells(std::vector<VertexId>& vertices) const {
+        Box box;
+        for (const VertexId v : vertices) box.include(mesh_.at(v));
+        std::vector<std::pair<std::uint64_t, VertexId>> cells;
+        cells.reserve(vertices.size());
+        for (const VertexId v : vertices) {
+            const Vec3 place = (1.0 / kCell) * (mesh_.at(v) - box.low);
+            const auto number = [](double x) { return static_cast<std::uint64_t>(std::min(x, kMostCells)); };
+            cells.emplace_back((number(place.z) << 42) + (number(place.y) << 21) + number(place.x), v);
+        }
+        std::sort(cells.begin(), cells.end());
+        for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = cells[i].second;
+    }
+
     template <class Body>
-    void for_chunks(std::size_t first, std::size_t last, const Body& body) const {
-        parallel_chunks(last - first, kChunk,
-                        [&](std::size_t begin, std::size_t end) { body(first + begin, first + end); });
+    static void for_chunks(std::span<const VertexId> vertices, const Body& body) {
+        parallel_chunks(vertices.size(), kChunk,
+                        [&](std::size_t begin, std::size_t end) { body(vertices.subspan(begin, end - begin)); });
     }
 
-    void project_points(std::size_t first, std::size_t last) {
-        for_chunks(first, last, [&](std::size_t begin, std::size_t end) { project_present(mesh_.points, begin, end); });
+    // Those that are free.
+    void project_points(std::vector<SurfacePoint>& points, std::span<const VertexId> vertices) const {
+        for_chunks(vertices, [&](std::span<const VertexId> chunk) { project_chunk(points, chunk); });
     }
 
-    void project_present(std::vector<SurfacePoint>& points, std::size_t begin, std::size_t end) const {
-        const auto moves = [&](std::size_t v) { return is_present(v) && mesh_.holds[v] == Hold::Free; };
-        std::vector<SurfacePoint> present;
-        for (std::size_t v = begin; v < end; ++v)
-            if (moves(v)) present.push_back(points[v]);
-        if (present.empty()) return;
-        project_(present);
+    void project_chunk(std::vector<SurfacePoint>& points, std::span<const VertexId> vertices) const {
+        std::vector<SurfacePoint> moving;
+        for (const VertexId v : vertices)
+            if (is_free(v)) moving.push_back(points[v]);
+        if (moving.empty()) return;
+        project_(moving);
         std::size_t k = 0;
-        for (std::size_t v = begin; v < end; ++v)
-            if (moves(v)) points[v] = present[k++];
+        for (const VertexId v : vertices)
+            if (is_free(v)) points[v] = moving[k++];
     }
 
     Mesh result() const { return mesh_of(mesh_); }
