@@ -22,9 +22,10 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kChunk = 512;  // vertices projected at once
-constexpr double kCell = 6.0;        // Å: vertices of such a cell come together
-constexpr double kMostCells = 2e6;   // along an edge of the box; 21 bits
+constexpr std::size_t kChunk = 512;       // vertices projected at once
+constexpr std::size_t kHalfEdges = 8192;  // looked at by one task
+constexpr double kCell = 6.0;             // Å: vertices of such a cell come together
+constexpr double kMostCells = 2e6;        // along an edge of the box; 21 bits
 
 // Edges outside these parts of the target length are collapsed or split (Botsch & Kobbelt 2004).
 constexpr double kShort = 4.0 / 5.0;
@@ -163,27 +164,38 @@ private:
         HalfEdge half;
     };
 
-    std::vector<LongEdge> long_edges() {
-        std::vector<LongEdge> found;
-        mesh_.for_each_edge([&](HalfEdge h) {
-            const VertexId a = mesh_.edges.origin(h);
-            const VertexId b = mesh_.edges.target(h);
-            const double length = kLong * mesh_.target(a, b);
-            const double squared = mesh_.squared_length(h);
-            const bool frozen = mesh_.holds[a] == Hold::Frozen || mesh_.holds[b] == Hold::Frozen;
-            if (!frozen && squared > length * length) found.push_back({squared, h});
+    std::vector<LongEdge> long_edges() const {
+        const std::size_t count = mesh_.edges.half_edge_slots();
+        std::vector<std::vector<LongEdge>> parts((count + kHalfEdges - 1) / kHalfEdges);
+        parallel_chunks(count, kHalfEdges, [&](std::size_t begin, std::size_t end) {
+            for (auto h = static_cast<HalfEdge>(begin); h < end; ++h)
+                if (mesh_.edges.has(h) && h < mesh_.edges.twin(h) && is_long(h))
+                    parts[begin / kHalfEdges].push_back({mesh_.squared_length(h), h});
         });
+        std::vector<LongEdge> found;
+        for (const auto& part : parts) found.insert(found.end(), part.begin(), part.end());
         std::sort(found.begin(), found.end(), [](const LongEdge& a, const LongEdge& b) {
             return std::pair(-a.squared_length, a.half) < std::pair(-b.squared_length, b.half);
         });
         return found;
     }
 
+    bool is_long(HalfEdge h) const {
+        const VertexId a = mesh_.edges.origin(h);
+        const VertexId b = mesh_.edges.target(h);
+        const double length = kLong * mesh_.target(a, b);
+        return mesh_.squared_length(h) > length * length && mesh_.holds[a] != Hold::Frozen &&
+               mesh_.holds[b] != Hold::Frozen;
+    }
+
     void flip_towards_six() {
         const HalfEdges& edges = mesh_.edges;
-        const auto off = [&](VertexId v, int change) {
-            return std::abs(static_cast<int>(edges.valence(v)) + change - 6);
-        };
+        std::vector<int> valences(edges.vertex_slots());
+        parallel_for(valences.size(), kChunk, [&](std::size_t v) {
+            if (is_present(static_cast<VertexId>(v)))
+                valences[v] = static_cast<int>(edges.valence(static_cast<VertexId>(v)));
+        });
+        const auto off = [&](VertexId v, int change) { return std::abs(valences[v] + change - 6); };
         mesh_.for_each_edge([&](HalfEdge h) {
             const VertexId a = edges.origin(h);
             const VertexId b = edges.target(h);
@@ -191,7 +203,12 @@ private:
             const VertexId d = edges.opposite(edges.twin(h));
             const int before = off(a, 0) + off(b, 0) + off(c, 0) + off(d, 0);
             const int after = off(a, -1) + off(b, -1) + off(c, 1) + off(d, 1);
-            if (after < before && mesh_.try_flip(h, WorkingMesh::Facing::Out).allowed) mesh_.edges.flip(h);
+            if (after >= before || !mesh_.try_flip(h, WorkingMesh::Facing::Out).allowed) return;
+            mesh_.edges.flip(h);
+            --valences[a];
+            --valences[b];
+            ++valences[c];
+            ++valences[d];
         });
     }
 
@@ -224,19 +241,30 @@ private:
 
     void undo_where_turned(const std::vector<SurfacePoint>& before) {
         const HalfEdges& edges = mesh_.edges;
+        std::vector<std::uint8_t> in_doubt(edges.half_edge_slots() / 3);  // per triangle
+        parallel_for(in_doubt.size(), kChunk, [&](std::size_t t) {
+            const auto h = static_cast<HalfEdge>(3 * t);
+            in_doubt[t] = edges.has(h) && !faces_out(h) ? 1 : 0;
+        });
         for (bool again = true; again;) {
             again = false;
-            for (HalfEdge h = 0; h < edges.half_edge_slots(); h += 3) {
-                if (!edges.has(h)) continue;
-                const VertexId corners[3]{edges.origin(h), edges.target(h), edges.opposite(h)};
-                if (mesh_.faces_out(corners[0], corners[1], corners[2])) continue;
-                for (const VertexId v : corners) {
+            for (std::size_t t = 0; t < in_doubt.size(); ++t) {
+                if (in_doubt[t] == 0) continue;
+                in_doubt[t] = 0;
+                const auto h = static_cast<HalfEdge>(3 * t);
+                if (faces_out(h)) continue;
+                for (const VertexId v : {edges.origin(h), edges.target(h), edges.opposite(h)}) {
                     if (mesh_.at(v) == before[v].position) continue;
                     mesh_.points[v] = before[v];
+                    edges.for_each_leaving(v, [&](HalfEdge out) { in_doubt[out / 3] = 1; });
                     again = true;
                 }
             }
         }
+    }
+
+    bool faces_out(HalfEdge h) const {
+        return mesh_.faces_out(mesh_.edges.origin(h), mesh_.edges.target(h), mesh_.edges.opposite(h));
     }
 
     // Neighbours in space come together: those that edges were split into are in no order.
@@ -260,20 +288,16 @@ private:
                         [&](std::size_t begin, std::size_t end) { body(vertices.subspan(begin, end - begin)); });
     }
 
-    // Those that are free.
     void project_points(std::vector<SurfacePoint>& points, std::span<const VertexId> vertices) const {
         for_chunks(vertices, [&](std::span<const VertexId> chunk) { project_chunk(points, chunk); });
     }
 
     void project_chunk(std::vector<SurfacePoint>& points, std::span<const VertexId> vertices) const {
         std::vector<SurfacePoint> moving;
-        for (const VertexId v : vertices)
-            if (is_free(v)) moving.push_back(points[v]);
-        if (moving.empty()) return;
+        moving.reserve(vertices.size());
+        for (const VertexId v : vertices) moving.push_back(points[v]);
         project_(moving);
-        std::size_t k = 0;
-        for (const VertexId v : vertices)
-            if (is_free(v)) points[v] = moving[k++];
+        for (std::size_t i = 0; i < moving.size(); ++i) points[vertices[i]] = moving[i];
     }
 
     Mesh result() const { return mesh_of(mesh_); }
