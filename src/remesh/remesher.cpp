@@ -32,6 +32,10 @@ constexpr double kShort = 4.0 / 5.0;
 constexpr double kLong = 4.0 / 3.0;
 constexpr int kIterations = 6;
 
+// Afterwards the ends of edges shorter than this part are pushed apart so many times.
+constexpr double kPushed = 0.8;
+constexpr int kPushes = 4;
+
 // Of the length asked for: what splitting and collapsing aims at, so that triangles lie near enough to the surface.
 constexpr double kAim = 0.85;
 
@@ -83,6 +87,7 @@ public:
             freeze({places, kFrozen * (i - 1) * aim_});
             if (options_.keep_ridges && i < kAttempts) keep_ridges(before);
             for (int k = 0; k < kIterations; ++k) iterate();
+            for (int k = 0; k < kPushes; ++k) push_apart();
             Mesh mesh = result();
             if (!mend(mesh, before) || i == kAttempts) return mesh;
             const std::vector<Vec3> found = new_crossings(mesh, before);
@@ -225,6 +230,37 @@ private:
         });
         std::swap(mesh_.points, moved);
         undo_where_turned(moved);
+    }
+
+    // The ends of edges that are still short move away from each other, along the surface.
+    void push_apart() {
+        std::vector<Vec3> steps(mesh_.points.size());
+        parallel_for(steps.size(), kChunk, [&](std::size_t v) {
+            if (is_free(static_cast<VertexId>(v))) steps[v] = push(static_cast<VertexId>(v));
+        });
+        std::vector<SurfacePoint> moved = mesh_.points;
+        std::vector<VertexId> pushed;
+        for (VertexId v = 0; v < steps.size(); ++v) {
+            if (steps[v] == Vec3{}) continue;
+            moved[v].position += steps[v];
+            pushed.push_back(v);
+        }
+        sort_by_cells(pushed);
+        project_points(moved, pushed);
+        std::swap(mesh_.points, moved);
+        undo_where_turned(moved);
+    }
+
+    Vec3 push(VertexId v) const {
+        Vec3 sum;
+        mesh_.edges.for_each_leaving(v, [&](HalfEdge h) {
+            const double length = kPushed * mesh_.target(v, mesh_.edges.target(h));
+            const double squared = mesh_.squared_length(h);
+            if (squared < length * length && squared > 0.0)
+                sum += (0.5 * (1.0 - length / std::sqrt(squared))) * (mesh_.at(mesh_.edges.target(h)) - mesh_.at(v));
+        });
+        const Vec3& normal = mesh_.points[v].normal;
+        return sum - dot(sum, normal) * normal;
     }
 
     Vec3 relaxed(VertexId v) const {
