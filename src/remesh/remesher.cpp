@@ -3,6 +3,7 @@
 #include "remesh/remesher.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -155,13 +156,32 @@ private:
     // Longest first: halving the short sides of flat triangles would never end.
     void split_long() {
         const std::size_t known = mesh_.points.size();
+        std::vector<SplitRidge> ridges;
         for (std::vector<LongEdge> found = long_edges(); !found.empty(); found = long_edges())
             for (const LongEdge& edge : found)
-                if (mesh_.squared_length(edge.half) == edge.squared_length) mesh_.split(edge.half);
+                if (mesh_.squared_length(edge.half) == edge.squared_length) split(edge.half, ridges);
         std::vector<VertexId> added(mesh_.points.size() - known);
         std::iota(added.begin(), added.end(), static_cast<VertexId>(known));
         sort_by_cells(added);
+        parallel_for(ridges.size(), 1, [&](std::size_t i) {
+            ridges[i].place = point_on_ridge(mesh_.at(ridges[i].vertex), ridges[i].corners, project_);
+        });
+        for (const SplitRidge& ridge : ridges)
+            if (ridge.place) mesh_.points[ridge.vertex].position = *ridge.place;
         project_points(mesh_.points, added);
+    }
+
+    struct SplitRidge {
+        VertexId vertex;
+        std::array<Vec3, 2> corners;  // of the triangles of the edge
+        std::optional<Vec3> place;
+    };
+
+    void split(HalfEdge h, std::vector<SplitRidge>& ridges) {
+        const std::array<Vec3, 2> corners{mesh_.at(mesh_.edges.opposite(h)),
+                                          mesh_.at(mesh_.edges.opposite(mesh_.edges.twin(h)))};
+        const VertexId v = mesh_.split(h);
+        if (mesh_.holds[v] == Hold::Ridge) ridges.push_back({v, corners, std::nullopt});
     }
 
     struct LongEdge {
