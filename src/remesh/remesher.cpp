@@ -83,12 +83,14 @@ public:
     // all is done again without them.
     Mesh run() {
         const WorkingMesh before = mesh_;
+        // Short edges round a narrow handle tell how narrow it is.
+        const int pushes = options_.simplify_topology ? 0 : kPushes;
         std::vector<Vec3> places;
         for (int i = 1;; ++i) {
             freeze({places, kFrozen * (i - 1) * aim_});
             if (options_.keep_ridges && i < kAttempts) keep_ridges(before);
             for (int k = 0; k < kIterations; ++k) iterate();
-            for (int k = 0; k < kPushes; ++k) push_apart();
+            for (int k = 0; k < pushes; ++k) push_apart();
             Mesh mesh = result();
             if (!mend(mesh, before) || i == kAttempts) return mesh;
             const std::vector<Vec3> found = new_crossings(mesh, before);

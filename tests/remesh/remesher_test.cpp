@@ -183,9 +183,10 @@ TEST(Remesher, RidgesLeadThroughNothing) {
 }
 
 TEST(Remesher, SmallPiecesHaveNoShortEdges) {
-    const Sphere sphere{{0.1, -0.2, 0.05}, 1.5};
-    const Mesh even = remesh(extracted_sphere(sphere, 0.4), {.edge = 2.0}, onto(sphere, 1.0 / sphere.radius));
-    expect_even(even, 2.0);
+    for (const double radius : {1.3, 1.4, 1.5, 1.6, 1.7, 2.0, 2.5}) {
+        const Sphere sphere{{0.1, -0.2, 0.05}, radius};
+        expect_even(remesh(extracted_sphere(sphere, 0.4), {.edge = 2.0}, onto(sphere, 1.0 / radius)), 2.0);
+    }
 }
 
 // What is near a call's points is gathered once for all of them.
