@@ -45,6 +45,12 @@ bool HalfEdges::are_neighbours(VertexId a, VertexId b) const {
     return found;
 }
 
+HalfEdge HalfEdges::between(VertexId a, VertexId b) const {
+    HalfEdge found = kNoHalfEdge;
+    for_each_leaving(a, [&](HalfEdge h) { found = target(h) == b ? h : found; });
+    return found;
+}
+
 bool HalfEdges::can_flip(HalfEdge h) const {
     const VertexId c = opposite(h);
     const VertexId d = opposite(twin_[h]);

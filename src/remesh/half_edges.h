@@ -57,6 +57,8 @@ public:
     }
     std::size_t valence(VertexId v) const;
     bool are_neighbours(VertexId a, VertexId b) const;
+    /// The half-edge from a vertex to another; kNoHalfEdge where they are not neighbours.
+    HalfEdge between(VertexId a, VertexId b) const;
 
     /// Whether the edge can turn within its two triangles without doubling another edge.
     bool can_flip(HalfEdge h) const;

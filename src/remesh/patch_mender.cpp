@@ -225,9 +225,18 @@ bool PatchMender::flip(Patch& patch, const Edge& edge) const {
 }
 
 bool PatchMender::collapse(Patch& patch, const Edge& edge) const {
-    if (!free_[edge.first] || !free_[edge.second] || held_[edge.first]) return false;
+    if (!free_[edge.first] || !free_[edge.second] || (held_[edge.first] && !is_along_ridge(patch, edge))) return false;
     const std::optional<Patch::Sides> sides = patch.sides(edge.first, edge.second);
     return sides && free_[sides->left_corner] && free_[sides->right_corner] && patch.collapse(edge.first, edge.second);
+}
+
+// Ridges may become shorter along themselves; their ends and forks stay.
+bool PatchMender::is_along_ridge(const Patch& patch, const Edge& edge) const {
+    if (!is_held(edge)) return false;
+    std::size_t corners = 0;  // each neighbour is one of two triangles
+    for (const std::size_t t : patch.star(edge.first))
+        for (const VertexId v : patch.triangles[t]) corners += v != edge.first && held_[v] ? 1 : 0;
+    return corners == 4;
 }
 
 bool PatchMender::split(Patch& patch, const Edge& edge) {

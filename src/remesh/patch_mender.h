@@ -45,6 +45,7 @@ private:
     std::vector<Edge> edges_round(const Triangle& corners) const;
     bool is_free(const Triangle& corners) const { return free_[corners[0]] && free_[corners[1]] && free_[corners[2]]; }
     bool is_held(const Edge& edge) const { return held_[edge.first] && held_[edge.second]; }
+    bool is_along_ridge(const Patch& patch, const Edge& edge) const;
     bool flip(Patch& patch, const Edge& edge) const;
     bool collapse(Patch& patch, const Edge& edge) const;
     bool split(Patch& patch, const Edge& edge);

@@ -3,13 +3,18 @@
 #include "remesh/remesher.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "core/parallel.h"
+#include "geometry/box_tree.h"
 #include "remesh/mend_slivers.h"
 #include "remesh/ridges.h"
 #include "remesh/self_intersections.h"
@@ -18,12 +23,19 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kChunk = 512;  // vertices projected at once
+constexpr std::size_t kChunk = 512;       // vertices projected at once
+constexpr std::size_t kHalfEdges = 8192;  // looked at by one task
+constexpr double kCell = 6.0;             // Å: vertices of such a cell come together
+constexpr double kMostCells = 2e6;        // along an edge of the box; 21 bits
 
 // Edges outside these parts of the target length are collapsed or split (Botsch & Kobbelt 2004).
 constexpr double kShort = 4.0 / 5.0;
 constexpr double kLong = 4.0 / 3.0;
 constexpr int kIterations = 6;
+
+// Afterwards the ends of edges shorter than this part are pushed apart so many times.
+constexpr double kPushed = 0.8;
+constexpr int kPushes = 4;
 
 // Of the length asked for: what splitting and collapsing aims at, so that triangles lie near enough to the surface.
 constexpr double kAim = 0.85;
@@ -35,11 +47,19 @@ constexpr double kLeastPart = 0.5;
 constexpr double kLargestPart = 2.0;
 
 // Where changes made the mesh pass through itself they are undone, and nothing so near is changed in the next attempt.
-constexpr double kFrozen = 0.7;  // target lengths, times the number of the attempt
+constexpr double kFrozen = 0.7;  // target lengths, times the number of attempts
 constexpr int kAttempts = 4;
 
+// Nothing is put in so near to where ridges would lead through something, Å, times the number of the try.
+constexpr double kWithoutRidges = 0.1;
+constexpr int kInsertions = 8;
+
+// Ridges are let go so near to what cannot be mended beside them, in target lengths, times the number of the try.
+constexpr double kLetGo = 0.8;
+constexpr int kLettingGo = 3;
+
 // Triangles with smaller angles are mended with all that lies round them (see SliverOptions), degrees. Beside ridges,
-// which stay where they are, there is little room for that.
+// which stay where they are, there is little room for that; where too little they are let go.
 struct WantedAngles {
     double needed;
     double smallest;
@@ -47,45 +67,67 @@ struct WantedAngles {
 };
 constexpr WantedAngles kWanted{22.0, 30.0, 31.0};
 constexpr WantedAngles kWantedBesideRidges{5.0, 12.0, 14.0};
+constexpr WantedAngles kWantedWithoutRidges{20.0, 20.0, 21.0};
 constexpr double kLongest = 2.2;  // of the target lengths
 
 class Remesher {
 public:
     Remesher(const Mesh& mesh, const RemeshOptions& options, const SurfaceProjector& project)
         : options_(options), project_(project), aim_(kAim * options.edge), mesh_(mesh, aim_) {
-        project_points(0, mesh_.points.size());
-        if (options.keep_ridges) insert_ridges(mesh_, project_);
+        std::vector<VertexId> all(mesh_.points.size());
+        std::iota(all.begin(), all.end(), VertexId{0});
+        project_points(mesh_.points, all);
     }
 
     // The mesh passes through itself nowhere but where it did before. Places where it would are mended; if that fails
     // all is done again without them.
     Mesh run() {
         const WorkingMesh before = mesh_;
-        std::optional<std::vector<Vec3>> old_places;
+        // Short edges round a narrow handle tell how narrow it is.
+        const int pushes = options_.simplify_topology ? 0 : kPushes;
         std::vector<Vec3> places;
         for (int i = 1;; ++i) {
+            freeze({places, kFrozen * (i - 1) * aim_});
+            if (options_.keep_ridges && i < kAttempts) keep_ridges(before);
             for (int k = 0; k < kIterations; ++k) iterate();
+            for (int k = 0; k < pushes; ++k) push_apart();
             Mesh mesh = result();
-            if (!mend(mesh) || i == kAttempts || options_.keep_ridges) return mesh;
-            std::vector<Vec3> found = places_of_self_intersections(mesh);
-            if (!found.empty() && !old_places) old_places = places_of_self_intersections(mesh_of(before));
-            std::erase_if(found, [&](const Vec3& place) { return is_near(place, *old_places, aim_); });
+            if (!mend(mesh, before) || i == kAttempts) return mesh;
+            const std::vector<Vec3> found = new_crossings(mesh, before);
             if (found.empty()) return mesh;
             places.insert(places.end(), found.begin(), found.end());
             mesh_ = before;
-            freeze_near(places, kFrozen * i * aim_);
         }
     }
 
 private:
-    static bool is_near(const Vec3& point, std::span<const Vec3> places, double reach) {
-        return std::any_of(places.begin(), places.end(),
-                           [&](const Vec3& place) { return squared_norm(point - place) < reach * reach; });
+    // Where a mesh passes through itself and that of the grid did not.
+    std::vector<Vec3> new_crossings(const Mesh& mesh, const WorkingMesh& before) {
+        std::vector<Vec3> found = places_of_self_intersections(mesh);
+        if (found.empty()) return found;
+        if (!old_crossings_) old_crossings_ = places_of_self_intersections(mesh_of(before));
+        const Surroundings old{*old_crossings_, aim_};
+        std::erase_if(found, [&](const Vec3& place) { return old.contain(place); });
+        return found;
     }
 
-    void freeze_near(std::span<const Vec3> places, double reach) {
+    void freeze(const Surroundings& surroundings) {
         for (std::size_t v = 0; v < mesh_.points.size(); ++v)
-            if (is_near(mesh_.points[v].position, places, reach)) mesh_.holds[v] = Hold::Frozen;
+            if (surroundings.contain(mesh_.points[v].position)) mesh_.holds[v] = Hold::Frozen;
+    }
+
+    // Puts in the ridges but those that make the mesh pass through itself.
+    void keep_ridges(const WorkingMesh& before) {
+        const WorkingMesh without = mesh_;
+        std::vector<Vec3> places;
+        for (int i = 1;; ++i) {
+            insert_ridges(mesh_, project_, {places, kWithoutRidges * i});
+            const std::vector<Vec3> found = new_crossings(mesh_of(mesh_), before);
+            if (found.empty()) return;
+            mesh_ = without;
+            if (i == kInsertions) return;
+            places.insert(places.end(), found.begin(), found.end());
+        }
     }
 
     void iterate() {
@@ -96,7 +138,8 @@ private:
         relax();
     }
 
-    bool is_present(std::size_t v) const { return mesh_.edges.has_vertex(static_cast<VertexId>(v)); }
+    bool is_present(VertexId v) const { return mesh_.edges.has_vertex(v); }
+    bool is_free(VertexId v) const { return is_present(v) && mesh_.holds[v] == Hold::Free; }
 
     void adapt() {
         for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
@@ -114,11 +157,33 @@ private:
 
     // Longest first: halving the short sides of flat triangles would never end.
     void split_long() {
-        const std::size_t first = mesh_.points.size();
+        const std::size_t known = mesh_.points.size();
+        std::vector<SplitRidge> ridges;
         for (std::vector<LongEdge> found = long_edges(); !found.empty(); found = long_edges())
             for (const LongEdge& edge : found)
-                if (mesh_.squared_length(edge.half) == edge.squared_length) mesh_.split(edge.half);
-        project_points(first, mesh_.points.size());
+                if (mesh_.squared_length(edge.half) == edge.squared_length) split(edge.half, ridges);
+        std::vector<VertexId> added(mesh_.points.size() - known);
+        std::iota(added.begin(), added.end(), static_cast<VertexId>(known));
+        sort_by_cells(added);
+        parallel_for(ridges.size(), 1, [&](std::size_t i) {
+            ridges[i].place = point_on_ridge(mesh_.at(ridges[i].vertex), ridges[i].corners, project_);
+        });
+        for (const SplitRidge& ridge : ridges)
+            if (ridge.place) mesh_.points[ridge.vertex].position = *ridge.place;
+        project_points(mesh_.points, added);
+    }
+
+    struct SplitRidge {
+        VertexId vertex;
+        std::array<Vec3, 2> corners;  // of the triangles of the edge
+        std::optional<Vec3> place;
+    };
+
+    void split(HalfEdge h, std::vector<SplitRidge>& ridges) {
+        const std::array<Vec3, 2> corners{mesh_.at(mesh_.edges.opposite(h)),
+                                          mesh_.at(mesh_.edges.opposite(mesh_.edges.twin(h)))};
+        const VertexId v = mesh_.split(h);
+        if (mesh_.holds[v] == Hold::Ridge) ridges.push_back({v, corners, std::nullopt});
     }
 
     struct LongEdge {
@@ -126,27 +191,38 @@ private:
         HalfEdge half;
     };
 
-    std::vector<LongEdge> long_edges() {
-        std::vector<LongEdge> found;
-        mesh_.for_each_edge([&](HalfEdge h) {
-            const VertexId a = mesh_.edges.origin(h);
-            const VertexId b = mesh_.edges.target(h);
-            const double length = kLong * mesh_.target(a, b);
-            const double squared = mesh_.squared_length(h);
-            const bool frozen = mesh_.holds[a] == Hold::Frozen || mesh_.holds[b] == Hold::Frozen;
-            if (!frozen && squared > length * length) found.push_back({squared, h});
+    std::vector<LongEdge> long_edges() const {
+        const std::size_t count = mesh_.edges.half_edge_slots();
+        std::vector<std::vector<LongEdge>> parts((count + kHalfEdges - 1) / kHalfEdges);
+        parallel_chunks(count, kHalfEdges, [&](std::size_t begin, std::size_t end) {
+            for (auto h = static_cast<HalfEdge>(begin); h < end; ++h)
+                if (mesh_.edges.has(h) && h < mesh_.edges.twin(h) && is_long(h))
+                    parts[begin / kHalfEdges].push_back({mesh_.squared_length(h), h});
         });
+        std::vector<LongEdge> found;
+        for (const auto& part : parts) found.insert(found.end(), part.begin(), part.end());
         std::sort(found.begin(), found.end(), [](const LongEdge& a, const LongEdge& b) {
             return std::pair(-a.squared_length, a.half) < std::pair(-b.squared_length, b.half);
         });
         return found;
     }
 
+    bool is_long(HalfEdge h) const {
+        const VertexId a = mesh_.edges.origin(h);
+        const VertexId b = mesh_.edges.target(h);
+        const double length = kLong * mesh_.target(a, b);
+        return mesh_.squared_length(h) > length * length && mesh_.holds[a] != Hold::Frozen &&
+               mesh_.holds[b] != Hold::Frozen;
+    }
+
     void flip_towards_six() {
         const HalfEdges& edges = mesh_.edges;
-        const auto off = [&](VertexId v, int change) {
-            return std::abs(static_cast<int>(edges.valence(v)) + change - 6);
-        };
+        std::vector<int> valences(edges.vertex_slots());
+        parallel_for(valences.size(), kChunk, [&](std::size_t v) {
+            if (is_present(static_cast<VertexId>(v)))
+                valences[v] = static_cast<int>(edges.valence(static_cast<VertexId>(v)));
+        });
+        const auto off = [&](VertexId v, int change) { return std::abs(valences[v] + change - 6); };
         mesh_.for_each_edge([&](HalfEdge h) {
             const VertexId a = edges.origin(h);
             const VertexId b = edges.target(h);
@@ -154,21 +230,59 @@ private:
             const VertexId d = edges.opposite(edges.twin(h));
             const int before = off(a, 0) + off(b, 0) + off(c, 0) + off(d, 0);
             const int after = off(a, -1) + off(b, -1) + off(c, 1) + off(d, 1);
-            if (after < before && mesh_.try_flip(h, WorkingMesh::Facing::Out).allowed) mesh_.edges.flip(h);
+            if (after >= before || !mesh_.try_flip(h, WorkingMesh::Facing::Out).allowed) return;
+            mesh_.edges.flip(h);
+            --valences[a];
+            --valences[b];
+            ++valences[c];
+            ++valences[d];
         });
     }
 
     // Every free vertex moves to the middle of its neighbours, along the surface. What turns triangles over is undone.
     void relax() {
         std::vector<SurfacePoint> moved = mesh_.points;
-        for_chunks(0, moved.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t v = begin; v < end; ++v)
-                if (is_present(v) && mesh_.holds[v] == Hold::Free)
-                    moved[v].position = relaxed(static_cast<VertexId>(v));
-            project_present(moved, begin, end);
+        std::vector<VertexId> free;
+        for (VertexId v = 0; v < moved.size(); ++v)
+            if (is_free(v)) free.push_back(v);
+        sort_by_cells(free);
+        for_chunks(free, [&](std::span<const VertexId> chunk) {
+            for (const VertexId v : chunk) moved[v].position = relaxed(v);
+            project_chunk(moved, chunk);
         });
         std::swap(mesh_.points, moved);
         undo_where_turned(moved);
+    }
+
+    // The ends of edges that are still short move away from each other, along the surface.
+    void push_apart() {
+        std::vector<Vec3> steps(mesh_.points.size());
+        parallel_for(steps.size(), kChunk, [&](std::size_t v) {
+            if (is_free(static_cast<VertexId>(v))) steps[v] = push(static_cast<VertexId>(v));
+        });
+        std::vector<SurfacePoint> moved = mesh_.points;
+        std::vector<VertexId> pushed;
+        for (VertexId v = 0; v < steps.size(); ++v) {
+            if (steps[v] == Vec3{}) continue;
+            moved[v].position += steps[v];
+            pushed.push_back(v);
+        }
+        sort_by_cells(pushed);
+        project_points(moved, pushed);
+        std::swap(mesh_.points, moved);
+        undo_where_turned(moved);
+    }
+
+    Vec3 push(VertexId v) const {
+        Vec3 sum;
+        mesh_.edges.for_each_leaving(v, [&](HalfEdge h) {
+            const double length = kPushed * mesh_.target(v, mesh_.edges.target(h));
+            const double squared = mesh_.squared_length(h);
+            if (squared < length * length && squared > 0.0)
+                sum += (0.5 * (1.0 - length / std::sqrt(squared))) * (mesh_.at(mesh_.edges.target(h)) - mesh_.at(v));
+        });
+        const Vec3& normal = mesh_.points[v].normal;
+        return sum - dot(sum, normal) * normal;
     }
 
     Vec3 relaxed(VertexId v) const {
@@ -185,62 +299,119 @@ private:
 
     void undo_where_turned(const std::vector<SurfacePoint>& before) {
         const HalfEdges& edges = mesh_.edges;
+        std::vector<std::uint8_t> in_doubt(edges.half_edge_slots() / 3);  // per triangle
+        parallel_for(in_doubt.size(), kChunk, [&](std::size_t t) {
+            const auto h = static_cast<HalfEdge>(3 * t);
+            in_doubt[t] = edges.has(h) && !faces_out(h) ? 1 : 0;
+        });
         for (bool again = true; again;) {
             again = false;
-            for (HalfEdge h = 0; h < edges.half_edge_slots(); h += 3) {
-                if (!edges.has(h)) continue;
-                const VertexId corners[3]{edges.origin(h), edges.target(h), edges.opposite(h)};
-                if (mesh_.faces_out(corners[0], corners[1], corners[2])) continue;
-                for (const VertexId v : corners) {
+            for (std::size_t t = 0; t < in_doubt.size(); ++t) {
+                if (in_doubt[t] == 0) continue;
+                in_doubt[t] = 0;
+                const auto h = static_cast<HalfEdge>(3 * t);
+                if (faces_out(h)) continue;
+                for (const VertexId v : {edges.origin(h), edges.target(h), edges.opposite(h)}) {
                     if (mesh_.at(v) == before[v].position) continue;
                     mesh_.points[v] = before[v];
+                    edges.for_each_leaving(v, [&](HalfEdge out) { in_doubt[out / 3] = 1; });
                     again = true;
                 }
             }
         }
     }
 
+    bool faces_out(HalfEdge h) const {
+        return mesh_.faces_out(mesh_.edges.origin(h), mesh_.edges.target(h), mesh_.edges.opposite(h));
+    }
+
+    // Neighbours in space come together: those that edges were split into are in no order.
+    void sort_by_cells(std::vector<VertexId>& vertices) const {
+        Box box;
+        for (const VertexId v : vertices) box.include(mesh_.at(v));
+        std::vector<std::pair<std::uint64_t, VertexId>> cells;
+        cells.reserve(vertices.size());
+        for (const VertexId v : vertices) {
+            const Vec3 place = (1.0 / kCell) * (mesh_.at(v) - box.low);
+            const auto number = [](double x) { return static_cast<std::uint64_t>(std::min(x, kMostCells)); };
+            cells.emplace_back((number(place.z) << 42) + (number(place.y) << 21) + number(place.x), v);
+        }
+        std::sort(cells.begin(), cells.end());
+        for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = cells[i].second;
+    }
+
     template <class Body>
-    void for_chunks(std::size_t first, std::size_t last, const Body& body) const {
-        parallel_chunks(last - first, kChunk,
-                        [&](std::size_t begin, std::size_t end) { body(first + begin, first + end); });
+    static void for_chunks(std::span<const VertexId> vertices, const Body& body) {
+        parallel_chunks(vertices.size(), kChunk,
+                        [&](std::size_t begin, std::size_t end) { body(vertices.subspan(begin, end - begin)); });
     }
 
-    void project_points(std::size_t first, std::size_t last) {
-        for_chunks(first, last, [&](std::size_t begin, std::size_t end) { project_present(mesh_.points, begin, end); });
+    void project_points(std::vector<SurfacePoint>& points, std::span<const VertexId> vertices) const {
+        for_chunks(vertices, [&](std::span<const VertexId> chunk) { project_chunk(points, chunk); });
     }
 
-    void project_present(std::vector<SurfacePoint>& points, std::size_t begin, std::size_t end) const {
-        const auto moves = [&](std::size_t v) { return is_present(v) && mesh_.holds[v] == Hold::Free; };
-        std::vector<SurfacePoint> present;
-        for (std::size_t v = begin; v < end; ++v)
-            if (moves(v)) present.push_back(points[v]);
-        if (present.empty()) return;
-        project_(present);
-        std::size_t k = 0;
-        for (std::size_t v = begin; v < end; ++v)
-            if (moves(v)) points[v] = present[k++];
+    void project_chunk(std::vector<SurfacePoint>& points, std::span<const VertexId> vertices) const {
+        std::vector<SurfacePoint> moving;
+        moving.reserve(vertices.size());
+        for (const VertexId v : vertices) moving.push_back(points[v]);
+        project_(moving);
+        for (std::size_t i = 0; i < moving.size(); ++i) points[vertices[i]] = moving[i];
     }
 
     Mesh result() const { return mesh_of(mesh_); }
 
     // Mends small angles and crossings, each with its neighbourhood. Returns whether there were crossings.
-    bool mend(Mesh& mesh) const {
-        const WantedAngles& wanted = options_.keep_ridges ? kWantedBesideRidges : kWanted;
-        SliverOptions slivers{.needed_angle_deg = wanted.needed,
-                              .smallest_angle_deg = wanted.smallest,
-                              .mended_angle_deg = wanted.mended,
-                              .edge = options_.edge,
+    bool mend(Mesh& mesh, const WorkingMesh& before) {
+        SliverOptions slivers{.edge = options_.edge,
                               .longest_edge = kLongest * *std::max_element(mesh_.targets.begin(), mesh_.targets.end()),
                               .untangle = true};
+        want(options_.keep_ridges ? kWantedBesideRidges : kWanted, slivers);
         for (VertexId v = 0; v < mesh_.points.size(); ++v) {
             if (!is_present(v)) continue;
             mesh.normals.push_back(mesh_.points[v].normal);
             slivers.held.push_back(mesh_.holds[v] == Hold::Ridge);
         }
-        const bool was_tangled = mend_slivers(mesh, slivers, project_).was_tangled;
+        VertexChanges changes = mend_slivers(mesh, slivers, project_);
+        const bool was_tangled = changes.was_tangled;
+        want(kWantedWithoutRidges, slivers);
+        for (int i = 1; options_.keep_ridges && i <= kLettingGo; ++i) {
+            renumber_entries(changes, slivers.held);
+            const std::vector<Vec3> places = bad_places(mesh, before);
+            if (!let_go(mesh, {places, kLetGo * i * aim_}, slivers.held)) break;
+            changes = mend_slivers(mesh, slivers, project_);
+        }
         mesh.normals.clear();
         return was_tangled;
+    }
+
+    static void want(const WantedAngles& angles, SliverOptions& slivers) {
+        slivers.needed_angle_deg = angles.needed;
+        slivers.smallest_angle_deg = angles.smallest;
+        slivers.mended_angle_deg = angles.mended;
+    }
+
+    // Where a mesh has small angles or passes through itself.
+    std::vector<Vec3> bad_places(const Mesh& mesh, const WorkingMesh& before) {
+        const double narrow = std::cos(kWantedWithoutRidges.smallest * std::numbers::pi / 180.0);
+        std::vector<Vec3> places = new_crossings(mesh, before);
+        for (const auto& [a, b, c] : mesh.triangles) {
+            const Vec3& p = mesh.vertices[a];
+            const Vec3& q = mesh.vertices[b];
+            const Vec3& r = mesh.vertices[c];
+            if (cosine_of_smallest_angle(p, q, r) > narrow) places.push_back((1.0 / 3.0) * (p + q + r));
+        }
+        return places;
+    }
+
+    // Returns whether there were ridges.
+    static bool let_go(const Mesh& mesh, const Surroundings& surroundings, std::vector<bool>& held) {
+        bool any = false;
+        for (VertexId v = 0; v < held.size(); ++v) {
+            if (!held[v] || !surroundings.contain(mesh.vertices[v])) continue;
+            held[v] = false;
+            any = true;
+        }
+        return any;
     }
 
     static Mesh mesh_of(const WorkingMesh& working) {
@@ -256,6 +427,7 @@ private:
     const SurfaceProjector& project_;
     double aim_;  // length of edges, Å
     WorkingMesh mesh_;
+    std::optional<std::vector<Vec3>> old_crossings_;  // of the mesh of the grid, once they were looked for
 };
 
 }  // namespace

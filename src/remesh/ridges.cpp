@@ -14,6 +14,8 @@ constexpr double kCrease = 0.64;
 constexpr double kReach = 0.7;
 constexpr double kOffSurface = 0.05;
 
+constexpr double kAside = 0.25;  // of the way to a corner: there the sheets are looked at
+
 // The point nearest to `from` on the tangent planes of both a and b.
 Vec3 meeting_of_planes(const SurfacePoint& a, const SurfacePoint& b, const Vec3& from) {
     const double cosine = dot(a.normal, b.normal);
@@ -23,43 +25,50 @@ Vec3 meeting_of_planes(const SurfacePoint& a, const SurfacePoint& b, const Vec3&
     return from + (scale * (off_a - cosine * off_b)) * a.normal + (scale * (off_b - cosine * off_a)) * b.normal;
 }
 
-class RidgeFinder {
-public:
-    RidgeFinder(const WorkingMesh& mesh, const SurfaceProjector& project) : mesh_(mesh), project_(project) {}
-
-    // Where an edge crosses a crease.
-    std::optional<Vec3> crossing(HalfEdge h) const {
-        const SurfacePoint& a = mesh_.points[mesh_.edges.origin(h)];
-        const SurfacePoint& b = mesh_.points[mesh_.edges.target(h)];
-        const double cosine = dot(a.normal, b.normal);
-        if (cosine > kCrease || cosine < -1.0 + 1e-6) return std::nullopt;
-        const Vec3 middle = 0.5 * (a.position + b.position);
-        const Vec3 place = meeting_of_planes(a, b, middle);
-        if (squared_norm(place - middle) > kReach * kReach * mesh_.squared_length(h)) return std::nullopt;
-        SurfacePoint on_surface{place, a.normal, 0.0};
-        project_({&on_surface, 1});
-        if (norm(on_surface.position - place) > kOffSurface) return std::nullopt;
-        return on_surface.position;
-    }
-
-private:
-    const WorkingMesh& mesh_;
-    const SurfaceProjector& project_;
-};
+// Where the sheets that two points lie on meet, near the middle between them.
+std::optional<Vec3> meeting_of_sheets(const SurfacePoint& a, const SurfacePoint& b, const SurfaceProjector& project) {
+    const double cosine = dot(a.normal, b.normal);
+    if (cosine > kCrease || cosine < -1.0 + 1e-6) return std::nullopt;
+    const Vec3 middle = 0.5 * (a.position + b.position);
+    const Vec3 place = meeting_of_planes(a, b, middle);
+    if (squared_norm(place - middle) > kReach * kReach * squared_norm(b.position - a.position)) return std::nullopt;
+    SurfacePoint on_surface{place, a.normal, 0.0};
+    project({&on_surface, 1});
+    if (norm(on_surface.position - place) > kOffSurface) return std::nullopt;
+    return on_surface.position;
+}
 
 }  // namespace
 
-void insert_ridges(WorkingMesh& mesh, const SurfaceProjector& project) {
-    const RidgeFinder finder(mesh, project);
-    std::vector<std::pair<HalfEdge, Vec3>> crossings;
+void insert_ridges(WorkingMesh& mesh, const SurfaceProjector& project, const Surroundings& left_out) {
+    struct Crossing {
+        VertexId from;
+        VertexId to;
+        Vec3 place;
+    };
+    const HalfEdges& edges = mesh.edges;
+    std::vector<Crossing> crossings;
     mesh.for_each_edge([&](HalfEdge h) {
-        if (const auto place = finder.crossing(h)) crossings.emplace_back(h, *place);
+        const VertexId a = edges.origin(h);
+        const VertexId b = edges.target(h);
+        if (mesh.holds[a] == Hold::Frozen || mesh.holds[b] == Hold::Frozen) return;
+        const auto place = meeting_of_sheets(mesh.points[a], mesh.points[b], project);
+        if (place && !left_out.contain(*place)) crossings.push_back({a, b, *place});
     });
-    for (const auto& [h, place] : crossings) {
-        const VertexId v = mesh.split(h);
+    // Told by their ends: a split gives half-edges of neighbouring edges other ones.
+    for (const auto& [from, to, place] : crossings) {
+        const VertexId v = mesh.split(edges.between(from, to));
         mesh.points[v].position = place;
         mesh.holds[v] = Hold::Ridge;
     }
+}
+
+std::optional<Vec3> point_on_ridge(const Vec3& near, const std::array<Vec3, 2>& corners,
+                                   const SurfaceProjector& project) {
+    std::array<SurfacePoint, 2> sides;
+    for (std::size_t k = 0; k < 2; ++k) sides[k].position = near + kAside * (corners[k] - near);
+    project(sides);
+    return meeting_of_sheets(sides[0], sides[1], project);
 }
 
 }  // namespace meniscus

@@ -37,6 +37,17 @@ enum class Hold : std::uint8_t {
     Frozen,  ///< nothing round it changes
 };
 
+/// All that lies within a reach of some places.
+struct Surroundings {
+    std::span<const Vec3> places;
+    double reach = 0.0;  ///< Å
+
+    bool contain(const Vec3& point) const {
+        return std::any_of(places.begin(), places.end(),
+                           [&](const Vec3& place) { return squared_norm(point - place) < reach * reach; });
+    }
+};
+
 struct WorkingMesh {
     HalfEdges edges;
     std::vector<SurfacePoint> points;  ///< per vertex

@@ -380,8 +380,16 @@ class EvenTriangles(ProgramTest):
             self.assertTrue(mesh["closed"] and mesh["manifold"])
             self.assertNotEqual(mesh["vertices"], plain["vertices"])
 
+    def test_ridges_make_no_slivers_and_lead_through_nothing(self):
+        for method, edge in (("direct", "0.6"), ("direct", "2"), ("flow", "1")):
+            mesh = self.mesh("--edge", edge, "--method", method, "--keep-ridges", "--verify")
+            self.assertTrue(mesh["closed"] and mesh["manifold"])
+            self.assertEqual(mesh["quality"]["self_intersections"], 0, (method, edge))
+            self.assertGreater(mesh["smallest_triangle_angle_deg"], 15.0, (method, edge))
+
     def test_same_bits_for_any_number_of_threads(self):
-        for options in (["--edge", "1"], ["--edge", "2", "--simplify-topology", "--min-cavity", "20"]):
+        for options in (["--edge", "1"], ["--edge", "0.6", "--method", "direct", "--keep-ridges"],
+                        ["--edge", "2", "--simplify-topology", "--min-cavity", "20"]):
             for threads in ("1", "2"):
                 self.surface(UBIQUITIN, "--threads", threads, *options, "-o", f"e{threads}.ply", "--quiet")
             self.assertEqual((self.folder / "e1.ply").read_bytes(), (self.folder / "e2.ply").read_bytes(), options)

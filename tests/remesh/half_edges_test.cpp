@@ -38,6 +38,7 @@ TEST(HalfEdges, LeadRoundTrianglesAndVertices) {
         EXPECT_EQ(edges.twin(edges.twin(h)), h);
         EXPECT_EQ(edges.origin(edges.twin(h)), edges.target(h));
         EXPECT_TRUE(edges.are_neighbours(edges.origin(h), edges.target(h)));
+        EXPECT_EQ(edges.between(edges.origin(h), edges.target(h)), h);
     }
     std::size_t sum = 0;
     for (VertexId v = 0; v < edges.vertex_slots(); ++v) {
@@ -45,6 +46,7 @@ TEST(HalfEdges, LeadRoundTrianglesAndVertices) {
         sum += edges.valence(v);
     }
     EXPECT_EQ(sum, edges.half_edge_slots());
+    EXPECT_EQ(edges.between(0, 0), kNoHalfEdge);
 }
 
 TEST(HalfEdges, RefuseMeshesThatAreNotClosed) {

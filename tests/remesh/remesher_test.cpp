@@ -5,12 +5,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <vector>
 
 #include "core/parallel.h"
+#include "remesh/ridges.h"
 #include "remesh/self_intersections.h"
+#include "remesh/working_mesh.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 
@@ -138,6 +143,71 @@ TEST(Remesher, KeepsRidgesIfAsked) {
     EXPECT_LE(across, 2u);
     const Mesh round = remesh(mesh, {.edge = 0.5}, onto(lens));
     EXPECT_GT(measure_mesh(even).volume, measure_mesh(round).volume);
+}
+
+// Splitting an edge gives half-edges of its neighbours, which are still to be split, other edges.
+TEST(Ridges, GoIntoTheEdgesThatCrossThem) {
+    const Lens lens;
+    const Vec3 shift{0.05, 0.12, 0.17};  // no node lies in the plane of the rim
+    const auto distance = [&](const Vec3& p) { return std::max(lens.upper(p - shift), lens.lower(p - shift)); };
+    Mesh shifted = extracted(distance, 3.2);
+    for (Vec3& v : shifted.vertices) v = v - shift;
+    WorkingMesh mesh(shifted, 0.5);
+    const SurfaceProjector project = onto(lens);
+    project(mesh.points);
+    const auto count_crossing = [&] {
+        std::size_t count = 0;
+        mesh.for_each_edge([&](HalfEdge h) {
+            const double from = mesh.at(mesh.edges.origin(h)).z;
+            const double to = mesh.at(mesh.edges.target(h)).z;
+            count += from * to < 0.0 && std::min(std::abs(from), std::abs(to)) > 0.02 ? 1 : 0;
+        });
+        return count;
+    };
+    ASSERT_GT(count_crossing(), 30u);
+    insert_ridges(mesh, project, {});
+    EXPECT_EQ(count_crossing(), 0u);
+    EXPECT_GT(std::count(mesh.holds.begin(), mesh.holds.end(), Hold::Ridge), 30);
+}
+
+TEST(Remesher, RidgesLeadThroughNothing) {
+    const Lens lens;
+    const auto distance = [&](const Vec3& p) { return std::max(lens.upper(p), lens.lower(p)); };
+    const Mesh mesh = extracted(distance, 3.0);
+    for (const double edge : {0.3, 0.5, 1.0}) {
+        const Mesh even = remesh(mesh, {.edge = edge, .keep_ridges = true}, onto(lens));
+        expect_closed_manifold(even);
+        EXPECT_TRUE(places_of_self_intersections(even).empty()) << edge;
+        EXPECT_GT(measure_mesh(even).smallest_angle_deg, 15.0) << edge;
+    }
+}
+
+TEST(Remesher, SmallPiecesHaveNoShortEdges) {
+    for (const double radius : {1.3, 1.4, 1.5, 1.6, 1.7, 2.0, 2.5}) {
+        const Sphere sphere{{0.1, -0.2, 0.05}, radius};
+        expect_even(remesh(extracted_sphere(sphere, 0.4), {.edge = 2.0}, onto(sphere, 1.0 / radius)), 2.0);
+    }
+}
+
+// What is near a call's points is gathered once for all of them.
+TEST(Remesher, ProjectsNeighboursTogether) {
+    const Sphere sphere{{}, 12.0};
+    const SurfaceProjector project = onto(sphere, 1.0 / sphere.radius);
+    std::atomic<std::size_t> cells{0};
+    std::atomic<std::size_t> points{0};
+    const auto counting = [&](std::span<SurfacePoint> chunk) {
+        std::set<std::array<int, 3>> seen;
+        const auto cell = [](double x) { return static_cast<int>(std::floor(x / 6.0)); };
+        for (const SurfacePoint& point : chunk)
+            seen.insert({cell(point.position.x), cell(point.position.y), cell(point.position.z)});
+        cells += seen.size();
+        points += chunk.size();
+        project(chunk);
+    };
+    const Mesh mesh = extracted_sphere(sphere, 0.8);
+    remesh(mesh, {.edge = 0.6}, counting);
+    EXPECT_GT(points, 10 * mesh.vertices.size());
+    EXPECT_LT(50 * cells, points);
 }
 
 TEST(Remesher, GivesTheSameForAnyNumberOfThreads) {
