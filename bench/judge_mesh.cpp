@@ -9,21 +9,21 @@
 // vertices of a mesh of 0.25 Å that lie on the SES, so that what a mesh leaves out counts.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <fstream>
-#include <stdexcept>
+#include <sstream>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "core/parallel.h"
 #include "geometry/triangle_tree.h"
+#include "measure/weighted_distances.h"
 #include "meniscus/mesh_quality.h"
 #include "meniscus/structure.h"
 #include "meniscus/surface.h"
 #include "remesh/self_intersections.h"
+#include "support/mesh_readers.h"
 
 namespace {
 
@@ -31,58 +31,26 @@ using namespace meniscus;
 
 constexpr double kFine = 0.25;  // Å
 
-Mesh read_off(const std::string& path) {
-    std::ifstream in(path);
-    std::string word;
-    std::size_t vertices = 0;
-    std::size_t triangles = 0;
-    std::size_t edges = 0;
-    in >> word;
-    while ((in >> std::ws).peek() == '#') std::getline(in, word);
-    in >> vertices >> triangles >> edges;
-    if (!in) throw std::runtime_error(path + ": not OFF");
-    Mesh mesh;
-    mesh.vertices.resize(vertices);
-    mesh.triangles.resize(triangles);
-    for (Vec3& p : mesh.vertices) in >> p.x >> p.y >> p.z;
-    for (Triangle& t : mesh.triangles) {
-        int corners = 0;
-        in >> corners >> t[0] >> t[1] >> t[2];
-        if (corners != 3 || std::max({t[0], t[1], t[2]}) >= vertices) throw std::runtime_error(path + ": bad triangle");
-    }
-    if (!in) throw std::runtime_error(path + ": ends too early");
-    return mesh;
+Mesh read_mesh(const std::string& path) {
+    const std::ifstream in(path);
+    std::ostringstream content;
+    content << in.rdbuf();
+    return testing::read_off(content.str());
 }
 
 // Weighted by the area round each vertex, which is nearly the same everywhere.
 DistanceSummary from_exact(const Mesh& mesh, const Atoms& atoms, double probe) {
     const Mesh exact = compute_surface(atoms, {.method = Method::Direct, .probe = probe, .spacing = kFine}).mesh;
     const TriangleTree tree(mesh);
-    std::vector<std::pair<double, double>> found(exact.vertices.size());
-    parallel_for(found.size(), 256, [&](std::size_t v) {
-        found[v] = {tree.distance(mesh, exact.vertices[v]), static_cast<double>(exact.areas[v])};
-    });
-    std::sort(found.begin(), found.end());
-    double area = 0.0;
-    DistanceSummary summary;
-    for (const auto& [distance, weight] : found) {
-        area += weight;
-        summary.mean += weight * distance;
-    }
-    summary.mean /= area;
-    summary.max = found.back().first;
-    double below = 0.0;
-    for (const auto& [distance, weight] : found) {
-        below += weight;
-        summary.p99 = distance;
-        if (below >= 0.99 * area) break;
-    }
-    return summary;
+    WeightedDistances found(exact.vertices.size());
+    parallel_for(exact.vertices.size(), 256,
+                 [&](std::size_t v) { found.set(v, tree.distance(mesh, exact.vertices[v]), exact.areas[v]); });
+    return std::move(found).summarise();
 }
 
 void judge(const std::string& spheres, double probe, const std::string& path) {
     const Atoms atoms = read_structure(spheres).atoms;
-    const Mesh mesh = read_off(path);
+    const Mesh mesh = read_mesh(path);
     const MeshMeasures measures = measure_mesh(mesh);
     const MeshQuality quality = measure_quality(mesh);
     const DistanceSummary to = measure_distance(mesh, AccessibleSurface(atoms, probe)).to_exact;

@@ -11,6 +11,7 @@
 #include "core/parallel.h"
 #include "geometry/local_features.h"
 #include "geometry/triangle_tree.h"
+#include "measure/weighted_distances.h"
 
 namespace meniscus {
 namespace {
@@ -45,35 +46,6 @@ double aspect_ratio(double a, double b, double c) {
     const double product = (b + c - a) * (c + a - b) * (a + b - c);
     return product > 0.0 ? a * b * c / product : std::numeric_limits<double>::infinity();
 }
-
-// Distances with the area that each stands for.
-class WeightedDistances {
-public:
-    explicit WeightedDistances(std::size_t count) : pairs_(count) {}
-    void set(std::size_t i, double distance, double weight) { pairs_[i] = {distance, weight}; }
-
-    DistanceSummary summarise() && {
-        if (pairs_.empty()) return {};
-        std::sort(pairs_.begin(), pairs_.end());
-        double weight = 0.0;
-        double sum = 0.0;
-        for (const auto& [distance, area] : pairs_) {
-            weight += area;
-            sum += area * distance;
-        }
-        DistanceSummary result{sum / weight, 0.0, pairs_.back().first};
-        double below = 0.0;
-        for (const auto& [distance, area] : pairs_) {
-            below += area;
-            result.p99 = distance;
-            if (below >= 0.99 * weight) break;
-        }
-        return result;
-    }
-
-private:
-    std::vector<std::pair<double, double>> pairs_;
-};
 
 // Barycentric coordinates of points that stand for four equal parts of a triangle.
 constexpr std::array<std::array<double, 3>, 4> kSamples{{{1.0 / 3, 1.0 / 3, 1.0 / 3},
