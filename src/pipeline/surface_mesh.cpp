@@ -338,7 +338,7 @@ void mend(const AccessibleSurface& accessible, const LevelSet* level_set, const 
     renumber_entries(changes, distances);
     Mesh moved;
     for (const VertexId v : changes.moved) moved.vertices.push_back(mesh.vertices[v]);
-    const std::vector<double> moved_distances = VertexFinisher(accessible, level_set, options.spacing, moved).run();
+    const std::vector<double> moved_distances = finish_vertices(accessible, level_set, options.spacing, moved);
     for (std::size_t i = 0; i < changes.moved.size(); ++i) {
         const VertexId v = changes.moved[i];
         mesh.vertices[v] = moved.vertices[i];
@@ -354,11 +354,16 @@ void mend(const AccessibleSurface& accessible, const LevelSet* level_set, const 
 
 }  // namespace
 
+std::vector<double> finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
+                                    Mesh& mesh) {
+    return VertexFinisher(accessible, level_set, spacing, mesh).run();
+}
+
 SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, const LevelSet* level_set,
                          const MeshingOptions& options) {
     SurfaceMesh result{std::move(zero_set), {}};
     label_and_choose(result.mesh, options.pieces);
-    std::vector<double> distances = VertexFinisher(accessible, level_set, options.spacing, result.mesh).run();
+    std::vector<double> distances = finish_vertices(accessible, level_set, options.spacing, result.mesh);
     mend(accessible, level_set, options, result.mesh, distances);
     result.distance = summarise(distances);
     return result;
