@@ -62,7 +62,7 @@ class Measures:
 
     >>> exact = meniscus.measure(meniscus.read("1ubq.pdb"))
     >>> round(exact.ses_area, 3), round(exact.ses_volume, 3)
-    (4070.961, 9156.149)
+    (3892.239, 10056.303)
     >>> exact.errors["ses_area"] < 1e-3
     True
     """
@@ -136,7 +136,7 @@ class Measures:
 
         >>> shell = meniscus.Structure.from_arrays(5 * numpy.vstack([numpy.eye(3), -numpy.eye(3)]), 4.0)
         >>> [(round(c.volume, 2), round(c.inscribed_radius, 6)) for c in meniscus.measure(shell, probe=0.5).cavities]
-        [(5.02, 1.0)]
+        [(7.97, 1.0)]
         """
         return [piece for piece in self.components if piece.kind == "cavity"]
 
@@ -199,7 +199,7 @@ class Measures:
 
         >>> rows = meniscus.measure(meniscus.read("1ubq.pdb")).table("residue")
         >>> rows["resname"][:3], [round(a, 1) for a in rows["sas_area"][:3]]
-        (['MET', 'GLN', 'ILE'], [40.4, 95.5, 0.0])
+        (['MET', 'GLN', 'ILE'], [55.5, 75.3, 0.0])
         """
         return self._core.table(self._structure._core, _options.word("per", per))
 
@@ -246,21 +246,25 @@ def measure(
 
 def signed_distance(
     atoms: Structure | npt.ArrayLike,
-    radii: npt.ArrayLike | None,
-    points: npt.ArrayLike,
+    radii: npt.ArrayLike | None = None,
+    points: npt.ArrayLike | None = None,
     probe: float = 1.4,
 ) -> Floats:
     """Signed distances from the exact solvent-excluded surface, (m,), Å; negative inside.
 
-    atoms   a Structure (radii is None then), or centres (n, 3), Å
+    atoms   a Structure, or centres (n, 3), Å
     radii   (n,), Å, with centres
-    points  (m, 3), Å; anywhere
+    points  (m, 3), Å; anywhere; needed
     probe   radius, Å
 
     Exact inside and on the surface; outside, next to ridges, a lower bound with the right zero set.
 
-    >>> meniscus.signed_distance([[0, 0, 0]], [2.0], [[0, 0, 5], [1, 0, 0]]).tolist()
+    >>> meniscus.signed_distance([[0, 0, 0]], [2.0], [[0, 0, 5], [1, 0, 0]]).round(6).tolist()
     [3.0, -1.0]
+    >>> bool(meniscus.signed_distance(meniscus.read("1ubq.pdb"), points=[[0, 0, 0]]) > 20)
+    True
     """
     structure = as_structure(atoms, radii)
+    if points is None:
+        raise TypeError("points: needed, (m, 3) in Å")
     return _core.signed_distance(structure._core, _options.number("probe", probe), positions("points", points))

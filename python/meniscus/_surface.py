@@ -110,7 +110,7 @@ class Surface(_Vertices):
 
     >>> surface = meniscus.surface(meniscus.read("1ubq.pdb"))
     >>> surface.vertices.shape, surface.triangles.shape, surface.passed
-    ((22630, 3), (45256, 3), True)
+    ((23190, 3), (46384, 3), True)
     """
 
     def __init__(self, core: _core.Surface, structure: Structure, options: dict[str, Any]) -> None:
@@ -215,7 +215,7 @@ class Surface(_Vertices):
         >>> ball = meniscus.surface([[0, 0, 0]], [2.0])
         >>> points = ball.sample(density=2.0)
         >>> len(points), numpy.allclose(numpy.linalg.norm(points.points, axis=1), 2.0, atol=0.01)
-        (100, True)
+        (99, True)
         """
         mesh = self._core.sample(_options.number("density", density), _options.seed(seed), self._options["threads"])
         return Points(mesh, self._structure)
@@ -327,7 +327,7 @@ def surface(
     >>> ball = meniscus.surface([[0, 0, 0]], [2.0], probe=1.4, spacing=0.25)
     >>> ball.vertices.dtype, ball.triangles.dtype, ball.patch.dtype
     (dtype('float64'), dtype('uint32'), dtype('uint8'))
-    >>> float(numpy.median(ball.mean_curvature).round(3))
+    >>> round(float(numpy.median(ball.mean_curvature)), 2)
     0.5
     """
     structure = as_structure(atoms, radii)

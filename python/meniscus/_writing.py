@@ -130,7 +130,7 @@ def _write_npz(path: str, source: Surface | Points, arrays: dict[str, npt.NDArra
                 os.unlink(file.name)
                 raise
     except OSError as error:
-        raise OutputError(f"{path}: {error.strerror or error}") from error
+        raise OutputError(f"{path}: cannot be written: {error.strerror or error}") from error
 
 
 def _umask() -> int:

@@ -17,10 +17,8 @@ namespace meniscus::python {
 
 namespace {
 
-constexpr Words<RowsPer, 4> kRows{{{"atom", RowsPer::Atom},
-                                   {"residue", RowsPer::Residue},
-                                   {"chain", RowsPer::Chain},
-                                   {"cavity", RowsPer::Cavity}}};
+constexpr Words<RowsPer, 4> kRows{
+    {{"atom", RowsPer::Atom}, {"residue", RowsPer::Residue}, {"chain", RowsPer::Chain}, {"cavity", RowsPer::Cavity}}};
 
 std::shared_ptr<Measures> measure_structure(const Structure& structure, const py::dict& given) {
     const Options options(given);
@@ -41,7 +39,7 @@ py::dict totals_dict(const SurfaceTotals& t) {
 }
 
 /// One number of every atom; a view.
-py::array column(const py::object& self, double AtomMeasure::* member) {
+py::array column(const py::object& self, double AtomMeasure::*member) {
     const auto& atoms = self.cast<const Measures&>().atoms;
     const double* first = atoms.empty() ? nullptr : &(atoms.front().*member);
     py::array array(py::dtype::of<double>(), {static_cast<py::ssize_t>(atoms.size())},
@@ -122,7 +120,7 @@ void bind_measures(py::module_& module) {
     type.def_readonly("agreed", &Measures::agreed);
     type.def_readonly("degenerate", &Measures::degenerate);
     type.def_readonly("disputed", &Measures::disputed);
-    const auto def_column = [&type](const char* name, double AtomMeasure::* member) {
+    const auto def_column = [&type](const char* name, double AtomMeasure::*member) {
         type.def_property_readonly(name, [member](const py::object& self) { return column(self, member); });
     };
     def_column("atom_sas_area", &AtomMeasure::sas_area);

@@ -136,11 +136,11 @@ auto per_atom(const Structure& structure, Get get) {
 }
 
 template <class T>
-py::array numbers(const Structure& structure, T AtomLabel::* member) {
+py::array numbers(const Structure& structure, T AtomLabel::*member) {
     return owning(per_atom(structure, [member](const AtomLabel& label) { return label.*member; }));
 }
 
-Texts texts(const Structure& structure, std::string AtomLabel::* member) {
+Texts texts(const Structure& structure, std::string AtomLabel::*member) {
     return per_atom(structure, [member](const AtomLabel& label) { return label.*member; });
 }
 

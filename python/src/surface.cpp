@@ -115,9 +115,8 @@ std::shared_ptr<HeldSurface> compute(const std::shared_ptr<Structure>& structure
     Watcher watcher(progress);
     const py::gil_scoped_release release;
     return std::make_shared<HeldSurface>(
-        structure, compute_surface(structure->atoms, options, [&watcher](std::string_view stage, double fraction) {
-            watcher(stage, fraction);
-        }));
+        structure, compute_surface(structure->atoms, options,
+                                   [&watcher](std::string_view stage, double fraction) { watcher(stage, fraction); }));
 }
 
 py::dict percentiles(const Percentiles& p) {
@@ -141,10 +140,9 @@ py::dict mesh_dict(const HeldSurface& held) {
     block["self_intersections"] = py::cast(s.self_intersections);
     block["quality"] = py::none();
     if (s.quality)
-        block["quality"] = py::dict("angle_histogram"_a = s.quality->angles,
-                                    "smallest_angles_deg"_a = percentiles(s.quality->smallest_angles),
-                                    "edges"_a = percentiles(s.quality->edges),
-                                    "aspect_ratios"_a = percentiles(s.quality->aspect_ratios));
+        block["quality"] = py::dict(
+            "angle_histogram"_a = s.quality->angles, "smallest_angles_deg"_a = percentiles(s.quality->smallest_angles),
+            "edges"_a = percentiles(s.quality->edges), "aspect_ratios"_a = percentiles(s.quality->aspect_ratios));
     block["two_sided_distance"] = py::none();
     if (s.two_sided)
         block["two_sided_distance"] = py::dict("to_exact"_a = distances(s.two_sided->to_exact),

@@ -81,10 +81,9 @@ void save_mesh(const std::string& path, const Mesh& mesh, const Structure& struc
     std::transform(mesh.atoms.begin(), mesh.atoms.end(), residues.begin(),
                    [&](std::uint32_t atom) { return structure.labels[atom].residue; });
     const std::vector<Colour> colours = colouring.of(mesh, structure);
-    write_mesh(path, mesh,
-               {.encoding = ascii ? Encoding::Text : Encoding::Binary,
-                .extra = {{"residue", residues}},
-                .colours = colours});
+    write_mesh(
+        path, mesh,
+        {.encoding = ascii ? Encoding::Text : Encoding::Binary, .extra = {{"residue", residues}}, .colours = colours});
 }
 
 Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }

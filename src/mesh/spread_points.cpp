@@ -51,9 +51,8 @@ public:
         std::vector<Cell> cells(points.size());
         for (std::size_t i = 0; i < points.size(); ++i) cells[i] = cell_of(points[i]);
         std::iota(order_.begin(), order_.end(), 0U);
-        std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return cells[a] != cells[b] ? cells[a] < cells[b] : a < b;
-        });
+        std::sort(order_.begin(), order_.end(),
+                  [&](std::uint32_t a, std::uint32_t b) { return cells[a] != cells[b] ? cells[a] < cells[b] : a < b; });
         cells_.reserve(points.size());
         for (const std::uint32_t i : order_) cells_.push_back(cells[i]);
     }

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "core/memory.h"
@@ -46,19 +47,66 @@ void approach(const SurfaceProjector& project, std::vector<Vec3>& points) {
     for (std::size_t i = 0; i < points.size(); ++i) points[i] = places[i].position;
 }
 
+// Puts points of a mesh's triangles onto the surface.
+class Lander {
+public:
+    Lander(const Surface& surface, const AccessibleSurface& accessible)
+        : surface_(surface), accessible_(accessible), level_set_(surface.level_set.get()) {}
+
+    Mesh land(PointsOnMesh spread) const {
+        if (surface_.options.remesh.is_on())
+            approach(surface_projector(accessible_, level_set_, spacing()), spread.points);
+        Mesh result;
+        result.vertices = spread.points;
+        std::vector<double> distances = finish_vertices(accessible_, level_set_, spacing(), result);
+        bring_home(spread, distances, result);
+        return result;
+    }
+
+private:
+    double spacing() const { return surface_.options.spacing; }
+
+    // Points that did not come to lie on the surface, as one in some 100,000 does between sheets that nearly touch.
+    std::vector<VertexId> strays(const Mesh& points, const std::vector<double>& distances) const {
+        constexpr double kOnSurface = 1e-6;  // spacings
+        const std::vector<double> values = level_set_ != nullptr ? level_set_->values(points.vertices) : distances;
+        std::vector<VertexId> result;
+        for (VertexId i = 0; i < values.size(); ++i)
+            if (!(std::abs(values[i]) < kOnSurface * spacing())) result.push_back(i);
+        return result;
+    }
+
+    // Strays start again from nearer to a corner of their triangle, which is on the surface, and at last from there.
+    void bring_home(const PointsOnMesh& spread, std::vector<double>& distances, Mesh& points) const {
+        constexpr int kTries = 4;
+        for (int attempt = 1; attempt <= kTries; ++attempt) {
+            const std::vector<VertexId> lost = strays(points, distances);
+            if (lost.empty()) return;
+            Mesh again;
+            for (const VertexId i : lost) {
+                const Vec3& corner = surface_.mesh.vertices[surface_.mesh.triangles[spread.triangles[i]][0]];
+                again.vertices.push_back(spread.points[i] +
+                                         (static_cast<double>(attempt) / kTries) * (corner - spread.points[i]));
+            }
+            const std::vector<double> found = finish_vertices(accessible_, level_set_, spacing(), again);
+            replace_vertices(points, lost, again);
+            for (std::size_t k = 0; k < lost.size(); ++k) distances[lost[k]] = found[k];
+        }
+    }
+
+    const Surface& surface_;
+    const AccessibleSurface& accessible_;
+    const LevelSet* level_set_;
+};
+
 }  // namespace
 
 Mesh sample_surface(const Surface& surface, const Atoms& atoms, const SampleOptions& options) {
     const std::size_t count = count_of(surface, options);
     const ThreadLimit limit(options.threads);
-    PointsOnMesh spread = spread_points(surface.mesh, count, options.seed);
+    const PointsOnMesh spread = spread_points(surface.mesh, count, options.seed);
     const AccessibleSurface accessible(atoms, surface.options.probe);
-    const LevelSet* level_set = surface.level_set.get();
-    if (surface.options.remesh.is_on())
-        approach(surface_projector(accessible, level_set, surface.options.spacing), spread.points);
-    Mesh result;
-    result.vertices = std::move(spread.points);
-    finish_vertices(accessible, level_set, surface.options.spacing, result);
+    Mesh result = Lander(surface, accessible).land(spread);
     for (const std::uint32_t triangle : spread.triangles)
         result.components.push_back(surface.mesh.components[surface.mesh.triangles[triangle][0]]);
     result.areas.assign(count, static_cast<float>(surface.measures.area / static_cast<double>(count)));

@@ -4,6 +4,7 @@
 // one.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "meniscus/accessible_surface.h"
@@ -37,5 +38,8 @@ SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, con
 /// returns              distances to the exact SES, Å, absolute values
 std::vector<double> finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
                                     Mesh& mesh);
+
+/// Gives some vertices of a mesh what another one, with a vertex for each of them, holds after finish_vertices().
+void replace_vertices(Mesh& mesh, std::span<const VertexId> places, const Mesh& with);
 
 }  // namespace meniscus

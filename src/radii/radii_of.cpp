@@ -46,9 +46,10 @@ std::vector<double> radii_of(std::span<const AtomNames> atoms, const std::string
             united ? std::optional(0.0) : typer.find({.residue = residue, .name = name, .element = element});
         const auto of_element = element_radius(element);
         if (!known && !of_element)
-            throw UsageError(fmt::format("atom {} ('{}' of '{}', element '{}'): set {} has no radius for it, nor is "
-                                         "its element known; give its element",
-                                         i, atoms[i].name, atoms[i].residue, atoms[i].element, typer.set().name));
+            throw UsageError(
+                fmt::format("atom {} ('{}' of '{}', element '{}'): set {} has no radius for it, nor is "
+                            "its element known; give its element",
+                            i, atoms[i].name, atoms[i].residue, atoms[i].element, typer.set().name));
         radii.push_back(known ? *known : of_element->radius);
     }
     return radii;
