@@ -100,19 +100,19 @@ def _picture_options(drawing: dict[str, Any]) -> dict[str, Any]:
     return options
 
 
-def _save_mesh(path: str, surface: Surface, options: dict[str, Any]) -> None:
+def _save_mesh(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
     _core.write_mesh(path, surface._mesh, surface.structure._core, options)
 
 
-def _save_picture(path: str, surface: Surface, options: dict[str, Any]) -> None:
-    _core.write_picture(path, surface._core, {**options, **_picture_options(options)})
+def _save_picture(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
+    _core.write_picture(path, surface._core, {**options, **_picture_options(drawing)})
 
 
-def _save_level_set(path: str, surface: Surface, options: dict[str, Any]) -> None:
+def _save_level_set(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
     _core.write_level_set(path, surface._core)
 
 
-def _save_arrays(path: str, surface: Surface, options: dict[str, Any]) -> None:
+def _save_arrays(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
     _write_npz(path, surface, {"vertices": surface.vertices, "triangles": surface.triangles})
 
 
@@ -140,7 +140,7 @@ def _umask() -> int:
 
 
 # A format is one line here, and one in Surface.save's text.
-_SURFACE_WRITERS: dict[str, Callable[[str, Surface, dict[str, Any]], None]] = {
+_SURFACE_WRITERS: dict[str, Callable[[str, Surface, dict[str, Any], dict[str, Any]], None]] = {
     ".ply": _save_mesh,
     ".obj": _save_mesh,
     ".stl": _save_mesh,
@@ -159,7 +159,7 @@ def save_surface(path: str, surface: Surface, color: Color, ascii: bool, drawing
     writer = _SURFACE_WRITERS.get(pathlib.PurePath(path).suffix)
     if writer is None:
         raise _unknown_suffix(path, list(_SURFACE_WRITERS))
-    writer(path, surface, {**colour_options(color), "ascii": bool(ascii), **drawing})
+    writer(path, surface, {**colour_options(color), "ascii": bool(ascii)}, drawing)
 
 
 def save_points(path: str, points: Points, color: Color, ascii: bool) -> None:
