@@ -29,6 +29,7 @@ void write_mesh_with_residues(const std::string& path, const SurfaceRequest& req
                {.encoding = request.encoding,
                 .extra = {{"residue", residues}},
                 .colours = colours,
+                .probe = request.surface.probe,
                 .threads = request.surface.threads});
 }
 

@@ -58,7 +58,7 @@ PixelBox grown(const PixelBox& box, int margin) {
 }
 
 double line_radius(const PictureOptions& options) {
-    return options.outline ? std::max(kThinnestLine, kLineShare * options.width) : 0.0;
+    return options.outline || options.cut ? std::max(kThinnestLine, kLineShare * options.width) : 0.0;
 }
 
 }  // namespace
@@ -68,6 +68,7 @@ Tile::Tile(const Scene& scene, const PictureOptions& options, const PixelBox& bo
       box_(box),
       margin_(static_cast<int>(std::ceil(line_radius(options))) + 1),
       radius_(line_radius(options)),
+      outline_(options.outline),
       jump_(std::max(kSmallestJump, kJumpShare * scene.camera().depth_range())),
       background_opacity_(static_cast<float>(options.background.alpha) / 255.0F) {
     const PixelBox all = grown(box, margin_);
@@ -88,26 +89,33 @@ std::size_t Tile::place(int x, int y) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
 }
 
-/// How much of a line is at a place, 0 to 1: whether something much farther away is seen close by. So lines lie on the
-/// nearer side of a jump and do not widen the silhouette.
-double Tile::lines_near(double x, double y, float depth) const {
+/// How far what is seen close to a glimpse calls for a line there, 0 to 1: if it is much farther away, or beside a
+/// section. So lines lie on the nearer side of a jump and do not widen the silhouette.
+double Tile::contrast(const Glimpse& seen, const Glimpse& close) const {
+    const bool ends = seen.kind == Glimpse::Kind::Section && close.kind != Glimpse::Kind::Section;
+    if (ends) return 1.0;
+    const double jump = (close.depth - seen.depth) / jump_;
+    return outline_ ? std::clamp(jump - 1.0, 0.0, 1.0) : 0.0;
+}
+
+/// How much of a line is at a place, 0 to 1.
+double Tile::lines_near(double x, double y, const Glimpse& seen) const {
     const int column = static_cast<int>(std::floor(x));
     const int row = static_cast<int>(std::floor(y));
     const int reach = margin_ - 1;
     double strongest = 0.0;
     for (int j = row - reach; j <= row + reach; ++j)
         for (int i = column - reach; i <= column + reach; ++i) {
-            const double jump = (centres_[place(i, j)].depth - depth) / jump_;
             const double distance = std::hypot(i + kMiddle - x, j + kMiddle - y);
             const double nearness = std::clamp(radius_ + kMiddle - distance, 0.0, 1.0);
-            strongest = std::max(strongest, nearness * std::clamp(jump - 1.0, 0.0, 1.0));
+            if (nearness > strongest) strongest = std::max(strongest, nearness * contrast(seen, centres_[place(i, j)]));
         }
     return strongest;
 }
 
 Light Tile::with_lines(const Glimpse& seen, double x, double y) const {
-    if (radius_ == 0.0 || !seen.is_surface()) return seen.light;
-    return (1.0F - kLineDarkness * static_cast<float>(lines_near(x, y, seen.depth))) * seen.light;
+    if (radius_ == 0.0 || seen.is_background()) return seen.light;
+    return (1.0F - kLineDarkness * static_cast<float>(lines_near(x, y, seen))) * seen.light;
 }
 
 /// How often a pixel must be looked at, beyond its centre.
@@ -117,7 +125,7 @@ int Tile::samples_needed(int x, int y) const {
     for (int j = y - 1; j <= y + 1; ++j)
         for (int i = x - 1; i <= x + 1; ++i) {
             const std::size_t there = place(i, j);
-            if (centres_[here].is_surface() != centres_[there].is_surface()) return kSamples;
+            if (centres_[here].kind != centres_[there].kind) return kSamples;
             if (std::abs(centres_[here].depth - centres_[there].depth) > jump_) return kSamples;
             if (differ(lights_[here], lights_[there])) needed = kFewSamples;
         }
@@ -131,7 +139,7 @@ Colour Tile::refined_pixel(int x, int y, int samples) const {
     float opacity = 0.0F;
     for (const auto& [dx, dy] : std::span(places).first(static_cast<std::size_t>(samples))) {
         const Glimpse seen = scene_.look(x + dx, y + dy);
-        const float share = seen.is_surface() ? 1.0F : background_opacity_;
+        const float share = seen.is_background() ? background_opacity_ : 1.0F;
         sum += share * with_lines(seen, x + dx, y + dy);
         opacity += share;
     }
@@ -143,7 +151,7 @@ void Tile::draw(Picture& picture) const {
         for (int x = box_.x; x < box_.x + box_.width; ++x) {
             const std::size_t here = place(x, y);
             Colour& pixel = picture.pixels[static_cast<std::size_t>(y) * picture.width + x];
-            const float opacity = centres_[here].is_surface() ? 1.0F : background_opacity_;
+            const float opacity = centres_[here].is_background() ? background_opacity_ : 1.0F;
             const int samples = samples_needed(x, y);
             pixel = samples > 0 ? refined_pixel(x, y, samples) : to_colour(lights_[here], opacity);
         }

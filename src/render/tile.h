@@ -29,7 +29,8 @@ public:
 
 private:
     std::size_t place(int x, int y) const;
-    double lines_near(double x, double y, float depth) const;
+    double contrast(const Glimpse& seen, const Glimpse& close) const;
+    double lines_near(double x, double y, const Glimpse& seen) const;
     Light with_lines(const Glimpse& seen, double x, double y) const;
     int samples_needed(int x, int y) const;
     Colour refined_pixel(int x, int y, int samples) const;
@@ -38,6 +39,7 @@ private:
     PixelBox box_;   // with a margin, in which neighbours of its pixels lie
     int margin_;     // pixels
     double radius_;  // of lines, pixels; 0 for none
+    bool outline_;   // lines elsewhere than around sections
     double jump_;    // of depth that makes a line, Å
     float background_opacity_;
     std::vector<Glimpse> centres_;
