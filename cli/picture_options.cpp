@@ -205,6 +205,8 @@ void add_picture_options(CLI::App& command, PictureRequest& request) {
                      [&] { picture.projection = Projection::Perspective; });
     add_drawing_flag(command, request, "--outline", "Draw lines where the surface ends in front of something",
                      [&] { picture.outline = true; });
+    add_drawing_flag(command, request, "--legend", "Say beside the surface what its colours mean",
+                     [&] { request.legend = true; });
 }
 
 void report_picture(const PictureRequest& request, const Structure& structure, bool drawn, ordered_json& options) {
@@ -215,7 +217,7 @@ void report_picture(const PictureRequest& request, const Structure& structure, b
         const ValueRange range = request.colours.range.value_or(default_range(scheme, structure));
         options["color_range"] = {range.min, range.max};
     }
-    for (const char* name : {"view", "size", "background", "cut", "perspective", "outline", "depth_cue"})
+    for (const char* name : {"view", "size", "background", "cut", "perspective", "outline", "depth_cue", "legend"})
         options[name] = nullptr;
     if (!drawn) return;
     const PictureOptions& picture = request.picture;
@@ -226,6 +228,7 @@ void report_picture(const PictureRequest& request, const Structure& structure, b
     options["perspective"] = picture.projection == Projection::Perspective;
     options["outline"] = picture.outline;
     options["depth_cue"] = picture.depth_cue;
+    options["legend"] = request.legend;
 }
 
 }  // namespace meniscus::cli

@@ -14,6 +14,8 @@
 
 namespace meniscus {
 
+struct Legend;
+
 /// Pixels in rows from the top, each from the left.
 struct Picture {
     int width = 0;
@@ -85,5 +87,21 @@ struct PictureOptions {
 /// cost     O(pixels), and 100 rays per vertex that can be seen
 Picture draw_picture(const Mesh& mesh, std::span<const Colour> colours, const PictureOptions& options = {},
                      const ColourField& exact = {});
+
+struct LegendStyle {
+    int width = 800;    ///< pixels; a legend is as wide as it must be, never wider than this
+    int height = 1200;  ///< pixels
+    Colour background = kWhite;
+};
+
+/// Draws a legend: title, classes in as many columns as they need, or a bar of colours with a scale.
+///
+/// Text is a forty-second of the height, or less if that does not fit. Labels may be any UTF-8; long ones are cut
+/// short. returns  a picture of the given height; 0 pixels wide for a legend without colours throws   UsageError where
+/// the legend has no room even in letters of 9 pixels
+Picture draw_legend(const Legend& legend, const LegendStyle& style);
+
+/// throws   UsageError for pictures of different heights
+Picture side_by_side(const Picture& left, const Picture& right);
 
 }  // namespace meniscus

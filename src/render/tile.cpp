@@ -29,7 +29,7 @@ constexpr float kLineDarkness = 0.85F;
 constexpr double kMiddle = 0.5;
 
 /// Points of a (0, 2)-sequence (van der Corput and Sobol), scrambled by constants so that few already balance.
-std::array<std::array<double, 2>, kSamples> sample_places() {
+std::array<std::array<double, 2>, kSamples> make_sample_places() {
     std::array<std::array<double, 2>, kSamples> places;
     for (unsigned i = 0; i < kSamples; ++i) {
         unsigned x = 0;
@@ -44,6 +44,11 @@ std::array<std::array<double, 2>, kSamples> sample_places() {
         }
         places[i] = {((x ^ 1U) + 0.5) / kSamples, ((y ^ 1U) + 0.5) / kSamples};
     }
+    return places;
+}
+
+const std::array<std::array<double, 2>, kSamples>& sample_places() {
+    static const auto places = make_sample_places();
     return places;
 }
 
@@ -66,7 +71,8 @@ double line_radius(const PictureOptions& options) {
 Tile::Tile(const Scene& scene, const PictureOptions& options, const PixelBox& box)
     : scene_(scene),
       box_(box),
-      margin_(static_cast<int>(std::ceil(line_radius(options))) + 1),
+      reach_(static_cast<int>(std::ceil(line_radius(options)))),
+      margin_(reach_ + (options.cut ? 2 : 1)),
       radius_(line_radius(options)),
       outline_(options.outline),
       jump_(std::max(kSmallestJump, kJumpShare * scene.camera().depth_range())),
@@ -74,6 +80,7 @@ Tile::Tile(const Scene& scene, const PictureOptions& options, const PixelBox& bo
     const PixelBox all = grown(box, margin_);
     for (int y = all.y; y < all.y + all.height; ++y)
         for (int x = all.x; x < all.x + all.width; ++x) centres_.push_back(scene.look(x + kMiddle, y + kMiddle));
+    if (options.cut) find_sections();
     lights_.resize(centres_.size());
     const PixelBox neighbours = grown(box, 1);
     for (int y = neighbours.y; y < neighbours.y + neighbours.height; ++y)
@@ -89,26 +96,45 @@ std::size_t Tile::place(int x, int y) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
 }
 
-/// How far what is seen close to a glimpse calls for a line there, 0 to 1: if it is much farther away, or beside a
-/// section. So lines lie on the nearer side of a jump and do not widen the silhouette.
-double Tile::contrast(const Glimpse& seen, const Glimpse& close) const {
-    const bool ends = seen.kind == Glimpse::Kind::Section && close.kind != Glimpse::Kind::Section;
-    if (ends) return 1.0;
-    const double jump = (close.depth - seen.depth) / jump_;
-    return outline_ ? std::clamp(jump - 1.0, 0.0, 1.0) : 0.0;
+/// Counts samples along the edges of sections: lines around them would have steps otherwise.
+void Tile::find_sections() {
+    sections_.assign(centres_.size(), 0.0F);
+    const PixelBox known = grown(box_, margin_ - 1);
+    for (int y = known.y; y < known.y + known.height; ++y)
+        for (int x = known.x; x < known.x + known.width; ++x) sections_[place(x, y)] = section_share(x, y);
+}
+
+float Tile::section_share(int x, int y) const {
+    const auto is_section = [](const Glimpse& seen) { return seen.kind == Glimpse::Kind::Section; };
+    const bool here = is_section(centres_[place(x, y)]);
+    bool mixed = false;
+    for (int j = y - 1; j <= y + 1; ++j)
+        for (int i = x - 1; i <= x + 1; ++i) mixed = mixed || is_section(centres_[place(i, j)]) != here;
+    if (!mixed) return here ? 1.0F : 0.0F;
+    int count = 0;
+    for (const auto& [dx, dy] : sample_places()) count += is_section(scene_.look(x + dx, y + dy)) ? 1 : 0;
+    return static_cast<float>(count) / kSamples;
+}
+
+/// How far a pixel close to a glimpse calls for a line there, 0 to 1: if it shows something much farther away, or no
+/// section beside one. So lines lie on the nearer side of a jump and do not widen the silhouette.
+double Tile::contrast(const Glimpse& seen, std::size_t pixel) const {
+    const double end = seen.kind == Glimpse::Kind::Section ? 1.0F - sections_[pixel] : 0.0F;
+    if (!outline_) return end;
+    const double jump = (centres_[pixel].depth - seen.depth) / jump_;
+    return std::max(end, std::clamp(jump - 1.0, 0.0, 1.0));
 }
 
 /// How much of a line is at a place, 0 to 1.
 double Tile::lines_near(double x, double y, const Glimpse& seen) const {
     const int column = static_cast<int>(std::floor(x));
     const int row = static_cast<int>(std::floor(y));
-    const int reach = margin_ - 1;
     double strongest = 0.0;
-    for (int j = row - reach; j <= row + reach; ++j)
-        for (int i = column - reach; i <= column + reach; ++i) {
+    for (int j = row - reach_; j <= row + reach_; ++j)
+        for (int i = column - reach_; i <= column + reach_; ++i) {
             const double distance = std::hypot(i + kMiddle - x, j + kMiddle - y);
             const double nearness = std::clamp(radius_ + kMiddle - distance, 0.0, 1.0);
-            if (nearness > strongest) strongest = std::max(strongest, nearness * contrast(seen, centres_[place(i, j)]));
+            if (nearness > strongest) strongest = std::max(strongest, nearness * contrast(seen, place(i, j)));
         }
     return strongest;
 }
@@ -134,10 +160,9 @@ int Tile::samples_needed(int x, int y) const {
 
 /// Means are taken of light times opacity, so that a transparent background has no colour.
 Colour Tile::refined_pixel(int x, int y, int samples) const {
-    static const auto places = sample_places();
     Light sum;
     float opacity = 0.0F;
-    for (const auto& [dx, dy] : std::span(places).first(static_cast<std::size_t>(samples))) {
+    for (const auto& [dx, dy] : std::span(sample_places()).first(static_cast<std::size_t>(samples))) {
         const Glimpse seen = scene_.look(x + dx, y + dy);
         const float share = seen.is_background() ? background_opacity_ : 1.0F;
         sum += share * with_lines(seen, x + dx, y + dy);
