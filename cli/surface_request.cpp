@@ -14,7 +14,7 @@ constexpr Words<Method, 3> kMethods{
 constexpr Words<Pieces, 3> kPieces{{{"all", Pieces::All}, {"outer", Pieces::Outer}, {"cavities", Pieces::Cavities}}};
 
 constexpr const char* kFormats =
-    "-o writes meshes (.ply .obj .stl .off), with the table NAME.atoms.csv beside them, pictures (.png),\n"
+    "-o writes meshes (.ply .obj .stl .off .glb), with the table NAME.atoms.csv beside them, pictures (.png),\n"
     "and the kept atoms (.xyzr .xyzrn). Without -o the mesh goes to NAME.ply in the current folder.";
 
 void add_shape_options(CLI::App& command, SurfaceRequest& request) {

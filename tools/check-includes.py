@@ -33,6 +33,7 @@ ONLY_IN = {
     "<tbb/": ("src/core/",),
     "<gemmi/": ("src/structure/", "src/radii/", "src/io/gemmi/"),
     "<embree3/": ("src/render/",),
+    "<ft2build.h>": ("src/render/font.cpp",),
     "<png.h>": ("src/io/", "tests/io/"),
     "<CLI/": ("cli/", "tests/cli/"),
     "<iostream>": ("cli/", "src/structure/", "src/io/", "tests/", "bench/", "fuzz/"),
