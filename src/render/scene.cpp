@@ -14,10 +14,6 @@ constexpr double kReachShare = 0.5;
 constexpr double kLongestReach = 25.0;
 constexpr double kShortestReach = 2.0;
 
-double reach_of_sky(const Camera& camera) {
-    return std::clamp(kReachShare * camera.depth_range(), kShortestReach, kLongestReach);
-}
-
 /// A quantity of the corners at a point of the triangle.
 template <class T, class Get>
 T interpolated(const Triangle& t, const RayHit& hit, const Get& get) {
@@ -31,6 +27,10 @@ Light interpolated_light(const Triangle& t, const RayHit& hit, std::span<const C
 }
 
 }  // namespace
+
+double reach_of_sky(const Camera& camera) {
+    return std::clamp(kReachShare * camera.depth_range(), kShortestReach, kLongestReach);
+}
 
 Scene::Scene(const Mesh& mesh, std::span<const Colour> colours, const PictureOptions& options, const ColourField& exact)
     : mesh_(mesh),
