@@ -50,7 +50,7 @@ Colour ramp_colour(std::span<const Colour> ramp, double value) {
 }
 
 std::span<const Colour> diverging_ramp() { return kRdBu; }
-std::span<const Colour> second_diverging_ramp() { return kBrBG; }
+std::span<const Colour> hydropathy_ramp() { return kBrBG; }
 std::span<const Colour> warm_ramp() { return kYlOrBr; }
 std::span<const Colour> cold_ramp() { return kYlGnBu; }
 

@@ -30,9 +30,9 @@ Colour distinct_colour(std::size_t n);
 /// source   ColorBrewer (Harrower & Brewer, Cartogr. J. 40, 2003, 27-37), as are all ramps below
 Colour ramp_colour(std::span<const Colour> ramp, double value);
 
-std::span<const Colour> diverging_ramp();         ///< RdBu from blue: curvature
-std::span<const Colour> second_diverging_ramp();  ///< BrBG from green: hydrophobicity
-std::span<const Colour> warm_ramp();              ///< YlOrBr: B factors
-std::span<const Colour> cold_ramp();              ///< YlGnBu: depth
+std::span<const Colour> diverging_ramp();   ///< RdBu from blue: curvature
+std::span<const Colour> hydropathy_ramp();  ///< BrBG from green
+std::span<const Colour> warm_ramp();        ///< YlOrBr: B factors
+std::span<const Colour> cold_ramp();        ///< YlGnBu: depth
 
 }  // namespace meniscus

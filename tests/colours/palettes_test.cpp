@@ -29,7 +29,7 @@ TEST(Palettes, RampsAreLinearAndEndAtTheirEnds) {
 }
 
 TEST(Palettes, DivergingRampsAreNearWhiteInTheMiddle) {
-    for (const auto ramp : {diverging_ramp(), second_diverging_ramp()}) {
+    for (const auto ramp : {diverging_ramp(), hydropathy_ramp()}) {
         const Colour middle = ramp_colour(ramp, 0.5);
         EXPECT_GT(std::min({middle.red, middle.green, middle.blue}), 240);
     }
