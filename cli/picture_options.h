@@ -20,6 +20,7 @@ struct PictureRequest {
     PictureOptions picture;     ///< threads are those of the run
     std::string view = "auto";  ///< as asked for
     std::string drawn_by{};     ///< an option that was given and that only pictures heed; empty if there is none
+    std::string viewed_by{};    ///< one that pictures and pages heed
 };
 
 /// --color, --view, --size, --background, --perspective, --outline, --depth-cue. `request` must outlive the parser.

@@ -42,8 +42,8 @@ std::vector<Wall> walls_of(const Mesh& mesh) {
 
 const Wall* wall_of(const SurfaceComponent& cavity, const std::vector<Wall>& walls) {
     const auto distance = [&](const Wall& wall) { return norm(wall.centre - cavity.centre); };
-    const auto nearest = std::min_element(
-        walls.begin(), walls.end(), [&](const Wall& a, const Wall& b) { return distance(a) < distance(b); });
+    const auto nearest = std::min_element(walls.begin(), walls.end(),
+                                          [&](const Wall& a, const Wall& b) { return distance(a) < distance(b); });
     if (nearest == walls.end()) return nullptr;
     return distance(*nearest) <= kSameDistance + kSameShare * std::cbrt(cavity.ses_volume) ? &*nearest : nullptr;
 }

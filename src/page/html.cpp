@@ -46,8 +46,7 @@ std::string filled(std::string_view text, const std::map<std::string_view, std::
 
 /// Through the library that writes the data, too, so that both replace the same bytes.
 std::string valid_utf8(std::string_view text) {
-    const std::string quoted =
-        nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    const std::string quoted = nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     return nlohmann::json::parse(quoted).get<std::string>();
 }
 

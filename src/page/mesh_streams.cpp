@@ -45,12 +45,11 @@ void add_values(Streams& streams, const Mesh& mesh, const VertexExtras& extras, 
                         return steps(double{mesh.mean_curvatures[v]}, kCurvatureStep);
                     })));
     if (!mesh.shape_indices.empty())
-        streams.add("shape", differences(in_order(order, [&](VertexId v) {
-                        return steps(double{mesh.shape_indices[v]}, kShapeStep);
-                    })));
+        streams.add("shape", differences(in_order(
+                                 order, [&](VertexId v) { return steps(double{mesh.shape_indices[v]}, kShapeStep); })));
     if (!extras.depth.empty())
-        streams.add("depth", byte_differences(in_order(
-                                 order, [&](VertexId v) { return to_byte(extras.depth[v] / kDepthStep); })));
+        streams.add("depth", byte_differences(
+                                 in_order(order, [&](VertexId v) { return to_byte(extras.depth[v] / kDepthStep); })));
     if (!extras.sky.empty())
         streams.add("sky", byte_differences(
                                in_order(order, [&](VertexId v) { return to_byte(255.0 * double{extras.sky[v]}); })));
@@ -73,7 +72,7 @@ VertexOrder order_of_use(const Mesh& mesh) {
     return order;
 }
 
-std::vector<std::int64_t> quantised(std::span<const Vec3> points, double Vec3::* axis, double low) {
+std::vector<std::int64_t> quantised(std::span<const Vec3> points, double Vec3::*axis, double low) {
     std::vector<std::int64_t> values;
     values.reserve(points.size());
     for (const Vec3& point : points) values.push_back(rounded((point.*axis - low) / kQuantum));
@@ -101,8 +100,8 @@ void add_mesh(Streams& streams, const Mesh& mesh, const VertexExtras& extras, co
     streams.add("z", differences(quantised(points, &Vec3::z, low.z)));
     add_normals(streams, mesh, order);
     streams.add("atom", differences(in_order(order, [&](VertexId v) { return std::int64_t{mesh.atoms[v]}; })));
-    streams.add("patch",
-                byte_differences(in_order(order, [&](VertexId v) { return static_cast<std::uint8_t>(mesh.patches[v]); })));
+    streams.add("patch", byte_differences(
+                             in_order(order, [&](VertexId v) { return static_cast<std::uint8_t>(mesh.patches[v]); })));
     if (!mesh.components.empty())
         streams.add("component",
                     differences(in_order(order, [&](VertexId v) { return std::int64_t{mesh.components[v]}; })));

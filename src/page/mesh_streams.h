@@ -33,7 +33,7 @@ struct VertexOrder {
 VertexOrder order_of_use(const Mesh& mesh);
 
 /// Whole multiples of kQuantum above `low`.
-std::vector<std::int64_t> quantised(std::span<const Vec3> points, double Vec3::* axis, double low);
+std::vector<std::int64_t> quantised(std::span<const Vec3> points, double Vec3::*axis, double low);
 
 /// A unit vector as two bytes: the octahedral map (Cigolle et al., J. Comput. Graph. Tech. 3, 2014, 1).
 std::pair<std::uint8_t, std::uint8_t> octahedral(const Vec3& normal);

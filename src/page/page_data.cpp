@@ -74,8 +74,11 @@ ordered_json add_atoms(Streams& streams, const Structure& structure) {
     streams.add("atom-serial", per_label(structure, [](const AtomLabel& l) { return l.serial; }));
     streams.add("atom-bfactor",
                 per_label(structure, [](const AtomLabel& l) { return std::llround(l.b_factor / kValueStep); }));
-    return {{"count", structure.atoms.size()}, {"low", point_json(low)},   {"valueStep", kValueStep},
-            {"names", names.list()},           {"elements", elements.list()}};
+    return {{"count", structure.atoms.size()},
+            {"low", point_json(low)},
+            {"valueStep", kValueStep},
+            {"names", names.list()},
+            {"elements", elements.list()}};
 }
 
 ordered_json residues_json(const Structure& structure) {

@@ -16,9 +16,9 @@ struct ListedCavity {
     double area = 0.0;    ///< Å²
     double volume = 0.0;  ///< Å³, positive
     Vec3 centre;
-    double radius = 0.0;            ///< of what one wants to see of it, Å
-    std::uint32_t component = 0;    ///< of the mesh; kNone if it has no such piece
-    std::string lining{};           ///< the residues around it
+    double radius = 0.0;          ///< of what one wants to see of it, Å
+    std::uint32_t component = 0;  ///< of the mesh; kNone if it has no such piece
+    std::string lining{};         ///< the residues around it
 };
 
 /// By falling volume; from options.components if there are any, else from the mesh.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "colours/component_colours.h"
 #include "colours/feature_colours.h"
 #include "meniscus/tables.h"
 
@@ -95,22 +96,12 @@ ordered_json legend_json(const Legend& legend) {
             {"max", legend.range.max}};
 }
 
-/// The colour of every component, from any of its vertices.
-std::vector<Colour> component_colours(const Mesh& mesh, const Structure& structure) {
-    const std::vector<Colour> of_vertex = colour_vertices(mesh, structure, {ColourScheme::Component});
-    std::vector<Colour> colours;
-    for (std::size_t v = 0; v < of_vertex.size(); ++v) {
-        if (mesh.components[v] >= colours.size()) colours.resize(std::size_t{mesh.components[v]} + 1);
-        colours[mesh.components[v]] = of_vertex[v];
-    }
-    return colours;
-}
-
 ordered_json describe_features(const OfferedScheme& scheme, const FeatureColours& features, Streams& streams) {
     const std::string stream = std::string("colours-") + scheme.id;
     streams.add(stream, planes(features.of_atom));
     ordered_json patches = ordered_json::array();
-    for (const auto& colour : features.of_patch) patches.push_back(colour ? ordered_json(hex(*colour)) : ordered_json());
+    for (const auto& colour : features.of_patch)
+        patches.push_back(colour ? ordered_json(hex(*colour)) : ordered_json());
     return {{"kind", "atom"}, {"stream", stream}, {"patches", patches}};
 }
 
@@ -144,7 +135,7 @@ ordered_json describe(const OfferedScheme& scheme, const Mesh& mesh, const Struc
         block.update(describe_features(scheme, *features, streams));
     } else if (scheme.options.scheme == ColourScheme::Component) {
         block["kind"] = "component";
-        block["colours"] = hex_list(component_colours(mesh, structure));
+        block["colours"] = hex_list(component_colours(mesh));
     } else {
         block["kind"] = "value";
         block["values"] = scheme.id;

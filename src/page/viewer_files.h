@@ -9,8 +9,8 @@ namespace meniscus::page {
 
 extern const std::string_view kViewerHtml;
 extern const std::string_view kViewerStyle;
-extern const std::string_view kViewerScript;   ///< the modules, one behind the other
+extern const std::string_view kViewerScript;  ///< the modules, one behind the other
 extern const std::string_view kThreeLicence;
-extern const std::string_view kThreeScript;    ///< empty if built without it
+extern const std::string_view kThreeScript;  ///< empty if built without it
 
 }  // namespace meniscus::page

@@ -66,18 +66,22 @@ std::string draw(const Mesh& mesh, const Structure& structure, const PageOptions
 
 bool pages_supported() { return !page::kThreeScript.empty(); }
 
-void write_page(const std::string& path, const Mesh& mesh, const Structure& structure, const PageOptions& options) {
+std::string make_page(const Mesh& mesh, const Structure& structure, const PageOptions& options) {
     if (!pages_supported()) throw std::runtime_error("pages need three.js; build with MENISCUS_PAGE=ON");
     check(mesh, structure);
     const ThreadLimit limit(options.threads);
-    page::PageParts parts{.title = structure.name + " · Meniscus",
-                          .picture = draw(mesh, structure, options),
-                          .data = page::page_data(mesh, structure, options,
-                                                  {.sky = openness(mesh), .depth = depths(mesh, structure)}),
-                          .tables = page::tables_of(options.rows),
-                          .description = structure.name};
+    return page::make_html(
+        {.title = structure.name + " · Meniscus",
+         .picture = draw(mesh, structure, options),
+         .data = page::page_data(mesh, structure, options, {.sky = openness(mesh), .depth = depths(mesh, structure)}),
+         .tables = page::tables_of(options.rows),
+         .description = structure.name});
+}
+
+void write_page(const std::string& path, const Mesh& mesh, const Structure& structure, const PageOptions& options) {
+    const std::string html = make_page(mesh, structure, options);
     AtomicFile file(path);
-    file.write(page::make_html(parts));
+    file.write(html);
     file.commit();
 }
 
