@@ -22,6 +22,7 @@ ROOMS = {
     "colours": ("radii",),
     "render": (),
     "io": ("grid",),
+    "page": ("colours", "render", "io"),
     "pipeline": ("geometry", "grid", "band", "flow", "mesh", "remesh", "measure"),
 }
 # What clients may use beside the public headers: how to write a file of their own whole or not at all.
