@@ -22,6 +22,7 @@ ROOMS = {
     "colours": ("radii",),
     "render": (),
     "io": ("grid",),
+    "page": ("colours", "render", "io"),
     "pipeline": ("geometry", "grid", "band", "flow", "mesh", "remesh", "measure"),
 }
 # What clients may use beside the public headers: how to write a file of their own whole or not at all.
@@ -33,6 +34,7 @@ ONLY_IN = {
     "<tbb/": ("src/core/",),
     "<gemmi/": ("src/structure/", "src/radii/", "src/io/gemmi/"),
     "<embree3/": ("src/render/",),
+    "<ft2build.h>": ("src/render/font.cpp",),
     "<png.h>": ("src/io/", "tests/io/"),
     "<CLI/": ("cli/", "tests/cli/"),
     "<pybind11/": ("python/",),
