@@ -80,6 +80,8 @@ void save_mesh(const std::string& path, const Mesh& mesh, const Structure& struc
     const Colouring colouring(given);
     bool ascii = false;
     std::optional<double> probe;
+    int threads = 0;
+    Options(given).read("threads", threads);
     Options(given).read("ascii", ascii);
     Options(given).read("probe", probe);
     const py::gil_scoped_release release;
@@ -87,9 +89,12 @@ void save_mesh(const std::string& path, const Mesh& mesh, const Structure& struc
     std::transform(mesh.atoms.begin(), mesh.atoms.end(), residues.begin(),
                    [&](std::uint32_t atom) { return structure.labels[atom].residue; });
     const std::vector<Colour> colours = colouring.of(mesh, structure);
-    write_mesh(
-        path, mesh,
-        {.encoding = ascii ? Encoding::Text : Encoding::Binary, .extra = {{"residue", residues}}, .colours = colours});
+    write_mesh(path, mesh,
+               {.encoding = ascii ? Encoding::Text : Encoding::Binary,
+                .extra = {{"residue", residues}},
+                .colours = colours,
+                .probe = probe,
+                .threads = threads});
 }
 
 Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }

@@ -58,7 +58,7 @@ class Saving(InScratchFolder):
     def test_a_page_holds_the_surface_and_its_numbers(self):
         self.surface.save("surface.html", color="patch", view="top", perspective=True)
         page = pathlib.Path("surface.html").read_text(encoding="utf-8")
-        self.assertTrue(page.startswith("<!DOCTYPE html>"))
+        self.assertTrue(page.startswith("<!doctype html>"))
         self.assertIn(f"{self.surface.measures.ses_area:.1f} Å²", page)
         with self.assertRaisesRegex(ValueError, "schemes"):
             self.surface.save("other.html", color=self.surface.colors("patch"))
