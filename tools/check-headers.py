@@ -11,6 +11,7 @@ from sources import INCLUDE_PATHS, Cache, sources
 COMPILER = os.environ.get("CXX", "c++")
 FLAGS = ["-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Werror",
          "-fsyntax-only"] + [f"-I{path}" for path in INCLUDE_PATHS]
+FLAGS += ["-fvisibility=hidden"]  # as pybind11 wants it
 FLAGS += [f"-isystem{path}" for path in sorted(pathlib.Path("/usr/include").glob("python3.*"))]
 
 
