@@ -56,11 +56,16 @@ TEST(DrawLegend, ALegendWithoutColoursTakesNoRoom) { EXPECT_EQ(draw_legend({.tit
 
 TEST(DrawLegend, ManyClassesStandInColumnsAndLettersShrink) {
     Legend legend{.title = "Chain"};
-    for (int i = 0; i < 60; ++i) legend.entries.push_back({"chain " + std::to_string(i), Colour{static_cast<std::uint8_t>(i), 0, 200, 255}});
+    for (int i = 0; i < 60; ++i)
+        legend.entries.push_back({"chain " + std::to_string(i), Colour{static_cast<std::uint8_t>(i), 0, 200, 255}});
     const Picture picture = draw_legend(legend, {.width = 500, .height = 300});
     EXPECT_LE(picture.width, 500);
     for (const LegendEntry& entry : legend.entries) EXPECT_GT(count_of(picture, entry.colour), 4) << entry.label;
-    EXPECT_THROW(draw_legend(legend, {.width = 100, .height = 100}), UsageError);
+    const Picture small = draw_legend(legend, {.width = 100, .height = 100});
+    EXPECT_LE(small.width, 100);
+    EXPECT_GT(count_of(small, legend.entries.front().colour), 4);
+    EXPECT_EQ(count_of(small, legend.entries.back().colour), 0);
+    EXPECT_THROW(draw_legend(legend, {.width = 20, .height = 20}), UsageError);
 }
 
 TEST(DrawLegend, LabelsMayBeAnything) {
