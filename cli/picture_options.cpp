@@ -144,12 +144,18 @@ std::string describe(const Colour& c) {
     return c.alpha == 0 ? "transparent" : fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue);
 }
 
-/// An option that only pictures heed.
+/// Notes that an option was given which pictures heed, some also pages.
+void note_given(PictureRequest& request, std::string_view name) {
+    const bool of_pages = name == "--view" || name == "--perspective";
+    (of_pages ? request.viewed_by : request.drawn_by) = name;
+}
+
+/// An option that only pictures and pages heed.
 template <class Set>
 void add_drawing(CLI::App& command, PictureRequest& request, const char* name, const char* symbol,
                  const char* default_text, const char* text, const Set& set) {
     const auto read = [&request, name, set](const std::string& value) {
-        request.drawn_by = name;
+        note_given(request, name);
         set(value);
     };
     command.add_option_function<std::string>(name, read, text)->type_name(symbol)->default_str(default_text);
@@ -158,7 +164,7 @@ void add_drawing(CLI::App& command, PictureRequest& request, const char* name, c
 template <class Set>
 void add_drawing_flag(CLI::App& command, PictureRequest& request, const char* name, const char* text, const Set& set) {
     const auto read = [&request, name, set](std::int64_t) {
-        request.drawn_by = name;
+        note_given(request, name);
         set();
     };
     command.add_flag_function(name, read, text);
@@ -169,7 +175,7 @@ void add_colour(CLI::App& command, PictureRequest& request) {
     command
         .add_option_function<std::string>(
             "--color", read,
-            "Colours of meshes (.ply) and pictures; auto: chain if there are several, else single. "
+            "Colours of meshes (.ply), pictures and pages; auto: chain if there are several, else single. "
             "curvature, depth and bfactor also as SCHEME:MIN:MAX")
         ->type_name(join(kSchemes, "|"))
         ->default_str(kSchemes.front().first);
@@ -189,7 +195,8 @@ void add_picture_options(CLI::App& command, PictureRequest& request) {
     PictureOptions& picture = request.picture;
     add_colour(command, request);
     add_drawing(command, request, "--view", "VIEW", "auto",
-                "From where pictures look: front, back, left, right, top, bottom; X,Y,Z[:UX,UY,UZ] towards the viewer "
+                "From where pictures and pages look: front, back, left, right, top, bottom; X,Y,Z[:UX,UY,UZ] towards "
+                "the viewer "
                 "and up; or auto, the longest axis across",
                 [&](const std::string& text) {
                     picture.viewpoint = parse_view(text);

@@ -22,6 +22,7 @@ struct PictureRequest {
     std::string view = "auto";  ///< as asked for
     std::string cut{};          ///< as asked for
     std::string drawn_by{};     ///< an option that was given and that only pictures heed; empty if there is none
+    std::string viewed_by{};    ///< one that pictures and pages heed
 };
 
 /// --color, --view, --size, --background, --cut, --perspective, --outline, --depth-cue, --legend. `request` must

@@ -19,10 +19,6 @@ constexpr double kShortestReach = 2.0;
 /// Of a section through the molecule: a light, warm grey that no palette has.
 constexpr Colour kSection{222, 217, 208, 255};
 
-double reach_of_sky(const Camera& camera) {
-    return std::clamp(kReachShare * camera.depth_range(), kShortestReach, kLongestReach);
-}
-
 /// A quantity of the corners at a point of the triangle.
 template <class T, class Get>
 T interpolated(const Triangle& t, const RayHit& hit, const Get& get) {
@@ -36,6 +32,10 @@ Light interpolated_light(const Triangle& t, const RayHit& hit, std::span<const C
 }
 
 }  // namespace
+
+double reach_of_sky(const Camera& camera) {
+    return std::clamp(kReachShare * camera.depth_range(), kShortestReach, kLongestReach);
+}
 
 Scene::Scene(const Mesh& mesh, std::span<const Colour> colours, const PictureOptions& options, const ColourField& exact)
     : mesh_(mesh),

@@ -27,6 +27,9 @@ struct Glimpse {
     bool is_background() const { return kind == Kind::Background; }
 };
 
+/// How far the sky is blocked, Å: by a share of the molecule's depth.
+double reach_of_sky(const Camera& camera);
+
 class Scene {
 public:
     /// All arguments must outlive the scene. Precondition: they have passed the checks of draw_picture(), and the mesh
