@@ -177,12 +177,14 @@ private:
     void draw_entries(Picture& picture, double y) const {
         const double size = font_.size();
         for (std::size_t i = 0; i < labels_.size(); ++i) {
-            const double x = static_cast<double>(static_cast<int>(i) / rows_) * column_width();
-            const double baseline = y + kLine * size * (static_cast<int>(i) % rows_ + 0.75);
+            const std::size_t column = i / static_cast<std::size_t>(rows_);
+            const std::size_t row = i % static_cast<std::size_t>(rows_);
+            const double x = static_cast<double>(column) * column_width();
+            const double baseline = y + kLine * size * (static_cast<double>(row) + 0.75);
             draw_text(picture, {x + (kSwatch + kGap) * size, baseline}, labels_[i]);
             if (i >= shown_) continue;
             const Colour colour = legend_.entries[i].colour;
-            const double top = baseline - 0.5 * kCapHeight * size - 0.5 * kSwatch * size;
+            const double top = baseline - 0.5 * (kCapHeight + kSwatch) * size;
             draw_box(picture, {x, top}, {kSwatch * size, kSwatch * size}, [&colour](double) { return colour; });
         }
     }

@@ -71,7 +71,7 @@ TEST(DrawLegend, ManyClassesStandInColumnsAndLettersShrink) {
 TEST(DrawLegend, LabelsMayBeAnything) {
     Legend legend = two_chains();
     legend.entries[0].label = std::string(10000, 'W');
-    legend.entries[1].label = "\xFF\n\0漢";
+    legend.entries[1].label = "\xFF\n漢";
     EXPECT_LE(draw_legend(legend, {.width = 400, .height = 600}).width, 400);
     legend.title = std::string(500, 'x') + " and more";
     EXPECT_LE(draw_legend(legend, {.width = 400, .height = 600}).width, 400);
