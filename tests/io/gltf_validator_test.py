@@ -40,7 +40,7 @@ def main():
         files = []
         for name, options in (*RUNS, NOTHING):
             files.append(pathlib.Path(folder) / name)
-            subprocess.run([PROGRAM, "surface", SOURCE / "examples" / "1ubq.pdb", "--quiet", "--spacing", "0.7", *options,
+            subprocess.run([PROGRAM, "surface", SOURCE / "examples" / "1ubq.pdb", "--quiet", *options,
                             "-o", files[-1]], check=True, stderr=subprocess.DEVNULL)
         bad = 0
         for file, report in zip(files, findings(files), strict=True):
