@@ -36,6 +36,9 @@ constexpr std::array kViews{
     NamedView{"left", {{-1, 0, 0}, {0, 1, 0}}}, NamedView{"right", {{1, 0, 0}, {0, 1, 0}}},
     NamedView{"top", {{0, 1, 0}, {0, 0, -1}}},  NamedView{"bottom", {{0, -1, 0}, {0, 0, 1}}},
 };
+/// Width and height, pixels; in half of it every legend has room.
+constexpr std::array kSmallestWithLegend{320, 240};
+
 constexpr const char* kViewWords = "auto, front, back, left, right, top, bottom, or X,Y,Z[:UX,UY,UZ]";
 
 constexpr Words<Colour, 3> kBackgrounds{{{"white", kWhite}, {"black", {0, 0, 0, 255}}, {"transparent", kTransparent}}};
@@ -179,6 +182,14 @@ void add_colour(CLI::App& command, PictureRequest& request) {
 }
 
 }  // namespace
+
+void check_picture(const PictureRequest& request) {
+    const PictureOptions& picture = request.picture;
+    if (request.legend && (picture.width < kSmallestWithLegend[0] || picture.height < kSmallestWithLegend[1]))
+        throw UsageError(
+            fmt::format("--legend: has no room in a picture of {}x{} pixels; choose a --size from {}x{} on",
+                        picture.width, picture.height, kSmallestWithLegend[0], kSmallestWithLegend[1]));
+}
 
 void add_picture_options(CLI::App& command, PictureRequest& request) {
     PictureOptions& picture = request.picture;

@@ -73,6 +73,7 @@ void complete(SurfaceRequest& request) {
     if ((remesh.adaptive || remesh.keep_ridges || remesh.simplify_topology) && !remesh.is_on())
         throw UsageError(
             "--adaptive, --keep-ridges and --simplify-topology shape even triangles; ask for them with --edge");
+    check_picture(request.picture);
     request.surface.history = !request.flow.history.empty();
     request.surface.initial_area = !request.report.empty();
     request.surface.quality = !request.report.empty();

@@ -140,9 +140,12 @@ class Usage(ProgramTest):
     def test_pictures_that_make_no_sense_are_refused(self):
         for option, value in (("--color", "fancy"), ("--color", "residue:0:1"), ("--color", "depth:2:1"),
                               ("--size", "100"), ("--size", "0x9"), ("--view", "sideways"), ("--view", "0,0,0"),
-                              ("--background", "#12"), ("--depth-cue", "2")):
+                              ("--background", "#12"), ("--depth-cue", "2"), ("--cut", "middle")):
             self.assertIn(option, self.refused("three.xyzr", "-o", "a.png", option, value))
-        self.assertIn("-o FILE.png", self.refused("three.xyzr", "--outline"))
+        for option in ("--outline", "--legend"):
+            self.assertIn("-o FILE.png", self.refused("three.xyzr", option))
+        self.assertIn("--legend", self.refused("three.xyzr", "-o", "a.png", "--legend", "--size", "64x48"))
+        self.assertIn("cavity 1", self.refused("three.xyzr", "-o", "a.png", "--cut", "cavity:1"))
 
     def test_outputs_are_checked_before_anything_is_read(self):
         missing = "missing.pdb"
@@ -191,7 +194,7 @@ class Outputs(ProgramTest):
         self.assertEqual(self.files(), ["sub/three.xyzr", "three.atoms.csv", "three.ply"])
 
     def test_every_format_can_be_written(self):
-        names = ["a.obj", "a.off", "a.ply", "a.stl", "b.xyzr", "b.xyzrn"]
+        names = ["a.glb", "a.obj", "a.off", "a.ply", "a.stl", "b.xyzr", "b.xyzrn"]
         self.surface("three.xyzr", *[word for name in names for word in ("-o", name)])
         self.assertEqual(self.files(), sorted([*names, "a.atoms.csv", "three.xyzr"]))
         for name in names:
@@ -203,6 +206,16 @@ class Outputs(ProgramTest):
         content = (self.folder / "a.png").read_bytes()
         self.assertEqual(content[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual((int.from_bytes(content[16:20], "big"), int.from_bytes(content[20:24], "big")), (64, 48))
+
+    def test_a_picture_cut_open_with_a_legend(self):
+        (self.folder / "shell.xyzr").write_text(SHELL)
+        report = self.report("shell.xyzr", "-o", "a.png", "--size", "320x240", "--cut", "auto", "--legend", "--color",
+                             "component")
+        self.assertEqual((report["options"]["cut"], report["options"]["legend"]), ("auto", True))
+        rules = json.loads((SOURCE / "docs" / "report.schema.json").read_text(encoding="utf-8"))
+        self.assertEqual(schema.problems(report, rules), [])
+        content = (self.folder / "a.png").read_bytes()
+        self.assertEqual((int.from_bytes(content[16:20], "big"), int.from_bytes(content[20:24], "big")), (320, 240))
 
     def test_colours_are_told_and_in_the_mesh(self):
         (self.folder / "gly.pdb").write_text(glycine())
