@@ -64,7 +64,7 @@ void add_input(Rows& rows, const SurfaceRequest& request, const Structure& struc
     rows.push_back({section, "residues", fmt::format("{}", structure.residues.size())});
     for (const auto& [reason, number] : structure.dropped)
         if (number > 0) rows.push_back({section, "left out: " + reason, fmt::format("{}", number)});
-    rows.push_back({section, "radii", one_line(structure.radii_set)});
+    rows.push_back({section, "radii", one_line(std::filesystem::path(structure.radii_set).filename().string())});
     rows.push_back({section, "probe", fmt::format("{} Å", surface.options.probe)});
     rows.push_back({section, "method", name_of(request.surface.method)});
     rows.push_back({section, "spacing", fmt::format("{} Å", surface.options.spacing)});

@@ -18,8 +18,8 @@
       this.scene = new THREE.Scene();
       this.surface = new Surface(data);
       this.pick = new Pick(data);
-      this.shared = {inPerspective: this.surface.uniforms.inPerspective, cut: this.surface.uniforms.cut,
-                     planeInView: {value: new THREE.Vector4()}};
+      const {inPerspective, cut, planeInView} = this.surface.uniforms;
+      this.shared = {inPerspective, cut, planeInView};
       this.atoms = new Atoms(data, this.shared, data.stream("colours-" + this.paletteOfAtoms()));
       this.scene.add(this.surface.group, this.atoms.group);
       this.marker = this.makeMarker();
@@ -85,10 +85,23 @@
 
     setScheme(id) {
       const scheme = this.info.schemes.find(s => s.id === id);
-      this.scheme = id;
+      $("scheme").value = id;
       this.surface.setScheme(scheme);
-      Panel.showLegend(scheme.legend);
+      Panel.showLegend(scheme.kind === "component" ? this.legendOfPieces(scheme) : scheme.legend);
       this.draw();
+    }
+
+    /** With the numbers that the list of cavities has. */
+    legendOfPieces(scheme) {
+      const cavities = this.info.cavities.map((c, i) => ["cavity " + (i + 1), scheme.colours[c.component]]);
+      const outer = scheme.legend.entries.filter(([label]) => label === "outer");
+      return {...scheme.legend, entries: [...outer, ...cavities.filter(([, colour]) => colour)]};
+    }
+
+    /** As the list of schemes asks: cavities are not seen through a solid surface. */
+    chooseScheme(id) {
+      this.setScheme(id);
+      if (id === "component" && !this.plane && this.surface.opacity === 1) this.setOpacity(100 * seeThrough);
     }
 
     setOpacity(percent) {
@@ -196,11 +209,16 @@
           const index = this.pick.at(hit, mesh.shape);
           facts.push(["shape index", Panel.plain(index, 2) + " (" + Panel.shapeWord(index) + ")"]);
         }
-        if (mesh.depth) facts.push(["depth", Panel.plain(this.pick.at(hit, mesh.depth) * info.depthStep, 1) + " Å"]);
+        if (mesh.depth) facts.push(["depth", this.depthAt(hit)]);
       }
       if (atoms.bFactor[atom] !== 0) facts.push(["B factor", Panel.plain(atoms.bFactor[atom], 2)]);
       facts.push(["position", point.toArray().map((c, k) => Panel.plain(c + info.low[k], 2)).join("  ")]);
       return facts;
+    }
+
+    depthAt(hit) {
+      const steps = this.pick.at(hit, this.data.mesh.depth);   // 255 stands for more
+      return (steps > 254 ? "over " : "") + Panel.plain(steps * this.info.depthStep, 1) + " Å";
     }
 
     forget() {
@@ -252,7 +270,7 @@
 
     listen() {
       const on = (id, name, f) => $(id).addEventListener(name, f);
-      on("scheme", "change", () => this.setScheme($("scheme").value));
+      on("scheme", "change", () => this.chooseScheme($("scheme").value));
       on("opacity", "input", () => this.setOpacity(+$("opacity").value));
       for (const how of ["none", "sticks", "spheres"]) on("atoms-" + how, "change", () => this.setAtoms(how));
       on("clip", "input", () => this.setCut($("clip").value / 1000));
@@ -272,7 +290,7 @@
       on("view", "dblclick", e => this.approach(e));
       this.controls.clicked = e => this.ask(e.clientX, e.clientY);
       document.addEventListener("keydown", e => this.key(e));
-      new ResizeObserver(() => this.draw()).observe($("stage"));
+      new ResizeObserver(() => this.controls.refit()).observe($("stage"));
       this.setCut(0);
       const dark = matchMedia("(prefers-color-scheme: dark)");
       dark.addEventListener("change", () => this.setTheme(dark.matches ? "dark" : "light"));

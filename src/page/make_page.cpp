@@ -20,8 +20,8 @@ namespace {
 constexpr std::size_t kMostAtoms = std::size_t{1} << 24U;
 
 /// Of the picture for browsers that cannot draw, pixels.
-constexpr int kPictureWidth = 960;
-constexpr int kPictureHeight = 720;
+constexpr int kPictureWidth = 640;
+constexpr int kPictureHeight = 480;
 
 template <class T>
 void need(const std::vector<T>& values, const Mesh& mesh, const char* name) {
@@ -51,15 +51,15 @@ std::vector<double> depths(const Mesh& mesh, const Structure& structure) {
     return depth;
 }
 
-/// What is seen where scripts or WebGL are missing.
-std::string draw(const Mesh& mesh, const Structure& structure, const PageOptions& options) {
-    return encode_png(draw_picture(mesh, colour_vertices(mesh, structure, options.colours),
-                                   {.width = kPictureWidth,
-                                    .height = kPictureHeight,
-                                    .viewpoint = options.viewpoint,
-                                    .projection = options.projection,
-                                    .background = kTransparent,
-                                    .threads = options.threads}));
+/// What is seen where scripts or WebGL are missing, as PNG.
+std::string draw(const Mesh& mesh, const Structure& structure, const PageOptions& options, std::span<const float> sky) {
+    return encode_png(draw_picture_by(sky, mesh, colour_vertices(mesh, structure, options.colours),
+                                      {.width = kPictureWidth,
+                                       .height = kPictureHeight,
+                                       .viewpoint = options.viewpoint,
+                                       .projection = options.projection,
+                                       .background = kTransparent,
+                                       .threads = options.threads}));
 }
 
 }  // namespace
@@ -70,12 +70,12 @@ std::string make_page(const Mesh& mesh, const Structure& structure, const PageOp
     if (!pages_supported()) throw std::runtime_error("pages need three.js; build with MENISCUS_PAGE=ON");
     check(mesh, structure);
     const ThreadLimit limit(options.threads);
-    return page::make_html(
-        {.title = structure.name + " · Meniscus",
-         .picture = draw(mesh, structure, options),
-         .data = page::page_data(mesh, structure, options, {.sky = openness(mesh), .depth = depths(mesh, structure)}),
-         .tables = page::tables_of(options.rows),
-         .description = structure.name});
+    const page::VertexExtras extras{.sky = openness(mesh), .depth = depths(mesh, structure)};
+    return page::make_html({.title = structure.name + " · Meniscus",
+                            .picture = draw(mesh, structure, options, extras.sky),
+                            .data = page::page_data(mesh, structure, options, extras),
+                            .tables = page::tables_of(options.rows),
+                            .description = structure.name});
 }
 
 void write_page(const std::string& path, const Mesh& mesh, const Structure& structure, const PageOptions& options) {
