@@ -23,7 +23,7 @@
       this.atoms = new Atoms(data, this.shared, data.stream("colours-" + this.paletteOfAtoms()));
       this.scene.add(this.surface.group, this.atoms.group);
       this.marker = this.makeMarker();
-      this.controls = new Controls(this.canvas, data.mesh.points, this.info.view, () => this.draw());
+      this.controls = new Controls(this.canvas, this.info.vertices > 0 ? data.mesh.points : data.atoms.points, this.info.view, () => this.draw());
       this.plane = null;
       this.setScheme(this.info.scheme);
       this.fill();

@@ -108,7 +108,7 @@ const Surface = (() => {
       this.data = data;
       const outer = outerFirst(data.mesh), all = data.mesh.corners.length;
       this.paint = table(Uint8Array, THREE.UnsignedByteType, data.atoms.count);
-      this.components = Math.max(...volumes(data.mesh).keys()) + 1;
+      this.components = Math.max(1, volumes(data.mesh).length);
       this.uniforms = {
         spheres: {value: sphereTable(data.atoms)}, paint: {value: this.paint},
         ofComponent: {value: table(Uint8Array, THREE.UnsignedByteType, this.components)},

@@ -35,8 +35,11 @@ void allow(const std::vector<T>& values, const Mesh& mesh, const char* name) {
 }
 
 void check(const Mesh& mesh, const Structure& structure) {
-    if (mesh.triangles.empty()) throw UsageError("a page needs a mesh with triangles");
     if (structure.atoms.size() > kMostAtoms) throw LimitError("a page cannot hold more than 16,777,216 atoms");
+    const std::size_t n = mesh.vertices.size();
+    for (const Triangle& t : mesh.triangles)
+        if (std::any_of(t.begin(), t.end(), [n](VertexId v) { return v >= n; }))
+            throw UsageError("a triangle names a vertex that the mesh does not have");
     need(mesh.normals, mesh, "normal");
     need(mesh.atoms, mesh, "atom");
     need(mesh.patches, mesh, "patch");
@@ -49,6 +52,10 @@ std::vector<double> depths(const Mesh& mesh, const Structure& structure) {
     std::vector<double> depth = signed_distance(AccessibleSurface(structure.atoms, kDepthProbe), mesh.vertices);
     for (double& d : depth) d = std::max(0.0, -d);
     return depth;
+}
+
+std::vector<float> light(const Mesh& mesh) {
+    return mesh.triangles.empty() ? std::vector<float>(mesh.vertices.size()) : openness(mesh);
 }
 
 /// What is seen where scripts or WebGL are missing, as PNG.
@@ -70,7 +77,7 @@ std::string make_page(const Mesh& mesh, const Structure& structure, const PageOp
     if (!pages_supported()) throw std::runtime_error("pages need three.js; build with MENISCUS_PAGE=ON");
     check(mesh, structure);
     const ThreadLimit limit(options.threads);
-    const page::VertexExtras extras{.sky = openness(mesh), .depth = depths(mesh, structure)};
+    const page::VertexExtras extras{.sky = light(mesh), .depth = depths(mesh, structure)};
     return page::make_html({.title = structure.name + " · Meniscus",
                             .picture = draw(mesh, structure, options, extras.sky),
                             .data = page::page_data(mesh, structure, options, extras),
