@@ -50,9 +50,10 @@ void add_mesh(Rows& rows, const Surface& surface) {
     rows.push_back({section, "triangles", fmt::format("{}", surface.mesh.triangles.size())});
     rows.push_back(
         {section, "closed, manifold", fmt::format("{}, {}", m.closed ? "yes" : "no", m.manifold ? "yes" : "no")});
-    rows.push_back({section, "from the exact surface", "mean " + length(surface.distance.mean)});
-    rows.push_back({section, "", "99 % below " + length(surface.distance.p99)});
-    rows.push_back({section, "", "largest " + length(surface.distance.max)});
+    const char* distance = "Distance of this mesh from the exact surface";
+    rows.push_back({distance, "mean", length(surface.distance.mean)});
+    rows.push_back({distance, "99 % below", length(surface.distance.p99)});
+    rows.push_back({distance, "largest", length(surface.distance.max)});
 }
 
 void add_input(Rows& rows, const SurfaceRequest& request, const Structure& structure, const Surface& surface) {

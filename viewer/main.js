@@ -170,7 +170,7 @@
       const hit = this.pick.surface(ray, range);
       const how = this.atoms.shown;
       const ball = how && how !== "none" && (this.surface.opacity < 0.15 || (hit && !hit.front))
-        ? this.pick.atom(ray, {scale: 0.97, fixed: how === "sticks" ? 1.5 * Atoms.thickness : 0, plane}) : null;
+        ? this.pick.atom(ray, {scale: Atoms.scale, fixed: how === "sticks" ? 1.5 * Atoms.thickness : 0, plane}) : null;
       if (ball && (!hit || this.surface.opacity < 0.15 || ball.distance < hit.distance))
         return {atom: ball.atom, point: at(ball.distance), hit: null};
       if (!hit || (plane && !hit.front)) return null;
@@ -203,7 +203,7 @@
         const cavity = info.cavities.findIndex(c => c.component === component);
         facts.push(["patch", patchNames[mesh.patch[v]]],
                    ["part of", cavity >= 0 ? "cavity " + (cavity + 1)
-                     : hit.triangle >= this.surface.outer.count ? "a cavity" : "the outer surface"]);
+                     : hit.triangle >= this.surface.outer.count ? "a cavity" : "outer surface"]);
         if (mesh.curvature) facts.push(["mean curvature", Panel.plain(this.pick.at(hit, mesh.curvature), 3) + " Å⁻¹"]);
         if (mesh.shape) {
           const index = this.pick.at(hit, mesh.shape);
@@ -245,7 +245,7 @@
       document.documentElement.dataset.theme = theme;
       const style = getComputedStyle(document.documentElement);
       this.renderer.setClearColor(new THREE.Color(style.getPropertyValue("--paper").trim()), 1);
-      this.surface.uniforms.inside.value.set(theme === "dark" ? 0x4a4f55 : 0xcfc8bd);
+      this.surface.uniforms.inside.value.set(theme === "dark" ? 0x6b6862 : 0xcfc8bd);
       this.draw();
     }
 

@@ -18,7 +18,7 @@ std::string value_of(const std::vector<PageRow>& rows, std::string_view label, s
     return found == rows.end() ? "" : found->value;
 }
 
-struct Run {
+struct SmallRun {
     SurfaceRequest request;
     Structure structure = testing::two_atoms();
     Surface surface;
@@ -27,7 +27,7 @@ struct Run {
 };
 
 TEST(PageRows, HoldAreasAndCountsOfPieces) {
-    Run run;
+    SmallRun run;
     run.exact.totals.ses_area = 123.456;
     run.exact.components.resize(3);
     run.exact.components[1].kind = ComponentKind::Cavity;
@@ -39,7 +39,7 @@ TEST(PageRows, HoldAreasAndCountsOfPieces) {
 }
 
 TEST(PageRows, NameFilesWithoutTheirFolders) {
-    Run run;
+    SmallRun run;
     run.structure.file = "/somewhere/private/a\nb.pdb";
     run.structure.radii_set = "/somewhere/private/my.rules";
     for (const PageRow& row : run.rows()) {
@@ -50,7 +50,7 @@ TEST(PageRows, NameFilesWithoutTheirFolders) {
 }
 
 TEST(PageRows, TellWhatFailed) {
-    Run run;
+    SmallRun run;
     run.surface.checks = {{"closed", true, 1, 1}, {"converged", false, 0, 1}};
     EXPECT_EQ(value_of(run.rows(), "passed"), "2 of 3");
     EXPECT_EQ(value_of(run.rows(), "failed"), "converged");
