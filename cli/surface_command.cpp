@@ -11,6 +11,7 @@
 #include "io/atomic_file.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
+#include "meniscus/legend.h"
 #include "meniscus/measures.h"
 #include "meniscus/page.h"
 #include "meniscus/tables.h"
@@ -32,6 +33,7 @@ void write_mesh_with_residues(const std::string& path, const SurfaceRequest& req
                {.encoding = request.encoding,
                 .extra = {{"residue", residues}},
                 .colours = colours,
+                .probe = request.surface.probe,
                 .threads = request.surface.threads});
 }
 
@@ -122,7 +124,13 @@ private:
         ColourField field;
         if (surface_.level_set) field = colour_by_level_set(*surface_.level_set, colours);
         if (!field) field = colour_by_feature(accessible, structure, colours);
-        picture_ = draw_picture(surface_.mesh, colours_, options, field);
+        Picture legend{0, options.height, {}};
+        if (request_.picture.legend)
+            legend =
+                draw_legend(make_legend(surface_.mesh, structure, colours),
+                            {.width = options.width / 2, .height = options.height, .background = options.background});
+        options.width -= legend.width;
+        picture_ = side_by_side(draw_picture(surface_.mesh, colours_, options, field), legend);
         show("picture", 1.0);
     }
 

@@ -22,8 +22,12 @@ constexpr Colour rgb(std::uint32_t code) {
 inline constexpr Colour kPlain = rgb(0x77AADD);
 inline constexpr Colour kNeutral = rgb(0xCCCCCC);
 
-/// The n-th of a row of distinct colours, which begins again after seventeen.
-/// source   P. Tol, Colour Schemes, SRON technical note 2021: "light", then "muted"
+inline constexpr std::size_t kDistinctColours = 12;
+
+/// The n-th of a row of distinct colours, which begins again after kDistinctColours; the first is kPlain.
+/// source   P. Tol, Colour Schemes, SRON technical note 2021 ("light", "medium contrast", "vibrant") and one of Okabe &
+///          Ito 2008, in an order in which each is as far as can be from those before it, for the colour-blind too
+///          (docs/design/colours.md)
 Colour distinct_colour(std::size_t n);
 
 /// Values from 0 to 1, values beyond as the ends; colours between those of the ramp are linear in sRGB.
