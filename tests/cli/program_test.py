@@ -146,6 +146,8 @@ class Usage(ProgramTest):
             self.assertIn("-o FILE.png", self.refused("three.xyzr", option))
         self.assertIn("--legend", self.refused("three.xyzr", "-o", "a.png", "--legend", "--size", "64x48"))
         self.assertIn("cavity 1", self.refused("three.xyzr", "-o", "a.png", "--cut", "cavity:1"))
+        self.assertIn("-o FILE.png", self.refused("three.xyzr", "-o", "a.html", "--size", "9x9"))
+        self.assertIn("FILE.html", self.refused("three.xyzr", "-o", "a.ply", "--view", "top"))
 
     def test_outputs_are_checked_before_anything_is_read(self):
         missing = "missing.pdb"
@@ -181,7 +183,7 @@ class Input(ProgramTest):
         self.assertEqual(self.files(), ["nmr.pdb", "out_m01.atoms.csv", "out_m01.ply", "out_m02.atoms.csv",
                                         "out_m02.ply", "three.xyzr"])
         self.surface("nmr.pdb", "--model", "all")
-        self.assertTrue({"nmr_m01.ply", "nmr_m02.ply", "nmr_m02.atoms.csv"} <= set(self.files()), self.files())
+        self.assertTrue({"nmr_m01.ply", "nmr_m01.html", "nmr_m02.ply", "nmr_m02.html", "nmr_m02.atoms.csv"} <= set(self.files()), self.files())
         self.assertEqual(self.report("nmr.pdb", "--model", "2")["input"]["model"], 2)
         self.refused("nmr.pdb", "--model", "3", code=3)
 
@@ -191,7 +193,7 @@ class Outputs(ProgramTest):
         (self.folder / "sub").mkdir()
         shutil.move(self.folder / "three.xyzr", self.folder / "sub" / "three.xyzr")
         self.surface("sub/three.xyzr")
-        self.assertEqual(self.files(), ["sub/three.xyzr", "three.atoms.csv", "three.ply"])
+        self.assertEqual(self.files(), ["sub/three.xyzr", "three.atoms.csv", "three.html", "three.ply"])
 
     def test_every_format_can_be_written(self):
         names = ["a.glb", "a.obj", "a.off", "a.ply", "a.stl", "b.xyzr", "b.xyzrn"]
@@ -216,6 +218,18 @@ class Outputs(ProgramTest):
         self.assertEqual(schema.problems(report, rules), [])
         content = (self.folder / "a.png").read_bytes()
         self.assertEqual((int.from_bytes(content[16:20], "big"), int.from_bytes(content[20:24], "big")), (320, 240))
+
+    def test_a_page_alone(self):
+        report = self.report("three.xyzr", "-o", "a.html", "--view", "top", "--perspective", "--color", "patch")
+        self.assertEqual(self.files(), ["a.html", "three.xyzr"])
+        self.assertGreater(report["time_s"]["page"], 0)
+        page = (self.folder / "a.html").read_text(encoding="utf-8")
+        self.assertIn(f"{report['exact']['ses_area']:.1f} Å²", page)
+        self.assertTrue(page.rstrip().endswith("</html>"))
+
+    def test_a_page_of_a_surface_that_is_not_there(self):
+        self.surface("three.xyzr", "-o", "a.html", "--components", "cavities")
+        self.assertIn("</html>", (self.folder / "a.html").read_text(encoding="utf-8"))
 
     def test_colours_are_told_and_in_the_mesh(self):
         (self.folder / "gly.pdb").write_text(glycine())
