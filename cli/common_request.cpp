@@ -38,7 +38,7 @@ void set_altloc(CommonRequest& request, const std::string& text) {
 void add_input(CLI::App& command, CommonRequest& request) {
     command
         .add_option("INPUT", request.input,
-                    "a .pdb .ent .cif .mmcif .pqr .xyzr or .xyzrn file, also gzipped (.gz), or - for standard input")
+                    ".pdb .ent .cif .mmcif .pqr .xyzr .xyzrn, each also .gz; - is standard input")
         ->required()
         ->type_name("");
 }

@@ -65,7 +65,7 @@ std::string option_entries(const CLI::App& app, CLI::AppFormatMode mode) {
         for (const CLI::Option* option : options) text += option_entry(*option, mode);
     }
     if (in_full(mode)) return text;
-    return text + "Help:\n" + option_entry(*app.get_help_ptr(), mode) + option_entry(*app.get_help_all_ptr(), mode);
+    return text + option_entry(*app.get_help_all_ptr(), mode);
 }
 
 std::string usage(const CLI::App& app, const std::string& name) {

@@ -18,10 +18,10 @@ constexpr const char* kFooter =
     "-o writes tables (.csv .json), or the kept atoms with a value in the B-factor\n"
     "column (.pdb .cif).\n"
     "Examples:\n"
-    "  meniscus measure 1abc.pdb                               areas, volumes, cavities\n"
-    "  meniscus measure 1abc.pdb -o residues.csv               a table per residue\n"
-    "  meniscus measure 1abc.pdb --between A:B                 an interface\n"
-    "  meniscus measure 1abc.pdb -o depth.pdb --value depth    depth as B factor";
+    "  meniscus measure 1abc.pdb                             areas, volumes, cavities\n"
+    "  meniscus measure 1abc.pdb -o residues.csv             a table per residue\n"
+    "  meniscus measure 1abc.pdb --between A:B               an interface\n"
+    "  meniscus measure 1abc.pdb -o depth.pdb --value depth  depth as B factor";
 
 /// An option that may be given several times, each time with one of a few words.
 template <class T, std::size_t N>
