@@ -15,13 +15,14 @@ constexpr Words<Method, 3> kMethods{
 constexpr Words<Pieces, 3> kPieces{{{"all", Pieces::All}, {"outer", Pieces::Outer}, {"cavities", Pieces::Cavities}}};
 
 constexpr const char* kFooter =
-    "-o writes meshes (.ply .obj .stl .off), pictures (.png) and the kept atoms\n"
-    "(.xyzr .xyzrn). Without -o the mesh goes to NAME.ply in the current folder.\n"
+    "-o writes meshes (.ply .obj .stl .off .glb), a page to look at in a browser\n"
+    "(.html), pictures (.png) and the kept atoms (.xyzr .xyzrn). Without -o mesh\n"
+    "and page go to NAME.ply and NAME.html in the current folder.\n"
     "Examples:\n"
-    "  meniscus surface 1abc.pdb -o 1abc.ply --report 1abc.json   mesh and numbers\n"
+    "  meniscus surface 1abc.pdb                                  mesh and page\n"
     "  meniscus surface 1abc.pdb -o 1abc.png --color patch        a picture\n"
     "  meniscus surface 1abc.pdb -o 1abc.stl --edge 1 --components outer   to print\n"
-    "  meniscus surface 1abc.cif -o ab.obj --chains A,B --hetero ligands";
+    "  meniscus surface 1abc.cif -o ab.ply --chains A,B --report ab.json";
 
 void add_shape_options(CLI::App& command, SurfaceRequest& request) {
     SurfaceOptions& surface = request.surface;

@@ -5,7 +5,11 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-if(NOT CMAKE_BUILD_TYPE)
+# What is set here stays in this folder and below, also where another project takes this one in; only the libraries that
+# are found are seen by all, since who links the library links them, too.
+list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release)
 endif()
 
@@ -28,6 +32,12 @@ function(meniscus_room name)
   target_include_directories(meniscus_${name} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(meniscus_${name} PUBLIC ${ARG_USES})
   set_target_properties(meniscus_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  meniscus_part(meniscus_${name})
+endfunction()
+
+# The objects of this target become part of the library `meniscus`.
+function(meniscus_part target)
+  set_property(GLOBAL APPEND PROPERTY MENISCUS_PARTS ${target})
 endfunction()
 
 # One test program per room: meniscus_test(ROOM SOURCES ... USES ...).

@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+# What `cmake --install` puts where. Components: `runtime`, the program and its pages; `development`, the library; and
+# `bundle`, all that the archive holds (packages.cmake).
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/meniscus)
+
+# The library, for CMake and for pkg-config; both find it wherever the folder is moved.
+install(TARGETS meniscus EXPORT meniscus-targets
+  ARCHIVE COMPONENT development
+  LIBRARY COMPONENT development)
+install(DIRECTORY include/meniscus DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
+  FILES_MATCHING PATTERN *.h)
+install(EXPORT meniscus-targets NAMESPACE Meniscus:: DESTINATION ${package_dir} COMPONENT development)
+
+configure_package_config_file(cmake/meniscus-config.cmake.in meniscus-config.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(meniscus-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES cmake/FindNettle.cmake ${CMAKE_CURRENT_BINARY_DIR}/meniscus-config.cmake
+    ${CMAKE_CURRENT_BINARY_DIR}/meniscus-config-version.cmake
+  DESTINATION ${package_dir} COMPONENT development)
+
+file(RELATIVE_PATH path_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" path_to_prefix ${path_to_prefix})
+if(BUILD_SHARED_LIBS)  # who links a static library links what it needs, too
+  set(pc_needs "Libs: -L\${libdir} -lmeniscus\nLibs.private: -lembree3\nRequires.private: tbb zlib libpng nettle fmt")
+else()
+  set(pc_needs "Libs: -L\${libdir} -lmeniscus -lembree3\nRequires: tbb zlib libpng nettle fmt")
+endif()
+configure_file(cmake/meniscus.pc.in meniscus.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/meniscus.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+
+# Pages and examples, and the licences of the headers that are compiled into the program, as Debian brings them.
+set(header_packages gemmi-dev libcli11-dev nlohmann-json3-dev tao-pegtl-dev)
+function(install_pages)
+  install(FILES CHANGELOG.md CITATION.cff LICENSE README.md THIRD_PARTY_NOTICES.md
+    DESTINATION ${CMAKE_INSTALL_DOCDIR} ${ARGN})
+  install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} ${ARGN})
+  foreach(package IN LISTS header_packages)
+    install(FILES /usr/share/doc/${package}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR}/licences
+      RENAME ${package}.txt ${ARGN} OPTIONAL)
+  endforeach()
+endfunction()
+
+if(TARGET meniscus_cli)
+  install(TARGETS meniscus_cli RUNTIME COMPONENT runtime)
+  install_pages(COMPONENT runtime)
+  include(cmake/packages.cmake)
+endif()

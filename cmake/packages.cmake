@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+# CPack: Debian packages `meniscus` and `libmeniscus-dev`, and an archive that needs nothing but the C library.
+# Made by `cmake --preset package && cmake --build build/package --target package`.
+set(CPACK_GENERATOR "DEB;TGZ")
+set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/package-kinds.cmake)
+set(CPACK_PACKAGE_NAME meniscus)
+set(CPACK_PACKAGE_VENDOR "The Meniscus authors")
+set(CPACK_PACKAGE_CONTACT "The Meniscus authors")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "solvent-excluded surfaces of molecules")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_MACHINE ${CMAKE_SYSTEM_PROCESSOR})
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME meniscus)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_RUNTIME_DESCRIPTION
+"The boundary of the space that a spherical probe, rolling over the atoms of a
+protein or nucleic acid, cannot enter: as a closed triangle mesh, a picture,
+and exact areas and volumes per atom, residue, chain and cavity.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libmeniscus-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+  "libembree-dev, libfmt-dev, libpng-dev, libtbb-dev, nettle-dev, zlib1g-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
+"Headers and library for C++ programs, with files for CMake and pkg-config.")
+
+# Debian wants the licence of each package in a file of this name.
+set(doc_dir ${CMAKE_INSTALL_DATADIR}/doc)
+install(FILES LICENSE DESTINATION ${doc_dir}/meniscus RENAME copyright COMPONENT runtime)
+install(FILES LICENSE DESTINATION ${doc_dir}/libmeniscus-dev RENAME copyright COMPONENT development)
+
+# The archive: bin/meniscus starts lib/meniscus/meniscus with the libraries beside it.
+set(of_bundle COMPONENT bundle EXCLUDE_FROM_ALL)
+install(PROGRAMS cmake/launcher.sh DESTINATION bin RENAME meniscus ${of_bundle})
+install(TARGETS meniscus_cli RUNTIME DESTINATION lib/meniscus ${of_bundle})
+install_pages(${of_bundle})
+install(CODE "
+  set(program \"$<TARGET_FILE:meniscus_cli>\")
+  set(header_packages ${header_packages})
+  set(library_dir lib/meniscus)
+  set(licence_dir \"${CMAKE_INSTALL_DOCDIR}/licences\")
+  include(\"${CMAKE_CURRENT_LIST_DIR}/bundle.cmake\")"
+  ${of_bundle})
+include(CPack)
