@@ -6,6 +6,9 @@
     ```sh                  run; every page has a scratch folder with examples/, ./run and meniscus
     ```sh exit=2           run; ends with this exit code
     ```sh not-run          shown only: needs the network, root or another program; listed by this test
+    ```                    likewise
+    ```python              run with the interpreter that MENISCUS_DOCS_PYTHON names, which has the package; else listed.
+                           Blocks with >>> belong to tests/python
     ```output              what the block before it prints; "..." for what differs from run to run
 
 usage: commands_test.py PROGRAM SOURCE_DIR
@@ -33,8 +36,23 @@ esac
 """
 
 
-def shown_only(block):
-    return block.kind == "sh" and "not-run" in block.info
+# An interpreter that finds the package, with the folder it is in; empty where the package was not built.
+PYTHON = os.environ.get("MENISCUS_DOCS_PYTHON", "")
+PACKAGE = os.environ.get("MENISCUS_DOCS_PYTHONPATH", "")
+
+
+def is_run(block):
+    """Whether a block is something that this test runs."""
+    if block.kind == "python":
+        return bool(PYTHON) and ">>>" not in block.text
+    return block.kind == "sh" and "not-run" not in block.info
+
+
+def is_left_out(block):
+    """Whether a block has commands of the manual that nothing runs."""
+    if block.kind == "python":
+        return not PYTHON and ">>>" not in block.text
+    return not is_run(block) and any(line.split()[:1] in (["./run"], ["./test"], ["meniscus"]) for line in block.lines)
 
 
 def exit_code(block):
@@ -54,8 +72,10 @@ class Page:
         self.environment = {**os.environ, "PATH": f"{folder / '.bin'}:{os.environ['PATH']}", "LC_ALL": "C.UTF-8"}
 
     def run(self, block):
-        script = "set -eo pipefail\n" + block.text
-        return subprocess.run(["bash", "-c", script], cwd=self.folder, env=self.environment, stdout=subprocess.PIPE,
+        command, environment = ["bash", "-c", "set -eo pipefail\n" + block.text], self.environment
+        if block.kind == "python":
+            command, environment = [PYTHON, "-W", "ignore", "-c", block.text], {**environment, "PYTHONPATH": PACKAGE}
+        return subprocess.run(command, cwd=self.folder, env=environment, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, encoding="utf-8", timeout=300, check=False)
 
 
@@ -63,19 +83,20 @@ class Commands(unittest.TestCase):
     def check_page(self, path):
         """Runs the blocks of a page in order; returns how many were run."""
         with tempfile.TemporaryDirectory(prefix="meniscus-docs-") as folder:
-            page, printed, count = Page(pathlib.Path(folder)), None, 0
+            page, before, printed, count = Page(pathlib.Path(folder)), "", None, 0
             for block in markdown.read(path)[0]:
                 where = f"{path.relative_to(SOURCE)}:{block.line}"
-                if block.kind == "sh" and not shown_only(block):
+                if is_run(block):
                     result = page.run(block)
                     printed, count = result.stdout, count + 1
                     self.assertEqual(result.returncode, exit_code(block), f"{where}\n{block.text}{printed}")
                 elif block.kind == "output":
-                    self.assertIsNotNone(printed, f"{where}: no command before this output")
-                    self.assertTrue(shown_output.same_output(block.text, printed),
+                    self.assertIn(before, ("sh", "python"), f"{where}: no command before this output")
+                    self.assertTrue(printed is None or shown_output.same_output(block.text, printed),
                                     f"{where}: shown\n{block.text}\nprinted\n{printed}")
                 else:
                     printed = None
+                before = block.kind
             return count
 
     def test_commands_do_what_the_manual_shows(self):
@@ -94,9 +115,7 @@ class Commands(unittest.TestCase):
                 hidden = line.startswith("    ") and line.split()[:1] in (["./run"], ["meniscus"])
                 self.assertFalse(hidden, f"{path}:{number}: a command outside a fenced block")
             for block in blocks:
-                self.assertIn(block.kind, ("sh", "output", "text", "json", "python", "c++", "cmake"),
-                              f"{path}:{block.line}: say what this block is")
-                if shown_only(block):
+                if is_left_out(block):
                     print(f"not run: {path.relative_to(SOURCE)}:{block.line}: {block.lines[0]}")
 
 
