@@ -79,7 +79,7 @@ class Options(unittest.TestCase):
     def try_example(self, folder, command, name, example):
         words = [command, "in.pdb", *example.split()]
         if self.page[name][3] == "Colours and pictures":
-            words += ["-o", "a.png"] + ([] if name == "--size" else ["--size", "20x15"])
+            words += ["-o", "a.png"] + ([] if "--size" in example else ["--size", "20x15"])
         result = subprocess.run([PROGRAM, *words], cwd=folder, capture_output=True, encoding="utf-8", check=False)
         # A flow made of pieces of another need not converge.
         self.assertIn(result.returncode, (0, 6) if self.page[name][3] == "Flow" else (0,), f"{words} {result.stderr}")
