@@ -80,6 +80,8 @@ class Options(unittest.TestCase):
         words = [command, "in.pdb", *example.split()]
         if self.page[name][3] == "Colours and pictures":
             words += ["-o", "a.png"] + ([] if "--size" in example else ["--size", "20x15"])
+        elif command == "surface" and "-o" not in words:
+            words += ["-o", "a.ply"]
         result = subprocess.run([PROGRAM, *words], cwd=folder, capture_output=True, encoding="utf-8", check=False)
         # A flow made of pieces of another need not converge.
         self.assertIn(result.returncode, (0, 6) if self.page[name][3] == "Flow" else (0,), f"{words} {result.stderr}")
