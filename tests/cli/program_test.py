@@ -82,14 +82,23 @@ class ProgramTest(unittest.TestCase):
 
 class Help(ProgramTest):
     def test_version_and_help_go_to_standard_output(self):
-        for arguments in (["--version"], ["--help"], ["surface", "--help"], ["measure", "--help"]):
+        for arguments in (["--version"], ["--help"], ["--help-all"], ["surface", "--help"], ["measure", "--help"]):
             result = self.run_program(*arguments)
             self.assertEqual((result.returncode, result.stderr), (0, ""), arguments)
             self.assertTrue(result.stdout, arguments)
         self.assertRegex(self.run_program("--version").stdout, r"^meniscus \d+\.\d+\.\d+\n$")
 
-    def test_every_option_is_in_the_help(self):
-        text = self.run_program("surface", "--help").stdout
+    def test_help_fits_a_screen_and_ends_with_examples(self):
+        for arguments in ([], ["surface"], ["measure"]):
+            lines = self.run_program(*arguments, "--help").stdout.splitlines()
+            self.assertLessEqual(len(lines), 50, arguments)
+            self.assertEqual([line for line in lines if len(line) > 80], [], arguments)
+            self.assertIn("Examples:", lines)
+        for line in self.run_program("--help-all").stdout.splitlines():
+            self.assertLessEqual(len(line), 80, line)
+
+    def test_every_option_is_in_the_full_help(self):
+        text = self.run_program("surface", "--help-all").stdout
         for option in ("--probe --radii --hydrogens --model --assembly --altloc --chains --select --hetero --waters "
                        "--strict-radii --report --threads --quiet --progress --method --flow --spacing --density "
                        "--curvature --anchor --reinitialise --solver --slope --time-step --half-width --max-steps "
@@ -97,7 +106,7 @@ class Help(ProgramTest):
                        "--keep-ridges --simplify-topology --verify -o --memory --ascii --color --view --size "
                        "--background --depth-cue --perspective --outline").split():
             self.assertIn(f"  {option} ", text)
-        text = self.run_program("measure", "--help").stdout
+        text = self.run_program("measure", "--help-all").stdout
         for option in ("--probe --radii --hydrogens --model --assembly --altloc --chains --select --hetero --waters "
                        "--strict-radii --report --threads --quiet --progress -o --between --per --value").split():
             self.assertIn(f"  {option} ", text)
