@@ -23,9 +23,9 @@ install(FILES cmake/FindNettle.cmake ${CMAKE_CURRENT_BINARY_DIR}/meniscus-config
 file(RELATIVE_PATH path_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" path_to_prefix ${path_to_prefix})
 if(BUILD_SHARED_LIBS)  # who links a static library links what it needs, too
-  set(pc_needs "Libs: -L\${libdir} -lmeniscus\nLibs.private: -lembree3\nRequires.private: tbb zlib libpng nettle fmt")
+  set(pc_needs "Libs: -L\${libdir} -lmeniscus\nLibs.private:${pc_libs}\nRequires.private:${pc_requires}")
 else()
-  set(pc_needs "Libs: -L\${libdir} -lmeniscus -lembree3\nRequires: tbb zlib libpng nettle fmt")
+  set(pc_needs "Libs: -L\${libdir} -lmeniscus${pc_libs}\nRequires:${pc_requires}")
 endif()
 configure_file(cmake/meniscus.pc.in meniscus.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/meniscus.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)

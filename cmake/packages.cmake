@@ -24,8 +24,7 @@ protein or nucleic acid, cannot enter: as a closed triangle mesh, a picture,
 and exact areas and volumes per atom, residue, chain and cavity.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libmeniscus-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  "libembree-dev, libfmt-dev, libpng-dev, libtbb-dev, nettle-dev, zlib1g-dev")
+list(JOIN debian_packages ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
 "Headers and library for C++ programs, with files for CMake and pkg-config.")
 

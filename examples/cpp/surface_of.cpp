@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A program of its own that uses the library: surface_of STRUCTURE PICTURE.png
 #include <cstdio>
+#include <vector>
 
 #include "meniscus/colours.h"
 #include "meniscus/picture.h"

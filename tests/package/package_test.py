@@ -119,10 +119,7 @@ class PackageTest(unittest.TestCase):
         source = SOURCE
         if FULL:
             source = self.folder / "copy"
-            for name in ("CMakeLists.txt", "cmake", "include", "src"):
-                copy = shutil.copytree if (SOURCE / name).is_dir() else shutil.copy
-                source.mkdir(exist_ok=True)
-                copy(SOURCE / name, source / name)
+            shutil.copytree(SOURCE, source, ignore=shutil.ignore_patterns(".git", "build", "build-*", "docs", "tests"))
         (parent / "CMakeLists.txt").write_text(PARENT.format(source=source, example=EXAMPLE, name_value="${name}"))
         build = self.configure(parent, "part")
         commands = {pathlib.Path(entry["file"]).name: entry["command"]
