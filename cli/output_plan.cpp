@@ -12,6 +12,7 @@
 #include <span>
 
 #include "meniscus/errors.h"
+#include "meniscus/page.h"
 
 namespace meniscus::cli {
 
@@ -25,9 +26,9 @@ struct Suffix {
 };
 
 constexpr std::array kSuffixes{
-    Suffix{".ply", OutputKind::Mesh},    Suffix{".obj", OutputKind::Mesh},     Suffix{".stl", OutputKind::Mesh},
-    Suffix{".off", OutputKind::Mesh},    Suffix{".xyzr", OutputKind::Spheres}, Suffix{".xyzrn", OutputKind::Spheres},
-    Suffix{".png", OutputKind::Picture},
+    Suffix{".ply", OutputKind::Mesh},      Suffix{".obj", OutputKind::Mesh},    Suffix{".stl", OutputKind::Mesh},
+    Suffix{".off", OutputKind::Mesh},      Suffix{".glb", OutputKind::Mesh},    Suffix{".xyzr", OutputKind::Spheres},
+    Suffix{".xyzrn", OutputKind::Spheres}, Suffix{".png", OutputKind::Picture}, Suffix{".html", OutputKind::Page},
 };
 
 constexpr std::array kMeasureSuffixes{
@@ -88,9 +89,10 @@ OutputKind measure_kind_of(const std::string& path) { return find_kind(kMeasureS
 std::vector<Output> plan_outputs(const std::vector<std::string>& asked, const std::string& name,
                                  const std::string& mark) {
     std::vector<Output> plan;
-    plan.reserve(2 * asked.size() + 2);
+    plan.reserve(2 * asked.size() + 3);
     for (const std::string& path : asked) plan.push_back({with_mark(path, mark), kind_of(path)});
     if (asked.empty()) plan.push_back({name + ".ply", OutputKind::Mesh});
+    if (asked.empty() && pages_supported()) plan.push_back({name + ".html", OutputKind::Page});
     const std::size_t count = plan.size();
     for (std::size_t i = 0; i < count; ++i) {
         if (plan[i].kind != OutputKind::Mesh) continue;

@@ -58,11 +58,38 @@ ColourOptions parse_colours(const std::string& text) {
     return colours;
 }
 
-Vec3 parse_direction(const std::string& text) {
+constexpr const char* kCutWords = "auto, cavity:N, a depth in Å, or X,Y,Z[:NX,NY,NZ]";
+
+Vec3 parse_vector(const char* option, const std::string& text, const char* words) {
     const std::vector<std::string> parts = split(text, ',');
-    if (parts.size() != 3) throw UsageError(fmt::format("--view: unknown value '{}'; one of {}", text, kViewWords));
-    return {parse_number("--view", parts[0], Sign::Any), parse_number("--view", parts[1], Sign::Any),
-            parse_number("--view", parts[2], Sign::Any)};
+    if (parts.size() != 3) throw UsageError(fmt::format("{}: unknown value '{}'; one of {}", option, text, words));
+    return {parse_number(option, parts[0], Sign::Any), parse_number(option, parts[1], Sign::Any),
+            parse_number(option, parts[2], Sign::Any)};
+}
+
+Vec3 parse_direction(const std::string& text) { return parse_vector("--view", text, kViewWords); }
+
+Cut parse_cut_through_point(const std::string& text) {
+    const std::size_t colon = text.find(':');
+    Cut cut{.through = Cut::Through::Point, .point = parse_vector("--cut", text.substr(0, colon), kCutWords)};
+    if (colon == std::string::npos) return cut;
+    cut.normal = parse_vector("--cut", text.substr(colon + 1), kCutWords);
+    if (squared_norm(*cut.normal) == 0.0)
+        throw UsageError(fmt::format("--cut: '{}' needs a normal that is not zero", text));
+    return cut;
+}
+
+Cut parse_cut(const std::string& text) {
+    constexpr std::string_view kCavity = "cavity:";
+    if (text == "auto") return {};
+    if (text.starts_with(kCavity)) {
+        const int number = parse_count("--cut", text.substr(kCavity.size()));
+        return {.through = Cut::Through::Cavity, .cavity = static_cast<std::size_t>(number)};
+    }
+    if (text.find(',') != std::string::npos) return parse_cut_through_point(text);
+    if (text.find_first_not_of("0123456789.+-eE") != std::string::npos)
+        throw UsageError(fmt::format("--cut: unknown value '{}'; one of {}", text, kCutWords));
+    return {.through = Cut::Through::Depth, .depth = parse_number("--cut", text, Sign::NotNegative)};
 }
 
 /// Up is y, or where that is the way one looks, away from the viewer of "front".
@@ -114,12 +141,18 @@ std::string describe(const Colour& c) {
     return c.alpha == 0 ? "transparent" : fmt::format("#{:02x}{:02x}{:02x}", c.red, c.green, c.blue);
 }
 
-/// An option that only pictures heed.
+/// Notes that an option was given which pictures heed, some also pages.
+void note_given(PictureRequest& request, std::string_view name) {
+    const bool of_pages = name == "--view" || name == "--perspective";
+    (of_pages ? request.viewed_by : request.drawn_by) = name;
+}
+
+/// An option that only pictures and pages heed.
 template <class Set>
 void add_drawing(CLI::App& command, PictureRequest& request, const char* name, const char* symbol,
                  const char* default_text, const char* text, const Set& set) {
     const auto read = [&request, name, set](const std::string& value) {
-        request.drawn_by = name;
+        note_given(request, name);
         set(value);
     };
     command.add_option_function<std::string>(name, read, text)->type_name(symbol)->default_str(default_text);
@@ -128,7 +161,7 @@ void add_drawing(CLI::App& command, PictureRequest& request, const char* name, c
 template <class Set>
 void add_drawing_flag(CLI::App& command, PictureRequest& request, const char* name, const char* text, const Set& set) {
     const auto read = [&request, name, set](std::int64_t) {
-        request.drawn_by = name;
+        note_given(request, name);
         set();
     };
     command.add_flag_function(name, read, text);
@@ -139,7 +172,7 @@ void add_colour(CLI::App& command, PictureRequest& request) {
     command
         .add_option_function<std::string>(
             "--color", read,
-            "Colours of meshes (.ply) and pictures; auto: chain if there are several, else single. "
+            "Colours of meshes (.ply), pictures and pages; auto: chain if there are several, else single. "
             "curvature, depth and bfactor also as SCHEME:MIN:MAX")
         ->type_name(join(kSchemes, "|"))
         ->default_str(kSchemes.front().first);
@@ -151,7 +184,8 @@ void add_picture_options(CLI::App& command, PictureRequest& request) {
     PictureOptions& picture = request.picture;
     add_colour(command, request);
     add_drawing(command, request, "--view", "VIEW", "auto",
-                "From where pictures look: front, back, left, right, top, bottom; X,Y,Z[:UX,UY,UZ] towards the viewer "
+                "From where pictures and pages look: front, back, left, right, top, bottom; X,Y,Z[:UX,UY,UZ] towards "
+                "the viewer "
                 "and up; or auto, the longest axis across",
                 [&](const std::string& text) {
                     picture.viewpoint = parse_view(text);
@@ -167,10 +201,19 @@ void add_picture_options(CLI::App& command, PictureRequest& request) {
                     if (picture.depth_cue > 1.0)
                         throw UsageError(fmt::format("--depth-cue: must be from 0 to 1, not {}", text));
                 });
+    add_drawing(command, request, "--cut", "WHERE", "none",
+                "Open the surface by a plane that faces the viewer: auto, through the largest cavity; cavity:N; DEPTH, "
+                "Å behind the nearest point; X,Y,Z[:NX,NY,NZ], a point and the side that is left out",
+                [&](const std::string& text) {
+                    picture.cut = parse_cut(text);
+                    request.cut = text;
+                });
     add_drawing_flag(command, request, "--perspective", "Draw what is nearer larger",
                      [&] { picture.projection = Projection::Perspective; });
     add_drawing_flag(command, request, "--outline", "Draw lines where the surface ends in front of something",
                      [&] { picture.outline = true; });
+    add_drawing_flag(command, request, "--legend", "Say beside the surface what its colours mean",
+                     [&] { request.legend = true; });
 }
 
 void report_picture(const PictureRequest& request, const Structure& structure, bool drawn, ordered_json& options) {
@@ -181,16 +224,18 @@ void report_picture(const PictureRequest& request, const Structure& structure, b
         const ValueRange range = request.colours.range.value_or(default_range(scheme, structure));
         options["color_range"] = {range.min, range.max};
     }
-    for (const char* name : {"view", "size", "background", "perspective", "outline", "depth_cue"})
+    for (const char* name : {"view", "size", "background", "cut", "perspective", "outline", "depth_cue", "legend"})
         options[name] = nullptr;
     if (!drawn) return;
     const PictureOptions& picture = request.picture;
     options["view"] = request.view;
     options["size"] = {picture.width, picture.height};
     options["background"] = describe(picture.background);
+    if (picture.cut) options["cut"] = request.cut;
     options["perspective"] = picture.projection == Projection::Perspective;
     options["outline"] = picture.outline;
     options["depth_cue"] = picture.depth_cue;
+    options["legend"] = request.legend;
 }
 
 }  // namespace meniscus::cli

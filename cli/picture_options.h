@@ -16,14 +16,17 @@ class App;
 namespace meniscus::cli {
 
 struct PictureRequest {
-    ColourOptions colours;      ///< of meshes too
-    PictureOptions picture;     ///< threads are those of the run
+    ColourOptions colours;   ///< of meshes too
+    PictureOptions picture;  ///< threads are those of the run
+    bool legend = false;
     std::string view = "auto";  ///< as asked for
+    std::string cut{};          ///< as asked for
     std::string drawn_by{};     ///< an option that was given and that only pictures heed; empty if there is none
+    std::string viewed_by{};    ///< one that pictures and pages heed
 };
 
-/// --color, --view, --size, --background, --perspective, --outline, --depth-cue. `request` must outlive the parser.
-/// While parsing, UsageError is thrown for values that make no sense.
+/// --color, --view, --size, --background, --cut, --perspective, --outline, --depth-cue, --legend. `request` must
+/// outlive the parser. While parsing, UsageError is thrown for values that make no sense.
 void add_picture_options(CLI::App& command, PictureRequest& request);
 
 /// The scheme and range in force, and how pictures are drawn, as the report has them.

@@ -232,6 +232,7 @@ ordered_json time_block(const StageTimes& s, const RunFacts& facts) {
             {"mesh", s.mesh},
             {"exact", facts.exact_seconds},
             {"picture", facts.picture_seconds},
+            {"page", facts.page_seconds},
             {"write", facts.write_seconds}};
 }
 

@@ -8,10 +8,14 @@
 #include <memory>
 
 #include "interrupt.h"
+#include "io/atomic_file.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
+#include "meniscus/legend.h"
 #include "meniscus/measures.h"
+#include "meniscus/page.h"
 #include "meniscus/tables.h"
+#include "page_rows.h"
 #include "summary.h"
 
 namespace meniscus::cli {
@@ -29,6 +33,7 @@ void write_mesh_with_residues(const std::string& path, const SurfaceRequest& req
                {.encoding = request.encoding,
                 .extra = {{"residue", residues}},
                 .colours = colours,
+                .probe = request.surface.probe,
                 .threads = request.surface.threads});
 }
 
@@ -43,8 +48,12 @@ private:
         if (!request_.flow.history.empty()) outputs.push_back(plan_history(request_.flow.history, mark));
         if (request_.flow.snapshots > 0 && first_mesh(outputs) == nullptr)
             throw UsageError("--snapshots writes meshes beside the final one; give a mesh with -o");
-        if (!request_.picture.drawn_by.empty() && !has(outputs, OutputKind::Picture))
+        const bool has_picture = has(outputs, OutputKind::Picture);
+        if (!request_.picture.drawn_by.empty() && !has_picture)
             throw UsageError(request_.picture.drawn_by + " shapes a picture; ask for one with -o FILE.png");
+        if (!request_.picture.viewed_by.empty() && !has_picture && !has(outputs, OutputKind::Page))
+            throw UsageError(request_.picture.viewed_by +
+                             " shapes a picture or a page; ask for one with -o FILE.png or FILE.html");
         return outputs;
     }
 
@@ -58,7 +67,8 @@ private:
         return found == outputs.end() ? nullptr : &*found;
     }
 
-    /// The exact measures, which only reports show, come first: their memory is free again when the grid needs it.
+    /// The exact measures, which only reports and pages show, come first: their memory is free again when the grid
+    /// needs it.
     void compute(const Job& job) override {
         const SurfaceOptions& options = request_.surface;
         Stopwatch estimating;
@@ -68,7 +78,7 @@ private:
             expect(expected.seconds);
         }
         const double estimate_seconds = estimating.lap();
-        if (!request_.report.empty()) measure_exactly(job.structure.atoms);
+        if (!request_.report.empty() || has(job.outputs, OutputKind::Page)) measure_exactly(job.structure.atoms);
         FlowObserver observer;
         if (request_.flow.snapshots > 0)
             observer = [&](const FlowStep& step, const Mesh& mesh) { write_snapshot(job, step, mesh); };
@@ -82,6 +92,27 @@ private:
         colours_ = colour_vertices(surface_.mesh, job.structure, request_.picture.colours);
         if (has(job.outputs, OutputKind::Picture)) draw(job.structure);
         picture_seconds_ = watch.lap();
+        if (has(job.outputs, OutputKind::Page)) make_page(job.structure);
+        page_seconds_ = watch.lap();
+    }
+
+    void make_page(const Structure& structure) {
+        show("page", 0.0);
+        const PictureOptions& picture = request_.picture.picture;
+        page_ = meniscus::make_page(surface_.mesh, structure,
+                                    {.colours = request_.picture.colours,
+                                     .viewpoint = picture.viewpoint,
+                                     .projection = picture.projection,
+                                     .rows = page_rows(request_, structure, surface_, exact_),
+                                     .components = exact_.components,
+                                     .threads = request_.surface.threads});
+        show("page", 1.0);
+    }
+
+    void write_made_page(const std::string& path) const {
+        AtomicFile file(path);
+        file.write(page_);
+        file.commit();
     }
 
     void draw(const Structure& structure) {
@@ -93,7 +124,13 @@ private:
         ColourField field;
         if (surface_.level_set) field = colour_by_level_set(*surface_.level_set, colours);
         if (!field) field = colour_by_feature(accessible, structure, colours);
-        picture_ = draw_picture(surface_.mesh, colours_, options, field);
+        Picture legend{0, options.height, {}};
+        if (request_.picture.legend)
+            legend =
+                draw_legend(make_legend(surface_.mesh, structure, colours),
+                            {.width = options.width / 2, .height = options.height, .background = options.background});
+        options.width -= legend.width;
+        picture_ = side_by_side(draw_picture(surface_.mesh, colours_, options, field), legend);
         show("picture", 1.0);
     }
 
@@ -121,6 +158,8 @@ private:
                 return write_mesh_with_residues(output.path, request_, job.structure, surface_.mesh, colours_);
             case OutputKind::Picture:
                 return write_picture(output.path, picture_);
+            case OutputKind::Page:
+                return write_made_page(output.path);
             case OutputKind::History:
                 return write_table(output.path, history_table(surface_.history));
             case OutputKind::Spheres:
@@ -136,6 +175,7 @@ private:
         RunFacts all = facts;
         all.exact_seconds = exact_seconds_;
         all.picture_seconds = picture_seconds_;
+        all.page_seconds = page_seconds_;
         return make_report(request_, job.structure, surface_, exact_, all);
     }
 
@@ -147,9 +187,11 @@ private:
     Measures exact_;
     double exact_seconds_ = 0.0;
     double picture_seconds_ = 0.0;
+    double page_seconds_ = 0.0;
     Surface surface_;
     std::vector<Colour> colours_;  // of the mesh's vertices
     Picture picture_;
+    std::string page_;  // HTML
 };
 
 }  // namespace

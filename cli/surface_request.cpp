@@ -14,8 +14,9 @@ constexpr Words<Method, 3> kMethods{
 constexpr Words<Pieces, 3> kPieces{{{"all", Pieces::All}, {"outer", Pieces::Outer}, {"cavities", Pieces::Cavities}}};
 
 constexpr const char* kFormats =
-    "-o writes meshes (.ply .obj .stl .off), with the table NAME.atoms.csv beside them, pictures (.png),\n"
-    "and the kept atoms (.xyzr .xyzrn). Without -o the mesh goes to NAME.ply in the current folder.";
+    "-o writes meshes (.ply .obj .stl .off .glb), with the table NAME.atoms.csv beside them, pages to look at in a\n"
+    "browser (.html), pictures (.png), and the kept atoms (.xyzr .xyzrn). Without -o mesh and page go to NAME.ply and\n"
+    "NAME.html in the current folder.";
 
 void add_shape_options(CLI::App& command, SurfaceRequest& request) {
     SurfaceOptions& surface = request.surface;

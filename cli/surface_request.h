@@ -13,7 +13,7 @@
 
 namespace meniscus::cli {
 
-/// Without -o the mesh goes to NAME.ply in the current folder.
+/// Without -o mesh and page go to NAME.ply and NAME.html in the current folder.
 struct SurfaceRequest : CommonRequest {
     SurfaceOptions surface;
     FlowRequest flow;  ///< surface.flow is what it resolves to

@@ -22,6 +22,7 @@ ROOMS = {
     "colours": ("radii",),
     "render": (),
     "io": ("grid",),
+    "page": ("colours", "render", "io"),
     "pipeline": ("geometry", "grid", "band", "flow", "mesh", "remesh", "measure"),
 }
 # What clients may use beside the public headers: how to write a file of their own whole or not at all.
@@ -33,8 +34,10 @@ ONLY_IN = {
     "<tbb/": ("src/core/",),
     "<gemmi/": ("src/structure/", "src/radii/", "src/io/gemmi/"),
     "<embree3/": ("src/render/",),
+    "<ft2build.h>": ("src/render/font.cpp",),
     "<png.h>": ("src/io/", "tests/io/"),
     "<CLI/": ("cli/", "tests/cli/"),
+    "<pybind11/": ("python/",),
     "<iostream>": ("cli/", "src/structure/", "src/io/", "tests/", "bench/", "fuzz/"),
     "<fstream>": ("cli/", "src/core/", "src/structure/", "src/radii/", "src/io/", "tests/", "bench/", "fuzz/"),
 }
@@ -49,7 +52,7 @@ def wrong_includes(path):
     for target in includes(path):
         other = room_of(target)
         if room is None:
-            if path.parts[0] in ("include", "cli") and other is not None and str(target) not in FOR_CLIENTS:
+            if path.parts[0] in ("include", "cli", "python") and other is not None and str(target) not in FOR_CLIENTS:
                 yield f"{target}: only the public headers may be used here"
         elif other not in (None, room, "core", *ROOMS[room]):
             yield f"{target}: {room} may not use {other}"

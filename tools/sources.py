@@ -9,7 +9,7 @@ import re
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FOLDERS = ("include", "src", "cli", "tests", "bench", "fuzz")
+FOLDERS = ("include", "src", "cli", "python", "tests", "bench", "fuzz")
 INCLUDE_PATHS = ("include", "src", "cli", "tests")
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -27,19 +28,21 @@ struct VertexArray {
 
 struct WriteOptions {
     Encoding encoding = Encoding::Binary;  ///< of PLY and STL; OBJ and OFF are text
-    std::vector<VertexArray> extra{};      ///< written by formats with named vertex values (PLY), after the mesh's own
-    std::span<const Colour> colours{};     ///< one per vertex, or none; written by PLY, after everything else
-    int threads = 0;                       ///< 0: all cores
+    std::vector<VertexArray> extra{};  ///< written by formats with named vertex values (PLY, GLB), after the mesh's own
+    std::span<const Colour> colours{};  ///< one per vertex, or none; written by PLY and GLB
+    std::optional<double> probe{};      ///< probe radius, Å; written by GLB
+    int threads = 0;                    ///< 0: all cores
 };
 
-/// Writes a mesh; the suffix of `path` chooses the format: .ply .obj .stl .off.
+/// Writes a mesh; the suffix of `path` chooses the format: .ply .obj .stl .off .glb.
 ///
 /// Written to a temporary name in the same folder and renamed: a failed run leaves no half file and an older file as it
 /// was. Devices and pipes (/dev/stdout) are written to directly. Coordinates are rounded to single precision unless
 /// that would move them by 1e-4 Å or make two corners of a triangle coincide; then they are written in full. (Binary
-/// STL has single precision only.)
+/// STL and GLB have single precision only.)
 /// throws   UsageError for an unknown suffix or arrays whose sizes do not match; LimitError for more triangles than the
-///          format can count; OutputError when the file cannot be written
+///          format can count and for numbers beyond its reach (GLB: whole numbers above 2^24, files above 4 GiB);
+///          OutputError when the file cannot be written
 void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& options = {});
 
 /// Writes a picture as PNG, with eight bits per channel in sRGB and an alpha channel if a pixel is not opaque.

@@ -43,6 +43,13 @@ constexpr auto kHydropathies = std::to_array<Entry<double>>({
     {"GLU", -3.5}, {"GLN", -3.5}, {"ASP", -3.5}, {"ASN", -3.5}, {"LYS", -3.9}, {"ARG", -4.5},
 });
 
+constexpr std::array kPlddtBands{
+    PlddtBand{90.0, "above 90, very high", rgb(0x0053D6)},
+    PlddtBand{70.0, "70 to 90, confident", rgb(0x65CBF3)},
+    PlddtBand{50.0, "50 to 70, low", rgb(0xFFDB13)},
+    PlddtBand{0.0, "below 50, very low", rgb(0xFF7D45)},
+};
+
 template <class Table>
 auto find_value(const Table& table, std::string_view name) {
     const auto found = std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.name == name; });
@@ -65,14 +72,20 @@ Colour residue_colour(std::string_view residue) {
     return find_value(kResidues, kind_of_residue(residue)).value_or(kNeutral);
 }
 
+std::string_view residue_kind(std::string_view residue) {
+    const std::string kind = kind_of_residue(residue);
+    const auto found =
+        std::find_if(kResidues.begin(), kResidues.end(), [&](const auto& entry) { return entry.name == kind; });
+    return found == kResidues.end() ? std::string_view{} : found->name;
+}
+
 std::optional<double> hydropathy(std::string_view residue) {
     return find_value(kHydropathies, kind_of_residue(residue));
 }
 
-Colour plddt_colour(double plddt) {
-    if (plddt > 90.0) return rgb(0x0053D6);
-    if (plddt > 70.0) return rgb(0x65CBF3);
-    return plddt > 50.0 ? rgb(0xFFDB13) : rgb(0xFF7D45);
+const PlddtBand& plddt_band(double plddt) {
+    return *std::find_if(kPlddtBands.begin(), kPlddtBands.end() - 1,
+                         [plddt](const PlddtBand& band) { return plddt > band.above; });
 }
 
 }  // namespace meniscus

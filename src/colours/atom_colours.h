@@ -21,11 +21,19 @@ Colour element_colour(std::string_view element);
 /// in Tol's "bright".
 Colour residue_colour(std::string_view residue);
 
+/// "ALA" for any common name of alanine, "A" for DA: what residue_colour() goes by; empty where it knows none.
+std::string_view residue_kind(std::string_view residue);
+
 /// Kyte & Doolittle, J. Mol. Biol. 157, 1982, 105-132: -4.5 (arginine) to 4.5 (isoleucine); nothing for what is no
 /// amino acid.
 std::optional<double> hydropathy(std::string_view residue);
 
-/// The bands of the AlphaFold Protein Structure Database: below 50, 70, 90 and above.
-Colour plddt_colour(double plddt);
+/// A band of confidence in the AlphaFold Protein Structure Database.
+struct PlddtBand {
+    double above;
+    const char* name;
+    Colour colour;
+};
+const PlddtBand& plddt_band(double plddt);
 
 }  // namespace meniscus

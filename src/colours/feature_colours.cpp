@@ -21,7 +21,6 @@ constexpr Colour kNoContact = rgb(0xD7301F);
 
 constexpr ValueRange kCurvatures{-0.7, 0.7};  // Å^-1: an atom of 1.43 Å, a probe's sphere
 constexpr ValueRange kDepths{0.0, kDepthProbe};
-constexpr ValueRange kHydropathies{-4.5, 4.5};
 
 std::string_view residue_name(const Structure& structure, const AtomLabel& label) {
     return structure.residues.empty() ? std::string_view{} : structure.residues[label.residue].name;
@@ -49,7 +48,7 @@ std::vector<Colour> chain_colours(const Structure& structure) {
 
 Colour hydropathy_colour(std::string_view residue) {
     const std::optional<double> value = hydropathy(residue);
-    return value ? ramp_colour(second_diverging_ramp(), place_in(kHydropathies, *value)) : kNeutral;
+    return value ? ramp_colour(hydropathy_ramp(), place_in(kHydropathyRange, *value)) : kNeutral;
 }
 
 std::vector<Colour> b_factor_colours(const Structure& structure, const ValueRange& range) {
@@ -112,7 +111,8 @@ std::optional<FeatureColours> feature_colours(const Structure& structure, const 
         case ColourScheme::BFactor:
             return FeatureColours{b_factor_colours(structure, range_in_force(options, structure))};
         case ColourScheme::Plddt:
-            return FeatureColours{per_label(structure, [](const AtomLabel& l) { return plddt_colour(l.b_factor); })};
+            return FeatureColours{
+                per_label(structure, [](const AtomLabel& l) { return plddt_band(l.b_factor).colour; })};
         default:
             return std::nullopt;
     }

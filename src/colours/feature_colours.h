@@ -11,6 +11,9 @@
 
 namespace meniscus {
 
+/// Of ColourScheme::Hydrophobicity: from arginine to isoleucine.
+inline constexpr ValueRange kHydropathyRange{-4.5, 4.5};
+
 struct FeatureColours {
     std::vector<Colour> of_atom{};                    ///< in the structure's order
     std::array<std::optional<Colour>, 3> of_patch{};  ///< by PatchKind; goes before the atom's

@@ -9,10 +9,9 @@
 namespace meniscus {
 namespace {
 
-constexpr std::array kDistinct{
-    rgb(0x77AADD), rgb(0xEE8866), rgb(0xEEDD88), rgb(0xFFAABB), rgb(0x44BB99), rgb(0xBBCC33),
-    rgb(0x99DDFF), rgb(0xAAAA00), rgb(0xCC6677), rgb(0x332288), rgb(0xDDCC77), rgb(0x117733),
-    rgb(0x88CCEE), rgb(0x882255), rgb(0x44AA99), rgb(0x999933), rgb(0xAA4499),
+constexpr std::array<Colour, kDistinctColours> kDistinct{
+    rgb(0x77AADD), rgb(0xEE8866), rgb(0xEEDD88), rgb(0xFFAABB), rgb(0x994455), rgb(0x0072B2),
+    rgb(0x997700), rgb(0x99DDFF), rgb(0xEE3377), rgb(0x009988), rgb(0xAAAA00), rgb(0xBBCC33),
 };
 
 constexpr std::array kRdBu{
@@ -50,7 +49,7 @@ Colour ramp_colour(std::span<const Colour> ramp, double value) {
 }
 
 std::span<const Colour> diverging_ramp() { return kRdBu; }
-std::span<const Colour> second_diverging_ramp() { return kBrBG; }
+std::span<const Colour> hydropathy_ramp() { return kBrBG; }
 std::span<const Colour> warm_ramp() { return kYlOrBr; }
 std::span<const Colour> cold_ramp() { return kYlGnBu; }
 

@@ -22,17 +22,21 @@ constexpr Colour rgb(std::uint32_t code) {
 inline constexpr Colour kPlain = rgb(0x77AADD);
 inline constexpr Colour kNeutral = rgb(0xCCCCCC);
 
-/// The n-th of a row of distinct colours, which begins again after seventeen.
-/// source   P. Tol, Colour Schemes, SRON technical note 2021: "light", then "muted"
+inline constexpr std::size_t kDistinctColours = 12;
+
+/// The n-th of a row of distinct colours, which begins again after kDistinctColours; the first is kPlain.
+/// source   P. Tol, Colour Schemes, SRON technical note 2021 ("light", "medium contrast", "vibrant") and one of Okabe &
+///          Ito 2008, in an order in which each is as far as can be from those before it, for the colour-blind too
+///          (docs/design/colours.md)
 Colour distinct_colour(std::size_t n);
 
 /// Values from 0 to 1, values beyond as the ends; colours between those of the ramp are linear in sRGB.
 /// source   ColorBrewer (Harrower & Brewer, Cartogr. J. 40, 2003, 27-37), as are all ramps below
 Colour ramp_colour(std::span<const Colour> ramp, double value);
 
-std::span<const Colour> diverging_ramp();         ///< RdBu from blue: curvature
-std::span<const Colour> second_diverging_ramp();  ///< BrBG from green: hydrophobicity
-std::span<const Colour> warm_ramp();              ///< YlOrBr: B factors
-std::span<const Colour> cold_ramp();              ///< YlGnBu: depth
+std::span<const Colour> diverging_ramp();   ///< RdBu from blue: curvature
+std::span<const Colour> hydropathy_ramp();  ///< BrBG from green
+std::span<const Colour> warm_ramp();        ///< YlOrBr: B factors
+std::span<const Colour> cold_ramp();        ///< YlGnBu: depth
 
 }  // namespace meniscus

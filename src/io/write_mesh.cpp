@@ -7,6 +7,7 @@
 
 #include "core/parallel.h"
 #include "io/atomic_file.h"
+#include "io/glb.h"
 #include "io/measured_arrays.h"
 #include "io/obj.h"
 #include "io/off.h"
@@ -56,8 +57,8 @@ void check(const Mesh& mesh, const WriteOptions& options) {
 
 void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& options) {
     const std::string suffix = suffix_of(path);
-    if (suffix != ".ply" && suffix != ".obj" && suffix != ".stl" && suffix != ".off")
-        throw UsageError(path + ": unknown suffix for a mesh; choose .ply, .obj, .stl or .off");
+    if (suffix != ".ply" && suffix != ".obj" && suffix != ".stl" && suffix != ".off" && suffix != ".glb")
+        throw UsageError(path + ": unknown suffix for a mesh; choose .ply, .obj, .stl, .off or .glb");
     check(mesh, options);
     const ThreadLimit limit(options.threads);
     AtomicFile file(path);
@@ -65,6 +66,7 @@ void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& o
     if (suffix == ".obj") write_obj(file, mesh);
     if (suffix == ".stl") write_stl(file, mesh, options.encoding);
     if (suffix == ".off") write_off(file, mesh);
+    if (suffix == ".glb") write_glb(file, mesh, options);
     file.commit();
 }
 

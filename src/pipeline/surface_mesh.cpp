@@ -338,27 +338,36 @@ void mend(const AccessibleSurface& accessible, const LevelSet* level_set, const 
     renumber_entries(changes, distances);
     Mesh moved;
     for (const VertexId v : changes.moved) moved.vertices.push_back(mesh.vertices[v]);
-    const std::vector<double> moved_distances = VertexFinisher(accessible, level_set, options.spacing, moved).run();
-    for (std::size_t i = 0; i < changes.moved.size(); ++i) {
-        const VertexId v = changes.moved[i];
-        mesh.vertices[v] = moved.vertices[i];
-        mesh.normals[v] = moved.normals[i];
-        mesh.atoms[v] = moved.atoms[i];
-        mesh.patches[v] = moved.patches[i];
-        mesh.mean_curvatures[v] = moved.mean_curvatures[i];
-        mesh.gaussian_curvatures[v] = moved.gaussian_curvatures[i];
-        mesh.shape_indices[v] = moved.shape_indices[i];
-        distances[v] = moved_distances[i];
-    }
+    const std::vector<double> moved_distances = finish_vertices(accessible, level_set, options.spacing, moved);
+    replace_vertices(mesh, changes.moved, moved);
+    for (std::size_t i = 0; i < changes.moved.size(); ++i) distances[changes.moved[i]] = moved_distances[i];
 }
 
 }  // namespace
+
+std::vector<double> finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
+                                    Mesh& mesh) {
+    return VertexFinisher(accessible, level_set, spacing, mesh).run();
+}
+
+void replace_vertices(Mesh& mesh, std::span<const VertexId> places, const Mesh& with) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const VertexId v = places[i];
+        mesh.vertices[v] = with.vertices[i];
+        mesh.normals[v] = with.normals[i];
+        mesh.atoms[v] = with.atoms[i];
+        mesh.patches[v] = with.patches[i];
+        mesh.mean_curvatures[v] = with.mean_curvatures[i];
+        mesh.gaussian_curvatures[v] = with.gaussian_curvatures[i];
+        mesh.shape_indices[v] = with.shape_indices[i];
+    }
+}
 
 SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, const LevelSet* level_set,
                          const MeshingOptions& options) {
     SurfaceMesh result{std::move(zero_set), {}};
     label_and_choose(result.mesh, options.pieces);
-    std::vector<double> distances = VertexFinisher(accessible, level_set, options.spacing, result.mesh).run();
+    std::vector<double> distances = finish_vertices(accessible, level_set, options.spacing, result.mesh);
     mend(accessible, level_set, options, result.mesh, distances);
     result.distance = summarise(distances);
     return result;

@@ -4,6 +4,9 @@
 // one.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "meniscus/accessible_surface.h"
 #include "meniscus/level_set.h"
 #include "meniscus/mesh.h"
@@ -27,5 +30,16 @@ struct MeshingOptions {
 /// returns     all vertex arrays but the areas; measure_surface gives those and the pieces their final order
 SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, const LevelSet* level_set,
                          const MeshingOptions& options);
+
+/// Puts the vertices of a mesh, which are within a spacing of the surface and next to their neighbours in the array,
+/// onto it and fills in their normals, atoms, patches and curvatures; triangles are not looked at.
+///
+/// level_set, spacing   as for mesh_surface
+/// returns              distances to the exact SES, Å, absolute values
+std::vector<double> finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
+                                    Mesh& mesh);
+
+/// Gives some vertices of a mesh what another one, with a vertex for each of them, holds after finish_vertices().
+void replace_vertices(Mesh& mesh, std::span<const VertexId> places, const Mesh& with);
 
 }  // namespace meniscus

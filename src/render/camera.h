@@ -25,6 +25,9 @@ public:
     double pixel_size() const { return pixel_size_; }    ///< Å at the middle of what is seen
     double depth_range() const { return depth_range_; }  ///< from the nearest to the farthest point, Å, along the view
 
+    /// In the middle of the picture, as near to the viewer as the nearest point.
+    Vec3 nearest() const { return middle_ + nearest_ * frame_.towards; }
+
     /// The ray through a point of the picture in pixels from its upper left corner. It begins in front of all points.
     Ray ray(double x, double y) const;
 

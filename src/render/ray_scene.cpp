@@ -4,6 +4,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <new>
 #include <stdexcept>
 
@@ -58,7 +59,8 @@ struct RayScene::Handles {
     RTCScene scene;
 };
 
-RayScene::RayScene(const Mesh& mesh) : centre_(centre_of(mesh.vertices)) {
+RayScene::RayScene(const Mesh& mesh, const std::optional<HalfSpace>& kept)
+    : centre_(centre_of(mesh.vertices)), kept_(kept) {
     const ThreadLimit one_thread(1);  // builds the tree, so that ties between triangles are always decided alike
     const auto handles = std::make_shared<Handles>();
     RTCGeometry geometry = rtcNewGeometry(handles->device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -73,6 +75,9 @@ RayScene::RayScene(const Mesh& mesh) : centre_(centre_of(mesh.vertices)) {
 }
 
 std::optional<RayHit> RayScene::first_hit(const Ray& ray, double reach) const {
+    const Interval part = kept_ ? kept_->part_of_ray(ray.origin, ray.direction) : Interval{};
+    const double end = std::min(part.end, reach);
+    if (part.begin >= end) return std::nullopt;
     const Vec3 origin = ray.origin - centre_;
     RTCRayHit query{};
     query.ray.org_x = single(origin.x);
@@ -81,7 +86,8 @@ std::optional<RayHit> RayScene::first_hit(const Ray& ray, double reach) const {
     query.ray.dir_x = single(ray.direction.x);
     query.ray.dir_y = single(ray.direction.y);
     query.ray.dir_z = single(ray.direction.z);
-    query.ray.tfar = single(reach);
+    query.ray.tnear = single(part.begin);
+    query.ray.tfar = single(end);
     query.ray.mask = ~0U;
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     RTCIntersectContext context;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "meniscus/mesh.h"
+#include "render/half_space.h"
 
 namespace meniscus {
 
@@ -28,9 +29,10 @@ struct RayHit {
 class RayScene {
 public:
     /// mesh     with at least one triangle; not needed later
+    /// kept     what lies outside is not hit
     /// throws   std::runtime_error if Embree cannot work here
     /// cost     O(n log n)
-    explicit RayScene(const Mesh& mesh);
+    explicit RayScene(const Mesh& mesh, const std::optional<HalfSpace>& kept = {});
 
     /// The nearest triangle that a ray hits within `reach` (Å), seen from either side. From several threads at once.
     std::optional<RayHit> first_hit(const Ray& ray, double reach) const;
@@ -39,6 +41,7 @@ private:
     struct Handles;
     std::shared_ptr<const Handles> handles_;
     Vec3 centre_;
+    std::optional<HalfSpace> kept_;
 };
 
 }  // namespace meniscus

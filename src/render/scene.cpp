@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/cut_plane.h"
+
 namespace meniscus {
 namespace {
 
@@ -14,9 +16,8 @@ constexpr double kReachShare = 0.5;
 constexpr double kLongestReach = 25.0;
 constexpr double kShortestReach = 2.0;
 
-double reach_of_sky(const Camera& camera) {
-    return std::clamp(kReachShare * camera.depth_range(), kShortestReach, kLongestReach);
-}
+/// Of a section through the molecule: a light, warm grey that no palette has.
+constexpr Colour kSection{222, 217, 208, 255};
 
 /// A quantity of the corners at a point of the triangle.
 template <class T, class Get>
@@ -32,17 +33,32 @@ Light interpolated_light(const Triangle& t, const RayHit& hit, std::span<const C
 
 }  // namespace
 
+double reach_of_sky(const Camera& camera) {
+    return std::clamp(kReachShare * camera.depth_range(), kShortestReach, kLongestReach);
+}
+
 Scene::Scene(const Mesh& mesh, std::span<const Colour> colours, const PictureOptions& options, const ColourField& exact)
     : mesh_(mesh),
       colours_(colours),
       options_(options),
       exact_(exact),
       camera_(mesh.vertices, options),
-      rays_(mesh),
+      kept_(options.cut ? std::optional(find_cut(mesh, *options.cut, camera_)) : std::nullopt),
+      has_section_(kept_ && is_body(mesh)),
+      rays_(mesh, kept_),
       sky_(rays_, mesh, reach_of_sky(camera_)),
       sky_from_inside_(rays_, mesh, reach_of_sky(camera_), SkyLight::Side::Molecule),
       lamps_(camera_.frame()),
-      background_(to_light(options.background)) {}
+      background_(to_light(options.background)),
+      front_(nearest_kept()) {}
+
+double Scene::nearest_kept() const {
+    if (!kept_) return 0.0;
+    double nearest = camera_.depth_range();
+    for (const Vec3& vertex : mesh_.vertices)
+        if (kept_->contains(vertex)) nearest = std::min(nearest, camera_.depth(vertex));
+    return nearest;
+}
 
 Light Scene::albedo(const RayHit& hit, const Vec3& point) const {
     const Triangle& t = mesh_.triangles[hit.triangle];
@@ -57,22 +73,34 @@ bool Scene::faces_away(const Triangle& t, const Vec3& direction) const {
     return dot(cross(mesh_.vertices[t[1]] - corner, mesh_.vertices[t[2]] - corner), direction) > 0.0;
 }
 
+Light Scene::light_from(const RayHit& hit, const Ray& ray) const {
+    const Triangle& t = mesh_.triangles[hit.triangle];
+    Vec3 normal = normalised(interpolated<Vec3>(t, hit, [this](VertexId v) { return mesh_.normals[v]; }));
+    const bool inside = faces_away(t, ray.direction);
+    if (inside) normal = -normal;
+    const SkyLight& seen_sky = inside ? sky_from_inside_ : sky_;
+    const auto sky = interpolated<double>(t, hit, [&seen_sky](VertexId v) { return double{seen_sky.at(v)}; });
+    const Vec3 point = ray.origin + hit.distance * ray.direction;
+    return lamps_.shade(albedo(hit, point), normal, -ray.direction, static_cast<float>(sky));
+}
+
+Glimpse Scene::glimpse(Glimpse::Kind kind, const Light& light, const Vec3& point) const {
+    const double depth = std::max(0.0, camera_.depth(point));
+    const double share = (depth - front_) / std::max(camera_.depth_range() - front_, 1e-9);
+    const double haze = options_.depth_cue * std::clamp(share, 0.0, 1.0);
+    return {mixed(light, background_, static_cast<float>(haze)), static_cast<float>(depth), kind};
+}
+
+/// A ray that meets the far side of the surface first has entered the cut molecule in its section.
 Glimpse Scene::look(double x, double y) const {
     const Ray ray = camera_.ray(x, y);
     const std::optional<RayHit> hit = rays_.first_hit(ray, std::numeric_limits<double>::infinity());
     if (!hit) return {.light = background_};
-    const Triangle& t = mesh_.triangles[hit->triangle];
-    const Vec3 point = ray.origin + hit->distance * ray.direction;
-    const Vec3 to_viewer = -ray.direction;
-    Vec3 normal = normalised(interpolated<Vec3>(t, *hit, [this](VertexId v) { return mesh_.normals[v]; }));
-    const bool inside = faces_away(t, ray.direction);
-    if (inside) normal = -normal;
-    const SkyLight& seen_sky = inside ? sky_from_inside_ : sky_;
-    const auto sky = interpolated<double>(t, *hit, [&seen_sky](VertexId v) { return double{seen_sky.at(v)}; });
-    const Light light = lamps_.shade(albedo(*hit, point), normal, to_viewer, static_cast<float>(sky));
-    const double depth = std::max(0.0, camera_.depth(point));
-    const double haze = options_.depth_cue * std::min(1.0, depth / std::max(camera_.depth_range(), 1e-9));
-    return {mixed(light, background_, static_cast<float>(haze)), static_cast<float>(depth)};
+    const auto point_at = [&ray](double distance) { return ray.origin + distance * ray.direction; };
+    if (has_section_ && faces_away(mesh_.triangles[hit->triangle], ray.direction))
+        return glimpse(Glimpse::Kind::Section, to_light(kSection),
+                       point_at(kept_->part_of_ray(ray.origin, ray.direction).begin));
+    return glimpse(Glimpse::Kind::Surface, light_from(*hit, ray), point_at(hit->distance));
 }
 
 }  // namespace meniscus

@@ -16,12 +16,19 @@ namespace meniscus {
 
 /// What one ray sees.
 struct Glimpse {
+    enum class Kind { Background, Surface, Section };
+
     Light light{};
     float depth =
         std::numeric_limits<float>::infinity();  ///< behind the nearest vertex, Å; infinite for the background
 
-    bool is_surface() const { return depth < std::numeric_limits<float>::infinity(); }
+    Kind kind = Kind::Background;
+
+    bool is_background() const { return kind == Kind::Background; }
 };
+
+/// How far the sky is blocked, Å: by a share of the molecule's depth.
+double reach_of_sky(const Camera& camera);
 
 class Scene {
 public:
@@ -38,17 +45,23 @@ public:
 private:
     bool faces_away(const Triangle& t, const Vec3& direction) const;
     Light albedo(const RayHit& hit, const Vec3& point) const;
+    Light light_from(const RayHit& hit, const Ray& ray) const;
+    Glimpse glimpse(Glimpse::Kind kind, const Light& light, const Vec3& point) const;
+    double nearest_kept() const;
 
     const Mesh& mesh_;
     std::span<const Colour> colours_;
     const PictureOptions& options_;
     const ColourField& exact_;
     Camera camera_;
+    std::optional<HalfSpace> kept_;  // by a cut
+    bool has_section_;               // where the cut runs through the molecule
     RayScene rays_;
     SkyLight sky_;
     SkyLight sky_from_inside_;
     Lamps lamps_;
     Light background_;
+    double front_;  // depth where the depth cue begins, Å
 };
 
 }  // namespace meniscus

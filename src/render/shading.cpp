@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/srgb.h"
+
 namespace meniscus {
 namespace {
 
@@ -36,12 +38,9 @@ constexpr double kGlossExponent = 24.0;
 
 float single(double value) { return static_cast<float>(value); }
 
-double decoded(double s) { return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4); }
-double encoded(double l) { return l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1.0 / 2.4) - 0.055; }
-
 std::array<float, 256> decoding_table() {
     std::array<float, 256> table;
-    for (std::size_t i = 0; i < table.size(); ++i) table[i] = single(decoded(static_cast<double>(i) / 255.0));
+    for (std::size_t i = 0; i < table.size(); ++i) table[i] = single(linear_from_srgb(static_cast<double>(i) / 255.0));
     return table;
 }
 
@@ -66,7 +65,7 @@ Light to_light(const Colour& colour) {
 }
 
 Colour to_colour(const Light& light, float opacity) {
-    const auto byte = [](float l) { return to_byte(encoded(std::clamp(static_cast<double>(l), 0.0, 1.0))); };
+    const auto byte = [](float l) { return to_byte(srgb_from_linear(std::clamp(static_cast<double>(l), 0.0, 1.0))); };
     return {byte(light.red), byte(light.green), byte(light.blue), to_byte(opacity)};
 }
 

@@ -29,7 +29,7 @@ constexpr float kLineDarkness = 0.85F;
 constexpr double kMiddle = 0.5;
 
 /// Points of a (0, 2)-sequence (van der Corput and Sobol), scrambled by constants so that few already balance.
-std::array<std::array<double, 2>, kSamples> sample_places() {
+std::array<std::array<double, 2>, kSamples> make_sample_places() {
     std::array<std::array<double, 2>, kSamples> places;
     for (unsigned i = 0; i < kSamples; ++i) {
         unsigned x = 0;
@@ -47,6 +47,11 @@ std::array<std::array<double, 2>, kSamples> sample_places() {
     return places;
 }
 
+const std::array<std::array<double, 2>, kSamples>& sample_places() {
+    static const auto places = make_sample_places();
+    return places;
+}
+
 bool differ(float a, float b) { return std::abs(std::sqrt(a) - std::sqrt(b)) > kVisibleStep; }
 
 bool differ(const Light& a, const Light& b) {
@@ -58,7 +63,7 @@ PixelBox grown(const PixelBox& box, int margin) {
 }
 
 double line_radius(const PictureOptions& options) {
-    return options.outline ? std::max(kThinnestLine, kLineShare * options.width) : 0.0;
+    return options.outline || options.cut ? std::max(kThinnestLine, kLineShare * options.width) : 0.0;
 }
 
 }  // namespace
@@ -66,13 +71,16 @@ double line_radius(const PictureOptions& options) {
 Tile::Tile(const Scene& scene, const PictureOptions& options, const PixelBox& box)
     : scene_(scene),
       box_(box),
-      margin_(static_cast<int>(std::ceil(line_radius(options))) + 1),
+      reach_(static_cast<int>(std::ceil(line_radius(options)))),
+      margin_(reach_ + (options.cut ? 2 : 1)),
       radius_(line_radius(options)),
+      outline_(options.outline),
       jump_(std::max(kSmallestJump, kJumpShare * scene.camera().depth_range())),
       background_opacity_(static_cast<float>(options.background.alpha) / 255.0F) {
     const PixelBox all = grown(box, margin_);
     for (int y = all.y; y < all.y + all.height; ++y)
         for (int x = all.x; x < all.x + all.width; ++x) centres_.push_back(scene.look(x + kMiddle, y + kMiddle));
+    if (options.cut) find_sections();
     lights_.resize(centres_.size());
     const PixelBox neighbours = grown(box, 1);
     for (int y = neighbours.y; y < neighbours.y + neighbours.height; ++y)
@@ -88,26 +96,52 @@ std::size_t Tile::place(int x, int y) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
 }
 
-/// How much of a line is at a place, 0 to 1: whether something much farther away is seen close by. So lines lie on the
-/// nearer side of a jump and do not widen the silhouette.
-double Tile::lines_near(double x, double y, float depth) const {
+/// Counts samples along the edges of sections: lines around them would have steps otherwise.
+void Tile::find_sections() {
+    sections_.assign(centres_.size(), 0.0F);
+    const PixelBox known = grown(box_, margin_ - 1);
+    for (int y = known.y; y < known.y + known.height; ++y)
+        for (int x = known.x; x < known.x + known.width; ++x) sections_[place(x, y)] = section_share(x, y);
+}
+
+float Tile::section_share(int x, int y) const {
+    const auto is_section = [](const Glimpse& seen) { return seen.kind == Glimpse::Kind::Section; };
+    const bool here = is_section(centres_[place(x, y)]);
+    bool mixed = false;
+    for (int j = y - 1; j <= y + 1; ++j)
+        for (int i = x - 1; i <= x + 1; ++i) mixed = mixed || is_section(centres_[place(i, j)]) != here;
+    if (!mixed) return here ? 1.0F : 0.0F;
+    int count = 0;
+    for (const auto& [dx, dy] : sample_places()) count += is_section(scene_.look(x + dx, y + dy)) ? 1 : 0;
+    return static_cast<float>(count) / kSamples;
+}
+
+/// How far a pixel close to a glimpse calls for a line there, 0 to 1: if it shows something much farther away, or no
+/// section beside one. So lines lie on the nearer side of a jump and do not widen the silhouette.
+double Tile::contrast(const Glimpse& seen, std::size_t pixel) const {
+    const double end = seen.kind == Glimpse::Kind::Section ? 1.0F - sections_[pixel] : 0.0F;
+    if (!outline_) return end;
+    const double jump = (centres_[pixel].depth - seen.depth) / jump_;
+    return std::max(end, std::clamp(jump - 1.0, 0.0, 1.0));
+}
+
+/// How much of a line is at a place, 0 to 1.
+double Tile::lines_near(double x, double y, const Glimpse& seen) const {
     const int column = static_cast<int>(std::floor(x));
     const int row = static_cast<int>(std::floor(y));
-    const int reach = margin_ - 1;
     double strongest = 0.0;
-    for (int j = row - reach; j <= row + reach; ++j)
-        for (int i = column - reach; i <= column + reach; ++i) {
-            const double jump = (centres_[place(i, j)].depth - depth) / jump_;
+    for (int j = row - reach_; j <= row + reach_; ++j)
+        for (int i = column - reach_; i <= column + reach_; ++i) {
             const double distance = std::hypot(i + kMiddle - x, j + kMiddle - y);
             const double nearness = std::clamp(radius_ + kMiddle - distance, 0.0, 1.0);
-            strongest = std::max(strongest, nearness * std::clamp(jump - 1.0, 0.0, 1.0));
+            if (nearness > strongest) strongest = std::max(strongest, nearness * contrast(seen, place(i, j)));
         }
     return strongest;
 }
 
 Light Tile::with_lines(const Glimpse& seen, double x, double y) const {
-    if (radius_ == 0.0 || !seen.is_surface()) return seen.light;
-    return (1.0F - kLineDarkness * static_cast<float>(lines_near(x, y, seen.depth))) * seen.light;
+    if (radius_ == 0.0 || seen.is_background()) return seen.light;
+    return (1.0F - kLineDarkness * static_cast<float>(lines_near(x, y, seen))) * seen.light;
 }
 
 /// How often a pixel must be looked at, beyond its centre.
@@ -117,7 +151,7 @@ int Tile::samples_needed(int x, int y) const {
     for (int j = y - 1; j <= y + 1; ++j)
         for (int i = x - 1; i <= x + 1; ++i) {
             const std::size_t there = place(i, j);
-            if (centres_[here].is_surface() != centres_[there].is_surface()) return kSamples;
+            if (centres_[here].kind != centres_[there].kind) return kSamples;
             if (std::abs(centres_[here].depth - centres_[there].depth) > jump_) return kSamples;
             if (differ(lights_[here], lights_[there])) needed = kFewSamples;
         }
@@ -126,12 +160,11 @@ int Tile::samples_needed(int x, int y) const {
 
 /// Means are taken of light times opacity, so that a transparent background has no colour.
 Colour Tile::refined_pixel(int x, int y, int samples) const {
-    static const auto places = sample_places();
     Light sum;
     float opacity = 0.0F;
-    for (const auto& [dx, dy] : std::span(places).first(static_cast<std::size_t>(samples))) {
+    for (const auto& [dx, dy] : std::span(sample_places()).first(static_cast<std::size_t>(samples))) {
         const Glimpse seen = scene_.look(x + dx, y + dy);
-        const float share = seen.is_surface() ? 1.0F : background_opacity_;
+        const float share = seen.is_background() ? background_opacity_ : 1.0F;
         sum += share * with_lines(seen, x + dx, y + dy);
         opacity += share;
     }
@@ -143,7 +176,7 @@ void Tile::draw(Picture& picture) const {
         for (int x = box_.x; x < box_.x + box_.width; ++x) {
             const std::size_t here = place(x, y);
             Colour& pixel = picture.pixels[static_cast<std::size_t>(y) * picture.width + x];
-            const float opacity = centres_[here].is_surface() ? 1.0F : background_opacity_;
+            const float opacity = centres_[here].is_background() ? background_opacity_ : 1.0F;
             const int samples = samples_needed(x, y);
             pixel = samples > 0 ? refined_pixel(x, y, samples) : to_colour(lights_[here], opacity);
         }

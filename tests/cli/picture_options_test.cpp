@@ -70,6 +70,24 @@ TEST(PictureOptions, ViewsAreWordsOrDirections) {
     EXPECT_EQ(parse({"--view", "0,-3,0"}).picture.viewpoint->up, parse({"--view", "bottom"}).picture.viewpoint->up);
 }
 
+TEST(PictureOptions, CutsAreWordsDepthsOrPlanes) {
+    EXPECT_EQ(parse({"--cut", "auto"}).picture.cut, Cut{});
+    EXPECT_EQ(parse({"--cut", "cavity:3"}).picture.cut, (Cut{.through = Cut::Through::Cavity, .cavity = 3}));
+    EXPECT_EQ(parse({"--cut", "12.5"}).picture.cut, (Cut{.through = Cut::Through::Depth, .depth = 12.5}));
+    const Cut point{.through = Cut::Through::Point, .point = {-1, 2, 3}};
+    EXPECT_EQ(parse({"--cut", "-1,2,3"}).picture.cut, point);
+    Cut plane = point;
+    plane.normal = Vec3{0, -1, 0};
+    const PictureRequest request = parse({"--cut", "-1,2,3:0,-1,0"});
+    EXPECT_EQ(request.picture.cut, plane);
+    EXPECT_EQ(request.drawn_by, "--cut");
+    nlohmann::ordered_json options;
+    report_picture(request, {}, true, options);
+    EXPECT_EQ(options["cut"], "-1,2,3:0,-1,0");
+    report_picture(parse({}), {}, true, options);
+    EXPECT_TRUE(options["cut"].is_null());
+}
+
 TEST(PictureOptions, WhatMakesNoSenseIsRefusedWithItsOption) {
     for (const char* text :
          {"", "fancy", "patch:1:2", "depth:2:1", "depth:1", "depth:1:2:3", "depth:a:b", "depth:0:inf"})
@@ -80,6 +98,9 @@ TEST(PictureOptions, WhatMakesNoSenseIsRefusedWithItsOption) {
         EXPECT_TRUE(refusal({"--size", text}).starts_with("--size: ")) << text;
     for (const char* text : {"", "red", "#12", "#12345g", "#1234567", "123456"})
         EXPECT_TRUE(refusal({"--background", text}).starts_with("--background: ")) << text;
+    for (const char* text : {"", "middle", "cavity", "cavity:", "cavity:0", "cavity:x", "-1", "nan", "1,2", "1,2,3,4",
+                             "1,2,3:", "1,2,3:0,0,0", "1,2,x"})
+        EXPECT_TRUE(refusal({"--cut", text}).starts_with("--cut: ")) << text;
     for (const char* text : {"", "-0.1", "1.01", "nan"})
         EXPECT_TRUE(refusal({"--depth-cue", text}).starts_with("--depth-cue: ")) << text;
 }

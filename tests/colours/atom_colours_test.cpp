@@ -54,10 +54,10 @@ TEST(AtomColours, ElementsThatAreNotToldApartAreNeutral) {
 }
 
 TEST(AtomColours, ConfidenceHasFourBands) {
-    EXPECT_EQ(plddt_colour(95.0), rgb(0x0053D6));
-    EXPECT_EQ(plddt_colour(90.0), plddt_colour(70.5));
-    EXPECT_EQ(plddt_colour(70.0), plddt_colour(50.5));
-    EXPECT_EQ(plddt_colour(50.0), rgb(0xFF7D45));
+    EXPECT_EQ(plddt_band(95.0).colour, rgb(0x0053D6));
+    EXPECT_EQ(&plddt_band(90.0), &plddt_band(70.5));
+    EXPECT_EQ(&plddt_band(70.0), &plddt_band(50.5));
+    EXPECT_EQ(plddt_band(50.0).colour, rgb(0xFF7D45));
 }
 
 }  // namespace

@@ -7,26 +7,16 @@
 
 #include "colours/atom_colours.h"
 #include "colours/palettes.h"
+#include "colours/small_meshes.h"
 #include "meniscus/colours.h"
 #include "meniscus/errors.h"
-#include "support/shapes.h"
 #include "tables/small_complex.h"
 
 namespace meniscus {
 namespace {
 
 using testing::small_complex;
-
-/// A mesh of one vertex per atom of small_complex(), with patches in turn.
-Mesh vertex_per_atom() {
-    Mesh mesh;
-    mesh.vertices = small_complex().atoms.centres;
-    for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) {
-        mesh.atoms.push_back(i);
-        mesh.patches.push_back(static_cast<PatchKind>(i % 3));
-    }
-    return mesh;
-}
+using testing::vertex_per_atom;
 
 TEST(ColourVertices, EveryVertexHasTheColourOfItsAtomAndPatch) {
     const auto colours = colour_vertices(vertex_per_atom(), small_complex(), {.scheme = ColourScheme::ResiduePatch});
@@ -65,22 +55,12 @@ TEST(ColourVertices, DepthIsBelowTheSurfaceOfALargeProbe) {
 }
 
 TEST(ColourVertices, OuterPiecesAreAlikeAndCavitiesAreNot) {
-    Mesh mesh = testing::extracted_sphere({.centre = {}, .radius = 3.0}, 0.5);
-    const std::size_t outer = mesh.vertices.size();
-    testing::append(mesh,
-                    testing::turned_inside_out(testing::extracted_sphere({.centre = {1, 0, 0}, .radius = 0.8}, 0.5)));
-    const std::size_t first_cavity = mesh.vertices.size();
-    testing::append(mesh,
-                    testing::turned_inside_out(testing::extracted_sphere({.centre = {-1, 0, 0}, .radius = 0.7}, 0.5)));
-    const std::size_t second_cavity = mesh.vertices.size();
-    testing::append(mesh, testing::extracted_sphere({.centre = {9, 0, 0}, .radius = 1.0}, 0.5));
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-        mesh.components.push_back(v < outer ? 0 : v < first_cavity ? 2 : v < second_cavity ? 3 : 1);
+    const auto [mesh, first_of] = testing::two_outer_pieces_and_two_cavities();
     const auto colours = colour_vertices(mesh, {}, {.scheme = ColourScheme::Component});
-    EXPECT_EQ(colours.front(), colours.back());
-    EXPECT_NE(colours[outer], colours.front());
-    EXPECT_NE(colours[outer], colours[first_cavity]);
-    EXPECT_NE(colours[first_cavity], colours.front());
+    EXPECT_EQ(colours.front(), colours[first_of[1]]);
+    EXPECT_NE(colours[first_of[2]], colours.front());
+    EXPECT_NE(colours[first_of[2]], colours[first_of[3]]);
+    EXPECT_NE(colours[first_of[3]], colours.front());
 }
 
 TEST(ColourVertices, WhatDoesNotFitIsRefused) {

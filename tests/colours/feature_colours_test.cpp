@@ -6,6 +6,7 @@
 
 #include "colours/atom_colours.h"
 #include "colours/palettes.h"
+#include "support/colour_vision.h"
 #include "tables/small_complex.h"
 
 namespace meniscus {
@@ -28,6 +29,12 @@ TEST(FeatureColours, SeveralChainsAreColouredByChain) {
     for (Residue& residue : structure.residues) residue.chain = "A";
     EXPECT_EQ(scheme_in_force(ColourScheme::Automatic, structure), ColourScheme::Single);
     EXPECT_EQ(colours_of(ColourScheme::Automatic, structure).of_atom, std::vector<Colour>(6, kPlain));
+}
+
+TEST(FeatureColours, PatchesAreToldApartByTheColourBlindToo) {
+    std::vector<Colour> patches;
+    for (const auto& colour : colours_of(ColourScheme::Patch).of_patch) patches.push_back(colour.value());
+    EXPECT_GT(testing::smallest_difference(patches), 12.5);
 }
 
 TEST(FeatureColours, PatchesGoBeforeAtoms) {

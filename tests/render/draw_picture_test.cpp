@@ -71,6 +71,62 @@ TEST(DrawPicture, TheSameBitsForAnyNumberOfThreads) {
     }
 }
 
+/// Pixels of the section, and others that are not background.
+std::pair<int, int> section_and_surface(const Picture& picture) {
+    const Colour section = pixel(picture, picture.width / 2, picture.height - 20);
+    EXPECT_LT(std::abs(section.red - section.blue), 20) << "grey";
+    int of_section = 0;
+    int others = 0;
+    for (const Colour& c : picture.pixels) {
+        of_section += c == section ? 1 : 0;
+        others += c != section && c.alpha > 127 ? 1 : 0;
+    }
+    return {of_section, others};
+}
+
+TEST(DrawPicture, ACutShowsTheSectionAndTheHolesInIt) {
+    const ColouredMesh cheese = testing::cheese();
+    PictureOptions options{.width = 400, .height = 400, .viewpoint = kFront, .background = kTransparent};
+    const Picture whole = draw_picture(cheese.mesh, cheese.colours, options);
+    options.cut = Cut{.through = Cut::Through::Point};  // z = 0
+    const Picture cut = draw_picture(cheese.mesh, cheese.colours, options);
+    for (std::size_t i = 0; i < cut.pixels.size(); ++i) EXPECT_EQ(cut.pixels[i].alpha, whole.pixels[i].alpha);
+    const double scale = 0.92 * 400 / 8.0;  // pixels per Å
+    const double hole_1 = 1.0;              // squared radii, where z = 0 cuts the spheres
+    const double hole_2 = 1.5 * 1.5 - 0.5 * 0.5;
+    const double pi = 3.14159265;
+    const double section = pi * (16.0 - hole_1 - hole_2) * scale * scale;
+    const double line = 2.0 * pi * (4.0 + 1.0 + std::sqrt(hole_2)) * scale;  // its length
+    const auto [of_section, others] = section_and_surface(cut);
+    EXPECT_NEAR(of_section, section - 1.5 * line, line);
+    EXPECT_NEAR(others, pi * (hole_1 + hole_2) * scale * scale + 1.5 * line, line);
+    const auto x = static_cast<int>(200 + 1.5 * scale);
+    EXPECT_GT(pixel(cut, x, 200).blue, pixel(cut, x, 200).red + 20) << "the wall of the larger hole";
+}
+
+TEST(DrawPicture, WhatACutLeavesOutIsNotThere) {
+    const ColouredMesh cheese = testing::cheese();
+    PictureOptions options{.width = 200, .height = 200, .viewpoint = kFront, .background = kTransparent};
+    options.cut = Cut{.through = Cut::Through::Point, .normal = Vec3{1, 0, 0}};
+    const Picture half = draw_picture(cheese.mesh, cheese.colours, options);
+    EXPECT_EQ(pixel(half, 150, 100).alpha, 0);
+    EXPECT_EQ(pixel(half, 50, 100).alpha, 255);
+    options.cut = Cut{.through = Cut::Through::Depth, .depth = 100.0};
+    for (const Colour& c : draw_picture(cheese.mesh, cheese.colours, options).pixels) EXPECT_EQ(c.alpha, 0);
+    options.cut = Cut{.through = Cut::Through::Depth, .depth = 0.0};
+    const Picture all = draw_picture(cheese.mesh, cheese.colours, options);
+    options.cut.reset();
+    EXPECT_EQ(all.pixels, draw_picture(cheese.mesh, cheese.colours, options).pixels);
+}
+
+TEST(DrawPicture, WallsOfCavitiesAloneHaveNoSection) {
+    const ColouredMesh wall = testing::turned_inside_out(blue_sphere({.centre = {}, .radius = 3.0}, 0.2));
+    PictureOptions options{.width = 200, .height = 200, .viewpoint = kFront, .background = kTransparent};
+    options.cut = Cut{};
+    for (const Colour& c : draw_picture(wall.mesh, wall.colours, options).pixels)
+        if (c.alpha == 255) EXPECT_GT(c.blue, c.red);
+}
+
 TEST(DrawPicture, AnEmptyMeshIsBackground) {
     const Picture picture = draw_picture({}, {}, {.width = 3, .height = 2, .background = kTransparent});
     EXPECT_EQ(picture.pixels, std::vector<Colour>(6, kTransparent));
@@ -84,6 +140,8 @@ TEST(DrawPicture, WhatMakesNoSenseIsRefused) {
     refused({.width = 0});
     refused({.height = kLargestPicture + 1});
     refused({.viewpoint = Viewpoint{.from = {0, 0, 0}}});
+    refused({.cut = Cut{.through = Cut::Through::Cavity}});
+    refused({.cut = Cut{.normal = Vec3{}}});
     refused({.depth_cue = 1.5});
     refused({.depth_cue = std::numeric_limits<double>::quiet_NaN()});
     EXPECT_THROW(draw_picture(ball.mesh, {}, {}), UsageError);

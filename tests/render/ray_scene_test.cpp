@@ -32,6 +32,16 @@ TEST(RayScene, ReachEndsARay) {
     EXPECT_TRUE(scene.first_hit({{0.0, 0.0, 0.0}, {0, 0, 1}}, kFar).has_value()) << "seen from inside";
 }
 
+TEST(RayScene, WhatIsCutOffIsNotHit) {
+    const Mesh mesh = testing::extracted_sphere({.centre = {}, .radius = 2.0}, 0.3);
+    const RayScene lower(mesh, HalfSpace{.point = {0, 0, 1}, .normal = {0, 0, 1}});
+    const auto from_above = lower.first_hit({{0.1, 0.2, 5.0}, {0, 0, -1}}, kFar);
+    ASSERT_TRUE(from_above.has_value());
+    EXPECT_NEAR(from_above->distance, 7.0, 0.05);
+    EXPECT_FALSE(lower.first_hit({{0.1, 0.2, 0.0}, {0, 0, 1}}, kFar).has_value());
+    EXPECT_FALSE(lower.first_hit({{0.1, 0.2, 5.0}, {0, 0, -1}}, 3.5).has_value());
+}
+
 TEST(RayScene, FarFromTheOriginNothingIsLost) {
     const Vec3 far{1e5, -2e5, 3e5};
     Mesh mesh = testing::extracted_sphere({.centre = {}, .radius = 2.0}, 0.3);

@@ -22,7 +22,7 @@ TEST(Scene, TheMiddleIsNearAndTheCornerIsBackground) {
     const Scene scene(ball.mesh, ball.colours, kOptions, kNone);
     EXPECT_NEAR(scene.look(50, 50).depth, 0.0, 0.02);
     EXPECT_NEAR(scene.look(50 + 23, 50).depth, 2.0 - std::sqrt(3.0), 0.02);
-    EXPECT_FALSE(scene.look(1, 1).is_surface());
+    EXPECT_TRUE(scene.look(1, 1).is_background());
     EXPECT_EQ(to_colour(scene.look(1, 1).light, 1.0F), kWhite);
 }
 
@@ -36,6 +36,29 @@ TEST(Scene, ColoursAreAskedForOnlyWhereCornersDiffer) {
     EXPECT_LT(mixed_colours.look(50, 50).light.blue, 0.1F);
     const Scene interpolated(ball.mesh, ball.colours, kOptions, kNone);
     EXPECT_GT(interpolated.look(50, 50).light.blue, 0.1F);
+}
+
+TEST(Scene, ACutShowsItsPlaneWhereItIsInTheMolecule) {
+    const ColouredMesh cheese = testing::cheese();
+    PictureOptions options = kOptions;
+    options.cut = Cut{};
+    const Scene scene(cheese.mesh, cheese.colours, options, kNone);
+    const Glimpse section = scene.look(50, 80);
+    EXPECT_EQ(section.kind, Glimpse::Kind::Section);
+    EXPECT_NEAR(section.depth, testing::kCheese.radius - testing::kLargeHole.centre.z, 0.02);
+    const Glimpse wall = scene.look(50 + 1.5 * 92 / 8.0, 50);
+    EXPECT_EQ(wall.kind, Glimpse::Kind::Surface);
+    EXPECT_NEAR(wall.depth, section.depth + testing::kLargeHole.radius, 0.02);
+    EXPECT_TRUE(scene.look(1, 1).is_background());
+}
+
+TEST(Scene, TheDepthCueBeginsAtACut) {
+    const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.3);
+    PictureOptions options = kOptions;
+    options.cut = Cut{};
+    const Light clear = Scene(ball.mesh, ball.colours, options, kNone).look(50, 50).light;
+    options.depth_cue = 1.0;
+    EXPECT_NEAR(Scene(ball.mesh, ball.colours, options, kNone).look(50, 50).light.red, clear.red, 0.03);
 }
 
 TEST(Scene, TheDepthCueFadesWhatIsFar) {

@@ -26,6 +26,16 @@ TEST(SkyLight, InsideASphereItIsDark) {
     for (VertexId v = 0; v < mesh.vertices.size(); ++v) EXPECT_LT(sky.at(v), 0.01F) << v;
 }
 
+TEST(SkyLight, WhatIsCutOffDarkensNothing) {
+    Mesh mesh = testing::turned_inside_out(testing::projected_sphere({.centre = {}, .radius = 1.0}, 0.2));
+    for (Vec3& normal : mesh.normals) normal = -normal;
+    const RayScene scene(mesh, HalfSpace{.point = {}, .normal = {0, 0, 1}});
+    const SkyLight sky(scene, mesh, 1e3);
+    for (VertexId v = 0; v < mesh.vertices.size(); ++v)
+        if (mesh.vertices[v].z < -0.99)
+            EXPECT_NEAR(sky.at(v), 0.5, 0.05) << v;  // half of it is 45 degrees around the zenith
+}
+
 TEST(SkyLight, EachSideHasItsOwnSky) {
     const Mesh mesh = testing::turned_inside_out(testing::projected_sphere({.centre = {}, .radius = 1.0}, 0.2));
     const RayScene scene(mesh);

@@ -30,6 +30,28 @@ inline void append(ColouredMesh& to, const ColouredMesh& other) {
     to.colours.insert(to.colours.end(), other.colours.begin(), other.colours.end());
 }
 
+inline constexpr Sphere kCheese{.centre = {}, .radius = 4.0};
+inline constexpr Sphere kLargeHole{.centre = {1.5, 0, 0.5}, .radius = 1.5};
+inline constexpr Sphere kSmallHole{.centre = {-1.5, 0.5, 0}, .radius = 1.0};
+
+inline ColouredMesh turned_inside_out(ColouredMesh coloured) {
+    coloured.mesh = turned_inside_out(coloured.mesh);
+    for (Vec3& normal : coloured.mesh.normals) normal = -normal;
+    return coloured;
+}
+
+/// A ball with two cavities, the smaller one before the larger one.
+inline ColouredMesh cheese() {
+    ColouredMesh all = blue_sphere(kCheese, 0.2);
+    all.mesh.components.assign(all.mesh.vertices.size(), 0);
+    for (const Sphere& hole : {kSmallHole, kLargeHole}) {
+        const std::uint32_t component = all.mesh.components.back() + 1;
+        append(all, turned_inside_out(blue_sphere(hole, 0.1)));
+        all.mesh.components.resize(all.mesh.vertices.size(), component);
+    }
+    return all;
+}
+
 inline const Colour& pixel(const Picture& picture, int x, int y) {
     return picture
         .pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x)];

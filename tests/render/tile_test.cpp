@@ -60,6 +60,18 @@ TEST(Tile, EdgesAreSmooth) {
     EXPECT_NEAR(covered, 3.14159265 * radius * radius, 0.003 * covered);
 }
 
+TEST(Tile, ASectionHasALineAround) {
+    PictureOptions options{.width = 100, .height = 100, .viewpoint = kFront, .cut = Cut{}};
+    const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.1);
+    const Scene scene(ball.mesh, ball.colours, options, kNone);
+    Picture picture = blank(options);
+    Tile(scene, options, {0, 0, 100, 100}).draw(picture);
+    const Colour& section = pixel(picture, 50, 50);
+    EXPECT_EQ(pixel(picture, 30, 60), section) << "flat";
+    EXPECT_LT(pixel(picture, 50 + 45, 50).red, section.red / 2);
+    EXPECT_EQ(pixel(picture, 50 + 41, 50), section);
+}
+
 TEST(Tile, LinesAreDarkAndWithinTheSilhouette) {
     PictureOptions options{.width = 100, .height = 100, .viewpoint = kFront, .background = kTransparent};
     const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.1);

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "page_rows.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "exact_blocks.h"
+#include "messages.h"
+#include "summary_text.h"
+
+namespace meniscus::cli {
+
+namespace {
+
+using Rows = std::vector<PageRow>;
+
+std::string area(double value) { return fmt::format("{:.1f} Å²", value); }
+std::string volume(double value) { return fmt::format("{:.1f} Å³", value); }
+std::string length(double value) { return fmt::format("{:.4f} Å", value); }
+
+std::size_t count(const Measures& exact, ComponentKind kind) {
+    return static_cast<std::size_t>(std::count_if(exact.components.begin(), exact.components.end(),
+                                                  [kind](const SurfaceComponent& c) { return c.kind == kind; }));
+}
+
+void add_exact(Rows& rows, const Measures& exact) {
+    const SurfaceTotals& t = exact.totals;
+    const char* excluded = "Solvent-excluded surface, exact";
+    rows.push_back({excluded, "area", area(t.ses_area)});
+    rows.push_back({excluded, "volume", volume(t.ses_volume)});
+    rows.push_back({excluded, "contact", area(t.contact_area)});
+    rows.push_back({excluded, "toroidal", area(t.toroidal_area)});
+    rows.push_back({excluded, "reentrant", area(t.reentrant_area)});
+    rows.push_back({excluded, "outer pieces", fmt::format("{}", count(exact, ComponentKind::Outer))});
+    rows.push_back({excluded, "cavities", fmt::format("{}", count(exact, ComponentKind::Cavity))});
+    const char* accessible = "Solvent-accessible surface, exact";
+    rows.push_back({accessible, "area", area(t.sas_area)});
+    rows.push_back({accessible, "volume", volume(t.sas_volume)});
+}
+
+void add_mesh(Rows& rows, const Surface& surface) {
+    const MeshMeasures& m = surface.measures;
+    const char* section = "This mesh";
+    rows.push_back({section, "area", area(surface.corrected_area)});
+    rows.push_back({section, "volume", volume(surface.corrected_volume)});
+    rows.push_back({section, "vertices", fmt::format("{}", surface.mesh.vertices.size())});
+    rows.push_back({section, "triangles", fmt::format("{}", surface.mesh.triangles.size())});
+    rows.push_back(
+        {section, "closed, manifold", fmt::format("{}, {}", m.closed ? "yes" : "no", m.manifold ? "yes" : "no")});
+    rows.push_back({section, "from the exact surface", "mean " + length(surface.distance.mean)});
+    rows.push_back({section, "", "99 % below " + length(surface.distance.p99)});
+    rows.push_back({section, "", "largest " + length(surface.distance.max)});
+}
+
+void add_input(Rows& rows, const SurfaceRequest& request, const Structure& structure, const Surface& surface) {
+    const char* section = "How it was made";
+    const std::string file =
+        structure.file == "-" ? "standard input" : std::filesystem::path(structure.file).filename().string();
+    rows.push_back({section, "file", one_line(file)});
+    rows.push_back({section, "atoms", fmt::format("{}", structure.atoms.size())});
+    rows.push_back({section, "residues", fmt::format("{}", structure.residues.size())});
+    for (const auto& [reason, number] : structure.dropped)
+        if (number > 0) rows.push_back({section, "left out: " + reason, fmt::format("{}", number)});
+    rows.push_back({section, "radii", one_line(structure.radii_set)});
+    rows.push_back({section, "probe", fmt::format("{} Å", surface.options.probe)});
+    rows.push_back({section, "method", name_of(request.surface.method)});
+    rows.push_back({section, "spacing", fmt::format("{} Å", surface.options.spacing)});
+    if (surface.options.remesh.is_on())
+        rows.push_back({section, "edges near", fmt::format("{:.3g} Å", surface.options.remesh.edge)});
+}
+
+void add_checks(Rows& rows, const Surface& surface, const Measures& exact) {
+    std::vector<Check> checks = surface.checks;
+    checks.push_back(agreement_check(exact));
+    const auto passed = std::count_if(checks.begin(), checks.end(), [](const Check& c) { return c.passed; });
+    rows.push_back({"Checks", "passed", fmt::format("{} of {}", passed, checks.size())});
+    for (const Check& c : checks)
+        if (!c.passed) rows.push_back({"Checks", "failed", c.name});
+}
+
+}  // namespace
+
+std::vector<PageRow> page_rows(const SurfaceRequest& request, const Structure& structure, const Surface& surface,
+                               const Measures& exact) {
+    Rows rows;
+    add_exact(rows, exact);
+    add_mesh(rows, surface);
+    add_input(rows, request, structure, surface);
+    add_checks(rows, surface, exact);
+    return rows;
+}
+
+}  // namespace meniscus::cli

@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+"""Solvent-excluded surfaces of proteins and other molecules.
+
+>>> protein = meniscus.read("1ubq.pdb")
+>>> surface = meniscus.surface(protein)
+>>> surface.vertices.shape
+(23190, 3)
+>>> round(surface.measures.ses_area, 1)
+3892.2
+>>> surface.save("1ubq.ply", color="patch")
+
+Lengths are in Å, areas in Å², volumes in Å³, curvatures in Å⁻¹. The level-set function is negative inside the molecule,
+normals point into the solvent. Arrays of results are views: they are not copied and cannot be written to.
+
+A tutorial is in ``docs/python.md``.
+"""
+from ._core import version as __version__
+from ._errors import CheckWarning, InputError, LimitError, OutputError, ReadWarning, UsageError
+from ._measures import Component, Measures, measure, signed_distance
+from ._structure import Structure, radii, read, read_models
+from ._surface import Points, Surface, surface
+
+__all__ = [
+    "CheckWarning",
+    "Component",
+    "InputError",
+    "LimitError",
+    "Measures",
+    "OutputError",
+    "Points",
+    "ReadWarning",
+    "Structure",
+    "Surface",
+    "UsageError",
+    "__version__",
+    "measure",
+    "radii",
+    "read",
+    "read_models",
+    "signed_distance",
+    "surface",
+]
+
+# People see these under the name by which they reach them.
+for _name in __all__:
+    if hasattr(globals()[_name], "__module__"):
+        globals()[_name].__module__ = "meniscus"
+del _name

@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+"""Arrays at the border: checked by type, shape and value, copied only where they have to be converted."""
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ._errors import UsageError
+
+Floats = npt.NDArray[np.float64]
+
+
+def _numbers(name: str, values: npt.ArrayLike) -> npt.NDArray[Any]:
+    try:
+        array = np.asarray(values)
+    except ValueError as error:
+        raise UsageError(f"{name}: rows of different lengths; an array of numbers is needed") from error
+    if array.dtype.kind not in "fiu" and array.size > 0:
+        raise UsageError(f"{name}: numbers are needed, not {array.dtype}")
+    return array
+
+
+def _finite(name: str, array: npt.NDArray[Any]) -> Floats:
+    result = np.ascontiguousarray(array, dtype=np.float64)
+    if not np.isfinite(result).all():
+        first = int(np.argwhere(~np.isfinite(result))[0][0])
+        raise UsageError(f"{name}: entry {first} is not finite")
+    return result
+
+
+def positions(name: str, values: npt.ArrayLike) -> Floats:
+    """Shape (n, 3), finite; lists and arrays of any real type are converted."""
+    array = _numbers(name, values)
+    if array.size == 0 and array.ndim < 2:
+        array = array.reshape(0, 3)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise UsageError(f"{name}: must have shape (n, 3), not {array.shape}")
+    return _finite(name, array)
+
+
+def one_per(name: str, values: npt.ArrayLike, count: int) -> Floats:
+    """Shape (count,), finite; a single number stands for all."""
+    array = _numbers(name, values)
+    if array.ndim == 0:
+        array = np.broadcast_to(array, (count,))
+    if array.shape != (count,):
+        raise UsageError(f"{name}: must have shape ({count},), one per atom, not {array.shape}")
+    return _finite(name, array)
+
+
+def texts(name: str, values: Any, count: int) -> list[str]:
+    """One text per atom; one text stands for all."""
+    if isinstance(values, str):
+        return [values] * count
+    result = [str(value) for value in values]
+    if len(result) != count:
+        raise UsageError(f"{name}: {len(result)} entries for {count} atoms")
+    return result

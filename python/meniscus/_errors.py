@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+"""What can go wrong, with the words of the command line, and what is worth a warning."""
+from __future__ import annotations
+
+import errno
+import os
+
+
+class UsageError(ValueError):
+    """An option or array that makes no sense: unknown word, value out of range, wrong shape."""
+
+
+class InputError(ValueError):
+    """A file whose content is not valid; the message is "FILE:LINE:COLUMN: what is wrong; what to do"."""
+
+
+class OutputError(OSError):
+    """A file that cannot be written; nothing half-written is left behind."""
+
+
+class LimitError(ValueError, MemoryError):
+    """A computation that would exceed the memory; the message names the option to change."""
+
+
+class ReadWarning(UserWarning):
+    """An assumption made while reading a file; the same line is in ``Structure.warnings``."""
+
+
+class CheckWarning(UserWarning):
+    """A result that failed its own checks; the checks are in ``Surface.checks``."""
+
+
+def unreadable(path: str, message: str) -> OSError | None:
+    """The error of opening a file with the reader's message; None if the file can be opened."""
+    try:
+        with open(path, "rb"):
+            return None
+    except OSError as error:
+        renamed = type(error)(message)
+        renamed.errno = error.errno or errno.EIO
+        return renamed
+
+
+def text_of_path(path: str | os.PathLike[str]) -> str:
+    text = os.fspath(path)
+    if not isinstance(text, str):
+        raise TypeError(f"a path is text, not {type(text).__name__}")
+    return text

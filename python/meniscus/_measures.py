@@ -1,0 +1,270 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+"""Exact areas, volumes and cavities, without a grid."""
+from __future__ import annotations
+
+import dataclasses
+import warnings
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core, _options
+from ._arrays import Floats, positions
+from ._errors import CheckWarning, UsageError, text_of_path
+from ._structure import Path, Structure, as_structure
+
+Point = tuple[float, float, float]
+
+
+@dataclasses.dataclass(frozen=True)
+class Component:
+    """A connected closed piece of the solvent-excluded surface."""
+
+    kind: str
+    """outer or cavity"""
+    ses_area: float
+    """Å²"""
+    contact_area: float
+    toroidal_area: float
+    reentrant_area: float
+    ses_volume: float
+    """Å³ enclosed, positive"""
+    sas_area: float
+    """Å², of the solvent-accessible pieces that belong to it"""
+    sas_volume: float
+    sas_components: int
+    centre: Point
+    """centroid of its surface, Å"""
+    inside_of: int | None
+    """the component next outside"""
+    atoms: npt.NDArray[np.uint32] = dataclasses.field(repr=False, compare=False)
+    """(k,), those that touch it"""
+    inscribed_centre: Point
+    """of the largest sphere that fits into a cavity, Å"""
+    inscribed_radius: float
+    """Å; 0 for outer pieces"""
+
+    @property
+    def area(self) -> float:
+        """``ses_area``, Å²."""
+        return self.ses_area
+
+    @property
+    def volume(self) -> float:
+        """``ses_volume``, Å³."""
+        return self.ses_volume
+
+
+class Measures:
+    """All that :func:`measure` finds. Areas in Å², volumes in Å³; cavities count negative in the volumes.
+
+    >>> exact = meniscus.measure(meniscus.read("1ubq.pdb"))
+    >>> round(exact.ses_area, 3), round(exact.ses_volume, 3)
+    (3892.239, 10056.303)
+    >>> exact.errors["ses_area"] < 1e-3
+    True
+    """
+
+    def __init__(self, core: _core.Measures, structure: Structure) -> None:
+        self._core = core
+        self._structure = structure
+        self._components: list[Component] | None = None
+
+    def __repr__(self) -> str:
+        return (f"<meniscus.Measures: SES {self.ses_area:.2f} Å², {self.ses_volume:.2f} Å³; "
+                f"SAS {self.sas_area:.2f} Å²; {len(self.cavities)} cavities>")
+
+    @property
+    def structure(self) -> Structure:
+        return self._structure
+
+    @property
+    def probe(self) -> float:
+        """Radius, Å."""
+        return self._core.probe
+
+    @property
+    def totals(self) -> dict[str, float]:
+        """sas_area, sas_volume, ses_area, ses_volume, contact_area, toroidal_area, reentrant_area."""
+        return self._core.totals
+
+    @property
+    def errors(self) -> dict[str, float]:
+        """Absolute error estimates of the totals, by the same names."""
+        return self._core.errors
+
+    @property
+    def sas_area(self) -> float:
+        return self.totals["sas_area"]
+
+    @property
+    def sas_volume(self) -> float:
+        return self.totals["sas_volume"]
+
+    @property
+    def ses_area(self) -> float:
+        return self.totals["ses_area"]
+
+    @property
+    def ses_volume(self) -> float:
+        return self.totals["ses_volume"]
+
+    @property
+    def contact_area(self) -> float:
+        return self.totals["contact_area"]
+
+    @property
+    def toroidal_area(self) -> float:
+        return self.totals["toroidal_area"]
+
+    @property
+    def reentrant_area(self) -> float:
+        return self.totals["reentrant_area"]
+
+    @property
+    def components(self) -> list[Component]:
+        """Closed pieces of the surface, by falling volume."""
+        if self._components is None:
+            self._components = [Component(**fields) for fields in self._core.components]
+        return self._components
+
+    @property
+    def cavities(self) -> list[Component]:
+        """Those that enclose solvent, by falling volume.
+
+        >>> shell = meniscus.Structure.from_arrays(5 * numpy.vstack([numpy.eye(3), -numpy.eye(3)]), 4.0)
+        >>> [(round(c.volume, 2), round(c.inscribed_radius, 6)) for c in meniscus.measure(shell, probe=0.5).cavities]
+        [(7.97, 1.0)]
+        """
+        return [piece for piece in self.components if piece.kind == "cavity"]
+
+    @property
+    def atom_sas_area(self) -> Floats:
+        """(n,), Å²: shares of the atoms, which sum to the totals."""
+        return self._core.atom_sas_area
+
+    @property
+    def atom_ses_area(self) -> Floats:
+        """(n,), Å²: the sum of the three kinds of patches.
+
+        >>> exact = meniscus.measure([[0, 0, 0], [2, 0, 0]], [1.5, 1.5])
+        >>> numpy.allclose(exact.atom_ses_area.sum(), exact.ses_area)
+        True
+        """
+        return self.atom_contact_area + self.atom_toroidal_area + self.atom_reentrant_area
+
+    @property
+    def atom_contact_area(self) -> Floats:
+        return self._core.atom_contact_area
+
+    @property
+    def atom_toroidal_area(self) -> Floats:
+        return self._core.atom_toroidal_area
+
+    @property
+    def atom_reentrant_area(self) -> Floats:
+        return self._core.atom_reentrant_area
+
+    @property
+    def atom_depth(self) -> Floats:
+        """(n,), Å: distances of the centres from the surface. Raises ValueError unless measured with ``depth=True``."""
+        if not self._core.depth_measured:
+            raise UsageError("depth: not measured; ask for it with measure(..., depth=True)")
+        return self._core.atom_depth
+
+    @property
+    def sas_components(self) -> int:
+        """Closed pieces of the solvent-accessible surface."""
+        return self._core.sas_components
+
+    @property
+    def agreed(self) -> bool:
+        """Two evaluations that share no perturbation agree."""
+        return self._core.agreed
+
+    @property
+    def disputed(self) -> list[str]:
+        """Patches on which they do not."""
+        return self._core.disputed
+
+    @property
+    def degenerate(self) -> bool:
+        """Probe positions coincide, as on lattices; the bound of agreement is wider then."""
+        return self._core.degenerate
+
+    def table(self, per: str = "atom") -> dict[str, list[Any]]:
+        """A list per column, one row per atom, residue, chain or cavity; the columns are in ``docs/conventions.md``.
+
+        >>> rows = meniscus.measure(meniscus.read("1ubq.pdb")).table("residue")
+        >>> rows["resname"][:3], [round(a, 1) for a in rows["sas_area"][:3]]
+        (['MET', 'GLN', 'ILE'], [55.5, 75.3, 0.0])
+        """
+        return self._core.table(self._structure._core, _options.word("per", per))
+
+    def save(self, path: Path, per: str = "atom") -> None:
+        """Writes a table as .csv or .json. Raises OSError where it cannot be written."""
+        self._core.save(self._structure._core, text_of_path(path), _options.word("per", per))
+
+
+def measure(
+    atoms: Structure | npt.ArrayLike,
+    radii: npt.ArrayLike | None = None,
+    probe: float = 1.4,
+    *,
+    cavities: bool = True,
+    depth: bool = False,
+    threads: int = 0,
+) -> Measures:
+    """Exact areas and volumes of the SAS and SES with error estimates, shares of atoms, pieces and cavities.
+
+    atoms     a Structure, or centres (n, 3), Å
+    radii     (n,), Å, with centres
+    probe     radius, Å; 0 gives the van der Waals surface
+    cavities  also nesting and inscribed spheres of the pieces
+    depth     also the depth of every atom
+    threads   0: all cores; results do not depend on it
+
+    Raises ValueError for arrays or options that make no sense. Where two evaluations do not agree there is a
+    :class:`CheckWarning`, and ``Measures.disputed`` tells of what. Other Python threads run meanwhile; about 25 µs per
+    atom.
+
+    >>> ball = meniscus.measure([[0, 0, 0]], [2.0], probe=1.0)
+    >>> numpy.allclose([ball.ses_area, ball.sas_area], [16 * numpy.pi, 36 * numpy.pi])
+    True
+    """
+    structure = as_structure(atoms, radii)
+    options = {"probe": _options.number("probe", probe), "cavities": bool(cavities), "depth": bool(depth),
+               "threads": _options.count("threads", threads)}
+    measures = Measures(_core.measure(structure._core, options), structure)
+    if not measures.agreed:
+        warnings.warn("exact measures: evaluations do not agree on " + ", ".join(measures.disputed), CheckWarning,
+                      stacklevel=2)
+    return measures
+
+
+def signed_distance(
+    atoms: Structure | npt.ArrayLike,
+    radii: npt.ArrayLike | None = None,
+    points: npt.ArrayLike | None = None,
+    probe: float = 1.4,
+) -> Floats:
+    """Signed distances from the exact solvent-excluded surface, (m,), Å; negative inside.
+
+    atoms   a Structure, or centres (n, 3), Å
+    radii   (n,), Å, with centres
+    points  (m, 3), Å; anywhere; needed
+    probe   radius, Å
+
+    Exact inside and on the surface; outside, next to ridges, a lower bound with the right zero set.
+
+    >>> meniscus.signed_distance([[0, 0, 0]], [2.0], [[0, 0, 5], [1, 0, 0]]).round(6).tolist()
+    [3.0, -1.0]
+    >>> bool(meniscus.signed_distance(meniscus.read("1ubq.pdb"), points=[[0, 0, 0]]) > 20)
+    True
+    """
+    structure = as_structure(atoms, radii)
+    if points is None:
+        raise TypeError("points: needed, (m, 3) in Å")
+    return _core.signed_distance(structure._core, _options.number("probe", probe), positions("points", points))

@@ -1,0 +1,378 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+"""Atoms with radii and names: read from files, or made of arrays."""
+from __future__ import annotations
+
+import os
+import pathlib
+import warnings
+from collections.abc import Iterable, Sequence
+from typing import Any, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core, _options
+from ._arrays import Floats, one_per, positions, texts
+from ._errors import InputError, ReadWarning, UsageError, text_of_path, unreadable
+
+Path = Union[str, "os.PathLike[str]"]
+Texts = Union[str, Iterable[str]]
+Strings = npt.NDArray[np.str_]
+
+
+class Structure:
+    """Atoms with radii, and what is known of them; made by :func:`read` or :meth:`from_arrays`.
+
+    Every column has one entry per kept atom, in the order of the file:
+
+    ========== =================================================
+    xyz        (n, 3) float64, Å; a view that cannot be written to
+    radii      (n,) float64, Å; the same
+    element    (n,) text, upper case; empty where unknown
+    name       (n,) text: CA, OXT
+    chain      (n,) text; copies of an assembly are A, A-2, A-3
+    resname    (n,) text: ALA
+    resnum     (n,) int32, as in the file
+    icode      (n,) text; a blank where there is none
+    residue    (n,) uint32, from 0, over the kept residues
+    altloc     (n,) text; a blank where there is none
+    serial     (n,) int32
+    b_factor   (n,) float64
+    occupancy  (n,) float64
+    charge     (n,) float64, e
+    ========== =================================================
+
+    >>> protein = meniscus.read("1ubq.pdb")
+    >>> protein
+    <meniscus.Structure 1ubq: 602 atoms, 76 residues, radii united>
+    >>> protein.xyz.shape, protein.name[:3].tolist(), protein.resname[0]
+    ((602, 3), ['N', 'CA', 'C'], 'MET')
+    """
+
+    def __init__(self, core: _core.Structure) -> None:
+        self._core = core
+        self._residues: dict[str, Any] | None = None
+
+    @classmethod
+    def from_arrays(
+        cls,
+        xyz: npt.ArrayLike,
+        radii: npt.ArrayLike | str = "bondi",
+        *,
+        element: Texts | None = None,
+        name: Texts | None = None,
+        resname: Texts | None = None,
+        resnum: Sequence[int] | npt.ArrayLike | None = None,
+        icode: Texts | None = None,
+        chain: Texts | None = None,
+        serial: Sequence[int] | npt.ArrayLike | None = None,
+        b_factor: npt.ArrayLike | None = None,
+        occupancy: npt.ArrayLike | None = None,
+        charge: npt.ArrayLike | None = None,
+    ) -> Structure:
+        """A structure of atoms that another program holds.
+
+        xyz     (n, 3), Å
+        radii   (n,), Å, one number for all, or the name of a set: see :func:`radii`
+        others  (n,) each, or one text for all; what is not given is empty. Residues are runs of atoms of the same
+                chain, resname, resnum and icode
+
+        >>> water = meniscus.Structure.from_arrays([[0, 0, 0], [0.96, 0, 0], [-0.24, 0.93, 0]], element=["O", "H", "H"])
+        >>> water.radii.tolist()
+        [1.52, 1.2, 1.2]
+        """
+        centres = positions("xyz", xyz)
+        n = len(centres)
+        columns: dict[str, Any] = {}
+        for key, words in (("element", element), ("name", name), ("resname", resname), ("icode", icode),
+                           ("chain", chain)):
+            if words is not None:
+                columns[key] = texts(key, words, n)
+        for key, values in (("resnum", resnum), ("serial", serial)):
+            if values is not None:
+                columns[key] = one_per(key, values, n).astype(np.int32).tolist()
+        for key, values in (("b_factor", b_factor), ("occupancy", occupancy), ("charge", charge)):
+            if values is not None:
+                columns[key] = one_per(key, values, n).tolist()
+        if isinstance(radii, str):
+            empty = [""] * n
+            sizes = _core.radii(columns.get("element", empty), columns.get("name", empty),
+                                columns.get("resname", empty), radii)
+        else:
+            sizes = one_per("radii", radii, n)
+        return cls(_core.from_arrays(centres, sizes, columns))
+
+    def __len__(self) -> int:
+        return len(self._core)
+
+    def __repr__(self) -> str:
+        label = self.stem or "from arrays"
+        return (f"<meniscus.Structure {label}: {len(self)} atoms, {len(self._per_residue['name'])} residues, "
+                f"radii {self.radii_set}>")
+
+    @property
+    def file(self) -> str:
+        """Path of the file, as given; empty for arrays."""
+        return self._core.file
+
+    @property
+    def stem(self) -> str:
+        """Name of the file without folder and suffix."""
+        return self._core.name
+
+    @property
+    def sha256(self) -> str:
+        """Of the bytes of the file, hexadecimal."""
+        return self._core.sha256
+
+    @property
+    def radii_set(self) -> str:
+        """The set in use: bondi, united ..., "file" for radii from PQR or xyzr, "given" for arrays."""
+        return self._core.radii_set
+
+    @property
+    def dropped(self) -> dict[str, int]:
+        """How many atoms were left out, by reason.
+
+        >>> meniscus.read("1ubq.pdb").dropped
+        {'waters': 58}
+        """
+        return self._core.dropped
+
+    @property
+    def warnings(self) -> list[str]:
+        """One line per kind of assumption that reading has made."""
+        return self._core.warnings
+
+    @property
+    def xyz(self) -> Floats:
+        return self._core.xyz
+
+    @property
+    def radii(self) -> Floats:
+        return self._core.radii
+
+    @property
+    def element(self) -> Strings:
+        return np.array(self._core.element, dtype=np.str_)
+
+    @property
+    def name(self) -> Strings:
+        return np.array(self._core.name_of_atoms, dtype=np.str_)
+
+    @property
+    def altloc(self) -> Strings:
+        return np.array(self._core.altloc, dtype=np.str_)
+
+    @property
+    def residue(self) -> npt.NDArray[np.uint32]:
+        return self._core.residue
+
+    @property
+    def serial(self) -> npt.NDArray[np.int32]:
+        return self._core.serial
+
+    @property
+    def b_factor(self) -> Floats:
+        return self._core.b_factor
+
+    @property
+    def occupancy(self) -> Floats:
+        return self._core.occupancy
+
+    @property
+    def charge(self) -> Floats:
+        return self._core.charge
+
+    @property
+    def _per_residue(self) -> dict[str, Any]:
+        if self._residues is None:
+            columns = self._core.residues
+            self._residues = {key: np.asarray(columns[key]) for key in ("chain", "name", "number", "icode")}
+        return self._residues
+
+    def _of_residues(self, key: str) -> npt.NDArray[Any]:
+        column: npt.NDArray[Any] = self._per_residue[key]
+        return column[self.residue] if len(self) else column
+
+    @property
+    def chain(self) -> Strings:
+        return self._of_residues("chain")
+
+    @property
+    def resname(self) -> Strings:
+        return self._of_residues("name")
+
+    @property
+    def resnum(self) -> npt.NDArray[np.int32]:
+        return self._of_residues("number")
+
+    @property
+    def icode(self) -> Strings:
+        return self._of_residues("icode")
+
+    def save(self, path: Path, values: npt.ArrayLike | None = None) -> None:
+        """Writes the atoms, in the format of the suffix.
+
+        .xyzr .xyzrn  centres and radii
+        .csv          the table of atoms, which a mesh's ``atom`` indexes
+        .pdb .cif     with ``values``, (n,), in the place of the B factor
+
+        Raises OSError where the file cannot be written; it appears whole or not at all.
+        """
+        text = text_of_path(path)
+        suffix = pathlib.PurePath(text).suffix
+        if suffix in (".xyzr", ".xyzrn"):
+            _core.write_spheres(text, self._core)
+        elif suffix == ".csv":
+            _core.write_atom_table(text, self._core)
+        elif suffix in (".pdb", ".cif"):
+            column = self.b_factor if values is None else one_per("values", values, len(self))
+            _core.write_structure_copy(text, self._core, column)
+        else:
+            raise UsageError(f"{text}: the suffix chooses the format; known are .xyzr .xyzrn .csv .pdb .cif")
+
+
+def read(
+    path: Path,
+    *,
+    radii: Path = "auto",
+    hydrogens: str = "auto",
+    model: int = 1,
+    assembly: str | int | None = None,
+    altloc: str | None = None,
+    chains: Texts | None = None,
+    select: str | None = None,
+    hetero: str = "none",
+    waters: bool = False,
+    strict_radii: bool = False,
+) -> Structure:
+    """Reads PDB, mmCIF, PQR, xyzr or xyzrn, each possibly gzipped; "-" reads standard input.
+
+    The options, their words and defaults are those of the command line (``docs/conventions.md``).
+
+    radii         bondi, united, protor, naccess, parse, a file of rules, or auto: the file's own, else bondi if the
+                  structure has hydrogens, else united
+    hydrogens     auto (as the radii need), keep or drop
+    model         counted from 1; :func:`read_models` reads all
+    assembly      biological assembly that the file names
+    altloc        alternative location, one letter, instead of the highest occupancy
+    chains        "A,B" or a list; "label:A" for mmCIF label names
+    select        atoms to keep, in gemmi's syntax: "//A/10-50", "CA", "(ALA,GLY)"
+    hetero        none, ligands or all: atoms beside the polymer
+    waters        keep waters
+    strict_radii  an atom of unknown type is an error
+
+    What was assumed is told once per line as :class:`ReadWarning`, and kept in ``Structure.warnings``; what was left
+    out is counted in ``Structure.dropped``. Raises :class:`InputError`, a ValueError, for a file that is not valid,
+    OSError (FileNotFoundError, PermissionError ...) for one that cannot be opened. Other Python threads run meanwhile.
+
+    >>> calphas = meniscus.read("1ubq.pdb", select="CA", radii="united")
+    >>> len(calphas), calphas.radii_set
+    (76, 'united')
+    """
+    options = _read_options(radii=radii, hydrogens=hydrogens, model=model, assembly=assembly, altloc=altloc,
+                            chains=chains, select=select, hetero=hetero, waters=waters, strict_radii=strict_radii)
+    text = text_of_path(path)
+    try:
+        structure = Structure(_core.read(text, options))
+    except InputError as error:
+        raise (unreadable(text, str(error)) if text != "-" else None) or error from None
+    _warn(structure.warnings)
+    return structure
+
+
+def read_models(
+    path: Path,
+    *,
+    radii: Path = "auto",
+    hydrogens: str = "auto",
+    assembly: str | int | None = None,
+    altloc: str | None = None,
+    chains: Texts | None = None,
+    select: str | None = None,
+    hetero: str = "none",
+    waters: bool = False,
+    strict_radii: bool = False,
+) -> list[Structure]:
+    """All models of a file, each a structure of its own; options as of :func:`read`.
+
+    >>> [model.stem for model in meniscus.read_models("1ubq.pdb")]
+    ['1ubq_m01']
+    """
+    options = _read_options(radii=radii, hydrogens=hydrogens, model=1, assembly=assembly, altloc=altloc,
+                            chains=chains, select=select, hetero=hetero, waters=waters, strict_radii=strict_radii)
+    text = text_of_path(path)
+    try:
+        structures = [Structure(core) for core in _core.read_models(text, options)]
+    except InputError as error:
+        raise (unreadable(text, str(error)) if text != "-" else None) or error from None
+    _warn(line for structure in structures for line in structure.warnings)
+    return structures
+
+
+def radii(
+    element: Texts,
+    name: Texts | None = None,
+    resname: Texts | None = None,
+    *,
+    set: Path = "bondi",
+) -> Floats:
+    """Van der Waals radii of atoms that another program holds, (n,) float64, Å.
+
+    element  symbols, any case
+    name     atom names, resname  residue names: needed by every set but bondi
+    set      bondi, united, protor, naccess, parse, or a file of rules
+
+    Atoms that the set does not know get the radius of their element. Hydrogens get 0 from sets whose radii stand for
+    heavy atoms with their hydrogens (united, protor, naccess): leave them out. Raises ValueError for an unknown set
+    and for an atom of which nothing is known.
+
+    >>> meniscus.radii(["C", "N", "O"]).tolist()
+    [1.7, 1.55, 1.52]
+    >>> meniscus.radii(["C", "O", "H"], ["CA", "O", "HA"], "GLY", set="united").tolist()
+    [2.0, 1.4, 0.0]
+    """
+    elements = [element] if isinstance(element, str) else [str(symbol) for symbol in element]
+    n = len(elements)
+    names = texts("name", "" if name is None else name, n)
+    resnames = texts("resname", "" if resname is None else resname, n)
+    return _core.radii(elements, names, resnames, text_of_path(set))
+
+
+def _read_options(**given: Any) -> dict[str, Any]:
+    options: dict[str, Any] = {
+        "radii": text_of_path(given["radii"]),
+        "hydrogens": _options.word("hydrogens", given["hydrogens"]),
+        "model": _options.whole("model", given["model"]),
+        "hetero": _options.word("hetero", given["hetero"]),
+        "waters": bool(given["waters"]),
+        "strict_radii": bool(given["strict_radii"]),
+    }
+    for name in ("assembly", "altloc", "select"):
+        if given[name] is not None:
+            options[name] = str(given[name])
+    if given["chains"] is not None:
+        options["chains"] = _options.chains(given["chains"])
+    return options
+
+
+def _warn(lines: Iterable[str]) -> None:
+    for line in dict.fromkeys(lines):
+        warnings.warn(line, ReadWarning, stacklevel=3)
+
+
+def as_structure(atoms: Structure | npt.ArrayLike, sizes: npt.ArrayLike | str | None) -> Structure:
+    """What the functions take as atoms: a structure, or centres and radii."""
+    if isinstance(atoms, Structure):
+        if sizes is not None:
+            raise UsageError("radii: a Structure brings its own; make another with Structure.from_arrays")
+        return atoms
+    if isinstance(atoms, (str, os.PathLike)):
+        raise TypeError(f"atoms: read the file first: meniscus.read({os.fspath(atoms)!r})")
+    if sizes is None:
+        raise TypeError("radii: needed with an array of centres, (n,) in Å; meniscus.radii() knows those of elements")
+    if isinstance(sizes, str):
+        raise TypeError(f"radii: numbers are needed with bare centres; see meniscus.radii(set={sizes!r})")
+    return Structure.from_arrays(atoms, sizes)

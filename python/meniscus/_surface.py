@@ -1,0 +1,383 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+"""The surface itself: mesh, level set, measures and points on it."""
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+from typing import Any, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core, _options, _writing
+from ._arrays import Floats, positions
+from ._errors import CheckWarning, UsageError, text_of_path
+from ._measures import Component, Measures, measure
+from ._structure import Path, Structure, as_structure
+
+Singles = npt.NDArray[np.float32]
+Indices = npt.NDArray[np.uint32]
+Progress = Optional[Callable[[str, float], object]]
+
+
+class _Vertices:
+    """Arrays with an entry per point of the surface. All are views that cannot be written to."""
+
+    def __init__(self, mesh: _core.Mesh, structure: Structure) -> None:
+        self._mesh = mesh
+        self._structure = structure
+
+    @property
+    def structure(self) -> Structure:
+        """The atoms, which ``atom`` indexes."""
+        return self._structure
+
+    @property
+    def normals(self) -> Floats:
+        """(n, 3) float64, unit vectors that point into the solvent."""
+        return self._mesh.normals
+
+    @property
+    def atom(self) -> Indices:
+        """(n,) uint32, index of the nearest atom."""
+        return self._mesh.atom
+
+    @property
+    def residue(self) -> Indices:
+        """(n,) uint32, index of the residue of that atom; a new array."""
+        return self._structure.residue[self.atom]
+
+    @property
+    def patch(self) -> npt.NDArray[np.uint8]:
+        """(n,) uint8: 0 contact, 1 toroidal, 2 reentrant."""
+        return self._mesh.patch
+
+    @property
+    def component(self) -> Indices:
+        """(n,) uint32: 0 outer, then by falling enclosed volume."""
+        return self._mesh.component
+
+    @property
+    def area(self) -> Singles:
+        """(n,) float32, Å²: what a point stands for; sums to the area of the mesh."""
+        return self._mesh.area
+
+    @property
+    def mean_curvature(self) -> Singles:
+        """(n,) float32, Å⁻¹: positive on a sphere."""
+        return self._mesh.mean_curvature
+
+    @property
+    def gaussian_curvature(self) -> Singles:
+        """(n,) float32, Å⁻²."""
+        return self._mesh.gaussian_curvature
+
+    @property
+    def shape_index(self) -> Singles:
+        """(n,) float32, from -1 (cup) over 0 (saddle) to 1 (ball)."""
+        return self._mesh.shape_index
+
+    def colors(self, color: str = "auto") -> npt.NDArray[np.uint8]:
+        """(n, 4) uint8, sRGB and alpha: what a scheme of the command line's ``--color`` shows."""
+        return _core.colors(self._mesh, self._structure._core, _writing.colour_options(color))
+
+
+class Points(_Vertices):
+    """Points spread evenly over a surface, in spatial order; made by :meth:`Surface.sample`."""
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    def __repr__(self) -> str:
+        return f"<meniscus.Points: {len(self)}>"
+
+    @property
+    def points(self) -> Floats:
+        """(n, 3) float64, Å."""
+        return self._mesh.vertices
+
+    def save(self, path: Path, color: _writing.Color = "auto", *, ascii: bool = False) -> None:
+        """Writes the points as .ply (a cloud, with all arrays) or .npz."""
+        _writing.save_points(text_of_path(path), self, color, ascii)
+
+
+class Surface(_Vertices):
+    """A computed surface; made by :func:`surface`.
+
+    Arrays are views of the surface's memory: nothing is copied, they cannot be written to, and they keep the surface
+    alive. It does not change any more, so several threads may use it.
+
+    >>> surface = meniscus.surface(meniscus.read("1ubq.pdb"))
+    >>> surface.vertices.shape, surface.triangles.shape, surface.passed
+    ((23190, 3), (46384, 3), True)
+    """
+
+    def __init__(self, core: _core.Surface, structure: Structure, options: dict[str, Any]) -> None:
+        super().__init__(core.mesh, structure)
+        self._core = core
+        self._options = options
+        self._measures: Measures | None = None
+
+    def __repr__(self) -> str:
+        return (f"<meniscus.Surface: {len(self.vertices)} vertices, {len(self.triangles)} triangles, "
+                f"{self.mesh['area']:.1f} Å²>")
+
+    @property
+    def vertices(self) -> Floats:
+        """(n, 3) float64, Å, in the frame of the atoms."""
+        return self._mesh.vertices
+
+    @property
+    def triangles(self) -> Indices:
+        """(m, 3) uint32, counter-clockwise seen from the solvent."""
+        return self._mesh.triangles
+
+    @property
+    def options(self) -> dict[str, Any]:
+        """What :func:`surface` was asked for, by the names of its arguments."""
+        return dict(self._options)
+
+    @property
+    def mesh(self) -> dict[str, Any]:
+        """The numbers of the mesh, as in the block ``mesh`` of the command line's report.
+
+        >>> ball = meniscus.surface([[0, 0, 0]], [2.0])
+        >>> ball.mesh["closed"], ball.mesh["euler_characteristic"], round(ball.mesh["corrected_area"] / 50.2655, 4)
+        (True, 2, 1.0)
+        """
+        return self._core.mesh_block
+
+    @property
+    def flow(self) -> dict[str, Any] | None:
+        """How the flow went, as in the report's block ``flow``; None for other methods."""
+        return self._core.flow_block
+
+    @property
+    def checks(self) -> list[dict[str, Any]]:
+        """The surface's checks of itself: name, passed, value, bound."""
+        return self._core.checks
+
+    @property
+    def passed(self) -> bool:
+        """Every check passed."""
+        return self._core.passed
+
+    @property
+    def measures(self) -> Measures:
+        """Exact areas and volumes of the same atoms and probe; measured when first asked for, then kept.
+
+        >>> surface = meniscus.surface([[0, 0, 0], [2, 0, 0]], [1.5, 1.5])
+        >>> abs(surface.mesh["corrected_area"] / surface.measures.ses_area - 1) < 0.01
+        True
+        """
+        if self._measures is None:
+            self._measures = measure(self._structure, probe=self._options["probe"], threads=self._options["threads"])
+        return self._measures
+
+    @property
+    def cavities(self) -> list[Component]:
+        """The exact cavities of the same atoms and probe, by falling volume, whatever pieces the mesh keeps."""
+        return self.measures.cavities
+
+    def level_set(self, points: npt.ArrayLike) -> Floats:
+        """Values of the level-set function, (m,), Å; negative inside.
+
+        points  (m, 3), Å
+
+        NaN outside the band of a few spacings about the surface, which :func:`signed_distance` knows nothing of. With
+        method direct there is no level set: then these are exact signed distances, anywhere.
+
+        >>> ball = meniscus.surface([[0, 0, 0]], [2.0])
+        >>> ball.level_set([[0, 0, 2.1], [0, 0, 1.9], [0, 0, 50]]).round(2).tolist()
+        [0.1, -0.1, nan]
+        """
+        return self._core.values(positions("points", points))
+
+    def gradient(self, points: npt.ArrayLike) -> Floats:
+        """Gradients of the same function, (m, 3): pointing outwards, of a length near 1, NaN outside the band.
+
+        >>> ball = meniscus.surface([[0, 0, 0]], [2.0])
+        >>> abs(ball.gradient([[0, 0, 2.0]])).round(2).tolist()
+        [[0.0, 0.0, 1.0]]
+        """
+        return self._core.gradients(positions("points", points))
+
+    def sample(self, density: float = 1.0, seed: int = 0) -> Points:
+        """Points spread evenly over the surface, each as far from its neighbours as the others (blue noise).
+
+        density  points per Å²; there are exactly density times the area of the mesh, rounded
+        seed     another seed, other points; the same seed gives the same points on any machine
+
+        The points lie on the surface as the vertices do, with normals, nearest atoms, patches and curvatures. Raises
+        ValueError for a density that is not positive, :class:`LimitError` for too many points.
+
+        >>> ball = meniscus.surface([[0, 0, 0]], [2.0])
+        >>> points = ball.sample(density=2.0)
+        >>> len(points), numpy.allclose(numpy.linalg.norm(points.points, axis=1), 2.0, atol=0.01)
+        (99, True)
+        """
+        mesh = self._core.sample(_options.number("density", density), _options.seed(seed), self._options["threads"])
+        return Points(mesh, self._structure)
+
+    def save(
+        self,
+        path: Path,
+        color: _writing.Color = "auto",
+        *,
+        ascii: bool = False,
+        size: tuple[int, int] = (1600, 1200),
+        view: _writing.View = "auto",
+        background: str = "white",
+        perspective: bool = False,
+        outline: bool = False,
+        depth_cue: float = 0.0,
+    ) -> None:
+        """Writes the surface, in the format of the suffix.
+
+        .ply .obj .stl .off  the mesh; .ply with every vertex array and colours
+        .npz                 the arrays, named as here, for numpy.load
+        .png                 a picture
+        .mls                 the level set without loss
+
+        color       a scheme of ``--color`` ("patch", "curvature:-1:1"), or (n, 3) or (n, 4) uint8, one per vertex
+        ascii       .ply and .stl as text
+        size        of a picture, width and height in pixels
+        view        auto, front, back, left, right, top, bottom; or a direction towards the viewer (x, y, z); or two,
+                    that one and the one shown upwards
+        background  white, black, transparent or "#rrggbb"
+
+        Raises ValueError for an unknown suffix or option, OSError where the file cannot be written; it appears whole
+        or not at all.
+
+        >>> ball = meniscus.surface([[0, 0, 0]], [2.0])
+        >>> ball.save("ball.ply", color="patch")
+        >>> ball.save("ball.gif")
+        Traceback (most recent call last):
+        meniscus.UsageError: ball.gif: the suffix chooses the format; known are .ply .obj .stl .off .npz .png .mls
+        """
+        drawing = {"size": size, "view": view, "background": background, "perspective": perspective,
+                   "outline": outline, "depth_cue": depth_cue}
+        _writing.save_surface(text_of_path(path), self, color, ascii, drawing)
+
+
+def surface(
+    atoms: Structure | npt.ArrayLike,
+    radii: npt.ArrayLike | None = None,
+    probe: float = 1.4,
+    spacing: float = 0.5,
+    method: str = "flow",
+    *,
+    components: str = "all",
+    min_cavity: float = 0.0,
+    edge: float | None = None,
+    vertex_density: float | None = None,
+    adaptive: bool = False,
+    keep_ridges: bool = False,
+    simplify_topology: bool = False,
+    density: float = -0.5,
+    flow: str = "anchored",
+    curvature: str | None = None,
+    anchor: float | None = None,
+    reinitialise: str | None = None,
+    solver: str | None = None,
+    slope: str | None = None,
+    time_step: float | str | None = None,
+    half_width: float | None = None,
+    max_steps: int | None = None,
+    tolerance: float | None = None,
+    history: bool = False,
+    initial_area: bool = False,
+    quality: bool = False,
+    two_sided_distance: bool = False,
+    verify: bool = False,
+    threads: int = 0,
+    memory: int | str | None = None,
+    progress: Progress = None,
+) -> Surface:
+    """The solvent-excluded surface of atoms.
+
+    atoms    a Structure, or centres (n, 3), Å; lists and arrays of any real type
+    radii    (n,), Å, with centres
+    probe    radius, Å; 0 gives the van der Waals surface
+    spacing  of the grid, Å
+    method   flow (smooth level set), direct (exact distance, sharp ridges) or gaussian (only the start of the flow)
+
+    What else there is has the names and defaults of the command line (``meniscus surface --help``):
+
+    components, min_cavity        all, outer or cavities: pieces that the mesh keeps; least volume of a cavity, Å³
+    edge, vertex_density          even triangles of this size, Å, or so many vertices per Å²; then also adaptive,
+                                  keep_ridges, simplify_topology
+    flow                          anchored, parallel or paper, and its pieces one by one: curvature, anchor,
+                                  reinitialise, solver, slope, time_step, half_width, max_steps, tolerance; density is
+                                  the constant of the Gaussian start, Å⁻²
+    history, initial_area         a record of every step in ``Surface.flow``; the area of the start
+    quality, two_sided_distance   shapes of triangles, distance from the exact surface between vertices: in
+                                  ``Surface.mesh``
+    verify                        expensive self-checks, too
+    threads                       0: all cores; results do not depend on it
+    memory                        "4G", "500M" or a number of MB: refuse what would need more
+    progress                      called with the stage's name and the part of it that is done, 0 to 1, a few times per
+                                  second; what it raises ends the computation, as Ctrl-C does
+
+    Raises ValueError for arrays or options that make no sense and :class:`LimitError`, a ValueError and MemoryError,
+    for what would not fit into memory. A result that fails its own checks comes with a :class:`CheckWarning`. Other
+    Python threads run meanwhile. Memory grows with area / spacing².
+
+    >>> ball = meniscus.surface([[0, 0, 0]], [2.0], probe=1.4, spacing=0.25)
+    >>> ball.vertices.dtype, ball.triangles.dtype, ball.patch.dtype
+    (dtype('float64'), dtype('uint32'), dtype('uint8'))
+    >>> round(float(numpy.median(ball.mean_curvature)), 2)
+    0.5
+    """
+    structure = as_structure(atoms, radii)
+    options: dict[str, Any] = {
+        "probe": _options.number("probe", probe),
+        "spacing": _options.number("spacing", spacing),
+        "method": _options.word("method", method),
+        "components": _options.word("components", components),
+        "min_cavity": _options.number("min_cavity", min_cavity),
+        "density": _options.number("density", density),
+        "flow": _options.word("flow", flow),
+        "threads": _options.count("threads", threads),
+        "adaptive": bool(adaptive),
+        "keep_ridges": bool(keep_ridges),
+        "simplify_topology": bool(simplify_topology),
+        "history": bool(history),
+        "initial_area": bool(initial_area),
+        "quality": bool(quality),
+        "two_sided_distance": bool(two_sided_distance),
+        "verify": bool(verify),
+    }
+    for name, text in (("curvature", curvature), ("reinitialise", reinitialise), ("solver", solver), ("slope", slope)):
+        if text is not None:
+            options[name] = _options.word(name, text)
+    for name, value in (("anchor", anchor), ("half_width", half_width), ("tolerance", tolerance)):
+        if value is not None:
+            options[name] = _options.number(name, value)
+    for name, value in (("edge", edge), ("vertex_density", vertex_density)):
+        if value is not None:
+            options[name] = _options.positive(name, value)
+    if time_step is not None:
+        options["time_step"] = _options.time_step(time_step)
+    if max_steps is not None:
+        options["max_steps"] = _options.whole("max_steps", max_steps)
+    if memory is not None:
+        options["memory_mb"] = _options.megabytes("memory", memory)
+    _check_together(options)
+    result = Surface(_core.compute_surface(structure._core, options, progress), structure, options)
+    if not result.passed:
+        failed = ", ".join(f"{c['name']} ({c['value']:g}, bound {c['bound']:g})" for c in result.checks
+                           if not c["passed"])
+        warnings.warn(f"the surface failed its own checks: {failed}", CheckWarning, stacklevel=2)
+    return result
+
+
+def _check_together(options: dict[str, Any]) -> None:
+    if "edge" in options and "vertex_density" in options:
+        raise UsageError("edge and vertex_density say the same; give one of them")
+    even = "edge" in options or "vertex_density" in options
+    if not even and (options["adaptive"] or options["keep_ridges"] or options["simplify_topology"]):
+        raise UsageError("adaptive, keep_ridges and simplify_topology shape even triangles; ask for them with edge")
+    if options["history"] and options["method"] != "flow":
+        raise UsageError("history shows the steps of a flow; use method='flow'")

@@ -1,0 +1,173 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+"""Files of surfaces, each format chosen by the suffix."""
+from __future__ import annotations
+
+import os
+import pathlib
+import re
+import tempfile
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core, _options
+from ._errors import OutputError, UsageError
+
+if TYPE_CHECKING:
+    from ._surface import Points, Surface
+
+Color = Union[str, npt.NDArray[np.uint8]]
+View = Union[str, Sequence[float], Sequence[Sequence[float]]]
+
+_VIEWS = {
+    "front": ((0, 0, 1), (0, 1, 0)),
+    "back": ((0, 0, -1), (0, 1, 0)),
+    "left": ((-1, 0, 0), (0, 1, 0)),
+    "right": ((1, 0, 0), (0, 1, 0)),
+    "top": ((0, 1, 0), (0, 0, -1)),
+    "bottom": ((0, -1, 0), (0, 0, 1)),
+}
+_BACKGROUNDS = {"white": (255, 255, 255, 255), "black": (0, 0, 0, 255), "transparent": (255, 255, 255, 0)}
+_POINT_ARRAYS = ("normals", "atom", "residue", "patch", "component", "area", "mean_curvature", "gaussian_curvature",
+                 "shape_index")
+
+
+def colour_options(color: Color) -> dict[str, Any]:
+    """A scheme, SCHEME:MIN:MAX, or one colour per vertex."""
+    if not isinstance(color, str):
+        return {"colors": _checked_colours(color)}
+    scheme, *ends = color.split(":")
+    if not ends:
+        return {"color": scheme}
+    try:
+        low, high = (float(end) for end in ends)
+    except ValueError:
+        raise UsageError(f"color: '{color}' is neither a scheme nor SCHEME:MIN:MAX") from None
+    return {"color": scheme, "range": (low, high)}
+
+
+def _checked_colours(color: Any) -> npt.NDArray[np.uint8]:
+    array = np.asarray(color)
+    if array.dtype != np.uint8 or array.ndim != 2 or array.shape[1] not in (3, 4):
+        raise UsageError(f"color: a scheme or an array of uint8 of shape (n, 3) or (n, 4), not {array.dtype} of shape "
+                         f"{array.shape}")
+    if array.shape[1] == 3:
+        array = np.hstack([array, np.full((len(array), 1), 255, np.uint8)])
+    return np.ascontiguousarray(array)
+
+
+def _directions(view: View) -> tuple[Sequence[float], Sequence[float]] | None:
+    if isinstance(view, str):
+        if view == "auto":
+            return None
+        if view not in _VIEWS:
+            raise UsageError(f"view: unknown value '{view}'; one of auto, {', '.join(_VIEWS)}, or directions")
+        return _VIEWS[view]
+    array = np.asarray(view, dtype=np.float64)
+    if array.shape == (3,):
+        upright = array[0] == 0 and array[2] == 0
+        up = (0.0, 0.0, float(np.copysign(1.0, -array[1]))) if upright else (0.0, 1.0, 0.0)
+        return array.tolist(), up
+    if array.shape == (2, 3):
+        return array[0].tolist(), array[1].tolist()
+    raise UsageError(f"view: a direction has three numbers; shape (3,) or (2, 3) is needed, not {array.shape}")
+
+
+def _background(background: str) -> tuple[int, ...]:
+    if background in _BACKGROUNDS:
+        return _BACKGROUNDS[background]
+    if not re.fullmatch("#[0-9a-fA-F]{6}", background):
+        raise UsageError(f"background: '{background}' is no colour; white, black, transparent, or as in #ffcc00")
+    return (*bytes.fromhex(background[1:]), 255)
+
+
+def _picture_options(drawing: dict[str, Any]) -> dict[str, Any]:
+    width, height = drawing["size"]
+    options: dict[str, Any] = {
+        "width": _options.whole("size", width),
+        "height": _options.whole("size", height),
+        "background": _background(drawing["background"]),
+        "perspective": bool(drawing["perspective"]),
+        "outline": bool(drawing["outline"]),
+        "depth_cue": _options.number("depth_cue", drawing["depth_cue"]),
+    }
+    directions = _directions(drawing["view"])
+    if directions is not None:
+        options["view"] = directions
+    return options
+
+
+def _save_mesh(path: str, surface: Surface, options: dict[str, Any]) -> None:
+    _core.write_mesh(path, surface._mesh, surface.structure._core, options)
+
+
+def _save_picture(path: str, surface: Surface, options: dict[str, Any]) -> None:
+    _core.write_picture(path, surface._core, {**options, **_picture_options(options)})
+
+
+def _save_level_set(path: str, surface: Surface, options: dict[str, Any]) -> None:
+    _core.write_level_set(path, surface._core)
+
+
+def _save_arrays(path: str, surface: Surface, options: dict[str, Any]) -> None:
+    _write_npz(path, surface, {"vertices": surface.vertices, "triangles": surface.triangles})
+
+
+def _write_npz(path: str, source: Surface | Points, arrays: dict[str, npt.NDArray[Any]]) -> None:
+    arrays = {**arrays, **{name: getattr(source, name) for name in _POINT_ARRAYS}}
+    folder = os.path.dirname(path) or "."
+    try:
+        with tempfile.NamedTemporaryFile(dir=folder, prefix=".meniscus-", suffix=".npz", delete=False) as file:
+            try:
+                np.savez_compressed(file, **arrays)
+                file.close()
+                os.chmod(file.name, 0o666 & ~_umask())
+                os.replace(file.name, path)
+            except BaseException:
+                os.unlink(file.name)
+                raise
+    except OSError as error:
+        raise OutputError(f"{path}: cannot be written: {error.strerror or error}") from error
+
+
+def _umask() -> int:
+    mask = os.umask(0o077)
+    os.umask(mask)
+    return mask
+
+
+# A format is one line here, and one in Surface.save's text.
+_SURFACE_WRITERS: dict[str, Callable[[str, Surface, dict[str, Any]], None]] = {
+    ".ply": _save_mesh,
+    ".obj": _save_mesh,
+    ".stl": _save_mesh,
+    ".off": _save_mesh,
+    ".npz": _save_arrays,
+    ".png": _save_picture,
+    ".mls": _save_level_set,
+}
+
+
+def _unknown_suffix(path: str, known: Sequence[str]) -> UsageError:
+    return UsageError(f"{path}: the suffix chooses the format; known are {' '.join(known)}")
+
+
+def save_surface(path: str, surface: Surface, color: Color, ascii: bool, drawing: dict[str, Any]) -> None:
+    writer = _SURFACE_WRITERS.get(pathlib.PurePath(path).suffix)
+    if writer is None:
+        raise _unknown_suffix(path, list(_SURFACE_WRITERS))
+    writer(path, surface, {**colour_options(color), "ascii": bool(ascii), **drawing})
+
+
+def save_points(path: str, points: Points, color: Color, ascii: bool) -> None:
+    suffix = pathlib.PurePath(path).suffix
+    if suffix == ".ply":
+        options = {**colour_options(color), "ascii": bool(ascii)}
+        _core.write_mesh(path, points._mesh, points.structure._core, options)
+    elif suffix == ".npz":
+        _write_npz(path, points, {"points": points.points})
+    else:
+        raise _unknown_suffix(path, [".ply", ".npz"])

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The parts of the extension module meniscus._core, one per file; what users see of them is in python/meniscus/.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace meniscus::python {
+
+void bind_errors(pybind11::module_& module);
+void bind_structure(pybind11::module_& module);
+void bind_measures(pybind11::module_& module);
+void bind_surface(pybind11::module_& module);
+void bind_writers(pybind11::module_& module);
+
+}  // namespace meniscus::python

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "meniscus/errors.h"
+
+#include "bindings.h"
+
+namespace meniscus::python {
+
+namespace py = pybind11;
+
+namespace {
+
+void raise(const char* name, const char* message) {
+    const py::object type = py::module_::import("meniscus._errors").attr(name);
+    PyErr_SetString(type.ptr(), message);
+}
+
+}  // namespace
+
+/// Everything else has a class of Python's own: std::invalid_argument is ValueError, std::bad_alloc MemoryError.
+void bind_errors(py::module_& /*module*/) {
+    py::register_exception_translator([](std::exception_ptr thrown) {
+        try {
+            if (thrown) std::rethrow_exception(thrown);
+        } catch (const UsageError& error) {
+            raise("UsageError", error.what());
+        } catch (const InputError& error) {
+            raise("InputError", error.what());
+        } catch (const OutputError& error) {
+            raise("OutputError", error.what());
+        } catch (const LimitError& error) {
+            raise("LimitError", error.what());
+        }
+    });
+}
+
+}  // namespace meniscus::python

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "meniscus/measures.h"
+
+#include <pybind11/stl.h>
+
+#include <memory>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "meniscus/accessible_surface.h"
+#include "meniscus/tables.h"
+#include "meniscus/write.h"
+#include "options.h"
+
+namespace meniscus::python {
+
+namespace {
+
+constexpr Words<RowsPer, 4> kRows{
+    {{"atom", RowsPer::Atom}, {"residue", RowsPer::Residue}, {"chain", RowsPer::Chain}, {"cavity", RowsPer::Cavity}}};
+
+std::shared_ptr<Measures> measure_structure(const Structure& structure, const py::dict& given) {
+    const Options options(given);
+    MeasureOptions measured;
+    options.read("probe", measured.probe);
+    options.read("cavities", measured.cavities);
+    options.read("depth", measured.depth);
+    options.read("threads", measured.threads);
+    const py::gil_scoped_release release;
+    return std::make_shared<Measures>(measure(structure.atoms, measured));
+}
+
+py::dict totals_dict(const SurfaceTotals& t) {
+    using namespace py::literals;
+    return py::dict("sas_area"_a = t.sas_area, "sas_volume"_a = t.sas_volume, "ses_area"_a = t.ses_area,
+                    "ses_volume"_a = t.ses_volume, "contact_area"_a = t.contact_area,
+                    "toroidal_area"_a = t.toroidal_area, "reentrant_area"_a = t.reentrant_area);
+}
+
+/// One number of every atom; a view.
+py::array column(const py::object& self, double AtomMeasure::*member) {
+    const auto& atoms = self.cast<const Measures&>().atoms;
+    const double* first = atoms.empty() ? nullptr : &(atoms.front().*member);
+    py::array array(py::dtype::of<double>(), {static_cast<py::ssize_t>(atoms.size())},
+                    {static_cast<py::ssize_t>(sizeof(AtomMeasure))}, first, self);
+    py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+    return array;
+}
+
+py::tuple triple(const Vec3& v) { return py::make_tuple(v.x, v.y, v.z); }
+
+py::dict component_dict(const SurfaceComponent& c) {
+    using namespace py::literals;
+    const py::object outside = c.inside_of == kNone ? py::object(py::none()) : py::cast(c.inside_of);
+    return py::dict("kind"_a = c.kind == ComponentKind::Outer ? "outer" : "cavity", "ses_area"_a = c.ses_area,
+                    "contact_area"_a = c.contact_area, "toroidal_area"_a = c.toroidal_area,
+                    "reentrant_area"_a = c.reentrant_area, "ses_volume"_a = c.ses_volume, "sas_area"_a = c.sas_area,
+                    "sas_volume"_a = c.sas_volume, "sas_components"_a = c.sas_components, "centre"_a = triple(c.centre),
+                    "inside_of"_a = outside, "atoms"_a = owning(std::vector<std::uint32_t>(c.atoms)),
+                    "inscribed_centre"_a = triple(c.inscribed_centre), "inscribed_radius"_a = c.inscribed_radius);
+}
+
+py::list components(const Measures& measures) {
+    py::list list;
+    for (const SurfaceComponent& component : measures.components) list.append(component_dict(component));
+    return list;
+}
+
+py::object cell_object(const Cell& cell) {
+    return std::visit(
+        [](const auto& value) -> py::object {
+            if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::monostate>)
+                return py::none();
+            else
+                return py::cast(value);
+        },
+        cell);
+}
+
+/// A list per column.
+py::dict table(const Measures& measures, const Structure& structure, const std::string& per) {
+    const Table table = measures_table(structure, measures, parse_word("per", per, kRows));
+    py::dict columns;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        py::list values;
+        for (const std::vector<Cell>& row : table.rows) values.append(cell_object(row[c]));
+        columns[py::str(table.columns[c])] = values;
+    }
+    return columns;
+}
+
+void save_table(const Measures& measures, const Structure& structure, const std::string& path, const std::string& per) {
+    const RowsPer rows = parse_word("per", per, kRows);
+    const py::gil_scoped_release release;
+    write_table(path, measures_table(structure, measures, rows));
+}
+
+/// Negative inside.
+py::array distances(const Structure& structure, double probe, const Positions& points) {
+    const std::span<const Vec3> places = points_of(points);
+    std::vector<double> result;
+    {
+        const py::gil_scoped_release release;
+        result = signed_distance(AccessibleSurface(structure.atoms, probe), places);
+    }
+    return owning(std::move(result));
+}
+
+}  // namespace
+
+void bind_measures(py::module_& module) {
+    py::class_<Measures, std::shared_ptr<Measures>> type(module, "Measures");
+    type.def_property_readonly("totals", [](const Measures& m) { return totals_dict(m.totals); });
+    type.def_property_readonly("errors", [](const Measures& m) { return totals_dict(m.errors); });
+    type.def_property_readonly("components", &components);
+    type.def_property_readonly("probe", [](const Measures& m) { return m.options.probe; });
+    type.def_property_readonly("depth_measured", [](const Measures& m) { return m.options.depth; });
+    type.def_readonly("sas_components", &Measures::sas_components);
+    type.def_readonly("agreed", &Measures::agreed);
+    type.def_readonly("degenerate", &Measures::degenerate);
+    type.def_readonly("disputed", &Measures::disputed);
+    const auto def_column = [&type](const char* name, double AtomMeasure::*member) {
+        type.def_property_readonly(name, [member](const py::object& self) { return column(self, member); });
+    };
+    def_column("atom_sas_area", &AtomMeasure::sas_area);
+    def_column("atom_contact_area", &AtomMeasure::contact_area);
+    def_column("atom_toroidal_area", &AtomMeasure::toroidal_area);
+    def_column("atom_reentrant_area", &AtomMeasure::reentrant_area);
+    def_column("atom_depth", &AtomMeasure::depth);
+    type.def("table", &table, py::arg("structure"), py::arg("per"));
+    type.def("save", &save_table, py::arg("structure"), py::arg("path"), py::arg("per"));
+    module.def("measure", &measure_structure, py::arg("structure"), py::arg("options"));
+    module.def("signed_distance", &distances, py::arg("structure"), py::arg("probe"), py::arg("points"));
+}
+
+}  // namespace meniscus::python

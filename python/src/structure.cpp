@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "meniscus/structure.h"
+
+#include <pybind11/stl.h>
+
+#include <memory>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "meniscus/radii.h"
+#include "options.h"
+
+namespace meniscus::python {
+
+namespace {
+
+using StructurePointer = std::shared_ptr<Structure>;
+using Texts = std::vector<std::string>;
+
+constexpr Words<HydrogenPolicy, 3> kHydrogens{
+    {{"auto", HydrogenPolicy::Auto}, {"keep", HydrogenPolicy::Keep}, {"drop", HydrogenPolicy::Drop}}};
+constexpr Words<HeteroPolicy, 3> kHetero{
+    {{"none", HeteroPolicy::None}, {"ligands", HeteroPolicy::Ligands}, {"all", HeteroPolicy::All}}};
+
+ReadOptions read_options(const py::dict& given) {
+    const Options options(given);
+    ReadOptions read;
+    options.read("radii", read.radii);
+    options.read_word("hydrogens", read.hydrogens, kHydrogens);
+    options.read("model", read.model);
+    options.read("assembly", read.assembly);
+    options.read("altloc", read.altloc);
+    options.read("chains", read.chains);
+    options.read("select", read.select);
+    options.read_word("hetero", read.hetero, kHetero);
+    options.read("waters", read.keep_waters);
+    options.read("strict_radii", read.strict_radii);
+    return read;
+}
+
+StructurePointer read(const std::string& path, const py::dict& given) {
+    const ReadOptions options = read_options(given);
+    const py::gil_scoped_release release;
+    return std::make_shared<Structure>(read_structure(path, options));
+}
+
+std::vector<StructurePointer> read_models(const std::string& path, const py::dict& given) {
+    const ReadOptions options = read_options(given);
+    const py::gil_scoped_release release;
+    std::vector<StructurePointer> models;
+    for (Structure& model : read_all_models(path, options))
+        models.push_back(std::make_shared<Structure>(std::move(model)));
+    return models;
+}
+
+char letter(const std::string& text) { return text.empty() ? ' ' : text.front(); }
+
+/// The names that from_arrays() is given: every list has an entry per atom, or is empty.
+struct Columns {
+    Texts element, name, resname, chain, icode;
+    std::vector<int> resnum, serial;
+    std::vector<double> b_factor, occupancy, charge;
+
+    explicit Columns(const py::dict& given) {
+        const Options options(given);
+        options.read("element", element);
+        options.read("name", name);
+        options.read("resname", resname);
+        options.read("chain", chain);
+        options.read("icode", icode);
+        options.read("resnum", resnum);
+        options.read("serial", serial);
+        options.read("b_factor", b_factor);
+        options.read("occupancy", occupancy);
+        options.read("charge", charge);
+    }
+
+    template <class T>
+    static T at(const std::vector<T>& column, std::size_t i, T otherwise = {}) {
+        return column.empty() ? otherwise : column[i];
+    }
+
+    Residue residue(std::size_t i) const {
+        return {.chain = at(chain, i),
+                .name = at(resname, i),
+                .number = at(resnum, i),
+                .insertion_code = letter(at(icode, i))};
+    }
+    AtomLabel label(std::size_t i) const {
+        AtomLabel label;
+        label.name = at(name, i);
+        label.element = at(element, i);
+        label.serial = at(serial, i, static_cast<int>(i + 1));
+        label.b_factor = at(b_factor, i);
+        label.occupancy = at(occupancy, i, 1.0);
+        label.charge = at(charge, i);
+        return label;
+    }
+};
+
+bool is_same(const Residue& a, const Residue& b) {
+    return a.chain == b.chain && a.name == b.name && a.number == b.number && a.insertion_code == b.insertion_code;
+}
+
+/// Residues are runs of atoms of the same chain, name, number and insertion code.
+StructurePointer from_arrays(const Positions& xyz, const Numbers& radii, const py::dict& given) {
+    const Columns columns(given);
+    auto structure = std::make_shared<Structure>();
+    const std::span<const Vec3> centres = points_of(xyz);
+    const std::span<const double> sizes = numbers_of(radii);
+    structure->atoms = {{centres.begin(), centres.end()}, {sizes.begin(), sizes.end()}};
+    structure->radii_set = "given";
+    for (std::size_t i = 0; i < centres.size(); ++i) {
+        const Residue residue = columns.residue(i);
+        if (i == 0 || !is_same(residue, structure->residues.back())) structure->residues.push_back(residue);
+        structure->labels.push_back(columns.label(i));
+        structure->labels.back().residue = static_cast<std::uint32_t>(structure->residues.size() - 1);
+    }
+    return structure;
+}
+
+py::array radii_by_name(const Texts& elements, const Texts& names, const Texts& residues, const std::string& set) {
+    std::vector<AtomNames> atoms(elements.size());
+    for (std::size_t i = 0; i < atoms.size(); ++i)
+        atoms[i] = {.residue = residues[i], .name = names[i], .element = elements[i]};
+    return owning(radii_of(atoms, set));
+}
+
+template <class Get>
+auto per_atom(const Structure& structure, Get get) {
+    std::vector<decltype(get(structure.labels.front()))> column;
+    column.reserve(structure.labels.size());
+    for (const AtomLabel& label : structure.labels) column.push_back(get(label));
+    return column;
+}
+
+template <class T>
+py::array numbers(const Structure& structure, T AtomLabel::*member) {
+    return owning(per_atom(structure, [member](const AtomLabel& label) { return label.*member; }));
+}
+
+Texts texts(const Structure& structure, std::string AtomLabel::*member) {
+    return per_atom(structure, [member](const AtomLabel& label) { return label.*member; });
+}
+
+/// One entry per residue.
+py::dict residue_columns(const Structure& structure) {
+    Texts chain, name, icode;
+    std::vector<std::int32_t> number;
+    for (const Residue& residue : structure.residues) {
+        chain.push_back(residue.chain);
+        name.push_back(residue.name);
+        number.push_back(residue.number);
+        icode.emplace_back(1, residue.insertion_code);
+    }
+    py::dict columns;
+    columns["chain"] = chain;
+    columns["name"] = name;
+    columns["number"] = owning(std::move(number));
+    columns["icode"] = icode;
+    return columns;
+}
+
+void bind_columns(py::class_<Structure, StructurePointer>& type) {
+    type.def_property_readonly("xyz", [](const py::object& self) {
+        return view(std::span<const Vec3>(self.cast<const Structure&>().atoms.centres), self);
+    });
+    type.def_property_readonly("radii", [](const py::object& self) {
+        return view(std::span<const double>(self.cast<const Structure&>().atoms.radii), self);
+    });
+    type.def_property_readonly("name_of_atoms", [](const Structure& s) { return texts(s, &AtomLabel::name); });
+    type.def_property_readonly("element", [](const Structure& s) { return texts(s, &AtomLabel::element); });
+    type.def_property_readonly("altloc", [](const Structure& s) {
+        return per_atom(s, [](const AtomLabel& label) { return std::string(1, label.altloc); });
+    });
+    type.def_property_readonly("residue", [](const Structure& s) { return numbers(s, &AtomLabel::residue); });
+    type.def_property_readonly("serial", [](const Structure& s) { return numbers(s, &AtomLabel::serial); });
+    type.def_property_readonly("b_factor", [](const Structure& s) { return numbers(s, &AtomLabel::b_factor); });
+    type.def_property_readonly("occupancy", [](const Structure& s) { return numbers(s, &AtomLabel::occupancy); });
+    type.def_property_readonly("charge", [](const Structure& s) { return numbers(s, &AtomLabel::charge); });
+    type.def_property_readonly("residues", &residue_columns);
+}
+
+}  // namespace
+
+void bind_structure(py::module_& module) {
+    py::class_<Structure, StructurePointer> type(module, "Structure");
+    type.def("__len__", [](const Structure& s) { return s.atoms.size(); });
+    type.def_readonly("file", &Structure::file);
+    type.def_readonly("name", &Structure::name);
+    type.def_readonly("sha256", &Structure::sha256);
+    type.def_readonly("radii_set", &Structure::radii_set);
+    type.def_readonly("dropped", &Structure::dropped);
+    type.def_readonly("warnings", &Structure::warnings);
+    bind_columns(type);
+    module.def("read", &read, py::arg("path"), py::arg("options"));
+    module.def("read_models", &read_models, py::arg("path"), py::arg("options"));
+    module.def("from_arrays", &from_arrays, py::arg("xyz"), py::arg("radii"), py::arg("columns"));
+    module.def("radii", &radii_by_name, py::arg("elements"), py::arg("names"), py::arg("resnames"), py::arg("set"));
+}
+
+}  // namespace meniscus::python

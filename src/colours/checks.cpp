@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "colours/checks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meniscus {
+
+void check_options(const ColourOptions& options) {
+    if (!options.range) return;
+    if (!takes_range(options.scheme)) throw UsageError("only curvature, depth and bfactor take a range of values");
+    if (!std::isfinite(options.range->min) || !std::isfinite(options.range->max) ||
+        !(options.range->min < options.range->max))
+        throw UsageError("a range of values needs two finite numbers, the smaller one first");
+}
+
+void check_atoms(const Mesh& mesh, const Structure& structure) {
+    check_values(mesh.atoms, mesh, "atom");
+    const std::size_t n = structure.labels.size();
+    if (n != structure.atoms.size() ||
+        std::any_of(mesh.atoms.begin(), mesh.atoms.end(), [n](auto a) { return a >= n; }))
+        throw UsageError("the mesh names an atom that the structure does not have");
+}
+
+}  // namespace meniscus

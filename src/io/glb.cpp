@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "io/glb.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/srgb.h"
+#include "io/measured_arrays.h"
+#include "meniscus/errors.h"
+#include "meniscus/version.h"
+
+namespace meniscus {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "binary files are written as the numbers are in memory");
+
+using nlohmann::ordered_json;
+
+// Numbers of the specification.
+constexpr int kUnsignedShort = 5123;
+constexpr int kUnsignedInt = 5125;
+constexpr int kFloat = 5126;
+constexpr int kArrayBuffer = 34962;
+constexpr int kElementArrayBuffer = 34963;
+
+constexpr std::uint32_t kLargestWholeFloat = 1U << 24U;  // all whole numbers up to it are floats
+
+// Neither a mirror nor chalk.
+constexpr double kRoughness = 0.7;
+
+using FloatVector = std::array<float, 3>;
+using LinearColour = std::array<std::uint16_t, 4>;
+
+// What an accessor and its view of the buffer show.
+struct Section {
+    ordered_json accessor;  // without its view
+    int target = kArrayBuffer;
+    std::uint64_t size = 0;             // bytes, a multiple of four
+    std::function<void()> write_bytes;  // all of them
+};
+
+// Braces alone would leave open whether a list of one is meant.
+ordered_json list_of(ordered_json only) {
+    ordered_json list = ordered_json::array();
+    list.push_back(std::move(only));
+    return list;
+}
+
+FloatVector single(const Vec3& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+std::array<std::uint16_t, 256> linear_table() {
+    std::array<std::uint16_t, 256> table;
+    for (std::size_t i = 0; i < table.size(); ++i)
+        table[i] = static_cast<std::uint16_t>(std::lround(65535.0 * linear_from_srgb(static_cast<double>(i) / 255.0)));
+    return table;
+}
+
+LinearColour to_linear(const Colour& c) {
+    static const std::array<std::uint16_t, 256> table = linear_table();
+    return {table[c.red], table[c.green], table[c.blue], static_cast<std::uint16_t>(257U * c.alpha)};
+}
+
+// "mean_curvature" -> "_MEAN_CURVATURE": names of one's own begin with an underscore.
+std::string attribute_name(const std::string& name) {
+    std::string attribute = "_";
+    for (const char c : name) {
+        const auto letter = static_cast<unsigned char>(c);
+        if (letter > 127 || (std::isalnum(letter) == 0 && c != '_'))
+            throw UsageError("GLB has no room for the name '" + name + "'; use letters, digits and underscores");
+        attribute += static_cast<char>(std::toupper(letter));
+    }
+    return attribute;
+}
+
+void check_values(const std::string& name, std::span<const float> values) {
+    if (!std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); }))
+        throw UsageError("GLB cannot hold the values of '" + name + "': one is not finite; write PLY");
+}
+
+void check_values(const std::string& name, std::span<const std::uint32_t> values) {
+    if (std::any_of(values.begin(), values.end(), [](std::uint32_t value) { return value > kLargestWholeFloat; }))
+        throw LimitError("GLB cannot hold the values of '" + name + "': whole numbers end at 2^24; write PLY");
+}
+
+void check_values(const std::string& name, std::span<const Vec3> vectors) {
+    const auto is_finite = [](const Vec3& v) {
+        const auto& [x, y, z] = single(v);
+        return std::isfinite(x) && std::isfinite(y) && std::isfinite(z);
+    };
+    if (!std::all_of(vectors.begin(), vectors.end(), is_finite))
+        throw UsageError("GLB cannot hold the " + name + ": one is not finite");
+}
+
+class GlbWriter {
+public:
+    GlbWriter(AtomicFile& file, const Mesh& mesh, const WriteOptions& options)
+        : file_(file), mesh_(mesh), options_(options) {
+        if (mesh.triangles.empty() || mesh.vertices.empty()) return;
+        add_positions();
+        if (!mesh.normals.empty()) add_vectors("NORMAL", mesh.normals);
+        if (!options.colours.empty()) add_colours();
+        if (!mesh.atoms.empty()) add_values("atom", std::span<const std::uint32_t>(mesh.atoms));
+        if (!mesh.patches.empty()) add_patches();
+        if (!mesh.components.empty()) add_values("component", std::span<const std::uint32_t>(mesh.components));
+        for (const auto& [name, values] : measured_arrays(mesh)) add_values(name, values);
+        for (const VertexArray& array : options.extra)
+            std::visit([&](auto values) { add_values(array.name, values); }, array.values);
+        add_triangles();
+    }
+
+    void write() {
+        const std::string json = padded_json();
+        constexpr std::uint64_t kHeader = 12;
+        constexpr std::uint64_t kChunkHeader = 8;
+        const std::uint64_t binary = buffer_size();
+        const std::uint64_t total =
+            kHeader + kChunkHeader + json.size() + (sections_.empty() ? 0 : kChunkHeader + binary);
+        if (total > std::numeric_limits<std::uint32_t>::max())
+            throw LimitError("GLB cannot hold more than 4 GiB; choose a larger --spacing or write PLY");
+        file_.reserve(total);
+        file_.write("glTF");
+        word(2);
+        word(total);
+        word(json.size());
+        file_.write("JSON");
+        file_.write(json);
+        if (sections_.empty()) return;
+        word(binary);
+        file_.write(std::string_view("BIN\0", 4));
+        for (const Section& section : sections_) section.write_bytes();
+    }
+
+private:
+    void word(std::uint64_t value) { file_.bytes(static_cast<std::uint32_t>(value)); }
+
+    // One more section of `count` values of type T, which get(i) gives.
+    template <class T, class Get>
+    Section& add_section(ordered_json accessor, std::size_t count, const Get& get) {
+        static_assert(sizeof(T) % 4 == 0, "the next section must begin at a multiple of four");
+        accessor["count"] = count;
+        const auto write_bytes = [this, count, get] {
+            for (std::size_t i = 0; i < count; ++i) file_.bytes<T>(get(i));
+        };
+        return sections_.emplace_back(Section{
+            .accessor = std::move(accessor), .size = std::uint64_t{count} * sizeof(T), .write_bytes = write_bytes});
+    }
+
+    // An attribute is the number of its accessor.
+    template <class T, class Get>
+    Section& add_attribute(const std::string& name, ordered_json accessor, const Get& get) {
+        if (attributes_.contains(name)) throw UsageError("two vertex arrays would be '" + name + "' in GLB");
+        attributes_[name] = sections_.size();
+        return add_section<T>(std::move(accessor), mesh_.vertices.size(), get);
+    }
+
+    Section& add_vectors(const std::string& name, std::span<const Vec3> vectors) {
+        check_values(name, vectors);
+        return add_attribute<FloatVector>(name, {{"componentType", kFloat}, {"type", "VEC3"}},
+                                          [vectors](std::size_t v) { return single(vectors[v]); });
+    }
+
+    void add_positions() {
+        Section& section = add_vectors("POSITION", mesh_.vertices);
+        FloatVector low = single(mesh_.vertices.front());
+        FloatVector high = low;
+        for (const Vec3& vertex : mesh_.vertices) {
+            const FloatVector p = single(vertex);
+            for (std::size_t i = 0; i < p.size(); ++i) {
+                low[i] = std::min(low[i], p[i]);
+                high[i] = std::max(high[i], p[i]);
+            }
+        }
+        section.accessor["min"] = low;
+        section.accessor["max"] = high;
+    }
+
+    void add_colours() {
+        add_attribute<LinearColour>("COLOR_0",
+                                    {{"componentType", kUnsignedShort}, {"normalized", true}, {"type", "VEC4"}},
+                                    [colours = options_.colours](std::size_t v) { return to_linear(colours[v]); });
+    }
+
+    template <class T>
+    void add_values(const std::string& name, std::span<const T> values) {
+        check_values(name, values);
+        add_attribute<float>(attribute_name(name), {{"componentType", kFloat}, {"type", "SCALAR"}},
+                             [values](std::size_t v) { return static_cast<float>(values[v]); });
+    }
+
+    void add_patches() {
+        add_attribute<float>("_PATCH", {{"componentType", kFloat}, {"type", "SCALAR"}},
+                             [this](std::size_t v) { return static_cast<float>(mesh_.patches[v]); });
+    }
+
+    void add_triangles() {
+        Section& section =
+            add_section<Triangle>({{"componentType", kUnsignedInt}, {"type", "SCALAR"}}, mesh_.triangles.size(),
+                                  [this](std::size_t t) { return mesh_.triangles[t]; });
+        section.accessor["count"] = 3 * mesh_.triangles.size();
+        section.target = kElementArrayBuffer;
+    }
+
+    std::uint64_t buffer_size() const {
+        std::uint64_t size = 0;
+        for (const Section& section : sections_) size += section.size;
+        return size;
+    }
+
+    ordered_json asset() const {
+        ordered_json extras{{"units", "angstrom"}, {"frame", "as in the input"}};
+        if (options_.probe) extras["probe"] = *options_.probe;
+        return {{"version", "2.0"}, {"generator", std::string("Meniscus ") + kVersion}, {"extras", extras}};
+    }
+
+    void describe_mesh(ordered_json& json) const {
+        const ordered_json primitive{{"attributes", attributes_}, {"indices", sections_.size() - 1}, {"material", 0}};
+        const ordered_json look{{"metallicFactor", 0.0}, {"roughnessFactor", kRoughness}};
+        json["scenes"] = list_of({{"nodes", list_of(0)}});
+        json["nodes"] = list_of({{"mesh", 0}, {"name", "surface"}});
+        json["meshes"] = list_of({{"name", "surface"}, {"primitives", list_of(primitive)}});
+        json["materials"] = list_of({{"name", "surface"}, {"doubleSided", false}, {"pbrMetallicRoughness", look}});
+    }
+
+    void describe_buffer(ordered_json& json) const {
+        std::uint64_t offset = 0;
+        for (const Section& section : sections_) {
+            ordered_json accessor = section.accessor;
+            accessor["bufferView"] = json["bufferViews"].size();
+            json["bufferViews"].push_back(
+                {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", section.size}, {"target", section.target}});
+            json["accessors"].push_back(accessor);
+            offset += section.size;
+        }
+        json["buffers"] = list_of({{"byteLength", offset}});
+    }
+
+    // Chunks end at a multiple of four.
+    std::string padded_json() const {
+        ordered_json json{{"asset", asset()}, {"scene", 0}, {"scenes", list_of(ordered_json::object())}};
+        if (!sections_.empty()) {
+            describe_mesh(json);
+            describe_buffer(json);
+        }
+        std::string text = json.dump();
+        text.resize((text.size() + 3) / 4 * 4, ' ');
+        return text;
+    }
+
+    AtomicFile& file_;
+    const Mesh& mesh_;
+    const WriteOptions& options_;
+    std::vector<Section> sections_;
+    ordered_json attributes_;
+};
+
+}  // namespace
+
+void write_glb(AtomicFile& file, const Mesh& mesh, const WriteOptions& options) {
+    GlbWriter(file, mesh, options).write();
+}
+
+}  // namespace meniscus

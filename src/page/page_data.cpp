@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "page/page_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "meniscus/version.h"
+#include "page/schemes.h"
+#include "render/camera.h"
+
+namespace meniscus::page {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr double kValueStep = 0.01;  // of B factors
+
+ordered_json point_json(const Vec3& p) { return ordered_json::array({p.x, p.y, p.z}); }
+
+double cut_to(double value, double digits) { return std::round(value * digits) / digits; }
+
+/// Words in the order in which they come up, each once.
+class Words {
+public:
+    std::uint32_t number(const std::string& word) {
+        const auto [found, is_new] = numbers_.try_emplace(word, static_cast<std::uint32_t>(list_.size()));
+        if (is_new) list_.push_back(word);
+        return found->second;
+    }
+    const ordered_json& list() const { return list_; }
+
+private:
+    std::map<std::string, std::uint32_t> numbers_;
+    ordered_json list_ = ordered_json::array();
+};
+
+Vec3 lowest(std::span<const Vec3> points) {
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    Vec3 low{kFar, kFar, kFar};
+    for (const Vec3& p : points) low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    return low;
+}
+
+template <class Get>
+std::string per_label(const Structure& structure, const Get& get) {
+    std::vector<std::int64_t> values;
+    values.reserve(structure.labels.size());
+    for (const AtomLabel& label : structure.labels) values.push_back(get(label));
+    return differences(values);
+}
+
+std::string radii(const Atoms& atoms) {
+    std::vector<std::int64_t> values;
+    for (const double radius : atoms.radii) values.push_back(std::llround(radius / kQuantum));
+    return differences(values);
+}
+
+ordered_json add_atoms(Streams& streams, const Structure& structure) {
+    const Vec3 low = lowest(structure.atoms.centres);
+    streams.add("atom-x", differences(quantised(structure.atoms.centres, &Vec3::x, low.x)));
+    streams.add("atom-y", differences(quantised(structure.atoms.centres, &Vec3::y, low.y)));
+    streams.add("atom-z", differences(quantised(structure.atoms.centres, &Vec3::z, low.z)));
+    streams.add("atom-radius", radii(structure.atoms));
+    Words names;
+    Words elements;
+    streams.add("atom-name", per_label(structure, [&](const AtomLabel& l) { return names.number(l.name); }));
+    streams.add("atom-element", per_label(structure, [&](const AtomLabel& l) { return elements.number(l.element); }));
+    streams.add("atom-residue", per_label(structure, [](const AtomLabel& l) { return l.residue; }));
+    streams.add("atom-serial", per_label(structure, [](const AtomLabel& l) { return l.serial; }));
+    streams.add("atom-bfactor",
+                per_label(structure, [](const AtomLabel& l) { return std::llround(l.b_factor / kValueStep); }));
+    return {{"count", structure.atoms.size()},
+            {"low", point_json(low)},
+            {"valueStep", kValueStep},
+            {"names", names.list()},
+            {"elements", elements.list()}};
+}
+
+ordered_json residues_json(const Structure& structure) {
+    Words chains;
+    Words names;
+    ordered_json list = ordered_json::array();
+    for (const Residue& r : structure.residues)
+        list.push_back({chains.number(r.chain), names.number(r.name), r.number,
+                        r.insertion_code == ' ' ? "" : std::string(1, r.insertion_code)});
+    return {{"chains", chains.list()}, {"names", names.list()}, {"list", list}};
+}
+
+ordered_json cavities_json(const Mesh& mesh, const Structure& structure, const PageOptions& options) {
+    ordered_json list = ordered_json::array();
+    for (const ListedCavity& cavity : list_cavities(mesh, structure, options))
+        list.push_back({{"area", cut_to(cavity.area, 100.0)},
+                        {"volume", cut_to(cavity.volume, 100.0)},
+                        {"centre", point_json(cavity.centre)},
+                        {"radius", cut_to(cavity.radius, 100.0)},
+                        {"component", cavity.component == kNone ? ordered_json() : ordered_json(cavity.component)},
+                        {"lining", cavity.lining}});
+    return list;
+}
+
+ordered_json view_json(const Mesh& mesh, const PageOptions& options) {
+    const Camera camera(mesh.vertices, {.viewpoint = options.viewpoint});
+    return {{"right", point_json(camera.frame().right)},
+            {"up", point_json(camera.frame().up)},
+            {"towards", point_json(camera.frame().towards)},
+            {"perspective", options.projection == Projection::Perspective}};
+}
+
+ordered_json rows_json(const std::vector<PageRow>& rows) {
+    ordered_json list = ordered_json::array();
+    for (const PageRow& row : rows) list.push_back({row.section, row.label, row.value});
+    return list;
+}
+
+ordered_json schemes_json(const Mesh& mesh, const Structure& structure, const PageOptions& options, Streams& streams) {
+    ordered_json list = ordered_json::array();
+    for (const OfferedScheme& scheme : offered_schemes(mesh, structure, options.colours))
+        list.push_back(describe(scheme, mesh, structure, streams));
+    return list;
+}
+
+const char* id_of_first(const Mesh& mesh, const Structure& structure, const ColourOptions& colours) {
+    const ColourScheme shown = scheme_in_force(colours.scheme, structure);
+    for (const OfferedScheme& scheme : offered_schemes(mesh, structure, colours))
+        if (scheme.options.scheme == shown) return scheme.id;
+    return "single";
+}
+
+ordered_json places_json(const Streams& streams) {
+    ordered_json places;
+    for (const Streams::Place& place : streams.places()) places[place.name] = {place.offset, place.size};
+    return places;
+}
+
+}  // namespace
+
+std::string page_data(const Mesh& mesh, const Structure& structure, const PageOptions& options,
+                      const VertexExtras& extras) {
+    Streams streams;
+    const Vec3 low = lowest(mesh.vertices);
+    add_mesh(streams, mesh, extras, low);
+    ordered_json data{{"meniscus", kVersion},
+                      {"name", structure.name},
+                      {"quantum", kQuantum},
+                      {"curvatureStep", kCurvatureStep},
+                      {"shapeStep", kShapeStep},
+                      {"depthStep", kDepthStep},
+                      {"low", point_json(low)},
+                      {"triangles", mesh.triangles.size()},
+                      {"vertices", order_of_use(mesh).vertices.size()}};
+    data["atoms"] = add_atoms(streams, structure);
+    data["residues"] = residues_json(structure);
+    data["schemes"] = schemes_json(mesh, structure, options, streams);
+    data["scheme"] = id_of_first(mesh, structure, options.colours);
+    data["view"] = view_json(mesh, options);
+    data["cavities"] = cavities_json(mesh, structure, options);
+    data["rows"] = rows_json(options.rows);
+    data["streams"] = places_json(streams);
+    const std::string json = data.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+    std::string block;
+    for (unsigned shift = 0; shift < 32U; shift += 8U) block.push_back(static_cast<char>(json.size() >> shift));
+    return block + json + streams.bytes();
+}
+
+}  // namespace meniscus::page

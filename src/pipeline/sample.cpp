@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "meniscus/sample.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "core/memory.h"
+#include "core/parallel.h"
+#include "meniscus/errors.h"
+#include "mesh/spread_points.h"
+#include "pipeline/surface_mesh.h"
+#include "pipeline/surface_projector.h"
+
+namespace meniscus {
+namespace {
+
+// A candidate has a place, a normal, a cell and some eighteen neighbours.
+constexpr double kBytesPerPoint = 320.0 * static_cast<double>(kCandidatesPerPoint);
+
+std::size_t count_of(const Surface& surface, const SampleOptions& options) {
+    if (!(std::isfinite(options.density) && options.density > 0.0))
+        throw UsageError(fmt::format("density {:g}: must be finite and positive", options.density));
+    if (options.threads < 0)
+        throw UsageError(fmt::format("threads {}: must be 0 (all cores) or more", options.threads));
+    const double count = std::round(options.density * surface.measures.area);
+    constexpr double kMost =
+        static_cast<double>(std::numeric_limits<std::uint32_t>::max()) / static_cast<double>(kCandidatesPerPoint);
+    if (count > kMost || count * kBytesPerPoint > static_cast<double>(available_memory()))
+        throw LimitError(
+            fmt::format("density {:g}: {:.3g} points would not fit; choose fewer per Å²", options.density, count));
+    return static_cast<std::size_t>(count);
+}
+
+// Nearly all candidates are within a few hundredths of an Å of the surface; those of large triangles may not be.
+void approach(const SurfaceProjector& project, std::vector<Vec3>& points) {
+    std::vector<SurfacePoint> places(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) places[i].position = points[i];
+    constexpr std::size_t kPointsPerTask = 1024;
+    parallel_chunks(places.size(), kPointsPerTask, [&](std::size_t begin, std::size_t end) {
+        project(std::span(places).subspan(begin, end - begin));
+    });
+    for (std::size_t i = 0; i < points.size(); ++i) points[i] = places[i].position;
+}
+
+// Puts points of a mesh's triangles onto the surface.
+class Lander {
+public:
+    Lander(const Surface& surface, const AccessibleSurface& accessible)
+        : surface_(surface), accessible_(accessible), level_set_(surface.level_set.get()) {}
+
+    Mesh land(PointsOnMesh spread) const {
+        if (surface_.options.remesh.is_on())
+            approach(surface_projector(accessible_, level_set_, spacing()), spread.points);
+        Mesh result;
+        result.vertices = spread.points;
+        std::vector<double> distances = finish_vertices(accessible_, level_set_, spacing(), result);
+        bring_home(spread, distances, result);
+        return result;
+    }
+
+private:
+    double spacing() const { return surface_.options.spacing; }
+
+    // Points that did not come to lie on the surface, as one in some 100,000 does between sheets that nearly touch.
+    std::vector<VertexId> strays(const Mesh& points, const std::vector<double>& distances) const {
+        constexpr double kOnSurface = 1e-6;  // spacings
+        const std::vector<double> values = level_set_ != nullptr ? level_set_->values(points.vertices) : distances;
+        std::vector<VertexId> result;
+        for (VertexId i = 0; i < values.size(); ++i)
+            if (!(std::abs(values[i]) < kOnSurface * spacing())) result.push_back(i);
+        return result;
+    }
+
+    // Strays start again from nearer to a corner of their triangle, which is on the surface, and at last from there.
+    void bring_home(const PointsOnMesh& spread, std::vector<double>& distances, Mesh& points) const {
+        constexpr int kTries = 4;
+        for (int attempt = 1; attempt <= kTries; ++attempt) {
+            const std::vector<VertexId> lost = strays(points, distances);
+            if (lost.empty()) return;
+            Mesh again;
+            for (const VertexId i : lost) {
+                const Vec3& corner = surface_.mesh.vertices[surface_.mesh.triangles[spread.triangles[i]][0]];
+                again.vertices.push_back(spread.points[i] +
+                                         (static_cast<double>(attempt) / kTries) * (corner - spread.points[i]));
+            }
+            const std::vector<double> found = finish_vertices(accessible_, level_set_, spacing(), again);
+            replace_vertices(points, lost, again);
+            for (std::size_t k = 0; k < lost.size(); ++k) distances[lost[k]] = found[k];
+        }
+    }
+
+    const Surface& surface_;
+    const AccessibleSurface& accessible_;
+    const LevelSet* level_set_;
+};
+
+}  // namespace
+
+Mesh sample_surface(const Surface& surface, const Atoms& atoms, const SampleOptions& options) {
+    const std::size_t count = count_of(surface, options);
+    const ThreadLimit limit(options.threads);
+    const PointsOnMesh spread = spread_points(surface.mesh, count, options.seed);
+    const AccessibleSurface accessible(atoms, surface.options.probe);
+    Mesh result = Lander(surface, accessible).land(spread);
+    for (const std::uint32_t triangle : spread.triangles)
+        result.components.push_back(surface.mesh.components[surface.mesh.triangles[triangle][0]]);
+    result.areas.assign(count, static_cast<float>(surface.measures.area / static_cast<double>(count)));
+    return result;
+}
+
+}  // namespace meniscus

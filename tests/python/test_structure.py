@@ -1,0 +1,136 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+"""Reading files, structures made of arrays, radii."""
+import pathlib
+import unittest
+import warnings
+
+import numpy as np
+from support import CENTRES, RADII, UBIQUITIN, InScratchFolder, read
+
+import meniscus
+
+
+class Reading(InScratchFolder):
+    def test_columns_have_an_entry_per_kept_atom(self):
+        protein = read(UBIQUITIN)
+        self.assertEqual(len(protein), 602)
+        for column in ("radii", "element", "name", "chain", "resname", "resnum", "icode", "residue", "altloc",
+                       "serial", "b_factor", "occupancy", "charge"):
+            self.assertEqual(getattr(protein, column).shape, (602,), column)
+        self.assertEqual(protein.xyz.shape, (602, 3))
+        self.assertEqual(protein.xyz[0].tolist(), [27.340, 24.430, 2.614])
+        self.assertEqual((protein.name[1], protein.element[1], protein.chain[1]), ("CA", "C", "A"))
+        self.assertEqual((protein.resname[601], protein.resnum[601], protein.residue[601]), ("GLY", 76, 75))
+        self.assertEqual((protein.b_factor[0], protein.occupancy[0], protein.serial[0]), (9.67, 1.0, 1))
+
+    def test_arrays_of_atoms_are_views_that_cannot_be_written_to(self):
+        protein = read(UBIQUITIN)
+        self.assertTrue(np.shares_memory(protein.xyz, protein.xyz))
+        with self.assertRaises(ValueError):
+            protein.xyz[0, 0] = 1.0
+
+    def test_what_was_assumed_is_warned_of_and_kept(self):
+        with self.assertWarns(meniscus.ReadWarning) as caught:
+            protein = meniscus.read(UBIQUITIN)
+        self.assertEqual([str(w.message) for w in caught.warnings], protein.warnings)
+        self.assertEqual(caught.filename, __file__)
+        self.assertEqual(protein.dropped, {"waters": 58})
+
+    def test_options_choose_atoms(self):
+        self.assertEqual(len(read(UBIQUITIN, waters=True)), 660)
+        self.assertEqual(set(read(UBIQUITIN, select="CA").name), {"CA"})
+        self.assertEqual(len(read(UBIQUITIN, chains="A")), len(read(UBIQUITIN, chains=["A"])))
+        self.assertEqual(read(UBIQUITIN, radii="bondi").radii_set, "bondi")
+        self.assertEqual(len(read(pathlib.Path(UBIQUITIN), model=1, altloc="A", hydrogens="drop", hetero="all")), 602)
+
+    def test_unknown_words_are_value_errors_that_name_the_known_ones(self):
+        for options, message in (({"hetero": "some"}, "hetero: unknown value 'some'; one of none, ligands, all"),
+                                 ({"hydrogens": "add"}, "hydrogens: unknown value 'add'; one of auto, keep, drop"),
+                                 ({"chains": "A,"}, "chains: empty name"),
+                                 ({"model": 0}, "--model 0: models count from 1"),
+                                 ({"radii": "nosuch"}, "--radii nosuch: neither a set nor a file")):
+            with self.assertRaises(ValueError) as caught:
+                meniscus.read(UBIQUITIN, **options)
+            self.assertIn(message, str(caught.exception))
+
+    def test_types_that_cannot_be_meant_are_type_errors(self):
+        for options in ({"model": "1"}, {"model": 1.5}, {"model": True}, {"hetero": 3}):
+            with self.assertRaises(TypeError):
+                meniscus.read(UBIQUITIN, **options)
+        with self.assertRaises(TypeError):
+            meniscus.read(3)
+
+    def test_a_missing_file_is_a_file_not_found_error(self):
+        with self.assertRaises(FileNotFoundError) as caught:
+            meniscus.read("nosuch.pdb")
+        self.assertIn("nosuch.pdb", str(caught.exception))
+        with self.assertRaises(IsADirectoryError):
+            meniscus.read(".")
+
+    def test_a_malformed_file_is_a_value_error_with_its_line(self):
+        text = pathlib.Path(UBIQUITIN).read_text().replace("27.340", "27.x40", 1)
+        pathlib.Path("bad.pdb").write_text(text)
+        with self.assertRaises(meniscus.InputError) as caught:
+            meniscus.read("bad.pdb")
+        self.assertIsInstance(caught.exception, ValueError)
+        self.assertRegex(str(caught.exception), r"^bad\.pdb:\d+:\d+: ")
+
+    def test_all_models_are_read_one_by_one(self):
+        pathlib.Path("two.xyzr").write_text("0 0 0 1.5\n")
+        self.assertEqual([len(s) for s in meniscus.read_models("two.xyzr")], [1])
+
+
+class FromArrays(InScratchFolder):
+    def test_names_are_kept_and_residues_are_runs(self):
+        made = meniscus.Structure.from_arrays(CENTRES, RADII, element=["C", "N", "C", "O"], name="CA", chain="A",
+                                              resname=["ALA", "ALA", "GLY", "GLY"], resnum=[1, 1, 2, 2])
+        self.assertEqual(made.residue.tolist(), [0, 0, 1, 1])
+        self.assertEqual(made.name.tolist(), ["CA"] * 4)
+        self.assertEqual(made.resnum.tolist(), [1, 1, 2, 2])
+        self.assertEqual(made.serial.tolist(), [1, 2, 3, 4])
+        self.assertEqual(made.radii_set, "given")
+
+    def test_radii_may_be_one_number_or_a_set(self):
+        self.assertEqual(meniscus.Structure.from_arrays(CENTRES, 2.0).radii.tolist(), [2.0] * 4)
+        self.assertEqual(meniscus.Structure.from_arrays(CENTRES, "bondi", element="N").radii.tolist(), [1.55] * 4)
+
+    def test_columns_of_the_wrong_length_are_value_errors(self):
+        for columns in ({"element": ["C"]}, {"b_factor": [1.0]}, {"resnum": [1, 2]}):
+            with self.assertRaisesRegex(ValueError, next(iter(columns))):
+                meniscus.Structure.from_arrays(CENTRES, RADII, **columns)
+
+    def test_saving_gives_back_the_same_atoms(self):
+        read(UBIQUITIN).save("copy.xyzrn")
+        read(UBIQUITIN).save("copy.pdb", values=np.arange(602) / 10)
+        read(UBIQUITIN).save("copy.csv")
+        self.assertTrue((read("copy.xyzrn").xyz == read(UBIQUITIN).xyz).all())
+        self.assertEqual(read("copy.pdb").b_factor[601], 60.1)
+        self.assertEqual(len(pathlib.Path("copy.csv").read_text().splitlines()), 603)
+        with self.assertRaisesRegex(ValueError, "known are"):
+            read(UBIQUITIN).save("copy.doc")
+        with self.assertRaises(OSError):
+            read(UBIQUITIN).save("nosuch/copy.pdb")
+
+
+class Radii(unittest.TestCase):
+    def test_sets_know_elements_or_names(self):
+        self.assertEqual(meniscus.radii(["C", "fe"]).tolist(), [1.7, 2.44])
+        self.assertEqual(meniscus.radii("O", "OG", "SER", set="united").tolist(), [1.6])
+        self.assertEqual(meniscus.radii(["H"], ["HA"], ["ALA"], set="united").tolist(), [0.0])
+
+    def test_they_are_those_of_reading(self):
+        protein = read(UBIQUITIN)
+        again = meniscus.radii(protein.element, protein.name, protein.resname, set="united")
+        self.assertTrue((again == protein.radii).all())
+
+    def test_what_is_not_known_is_a_value_error(self):
+        with self.assertRaisesRegex(ValueError, "atom 1 "):
+            meniscus.radii(["C", "Xx"])
+        with self.assertRaisesRegex(ValueError, "neither a set nor a file"):
+            meniscus.radii(["C"], set="nosuch")
+
+
+if __name__ == "__main__":
+    warnings.simplefilter("error")
+    unittest.main()

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// From the block of bytes in the page to arrays: what src/page/page_data.cpp has written.
+"use strict";
+
+const Decode = (() => {
+  function fromBase64(text) {
+    const raw = atob(text);
+    const bytes = new Uint8Array(raw.length);
+    for (let i = 0; i < bytes.length; ++i) bytes[i] = raw.charCodeAt(i);
+    return bytes;
+  }
+
+  async function inflated(bytes) {
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+    return new Uint8Array(await new Response(stream).arrayBuffer());
+  }
+
+  /** The bytes of a script element that holds base64 of zlib's format. */
+  const embedded = id => inflated(fromBase64(document.getElementById(id).textContent));
+
+  /** Calls take(number) for every varint. */
+  function eachVarint(bytes, take) {
+    for (let i = 0; i < bytes.length;) {
+      let value = 0, factor = 1, byte;
+      do {
+        byte = bytes[i++];
+        value += (byte & 127) * factor;
+        factor *= 128;
+      } while (byte > 127);
+      take(value);
+    }
+  }
+
+  /** Sums of zigzag differences, times a factor, plus an offset, into an array of the given type. */
+  function sums(bytes, count, Type, factor = 1, offset = 0) {
+    const values = new Type(count);
+    let i = 0, sum = 0;
+    eachVarint(bytes, code => {
+      sum += code % 2 ? -(code + 1) / 2 : code / 2;
+      values[i++] = sum * factor + offset;
+    });
+    return values;
+  }
+
+  function byteSums(bytes) {
+    const values = new Uint8Array(bytes.length);
+    let sum = 0;
+    for (let i = 0; i < bytes.length; ++i) values[i] = sum = (sum + bytes[i]) & 255;
+    return values;
+  }
+
+  /** Corners as numbers of vertices: each code counts down from the next number that is new. */
+  function corners(bytes, triangles) {
+    const values = new Uint32Array(3 * triangles);
+    let i = 0, next = 0;
+    eachVarint(bytes, code => {
+      values[i++] = next - code;
+      if (code === 0) ++next;
+    });
+    return values;
+  }
+
+  function interleaved(x, y, z) {
+    const points = new Float32Array(3 * x.length);
+    for (let i = 0; i < x.length; ++i) {
+      points[3 * i] = x[i];
+      points[3 * i + 1] = y[i];
+      points[3 * i + 2] = z[i];
+    }
+    return points;
+  }
+
+  /** All that the page knows: {info, mesh, atoms, colours(stream)}. Positions are relative to info.low. */
+  async function load() {
+    const bytes = await embedded("data");
+    const length = new DataView(bytes.buffer).getUint32(0, true);
+    const info = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
+    const has = name => name in info.streams;
+    const stream = name => {
+      const [offset, size] = info.streams[name];
+      return bytes.subarray(4 + length + offset, 4 + length + offset + size);
+    };
+    const n = info.vertices, atoms = info.atoms.count, q = info.quantum;
+    const axis = (name, count, shift) => sums(stream(name), count, Float32Array, q, shift);
+    const mesh = {
+      corners: corners(stream("triangles"), info.triangles),
+      points: interleaved(axis("x", n), axis("y", n), axis("z", n)),
+      normals: [byteSums(stream("nu")), byteSums(stream("nv"))],
+      atom: sums(stream("atom"), n, Uint32Array),
+      patch: byteSums(stream("patch")),
+      component: has("component") ? sums(stream("component"), n, Uint32Array) : new Uint32Array(n),
+      curvature: has("curvature") ? sums(stream("curvature"), n, Float32Array, info.curvatureStep) : null,
+      shape: has("shape") ? sums(stream("shape"), n, Float32Array, info.shapeStep) : null,
+      depth: has("depth") ? byteSums(stream("depth")) : null,
+      sky: has("sky") ? byteSums(stream("sky")) : null,
+    };
+    const shift = [0, 1, 2].map(k => info.atoms.low[k] - info.low[k]);
+    const ofAtom = (name, Type = Uint32Array, factor = 1) => sums(stream("atom-" + name), atoms, Type, factor);
+    return {
+      info, mesh, stream,
+      atoms: {
+        count: atoms,
+        points: interleaved(axis("atom-x", atoms, shift[0]), axis("atom-y", atoms, shift[1]),
+                            axis("atom-z", atoms, shift[2])),
+        radius: ofAtom("radius", Float32Array, q),
+        name: ofAtom("name"), element: ofAtom("element"), residue: ofAtom("residue"),
+        serial: ofAtom("serial", Int32Array), bFactor: ofAtom("bfactor", Float64Array, info.atoms.valueStep),
+      },
+    };
+  }
+
+  return {load, embedded};
+})();
