@@ -43,8 +43,8 @@ class CMakeBuild(build_ext):
     def configure(build):
         """FindPython and older modules are both told which Python it is: this one, whatever comes first on the PATH."""
         subprocess.run(["cmake", "-S", str(ROOT), "-B", str(build), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                        "-DMENISCUS_PYTHON=ON", "-DMENISCUS_TESTS=OFF", f"-DPython_EXECUTABLE={sys.executable}",
-                        f"-DPYTHON_EXECUTABLE={sys.executable}"], check=True)
+                        "-DMENISCUS_PYTHON=ON", "-DMENISCUS_CLI=OFF", "-DMENISCUS_TESTS=OFF", "-DMENISCUS_INSTALL=OFF",
+                        f"-DPython_EXECUTABLE={sys.executable}", f"-DPYTHON_EXECUTABLE={sys.executable}"], check=True)
 
 
 setup(version=version(), ext_modules=[Extension("meniscus._core", sources=[])], cmdclass={"build_ext": CMakeBuild})

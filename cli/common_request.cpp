@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "common_request.h"
 
+#include "help.h"
 #include "option_words.h"
 
 namespace meniscus::cli {
@@ -37,41 +38,52 @@ void set_altloc(CommonRequest& request, const std::string& text) {
 void add_input(CLI::App& command, CommonRequest& request) {
     command
         .add_option("INPUT", request.input,
-                    "Structure: .pdb .ent .cif .mmcif .pqr .xyzr .xyzrn, each also .gz; - for standard input")
+                    ".pdb .ent .cif .mmcif .pqr .xyzr .xyzrn, each also .gz; - is standard input")
         ->required()
         ->type_name("");
 }
 
 void add_atom_options(CLI::App& command, CommonRequest& request) {
     ReadOptions& read = request.read;
-    command.add_option("--radii", read.radii, "bondi, united, protor, naccess, parse, auto, or a file of rules")
+    command
+        .add_option("--radii", read.radii,
+                    "Radius set, or a file of rules\n: bondi, united, protor, naccess, parse; auto: the file's own for "
+                    "PQR and xyzr, else bondi if the structure has hydrogens, else united")
         ->type_name("SET")
         ->capture_default_str();
-    add_choice(command, "--hydrogens", read.hydrogens, kHydrogens, "Hydrogens: as the radii need, keep, or drop");
+    add_choice(command, "--hydrogens", read.hydrogens, kHydrogens, "Keep them; auto: as the radii need");
     const auto model = [&request](const std::string& text) { set_model(request, text); };
-    command.add_option_function<std::string>("--model", model, "Model to read, counted from 1, or all of them")
+    command.add_option_function<std::string>("--model", model, "Model to read, from 1, or all of them")
         ->type_name("N|all")
         ->default_str("1");
-    command.add_option("--assembly", read.assembly, "Biological assembly named in the file")->type_name("ID");
+    command.add_option("--assembly", read.assembly, rarely("Biological assembly named in the file"))->type_name("ID");
     const auto altloc = [&request](const std::string& text) { set_altloc(request, text); };
     command
-        .add_option_function<std::string>("--altloc", altloc, "Alternative location instead of the highest occupancy")
+        .add_option_function<std::string>("--altloc", altloc,
+                                          rarely("Alternative location instead of the highest occupancy"))
         ->type_name("ID");
     const auto chains = [&read](const std::string& text) { read.chains = split_chains(text); };
-    command.add_option_function<std::string>("--chains", chains, "Chains to keep; label:A for mmCIF label names")
+    command
+        .add_option_function<std::string>("--chains", chains,
+                                          "Chains to keep\n, by author name; label:A for mmCIF label names")
         ->type_name("A,B");
-    command.add_option("--select", read.select, "Atoms to keep, in gemmi's selection syntax")->type_name("EXPR");
-    add_choice(command, "--hetero", read.hetero, kHetero, "Hetero atoms to keep beside the polymer");
+    command.add_option("--select", read.select, "Atoms to keep, as in //A/10-50\n: gemmi's selection syntax")
+        ->type_name("EXPR");
+    add_choice(command, "--hetero", read.hetero, kHetero,
+               "Hetero atoms to keep\n beside the polymer: groups of two or more atoms (ligands), or ions and metals, "
+               "too (all)");
     command.add_flag("--waters", read.keep_waters, "Keep waters");
-    command.add_flag("--strict-radii", read.strict_radii, "Refuse atoms of unknown type");
+    command.add_flag("--strict-radii", read.strict_radii,
+                     rarely("Refuse atoms of unknown type instead of giving them their element's radius"));
 }
 
 void add_probe(CLI::App& command, double& probe) {
-    add_number(command, "--probe", probe, Sign::NotNegative, "R", "Probe radius, Å; 0: van der Waals surface");
+    add_number(command, "--probe", probe, Sign::NotNegative, "R",
+               "Probe radius, Å\n; 0 gives the van der Waals surface");
 }
 
 void add_output_options(CLI::App& command, CommonRequest& request) {
-    command.add_option("-o", request.outputs, "File to write, in the format of its suffix; may be given several times")
+    command.add_option("-o", request.outputs, "File to write; its suffix is the format\n; repeatable")
         ->type_name("FILE")
         ->allow_extra_args(false);
     command.add_option("--report", request.report, "Report as JSON; - for standard output")->type_name("FILE");
@@ -79,8 +91,9 @@ void add_output_options(CLI::App& command, CommonRequest& request) {
 }
 
 void add_run_options(CLI::App& command, CommonRequest& request, int& threads) {
-    add_count(command, "--threads", threads, "Threads; the result does not depend on it")->default_str("all cores");
-    add_choice(command, "--progress", request.progress, kProgress, "Progress on standard error");
+    add_count(command, "--threads", threads, "How many; changes no result")->default_str("all cores");
+    add_choice(command, "--progress", request.progress, kProgress,
+               rarely("Progress on standard error; auto: a bar on a terminal; json: a line per update"));
 }
 
 const char* name_of(HydrogenPolicy policy) { return word_for(kHydrogens, policy); }

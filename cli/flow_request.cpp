@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "help.h"
 #include "option_words.h"
 
 namespace meniscus::cli {
@@ -33,7 +34,7 @@ constexpr const char* kOfTheFlow = "of the flow";
 
 /// An option whose default is a matter of the flow.
 template <class Target, class Parse>
-void add_piece(CLI::App& command, const char* name, Target& target, const std::string& type, const char* text,
+void add_piece(CLI::App& command, const char* name, Target& target, const std::string& type, const std::string& text,
                const Parse& parse) {
     command
         .add_option_function<std::string>(
@@ -44,13 +45,13 @@ void add_piece(CLI::App& command, const char* name, Target& target, const std::s
 
 template <class T, std::size_t N>
 void add_word(CLI::App& command, const char* name, std::optional<T>& target, const Words<T, N>& words,
-              const char* text) {
+              const std::string& text) {
     add_piece(command, name, target, join(words, "|"), text,
               [name, &words](const std::string& value) { return parse_word(name, value, words); });
 }
 
 void add_positive(CLI::App& command, const char* name, std::optional<double>& target, Sign sign, const char* symbol,
-                  const char* text) {
+                  const std::string& text) {
     add_piece(command, name, target, symbol, text,
               [name, sign](const std::string& value) { return parse_number(name, value, sign); });
 }
@@ -76,22 +77,25 @@ const FlowOptions& named(FlowName name) {
 }  // namespace
 
 void add_flow_options(CLI::App& command, FlowRequest& request) {
-    add_choice(command, "--flow", request.name, kFlows, "Which evolution the flow runs; the options below change it");
-    add_word(command, "--curvature", request.curvature, kCurvatures, "Its curvature field");
-    add_positive(command, "--anchor", request.anchor, Sign::NotNegative, "L", "Its anchor, in units of 1/H²; 0: none");
-    add_word(command, "--reinitialise", request.reinitialiser, kReinitialisers, "What keeps it a signed distance");
-    add_word(command, "--solver", request.solver, kSolvers, "What solves its linear systems");
-    add_word(command, "--slope", request.slope, kSlopes, "The factor |grad| of the curvature");
-    add_piece(command, "--time-step", request.time_step, "T", "Its time step, in units of H²; inf: one solve",
+    add_choice(command, "--flow", request.name, kFlows,
+               rarely("Which evolution the flow runs; the options below change it"));
+    add_word(command, "--curvature", request.curvature, kCurvatures, rarely("Its curvature field"));
+    add_positive(command, "--anchor", request.anchor, Sign::NotNegative, "L",
+                 rarely("Its anchor, in units of 1/H²; 0: none"));
+    add_word(command, "--reinitialise", request.reinitialiser, kReinitialisers,
+             rarely("What keeps it a signed distance"));
+    add_word(command, "--solver", request.solver, kSolvers, rarely("What solves its linear systems"));
+    add_word(command, "--slope", request.slope, kSlopes, rarely("The factor |grad| of the curvature"));
+    add_piece(command, "--time-step", request.time_step, "T", rarely("Its time step, in units of H²; inf: one solve"),
               parse_time_step);
     add_positive(command, "--half-width", request.half_width, Sign::Positive, "K",
-                 "Unknowns are the nodes so many H from the surface");
-    add_piece(command, "--max-steps", request.max_steps, "N", "Its most steps",
+                 rarely("Unknowns are the nodes so many H from the surface"));
+    add_piece(command, "--max-steps", request.max_steps, "N", rarely("Its most steps"),
               [](const std::string& value) { return parse_count("--max-steps", value); });
     add_positive(command, "--tolerance", request.tolerance, Sign::Positive, "E",
-                 "It stops when so many H are left to go; without an anchor, at this speed, 1/Å");
-    command.add_option("--history", request.history, "Record of every step, .csv or .json")->type_name("FILE");
-    add_count(command, "--snapshots", request.snapshots, "Write a mesh every N steps");
+                 rarely("It stops when so many H are left to go; without an anchor, at this speed, 1/Å"));
+    command.add_option("--history", request.history, rarely("Record of every step, .csv or .json"))->type_name("FILE");
+    add_count(command, "--snapshots", request.snapshots, rarely("Write a mesh every N steps"));
 }
 
 FlowOptions resolve(const FlowRequest& request) {

@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <new>
 #include <string>
 #include <vector>
 
+#include "help.h"
 #include "interrupt.h"
 #include "measure_command.h"
 #include "meniscus/errors.h"
@@ -31,9 +33,15 @@ constexpr int kLimitError = 5;
 constexpr int kChecksFailed = 6;
 constexpr int kSignalBase = 128;
 
-constexpr const char* kExitCodes =
-    "Exit codes: 0 done; 2 wrong usage; 3 input cannot be read or is not valid; 4 output cannot be written;\n"
-    "5 would exceed the memory or size limit; 6 computed, but the result failed its own checks; 1 anything else.";
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  meniscus surface 1abc.pdb -o 1abc.ply     the surface as a mesh\n"
+    "  meniscus surface 1abc.pdb -o 1abc.png     as a picture\n"
+    "  meniscus measure 1abc.pdb                 areas, volumes and cavities\n"
+    "Help of a subcommand: meniscus surface --help; of every option: --help-all.\n\n"
+    "Exit codes: 0 done; 2 wrong usage; 3 input cannot be read or is not valid;\n"
+    "4 output cannot be written; 5 would exceed the memory or size limit;\n"
+    "6 computed, but the result failed its own checks; 1 anything else.";
 
 int fail(int code, const std::string& what) {
     meniscus::cli::print_error(std::cerr, what);
@@ -60,9 +68,12 @@ void check_subcommand(const CLI::App& program, const std::vector<std::string>& a
 
 int run(int argc, char** argv) {
     CLI::App program("Solvent-excluded surfaces of proteins and other molecules", "meniscus");
-    program.set_version_flag("--version", std::string("meniscus ") + meniscus::kVersion);
+    program.formatter(std::make_shared<meniscus::cli::HelpFormatter>());
+    program.set_help_flag("-h,--help", "This help, on one screen");
+    program.set_help_all_flag("--help-all", "Every option and all it does");
+    program.set_version_flag("--version", std::string("meniscus ") + meniscus::kVersion, "The version");
     program.require_subcommand(1);
-    program.footer(kExitCodes);
+    program.footer(kFooter);
     Outcome outcome = Outcome::Done;
     meniscus::cli::add_surface_command(program, outcome);
     meniscus::cli::add_measure_command(program, outcome);

@@ -122,7 +122,7 @@ private:
 }  // namespace
 
 void add_measure_command(CLI::App& program, Outcome& outcome) {
-    CLI::App* command = program.add_subcommand("measure", "Exact areas, volumes, cavities and interfaces, as numbers");
+    CLI::App* command = program.add_subcommand("measure", "Exact areas and volumes, cavities, interfaces");
     const auto request = std::make_shared<MeasureRequest>();
     add_measure_options(*command, *request);
     command->callback([request, &outcome] { outcome = run_measure(*request); });

@@ -14,15 +14,19 @@ constexpr Words<RowsPer, 4> kPer{
 constexpr Words<AtomValue, 4> kValues{
     {{"sas", AtomValue::Sas}, {"ses", AtomValue::Ses}, {"rsa", AtomValue::Rsa}, {"depth", AtomValue::Depth}}};
 
-constexpr const char* kFormats =
-    "-o writes tables (.csv .json), or the kept atoms with a value in the B-factor column (.pdb .cif). The first "
-    "--per\n"
-    "or --value given is for the first such file, the second for the second; the last holds for all that follow.";
+constexpr const char* kFooter =
+    "-o writes tables (.csv .json), or the kept atoms with a value in the B-factor\n"
+    "column (.pdb .cif).\n"
+    "Examples:\n"
+    "  meniscus measure 1abc.pdb                             areas, volumes, cavities\n"
+    "  meniscus measure 1abc.pdb -o residues.csv             a table per residue\n"
+    "  meniscus measure 1abc.pdb --between A:B               an interface\n"
+    "  meniscus measure 1abc.pdb -o depth.pdb --value depth  depth as B factor";
 
 /// An option that may be given several times, each time with one of a few words.
 template <class T, std::size_t N>
 void add_choices(CLI::App& command, const char* name, std::vector<T>& target, const Words<T, N>& words,
-                 const char* text) {
+                 const std::string& text) {
     const auto choose = [name, &target, &words](const std::vector<std::string>& values) {
         for (const std::string& value : values) target.push_back(parse_word(name, value, words));
     };
@@ -50,20 +54,23 @@ std::size_t count_kind(const MeasureRequest& request, OutputKind kind) {
 
 void add_measure_options(CLI::App& command, MeasureRequest& request) {
     add_input(command, request);
-    command.footer(kFormats);
+    command.footer(kFooter);
     command.option_defaults()->group("Atoms");
     add_atom_options(command, request);
     command.option_defaults()->group("Measures");
     add_probe(command, request.measure.probe);
     command
         .add_option("--between", request.between,
-                    "Interface of two groups of chains, A,C:B, or all: every pair of chains that touch")
+                    "Interface of groups of chains, as in A,C:B\n, or all: every pair of chains that touch; repeatable")
         ->type_name("A:B|all")
         ->allow_extra_args(false);
     command.option_defaults()->group("Output");
     add_output_options(command, request);
-    add_choices(command, "--per", request.per, kPer, "What a table has one row for");
-    add_choices(command, "--value", request.values, kValues, "What stands in the B-factor column");
+    add_choices(command, "--per", request.per, kPer,
+                "What a table has one row for\n; the first given is for the first table, the second for the second, "
+                "the last for all that follow");
+    add_choices(command, "--value", request.values, kValues,
+                "What copies have as B factor\n, in the order of the copies, as with --per");
     command.option_defaults()->group("Running");
     add_run_options(command, request, request.measure.threads);
 }

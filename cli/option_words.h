@@ -43,7 +43,8 @@ T parse_word(const char* option, const std::string& text, const Words<T, N>& wor
 
 /// An option whose value is one of `words`, which must outlive the parser.
 template <class Target, class T, std::size_t N>
-void add_choice(CLI::App& command, const char* name, Target& target, const Words<T, N>& words, const char* text) {
+void add_choice(CLI::App& command, const char* name, Target& target, const Words<T, N>& words,
+                const std::string& text) {
     const auto choose = [name, &target, &words](const std::string& value) { target = parse_word(name, value, words); };
     command.add_option_function<std::string>(name, choose, text)
         ->type_name(join(words, "|"))
@@ -52,14 +53,14 @@ void add_choice(CLI::App& command, const char* name, Target& target, const Words
 
 /// An option whose value is a number; its default is what `target` holds.
 inline void add_number(CLI::App& command, const char* name, double& target, Sign sign, const char* symbol,
-                       const char* text) {
+                       const std::string& text) {
     const auto read = [name, &target, sign](const std::string& value) { target = parse_number(name, value, sign); };
     command.add_option_function<std::string>(name, read, text)
         ->type_name(symbol)
         ->default_str(fmt::format("{}", target));
 }
 
-inline CLI::Option* add_count(CLI::App& command, const char* name, int& target, const char* text) {
+inline CLI::Option* add_count(CLI::App& command, const char* name, int& target, const std::string& text) {
     const auto read = [name, &target](const std::string& value) { target = parse_count(name, value); };
     return command.add_option_function<std::string>(name, read, text)->type_name("N");
 }

@@ -50,9 +50,10 @@ void add_mesh(Rows& rows, const Surface& surface) {
     rows.push_back({section, "triangles", fmt::format("{}", surface.mesh.triangles.size())});
     rows.push_back(
         {section, "closed, manifold", fmt::format("{}, {}", m.closed ? "yes" : "no", m.manifold ? "yes" : "no")});
-    rows.push_back({section, "from the exact surface", "mean " + length(surface.distance.mean)});
-    rows.push_back({section, "", "99 % below " + length(surface.distance.p99)});
-    rows.push_back({section, "", "largest " + length(surface.distance.max)});
+    const char* distance = "Distance of this mesh from the exact surface";
+    rows.push_back({distance, "mean", length(surface.distance.mean)});
+    rows.push_back({distance, "99 % below", length(surface.distance.p99)});
+    rows.push_back({distance, "largest", length(surface.distance.max)});
 }
 
 void add_input(Rows& rows, const SurfaceRequest& request, const Structure& structure, const Surface& surface) {
@@ -64,7 +65,7 @@ void add_input(Rows& rows, const SurfaceRequest& request, const Structure& struc
     rows.push_back({section, "residues", fmt::format("{}", structure.residues.size())});
     for (const auto& [reason, number] : structure.dropped)
         if (number > 0) rows.push_back({section, "left out: " + reason, fmt::format("{}", number)});
-    rows.push_back({section, "radii", one_line(structure.radii_set)});
+    rows.push_back({section, "radii", one_line(std::filesystem::path(structure.radii_set).filename().string())});
     rows.push_back({section, "probe", fmt::format("{} Å", surface.options.probe)});
     rows.push_back({section, "method", name_of(request.surface.method)});
     rows.push_back({section, "spacing", fmt::format("{} Å", surface.options.spacing)});

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "help.h"
 #include "option_words.h"
 
 namespace meniscus::cli {
@@ -36,6 +37,9 @@ constexpr std::array kViews{
     NamedView{"left", {{-1, 0, 0}, {0, 1, 0}}}, NamedView{"right", {{1, 0, 0}, {0, 1, 0}}},
     NamedView{"top", {{0, 1, 0}, {0, 0, -1}}},  NamedView{"bottom", {{0, -1, 0}, {0, 0, 1}}},
 };
+/// Width and height, pixels; in half of it every legend has room.
+constexpr std::array kSmallestWithLegend{320, 240};
+
 constexpr const char* kViewWords = "auto, front, back, left, right, top, bottom, or X,Y,Z[:UX,UY,UZ]";
 
 constexpr Words<Colour, 3> kBackgrounds{{{"white", kWhite}, {"black", {0, 0, 0, 255}}, {"transparent", kTransparent}}};
@@ -150,7 +154,7 @@ void note_given(PictureRequest& request, std::string_view name) {
 /// An option that only pictures and pages heed.
 template <class Set>
 void add_drawing(CLI::App& command, PictureRequest& request, const char* name, const char* symbol,
-                 const char* default_text, const char* text, const Set& set) {
+                 const char* default_text, const std::string& text, const Set& set) {
     const auto read = [&request, name, set](const std::string& value) {
         note_given(request, name);
         set(value);
@@ -159,7 +163,8 @@ void add_drawing(CLI::App& command, PictureRequest& request, const char* name, c
 }
 
 template <class Set>
-void add_drawing_flag(CLI::App& command, PictureRequest& request, const char* name, const char* text, const Set& set) {
+void add_drawing_flag(CLI::App& command, PictureRequest& request, const char* name, const std::string& text,
+                      const Set& set) {
     const auto read = [&request, name, set](std::int64_t) {
         note_given(request, name);
         set();
@@ -170,49 +175,57 @@ void add_drawing_flag(CLI::App& command, PictureRequest& request, const char* na
 void add_colour(CLI::App& command, PictureRequest& request) {
     const auto read = [&request](const std::string& text) { request.colours = parse_colours(text); };
     command
-        .add_option_function<std::string>(
-            "--color", read,
-            "Colours of meshes (.ply), pictures and pages; auto: chain if there are several, else single. "
-            "curvature, depth and bfactor also as SCHEME:MIN:MAX")
-        ->type_name(join(kSchemes, "|"))
+        .add_option_function<std::string>("--color", read,
+                                          fmt::format("Colours of pictures, meshes and pages\n: {}; auto: chain if "
+                                                      "there are several, else single. curvature, "
+                                                      "depth and bfactor also as SCHEME:MIN:MAX",
+                                                      join(kSchemes, ", ")))
+        ->type_name("SCHEME")
         ->default_str(kSchemes.front().first);
 }
 
 }  // namespace
 
+void check_picture(const PictureRequest& request) {
+    const PictureOptions& picture = request.picture;
+    if (request.legend && (picture.width < kSmallestWithLegend[0] || picture.height < kSmallestWithLegend[1]))
+        throw UsageError(
+            fmt::format("--legend: has no room in a picture of {}x{} pixels; choose a --size from {}x{} on",
+                        picture.width, picture.height, kSmallestWithLegend[0], kSmallestWithLegend[1]));
+}
+
 void add_picture_options(CLI::App& command, PictureRequest& request) {
     PictureOptions& picture = request.picture;
     add_colour(command, request);
     add_drawing(command, request, "--view", "VIEW", "auto",
-                "From where pictures and pages look: front, back, left, right, top, bottom; X,Y,Z[:UX,UY,UZ] towards "
-                "the viewer "
-                "and up; or auto, the longest axis across",
+                "From where: front, back ... or X,Y,Z\n[:UX,UY,UZ], the direction to the viewer and up; front, back, "
+                "left, right, top, bottom; auto: the longest axis across",
                 [&](const std::string& text) {
                     picture.viewpoint = parse_view(text);
                     request.view = text;
                 });
-    add_drawing(command, request, "--size", "WxH", "1600x1200", "Width and height of pictures, pixels",
+    add_drawing(command, request, "--size", "WxH", "1600x1200", "Of pictures, in pixels",
                 [&](const std::string& text) { set_size(picture, text); });
-    add_drawing(command, request, "--background", "COLOR", "white", "Of pictures: white, black, transparent or #rrggbb",
+    add_drawing(command, request, "--background", "COLOR", "white", "white, black, transparent, #rrggbb",
                 [&](const std::string& text) { picture.background = parse_background(text); });
-    add_drawing(command, request, "--depth-cue", "F", "0", "Let what is far away fade into the background, 0 to 1",
-                [&](const std::string& text) {
+    add_drawing(command, request, "--depth-cue", "F", "0",
+                rarely("Let what is far away fade into the background, 0 to 1"), [&](const std::string& text) {
                     picture.depth_cue = parse_number("--depth-cue", text, Sign::NotNegative);
                     if (picture.depth_cue > 1.0)
                         throw UsageError(fmt::format("--depth-cue: must be from 0 to 1, not {}", text));
                 });
-    add_drawing(command, request, "--cut", "WHERE", "none",
-                "Open the surface by a plane that faces the viewer: auto, through the largest cavity; cavity:N; DEPTH, "
-                "Å behind the nearest point; X,Y,Z[:NX,NY,NZ], a point and the side that is left out",
-                [&](const std::string& text) {
-                    picture.cut = parse_cut(text);
-                    request.cut = text;
-                });
-    add_drawing_flag(command, request, "--perspective", "Draw what is nearer larger",
+    add_drawing(
+        command, request, "--cut", "WHERE", "none",
+        "Open by a plane: auto, cavity:N, DEPTH\n, X,Y,Z[:NX,NY,NZ]. auto: through the largest cavity; DEPTH: so "
+        "many Å behind the nearest point; X,Y,Z: a point, and the side that is left out",
+        [&](const std::string& text) {
+            picture.cut = parse_cut(text);
+            request.cut = text;
+        });
+    add_drawing_flag(command, request, "--perspective", rarely("Draw what is nearer larger"),
                      [&] { picture.projection = Projection::Perspective; });
-    add_drawing_flag(command, request, "--outline", "Draw lines where the surface ends in front of something",
-                     [&] { picture.outline = true; });
-    add_drawing_flag(command, request, "--legend", "Say beside the surface what its colours mean",
+    add_drawing_flag(command, request, "--outline", "Lines where the surface ends", [&] { picture.outline = true; });
+    add_drawing_flag(command, request, "--legend", "What the colours mean, beside the surface",
                      [&] { request.legend = true; });
 }
 

@@ -29,6 +29,10 @@ struct PictureRequest {
 /// outlive the parser. While parsing, UsageError is thrown for values that make no sense.
 void add_picture_options(CLI::App& command, PictureRequest& request);
 
+/// What depends on several of these options.
+/// throws   UsageError for options that do not go together
+void check_picture(const PictureRequest& request);
+
 /// The scheme and range in force, and how pictures are drawn, as the report has them.
 /// drawn   whether there is a picture; without one what shapes it is null
 void report_picture(const PictureRequest& request, const Structure& structure, bool drawn,

@@ -197,7 +197,7 @@ private:
 }  // namespace
 
 void add_surface_command(CLI::App& program, Outcome& outcome) {
-    CLI::App* command = program.add_subcommand("surface", "Solvent-excluded surface of a structure, as a mesh");
+    CLI::App* command = program.add_subcommand("surface", "A surface, as mesh, picture and report");
     const auto request = std::make_shared<SurfaceRequest>();
     add_surface_options(*command, *request);
     command->callback([request, &outcome] { outcome = run_surface(*request); });

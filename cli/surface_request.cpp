@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface_request.h"
 
+#include "help.h"
 #include "option_words.h"
 
 namespace meniscus::cli {
@@ -13,21 +14,30 @@ constexpr Words<Method, 3> kMethods{
 
 constexpr Words<Pieces, 3> kPieces{{{"all", Pieces::All}, {"outer", Pieces::Outer}, {"cavities", Pieces::Cavities}}};
 
-constexpr const char* kFormats =
-    "-o writes meshes (.ply .obj .stl .off .glb), with the table NAME.atoms.csv beside them, pages to look at in a\n"
-    "browser (.html), pictures (.png), and the kept atoms (.xyzr .xyzrn). Without -o mesh and page go to NAME.ply and\n"
-    "NAME.html in the current folder.";
+constexpr const char* kFooter =
+    "-o writes meshes (.ply .obj .stl .off .glb), a page to look at in a browser\n"
+    "(.html), pictures (.png) and the kept atoms (.xyzr .xyzrn). Without -o mesh\n"
+    "and page go to NAME.ply and NAME.html in the current folder.\n"
+    "Examples:\n"
+    "  meniscus surface 1abc.pdb                                  mesh and page\n"
+    "  meniscus surface 1abc.pdb -o 1abc.png --color patch        a picture\n"
+    "  meniscus surface 1abc.pdb -o 1abc.stl --edge 1 --components outer   to print\n"
+    "  meniscus surface 1abc.cif -o ab.ply --chains A,B --report ab.json";
 
 void add_shape_options(CLI::App& command, SurfaceRequest& request) {
     SurfaceOptions& surface = request.surface;
     add_probe(command, surface.probe);
-    add_choice(command, "--method", surface.method, kMethods, "Smooth flow, sharp direct, or only the Gaussian start");
-    add_number(command, "--spacing", surface.spacing, Sign::Positive, "H", "Grid spacing, Å");
-    add_choice(command, "--components", surface.pieces, kPieces, "Which closed pieces the mesh keeps");
+    add_choice(
+        command, "--method", surface.method, kMethods,
+        "Smooth flow, or direct: sharp ridges\n. flow: a level-set flow; direct: the exact distance itself; gaussian: "
+        "only the density envelope that the flow starts from, which is not the solvent-excluded surface");
+    add_number(command, "--spacing", surface.spacing, Sign::Positive, "H",
+               "Grid spacing, Å\n; time and memory grow as 1/H²");
+    add_choice(command, "--components", surface.pieces, kPieces, "Closed pieces that the mesh keeps");
     add_number(command, "--min-cavity", surface.min_cavity, Sign::NotNegative, "V",
-               "Drop cavities that enclose less, Å³, and what lies in them; outer pieces stay");
+               "Drop cavities of less than V Å³\n and what lies in them; outer pieces stay");
     add_number(command, "--density", surface.density, Sign::Negative, "C",
-               "Constant of the initial Gaussian map, Å^-2");
+               rarely("Constant of the initial Gaussian map, Å^-2"));
 }
 
 void add_remesh_options(CLI::App& command, SurfaceRequest& request) {
@@ -38,28 +48,33 @@ void add_remesh_options(CLI::App& command, SurfaceRequest& request) {
     const auto density = [&remesh](const std::string& text) {
         remesh.edge = edge_of_density(parse_number("--vertex-density", text, Sign::Positive));
     };
-    CLI::Option* by_edge =
-        command.add_option_function<std::string>("--edge", edge, "Even triangles with edges of about this length, Å");
+    CLI::Option* by_edge = command.add_option_function<std::string>(
+        "--edge", edge, "Even triangles with edges near L Å\n instead of those of the grid");
     by_edge->type_name("L");
-    command.add_option_function<std::string>("--vertex-density", density, "The same by their vertices per Å²")
+    command
+        .add_option_function<std::string>("--vertex-density", density,
+                                          rarely("The same as --edge, by vertices per Å²; one of the two"))
         ->type_name("D")
         ->excludes(by_edge);
-    command.add_flag("--adaptive", remesh.adaptive, "Shorter edges where the surface bends more");
-    command.add_flag("--keep-ridges", remesh.keep_ridges, "Edges run along the creases of the surface");
+    command.add_flag("--adaptive", remesh.adaptive, "With --edge: shorter where the surface bends");
+    command.add_flag("--keep-ridges", remesh.keep_ridges, "With --edge: edges run along the creases");
     command.add_flag("--simplify-topology", remesh.simplify_topology,
-                     "Cut handles, close tunnels and drop pieces narrower than an edge");
+                     rarely("With --edge: cut handles, close tunnels and drop pieces narrower than an edge"));
 }
 
 void add_encoding(CLI::App& command, SurfaceRequest& request) {
     const auto ascii = [&request](std::int64_t) { request.encoding = Encoding::Text; };
-    command.add_flag_function("--ascii", ascii, "Write PLY and STL as text");
+    command.add_flag_function("--ascii", ascii, rarely("Write PLY and STL as text"));
 }
 
 void add_memory_limit(CLI::App& command, SurfaceRequest& request) {
     const auto memory = [&request](const std::string& text) {
         request.surface.memory_limit_mb = parse_memory("--memory", text);
     };
-    command.add_option_function<std::string>("--memory", memory, "Refuse what would need more, e.g. 4G or 500M")
+    command
+        .add_option_function<std::string>(
+            "--memory", memory,
+            "Refuse what would need more, as 4G or 500M\n; without it, what the machine has free is the limit")
         ->type_name("LIMIT");
 }
 
@@ -73,6 +88,7 @@ void complete(SurfaceRequest& request) {
     if ((remesh.adaptive || remesh.keep_ridges || remesh.simplify_topology) && !remesh.is_on())
         throw UsageError(
             "--adaptive, --keep-ridges and --simplify-topology shape even triangles; ask for them with --edge");
+    check_picture(request.picture);
     request.surface.history = !request.flow.history.empty();
     request.surface.initial_area = !request.report.empty();
     request.surface.quality = !request.report.empty();
@@ -83,7 +99,7 @@ void complete(SurfaceRequest& request) {
 
 void add_surface_options(CLI::App& command, SurfaceRequest& request) {
     add_input(command, request);
-    command.footer(kFormats);
+    command.footer(kFooter);
     command.option_defaults()->group("Atoms");
     add_atom_options(command, request);
     command.option_defaults()->group("Surface");
@@ -101,8 +117,7 @@ void add_surface_options(CLI::App& command, SurfaceRequest& request) {
     command.option_defaults()->group("Running");
     add_run_options(command, request, request.surface.threads);
     add_memory_limit(command, request);
-    command.add_flag("--verify", request.surface.verify,
-                     "The expensive self-checks, too: does the mesh pass through itself?");
+    command.add_flag("--verify", request.surface.verify, "Check that the mesh crosses itself nowhere");
 }
 
 const char* name_of(Pieces pieces) { return word_for(kPieces, pieces); }

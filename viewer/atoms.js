@@ -69,8 +69,7 @@ const Atoms = (() => {
       square.setAttribute("ball", perInstance(ball, 4));
       square.setAttribute("colour", perInstance(colour, 3));
       square.maxInstancedCount = count;
-      // A little smaller than they are: the surface touches them.
-      this.sizes = {size: {value: 0.97}, fixedSize: {value: 0}};
+      this.sizes = {size: {value: Atoms.scale}, fixedSize: {value: 0}};
       this.balls = this.add(square, this.material(Shaders.ballVertex, Shaders.ballFragment, this.sizes));
     }
 
@@ -112,5 +111,6 @@ const Atoms = (() => {
   }
 
   Atoms.thickness = 0.22;   // Å, of sticks
+  Atoms.scale = 0.95;       // of spheres, which the surface's triangles would cut otherwise
   return Atoms;
 })();

@@ -39,6 +39,7 @@ const Controls = (() => {
       this.fingers = new Map();
       this.view = this.firstView();
       this.radius = this.reach();
+      this.atFirst = true;
       this.listen();
     }
 
@@ -67,6 +68,12 @@ const Controls = (() => {
       view.half = Math.max(halves[1], halves[0] / this.aspect, 1) / filled;
       if (this.inPerspective) view.half += halves[2] * slope;
       return view;
+    }
+
+    /** After the window has changed: all of the surface again, unless one has moved. */
+    refit() {
+      if (this.atFirst) this.view = this.firstView();
+      this.changed();
     }
 
     /** The farthest point from the middle, Å. */
@@ -155,11 +162,15 @@ const Controls = (() => {
     }
 
     stop() {
+      this.atFirst = false;
       if (this.flying) cancelAnimationFrame(this.flying);
       this.flying = 0;
     }
 
-    reset() { this.fly(this.firstView()); }
+    reset() {
+      this.fly(this.firstView());
+      this.atFirst = true;
+    }
 
     /** Looks at a point of the molecule and what lies within `half` Å of it, from the same side as now. */
     lookAt(point, half) { this.fly(new View(point.clone(), this.view.turn.clone(), half || this.view.half)); }

@@ -18,12 +18,12 @@
       this.scene = new THREE.Scene();
       this.surface = new Surface(data);
       this.pick = new Pick(data);
-      this.shared = {inPerspective: this.surface.uniforms.inPerspective, cut: this.surface.uniforms.cut,
-                     planeInView: {value: new THREE.Vector4()}};
+      const {inPerspective, cut, planeInView} = this.surface.uniforms;
+      this.shared = {inPerspective, cut, planeInView};
       this.atoms = new Atoms(data, this.shared, data.stream("colours-" + this.paletteOfAtoms()));
       this.scene.add(this.surface.group, this.atoms.group);
       this.marker = this.makeMarker();
-      this.controls = new Controls(this.canvas, data.mesh.points, this.info.view, () => this.draw());
+      this.controls = new Controls(this.canvas, this.info.vertices > 0 ? data.mesh.points : data.atoms.points, this.info.view, () => this.draw());
       this.plane = null;
       this.setScheme(this.info.scheme);
       this.fill();
@@ -85,10 +85,23 @@
 
     setScheme(id) {
       const scheme = this.info.schemes.find(s => s.id === id);
-      this.scheme = id;
+      $("scheme").value = id;
       this.surface.setScheme(scheme);
-      Panel.showLegend(scheme.legend);
+      Panel.showLegend(scheme.kind === "component" ? this.legendOfPieces(scheme) : scheme.legend);
       this.draw();
+    }
+
+    /** With the numbers that the list of cavities has. */
+    legendOfPieces(scheme) {
+      const cavities = this.info.cavities.map((c, i) => ["cavity " + (i + 1), scheme.colours[c.component]]);
+      const outer = scheme.legend.entries.filter(([label]) => label === "outer");
+      return {...scheme.legend, entries: [...outer, ...cavities.filter(([, colour]) => colour)]};
+    }
+
+    /** As the list of schemes asks: cavities are not seen through a solid surface. */
+    chooseScheme(id) {
+      this.setScheme(id);
+      if (id === "component" && !this.plane && this.surface.opacity === 1) this.setOpacity(100 * seeThrough);
     }
 
     setOpacity(percent) {
@@ -157,7 +170,7 @@
       const hit = this.pick.surface(ray, range);
       const how = this.atoms.shown;
       const ball = how && how !== "none" && (this.surface.opacity < 0.15 || (hit && !hit.front))
-        ? this.pick.atom(ray, {scale: 0.97, fixed: how === "sticks" ? 1.5 * Atoms.thickness : 0, plane}) : null;
+        ? this.pick.atom(ray, {scale: Atoms.scale, fixed: how === "sticks" ? 1.5 * Atoms.thickness : 0, plane}) : null;
       if (ball && (!hit || this.surface.opacity < 0.15 || ball.distance < hit.distance))
         return {atom: ball.atom, point: at(ball.distance), hit: null};
       if (!hit || (plane && !hit.front)) return null;
@@ -190,17 +203,22 @@
         const cavity = info.cavities.findIndex(c => c.component === component);
         facts.push(["patch", patchNames[mesh.patch[v]]],
                    ["part of", cavity >= 0 ? "cavity " + (cavity + 1)
-                     : hit.triangle >= this.surface.outer.count ? "a cavity" : "the outer surface"]);
+                     : hit.triangle >= this.surface.outer.count ? "a cavity" : "outer surface"]);
         if (mesh.curvature) facts.push(["mean curvature", Panel.plain(this.pick.at(hit, mesh.curvature), 3) + " Å⁻¹"]);
         if (mesh.shape) {
           const index = this.pick.at(hit, mesh.shape);
           facts.push(["shape index", Panel.plain(index, 2) + " (" + Panel.shapeWord(index) + ")"]);
         }
-        if (mesh.depth) facts.push(["depth", Panel.plain(this.pick.at(hit, mesh.depth) * info.depthStep, 1) + " Å"]);
+        if (mesh.depth) facts.push(["depth", this.depthAt(hit)]);
       }
       if (atoms.bFactor[atom] !== 0) facts.push(["B factor", Panel.plain(atoms.bFactor[atom], 2)]);
       facts.push(["position", point.toArray().map((c, k) => Panel.plain(c + info.low[k], 2)).join("  ")]);
       return facts;
+    }
+
+    depthAt(hit) {
+      const steps = this.pick.at(hit, this.data.mesh.depth);   // 255 stands for more
+      return (steps > 254 ? "over " : "") + Panel.plain(steps * this.info.depthStep, 1) + " Å";
     }
 
     forget() {
@@ -227,7 +245,7 @@
       document.documentElement.dataset.theme = theme;
       const style = getComputedStyle(document.documentElement);
       this.renderer.setClearColor(new THREE.Color(style.getPropertyValue("--paper").trim()), 1);
-      this.surface.uniforms.inside.value.set(theme === "dark" ? 0x4a4f55 : 0xcfc8bd);
+      this.surface.uniforms.inside.value.set(theme === "dark" ? 0x6b6862 : 0xcfc8bd);
       this.draw();
     }
 
@@ -252,7 +270,7 @@
 
     listen() {
       const on = (id, name, f) => $(id).addEventListener(name, f);
-      on("scheme", "change", () => this.setScheme($("scheme").value));
+      on("scheme", "change", () => this.chooseScheme($("scheme").value));
       on("opacity", "input", () => this.setOpacity(+$("opacity").value));
       for (const how of ["none", "sticks", "spheres"]) on("atoms-" + how, "change", () => this.setAtoms(how));
       on("clip", "input", () => this.setCut($("clip").value / 1000));
@@ -272,7 +290,7 @@
       on("view", "dblclick", e => this.approach(e));
       this.controls.clicked = e => this.ask(e.clientX, e.clientY);
       document.addEventListener("keydown", e => this.key(e));
-      new ResizeObserver(() => this.draw()).observe($("stage"));
+      new ResizeObserver(() => this.controls.refit()).observe($("stage"));
       this.setCut(0);
       const dark = matchMedia("(prefers-color-scheme: dark)");
       dark.addEventListener("change", () => this.setTheme(dark.matches ? "dark" : "light"));

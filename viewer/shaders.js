@@ -32,6 +32,7 @@ const Shaders = (() => {
     varying float sky, curvature, depth;
     flat varying vec3 atoms;
     flat varying float component;
+    centroid varying vec3 within;   // as inView, but never beyond the triangle's edges
     void main() {
       vec2 o = look.xy * (255.0 / 127.0) - 1.0;
       vec3 n = vec3(o, 1.0 - abs(o.x) - abs(o.y));
@@ -45,7 +46,7 @@ const Shaders = (() => {
       component = values.z;
       at = position;
       vec4 seen = modelViewMatrix * vec4(position, 1.0);
-      inView = seen.xyz;
+      inView = within = seen.xyz;
       gl_Position = projectionMatrix * seen;
     }
   `;
@@ -64,11 +65,13 @@ const Shaders = (() => {
     uniform bool cut, inPerspective;
     uniform vec3 inside, accent;
     uniform float opacity, chosen;     // chosen: a component, or -1
+    uniform mat4 projectionMatrix;
     uniform bool choosing;             // whether any atom is chosen
     varying vec3 at, inView, normal_, kinds;
     varying float sky, curvature, depth;
     flat varying vec3 atoms;
     flat varying float component;
+    centroid varying vec3 within;   // as inView, but never beyond the triangle's edges
     ${light}
     ivec2 place(highp sampler2D table, float n) {
       int width = textureSize(table, 0).x, i = int(n + 0.5);
@@ -106,6 +109,11 @@ const Shaders = (() => {
       int i = min(int(p), 7);
       return decoded(mix(ramp[i], ramp[i + 1], p - float(i)));
     }
+    // Of the inner side, a little nearer (Å): where the surface turns over, its outer side must not shine through.
+    float depthOfInside(vec3 toViewer) {
+      vec4 clip = projectionMatrix * vec4(within + 0.15 * toViewer, 1.0);
+      return 0.5 * clip.z / clip.w + 0.5;
+    }
     void main() {
       float side = dot(plane.xyz, at) + plane.w;
       vec3 blur = widths(kinds);
@@ -113,10 +121,14 @@ const Shaders = (() => {
       if (cut && side > 0.0) discard;
       vec3 toViewer = inPerspective ? normalize(-inView) : vec3(0.0, 0.0, 1.0);
       vec3 n = normalize(normal_);
-      if (cut && !gl_FrontFacing) {
+#ifdef CUT
+      gl_FragDepth = gl_FragCoord.z;
+      if (!gl_FrontFacing || dot(n, toViewer) < -0.1) {
+        gl_FragDepth = depthOfInside(toViewer);
         gl_FragColor = vec4(inside, opacity);
         return;
       }
+#endif
       vec3 albedo;
       if (scheme == 0)
         albedo = sharp(kinds, blur, byPatch(atom, 0), byPatch(atom, 1), byPatch(atom, 2)).rgb;

@@ -108,14 +108,14 @@ const Surface = (() => {
       this.data = data;
       const outer = outerFirst(data.mesh), all = data.mesh.corners.length;
       this.paint = table(Uint8Array, THREE.UnsignedByteType, data.atoms.count);
-      this.components = Math.max(...volumes(data.mesh).keys()) + 1;
+      this.components = Math.max(1, volumes(data.mesh).length);
       this.uniforms = {
         spheres: {value: sphereTable(data.atoms)}, paint: {value: this.paint},
         ofComponent: {value: table(Uint8Array, THREE.UnsignedByteType, this.components)},
         scheme: {value: 0}, overPatch: {value: [0, 1, 2].map(() => new THREE.Vector4())},
         ramp: {value: Array.from({length: 9}, () => new THREE.Vector3())}, range: {value: new THREE.Vector2(0, 1)},
         value: {value: 0}, steps: {value: new THREE.Vector2(data.info.curvatureStep, data.info.depthStep)},
-        plane: {value: new THREE.Vector4()}, cut: {value: false}, inPerspective: {value: false},
+        plane: {value: new THREE.Vector4()}, planeInView: {value: new THREE.Vector4()}, cut: {value: false}, inPerspective: {value: false},
         inside: {value: new THREE.Color(0.8, 0.8, 0.8)}, accent: {value: new THREE.Vector3(0.9, 0.05, 0.35)},
         chosen: {value: -1}, choosing: {value: false},
       };
@@ -202,7 +202,14 @@ const Surface = (() => {
 
     /** Cuts away what lies before a plane (normal, constant), or nothing (null). */
     setPlane(plane) {
-      this.uniforms.cut.value = Boolean(plane);
+      const cut = Boolean(plane);
+      if (cut !== this.uniforms.cut.value)
+        for (const {first, second} of [this.outer, this.cavities])
+          for (const {material} of [first, second]) {
+            material.defines = cut ? {CUT: 1} : {};
+            material.needsUpdate = true;
+          }
+      this.uniforms.cut.value = cut;
       if (plane) this.uniforms.plane.value.set(plane.normal.x, plane.normal.y, plane.normal.z, plane.constant);
     }
   }

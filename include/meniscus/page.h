@@ -39,13 +39,16 @@ bool pages_supported();
 
 /// The page, as HTML.
 ///
-/// It holds the mesh, rounded to 1/512 Å, the atoms, the colours of every scheme that the structure has something for
-/// (docs/conventions.md), and a picture for browsers without WebGL 2. Whatever the structure calls its atoms is shown
-/// as text. mesh     with normals, atoms and patches; curvatures are shown if it has them throws   UsageError for
-/// arrays that are missing or whose sizes do not match, an atom that the structure does not
-///          have, a mesh without triangles, options as of draw_picture() and colour_vertices(); LimitError for more
-///          than 2^24 atoms; std::runtime_error without three.js
-/// cost     O(n log n): 100 rays per vertex, and the distance of every vertex to the SES of a probe of kDepthProbe
+/// It holds the mesh, rounded to 1/512 Å, the atoms, the colours of every scheme that the structure has something for,
+/// and a picture for browsers without WebGL 2 (docs/conventions.md). Whatever the structure calls its atoms is text
+/// there, never markup.
+///
+/// mesh     with normals, atoms and patches; curvatures are shown if it has them; without triangles the atoms alone
+/// throws   UsageError for arrays that are missing or whose sizes do not match, an atom that the structure does not
+///          have, options as of draw_picture() and colour_vertices(); LimitError for more than 2^24 atoms;
+///          std::runtime_error without three.js
+/// cost     O(n log n); most of it goes into the distance of every vertex to the SES of a probe of kDepthProbe, and
+///          into light
 std::string make_page(const Mesh& mesh, const Structure& structure, const PageOptions& options = {});
 
 /// Writes a page, as write_mesh() writes meshes: whole or not at all.

@@ -97,8 +97,10 @@ struct LegendStyle {
 /// Draws a legend: title, classes in as many columns as they need, or a bar of colours with a scale.
 ///
 /// Text is a forty-second of the height, or less if that does not fit. Labels may be any UTF-8; long ones are cut
-/// short. returns  a picture of the given height; 0 pixels wide for a legend without colours throws   UsageError where
-/// the legend has no room even in letters of 9 pixels
+/// short. Of more classes than have room in letters of 9 pixels the first are shown and the others counted.
+///
+/// returns  a picture of the given height; 0 pixels wide for a legend without colours
+/// throws   UsageError where not even one class has room
 Picture draw_legend(const Legend& legend, const LegendStyle& style);
 
 /// throws   UsageError for pictures of different heights

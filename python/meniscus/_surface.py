@@ -232,20 +232,30 @@ class Surface(_Vertices):
         perspective: bool = False,
         outline: bool = False,
         depth_cue: float = 0.0,
+        cut: _writing.Cut = None,
+        legend: bool = False,
     ) -> None:
         """Writes the surface, in the format of the suffix.
 
-        .ply .obj .stl .off  the mesh; .ply with every vertex array and colours
-        .npz                 the arrays, named as here, for numpy.load
-        .png                 a picture
-        .mls                 the level set without loss
+        .ply .obj .stl .off .glb  the mesh; .ply and .glb with every vertex array and colours
+        .npz                      the arrays, named as here, for numpy.load
+        .png                      a picture
+        .html                     a page to turn, cut and ask, which opens in a browser without network
+        .mls                      the level set without loss
 
         color       a scheme of ``--color`` ("patch", "curvature:-1:1"), or (n, 3) or (n, 4) uint8, one per vertex
         ascii       .ply and .stl as text
-        size        of a picture, width and height in pixels
+
+        Of pictures, view and perspective also of pages:
+
+        size        width and height in pixels
         view        auto, front, back, left, right, top, bottom; or a direction towards the viewer (x, y, z); or two,
                     that one and the one shown upwards
         background  white, black, transparent or "#rrggbb"
+        perspective, outline, depth_cue, legend   as on the command line
+        cut         opens the surface by a plane that faces the viewer: "auto" (through the largest cavity),
+                    "cavity:N", a depth behind the nearest point, Å, a point (x, y, z), or two triples, a point and the
+                    side that is left out
 
         Raises ValueError for an unknown suffix or option, OSError where the file cannot be written; it appears whole
         or not at all.
@@ -254,10 +264,10 @@ class Surface(_Vertices):
         >>> ball.save("ball.ply", color="patch")
         >>> ball.save("ball.gif")
         Traceback (most recent call last):
-        meniscus.UsageError: ball.gif: the suffix chooses the format; known are .ply .obj .stl .off .npz .png .mls
+        meniscus.UsageError: ball.gif: the suffix chooses the format; known are .ply .obj .stl .off .glb .npz .png .html .mls
         """
         drawing = {"size": size, "view": view, "background": background, "perspective": perspective,
-                   "outline": outline, "depth_cue": depth_cue}
+                   "outline": outline, "depth_cue": depth_cue, "cut": cut, "legend": legend}
         _writing.save_surface(text_of_path(path), self, color, ascii, drawing)
 
 

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 Color = Union[str, npt.NDArray[np.uint8]]
 View = Union[str, Sequence[float], Sequence[Sequence[float]]]
+Cut = Union[None, str, float, Sequence[float], Sequence[Sequence[float]]]
 
 _VIEWS = {
     "front": ((0, 0, 1), (0, 1, 0)),
@@ -84,35 +85,107 @@ def _background(background: str) -> tuple[int, ...]:
     return (*bytes.fromhex(background[1:]), 255)
 
 
+def _cut(cut: Cut) -> dict[str, Any] | None:
+    if cut is None:
+        return None
+    if isinstance(cut, str):
+        if cut == "auto":
+            return {}
+        match = re.fullmatch("cavity:([0-9]+)", cut)
+        if not match or int(match[1]) < 1:
+            raise UsageError(f"cut: unknown value '{cut}'; one of auto, cavity:N, a depth in Å, a point, or a point "
+                             "and a normal")
+        return {"cavity": int(match[1])}
+    array = np.asarray(cut, dtype=np.float64)
+    if array.shape == ():
+        return {"depth": float(array)}
+    if array.shape == (3,):
+        return {"point": array.tolist()}
+    if array.shape == (2, 3):
+        return {"point": array[0].tolist(), "normal": array[1].tolist()}
+    raise UsageError(f"cut: a point has three numbers; shape (3,) or (2, 3) is needed, not {array.shape}")
+
+
 def _picture_options(drawing: dict[str, Any]) -> dict[str, Any]:
     width, height = drawing["size"]
     options: dict[str, Any] = {
         "width": _options.whole("size", width),
         "height": _options.whole("size", height),
         "background": _background(drawing["background"]),
-        "perspective": bool(drawing["perspective"]),
         "outline": bool(drawing["outline"]),
         "depth_cue": _options.number("depth_cue", drawing["depth_cue"]),
+        "legend": bool(drawing["legend"]),
+        **_view_options(drawing),
     }
-    directions = _directions(drawing["view"])
-    if directions is not None:
-        options["view"] = directions
+    cut = _cut(drawing["cut"])
+    if cut is not None:
+        options["cut"] = cut
     return options
 
 
-def _save_mesh(path: str, surface: Surface, options: dict[str, Any]) -> None:
-    _core.write_mesh(path, surface._mesh, surface.structure._core, options)
+def _view_options(drawing: dict[str, Any]) -> dict[str, Any]:
+    """What pages heed, too."""
+    directions = _directions(drawing["view"])
+    options: dict[str, Any] = {"perspective": bool(drawing["perspective"])}
+    return options if directions is None else {**options, "view": directions}
 
 
-def _save_picture(path: str, surface: Surface, options: dict[str, Any]) -> None:
-    _core.write_picture(path, surface._core, {**options, **_picture_options(options)})
+def _save_mesh(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
+    _core.write_mesh(path, surface._mesh, surface.structure._core, {**options, "probe": surface.options["probe"]})
 
 
-def _save_level_set(path: str, surface: Surface, options: dict[str, Any]) -> None:
+def _save_picture(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
+    _core.write_picture(path, surface._core, {**options, **_picture_options(drawing)})
+
+
+def _save_page(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
+    rows = [(section, label, value) for section, rows in _page_rows(surface).items() for label, value in rows]
+    _core.write_page(path, surface._core, surface.measures._core,
+                     {**options, **_view_options(drawing), "rows": rows})
+
+
+def _page_rows(surface: Surface) -> dict[str, list[tuple[str, str]]]:
+    """The numbers that the command line's pages show, too."""
+    exact, mesh, structure, asked = surface.measures, surface.mesh, surface.structure, surface.options
+    passed = sum(check["passed"] for check in surface.checks)
+    return {
+        "Solvent-excluded surface, exact": [
+            ("area", f"{exact.ses_area:.1f} Å²"),
+            ("volume", f"{exact.ses_volume:.1f} Å³"),
+            ("contact", f"{exact.contact_area:.1f} Å²"),
+            ("toroidal", f"{exact.toroidal_area:.1f} Å²"),
+            ("reentrant", f"{exact.reentrant_area:.1f} Å²"),
+            ("cavities", f"{len(exact.cavities)}"),
+        ],
+        "Solvent-accessible surface, exact": [
+            ("area", f"{exact.sas_area:.1f} Å²"),
+            ("volume", f"{exact.sas_volume:.1f} Å³"),
+        ],
+        "This mesh": [
+            ("area", f"{mesh['corrected_area']:.1f} Å²"),
+            ("volume", f"{mesh['corrected_volume']:.1f} Å³"),
+            ("vertices", f"{mesh['vertices']}"),
+            ("triangles", f"{mesh['triangles']}"),
+            ("from the exact surface", f"mean {mesh['mean_distance']:.4f} Å"),
+        ],
+        "How it was made": [
+            ("file", os.path.basename(structure.file) or "arrays in Python"),
+            ("atoms", f"{len(structure)}"),
+            *((f"left out: {reason}", f"{count}") for reason, count in structure.dropped.items() if count),
+            ("radii", structure.radii_set),
+            ("probe", f"{asked['probe']:g} Å"),
+            ("method", asked["method"]),
+            ("spacing", f"{asked['spacing']:g} Å"),
+        ],
+        "Checks": [("passed", f"{passed} of {len(surface.checks)}")],
+    }
+
+
+def _save_level_set(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
     _core.write_level_set(path, surface._core)
 
 
-def _save_arrays(path: str, surface: Surface, options: dict[str, Any]) -> None:
+def _save_arrays(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
     _write_npz(path, surface, {"vertices": surface.vertices, "triangles": surface.triangles})
 
 
@@ -140,13 +213,15 @@ def _umask() -> int:
 
 
 # A format is one line here, and one in Surface.save's text.
-_SURFACE_WRITERS: dict[str, Callable[[str, Surface, dict[str, Any]], None]] = {
+_SURFACE_WRITERS: dict[str, Callable[[str, Surface, dict[str, Any], dict[str, Any]], None]] = {
     ".ply": _save_mesh,
     ".obj": _save_mesh,
     ".stl": _save_mesh,
     ".off": _save_mesh,
+    ".glb": _save_mesh,
     ".npz": _save_arrays,
     ".png": _save_picture,
+    ".html": _save_page,
     ".mls": _save_level_set,
 }
 
@@ -159,7 +234,8 @@ def save_surface(path: str, surface: Surface, color: Color, ascii: bool, drawing
     writer = _SURFACE_WRITERS.get(pathlib.PurePath(path).suffix)
     if writer is None:
         raise _unknown_suffix(path, list(_SURFACE_WRITERS))
-    writer(path, surface, {**colour_options(color), "ascii": bool(ascii), **drawing})
+    options = {**colour_options(color), "ascii": bool(ascii), "threads": surface.options["threads"]}
+    writer(path, surface, options, drawing)
 
 
 def save_points(path: str, points: Points, color: Color, ascii: bool) -> None:

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -64,10 +63,9 @@ py::array view(std::span<const T> values, const py::handle& owner) {
 /// An array that takes over the memory of `values`.
 template <class T>
 py::array owning(std::vector<T>&& values) {
-    auto held = std::make_unique<std::vector<T>>(std::move(values));
+    auto* held = new std::vector<T>(std::move(values));
+    const py::capsule owner(held, [](void* p) { delete static_cast<std::vector<T>*>(p); });
     const std::span<const T> all(*held);
-    const py::capsule owner(held.get(), [](void* p) { delete static_cast<std::vector<T>*>(p); });
-    held.release();
     return view(all, owner);
 }
 

@@ -19,6 +19,7 @@ void raise(const char* name, const char* message) {
 
 /// Everything else has a class of Python's own: std::invalid_argument is ValueError, std::bad_alloc MemoryError.
 void bind_errors(py::module_& /*module*/) {
+    // NOLINTNEXTLINE(performance-unnecessary-value-param): pybind11 takes a function of this type
     py::register_exception_translator([](std::exception_ptr thrown) {
         try {
             if (thrown) std::rethrow_exception(thrown);

@@ -3,13 +3,17 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <optional>
+#include <tuple>
 
 #include "arrays.h"
 #include "bindings.h"
 #include "held_surface.h"
 #include "meniscus/colours.h"
 #include "meniscus/errors.h"
+#include "meniscus/legend.h"
 #include "meniscus/level_set_file.h"
+#include "meniscus/page.h"
 #include "meniscus/picture.h"
 #include "meniscus/write.h"
 #include "options.h"
@@ -75,18 +79,55 @@ py::array colours(const Mesh& mesh, const Structure& structure, const py::dict& 
 void save_mesh(const std::string& path, const Mesh& mesh, const Structure& structure, const py::dict& given) {
     const Colouring colouring(given);
     bool ascii = false;
+    std::optional<double> probe;
+    int threads = 0;
+    Options(given).read("threads", threads);
     Options(given).read("ascii", ascii);
+    Options(given).read("probe", probe);
     const py::gil_scoped_release release;
     std::vector<std::uint32_t> residues(mesh.atoms.size());
     std::transform(mesh.atoms.begin(), mesh.atoms.end(), residues.begin(),
                    [&](std::uint32_t atom) { return structure.labels[atom].residue; });
     const std::vector<Colour> colours = colouring.of(mesh, structure);
-    write_mesh(
-        path, mesh,
-        {.encoding = ascii ? Encoding::Text : Encoding::Binary, .extra = {{"residue", residues}}, .colours = colours});
+    write_mesh(path, mesh,
+               {.encoding = ascii ? Encoding::Text : Encoding::Binary,
+                .extra = {{"residue", residues}},
+                .colours = colours,
+                .probe = probe,
+                .threads = threads});
 }
 
 Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+
+std::optional<Viewpoint> viewpoint_of(const py::dict& given) {
+    if (!given.contains("view")) return std::nullopt;
+    const auto [from, up] = given["view"].cast<std::pair<std::array<double, 3>, std::array<double, 3>>>();
+    return Viewpoint{vector_of(from), vector_of(up)};
+}
+
+Projection projection_of(const py::dict& given) {
+    bool perspective = false;
+    Options(given).read("perspective", perspective);
+    return perspective ? Projection::Perspective : Projection::Orthographic;
+}
+
+/// Nothing, or where the plane is: "auto", a depth, the number of a cavity, or a point and perhaps a normal.
+std::optional<Cut> cut_of(const py::dict& given) {
+    if (!given.contains("cut")) return std::nullopt;
+    const auto asked = given["cut"].cast<py::dict>();
+    const Options options(asked);
+    Cut cut;
+    if (asked.contains("cavity")) cut.through = Cut::Through::Cavity;
+    if (asked.contains("depth")) cut.through = Cut::Through::Depth;
+    options.read("cavity", cut.cavity);
+    options.read("depth", cut.depth);
+    if (asked.contains("point")) {
+        cut.through = Cut::Through::Point;
+        cut.point = vector_of(asked["point"].cast<std::array<double, 3>>());
+    }
+    if (asked.contains("normal")) cut.normal = vector_of(asked["normal"].cast<std::array<double, 3>>());
+    return cut;
+}
 
 PictureOptions picture_options(const py::dict& given) {
     const Options options(given);
@@ -95,13 +136,10 @@ PictureOptions picture_options(const py::dict& given) {
     options.read("height", picture.height);
     options.read("outline", picture.outline);
     options.read("depth_cue", picture.depth_cue);
-    if (given.contains("view")) {
-        const auto [from, up] = given["view"].cast<std::pair<std::array<double, 3>, std::array<double, 3>>>();
-        picture.viewpoint = Viewpoint{vector_of(from), vector_of(up)};
-    }
-    bool perspective = false;
-    options.read("perspective", perspective);
-    if (perspective) picture.projection = Projection::Perspective;
+    options.read("threads", picture.threads);
+    picture.viewpoint = viewpoint_of(given);
+    picture.projection = projection_of(given);
+    picture.cut = cut_of(given);
     if (given.contains("background")) {
         const auto c = given["background"].cast<std::array<std::uint8_t, 4>>();
         picture.background = {c[0], c[1], c[2], c[3]};
@@ -118,12 +156,42 @@ ColourField field_of(const HeldSurface& held, const Colouring& colouring) {
     return field;
 }
 
+/// With the legend at its right, if one is asked for.
+Picture draw(const HeldSurface& held, const Colouring& colouring, PictureOptions options, bool with_legend) {
+    const Mesh& mesh = held.surface().mesh;
+    Picture legend{0, options.height, {}};
+    if (with_legend)
+        legend = draw_legend(make_legend(mesh, held.structure(), colouring.options),
+                             {.width = options.width / 2, .height = options.height, .background = options.background});
+    options.width -= legend.width;
+    return side_by_side(draw_picture(mesh, colouring.of(mesh, held.structure()), options, field_of(held, colouring)),
+                        legend);
+}
+
 void save_picture(const std::string& path, const HeldSurface& held, const py::dict& given) {
     const Colouring colouring(given);
     const PictureOptions options = picture_options(given);
+    bool legend = false;
+    Options(given).read("legend", legend);
+    if (legend && !colouring.given.empty())
+        throw UsageError("legend: tells what a scheme means; there is none for colours that are given");
     const py::gil_scoped_release release;
-    const Mesh& mesh = held.surface().mesh;
-    write_picture(path, draw_picture(mesh, colouring.of(mesh, held.structure()), options, field_of(held, colouring)));
+    write_picture(path, draw(held, colouring, options, legend));
+}
+
+void save_page(const std::string& path, const HeldSurface& held, const Measures& exact, const py::dict& given) {
+    const Colouring colouring(given);
+    if (!colouring.given.empty()) throw UsageError(path + ": a page shows schemes; give it one");
+    PageOptions options{.colours = colouring.options,
+                        .viewpoint = viewpoint_of(given),
+                        .projection = projection_of(given),
+                        .components = exact.components};
+    Options(given).read("threads", options.threads);
+    for (const auto& [section, label, value] :
+         given["rows"].cast<std::vector<std::tuple<std::string, std::string, std::string>>>())
+        options.rows.push_back({section, label, value});
+    const py::gil_scoped_release release;
+    write_page(path, held.surface().mesh, held.structure(), options);
 }
 
 void save_level_set(const std::string& path, const HeldSurface& held) {
@@ -147,6 +215,7 @@ void bind_writers(py::module_& module) {
     module.def("colors", &colours, py::arg("mesh"), py::arg("structure"), py::arg("options"));
     module.def("write_mesh", &save_mesh, py::arg("path"), py::arg("mesh"), py::arg("structure"), py::arg("options"));
     module.def("write_picture", &save_picture, py::arg("path"), py::arg("surface"), py::arg("options"));
+    module.def("write_page", &save_page, py::arg("path"), py::arg("surface"), py::arg("measures"), py::arg("options"));
     module.def("write_level_set", &save_level_set, py::arg("path"), py::arg("surface"));
     module.def("write_spheres", &write_spheres, py::arg("path"), py::arg("structure"), WithoutGil());
     module.def("write_atom_table", &write_atom_table, py::arg("path"), py::arg("structure"), WithoutGil());

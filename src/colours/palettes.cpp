@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<Colour, kDistinctColours> kDistinct{
     rgb(0x77AADD), rgb(0xEE8866), rgb(0xEEDD88), rgb(0xFFAABB), rgb(0x994455), rgb(0x0072B2),
-    rgb(0x997700), rgb(0x99DDFF), rgb(0xEE3377), rgb(0x009988), rgb(0xAAAA00), rgb(0xBBCC33),
+    rgb(0x997700), rgb(0x99DDFF), rgb(0xEE3377), rgb(0xBBCC33), rgb(0x009988), rgb(0xAAAA00),
 };
 
 constexpr std::array kRdBu{

@@ -20,8 +20,8 @@ namespace {
 constexpr std::size_t kMostAtoms = std::size_t{1} << 24U;
 
 /// Of the picture for browsers that cannot draw, pixels.
-constexpr int kPictureWidth = 960;
-constexpr int kPictureHeight = 720;
+constexpr int kPictureWidth = 640;
+constexpr int kPictureHeight = 480;
 
 template <class T>
 void need(const std::vector<T>& values, const Mesh& mesh, const char* name) {
@@ -35,8 +35,11 @@ void allow(const std::vector<T>& values, const Mesh& mesh, const char* name) {
 }
 
 void check(const Mesh& mesh, const Structure& structure) {
-    if (mesh.triangles.empty()) throw UsageError("a page needs a mesh with triangles");
     if (structure.atoms.size() > kMostAtoms) throw LimitError("a page cannot hold more than 16,777,216 atoms");
+    const std::size_t n = mesh.vertices.size();
+    for (const Triangle& t : mesh.triangles)
+        if (std::any_of(t.begin(), t.end(), [n](VertexId v) { return v >= n; }))
+            throw UsageError("a triangle names a vertex that the mesh does not have");
     need(mesh.normals, mesh, "normal");
     need(mesh.atoms, mesh, "atom");
     need(mesh.patches, mesh, "patch");
@@ -51,15 +54,19 @@ std::vector<double> depths(const Mesh& mesh, const Structure& structure) {
     return depth;
 }
 
-/// What is seen where scripts or WebGL are missing.
-std::string draw(const Mesh& mesh, const Structure& structure, const PageOptions& options) {
-    return encode_png(draw_picture(mesh, colour_vertices(mesh, structure, options.colours),
-                                   {.width = kPictureWidth,
-                                    .height = kPictureHeight,
-                                    .viewpoint = options.viewpoint,
-                                    .projection = options.projection,
-                                    .background = kTransparent,
-                                    .threads = options.threads}));
+std::vector<float> light(const Mesh& mesh) {
+    return mesh.triangles.empty() ? std::vector<float>(mesh.vertices.size()) : openness(mesh);
+}
+
+/// What is seen where scripts or WebGL are missing, as PNG.
+std::string draw(const Mesh& mesh, const Structure& structure, const PageOptions& options, std::span<const float> sky) {
+    return encode_png(draw_picture_by(sky, mesh, colour_vertices(mesh, structure, options.colours),
+                                      {.width = kPictureWidth,
+                                       .height = kPictureHeight,
+                                       .viewpoint = options.viewpoint,
+                                       .projection = options.projection,
+                                       .background = kTransparent,
+                                       .threads = options.threads}));
 }
 
 }  // namespace
@@ -70,12 +77,12 @@ std::string make_page(const Mesh& mesh, const Structure& structure, const PageOp
     if (!pages_supported()) throw std::runtime_error("pages need three.js; build with MENISCUS_PAGE=ON");
     check(mesh, structure);
     const ThreadLimit limit(options.threads);
-    return page::make_html(
-        {.title = structure.name + " · Meniscus",
-         .picture = draw(mesh, structure, options),
-         .data = page::page_data(mesh, structure, options, {.sky = openness(mesh), .depth = depths(mesh, structure)}),
-         .tables = page::tables_of(options.rows),
-         .description = structure.name});
+    const page::VertexExtras extras{.sky = light(mesh), .depth = depths(mesh, structure)};
+    return page::make_html({.title = structure.name + " · Meniscus",
+                            .picture = draw(mesh, structure, options, extras.sky),
+                            .data = page::page_data(mesh, structure, options, extras),
+                            .tables = page::tables_of(options.rows),
+                            .description = structure.name});
 }
 
 void write_page(const std::string& path, const Mesh& mesh, const Structure& structure, const PageOptions& options) {

@@ -103,8 +103,12 @@ ordered_json cavities_json(const Mesh& mesh, const Structure& structure, const P
     return list;
 }
 
-ordered_json view_json(const Mesh& mesh, const PageOptions& options) {
-    const Camera camera(mesh.vertices, {.viewpoint = options.viewpoint});
+std::span<const Vec3> points_of_view(const Mesh& mesh, const Structure& structure) {
+    return mesh.vertices.empty() ? structure.atoms.centres : mesh.vertices;
+}
+
+ordered_json view_json(const Mesh& mesh, const Structure& structure, const PageOptions& options) {
+    const Camera camera(points_of_view(mesh, structure), {.viewpoint = options.viewpoint});
     return {{"right", point_json(camera.frame().right)},
             {"up", point_json(camera.frame().up)},
             {"towards", point_json(camera.frame().towards)},
@@ -142,7 +146,7 @@ ordered_json places_json(const Streams& streams) {
 std::string page_data(const Mesh& mesh, const Structure& structure, const PageOptions& options,
                       const VertexExtras& extras) {
     Streams streams;
-    const Vec3 low = lowest(mesh.vertices);
+    const Vec3 low = lowest(points_of_view(mesh, structure));
     add_mesh(streams, mesh, extras, low);
     ordered_json data{{"meniscus", kVersion},
                       {"name", structure.name},
@@ -157,7 +161,7 @@ std::string page_data(const Mesh& mesh, const Structure& structure, const PageOp
     data["residues"] = residues_json(structure);
     data["schemes"] = schemes_json(mesh, structure, options, streams);
     data["scheme"] = id_of_first(mesh, structure, options.colours);
-    data["view"] = view_json(mesh, options);
+    data["view"] = view_json(mesh, structure, options);
     data["cavities"] = cavities_json(mesh, structure, options);
     data["rows"] = rows_json(options.rows);
     data["streams"] = places_json(streams);

@@ -19,11 +19,10 @@ struct Moments {
     Vec3 centre;
 };
 
-Moments& add(Moments& moments, const Vec3& a, const Vec3& b, const Vec3& c) {
+void add(Moments& moments, const Vec3& a, const Vec3& b, const Vec3& c) {
     const double volume = dot(a, cross(b, c));
     moments.volume += volume;
     moments.centre += volume * (a + b + c);
-    return moments;
 }
 
 /// Centres of the cavities, by falling volume.
@@ -37,8 +36,9 @@ std::vector<Vec3> cavity_centres(const Mesh& mesh) {
     std::erase_if(pieces, [](const Moments& piece) { return piece.volume >= 0.0; });
     std::stable_sort(pieces.begin(), pieces.end(),
                      [](const Moments& a, const Moments& b) { return a.volume < b.volume; });
-    std::vector<Vec3> centres;
-    for (const Moments& piece : pieces) centres.push_back(origin + (0.25 / piece.volume) * piece.centre);
+    std::vector<Vec3> centres(pieces.size());
+    std::transform(pieces.begin(), pieces.end(), centres.begin(),
+                   [&](const Moments& piece) { return origin + (0.25 / piece.volume) * piece.centre; });
     return centres;
 }
 

@@ -5,8 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "meniscus/errors.h"
 #include "meniscus/legend.h"
@@ -65,12 +66,18 @@ std::vector<std::string> broken(const Font& font, const std::string& text, doubl
 /// Everything about a legend in one size of font.
 class Layout {
 public:
-    Layout(const Legend& legend, const LegendStyle& style, double size)
-        : legend_(legend), style_(style), font_(size), title_(broken(font_, legend.title, kWidestTitle * size)) {
-        for (const LegendEntry& entry : legend.entries) {
+    /// shown   as many entries; how many there are beyond is told in one more line
+    Layout(const Legend& legend, const LegendStyle& style, double size, std::size_t shown)
+        : legend_(legend),
+          style_(style),
+          font_(size),
+          title_(broken(font_, legend.title, kWidestTitle * size)),
+          shown_(shown) {
+        for (const LegendEntry& entry : std::span(legend.entries).first(shown))
             labels_.push_back(font_.fitted(entry.label, kWidestLabel * size));
-            label_width_ = std::max(label_width_, font_.width(labels_.back()));
-        }
+        const std::size_t beyond = legend.entries.size() - shown;
+        if (beyond > 0) labels_.push_back("and " + std::to_string(beyond) + " more");
+        for (const std::string& label : labels_) label_width_ = std::max(label_width_, font_.width(label));
         const double line = kLine * size;
         const double bar = has_bar() ? (kBarHeight + kLine) * size : 0.0;
         const double head = line * static_cast<double>(title_.size()) + (title_.empty() ? 0.0 : kGap * size) + bar;
@@ -170,12 +177,15 @@ private:
     void draw_entries(Picture& picture, double y) const {
         const double size = font_.size();
         for (std::size_t i = 0; i < labels_.size(); ++i) {
-            const double x = static_cast<double>(static_cast<int>(i) / rows_) * column_width();
-            const double baseline = y + kLine * size * (static_cast<int>(i) % rows_ + 0.75);
-            const Colour colour = legend_.entries[i].colour;
-            const double top = baseline - 0.5 * kCapHeight * size - 0.5 * kSwatch * size;
-            draw_box(picture, {x, top}, {kSwatch * size, kSwatch * size}, [&colour](double) { return colour; });
+            const std::size_t column = i / static_cast<std::size_t>(rows_);
+            const std::size_t row = i % static_cast<std::size_t>(rows_);
+            const double x = static_cast<double>(column) * column_width();
+            const double baseline = y + kLine * size * (static_cast<double>(row) + 0.75);
             draw_text(picture, {x + (kSwatch + kGap) * size, baseline}, labels_[i]);
+            if (i >= shown_) continue;
+            const Colour colour = legend_.entries[i].colour;
+            const double top = baseline - 0.5 * (kCapHeight + kSwatch) * size;
+            draw_box(picture, {x, top}, {kSwatch * size, kSwatch * size}, [&colour](double) { return colour; });
         }
     }
 
@@ -183,12 +193,26 @@ private:
     const LegendStyle& style_;
     Font font_;
     std::vector<std::string> title_;   // lines
-    std::vector<std::string> labels_;  // of the entries
+    std::size_t shown_;                // entries
+    std::vector<std::string> labels_;  // theirs, and how many there are more
     double label_width_ = 0.0;         // pixels
     int rows_ = 0;
     int columns_ = 0;
     double height_ = 0.0;  // of everything, pixels
 };
+
+/// How many entries have room in the smallest letters.
+std::size_t most_entries(const Legend& legend, const LegendStyle& style) {
+    const auto fits = [&](std::size_t shown) { return Layout(legend, style, kSmallestSize, shown).fits(); };
+    std::size_t low = 0;
+    std::size_t high = legend.entries.size();
+    if (fits(high)) return high;
+    while (high - low > 1) {
+        const std::size_t middle = low + (high - low) / 2;
+        (fits(middle) ? low : high) = middle;
+    }
+    return low;
+}
 
 }  // namespace
 
@@ -196,11 +220,14 @@ Picture draw_legend(const Legend& legend, const LegendStyle& style) {
     if (style.height < 1 || style.height > kLargestPicture)
         throw UsageError("a legend is 1 to " + std::to_string(kLargestPicture) + " pixels high");
     if (legend.entries.empty() && legend.ramp.empty()) return {0, style.height, {}};
-    for (double size = std::max(kSmallestSize, kSizeShare * style.height); size >= kSmallestSize; size *= kShrinking) {
-        const Layout layout(legend, style, size);
+    const std::size_t all = legend.entries.size();
+    for (double size = std::max(kSmallestSize, kSizeShare * style.height); size > kSmallestSize; size *= kShrinking) {
+        const Layout layout(legend, style, size, all);
         if (layout.fits()) return layout.draw();
     }
-    throw UsageError("the picture is too small for its legend; choose a larger size");
+    const Layout layout(legend, style, kSmallestSize, most_entries(legend, style));
+    if (!layout.fits()) throw UsageError("the picture is too small for its legend; choose a larger size");
+    return layout.draw();
 }
 
 Picture side_by_side(const Picture& left, const Picture& right) {

@@ -6,6 +6,7 @@
 #include "core/parallel.h"
 #include "meniscus/errors.h"
 #include "meniscus/picture.h"
+#include "render/openness.h"
 #include "render/scene.h"
 #include "render/tile.h"
 
@@ -45,20 +46,31 @@ std::size_t tile_count(const PictureOptions& options) {
     return tiles(options.width) * tiles(options.height);
 }
 
-}  // namespace
-
-Picture draw_picture(const Mesh& mesh, std::span<const Colour> colours, const PictureOptions& options,
-                     const ColourField& exact) {
+Picture draw(std::span<const float> sky, const Mesh& mesh, std::span<const Colour> colours,
+             const PictureOptions& options, const ColourField& exact) {
     check_mesh(mesh, colours);
     check_options(options);
     const ThreadLimit limit(options.threads);
     const std::size_t pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
     Picture picture{options.width, options.height, std::vector<Colour>(pixels, options.background)};
     if (mesh.triangles.empty()) return picture;
-    const Scene scene(mesh, colours, options, exact);
+    Scene scene(mesh, colours, options, exact);
+    scene.take_sky(sky);
     parallel_for(tile_count(options), 1,
                  [&](std::size_t tile) { Tile(scene, options, tile_box(tile, options)).draw(picture); });
     return picture;
+}
+
+}  // namespace
+
+Picture draw_picture(const Mesh& mesh, std::span<const Colour> colours, const PictureOptions& options,
+                     const ColourField& exact) {
+    return draw({}, mesh, colours, options, exact);
+}
+
+Picture draw_picture_by(std::span<const float> sky, const Mesh& mesh, std::span<const Colour> colours,
+                        const PictureOptions& options) {
+    return draw(sky, mesh, colours, options, {});
 }
 
 }  // namespace meniscus

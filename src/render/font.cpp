@@ -15,6 +15,7 @@ namespace meniscus {
 namespace {
 
 constexpr char32_t kReplacement = 0xFFFD;
+constexpr std::u32string_view kEllipsis = U"…";
 constexpr double kUnits = 64.0;  // FreeType's, per pixel
 
 /// Bytes of the character that begins with this one; 0 for one that begins none.
@@ -41,6 +42,8 @@ std::pair<char32_t, std::size_t> first_character(std::string_view text) {
     if (code < kSmallest[length] || code > 0x10FFFF || surrogate) return {kReplacement, 1};
     return {code, length};
 }
+
+double in_pixels(FT_GlyphSlot glyph) { return static_cast<double>(glyph->linearHoriAdvance) / 65536.0; }
 
 bool is_control(char32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
 
@@ -81,21 +84,27 @@ struct Font::Handles {
 
 Font::Font(double size) : size_(size), handles_(std::make_shared<Handles>(size)) {}
 
+double Font::advance(char32_t code) const { return in_pixels(handles_->load(code, 0.0, FT_LOAD_DEFAULT)); }
+
 double Font::width(std::string_view text) const {
     double width = 0.0;
-    for (const char32_t code : characters_of(text))
-        width += static_cast<double>(handles_->load(code, 0.0, FT_LOAD_DEFAULT)->linearHoriAdvance) / 65536.0;
+    for (const char32_t code : characters_of(text)) width += advance(code);
     return width;
 }
 
+/// Stops at the first character that does not fit: texts may be long.
 std::string Font::fitted(std::string_view text, double width) const {
-    if (this->width(text) <= width) return std::string(text);
-    const std::string ellipsis = "…";
-    while (!text.empty() && this->width(std::string(text) + ellipsis) > width) {
-        text.remove_suffix(1);
-        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) text.remove_suffix(1);
+    const double room_beside_ellipsis = width - advance(kEllipsis.front());
+    double used = 0.0;
+    std::size_t with_ellipsis = 0;  // bytes that would fit beside it
+    for (std::size_t i = 0; i < text.size();) {
+        const auto [code, length] = first_character(text.substr(i));
+        used += advance(is_control(code) ? kReplacement : code);
+        if (used > width) return std::string(text.substr(0, with_ellipsis)) + "…";
+        i += length;
+        if (used <= room_beside_ellipsis) with_ellipsis = i;
     }
-    return std::string(text) + ellipsis;
+    return std::string(text);
 }
 
 void Font::draw(Picture& picture, const TextPlace& place, std::string_view text, const Colour& colour) const {
@@ -112,7 +121,7 @@ void Font::draw(Picture& picture, const TextPlace& place, std::string_view text,
                 Colour& pixel = picture.pixels[static_cast<std::size_t>(top + j) * picture.width + left + i];
                 pixel = blended(pixel, colour, bitmap.buffer[j * bitmap.pitch + i] / 255.0);
             }
-        x += static_cast<double>(glyph->linearHoriAdvance) / 65536.0;
+        x += in_pixels(glyph);
     }
 }
 

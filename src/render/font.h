@@ -38,6 +38,9 @@ public:
 
 private:
     struct Handles;
+
+    double advance(char32_t code) const;
+
     double size_;
     std::shared_ptr<Handles> handles_;
 };

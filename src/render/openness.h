@@ -1,18 +1,27 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// The light of the sky for viewers that cast no rays themselves.
+// The light of the sky for viewers that cast no rays themselves, and pictures by that light.
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "meniscus/mesh.h"
+#include "meniscus/picture.h"
 
 namespace meniscus {
 
-/// The share of the sky that every vertex sees, as pictures have it (SkyLight).
+/// About the share of the sky that every vertex sees, smoothed over its neighbours.
 ///
+/// Pictures look at the sky from every vertex they show (SkyLight); here one vertex of each cell of a fixed grid does,
+/// for all that face the same way, along fewer rays. The cost hence does not grow with the fineness of the mesh.
 /// mesh     with normals and a triangle
-/// cost     about 100 rays per vertex
+/// cost     a few dozen rays per Å²
 std::vector<float> openness(const Mesh& mesh);
+
+/// draw_picture() by light that is known.
+/// sky      one share per vertex
+/// throws   as draw_picture()
+Picture draw_picture_by(std::span<const float> sky, const Mesh& mesh, std::span<const Colour> colours,
+                        const PictureOptions& options);
 
 }  // namespace meniscus

@@ -36,6 +36,9 @@ public:
     /// has a triangle.
     Scene(const Mesh& mesh, std::span<const Colour> colours, const PictureOptions& options, const ColourField& exact);
 
+    /// Light of the sky that is known already, one share per vertex.
+    void take_sky(std::span<const float> shares) { sky_.take(shares); }
+
     const Camera& camera() const { return camera_; }
 
     /// x, y   pixels from the picture's upper left corner

@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/sky_light.h"
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
 namespace meniscus {
 namespace {
-
-/// Over the whole sphere; a vertex sees half of them.
-constexpr std::size_t kDirections = 200;
 
 /// Rays that graze the surface would hit the triangles next to the vertex.
 constexpr double kSmallestCosine = 0.08;
@@ -21,11 +17,11 @@ constexpr double kLift = 0.05;
 constexpr float kUnknown = -1.0F;
 
 /// Evenly spread over the sphere on a spiral (Vogel 1979; Swinbank & Purser 2006).
-std::array<Vec3, kDirections> spiral_directions() {
+std::vector<Vec3> spiral_directions(std::size_t count) {
     const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
-    std::array<Vec3, kDirections> directions;
-    for (std::size_t i = 0; i < kDirections; ++i) {
-        const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / kDirections;
+    std::vector<Vec3> directions(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(count);
         const double radius = std::sqrt(1.0 - z * z);
         const double angle = golden_angle * static_cast<double>(i);
         directions[i] = {radius * std::cos(angle), radius * std::sin(angle), z};
@@ -33,20 +29,20 @@ std::array<Vec3, kDirections> spiral_directions() {
     return directions;
 }
 
-const std::array<Vec3, kDirections>& sky_directions() {
-    static const std::array<Vec3, kDirections> directions = spiral_directions();
-    return directions;
-}
-
 }  // namespace
 
-SkyLight::SkyLight(const RayScene& scene, const Mesh& mesh, double reach, Side side)
+SkyLight::SkyLight(const RayScene& scene, const Mesh& mesh, double reach, Side side, std::size_t directions)
     : scene_(scene),
       mesh_(mesh),
       reach_(reach),
       sign_(side == Side::Solvent ? 1.0 : -1.0),
+      directions_(spiral_directions(directions)),
       known_(mesh.vertices.size()) {
     for (std::atomic<float>& value : known_) value.store(kUnknown, std::memory_order_relaxed);
+}
+
+void SkyLight::take(std::span<const float> shares) {
+    for (std::size_t v = 0; v < shares.size(); ++v) known_[v].store(shares[v], std::memory_order_relaxed);
 }
 
 /// Two threads may work out the same vertex: they find the same.
@@ -64,7 +60,7 @@ float SkyLight::open_share(VertexId vertex) const {
     const Vec3 origin = mesh_.vertices[vertex] + kLift * normal;
     double open = 0.0;
     double all = 0.0;
-    for (const Vec3& direction : sky_directions()) {
+    for (const Vec3& direction : directions_) {
         const double cosine = dot(direction, normal);
         if (cosine < kSmallestCosine) continue;
         all += cosine;

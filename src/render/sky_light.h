@@ -4,6 +4,7 @@
 #pragma once
 
 #include <atomic>
+#include <span>
 #include <vector>
 
 #include "meniscus/mesh.h"
@@ -20,12 +21,19 @@ public:
     /// Of the surface, from which the sky is seen.
     enum class Side { Solvent, Molecule };
 
+    /// Directions over the whole sphere; a vertex sees half of them.
+    static constexpr std::size_t kDirections = 200;
+
     /// scene, mesh   must outlive this; the mesh has normals
     /// reach         Å
-    SkyLight(const RayScene& scene, const Mesh& mesh, double reach, Side side = Side::Solvent);
+    SkyLight(const RayScene& scene, const Mesh& mesh, double reach, Side side = Side::Solvent,
+             std::size_t directions = kDirections);
+
+    /// Takes the shares as they are, one per vertex, instead of working them out.
+    void take(std::span<const float> shares);
 
     /// 0 (all blocked) to 1 (all open). May be called from several threads at once.
-    /// cost     about 100 rays the first time
+    /// cost     a ray for half of the directions the first time
     float at(VertexId vertex) const;
 
 private:
@@ -34,7 +42,8 @@ private:
     const RayScene& scene_;
     const Mesh& mesh_;
     double reach_;
-    double sign_;                                    // of normals
+    double sign_;  // of normals
+    std::vector<Vec3> directions_;
     mutable std::vector<std::atomic<float>> known_;  // negative: not yet
 };
 

@@ -21,6 +21,7 @@ constexpr float kVisibleStep = 0.03F;
 /// by this share of all.
 constexpr double kLineShare = 1.0 / 800.0;
 constexpr double kThinnestLine = 1.0;
+constexpr double kSectionLine = 1.8;  // times as wide: it is all that tells a section from paper
 constexpr double kJumpShare = 0.02;
 constexpr double kSmallestJump = 1e-3;  // Å; for what is flat
 constexpr float kLineDarkness = 0.85F;
@@ -62,19 +63,17 @@ PixelBox grown(const PixelBox& box, int margin) {
     return {box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin};
 }
 
-double line_radius(const PictureOptions& options) {
-    return options.outline || options.cut ? std::max(kThinnestLine, kLineShare * options.width) : 0.0;
-}
+double line_radius(const PictureOptions& options) { return std::max(kThinnestLine, kLineShare * options.width); }
 
 }  // namespace
 
 Tile::Tile(const Scene& scene, const PictureOptions& options, const PixelBox& box)
     : scene_(scene),
       box_(box),
-      reach_(static_cast<int>(std::ceil(line_radius(options)))),
+      radius_(options.outline ? line_radius(options) : 0.0),
+      section_radius_(options.cut ? kSectionLine * line_radius(options) : 0.0),
+      reach_(static_cast<int>(std::ceil(std::max(radius_, section_radius_)))),
       margin_(reach_ + (options.cut ? 2 : 1)),
-      radius_(line_radius(options)),
-      outline_(options.outline),
       jump_(std::max(kSmallestJump, kJumpShare * scene.camera().depth_range())),
       background_opacity_(static_cast<float>(options.background.alpha) / 255.0F) {
     const PixelBox all = grown(box, margin_);
@@ -118,11 +117,13 @@ float Tile::section_share(int x, int y) const {
 
 /// How far a pixel close to a glimpse calls for a line there, 0 to 1: if it shows something much farther away, or no
 /// section beside one. So lines lie on the nearer side of a jump and do not widen the silhouette.
-double Tile::contrast(const Glimpse& seen, std::size_t pixel) const {
-    const double end = seen.kind == Glimpse::Kind::Section ? 1.0F - sections_[pixel] : 0.0F;
-    if (!outline_) return end;
+double Tile::line_towards(std::size_t pixel, double distance, const Glimpse& seen) const {
+    const auto nearness = [distance](double radius) { return std::clamp(radius + kMiddle - distance, 0.0, 1.0); };
+    double line = 0.0;
+    if (seen.kind == Glimpse::Kind::Section) line = nearness(section_radius_) * (1.0 - sections_[pixel]);
+    if (radius_ == 0.0) return line;
     const double jump = (centres_[pixel].depth - seen.depth) / jump_;
-    return std::max(end, std::clamp(jump - 1.0, 0.0, 1.0));
+    return std::max(line, nearness(radius_) * std::clamp(jump - 1.0, 0.0, 1.0));
 }
 
 /// How much of a line is at a place, 0 to 1.
@@ -133,14 +134,13 @@ double Tile::lines_near(double x, double y, const Glimpse& seen) const {
     for (int j = row - reach_; j <= row + reach_; ++j)
         for (int i = column - reach_; i <= column + reach_; ++i) {
             const double distance = std::hypot(i + kMiddle - x, j + kMiddle - y);
-            const double nearness = std::clamp(radius_ + kMiddle - distance, 0.0, 1.0);
-            if (nearness > strongest) strongest = std::max(strongest, nearness * contrast(seen, place(i, j)));
+            strongest = std::max(strongest, line_towards(place(i, j), distance, seen));
         }
     return strongest;
 }
 
 Light Tile::with_lines(const Glimpse& seen, double x, double y) const {
-    if (radius_ == 0.0 || seen.is_background()) return seen.light;
+    if (reach_ == 0 || seen.is_background()) return seen.light;
     return (1.0F - kLineDarkness * static_cast<float>(lines_near(x, y, seen))) * seen.light;
 }
 

@@ -31,23 +31,23 @@ private:
     std::size_t place(int x, int y) const;
     void find_sections();
     float section_share(int x, int y) const;
-    double contrast(const Glimpse& seen, std::size_t pixel) const;
+    double line_towards(std::size_t pixel, double distance, const Glimpse& seen) const;
     double lines_near(double x, double y, const Glimpse& seen) const;
     Light with_lines(const Glimpse& seen, double x, double y) const;
     int samples_needed(int x, int y) const;
     Colour refined_pixel(int x, int y, int samples) const;
 
     const Scene& scene_;
-    PixelBox box_;   // with a margin, in which neighbours of its pixels lie
-    int reach_;      // of lines, pixels
-    int margin_;     // pixels
-    double radius_;  // of lines, pixels; 0 for none
-    bool outline_;   // lines elsewhere than around sections
-    double jump_;    // of depth that makes a line, Å
+    PixelBox box_;           // with a margin, in which neighbours of its pixels lie
+    double radius_;          // of lines where depth jumps, pixels; 0 for none
+    double section_radius_;  // of lines around sections, pixels
+    int reach_;              // of the wider ones, pixels
+    int margin_;             // pixels
+    double jump_;            // of depth that makes a line, Å
     float background_opacity_;
     std::vector<Glimpse> centres_;
     std::vector<float> sections_;  // how much of each pixel is section; empty without a cut
-    std::vector<Light> lights_;  // of the centres, with lines
+    std::vector<Light> lights_;    // of the centres, with lines
 };
 
 }  // namespace meniscus

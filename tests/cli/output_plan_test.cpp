@@ -36,12 +36,15 @@ TEST_F(OutputPlan, TellsFormatsBySuffix) {
     EXPECT_EQ(kind_of("a.ply"), OutputKind::Mesh);
     EXPECT_EQ(kind_of("dir.x/a.b.stl"), OutputKind::Mesh);
     EXPECT_EQ(kind_of("a.xyzrn"), OutputKind::Spheres);
+    EXPECT_EQ(kind_of("a.html"), OutputKind::Page);
     for (const char* path : {"a", "a.", "a.foo", ".ply", "-", "", "dir.ply/"})
         EXPECT_THROW(kind_of(path), UsageError) << path;
 }
 
-TEST_F(OutputPlan, DefaultsToAMeshInTheCurrentFolder) {
-    const std::vector<Output> expected{{"1ubq.ply", OutputKind::Mesh}, {"1ubq.atoms.csv", OutputKind::AtomTable}};
+TEST_F(OutputPlan, DefaultsToAMeshAndAPageInTheCurrentFolder) {
+    const std::vector<Output> expected{{"1ubq.ply", OutputKind::Mesh},
+                                       {"1ubq.html", OutputKind::Page},
+                                       {"1ubq.atoms.csv", OutputKind::AtomTable}};
     EXPECT_EQ(plan_outputs({}, "1ubq", ""), expected);
     EXPECT_EQ(plan_outputs({}, "1ubq_m01", "_m01").front().path, "1ubq_m01.ply");
 }

@@ -105,6 +105,14 @@ TEST(PictureOptions, WhatMakesNoSenseIsRefusedWithItsOption) {
         EXPECT_TRUE(refusal({"--depth-cue", text}).starts_with("--depth-cue: ")) << text;
 }
 
+TEST(PictureOptions, ALegendNeedsRoom) {
+    EXPECT_TRUE(parse({"--legend"}).legend);
+    EXPECT_NO_THROW(check_picture(parse({"--legend", "--size", "320x240"})));
+    EXPECT_NO_THROW(check_picture(parse({"--size", "64x48"})));
+    EXPECT_THROW(check_picture(parse({"--legend", "--size", "319x240"})), UsageError);
+    EXPECT_THROW(check_picture(parse({"--legend", "--size", "320x239"})), UsageError);
+}
+
 TEST(PictureOptions, TheReportHasWhatIsInForce) {
     nlohmann::ordered_json options;
     report_picture(parse({"--view", "top", "--size", "3x4"}), {}, true, options);

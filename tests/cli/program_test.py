@@ -82,14 +82,23 @@ class ProgramTest(unittest.TestCase):
 
 class Help(ProgramTest):
     def test_version_and_help_go_to_standard_output(self):
-        for arguments in (["--version"], ["--help"], ["surface", "--help"], ["measure", "--help"]):
+        for arguments in (["--version"], ["--help"], ["--help-all"], ["surface", "--help"], ["measure", "--help"]):
             result = self.run_program(*arguments)
             self.assertEqual((result.returncode, result.stderr), (0, ""), arguments)
             self.assertTrue(result.stdout, arguments)
         self.assertRegex(self.run_program("--version").stdout, r"^meniscus \d+\.\d+\.\d+\n$")
 
-    def test_every_option_is_in_the_help(self):
-        text = self.run_program("surface", "--help").stdout
+    def test_help_fits_a_screen_and_ends_with_examples(self):
+        for arguments in ([], ["surface"], ["measure"]):
+            lines = self.run_program(*arguments, "--help").stdout.splitlines()
+            self.assertLessEqual(len(lines), 50, arguments)
+            self.assertEqual([line for line in lines if len(line) > 80], [], arguments)
+            self.assertIn("Examples:", lines)
+        for line in self.run_program("--help-all").stdout.splitlines():
+            self.assertLessEqual(len(line), 80, line)
+
+    def test_every_option_is_in_the_full_help(self):
+        text = self.run_program("surface", "--help-all").stdout
         for option in ("--probe --radii --hydrogens --model --assembly --altloc --chains --select --hetero --waters "
                        "--strict-radii --report --threads --quiet --progress --method --flow --spacing --density "
                        "--curvature --anchor --reinitialise --solver --slope --time-step --half-width --max-steps "
@@ -97,7 +106,7 @@ class Help(ProgramTest):
                        "--keep-ridges --simplify-topology --verify -o --memory --ascii --color --view --size "
                        "--background --depth-cue --perspective --outline").split():
             self.assertIn(f"  {option} ", text)
-        text = self.run_program("measure", "--help").stdout
+        text = self.run_program("measure", "--help-all").stdout
         for option in ("--probe --radii --hydrogens --model --assembly --altloc --chains --select --hetero --waters "
                        "--strict-radii --report --threads --quiet --progress -o --between --per --value").split():
             self.assertIn(f"  {option} ", text)
@@ -140,9 +149,14 @@ class Usage(ProgramTest):
     def test_pictures_that_make_no_sense_are_refused(self):
         for option, value in (("--color", "fancy"), ("--color", "residue:0:1"), ("--color", "depth:2:1"),
                               ("--size", "100"), ("--size", "0x9"), ("--view", "sideways"), ("--view", "0,0,0"),
-                              ("--background", "#12"), ("--depth-cue", "2")):
+                              ("--background", "#12"), ("--depth-cue", "2"), ("--cut", "middle")):
             self.assertIn(option, self.refused("three.xyzr", "-o", "a.png", option, value))
-        self.assertIn("-o FILE.png", self.refused("three.xyzr", "--outline"))
+        for option in ("--outline", "--legend"):
+            self.assertIn("-o FILE.png", self.refused("three.xyzr", option))
+        self.assertIn("--legend", self.refused("three.xyzr", "-o", "a.png", "--legend", "--size", "64x48"))
+        self.assertIn("cavity 1", self.refused("three.xyzr", "-o", "a.png", "--cut", "cavity:1"))
+        self.assertIn("-o FILE.png", self.refused("three.xyzr", "-o", "a.html", "--size", "9x9"))
+        self.assertIn("FILE.html", self.refused("three.xyzr", "-o", "a.ply", "--view", "top"))
 
     def test_outputs_are_checked_before_anything_is_read(self):
         missing = "missing.pdb"
@@ -178,7 +192,7 @@ class Input(ProgramTest):
         self.assertEqual(self.files(), ["nmr.pdb", "out_m01.atoms.csv", "out_m01.ply", "out_m02.atoms.csv",
                                         "out_m02.ply", "three.xyzr"])
         self.surface("nmr.pdb", "--model", "all")
-        self.assertTrue({"nmr_m01.ply", "nmr_m02.ply", "nmr_m02.atoms.csv"} <= set(self.files()), self.files())
+        self.assertTrue({"nmr_m01.ply", "nmr_m01.html", "nmr_m02.ply", "nmr_m02.html", "nmr_m02.atoms.csv"} <= set(self.files()), self.files())
         self.assertEqual(self.report("nmr.pdb", "--model", "2")["input"]["model"], 2)
         self.refused("nmr.pdb", "--model", "3", code=3)
 
@@ -188,10 +202,10 @@ class Outputs(ProgramTest):
         (self.folder / "sub").mkdir()
         shutil.move(self.folder / "three.xyzr", self.folder / "sub" / "three.xyzr")
         self.surface("sub/three.xyzr")
-        self.assertEqual(self.files(), ["sub/three.xyzr", "three.atoms.csv", "three.ply"])
+        self.assertEqual(self.files(), ["sub/three.xyzr", "three.atoms.csv", "three.html", "three.ply"])
 
     def test_every_format_can_be_written(self):
-        names = ["a.obj", "a.off", "a.ply", "a.stl", "b.xyzr", "b.xyzrn"]
+        names = ["a.glb", "a.obj", "a.off", "a.ply", "a.stl", "b.xyzr", "b.xyzrn"]
         self.surface("three.xyzr", *[word for name in names for word in ("-o", name)])
         self.assertEqual(self.files(), sorted([*names, "a.atoms.csv", "three.xyzr"]))
         for name in names:
@@ -203,6 +217,28 @@ class Outputs(ProgramTest):
         content = (self.folder / "a.png").read_bytes()
         self.assertEqual(content[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual((int.from_bytes(content[16:20], "big"), int.from_bytes(content[20:24], "big")), (64, 48))
+
+    def test_a_picture_cut_open_with_a_legend(self):
+        (self.folder / "shell.xyzr").write_text(SHELL)
+        report = self.report("shell.xyzr", "-o", "a.png", "--size", "320x240", "--cut", "auto", "--legend", "--color",
+                             "component")
+        self.assertEqual((report["options"]["cut"], report["options"]["legend"]), ("auto", True))
+        rules = json.loads((SOURCE / "docs" / "report.schema.json").read_text(encoding="utf-8"))
+        self.assertEqual(schema.problems(report, rules), [])
+        content = (self.folder / "a.png").read_bytes()
+        self.assertEqual((int.from_bytes(content[16:20], "big"), int.from_bytes(content[20:24], "big")), (320, 240))
+
+    def test_a_page_alone(self):
+        report = self.report("three.xyzr", "-o", "a.html", "--view", "top", "--perspective", "--color", "patch")
+        self.assertEqual(self.files(), ["a.html", "three.xyzr"])
+        self.assertGreater(report["time_s"]["page"], 0)
+        page = (self.folder / "a.html").read_text(encoding="utf-8")
+        self.assertIn(f"{report['exact']['ses_area']:.1f} Å²", page)
+        self.assertTrue(page.rstrip().endswith("</html>"))
+
+    def test_a_page_of_a_surface_that_is_not_there(self):
+        self.surface("three.xyzr", "-o", "a.html", "--components", "cavities")
+        self.assertIn("</html>", (self.folder / "a.html").read_text(encoding="utf-8"))
 
     def test_colours_are_told_and_in_the_mesh(self):
         (self.folder / "gly.pdb").write_text(glycine())

@@ -44,7 +44,7 @@ TEST(Report, HasTheBlocksOfTheInterfaceInOrder) {
                                             "mesh",     "flow",   "checks", "expected", "time_s", "peak_memory_mb"};
     EXPECT_EQ(keys_of(report_of({})), expected);
     const std::vector<std::string> times{"total", "read", "estimate", "geometry", "band",
-                                         "flow",  "mesh", "exact",    "picture",  "write"};
+                                         "flow",  "mesh", "exact",    "picture",  "page", "write"};
     EXPECT_EQ(keys_of(report_of({})["time_s"]), times);
 }
 

@@ -42,6 +42,8 @@ TEST(Palettes, DistinctColoursAreToldApartByTheColourBlindToo) {
     EXPECT_GT(testing::smallest_difference(first_colours(2)), 35.0);
     EXPECT_GT(testing::smallest_difference(first_colours(4)), 10.5);
     EXPECT_GT(testing::smallest_difference(first_colours(kDistinctColours)), 7.5);
+    for (std::size_t i = 0; i < kDistinctColours; ++i)
+        EXPECT_GT(testing::smallest_difference(std::vector{distinct_colour(i), distinct_colour(i + 1)}), 12.5) << i;
     EXPECT_EQ(distinct_colour(kDistinctColours), distinct_colour(0));
     EXPECT_EQ(distinct_colour(0), kPlain);
 }

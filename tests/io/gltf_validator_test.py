@@ -20,7 +20,7 @@ PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 SOURCE = pathlib.Path(sys.argv[2]).resolve()
 MODULES = pathlib.Path(os.environ.get("GLTF_VALIDATOR", SOURCE / "build" / "npm")) / "node_modules"
 
-RUNS = (("plain.glb", ()), ("residue.glb", ("--color", "residue", "--method", "direct")),
+RUNS = (("plain.glb", ()), ("residue.glb", ("--color", "residue", "--method", "direct", "--spacing", "0.7")),
         ("curvature.glb", ("--color", "curvature", "--edge", "0.8")))
 NOTHING = ("nothing.glb", ("--components", "cavities", "--min-cavity", "100000"))
 
@@ -40,7 +40,7 @@ def main():
         files = []
         for name, options in (*RUNS, NOTHING):
             files.append(pathlib.Path(folder) / name)
-            subprocess.run([PROGRAM, "surface", SOURCE / "examples" / "1ubq.pdb", "--quiet", "--spacing", "0.7", *options,
+            subprocess.run([PROGRAM, "surface", SOURCE / "examples" / "1ubq.pdb", "--quiet", *options,
                             "-o", files[-1]], check=True, stderr=subprocess.DEVNULL)
         bad = 0
         for file, report in zip(files, findings(files), strict=True):

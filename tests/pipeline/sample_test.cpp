@@ -49,7 +49,7 @@ TEST(SampleSurface, EveryPointLandsAlsoWhereSheetsNearlyTouch) {
     const Atoms atoms{{{0.02, 0.01, 0.03}, {3.7, 0.0, 0.1}, {1.7, 3.3, -0.2}, {1.9, 1.1, 3.1}}, {1.8, 1.8, 1.8, 1.8}};
     for (const Method method : {Method::Flow, Method::Direct, Method::Gaussian}) {
         const Surface surface = compute_surface(atoms, {.method = method, .probe = 0.3, .spacing = 0.6});
-        const Mesh points = sample_surface(surface, atoms, {.density = 300.0});
+        const Mesh points = sample_surface(surface, atoms, {.density = 60.0});
         const AccessibleSurface exact(atoms, 0.3);
         const std::vector<double> values =
             surface.level_set ? surface.level_set->values(points.vertices) : signed_distance(exact, points.vertices);

@@ -19,13 +19,15 @@ def content(path):
 @unittest.skipUnless(PROGRAM, "MENISCUS_PROGRAM names no program to compare with")
 class AsTheProgram(InScratchFolder):
     def test_files_have_the_same_bytes(self):
-        names = ["mesh.ply", "mesh.obj", "mesh.stl", "mesh.off", "picture.png"]
+        names = ["mesh.ply", "mesh.obj", "mesh.stl", "mesh.off", "mesh.glb", "picture.png"]
         outputs = [word for name in names for word in ("-o", f"cli_{name}")]
-        options = ["--color", "curvature:-1:1", "--size", "200x150", "--view", "top", "--background", "#202020"]
+        options = ["--color", "curvature:-1:1", "--size", "400x300", "--view", "top", "--background", "#202020",
+                   "--cut", "12", "--legend"]
         subprocess.run([PROGRAM, "surface", UBIQUITIN, "--quiet", *options, *outputs], check=True, capture_output=True)
         surface = meniscus.surface(read(UBIQUITIN))
         for name in names:
-            surface.save(name, color="curvature:-1:1", size=(200, 150), view="top", background="#202020")
+            surface.save(name, color="curvature:-1:1", size=(400, 300), view="top", background="#202020", cut=12,
+                         legend=True)
             self.assertTrue(content(name) == content(f"cli_{name}"), name)
         surface.structure.save("mesh.atoms.csv")
         self.assertTrue(content("mesh.atoms.csv") == content("cli_mesh.atoms.csv"))
@@ -52,6 +54,26 @@ class Saving(InScratchFolder):
     def test_text_is_written_when_asked_for(self):
         self.surface.save("surface.ply", ascii=True)
         self.assertIn(b"format ascii 1.0", content("surface.ply")[:40])
+
+    def test_a_page_holds_the_surface_and_its_numbers(self):
+        self.surface.save("surface.html", color="patch", view="top", perspective=True)
+        page = pathlib.Path("surface.html").read_text(encoding="utf-8")
+        self.assertTrue(page.startswith("<!doctype html>"))
+        self.assertIn(f"{self.surface.measures.ses_area:.1f} Å²", page)
+        with self.assertRaisesRegex(ValueError, "schemes"):
+            self.surface.save("other.html", color=self.surface.colors("patch"))
+
+    def test_cuts_open_the_surface(self):
+        self.surface.save("whole.png", size=(64, 48), view="front")
+        cuts = ["auto", 1.0, (1, 0, 0), ((1, 0, 0), (1, 0, 0))]
+        for i, cut in enumerate(cuts):
+            self.surface.save(f"cut{i}.png", size=(64, 48), view="front", cut=cut)
+        self.assertEqual(len({content(path) for path in os.listdir()}), 5)
+        shell = meniscus.surface(5 * np.vstack([np.eye(3), -np.eye(3)]), [4.0] * 6, probe=0.5)
+        shell.save("cavity.png", size=(64, 48), cut="cavity:1")
+        for cut in ("cavity:2", "cavity:0", "half", (1, 2), float("nan")):
+            with self.assertRaises(ValueError):
+                shell.save("bad.png", size=(64, 48), cut=cut)
 
     def test_paths_of_pathlib_are_taken(self):
         self.surface.save(pathlib.Path("surface.off"))
@@ -105,7 +127,7 @@ class Saving(InScratchFolder):
         self.assertEqual(os.listdir(), [])
 
     def test_what_cannot_be_written_is_an_os_error_and_leaves_nothing(self):
-        for suffix in ("ply", "npz", "png", "mls", "stl"):
+        for suffix in ("ply", "npz", "png", "mls", "stl", "glb", "html"):
             with self.assertRaisesRegex(OSError, f"nosuch/x.{suffix}: cannot be written"):
                 self.surface.save(f"nosuch/x.{suffix}", size=(8, 8))
             os.mkdir(f"x.{suffix}")

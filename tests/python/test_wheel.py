@@ -36,7 +36,7 @@ def build_wheel(source, build, folder):
     """From a copy of what a wheel needs: pip would leave files in the source tree."""
     copy = folder / "source"
     copy.mkdir()
-    for name in ("pyproject.toml", "setup.py", "LICENSE"):
+    for name in ("pyproject.toml", "setup.py", "LICENSE", "THIRD_PARTY_NOTICES.md"):
         shutil.copy(source / name, copy)
     shutil.copytree(source / "python", copy / "python", ignore=shutil.ignore_patterns("__pycache__"))
     (copy / "docs").mkdir()
@@ -56,7 +56,7 @@ def main():
         folder = pathlib.Path(name)
         wheel = build_wheel(source, build, folder)
         names = {pathlib.PurePath(member).name for member in zipfile.ZipFile(wheel).namelist()}
-        wanted = {path.name for path in (source / "python" / "meniscus").iterdir() if path.is_file()} | {"LICENSE"}
+        wanted = {path.name for path in (source / "python" / "meniscus").iterdir() if path.is_file()} | {"LICENSE", "THIRD_PARTY_NOTICES.md"}
         assert wanted <= names, f"not in {wheel.name}: {sorted(wanted - names)}"
         run(sys.executable, "-m", "venv", "--system-site-packages", folder / "venv")  # for numpy
         python = folder / "venv" / "bin" / "python"

@@ -68,8 +68,8 @@ private:
         std::size_t at = binary_ + offset;
         for (std::vector<double>& one : all)
             for (double& value : one) {
-                if (type == 5126) value = double{number<float>(at)};
-                if (type == 5125) value = double{number<std::uint32_t>(at)};
+                if (type == 5126) value = number<float>(at);
+                if (type == 5125) value = number<std::uint32_t>(at);
                 if (type == 5123) value = number<std::uint16_t>(at) / (accessor.at("normalized") ? 65535.0 : 1.0);
                 at += size;
             }

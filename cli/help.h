@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// How help is laid out: --help gives a screen of 80 columns per subcommand, --help-all every option with all it does.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace meniscus::cli {
+
+/// Lays out the help of the program and its subcommands.
+///
+/// The first line of an option's description is what --help shows, best in 45 characters with the default; --help-all
+/// adds the rest as it is ("Length, Å\n of the blade"). An option whose first line is empty is shown by --help-all
+/// alone, see rarely().
+class HelpFormatter : public CLI::Formatter {
+public:
+    std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
+};
+
+/// The description of an option that only --help-all shows.
+std::string rarely(const std::string& text);
+
+/// Breaks `text` into lines of at most `width` characters (of UTF-8), all but the first after `indent` spaces, where a
+/// line so far has `used` characters.
+struct Wrap {
+    std::size_t indent = 0;
+    std::size_t used = 0;
+    std::size_t width = 80;
+};
+std::string wrap(const std::string& text, const Wrap& layout);
+
+}  // namespace meniscus::cli

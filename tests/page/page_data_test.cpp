@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "page/page_data.h"
+
+#include <gtest/gtest.h>
+
+#include "page/decoding.h"
+
+namespace meniscus::page {
+namespace {
+
+using testing::DecodedPage;
+using testing::SmallMolecule;
+
+TEST(PageData, VerticesAndTrianglesReadBack) {
+    const SmallMolecule molecule;
+    const DecodedPage page(page_data(molecule.mesh, molecule.structure, {}, {}));
+    const std::vector<Triangle> triangles = testing::triangles(page.stream("triangles"));
+    const std::vector<std::int64_t> y = testing::sums(page.stream("y"));
+    const double low = page.info["low"][1];
+    ASSERT_EQ(triangles.size(), molecule.mesh.triangles.size());
+    EXPECT_EQ(page.info["triangles"], triangles.size());
+    EXPECT_EQ(page.info["vertices"], y.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_NEAR(low + kQuantum * static_cast<double>(y[triangles[t][k]]),
+                        molecule.mesh.vertices[molecule.mesh.triangles[t][k]].y, 0.5 * kQuantum + 1e-9);
+}
+
+TEST(PageData, AtomsAndResiduesReadBack) {
+    const SmallMolecule molecule;
+    const DecodedPage page(page_data(molecule.mesh, molecule.structure, {}, {}));
+    const double low = page.info["atoms"]["low"][0];
+    const std::vector<std::int64_t> x = testing::sums(page.stream("atom-x"));
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_NEAR(low + kQuantum * static_cast<double>(x[i]), molecule.structure.atoms.centres[i].x, 0.5 * kQuantum);
+    EXPECT_EQ(page.info["atoms"]["names"], (nlohmann::json{"CA", "O5'"}));
+    EXPECT_EQ(page.info["residues"]["list"][0], (nlohmann::json{0, 0, -3, "B"}));
+    EXPECT_EQ(page.info["residues"]["chains"][1], "A-2");
+    EXPECT_EQ(testing::sums(page.stream("atom-bfactor")), (std::vector<std::int64_t>{1250, 0}));
+}
+
+TEST(PageData, FirstSchemeAndViewAreThoseAskedFor) {
+    const SmallMolecule molecule;
+    const PageOptions options{.colours = {ColourScheme::Patch},
+                              .viewpoint = Viewpoint{{1, 0, 0}, {0, 1, 0}},
+                              .projection = Projection::Perspective};
+    const DecodedPage page(page_data(molecule.mesh, molecule.structure, options, {}));
+    EXPECT_EQ(page.info["scheme"], "patch");
+    EXPECT_EQ(page.info["view"]["towards"], (nlohmann::json{1.0, 0.0, 0.0}));
+    EXPECT_EQ(page.info["view"]["perspective"], true);
+    EXPECT_EQ(DecodedPage(page_data(molecule.mesh, molecule.structure, {}, {})).info["scheme"], "chain");
+}
+
+TEST(PageData, NamesThatAreNoTextDoNotBreakIt) {
+    SmallMolecule molecule;
+    molecule.structure.residues[0].name = "\xFF\x01";
+    const DecodedPage page(page_data(molecule.mesh, molecule.structure, {}, {}));
+    EXPECT_EQ(page.info["residues"]["names"][0], "\xEF\xBF\xBD\x01");
+}
+
+}  // namespace
+}  // namespace meniscus::page
