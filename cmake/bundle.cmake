@@ -27,9 +27,9 @@ foreach(library IN LISTS libraries)
   configure_file(/usr/share/doc/${owner}/copyright "${root}/${licence_dir}/${owner}.txt" COPYONLY)
 endforeach()
 
-# The licences that these texts, and those of the headers, only name.
+# The licences that these texts, and those of what is compiled in, only name.
 set(common_texts)
-foreach(package IN LISTS packages header_packages)
+foreach(package IN LISTS packages built_in_packages)
   file(READ /usr/share/doc/${package}/copyright text)
   string(REGEX MATCHALL "/usr/share/common-licenses/[A-Za-z0-9.-]*[A-Za-z0-9]" named "${text}")
   list(APPEND common_texts ${named})

@@ -40,7 +40,7 @@ install(TARGETS meniscus_cli RUNTIME DESTINATION lib/meniscus ${of_bundle})
 install_pages(${of_bundle})
 install(CODE "
   set(program \"$<TARGET_FILE:meniscus_cli>\")
-  set(header_packages ${header_packages})
+  set(built_in_packages ${built_in_packages})
   set(library_dir lib/meniscus)
   set(licence_dir \"${CMAKE_INSTALL_DOCDIR}/licences\")
   include(\"${CMAKE_CURRENT_LIST_DIR}/bundle.cmake\")"
