@@ -30,8 +30,8 @@ endif()
 configure_file(cmake/meniscus.pc.in meniscus.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/meniscus.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 
-# Pages and examples, and the licences of the headers that are compiled into the program, as Debian brings them.
-set(header_packages gemmi-dev libcli11-dev nlohmann-json3-dev tao-pegtl-dev)
+# Pages and examples, and the licences of what is compiled or put into the program, as Debian brings them.
+set(header_packages gemmi-dev libcli11-dev libjs-three nlohmann-json3-dev tao-pegtl-dev)
 function(install_pages)
   install(FILES CHANGELOG.md CITATION.cff LICENSE README.md THIRD_PARTY_NOTICES.md
     DESTINATION ${CMAKE_INSTALL_DOCDIR} ${ARGN})
