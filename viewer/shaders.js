@@ -62,7 +62,7 @@ const Shaders = (() => {
     uniform int value;                 // 0 curvature, 1 depth
     uniform vec2 steps;                // of curvature and depth
     uniform vec4 plane;                // kept is dot(plane, (at, 1)) <= 0
-    uniform bool cut, inPerspective;
+    uniform bool inPerspective;
     uniform vec3 inside, accent;
     uniform float opacity, chosen;     // chosen: a component, or -1
     uniform mat4 projectionMatrix;
@@ -94,14 +94,18 @@ const Shaders = (() => {
     }
     vec3 widths(vec3 v) { return fwidth(vec3(v.x - v.y, v.x - v.z, v.y - v.z)); }   // of pairs xy, xz, yz
     vec4 byAtom() {
-      vec3 gaps = -vec3(above(atoms.x), above(atoms.y), above(atoms.z));
-      vec3 blur = widths(gaps);
       vec4 a = painted(atoms.x);
-      if (atoms.x == atoms.y && atoms.y == atoms.z) return a;
-      return sharp(gaps, blur, a, painted(atoms.y), painted(atoms.z));
+      if (atoms.x == atoms.y && atoms.y == atoms.z) return a;   // all over a triangle
+      vec3 gaps = -vec3(above(atoms.x), above(atoms.y), above(atoms.z));
+      return sharp(gaps, widths(gaps), a, painted(atoms.y), painted(atoms.z));
     }
     vec4 byPatch(vec4 atom, int k) {
       return vec4(mix(atom.rgb, decoded(overPatch[k].rgb), overPatch[k].w), atom.a);
+    }
+    vec4 byAtomAndPatch() {
+      vec4 atom = byAtom();
+      if (overPatch[1].w == 0.0) return atom;   // no scheme names contact patches alone
+      return sharp(kinds, widths(kinds), byPatch(atom, 0), byPatch(atom, 1), byPatch(atom, 2));
     }
     vec3 byValue() {
       float v = value == 0 ? curvature * steps.x : depth * steps.y;
@@ -115,13 +119,11 @@ const Shaders = (() => {
       return 0.5 * clip.z / clip.w + 0.5;
     }
     void main() {
-      float side = dot(plane.xyz, at) + plane.w;
-      vec3 blur = widths(kinds);
-      vec4 atom = byAtom();
-      if (cut && side > 0.0) discard;
+      vec4 atom = scheme == 0 || choosing ? byAtomAndPatch() : vec4(0.0);
       vec3 toViewer = inPerspective ? normalize(-inView) : vec3(0.0, 0.0, 1.0);
       vec3 n = normalize(normal_);
 #ifdef CUT
+      if (dot(plane.xyz, at) + plane.w > 0.0) discard;
       gl_FragDepth = gl_FragCoord.z;
       if (!gl_FrontFacing || dot(n, toViewer) < -0.1) {
         gl_FragDepth = depthOfInside(toViewer);
@@ -131,7 +133,7 @@ const Shaders = (() => {
 #endif
       vec3 albedo;
       if (scheme == 0)
-        albedo = sharp(kinds, blur, byPatch(atom, 0), byPatch(atom, 1), byPatch(atom, 2)).rgb;
+        albedo = atom.rgb;
       else
         albedo = scheme == 1 ? decoded(texelFetch(ofComponent, place(ofComponent, component), 0).rgb) : byValue();
       if (choosing && atom.a > 0.0) albedo = mix(albedo, accent, 0.65 * atom.a);
