@@ -13,12 +13,16 @@ const Shaders = (() => {
     // All in the viewer's frame: x right, y up, z towards.
     vec3 shaded(vec3 albedo, vec3 normal, vec3 toViewer, float sky) {
       const vec3 key = vec3(-0.4511, 0.5513, 0.7017), lamp2 = vec3(0.5970, -0.0995, 0.7960);
-      float fromSky = 0.58 * pow(sky, 1.5) * (1.0 - 0.15 * (1.0 - normal.y));
+      float fromSky = 0.58 * sky * sqrt(sky) * (1.0 - 0.15 * (1.0 - normal.y));
       float reached = 1.0 - 0.70 * (1.0 - sky);
       float lamps = 0.50 * max(0.0, dot(normal, key)) + 0.10 * max(0.0, dot(normal, lamp2));
-      float rim = 1.0 - 0.30 * pow(1.0 - clamp(dot(normal, toViewer), 0.0, 1.0), 3.0);
-      float gloss = 0.02 * reached * pow(max(0.0, dot(normal, normalize(key + toViewer))), 24.0);
-      return rim * (fromSky + reached * lamps) * albedo + gloss;
+      float aside = 1.0 - clamp(dot(normal, toViewer), 0.0, 1.0);
+      float rim = 1.0 - 0.30 * aside * aside * aside;
+      float g = max(0.0, dot(normal, normalize(key + toViewer)));   // to the power of 24
+      g *= g * g;
+      g *= g;
+      g *= g;
+      return rim * (fromSky + reached * lamps) * albedo + 0.02 * reached * g * g;
     }
   `;
 
@@ -55,7 +59,7 @@ const Shaders = (() => {
     uniform highp sampler2D spheres;   // atoms: centre, radius
     uniform highp sampler2D paint;     // atoms: colour, and whether chosen
     uniform int scheme;                // 0 atoms, 1 components, 2 values
-    uniform vec4 overPatch[3];         // colour of a kind of patch; w: whether it goes before the atom's
+    uniform vec4 overPatch[3];         // light of a kind of patch, not encoded; w: whether it goes before the atom's
     uniform highp sampler2D ofComponent;
     uniform vec3 ramp[9];
     uniform vec2 range;
@@ -100,7 +104,7 @@ const Shaders = (() => {
       return sharp(gaps, widths(gaps), a, painted(atoms.y), painted(atoms.z));
     }
     vec4 byPatch(vec4 atom, int k) {
-      return vec4(mix(atom.rgb, decoded(overPatch[k].rgb), overPatch[k].w), atom.a);
+      return vec4(mix(atom.rgb, overPatch[k].rgb, overPatch[k].w), atom.a);
     }
     vec4 byAtomAndPatch() {
       vec4 atom = byAtom();
@@ -140,8 +144,8 @@ const Shaders = (() => {
       if (abs(component - chosen) < 0.5) albedo = mix(albedo, accent, 0.8);
       float open = gl_FrontFacing ? sky : 0.7;
       if (!gl_FrontFacing) n = -n;
-      float edge = pow(1.0 - clamp(dot(n, toViewer), 0.0, 1.0), 2.0);
-      gl_FragColor = vec4(encoded(shaded(albedo, n, toViewer, open)), mix(opacity, 1.0, 0.6 * edge * opacity));
+      float aside = 1.0 - clamp(dot(n, toViewer), 0.0, 1.0);
+      gl_FragColor = vec4(encoded(shaded(albedo, n, toViewer, open)), mix(opacity, 1.0, 0.6 * aside * aside * opacity));
     }
   `;
 

@@ -6,6 +6,9 @@
 const Surface = (() => {
   const rgb = text => [1, 3, 5].map(i => parseInt(text.slice(i, i + 2), 16) / 255);
 
+  /** Light of an sRGB channel, as in the shaders. */
+  const decoded = s => s <= 0.04045 ? s / 12.92 : ((s + 0.055) / 1.055) ** 2.4;
+
   /** Twice the sum of all area vectors is zero where a mesh is closed; rounding leaves far less than a triangle. */
   function isClosed({points: p, corners: c}) {
     const sum = [0, 0, 0];
@@ -198,7 +201,7 @@ const Surface = (() => {
         for (let k = 0; k < 3; ++k) paint[4 * i + k] = planes[k * n + i];
       this.paint.needsUpdate = true;
       scheme.patches.forEach((colour, k) =>
-        this.uniforms.overPatch.value[k].fromArray(colour ? [...rgb(colour), 1] : [0, 0, 0, 0]));
+        this.uniforms.overPatch.value[k].fromArray(colour ? [...rgb(colour).map(decoded), 1] : [0, 0, 0, 0]));
     }
 
     paintComponents(scheme) {
