@@ -48,6 +48,8 @@ private:
         if (!request_.flow.history.empty()) outputs.push_back(plan_history(request_.flow.history, mark));
         if (request_.flow.snapshots > 0 && first_mesh(outputs) == nullptr)
             throw UsageError("--snapshots writes meshes beside the final one; give a mesh with -o");
+        if (has(outputs, OutputKind::Page) && !pages_supported())
+            throw UsageError("this build writes no pages; build with MENISCUS_PAGE=ON, or ask for another format");
         const bool has_picture = has(outputs, OutputKind::Picture);
         if (!request_.picture.drawn_by.empty() && !has_picture)
             throw UsageError(request_.picture.drawn_by + " shapes a picture; ask for one with -o FILE.png");

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Writes files into a C++ source, as string views: cmake -DOUT=FILE -DNAMESPACE=A::B -DCONTENT=name=file,file:name=...
 # -P embed.cmake. Several files of one name follow each other. No file: an empty view.
+cmake_minimum_required(VERSION 3.25)
 file(WRITE ${OUT}.new "// Made by cmake/embed.cmake.\n#include <string_view>\n\nnamespace {\n")
 string(REPLACE ":" ";" entries "${CONTENT}")
 set(views "")

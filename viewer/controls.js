@@ -22,13 +22,14 @@ const Controls = (() => {
 
   class Controls {
     /**
-     * points   of the surface, which the first view fits into the window
+     * points   of the surface, which the first view fits into the window, with a margin around (Å)
      * frame    {right, up, towards} of the first view
      * changed  is called after every move
      */
-    constructor(canvas, points, frame, changed) {
+    constructor(canvas, {points, margin}, frame, changed) {
       this.canvas = canvas;
       this.points = points;
+      this.margin = margin;
       this.changed = changed;
       this.inPerspective = Boolean(frame.perspective);
       const matrix = new THREE.Matrix4().makeBasis(...["right", "up", "towards"].map(
@@ -65,7 +66,7 @@ const Controls = (() => {
         view.centre.addScaledVector(axis, (low + high) / 2);
         return (high - low) / 2;
       });
-      view.half = Math.max(halves[1], halves[0] / this.aspect, 1) / filled;
+      view.half = (Math.max(halves[1], halves[0] / this.aspect, 1) + this.margin) / filled;
       if (this.inPerspective) view.half += halves[2] * slope;
       return view;
     }

@@ -23,11 +23,17 @@
       this.atoms = new Atoms(data, this.shared, data.stream("colours-" + this.paletteOfAtoms()));
       this.scene.add(this.surface.group, this.atoms.group);
       this.marker = this.makeMarker();
-      this.controls = new Controls(this.canvas, this.info.vertices > 0 ? data.mesh.points : data.atoms.points, this.info.view, () => this.draw());
+      this.controls = new Controls(this.canvas, this.extent(), this.info.view, () => this.draw());
       this.plane = null;
       this.setScheme(this.info.scheme);
       this.fill();
       this.listen();
+    }
+
+    /** What the first view shows: the surface, or the atoms if there is none. */
+    extent() {
+      const {mesh, atoms} = this.data;
+      return mesh.points.length > 0 ? {points: mesh.points, margin: 0} : {points: atoms.points, margin: 2};
     }
 
     /** Elements where they are told apart, else what the page shows first. */

@@ -13,12 +13,16 @@ const Shaders = (() => {
     // All in the viewer's frame: x right, y up, z towards.
     vec3 shaded(vec3 albedo, vec3 normal, vec3 toViewer, float sky) {
       const vec3 key = vec3(-0.4511, 0.5513, 0.7017), lamp2 = vec3(0.5970, -0.0995, 0.7960);
-      float fromSky = 0.58 * pow(sky, 1.5) * (1.0 - 0.15 * (1.0 - normal.y));
+      float fromSky = 0.58 * sky * sqrt(sky) * (1.0 - 0.15 * (1.0 - normal.y));
       float reached = 1.0 - 0.70 * (1.0 - sky);
       float lamps = 0.50 * max(0.0, dot(normal, key)) + 0.10 * max(0.0, dot(normal, lamp2));
-      float rim = 1.0 - 0.30 * pow(1.0 - clamp(dot(normal, toViewer), 0.0, 1.0), 3.0);
-      float gloss = 0.02 * reached * pow(max(0.0, dot(normal, normalize(key + toViewer))), 24.0);
-      return rim * (fromSky + reached * lamps) * albedo + gloss;
+      float aside = 1.0 - clamp(dot(normal, toViewer), 0.0, 1.0);
+      float rim = 1.0 - 0.30 * aside * aside * aside;
+      float g = max(0.0, dot(normal, normalize(key + toViewer)));   // to the power of 24
+      g *= g * g;
+      g *= g;
+      g *= g;
+      return rim * (fromSky + reached * lamps) * albedo + 0.02 * reached * g * g;
     }
   `;
 
@@ -55,14 +59,14 @@ const Shaders = (() => {
     uniform highp sampler2D spheres;   // atoms: centre, radius
     uniform highp sampler2D paint;     // atoms: colour, and whether chosen
     uniform int scheme;                // 0 atoms, 1 components, 2 values
-    uniform vec4 overPatch[3];         // colour of a kind of patch; w: whether it goes before the atom's
+    uniform vec4 overPatch[3];         // light of a kind of patch, not encoded; w: whether it goes before the atom's
     uniform highp sampler2D ofComponent;
     uniform vec3 ramp[9];
     uniform vec2 range;
     uniform int value;                 // 0 curvature, 1 depth
     uniform vec2 steps;                // of curvature and depth
     uniform vec4 plane;                // kept is dot(plane, (at, 1)) <= 0
-    uniform bool cut, inPerspective;
+    uniform bool inPerspective;
     uniform vec3 inside, accent;
     uniform float opacity, chosen;     // chosen: a component, or -1
     uniform mat4 projectionMatrix;
@@ -94,14 +98,18 @@ const Shaders = (() => {
     }
     vec3 widths(vec3 v) { return fwidth(vec3(v.x - v.y, v.x - v.z, v.y - v.z)); }   // of pairs xy, xz, yz
     vec4 byAtom() {
-      vec3 gaps = -vec3(above(atoms.x), above(atoms.y), above(atoms.z));
-      vec3 blur = widths(gaps);
       vec4 a = painted(atoms.x);
-      if (atoms.x == atoms.y && atoms.y == atoms.z) return a;
-      return sharp(gaps, blur, a, painted(atoms.y), painted(atoms.z));
+      if (atoms.x == atoms.y && atoms.y == atoms.z) return a;   // all over a triangle
+      vec3 gaps = -vec3(above(atoms.x), above(atoms.y), above(atoms.z));
+      return sharp(gaps, widths(gaps), a, painted(atoms.y), painted(atoms.z));
     }
     vec4 byPatch(vec4 atom, int k) {
-      return vec4(mix(atom.rgb, decoded(overPatch[k].rgb), overPatch[k].w), atom.a);
+      return vec4(mix(atom.rgb, overPatch[k].rgb, overPatch[k].w), atom.a);
+    }
+    vec4 byAtomAndPatch() {
+      vec4 atom = byAtom();
+      if (overPatch[1].w == 0.0) return atom;   // no scheme names contact patches alone
+      return sharp(kinds, widths(kinds), byPatch(atom, 0), byPatch(atom, 1), byPatch(atom, 2));
     }
     vec3 byValue() {
       float v = value == 0 ? curvature * steps.x : depth * steps.y;
@@ -115,13 +123,11 @@ const Shaders = (() => {
       return 0.5 * clip.z / clip.w + 0.5;
     }
     void main() {
-      float side = dot(plane.xyz, at) + plane.w;
-      vec3 blur = widths(kinds);
-      vec4 atom = byAtom();
-      if (cut && side > 0.0) discard;
+      vec4 atom = scheme == 0 || choosing ? byAtomAndPatch() : vec4(0.0);
       vec3 toViewer = inPerspective ? normalize(-inView) : vec3(0.0, 0.0, 1.0);
       vec3 n = normalize(normal_);
 #ifdef CUT
+      if (dot(plane.xyz, at) + plane.w > 0.0) discard;
       gl_FragDepth = gl_FragCoord.z;
       if (!gl_FrontFacing || dot(n, toViewer) < -0.1) {
         gl_FragDepth = depthOfInside(toViewer);
@@ -131,15 +137,15 @@ const Shaders = (() => {
 #endif
       vec3 albedo;
       if (scheme == 0)
-        albedo = sharp(kinds, blur, byPatch(atom, 0), byPatch(atom, 1), byPatch(atom, 2)).rgb;
+        albedo = atom.rgb;
       else
         albedo = scheme == 1 ? decoded(texelFetch(ofComponent, place(ofComponent, component), 0).rgb) : byValue();
       if (choosing && atom.a > 0.0) albedo = mix(albedo, accent, 0.65 * atom.a);
       if (abs(component - chosen) < 0.5) albedo = mix(albedo, accent, 0.8);
       float open = gl_FrontFacing ? sky : 0.7;
       if (!gl_FrontFacing) n = -n;
-      float edge = pow(1.0 - clamp(dot(n, toViewer), 0.0, 1.0), 2.0);
-      gl_FragColor = vec4(encoded(shaded(albedo, n, toViewer, open)), mix(opacity, 1.0, 0.6 * edge * opacity));
+      float aside = 1.0 - clamp(dot(n, toViewer), 0.0, 1.0);
+      gl_FragColor = vec4(encoded(shaded(albedo, n, toViewer, open)), mix(opacity, 1.0, 0.6 * aside * aside * opacity));
     }
   `;
 

@@ -6,6 +6,20 @@
 const Surface = (() => {
   const rgb = text => [1, 3, 5].map(i => parseInt(text.slice(i, i + 2), 16) / 255);
 
+  /** Light of an sRGB channel, as in the shaders. */
+  const decoded = s => s <= 0.04045 ? s / 12.92 : ((s + 0.055) / 1.055) ** 2.4;
+
+  /** Twice the sum of all area vectors is zero where a mesh is closed; rounding leaves far less than a triangle. */
+  function isClosed({points: p, corners: c}) {
+    const sum = [0, 0, 0];
+    for (let t = 0; t < c.length; t += 3)
+      for (let k = 0; k < 3; ++k) {
+        const a = 3 * c[t], b = 3 * c[t + 1], d = 3 * c[t + 2], i = (k + 1) % 3, j = (k + 2) % 3;
+        sum[k] += (p[b + i] - p[a + i]) * (p[d + j] - p[a + j]) - (p[b + j] - p[a + j]) * (p[d + i] - p[a + i]);
+      }
+    return Math.hypot(...sum) < 0.01;
+  }
+
   /** Six times the signed volume of every component. */
   function volumes(mesh) {
     const sum = [];
@@ -123,7 +137,14 @@ const Surface = (() => {
       const shared = attributes(data);
       this.outer = this.layer(shared, 0, outer);
       this.cavities = this.layer(shared, outer, all - outer);
+      // The inner side of a closed surface is never seen, unless it is cut: drawing it would cost time.
+      this.outerSide = isClosed(data.mesh) ? THREE.FrontSide : THREE.DoubleSide;
+      this.setSide(this.outerSide);
       this.setOpacity(1);
+    }
+
+    setSide(side) {
+      for (const {material} of [this.outer.first, this.outer.second]) material.side = side;
     }
 
     /** A range of the triangles, drawn twice where they are transparent: depths first, then colours. */
@@ -180,7 +201,7 @@ const Surface = (() => {
         for (let k = 0; k < 3; ++k) paint[4 * i + k] = planes[k * n + i];
       this.paint.needsUpdate = true;
       scheme.patches.forEach((colour, k) =>
-        this.uniforms.overPatch.value[k].fromArray(colour ? [...rgb(colour), 1] : [0, 0, 0, 0]));
+        this.uniforms.overPatch.value[k].fromArray(colour ? [...rgb(colour).map(decoded), 1] : [0, 0, 0, 0]));
     }
 
     paintComponents(scheme) {
@@ -209,6 +230,7 @@ const Surface = (() => {
             material.defines = cut ? {CUT: 1} : {};
             material.needsUpdate = true;
           }
+      this.setSide(cut ? THREE.DoubleSide : this.outerSide);
       this.uniforms.cut.value = cut;
       if (plane) this.uniforms.plane.value.set(plane.normal.x, plane.normal.y, plane.normal.z, plane.constant);
     }
