@@ -22,8 +22,8 @@ const Surface = (() => {
   }
 
   /** Triangles of outer pieces first, then those of cavities; the number of corners of the former. */
-  function outerFirst(mesh) {
-    const volume = volumes(mesh), c = mesh.corners;
+  function outerFirst(mesh, volume) {
+    const c = mesh.corners;
     const ordered = new Uint32Array(c.length);
     let low = 0, high = c.length;
     for (let t = 0; t < c.length; t += 3) {
@@ -106,9 +106,9 @@ const Surface = (() => {
   class Surface {
     constructor(data) {
       this.data = data;
-      const outer = outerFirst(data.mesh), all = data.mesh.corners.length;
+      const volume = volumes(data.mesh), outer = outerFirst(data.mesh, volume), all = data.mesh.corners.length;
       this.paint = table(Uint8Array, THREE.UnsignedByteType, data.atoms.count);
-      this.components = Math.max(1, volumes(data.mesh).length);
+      this.components = Math.max(1, volume.length);
       this.uniforms = {
         spheres: {value: sphereTable(data.atoms)}, paint: {value: this.paint},
         ofComponent: {value: table(Uint8Array, THREE.UnsignedByteType, this.components)},

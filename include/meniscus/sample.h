@@ -28,7 +28,7 @@ struct SampleOptions {
 ///          area of the mesh, rounded, in spatial order. They lie on the level set, or on the exact SES where there is
 ///          none, as the mesh's vertices do, and curvatures are capped as theirs. Every point's area is the same
 /// throws   UsageError for options out of range; LimitError for more points than fit into memory
-/// cost     15 µs per point and that of an AccessibleSurface
+/// cost     15 to 20 µs of processor time per point, and an AccessibleSurface
 /// source   weighted sample elimination, Yuksel 2015, Computer Graphics Forum 34, 25-32
 Mesh sample_surface(const Surface& surface, const Atoms& atoms, const SampleOptions& options = {});
 

@@ -3,10 +3,11 @@
 """Files of surfaces, each format chosen by the suffix."""
 from __future__ import annotations
 
+import contextlib
 import os
 import pathlib
 import re
-import tempfile
+import secrets
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, Union
 
@@ -191,25 +192,27 @@ def _save_arrays(path: str, surface: Surface, options: dict[str, Any], drawing: 
 
 def _write_npz(path: str, source: Surface | Points, arrays: dict[str, npt.NDArray[Any]]) -> None:
     arrays = {**arrays, **{name: getattr(source, name) for name in _POINT_ARRAYS}}
-    folder = os.path.dirname(path) or "."
     try:
-        with tempfile.NamedTemporaryFile(dir=folder, prefix=".meniscus-", suffix=".npz", delete=False) as file:
-            try:
+        if os.path.exists(path) and not os.path.isfile(path):  # a device or pipe is written to directly
+            with open(path, "wb") as file:
                 np.savez_compressed(file, **arrays)
-                file.close()
-                os.chmod(file.name, 0o666 & ~_umask())
-                os.replace(file.name, path)
-            except BaseException:
-                os.unlink(file.name)
-                raise
+        else:
+            _write_whole(path, arrays)
     except OSError as error:
         raise OutputError(f"{path}: cannot be written: {error.strerror or error}") from error
 
 
-def _umask() -> int:
-    mask = os.umask(0o077)
-    os.umask(mask)
-    return mask
+def _write_whole(path: str, arrays: dict[str, npt.NDArray[Any]]) -> None:
+    """Under another name first: the file appears whole or not at all."""
+    temporary = f"{path}.{secrets.token_hex(4)}.tmp"
+    try:
+        with open(temporary, "xb") as file:
+            np.savez_compressed(file, **arrays)
+        os.replace(temporary, path)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.unlink(temporary)
+        raise
 
 
 # A format is one line here, and one in Surface.save's text.

@@ -42,9 +42,8 @@ TEST_F(OutputPlan, TellsFormatsBySuffix) {
 }
 
 TEST_F(OutputPlan, DefaultsToAMeshAndAPageInTheCurrentFolder) {
-    const std::vector<Output> expected{{"1ubq.ply", OutputKind::Mesh},
-                                       {"1ubq.html", OutputKind::Page},
-                                       {"1ubq.atoms.csv", OutputKind::AtomTable}};
+    const std::vector<Output> expected{
+        {"1ubq.ply", OutputKind::Mesh}, {"1ubq.html", OutputKind::Page}, {"1ubq.atoms.csv", OutputKind::AtomTable}};
     EXPECT_EQ(plan_outputs({}, "1ubq", ""), expected);
     EXPECT_EQ(plan_outputs({}, "1ubq_m01", "_m01").front().path, "1ubq_m01.ply");
 }

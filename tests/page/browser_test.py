@@ -175,6 +175,27 @@ class PageTest(unittest.TestCase):
         self.click("#reset")
         self.wait(f"Math.abs(meniscus.controls.view.half - {half}) < 1e-6")
 
+    def test_two_fingers_zoom(self):
+        self.load("1ubq")
+        half = self.js("return meniscus.controls.view.half")
+        for kind, spread in (("touchStart", 20), ("touchMove", 60), ("touchMove", 100), ("touchEnd", None)):
+            points = [] if spread is None else [{"x": 400 + s * spread, "y": 400, "id": 1 + (s > 0)} for s in (-1, 1)]
+            self.browser.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+        self.assertAlmostEqual(self.js("return meniscus.controls.view.half"), half / 5, delta=0.1 * half)
+        self.assertTrue(self.js("return document.getElementById('picked').hidden"), "that was no click")
+
+    def test_keys_do_what_the_mouse_does(self):
+        self.load("1ubq")
+        turn, half = self.js("return [meniscus.controls.view.turn.toArray(), meniscus.controls.view.half]")
+        canvas = self.browser.find_element("id", "view")
+        canvas.send_keys("\ue012+")   # arrow to the left
+        self.assertNotEqual(self.js("return meniscus.controls.view.turn.toArray()"), turn)
+        self.assertLess(self.js("return meniscus.controls.view.half"), half)
+        canvas.send_keys("p")
+        self.assertTrue(self.js("return document.body.classList.contains('folded')"))
+        canvas.send_keys("r")
+        self.wait("!meniscus.controls.flying && meniscus.controls.atFirst")
+
     def test_a_cut_shows_the_inside(self):
         self.load("1ubq")
         self.choose("#clip", "500", "input")
