@@ -4,6 +4,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
 #include <string>
 
 namespace meniscus::cli {
@@ -21,13 +22,13 @@ public:
 /// The description of an option that only --help-all shows.
 std::string rarely(const std::string& text);
 
-/// Breaks `text` into lines of at most `width` characters (of UTF-8), all but the first after `indent` spaces, where a
-/// line so far has `used` characters.
 struct Wrap {
-    std::size_t indent = 0;
-    std::size_t used = 0;
+    std::size_t indent = 0;  ///< spaces before every line but the first
+    std::size_t used = 0;    ///< characters that the first line has already
     std::size_t width = 80;
 };
+
+/// Breaks `text` between words into lines of at most `width` characters of UTF-8, or one longer word.
 std::string wrap(const std::string& text, const Wrap& layout);
 
 }  // namespace meniscus::cli

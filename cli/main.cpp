@@ -19,6 +19,7 @@
 #include "meniscus/version.h"
 #include "messages.h"
 #include "surface_command.h"
+#include "unknown_words.h"
 
 namespace {
 
@@ -55,6 +56,8 @@ int report_parse_error(const CLI::App& program, const CLI::ParseError& error) {
         std::cout.flush();
         return std::cout ? kDone : fail(kOutputError, "standard output: cannot be written");
     }
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+        return fail(kUsageError, meniscus::cli::explain_unknown_words(program));
     return fail(kUsageError, std::string(error.what()) + "; see meniscus --help or meniscus SUBCOMMAND --help");
 }
 
@@ -63,7 +66,7 @@ void check_subcommand(const CLI::App& program, const std::vector<std::string>& a
     if (arguments.empty() || arguments.front().starts_with("-")) return;
     const auto is_meant = [&](const CLI::App* command) { return command->check_name(arguments.front()); };
     if (program.get_subcommands(is_meant).empty())
-        throw meniscus::UsageError("unknown subcommand '" + arguments.front() + "'; see meniscus --help");
+        throw meniscus::UsageError(meniscus::cli::explain_unknown_subcommand(arguments.front()));
 }
 
 int run(int argc, char** argv) {

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "unknown_words.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace meniscus::cli {
+
+namespace {
+
+constexpr std::size_t kMostLettersApart = 2;  // "--colour" for "--color", "--treads" for "--threads"
+
+/// The option of a subcommand whose name is nearest to `word`, or empty if none is near.
+std::string nearest_option(const CLI::App& command, const std::string& word) {
+    std::string nearest;
+    std::size_t least = kMostLettersApart + 1;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames()) {
+            const std::string whole = "--" + name;
+            const std::size_t apart = whole.starts_with(word) && word.size() > 3 ? 1 : letters_apart(whole, word);
+            if (apart < least) nearest = whole;
+            least = std::min(least, apart);
+        }
+    }
+    return nearest;
+}
+
+}  // namespace
+
+std::string explain_unknown_words(const CLI::App& program) {
+    const std::vector<std::string> words = program.remaining(true);
+    const auto option = std::find_if(words.begin(), words.end(), [](const auto& w) { return w.starts_with('-'); });
+    const auto commands = program.get_subcommands();
+    const std::string help = commands.empty() ? "" : " " + commands.front()->get_name();
+    if (option == words.end())
+        return fmt::format("{}: not expected; there is one INPUT, and outputs are named by -o", words.front());
+    const std::string name = option->substr(0, option->find('='));
+    const std::string meant = nearest_option(commands.empty() ? program : *commands.front(), name);
+    if (!meant.empty()) return fmt::format("{}: unknown option; did you mean {}?", name, meant);
+    return fmt::format("{}: unknown option; see meniscus{} --help", name, help);
+}
+
+std::string explain_unknown_subcommand(const std::string& word) {
+    std::error_code error;
+    if (std::filesystem::exists(word, error))
+        return fmt::format("unknown subcommand '{0}'; for its surface write meniscus surface {0}", word);
+    return fmt::format("unknown subcommand '{}'; see meniscus --help", word);
+}
+
+std::size_t letters_apart(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i + 1);
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t exchanged = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = row[j + 1];
+            row[j + 1] = std::min({exchanged, row[j] + 1, row[j + 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+}  // namespace meniscus::cli
