@@ -71,16 +71,52 @@ const Surface = (() => {
 
   const int16 = value => Math.max(-32768, Math.min(32767, Math.round(value)));
 
+  /**
+   * What the graphics card draws: vertices of the mesh, of which some stand twice. Every triangle is to know the atoms of
+   * its three corners, and takes them from its last one: so no vertex may be last in triangles with other atoms.
+   */
+  function drawn({corners: c, atom}, vertices) {
+    const index = new Uint32Array(c.length), source = Array.from({length: vertices}, (_, v) => v);
+    const atoms = new Array(vertices).fill(null), next = new Int32Array(vertices + c.length / 3).fill(-1);
+    const same = (x, y) => x[0] === y[0] && x[1] === y[1] && x[2] === y[2];
+    const find = (v, wanted) => {
+      for (let i = v; i >= 0; i = next[i]) if (atoms[i] !== null && same(atoms[i], wanted)) return i;
+      return -1;
+    };
+    const add = (v, wanted) => {
+      const i = source.push(v) - 1;
+      atoms[i] = wanted;
+      next[i] = next[v];
+      next[v] = i;
+      return i;
+    };
+    for (let t = 0; t < c.length; t += 3) {
+      const wanted = [atom[c[t]], atom[c[t + 1]], atom[c[t + 2]]].sort((x, y) => x - y);
+      let last = 0, place = -1;
+      while (last < 3 && (place = find(c[t + last], wanted)) < 0) ++last;
+      for (let k = 0; place < 0 && k < 3; ++k)
+        if (atoms[c[t + k]] === null) {
+          atoms[c[t + k]] = wanted;
+          [last, place] = [k, c[t + k]];
+        }
+      if (place < 0) [last, place] = [0, add(c[t], wanted)];
+      index[t] = c[t + (last + 1) % 3];
+      index[t + 1] = c[t + (last + 2) % 3];
+      index[t + 2] = place;
+    }
+    return {index, source, atoms};
+  }
+
   function attributes(data) {
-    const {mesh, info} = data, c = mesh.corners, n = c.length;
+    const {mesh, info} = data, {index, source, atoms} = drawn(mesh, info.vertices), n = source.length;
     const position = new Float32Array(3 * n), corners = new Float32Array(3 * n);
     const look = new Uint8Array(4 * n), patches = new Uint8Array(4 * n), values = new Int16Array(4 * n);
     const kinds = smoothPatches(mesh), [nu, nv] = mesh.normals;
     for (let i = 0; i < n; ++i) {
-      const v = c[i], t = i - i % 3;
+      const v = source[i];
       for (let k = 0; k < 3; ++k) {
         position[3 * i + k] = mesh.points[3 * v + k];
-        corners[3 * i + k] = mesh.atom[c[t + k]];
+        corners[3 * i + k] = atoms[i] ? atoms[i][k] : 0;
         patches[4 * i + k] = kinds[3 * v + k];
       }
       look[4 * i] = nu[v];
@@ -91,6 +127,7 @@ const Surface = (() => {
       values[4 * i + 2] = int16(mesh.component[v]);
     }
     return {
+      index: new THREE.BufferAttribute(index, 1),
       position: new THREE.BufferAttribute(position, 3),
       corners: new THREE.BufferAttribute(corners, 3),
       look: new THREE.BufferAttribute(look, 4, true),
@@ -150,7 +187,9 @@ const Surface = (() => {
     /** A range of the triangles, drawn twice where they are transparent: depths first, then colours. */
     layer(shared, start, count) {
       const geometry = new THREE.BufferGeometry();
-      for (const name in shared) geometry.setAttribute(name, shared[name]);
+      const {index, ...attributes} = shared;
+      geometry.setIndex(index);
+      for (const name in attributes) geometry.setAttribute(name, attributes[name]);
       geometry.setDrawRange(start, count);
       const material = options => new THREE.ShaderMaterial({
         vertexShader: Shaders.surfaceVertex, fragmentShader: Shaders.surfaceFragment, side: THREE.DoubleSide,
