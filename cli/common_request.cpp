@@ -9,10 +9,6 @@ namespace meniscus::cli {
 
 namespace {
 
-constexpr Words<HydrogenPolicy, 3> kHydrogens{
-    {{"auto", HydrogenPolicy::Auto}, {"keep", HydrogenPolicy::Keep}, {"drop", HydrogenPolicy::Drop}}};
-constexpr Words<HeteroPolicy, 3> kHetero{
-    {{"none", HeteroPolicy::None}, {"ligands", HeteroPolicy::Ligands}, {"all", HeteroPolicy::All}}};
 constexpr Words<ProgressMode, 4> kProgress{
     {{"auto", ProgressMode::Auto}, {"on", ProgressMode::On}, {"off", ProgressMode::Off}, {"json", ProgressMode::Json}}};
 
@@ -51,7 +47,7 @@ void add_atom_options(CLI::App& command, CommonRequest& request) {
                     "PQR and xyzr, else bondi if the structure has hydrogens, else united")
         ->type_name("SET")
         ->capture_default_str();
-    add_choice(command, "--hydrogens", read.hydrogens, kHydrogens, "Keep them; auto: as the radii need");
+    add_choice(command, "--hydrogens", read.hydrogens, kHydrogenWords, "Keep them; auto: as the radii need");
     const auto model = [&request](const std::string& text) { set_model(request, text); };
     command.add_option_function<std::string>("--model", model, "Model to read, from 1, or all of them")
         ->type_name("N|all")
@@ -69,7 +65,7 @@ void add_atom_options(CLI::App& command, CommonRequest& request) {
         ->type_name("A,B");
     command.add_option("--select", read.select, "Atoms to keep, as in //A/10-50\n: gemmi's selection syntax")
         ->type_name("EXPR");
-    add_choice(command, "--hetero", read.hetero, kHetero,
+    add_choice(command, "--hetero", read.hetero, kHeteroWords,
                "Hetero atoms to keep\n beside the polymer: groups of two or more atoms (ligands), or ions and metals, "
                "too (all)");
     command.add_flag("--waters", read.keep_waters, "Keep waters");
@@ -96,8 +92,8 @@ void add_run_options(CLI::App& command, CommonRequest& request, int& threads) {
                rarely("Progress on standard error; auto: a bar on a terminal; json: a line per update"));
 }
 
-const char* name_of(HydrogenPolicy policy) { return word_for(kHydrogens, policy); }
-const char* name_of(HeteroPolicy policy) { return word_for(kHetero, policy); }
+const char* name_of(HydrogenPolicy policy) { return word_for(kHydrogenWords, policy); }
+const char* name_of(HeteroPolicy policy) { return word_for(kHeteroWords, policy); }
 
 std::vector<std::string> join_negative_values(const std::vector<std::string>& arguments) {
     std::vector<std::string> joined;

@@ -13,22 +13,6 @@ namespace {
 
 constexpr Words<FlowName, 3> kFlows{
     {{"anchored", FlowName::Anchored}, {"parallel", FlowName::Parallel}, {"paper", FlowName::Paper}}};
-constexpr Words<CurvatureField, 4> kCurvatures{{{"parallel", CurvatureField::Parallel},
-                                                {"sharp", CurvatureField::Sharp},
-                                                {"paper", CurvatureField::Paper},
-                                                {"paper-literal", CurvatureField::PaperLiteral}}};
-constexpr Words<Reinitialiser, 5> kReinitialisers{{{"none", Reinitialiser::None},
-                                                   {"closest-point", Reinitialiser::ClosestPoint},
-                                                   {"paper", Reinitialiser::Paper},
-                                                   {"paper-literal", Reinitialiser::PaperLiteral},
-                                                   {"godunov", Reinitialiser::Godunov}}};
-constexpr Words<Solver, 3> kSolvers{{{"richardson", Solver::Richardson}, {"cg", Solver::Cg}, {"gmres", Solver::Gmres}}};
-constexpr Words<Slope, 2> kSlopes{{{"unit", Slope::Unit}, {"computed", Slope::Computed}}};
-constexpr Words<FlowEnd, 5> kEnds{{{"converged", FlowEnd::Converged},
-                                   {"steps-used-up", FlowEnd::StepsUsedUp},
-                                   {"stalled", FlowEnd::Stalled},
-                                   {"vanished", FlowEnd::Vanished},
-                                   {"left-band", FlowEnd::LeftBand}}};
 
 constexpr const char* kOfTheFlow = "of the flow";
 
@@ -79,13 +63,13 @@ const FlowOptions& named(FlowName name) {
 void add_flow_options(CLI::App& command, FlowRequest& request) {
     add_choice(command, "--flow", request.name, kFlows,
                rarely("Which evolution the flow runs; the options below change it"));
-    add_word(command, "--curvature", request.curvature, kCurvatures, rarely("Its curvature field"));
+    add_word(command, "--curvature", request.curvature, kCurvatureWords, rarely("Its curvature field"));
     add_positive(command, "--anchor", request.anchor, Sign::NotNegative, "L",
                  rarely("Its anchor, in units of 1/H²; 0: none"));
-    add_word(command, "--reinitialise", request.reinitialiser, kReinitialisers,
+    add_word(command, "--reinitialise", request.reinitialiser, kReinitialiserWords,
              rarely("What keeps it a signed distance"));
-    add_word(command, "--solver", request.solver, kSolvers, rarely("What solves its linear systems"));
-    add_word(command, "--slope", request.slope, kSlopes, rarely("The factor |grad| of the curvature"));
+    add_word(command, "--solver", request.solver, kSolverWords, rarely("What solves its linear systems"));
+    add_word(command, "--slope", request.slope, kSlopeWords, rarely("The factor |grad| of the curvature"));
     add_piece(command, "--time-step", request.time_step, "T", rarely("Its time step, in units of H²; inf: one solve"),
               parse_time_step);
     add_positive(command, "--half-width", request.half_width, Sign::Positive, "K",
@@ -113,10 +97,10 @@ FlowOptions resolve(const FlowRequest& request) {
 }
 
 const char* name_of(FlowName name) { return word_for(kFlows, name); }
-const char* name_of(CurvatureField field) { return word_for(kCurvatures, field); }
-const char* name_of(Reinitialiser reinitialiser) { return word_for(kReinitialisers, reinitialiser); }
-const char* name_of(Solver solver) { return word_for(kSolvers, solver); }
-const char* name_of(Slope slope) { return word_for(kSlopes, slope); }
-const char* name_of(FlowEnd end) { return word_for(kEnds, end); }
+const char* name_of(CurvatureField field) { return word_for(kCurvatureWords, field); }
+const char* name_of(Reinitialiser reinitialiser) { return word_for(kReinitialiserWords, reinitialiser); }
+const char* name_of(Solver solver) { return word_for(kSolverWords, solver); }
+const char* name_of(Slope slope) { return word_for(kSlopeWords, slope); }
+const char* name_of(FlowEnd end) { return word_for(kFlowEndWords, end); }
 
 }  // namespace meniscus::cli

@@ -9,11 +9,6 @@ namespace meniscus::cli {
 
 namespace {
 
-constexpr Words<RowsPer, 4> kPer{
-    {{"residue", RowsPer::Residue}, {"atom", RowsPer::Atom}, {"chain", RowsPer::Chain}, {"cavity", RowsPer::Cavity}}};
-constexpr Words<AtomValue, 4> kValues{
-    {{"sas", AtomValue::Sas}, {"ses", AtomValue::Ses}, {"rsa", AtomValue::Rsa}, {"depth", AtomValue::Depth}}};
-
 constexpr const char* kFooter =
     "-o writes tables (.csv .json), or the kept atoms with a value in the B-factor\n"
     "column (.pdb .cif).\n"
@@ -66,17 +61,17 @@ void add_measure_options(CLI::App& command, MeasureRequest& request) {
         ->allow_extra_args(false);
     command.option_defaults()->group("Output");
     add_output_options(command, request);
-    add_choices(command, "--per", request.per, kPer,
+    add_choices(command, "--per", request.per, kRowsPerWords,
                 "What a table has one row for\n; the first given is for the first table, the second for the second, "
                 "the last for all that follow");
-    add_choices(command, "--value", request.values, kValues,
+    add_choices(command, "--value", request.values, kAtomValueWords,
                 "What copies have as B factor\n, in the order of the copies, as with --per");
     command.option_defaults()->group("Running");
     add_run_options(command, request, request.measure.threads);
 }
 
-const char* name_of(RowsPer per) { return word_for(kPer, per); }
-const char* name_of(AtomValue value) { return word_for(kValues, value); }
+const char* name_of(RowsPer per) { return word_for(kRowsPerWords, per); }
+const char* name_of(AtomValue value) { return word_for(kAtomValueWords, value); }
 
 void check_request(const MeasureRequest& request) {
     const std::size_t tables = count_kind(request, OutputKind::Table);

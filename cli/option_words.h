@@ -6,40 +6,12 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <array>
 #include <string>
-#include <utility>
 
-#include "meniscus/errors.h"
+#include "meniscus/words.h"
 #include "numbers.h"
 
 namespace meniscus::cli {
-
-/// Words and what they stand for, the default first.
-template <class T, std::size_t N>
-using Words = std::array<std::pair<const char*, T>, N>;
-
-template <class T, std::size_t N>
-const char* word_for(const Words<T, N>& words, T value) {
-    return std::find_if(words.begin(), words.end(), [&](const auto& w) { return w.second == value; })->first;
-}
-
-template <class T, std::size_t N>
-std::string join(const Words<T, N>& words, const char* separator) {
-    std::string list;
-    for (const auto& word : words) list.append(list.empty() ? "" : separator).append(word.first);
-    return list;
-}
-
-/// throws   UsageError for a text that is none of the words
-template <class T, std::size_t N>
-T parse_word(const char* option, const std::string& text, const Words<T, N>& words) {
-    const auto found = std::find_if(words.begin(), words.end(), [&](const auto& w) { return text == w.first; });
-    if (found == words.end())
-        throw UsageError(fmt::format("{}: unknown value '{}'; one of {}", option, text, join(words, ", ")));
-    return found->second;
-}
 
 /// An option whose value is one of `words`, which must outlive the parser.
 template <class Target, class T, std::size_t N>

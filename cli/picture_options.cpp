@@ -13,20 +13,6 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr Words<ColourScheme, 13> kSchemes{{{"auto", ColourScheme::Automatic},
-                                            {"single", ColourScheme::Single},
-                                            {"patch", ColourScheme::Patch},
-                                            {"element", ColourScheme::Element},
-                                            {"chain", ColourScheme::Chain},
-                                            {"residue", ColourScheme::Residue},
-                                            {"residue-patch", ColourScheme::ResiduePatch},
-                                            {"hydrophobicity", ColourScheme::Hydrophobicity},
-                                            {"curvature", ColourScheme::Curvature},
-                                            {"component", ColourScheme::Component},
-                                            {"depth", ColourScheme::Depth},
-                                            {"bfactor", ColourScheme::BFactor},
-                                            {"plddt", ColourScheme::Plddt}}};
-
 /// From the molecule towards the viewer, in the frame of the input.
 struct NamedView {
     const char* name;
@@ -52,7 +38,7 @@ ColourOptions parse_colours(const std::string& text) {
     const std::vector<std::string> parts = split(text, ':');
     if (parts.size() != 1 && parts.size() != 3)
         throw UsageError(fmt::format("--color: '{}' is neither a scheme nor SCHEME:MIN:MAX", text));
-    ColourOptions colours{.scheme = parse_word("--color", parts[0], kSchemes)};
+    ColourOptions colours{.scheme = parse_word("--color", parts[0], kColourSchemeWords)};
     if (parts.size() == 1) return colours;
     if (!takes_range(colours.scheme))
         throw UsageError(fmt::format("--color: {} takes no range; curvature, depth and bfactor do", parts[0]));
@@ -179,9 +165,9 @@ void add_colour(CLI::App& command, PictureRequest& request) {
                                           fmt::format("Colours of pictures, meshes and pages\n: {}; auto: chain if "
                                                       "there are several, else single. curvature, "
                                                       "depth and bfactor also as SCHEME:MIN:MAX",
-                                                      join(kSchemes, ", ")))
+                                                      join(kColourSchemeWords, ", ")))
         ->type_name("SCHEME")
-        ->default_str(kSchemes.front().first);
+        ->default_str(kColourSchemeWords.front().first);
 }
 
 }  // namespace
@@ -231,7 +217,7 @@ void add_picture_options(CLI::App& command, PictureRequest& request) {
 
 void report_picture(const PictureRequest& request, const Structure& structure, bool drawn, ordered_json& options) {
     const ColourScheme scheme = scheme_in_force(request.colours.scheme, structure);
-    options["color"] = word_for(kSchemes, scheme);
+    options["color"] = word_for(kColourSchemeWords, scheme);
     options["color_range"] = nullptr;
     if (takes_range(scheme)) {
         const ValueRange range = request.colours.range.value_or(default_range(scheme, structure));

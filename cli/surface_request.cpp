@@ -9,11 +9,6 @@ namespace meniscus::cli {
 
 namespace {
 
-constexpr Words<Method, 3> kMethods{
-    {{"flow", Method::Flow}, {"direct", Method::Direct}, {"gaussian", Method::Gaussian}}};
-
-constexpr Words<Pieces, 3> kPieces{{{"all", Pieces::All}, {"outer", Pieces::Outer}, {"cavities", Pieces::Cavities}}};
-
 constexpr const char* kFooter =
     "-o writes meshes (.ply .obj .stl .off .glb), a page to look at in a browser\n"
     "(.html), pictures (.png) and the kept atoms (.xyzr .xyzrn). Without -o mesh\n"
@@ -28,12 +23,12 @@ void add_shape_options(CLI::App& command, SurfaceRequest& request) {
     SurfaceOptions& surface = request.surface;
     add_probe(command, surface.probe);
     add_choice(
-        command, "--method", surface.method, kMethods,
+        command, "--method", surface.method, kMethodWords,
         "Smooth flow, or direct: sharp ridges\n. flow: a level-set flow; direct: the exact distance itself; gaussian: "
         "only the density envelope that the flow starts from, which is not the solvent-excluded surface");
     add_number(command, "--spacing", surface.spacing, Sign::Positive, "H",
                "Grid spacing, Å\n; time and memory grow as 1/H²");
-    add_choice(command, "--components", surface.pieces, kPieces, "Closed pieces that the mesh keeps");
+    add_choice(command, "--components", surface.pieces, kPiecesWords, "Closed pieces that the mesh keeps");
     add_number(command, "--min-cavity", surface.min_cavity, Sign::NotNegative, "V",
                "Drop cavities of less than V Å³\n and what lies in them; outer pieces stay");
     add_number(command, "--density", surface.density, Sign::Negative, "C",
@@ -120,8 +115,8 @@ void add_surface_options(CLI::App& command, SurfaceRequest& request) {
     command.add_flag("--verify", request.surface.verify, "Check that the mesh crosses itself nowhere");
 }
 
-const char* name_of(Pieces pieces) { return word_for(kPieces, pieces); }
+const char* name_of(Pieces pieces) { return word_for(kPiecesWords, pieces); }
 
-const char* name_of(Method method) { return word_for(kMethods, method); }
+const char* name_of(Method method) { return word_for(kMethodWords, method); }
 
 }  // namespace meniscus::cli

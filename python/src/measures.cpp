@@ -17,9 +17,6 @@ namespace meniscus::python {
 
 namespace {
 
-constexpr Words<RowsPer, 4> kRows{
-    {{"atom", RowsPer::Atom}, {"residue", RowsPer::Residue}, {"chain", RowsPer::Chain}, {"cavity", RowsPer::Cavity}}};
-
 std::shared_ptr<Measures> measure_structure(const Structure& structure, const py::dict& given) {
     const Options options(given);
     MeasureOptions measured;
@@ -80,7 +77,7 @@ py::object cell_object(const Cell& cell) {
 
 /// A list per column.
 py::dict table(const Measures& measures, const Structure& structure, const std::string& per) {
-    const Table table = measures_table(structure, measures, parse_word("per", per, kRows));
+    const Table table = measures_table(structure, measures, parse_word("per", per, kRowsPerWords));
     py::dict columns;
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
         py::list values;
@@ -91,7 +88,7 @@ py::dict table(const Measures& measures, const Structure& structure, const std::
 }
 
 void save_table(const Measures& measures, const Structure& structure, const std::string& path, const std::string& per) {
-    const RowsPer rows = parse_word("per", per, kRows);
+    const RowsPer rows = parse_word("per", per, kRowsPerWords);
     const py::gil_scoped_release release;
     write_table(path, measures_table(structure, measures, rows));
 }

@@ -6,37 +6,13 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <array>
 #include <string>
-#include <utility>
 
-#include "meniscus/errors.h"
+#include "meniscus/words.h"
 
 namespace meniscus::python {
 
 namespace py = pybind11;
-
-/// Words and what they stand for, as on the command line.
-template <class T, std::size_t N>
-using Words = std::array<std::pair<const char*, T>, N>;
-
-template <class T, std::size_t N>
-const char* word_for(const Words<T, N>& words, T value) {
-    for (const auto& [word, meaning] : words)
-        if (meaning == value) return word;
-    return "";
-}
-
-/// throws   UsageError for a text that is none of the words
-template <class T, std::size_t N>
-T parse_word(const std::string& option, const std::string& text, const Words<T, N>& words) {
-    std::string known;
-    for (const auto& [word, meaning] : words) {
-        if (text == word) return meaning;
-        known.append(known.empty() ? "" : ", ").append(word);
-    }
-    throw UsageError(option + ": unknown value '" + text + "'; one of " + known);
-}
 
 class Options {
 public:

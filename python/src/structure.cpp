@@ -18,22 +18,17 @@ namespace {
 using StructurePointer = std::shared_ptr<Structure>;
 using Texts = std::vector<std::string>;
 
-constexpr Words<HydrogenPolicy, 3> kHydrogens{
-    {{"auto", HydrogenPolicy::Auto}, {"keep", HydrogenPolicy::Keep}, {"drop", HydrogenPolicy::Drop}}};
-constexpr Words<HeteroPolicy, 3> kHetero{
-    {{"none", HeteroPolicy::None}, {"ligands", HeteroPolicy::Ligands}, {"all", HeteroPolicy::All}}};
-
 ReadOptions read_options(const py::dict& given) {
     const Options options(given);
     ReadOptions read;
     options.read("radii", read.radii);
-    options.read_word("hydrogens", read.hydrogens, kHydrogens);
+    options.read_word("hydrogens", read.hydrogens, kHydrogenWords);
     options.read("model", read.model);
     options.read("assembly", read.assembly);
     options.read("altloc", read.altloc);
     options.read("chains", read.chains);
     options.read("select", read.select);
-    options.read_word("hetero", read.hetero, kHetero);
+    options.read_word("hetero", read.hetero, kHeteroWords);
     options.read("waters", read.keep_waters);
     options.read("strict_radii", read.strict_radii);
     return read;

@@ -19,37 +19,18 @@ namespace {
 
 using namespace py::literals;
 
-constexpr Words<Method, 3> kMethods{
-    {{"flow", Method::Flow}, {"direct", Method::Direct}, {"gaussian", Method::Gaussian}}};
-constexpr Words<Pieces, 3> kPieces{{{"all", Pieces::All}, {"outer", Pieces::Outer}, {"cavities", Pieces::Cavities}}};
 constexpr Words<const FlowOptions*, 3> kFlows{
     {{"anchored", &kAnchoredFlow}, {"parallel", &kParallelFlow}, {"paper", &kPaperFlow}}};
-constexpr Words<CurvatureField, 4> kCurvatures{{{"parallel", CurvatureField::Parallel},
-                                                {"sharp", CurvatureField::Sharp},
-                                                {"paper", CurvatureField::Paper},
-                                                {"paper-literal", CurvatureField::PaperLiteral}}};
-constexpr Words<Reinitialiser, 5> kReinitialisers{{{"none", Reinitialiser::None},
-                                                   {"closest-point", Reinitialiser::ClosestPoint},
-                                                   {"paper", Reinitialiser::Paper},
-                                                   {"paper-literal", Reinitialiser::PaperLiteral},
-                                                   {"godunov", Reinitialiser::Godunov}}};
-constexpr Words<Solver, 3> kSolvers{{{"richardson", Solver::Richardson}, {"cg", Solver::Cg}, {"gmres", Solver::Gmres}}};
-constexpr Words<Slope, 2> kSlopes{{{"unit", Slope::Unit}, {"computed", Slope::Computed}}};
-constexpr Words<FlowEnd, 5> kEnds{{{"converged", FlowEnd::Converged},
-                                   {"steps-used-up", FlowEnd::StepsUsedUp},
-                                   {"stalled", FlowEnd::Stalled},
-                                   {"vanished", FlowEnd::Vanished},
-                                   {"left-band", FlowEnd::LeftBand}}};
 
 FlowOptions flow_options(const Options& options) {
     const FlowOptions* named = &kAnchoredFlow;
     options.read_word("flow", named, kFlows);
     FlowOptions flow = *named;
-    options.read_word("curvature", flow.curvature, kCurvatures);
+    options.read_word("curvature", flow.curvature, kCurvatureWords);
     options.read("anchor", flow.anchor);
-    options.read_word("reinitialise", flow.reinitialiser, kReinitialisers);
-    options.read_word("solver", flow.solver, kSolvers);
-    options.read_word("slope", flow.slope, kSlopes);
+    options.read_word("reinitialise", flow.reinitialiser, kReinitialiserWords);
+    options.read_word("solver", flow.solver, kSolverWords);
+    options.read_word("slope", flow.slope, kSlopeWords);
     options.read("time_step", flow.time_step);
     options.read("half_width", flow.half_width);
     options.read("max_steps", flow.max_steps);
@@ -71,13 +52,13 @@ RemeshOptions remesh_options(const Options& options) {
 
 SurfaceOptions surface_options(const Options& options) {
     SurfaceOptions surface;
-    options.read_word("method", surface.method, kMethods);
+    options.read_word("method", surface.method, kMethodWords);
     options.read("probe", surface.probe);
     options.read("spacing", surface.spacing);
     options.read("density", surface.density);
     surface.flow = flow_options(options);
     surface.remesh = remesh_options(options);
-    options.read_word("components", surface.pieces, kPieces);
+    options.read_word("components", surface.pieces, kPiecesWords);
     options.read("min_cavity", surface.min_cavity);
     options.read("history", surface.history);
     options.read("initial_area", surface.initial_area);
@@ -168,7 +149,7 @@ py::object flow_dict(const HeldSurface& held) {
     return py::dict("steps"_a = f.steps, "time"_a = f.time, "converged"_a = f.converged, "residual"_a = f.residual,
                     "mean_distance"_a = f.mean_distance, "max_distance"_a = f.max_distance,
                     "solver_iterations"_a = f.solver_iterations, "initial_area"_a = f.initial_area,
-                    "reinitialisations"_a = f.reinitialisations, "end"_a = word_for(kEnds, f.end),
+                    "reinitialisations"_a = f.reinitialisations, "end"_a = word_for(kFlowEndWords, f.end),
                     "kept_step"_a = f.kept_step, "explanation"_a = f.explanation,
                     "history"_a = history_list(s.history));
 }

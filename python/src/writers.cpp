@@ -22,20 +22,6 @@ namespace meniscus::python {
 
 namespace {
 
-constexpr Words<ColourScheme, 13> kSchemes{{{"auto", ColourScheme::Automatic},
-                                            {"single", ColourScheme::Single},
-                                            {"patch", ColourScheme::Patch},
-                                            {"element", ColourScheme::Element},
-                                            {"chain", ColourScheme::Chain},
-                                            {"residue", ColourScheme::Residue},
-                                            {"residue-patch", ColourScheme::ResiduePatch},
-                                            {"hydrophobicity", ColourScheme::Hydrophobicity},
-                                            {"curvature", ColourScheme::Curvature},
-                                            {"component", ColourScheme::Component},
-                                            {"depth", ColourScheme::Depth},
-                                            {"bfactor", ColourScheme::BFactor},
-                                            {"plddt", ColourScheme::Plddt}}};
-
 using Bytes = py::array_t<std::uint8_t, py::array::c_style>;
 
 /// What is drawn: a scheme by its word, perhaps with a range, or one colour per vertex.
@@ -45,7 +31,7 @@ struct Colouring {
 
     explicit Colouring(const py::dict& asked) {
         const Options words(asked);
-        words.read_word("color", options.scheme, kSchemes);
+        words.read_word("color", options.scheme, kColourSchemeWords);
         if (asked.contains("range")) {
             const auto [min, max] = asked["range"].cast<std::pair<double, double>>();
             options.range = ValueRange{min, max};

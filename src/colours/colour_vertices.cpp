@@ -6,6 +6,7 @@
 
 #include "colours/checks.h"
 #include "colours/component_colours.h"
+#include "colours/depths.h"
 #include "colours/feature_colours.h"
 #include "colours/palettes.h"
 
@@ -31,13 +32,6 @@ std::vector<Colour> by_value(const std::vector<T>& values, std::span<const Colou
 /// What is no number lies outside every range; it must not reach the ramp.
 Colour curvature_colour(const ValueRange& range, double curvature) {
     return ramp_colour(diverging_ramp(), std::isnan(curvature) ? 0.0 : place_in(range, curvature));
-}
-
-/// Of each vertex, how far it lies within the SES of a large probe, Å.
-std::vector<double> depths(const Mesh& mesh, const Structure& structure) {
-    std::vector<double> depth = signed_distance(AccessibleSurface(structure.atoms, kDepthProbe), mesh.vertices);
-    for (double& d : depth) d = std::max(0.0, -d);
-    return depth;
 }
 
 std::vector<Colour> by_component(const Mesh& mesh) {

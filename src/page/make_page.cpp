@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "colours/depths.h"
 #include "core/parallel.h"
 #include "io/atomic_file.h"
 #include "io/png.h"
@@ -46,12 +47,6 @@ void check(const Mesh& mesh, const Structure& structure) {
     allow(mesh.components, mesh, "component");
     allow(mesh.mean_curvatures, mesh, "mean_curvature");
     allow(mesh.shape_indices, mesh, "shape_index");
-}
-
-std::vector<double> depths(const Mesh& mesh, const Structure& structure) {
-    std::vector<double> depth = signed_distance(AccessibleSurface(structure.atoms, kDepthProbe), mesh.vertices);
-    for (double& d : depth) d = std::max(0.0, -d);
-    return depth;
 }
 
 std::vector<float> light(const Mesh& mesh) {

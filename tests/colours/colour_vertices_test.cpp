@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 
 #include "colours/atom_colours.h"
+#include "colours/depths.h"
 #include "colours/palettes.h"
 #include "colours/small_meshes.h"
 #include "meniscus/colours.h"
@@ -40,18 +40,11 @@ TEST(ColourVertices, CurvatureIsSymmetricAboutWhite) {
     EXPECT_NEAR(wide[4].red, colours[3].red, 1);
 }
 
-TEST(ColourVertices, DepthIsBelowTheSurfaceOfALargeProbe) {
-    Structure two;
-    two.atoms = {.centres = {{-4.0, 0.0, 0.0}, {4.0, 0.0, 0.0}}, .radii = {2.0, 2.0}};
-    two.labels.resize(2);
-    Mesh mesh;
-    mesh.vertices = {{-6.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}};
-    // The probe that touches both atoms has its centre this far from their axis; the second point is below it.
-    const double height = std::sqrt(12.0 * 12.0 - 4.0 * 4.0);
-    const double depth = std::hypot(height, 2.0) - kDepthProbe;
+TEST(ColourVertices, DepthHasTheColdRamp) {
+    const auto [mesh, two] = testing::groove();
     const auto colours = colour_vertices(mesh, two, {.scheme = ColourScheme::Depth});
     EXPECT_EQ(colours[0], cold_ramp().front());
-    EXPECT_EQ(colours[1], ramp_colour(cold_ramp(), depth / 10.0));
+    EXPECT_EQ(colours[1], ramp_colour(cold_ramp(), depths(mesh, two)[1] / kDepthProbe));
 }
 
 TEST(ColourVertices, OuterPiecesAreAlikeAndCavitiesAreNot) {

@@ -38,4 +38,14 @@ inline std::pair<Mesh, std::array<std::size_t, 4>> two_outer_pieces_and_two_cavi
     return {mesh, {0, first, second, third}};
 }
 
+/// Two atoms of 2 Å, 8 Å apart, with a vertex at the far end of one and another between them.
+inline std::pair<Mesh, Structure> groove() {
+    Structure two;
+    two.atoms = {.centres = {{-4.0, 0.0, 0.0}, {4.0, 0.0, 0.0}}, .radii = {2.0, 2.0}};
+    two.labels.resize(2);
+    Mesh mesh;
+    mesh.vertices = {{-6.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}};
+    return {mesh, two};
+}
+
 }  // namespace meniscus::testing

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// How deep in pockets and cavities a surface lies.
+#pragma once
+
+#include <vector>
+
+#include "meniscus/mesh.h"
+#include "meniscus/structure.h"
+
+namespace meniscus {
+
+/// Of each vertex, how far it lies within the SES of a probe of kDepthProbe, Å; 0 outside.
+/// cost     O(n log n)
+std::vector<double> depths(const Mesh& mesh, const Structure& structure);
+
+}  // namespace meniscus
