@@ -67,17 +67,25 @@
     }
 
     drawNow() {
+      cancelAnimationFrame(this.waiting);
       this.waiting = 0;
       const {renderer, canvas, controls} = this;
-      const ratio = Math.min(devicePixelRatio || 1, 2), w = canvas.clientWidth, h = canvas.clientHeight;
-      if (canvas.width !== Math.round(w * ratio) || canvas.height !== Math.round(h * ratio)) {
-        renderer.setPixelRatio(ratio);
-        renderer.setSize(w, h, false);
+      if (!this.fits()) {
+        renderer.setPixelRatio(this.ratio());
+        renderer.setSize(canvas.clientWidth, canvas.clientHeight, false);
       }
       controls.place();
       this.surface.uniforms.inPerspective.value = controls.inPerspective;
       this.planeForView(controls.camera);
       renderer.render(this.scene, controls.camera);
+    }
+
+    ratio() { return Math.min(devicePixelRatio || 1, 2); }
+
+    /** Whether the picture is as large as its place. */
+    fits() {
+      const {width, height, clientWidth, clientHeight} = this.canvas, ratio = this.ratio();
+      return width === Math.round(clientWidth * ratio) && height === Math.round(clientHeight * ratio);
     }
 
     planeForView(camera) {
@@ -296,7 +304,7 @@
       on("view", "dblclick", e => this.approach(e));
       this.controls.clicked = e => this.ask(e.clientX, e.clientY);
       document.addEventListener("keydown", e => this.key(e));
-      new ResizeObserver(() => this.controls.refit()).observe($("stage"));
+      new ResizeObserver(() => this.fits() || this.controls.refit()).observe($("stage"));
       this.setCut(0);
       const dark = matchMedia("(prefers-color-scheme: dark)");
       dark.addEventListener("change", () => this.setTheme(dark.matches ? "dark" : "light"));

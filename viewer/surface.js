@@ -76,35 +76,39 @@ const Surface = (() => {
    * its three corners, and takes them from its last one: so no vertex may be last in triangles with other atoms.
    */
   function drawn({corners: c, atom}, vertices) {
-    const index = new Uint32Array(c.length), source = Array.from({length: vertices}, (_, v) => v);
-    const atoms = new Array(vertices).fill(null), next = new Int32Array(vertices + c.length / 3).fill(-1);
-    const same = (x, y) => x[0] === y[0] && x[1] === y[1] && x[2] === y[2];
-    const find = (v, wanted) => {
-      for (let i = v; i >= 0; i = next[i]) if (atoms[i] !== null && same(atoms[i], wanted)) return i;
-      return -1;
-    };
-    const add = (v, wanted) => {
-      const i = source.push(v) - 1;
-      atoms[i] = wanted;
-      next[i] = next[v];
-      next[v] = i;
+    const most = vertices + c.length / 3, index = new Uint32Array(c.length);
+    const source = new Uint32Array(most), next = new Int32Array(most).fill(-1), atoms = new Int32Array(3 * most).fill(-1);
+    for (let v = 0; v < vertices; ++v) source[v] = v;
+    let count = vertices;
+    const claim = (i, low, middle, high) => {
+      atoms[3 * i] = low;
+      atoms[3 * i + 1] = middle;
+      atoms[3 * i + 2] = high;
       return i;
     };
+    const find = (v, low, middle, high) => {
+      for (let i = v; i >= 0; i = next[i])
+        if (atoms[3 * i] === low && atoms[3 * i + 1] === middle && atoms[3 * i + 2] === high) return i;
+      return -1;
+    };
+    const add = v => {
+      source[count] = v;
+      next[count] = next[v];
+      return next[v] = count++;
+    };
     for (let t = 0; t < c.length; t += 3) {
-      const wanted = [atom[c[t]], atom[c[t + 1]], atom[c[t + 2]]].sort((x, y) => x - y);
+      const x = atom[c[t]], y = atom[c[t + 1]], z = atom[c[t + 2]];
+      const low = Math.min(x, y, z), high = Math.max(x, y, z), middle = x + y + z - low - high;
       let last = 0, place = -1;
-      while (last < 3 && (place = find(c[t + last], wanted)) < 0) ++last;
+      while (last < 3 && (place = find(c[t + last], low, middle, high)) < 0) ++last;
       for (let k = 0; place < 0 && k < 3; ++k)
-        if (atoms[c[t + k]] === null) {
-          atoms[c[t + k]] = wanted;
-          [last, place] = [k, c[t + k]];
-        }
-      if (place < 0) [last, place] = [0, add(c[t], wanted)];
+        if (atoms[3 * c[t + k]] < 0) place = claim(c[t + (last = k)], low, middle, high);
+      if (place < 0) place = claim(add(c[t + (last = 0)]), low, middle, high);
       index[t] = c[t + (last + 1) % 3];
       index[t + 1] = c[t + (last + 2) % 3];
       index[t + 2] = place;
     }
-    return {index, source, atoms};
+    return {index, source: source.subarray(0, count), atoms: atoms.subarray(0, 3 * count)};
   }
 
   function attributes(data) {
@@ -116,7 +120,7 @@ const Surface = (() => {
       const v = source[i];
       for (let k = 0; k < 3; ++k) {
         position[3 * i + k] = mesh.points[3 * v + k];
-        corners[3 * i + k] = atoms[i] ? atoms[i][k] : 0;
+        corners[3 * i + k] = atoms[3 * i + k];
         patches[4 * i + k] = kinds[3 * v + k];
       }
       look[4 * i] = nu[v];
