@@ -21,9 +21,14 @@ struct RemeshOptions {
     bool is_on() const { return edge > 0.0; }
 };
 
+/// Widest spacing of a grid whose mesh can be made even, Å: wider ones do not know the surface well enough.
+inline constexpr double kCoarsestForRemeshing = 0.5;
+
+/// Vertices of an even mesh per area / edge².
+inline constexpr double kVerticesPerSquareEdge = 1.82;
+
 /// The RemeshOptions::edge that gives so many vertices per Å² of the surface.
 inline double edge_of_density(double vertices_per_square_angstrom) {
-    constexpr double kVerticesPerSquareEdge = 1.82;
     return std::sqrt(kVerticesPerSquareEdge / vertices_per_square_angstrom);
 }
 

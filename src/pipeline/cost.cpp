@@ -16,6 +16,7 @@
 #include "core/memory.h"
 #include "grid/block_grid.h"
 #include "meniscus/errors.h"
+#include "meniscus/remesh.h"
 #include "meniscus/surface.h"
 #include "pipeline/band_size.h"
 #include "pipeline/flow_stage.h"
@@ -147,6 +148,18 @@ constexpr Prices prices_of(const SurfaceOptions& options) {
     return {{1800.0, 3800.0, 85.0}, {6500.0, options.initial_area ? 35000.0 : 14000.0, 450.0}};
 }
 
+// Even triangles: both meshes go through the remesher, where the larger one decides what memory it takes.
+constexpr double kBytesPerRemeshed = 370.0;
+constexpr double kNanosecondsPerEven = 12000.0;
+constexpr double kNanosecondsPerReplaced = 1000.0;
+
+void add_remeshing(Cost& cost, double edge) {
+    const double even = kVerticesPerSquareEdge * cost.area / (edge * edge);
+    cost.memory_mb += kBytesPerRemeshed * std::max(cost.vertices, even) / kMegabyte;
+    cost.seconds += 1e-9 * (kNanosecondsPerEven * even + kNanosecondsPerReplaced * cost.vertices);
+    cost.vertices = even;
+}
+
 Cost cost_of(double atoms, double area, const SurfaceOptions& options) {
     const double h = options.spacing;
     const double blocks = block_count(area, h, band_margin(options));
@@ -158,6 +171,7 @@ Cost cost_of(double atoms, double area, const SurfaceOptions& options) {
     };
     cost.memory_mb = (kBytesOfProgram + sum(prices_of(options).bytes)) / kMegabyte;
     cost.seconds = 1e-9 * sum(prices_of(options).nanoseconds);
+    if (options.remesh.is_on()) add_remeshing(cost, options.remesh.edge);
     return cost;
 }
 
@@ -171,22 +185,45 @@ std::string amount(double megabytes) {
 }
 
 // Changes of the options with which the computation would fit.
-std::string advice(std::size_t atoms, double area, const SurfaceOptions& options) {
-    constexpr double kWidest = 5.0;  // Å: wider grids show no surface
-    const auto memory = [&](Method method, double spacing) {
-        SurfaceOptions other = options;
-        other.method = method;
-        other.spacing = spacing;
-        return cost_of(static_cast<double>(atoms), area, other).memory_mb;
-    };
-    std::string text;
-    double spacing = std::ceil(100.0 * options.spacing) / 100.0;
-    while (spacing <= kWidest && memory(options.method, spacing) > limit_mb(options)) spacing += 0.01;
-    if (spacing <= kWidest) text += fmt::format("--spacing {:.2f} or more, ", spacing);
-    const double direct = memory(Method::Direct, options.spacing);
-    if (direct <= limit_mb(options)) text += fmt::format("--method direct ({}), ", amount(direct));
-    return text + (options.memory_limit_mb > 0 ? "a larger --memory, or fewer atoms" : "or fewer atoms");
-}
+class Advice {
+public:
+    Advice(double atoms, double area, const SurfaceOptions& options) : atoms_(atoms), area_(area), options_(options) {}
+
+    std::string text() const {
+        const bool even = options_.remesh.is_on();
+        std::string text = least("--spacing", options_.spacing, even ? kCoarsestForRemeshing : kWidest,
+                                 [](SurfaceOptions& options, double value) { options.spacing = value; });
+        if (even)
+            text += least("--edge", options_.remesh.edge, kLongest,
+                          [](SurfaceOptions& options, double value) { options.remesh.edge = value; });
+        SurfaceOptions direct = options_;
+        direct.method = Method::Direct;
+        if (fits(direct)) text += fmt::format("--method direct ({}), ", amount(memory(direct)));
+        return text + (options_.memory_limit_mb > 0 ? "a larger --memory, or fewer atoms" : "or fewer atoms");
+    }
+
+private:
+    static constexpr double kWidest = 5.0;   // Å: wider grids show no surface
+    static constexpr double kLongest = 5.0;  // Å: nor do longer edges
+
+    double memory(const SurfaceOptions& options) const { return cost_of(atoms_, area_, options).memory_mb; }
+    bool fits(const SurfaceOptions& options) const { return memory(options) <= limit_mb(options); }
+
+    // The least value that fits, in steps of 0.01 Å; nothing where none does.
+    template <class Set>
+    std::string least(const char* name, double value, double most, const Set& set) const {
+        SurfaceOptions other = options_;
+        for (value = std::ceil(100.0 * value) / 100.0; value <= most; value += 0.01) {
+            set(other, value);
+            if (fits(other)) return fmt::format("{} {:.2f} or more, ", name, value);
+        }
+        return "";
+    }
+
+    double atoms_;
+    double area_;
+    const SurfaceOptions& options_;
+};
 
 }  // namespace
 
@@ -199,7 +236,7 @@ void refuse_what_would_not_fit(const Atoms& atoms, const SurfaceOptions& options
     throw LimitError(fmt::format("the surface needs about {} of memory ({:.3g} million vertices), and {} {}; choose {}",
                                  amount(cost.memory_mb), 1e-6 * cost.vertices, amount(limit_mb(options)),
                                  options.memory_limit_mb > 0 ? "are allowed" : "are free",
-                                 advice(atoms.size(), cost.area, options)));
+                                 Advice(static_cast<double>(atoms.size()), cost.area, options).text()));
 }
 
 double band_margin(const SurfaceOptions& options) {

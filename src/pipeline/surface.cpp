@@ -36,8 +36,6 @@ constexpr double kMeanDistanceBound = 0.1;  // in spacings
 
 constexpr double kWidestBand = 16.0;  // spacings
 
-constexpr double kCoarsestForRemeshing = 0.5;  // Å: coarser grids do not know the surface well enough
-
 // A distance changes by at most 1 per Å: both ends of an edge that the surface cuts are within the edge's length. Of
 // all other nodes marching cubes needs the sign alone.
 constexpr double kCutEdge = 1.01;  // spacings

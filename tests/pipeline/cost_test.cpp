@@ -79,5 +79,27 @@ TEST(Cost, RefusalOffersTheDirectMethodWhereThatFits) {
     EXPECT_NE(refusal(atoms, options).find("--method direct"), std::string::npos);
 }
 
+TEST(Cost, CountsEvenTriangles) {
+    const Atoms atoms = ubiquitin();
+    for (const double edge : {0.6, 1.0, 2.0}) {
+        const SurfaceOptions options{.remesh = {.edge = edge}};
+        const auto vertices = static_cast<double>(compute_surface(atoms, options).mesh.vertices.size());
+        EXPECT_NEAR(estimate_cost(atoms, options).vertices, vertices, 0.25 * vertices) << edge;
+        EXPECT_GT(estimate_cost(atoms, options).memory_mb, estimate_cost(atoms, {}).memory_mb) << edge;
+    }
+}
+
+TEST(Cost, EdgesThatWouldNotFitAreRefusedWithThoseThatWould) {
+    const Atoms atoms = ubiquitin();
+    SurfaceOptions options{.remesh = {.edge = 0.05}, .memory_limit_mb = 100};
+    EXPECT_THROW(compute_surface(atoms, options), LimitError);
+    const std::string text = refusal(atoms, options);
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(text, found, std::regex("--edge ([0-9.]+) or more"))) << text;
+    EXPECT_EQ(text.find("--spacing"), std::string::npos) << text;
+    options.remesh.edge = std::stod(found[1]);
+    EXPECT_EQ(refusal(atoms, options), "");
+}
+
 }  // namespace
 }  // namespace meniscus::testing
