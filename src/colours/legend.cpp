@@ -104,6 +104,7 @@ std::vector<LegendEntry> entries_of_features(const Mesh& mesh, const Structure& 
         found.emplace(class_of(atom, patch), colours.at(atom, patch));
     }
     std::vector<LegendEntry> entries;
+    entries.reserve(found.size());
     for (const auto& [name, colour] : found) entries.push_back({name.second, colour});
     return entries;
 }
