@@ -16,7 +16,7 @@
 namespace meniscus::testing {
 
 /// What a GLB file holds. Values are as stored, normalised ones divided by their largest.
-struct GlbContent {
+struct GlbContent {  // NOLINT(bugprone-exception-escape): moving JSON does not throw, as the library promises
     nlohmann::json json;
     std::map<std::string, std::vector<std::vector<double>>> attributes;  ///< by name, one list per vertex
     std::vector<Triangle> triangles;
