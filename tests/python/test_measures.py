@@ -66,7 +66,7 @@ class Measuring(InScratchFolder):
         self.assertEqual(len(pathlib.Path("atoms.csv").read_text().splitlines()), 603)
 
     def test_what_makes_no_sense_is_refused(self):
-        with self.assertRaisesRegex(ValueError, "per: unknown value 'cell'; one of atom, residue, chain, cavity"):
+        with self.assertRaisesRegex(ValueError, "per: unknown value 'cell'; one of residue, atom, chain, cavity"):
             meniscus.measure(CENTRES, RADII).table("cell")
         with self.assertRaisesRegex(ValueError, "probe"):
             meniscus.measure(CENTRES, RADII, probe=-1)
