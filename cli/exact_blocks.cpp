@@ -79,10 +79,6 @@ ordered_json interface_json(const std::string& a, const std::string& b, const In
             {"buried_ses", i.buried_ses()}};
 }
 
-Check agreement_check(const Measures& measures) {
-    return {"exact_agreement", measures.agreed, measures.agreed ? 1.0 : 0.0, 1.0};
-}
-
 std::string disputed_patches(bool agreed, std::span<const std::string> disputed) {
     if (agreed) return "";
     return fmt::format("exact_agreement ({})", fmt::join(disputed, "; "));

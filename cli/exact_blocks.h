@@ -22,9 +22,6 @@ nlohmann::ordered_json components_json(const Measures& measures);
 /// One entry of "interfaces"; a and b: the chains of each side, "A,C".
 nlohmann::ordered_json interface_json(const std::string& a, const std::string& b, const Interface& interface);
 
-/// Whether two independent evaluations agree, as a check: value and bound 1 for agreement.
-Check agreement_check(const Measures& measures);
-
 /// "exact_agreement (patches of atom 3 by 0.1 Å², ...)", or empty if the evaluations agree.
 std::string disputed_patches(bool agreed, std::span<const std::string> disputed);
 

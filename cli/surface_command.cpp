@@ -15,7 +15,6 @@
 #include "meniscus/measures.h"
 #include "meniscus/page.h"
 #include "meniscus/tables.h"
-#include "page_rows.h"
 #include "summary.h"
 
 namespace meniscus::cli {
@@ -105,7 +104,7 @@ private:
                                     {.colours = request_.picture.colours,
                                      .viewpoint = picture.viewpoint,
                                      .projection = picture.projection,
-                                     .rows = page_rows(request_, structure, surface_, exact_),
+                                     .rows = page_rows(structure, surface_, exact_),
                                      .components = exact_.components,
                                      .threads = request_.surface.threads});
         show("page", 1.0);

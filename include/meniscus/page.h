@@ -13,6 +13,7 @@
 #include "meniscus/mesh.h"
 #include "meniscus/picture.h"
 #include "meniscus/structure.h"
+#include "meniscus/surface.h"
 
 namespace meniscus {
 
@@ -22,6 +23,12 @@ struct PageRow {
     std::string label;
     std::string value;
 };
+
+/// The numbers of a surface as pages show them: exact ones, the mesh's, how it was made, its checks.
+///
+/// structure  that the surface is of; its file, if it has one, is named without folders
+/// exact      measures of the same atoms and probe
+std::vector<PageRow> page_rows(const Structure& structure, const Surface& surface, const Measures& exact);
 
 struct PageOptions {
     ColourOptions colours{};               ///< shown first; a range holds for its scheme wherever the page shows it

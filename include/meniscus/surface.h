@@ -118,4 +118,9 @@ Surface compute_surface(const Atoms& atoms, const SurfaceOptions& options = {}, 
 /// cost       a few microseconds per piece
 Check check_pieces(const Surface& surface, const Measures& measured, const Atoms& atoms);
 
+/// Whether the independent evaluations of exact measures agree: value and bound are 1 where they do.
+inline Check agreement_check(const Measures& measured) {
+    return {"exact_agreement", measured.agreed, measured.agreed ? 1.0 : 0.0, 1.0};
+}
+
 }  // namespace meniscus

@@ -140,46 +140,7 @@ def _save_picture(path: str, surface: Surface, options: dict[str, Any], drawing:
 
 
 def _save_page(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
-    rows = [(section, label, value) for section, rows in _page_rows(surface).items() for label, value in rows]
-    _core.write_page(path, surface._core, surface.measures._core,
-                     {**options, **_view_options(drawing), "rows": rows})
-
-
-def _page_rows(surface: Surface) -> dict[str, list[tuple[str, str]]]:
-    """The numbers that the command line's pages show, too."""
-    exact, mesh, structure, asked = surface.measures, surface.mesh, surface.structure, surface.options
-    passed = sum(check["passed"] for check in surface.checks)
-    return {
-        "Solvent-excluded surface, exact": [
-            ("area", f"{exact.ses_area:.1f} Å²"),
-            ("volume", f"{exact.ses_volume:.1f} Å³"),
-            ("contact", f"{exact.contact_area:.1f} Å²"),
-            ("toroidal", f"{exact.toroidal_area:.1f} Å²"),
-            ("reentrant", f"{exact.reentrant_area:.1f} Å²"),
-            ("cavities", f"{len(exact.cavities)}"),
-        ],
-        "Solvent-accessible surface, exact": [
-            ("area", f"{exact.sas_area:.1f} Å²"),
-            ("volume", f"{exact.sas_volume:.1f} Å³"),
-        ],
-        "This mesh": [
-            ("area", f"{mesh['corrected_area']:.1f} Å²"),
-            ("volume", f"{mesh['corrected_volume']:.1f} Å³"),
-            ("vertices", f"{mesh['vertices']}"),
-            ("triangles", f"{mesh['triangles']}"),
-            ("from the exact surface", f"mean {mesh['mean_distance']:.4f} Å"),
-        ],
-        "How it was made": [
-            ("file", os.path.basename(structure.file) or "arrays in Python"),
-            ("atoms", f"{len(structure)}"),
-            *((f"left out: {reason}", f"{count}") for reason, count in structure.dropped.items() if count),
-            ("radii", structure.radii_set),
-            ("probe", f"{asked['probe']:g} Å"),
-            ("method", asked["method"]),
-            ("spacing", f"{asked['spacing']:g} Å"),
-        ],
-        "Checks": [("passed", f"{passed} of {len(surface.checks)}")],
-    }
+    _core.write_page(path, surface._core, surface.measures._core, {**options, **_view_options(drawing)})
 
 
 def _save_level_set(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:

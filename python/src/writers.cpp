@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <tuple>
 
 #include "arrays.h"
 #include "bindings.h"
@@ -171,11 +170,9 @@ void save_page(const std::string& path, const HeldSurface& held, const Measures&
     PageOptions options{.colours = colouring.options,
                         .viewpoint = viewpoint_of(given),
                         .projection = projection_of(given),
+                        .rows = page_rows(held.structure(), held.surface(), exact),
                         .components = exact.components};
     Options(given).read("threads", options.threads);
-    for (const auto& [section, label, value] :
-         given["rows"].cast<std::vector<std::tuple<std::string, std::string, std::string>>>())
-        options.rows.push_back({section, label, value});
     const py::gil_scoped_release release;
     write_page(path, held.surface().mesh, held.structure(), options);
 }

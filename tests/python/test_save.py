@@ -19,7 +19,7 @@ def content(path):
 @unittest.skipUnless(PROGRAM, "MENISCUS_PROGRAM names no program to compare with")
 class AsTheProgram(InScratchFolder):
     def test_files_have_the_same_bytes(self):
-        names = ["mesh.ply", "mesh.obj", "mesh.stl", "mesh.off", "mesh.glb", "picture.png"]
+        names = ["mesh.ply", "mesh.obj", "mesh.stl", "mesh.off", "mesh.glb", "picture.png", "page.html"]
         outputs = [word for name in names for word in ("-o", f"cli_{name}")]
         options = ["--color", "curvature:-1:1", "--size", "400x300", "--view", "top", "--background", "#202020",
                    "--cut", "12", "--legend"]

@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "page_rows.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "meniscus/page.h"
 #include "support/small_structures.h"
 
-namespace meniscus::cli {
+namespace meniscus {
 namespace {
 
 std::string value_of(const std::vector<PageRow>& rows, std::string_view label, std::string_view section = "") {
@@ -19,11 +18,10 @@ std::string value_of(const std::vector<PageRow>& rows, std::string_view label, s
 }
 
 struct SmallRun {
-    SurfaceRequest request;
     Structure structure = testing::two_atoms();
     Surface surface;
     Measures exact;
-    std::vector<PageRow> rows() const { return page_rows(request, structure, surface, exact); }
+    std::vector<PageRow> rows() const { return page_rows(structure, surface, exact); }
 };
 
 TEST(PageRows, HoldAreasAndCountsOfPieces) {
@@ -57,4 +55,4 @@ TEST(PageRows, TellWhatFailed) {
 }
 
 }  // namespace
-}  // namespace meniscus::cli
+}  // namespace meniscus

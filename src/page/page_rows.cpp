@@ -1,17 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "page_rows.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "exact_blocks.h"
-#include "messages.h"
-#include "summary_text.h"
+#include "meniscus/page.h"
+#include "meniscus/words.h"
 
-namespace meniscus::cli {
+namespace meniscus {
 
 namespace {
 
@@ -20,6 +17,14 @@ using Rows = std::vector<PageRow>;
 std::string area(double value) { return fmt::format("{:.1f} Å²", value); }
 std::string volume(double value) { return fmt::format("{:.1f} Å³", value); }
 std::string length(double value) { return fmt::format("{:.4f} Å", value); }
+
+/// Without its folders, on one line.
+std::string name_of_file(const std::string& path) {
+    std::string name = std::filesystem::path(path).filename().string();
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    return name;
+}
 
 std::size_t count(const Measures& exact, ComponentKind kind) {
     return static_cast<std::size_t>(std::count_if(exact.components.begin(), exact.components.end(),
@@ -56,18 +61,17 @@ void add_mesh(Rows& rows, const Surface& surface) {
     rows.push_back({distance, "largest", length(surface.distance.max)});
 }
 
-void add_input(Rows& rows, const SurfaceRequest& request, const Structure& structure, const Surface& surface) {
+void add_input(Rows& rows, const Structure& structure, const Surface& surface) {
     const char* section = "How it was made";
-    const std::string file =
-        structure.file == "-" ? "standard input" : std::filesystem::path(structure.file).filename().string();
-    rows.push_back({section, "file", one_line(file)});
+    if (!structure.file.empty())
+        rows.push_back({section, "file", structure.file == "-" ? "standard input" : name_of_file(structure.file)});
     rows.push_back({section, "atoms", fmt::format("{}", structure.atoms.size())});
     rows.push_back({section, "residues", fmt::format("{}", structure.residues.size())});
     for (const auto& [reason, number] : structure.dropped)
         if (number > 0) rows.push_back({section, "left out: " + reason, fmt::format("{}", number)});
-    rows.push_back({section, "radii", one_line(std::filesystem::path(structure.radii_set).filename().string())});
+    rows.push_back({section, "radii", name_of_file(structure.radii_set)});
     rows.push_back({section, "probe", fmt::format("{} Å", surface.options.probe)});
-    rows.push_back({section, "method", name_of(request.surface.method)});
+    rows.push_back({section, "method", word_for(kMethodWords, surface.options.method)});
     rows.push_back({section, "spacing", fmt::format("{} Å", surface.options.spacing)});
     if (surface.options.remesh.is_on())
         rows.push_back({section, "edges near", fmt::format("{:.3g} Å", surface.options.remesh.edge)});
@@ -84,14 +88,13 @@ void add_checks(Rows& rows, const Surface& surface, const Measures& exact) {
 
 }  // namespace
 
-std::vector<PageRow> page_rows(const SurfaceRequest& request, const Structure& structure, const Surface& surface,
-                               const Measures& exact) {
+std::vector<PageRow> page_rows(const Structure& structure, const Surface& surface, const Measures& exact) {
     Rows rows;
     add_exact(rows, exact);
     add_mesh(rows, surface);
-    add_input(rows, request, structure, surface);
+    add_input(rows, structure, surface);
     add_checks(rows, surface, exact);
     return rows;
 }
 
-}  // namespace meniscus::cli
+}  // namespace meniscus
