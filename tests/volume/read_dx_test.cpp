@@ -64,7 +64,7 @@ TEST(ReadDx, ReadsGzippedFilesAndGridsAlone) {
 
 TEST(ReadDx, NamesThePlaceOfWhatIsWrong) {
     EXPECT_EQ(complaint_with("counts 2 1 3", "counts 2 1"),
-              "a.dx:5:42: count along z is missing; the line ends too early");
+              "a.dx:5:40: count along z is missing; the line ends too early");
     EXPECT_EQ(complaint_with("counts 2 1 3", "counts 2 0 3"),
               "a.dx:5:39: count along y '0' is no count of nodes; correct it");
     EXPECT_EQ(complaint_with("1.500000e+00", "nan"), "a.dx:6:22: origin y 'nan' is not a finite number; correct it");
