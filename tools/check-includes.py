@@ -9,7 +9,8 @@ from sources import ROOT, includes, sources
 # What a room may include beside itself, core and the public headers.
 ROOMS = {
     "core": (),
-    "structure": ("radii",),
+    "reading": (),
+    "structure": ("reading", "radii"),
     "radii": (),
     "geometry": (),
     "grid": (),
