@@ -9,7 +9,8 @@ from sources import ROOT, includes, sources
 # What a room may include beside itself, core and the public headers.
 ROOMS = {
     "core": (),
-    "structure": ("radii",),
+    "reading": (),
+    "structure": ("reading", "radii"),
     "radii": (),
     "geometry": (),
     "grid": (),
@@ -22,7 +23,7 @@ ROOMS = {
     "colours": ("radii",),
     "render": (),
     "io": ("grid",),
-    "volume": ("io",),
+    "volume": ("reading", "io"),
     "page": ("colours", "render", "io"),
     "pipeline": ("geometry", "grid", "band", "flow", "mesh", "remesh", "measure"),
 }

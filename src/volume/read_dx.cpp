@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -13,21 +12,20 @@
 #include <string_view>
 #include <vector>
 
-#include "meniscus/errors.h"
+#include "reading/numbers.h"
+#include "reading/text.h"
 #include "volume/byte_source.h"
 #include "volume/readers.h"
 
 namespace meniscus {
 namespace {
 
+using reading::Place;
+using reading::shown;
+
 constexpr std::size_t kLongestLine = 4096;  // of the header
 constexpr std::size_t kLongestWord = 64;    // of a number
 constexpr std::uint64_t kMostNodes = std::uint64_t{1} << 48U;
-
-struct Place {
-    std::size_t line = 1;
-    std::size_t column = 1;
-};
 
 struct Word {
     std::string text;  // without quotes
@@ -35,23 +33,6 @@ struct Word {
 };
 
 bool is_blank(int c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-
-template <class Number>
-std::optional<Number> parse(std::string_view text) {
-    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
-// As it may stand in a message.
-std::string shown(std::string_view word) {
-    std::string text = "'" + std::string(word.substr(0, 30)) + "'";
-    std::replace_if(
-        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7f; }, '?');
-    return text;
-}
 
 class DxReader {
 public:
@@ -68,7 +49,7 @@ public:
 
 private:
     [[noreturn]] void fail(Place place, const std::string& message) const {
-        throw InputError(fmt::format("{}:{}:{}: {}", source_.path(), place.line, place.column, message));
+        reading::fail_at(source_.path(), place, message);
     }
     [[noreturn]] void fail(const Word& word, const std::string& message) const { fail(word.place, message); }
 
@@ -116,7 +97,7 @@ private:
 
     double number(std::size_t i, const char* what) const {
         const Word& w = word(i, what);
-        const std::optional<double> value = parse<double>(w.text);
+        const std::optional<double> value = reading::whole_number<double>(w.text);
         if (!value || !std::isfinite(*value))
             fail(w, fmt::format("{} {} is not a finite number; correct it", what, shown(w.text)));
         return *value;
@@ -124,7 +105,7 @@ private:
 
     std::uint64_t count(std::size_t i, const char* what) const {
         const Word& w = word(i, what);
-        const auto value = parse<std::uint64_t>(w.text);
+        const auto value = reading::whole_number<std::uint64_t>(w.text);
         if (!value || *value == 0 || *value > kMostNodes)
             fail(w, fmt::format("{} {} is no count of nodes; correct it", what, shown(w.text)));
         return *value;
@@ -263,7 +244,7 @@ private:
         if (text.empty() || text == "attribute" || text == "object" || text == "component")
             fail(place, fmt::format("the data end after {} of {} values; the file is cut off, fetch or write it again",
                                     index, volume_.values.size()));
-        const std::optional<double> value = parse<double>(text);
+        const std::optional<double> value = reading::whole_number<double>(text);
         if (!value || !(std::abs(*value) <= static_cast<double>(std::numeric_limits<float>::max())))
             fail(place, fmt::format("value {} is not a number within single precision; correct it", shown(text)));
         return static_cast<float>(*value);
@@ -273,7 +254,7 @@ private:
     void check_rest() {
         while (next_line()) {
             if (words_.empty()) continue;
-            if (parse<double>(words_[0].text))
+            if (reading::whole_number<double>(words_[0].text))
                 fail(words_[0],
                      fmt::format("more values than the {} of the grid; correct the counts", volume_.values.size()));
         }
