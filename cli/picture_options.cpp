@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "help.h"
+#include "meniscus/vertex_values.h"
 #include "option_words.h"
 
 namespace meniscus::cli {
@@ -38,10 +39,15 @@ ColourOptions parse_colours(const std::string& text) {
     const std::vector<std::string> parts = split(text, ':');
     if (parts.size() != 1 && parts.size() != 3)
         throw UsageError(fmt::format("--color: '{}' is neither a scheme nor SCHEME:MIN:MAX", text));
-    ColourOptions colours{.scheme = parse_word("--color", parts[0], kColourSchemeWords)};
+    const bool of_values = !is_word_of(kColourSchemeWords, parts[0]) && is_value_name(parts[0]);
+    ColourOptions colours{.scheme = ColourScheme::Value};
+    if (of_values)
+        colours.value = parts[0];
+    else
+        colours.scheme = parse_word("--color", parts[0], kColourSchemeWords);
     if (parts.size() == 1) return colours;
     if (!takes_range(colours.scheme))
-        throw UsageError(fmt::format("--color: {} takes no range; curvature, depth and bfactor do", parts[0]));
+        throw UsageError(fmt::format("--color: {} takes no range; curvature, depth, bfactor and values do", parts[0]));
     colours.range = {parse_number("--color", parts[1], Sign::Any), parse_number("--color", parts[2], Sign::Any)};
     if (colours.range->min >= colours.range->max)
         throw UsageError(fmt::format("--color: the range of '{}' is empty; write the smaller value first", text));
@@ -161,11 +167,12 @@ void add_drawing_flag(CLI::App& command, PictureRequest& request, const char* na
 void add_colour(CLI::App& command, PictureRequest& request) {
     const auto read = [&request](const std::string& text) { request.colours = parse_colours(text); };
     command
-        .add_option_function<std::string>("--color", read,
-                                          fmt::format("Colours of pictures, meshes and pages\n: {}; auto: chain if "
-                                                      "there are several, else single. curvature, "
-                                                      "depth and bfactor also as SCHEME:MIN:MAX",
-                                                      join(kColourSchemeWords, ", ")))
+        .add_option_function<std::string>(
+            "--color", read,
+            fmt::format("Colours of pictures, meshes and pages\n: {}; auto: chain if "
+                        "there are several, else single. curvature, "
+                        "depth and bfactor also as SCHEME:MIN:MAX; or NAME[:MIN:MAX] of values",
+                        join(kColourSchemeWords, ", ")))
         ->type_name("SCHEME")
         ->default_str(kColourSchemeWords.front().first);
 }
@@ -210,17 +217,20 @@ void add_picture_options(CLI::App& command, PictureRequest& request) {
         });
     add_drawing_flag(command, request, "--perspective", rarely("Draw what is nearer larger"),
                      [&] { picture.projection = Projection::Perspective; });
-    add_drawing_flag(command, request, "--outline", "Lines where the surface ends", [&] { picture.outline = true; });
+    add_drawing_flag(command, request, "--outline", rarely("Lines where the surface ends"), [&] { picture.outline = true; });
     add_drawing_flag(command, request, "--legend", "What the colours mean, beside the surface",
                      [&] { request.legend = true; });
 }
 
-void report_picture(const PictureRequest& request, const Structure& structure, bool drawn, ordered_json& options) {
-    const ColourScheme scheme = scheme_in_force(request.colours.scheme, structure);
-    options["color"] = word_for(kColourSchemeWords, scheme);
+void report_picture(const PictureRequest& request, const Structure& structure, const Mesh& mesh, bool drawn,
+                    ordered_json& options) {
+    ColourOptions colours = request.colours;
+    colours.scheme = scheme_in_force(colours.scheme, structure);
+    const bool of_values = colours.scheme == ColourScheme::Value;
+    options["color"] = of_values ? colours.value : word_for(kColourSchemeWords, colours.scheme);
     options["color_range"] = nullptr;
-    if (takes_range(scheme)) {
-        const ValueRange range = request.colours.range.value_or(default_range(scheme, structure));
+    if (takes_range(colours.scheme)) {
+        const ValueRange range = range_in_force(colours, mesh, structure);
         options["color_range"] = {range.min, range.max};
     }
     for (const char* name : {"view", "size", "background", "cut", "perspective", "outline", "depth_cue", "legend"})

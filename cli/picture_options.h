@@ -16,7 +16,7 @@ class App;
 namespace meniscus::cli {
 
 struct PictureRequest {
-    ColourOptions colours;   ///< of meshes too
+    ColourOptions colours{};   ///< of meshes too
     PictureOptions picture;  ///< threads are those of the run
     bool legend = false;
     std::string view = "auto";  ///< as asked for
@@ -35,7 +35,7 @@ void check_picture(const PictureRequest& request);
 
 /// The scheme and range in force, and how pictures are drawn, as the report has them.
 /// drawn   whether there is a picture; without one what shapes it is null
-void report_picture(const PictureRequest& request, const Structure& structure, bool drawn,
+void report_picture(const PictureRequest& request, const Structure& structure, const Mesh& mesh, bool drawn,
                     nlohmann::ordered_json& options);
 
 }  // namespace meniscus::cli

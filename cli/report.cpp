@@ -47,7 +47,8 @@ bool has_picture(const std::vector<std::string>& outputs) {
                        [](const std::string& path) { return kind_of(path) == OutputKind::Picture; });
 }
 
-ordered_json surface_options_block(const SurfaceRequest& request, const Structure& structure, const RunFacts& facts) {
+ordered_json surface_options_block(const SurfaceRequest& request, const Structure& structure, const Mesh& mesh,
+                                   const RunFacts& facts) {
     const SurfaceOptions& o = request.surface;
     const bool flow = o.method == Method::Flow;
     ordered_json block{{"method", name_of(o.method)},
@@ -73,7 +74,8 @@ ordered_json surface_options_block(const SurfaceRequest& request, const Structur
                        {"threads", facts.threads},
                        {"verify", o.verify},
                        {"memory_mb", if_used(o.memory_limit_mb > 0, o.memory_limit_mb)}};
-    report_picture(request.picture, structure, has_picture(request.outputs), block);
+    report_picture(request.picture, structure, mesh, has_picture(request.outputs), block);
+    report_values(request.values, block);
     return block;
 }
 
@@ -245,7 +247,7 @@ ordered_json make_report(const SurfaceRequest& request, const Structure& structu
     return {{"meniscus", kVersion},
             {"schema", 1},
             {"input", input_block(structure, surface.options.probe, facts.model)},
-            {"options", options_block(surface_options_block(request, structure, facts), request)},
+            {"options", options_block(surface_options_block(request, structure, surface.mesh, facts), request)},
             {"exact", exact_json(exact)},
             {"components", components_json(exact)},
             {"mesh", mesh_block(surface, exact_counterpart(exact, surface.options))},

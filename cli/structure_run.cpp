@@ -39,6 +39,11 @@ Outcome StructureRun::operator()() {
     return outcome_;
 }
 
+void StructureRun::warn(const std::string& line) {
+    progress_.clear();
+    print_warning(std::cerr, line);
+}
+
 /// Refuses what can be refused before the input is read.
 void StructureRun::check_asked_paths() const {
     plan("", "");

@@ -69,6 +69,8 @@ private:
     /// needs it.
     void compute(const Job& job) override {
         const SurfaceOptions& options = request_.surface;
+        values_ = ValueSources(request_.values, request_.picture.colours, job.structure);
+        for (const std::string& line : values_.warnings()) warn(line);
         Stopwatch estimating;
         if (!request_.report.empty() || shows_progress()) {
             const Cost expected = estimate_cost(job.structure.atoms, options);
@@ -86,12 +88,18 @@ private:
         surface_.seconds.estimate += estimate_seconds;
         if (!request_.report.empty() && options.method == Method::Flow)
             surface_.checks.push_back(check_pieces(surface_, exact_, job.structure.atoms));
+        bring_values();
         Stopwatch watch;
         colours_ = colour_vertices(surface_.mesh, job.structure, request_.picture.colours);
         if (has(job.outputs, OutputKind::Picture)) draw(job.structure);
         picture_seconds_ = watch.lap();
         if (has(job.outputs, OutputKind::Page)) make_page(job.structure);
         page_seconds_ = watch.lap();
+    }
+
+    void bring_values() {
+        surface_.mesh.values = values_.at_vertices(surface_.mesh);
+        for (const std::string& line : values_.judge(surface_.mesh.values)) warn(line);
     }
 
     void make_page(const Structure& structure) {
@@ -136,8 +144,10 @@ private:
         if (step.step % request_.flow.snapshots != 0) return;
         {
             const WritingSection section;
-            write_surface_mesh(snapshot_path(first_mesh(job.outputs)->path, step.step), request_, job.structure, mesh,
-                               colour_vertices(mesh, job.structure, request_.picture.colours));
+            Mesh complete = mesh;
+            complete.values = values_.at_vertices(mesh);
+            write_surface_mesh(snapshot_path(first_mesh(job.outputs)->path, step.step), request_, job.structure,
+                               complete, colour_vertices(complete, job.structure, request_.picture.colours));
         }
         throw_if_interrupted();
     }
@@ -174,7 +184,9 @@ private:
         all.exact_seconds = exact_seconds_;
         all.picture_seconds = picture_seconds_;
         all.page_seconds = page_seconds_;
-        return make_report(request_, job.structure, surface_, exact_, all);
+        ordered_json report = make_report(request_, job.structure, surface_, exact_, all);
+        report["values"] = values_.report(surface_.mesh);
+        return report;
     }
 
     std::string summary(const Job& job, const RunFacts& facts) const override {
@@ -182,6 +194,7 @@ private:
     }
 
     const SurfaceRequest& request_;
+    ValueSources values_;
     Measures exact_;
     double exact_seconds_ = 0.0;
     double picture_seconds_ = 0.0;

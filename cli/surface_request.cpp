@@ -84,6 +84,7 @@ void complete(SurfaceRequest& request) {
         throw UsageError(
             "--adaptive, --keep-ridges and --simplify-topology shape even triangles; ask for them with --edge");
     check_picture(request.picture);
+    check_values(request.values, request.picture.colours);
     request.surface.history = !request.flow.history.empty();
     request.surface.initial_area = !request.report.empty();
     request.surface.quality = !request.report.empty();
@@ -109,6 +110,7 @@ void add_surface_options(CLI::App& command, SurfaceRequest& request) {
     add_encoding(command, request);
     command.option_defaults()->group("Colours and pictures");
     add_picture_options(command, request.picture);
+    add_value_options(command, request.values);
     command.option_defaults()->group("Running");
     add_run_options(command, request, request.surface.threads);
     add_memory_limit(command, request);

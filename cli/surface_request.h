@@ -10,6 +10,7 @@
 #include "meniscus/surface.h"
 #include "meniscus/write.h"
 #include "picture_options.h"
+#include "value_options.h"
 
 namespace meniscus::cli {
 
@@ -18,7 +19,8 @@ struct SurfaceRequest : CommonRequest {
     SurfaceOptions surface;
     FlowRequest flow;  ///< surface.flow is what it resolves to
     Encoding encoding = Encoding::Binary;
-    PictureRequest picture;
+    PictureRequest picture{};
+    ValueRequest values{};
 };
 
 /// Gives a subcommand its options; parsing fills `request`, which must outlive the parser.

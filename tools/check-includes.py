@@ -23,6 +23,7 @@ ROOMS = {
     "colours": ("radii",),
     "render": (),
     "io": ("grid",),
+    "values": ("reading",),
     "volume": ("reading", "io"),
     "page": ("colours", "render", "io"),
     "pipeline": ("geometry", "grid", "band", "flow", "mesh", "remesh", "measure"),

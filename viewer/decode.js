@@ -94,6 +94,7 @@ const Decode = (() => {
       shape: has("shape") ? sums(stream("shape"), n, Float32Array, info.shapeStep) : null,
       depth: has("depth") ? byteSums(stream("depth")) : null,
       sky: has("sky") ? byteSums(stream("sky")) : null,
+      values: info.values.map((_, i) => sums(stream("value-" + i), n, Int32Array)),   // in steps, -1: none
     };
     const shift = [0, 1, 2].map(k => info.atoms.low[k] - info.low[k]);
     const ofAtom = (name, Type = Uint32Array, factor = 1) => sums(stream("atom-" + name), atoms, Type, factor);

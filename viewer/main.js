@@ -224,6 +224,9 @@
           facts.push(["shape index", Panel.plain(index, 2) + " (" + Panel.shapeWord(index) + ")"]);
         }
         if (mesh.depth) facts.push(["depth", this.depthAt(hit)]);
+        info.values.forEach(({name, step, low}, i) => {
+          if (mesh.values[i][v] >= 0) facts.push([name, Panel.short(mesh.values[i][v] * step + low)]);
+        });
       }
       if (atoms.bFactor[atom] !== 0) facts.push(["B factor", Panel.plain(atoms.bFactor[atom], 2)]);
       facts.push(["position", point.toArray().map((c, k) => Panel.plain(c + info.low[k], 2)).join("  ")]);

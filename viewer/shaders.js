@@ -30,10 +30,10 @@ const Shaders = (() => {
     attribute vec4 look;      // normal (octahedral), share of the sky
     attribute vec3 patches;   // how much of each kind of patch there is around
     attribute vec3 corners;   // the atoms of the triangle's three corners
-    attribute vec4 values;    // curvature, depth, component, kind of patch
+    attribute vec4 values;    // curvature, depth, component, value from elsewhere
     uniform float eye;        // distance of the viewer, 0 without perspective
     varying vec3 at, inView, normal_, kinds;
-    varying float sky, curvature, depth;
+    varying float sky, curvature, depth, brought;
     flat varying vec3 atoms;
     flat varying float component;
     centroid varying vec3 within;   // as inView, but never beyond the triangle's edges
@@ -48,6 +48,7 @@ const Shaders = (() => {
       curvature = values.x;
       depth = values.y;
       component = values.z;
+      brought = values.w;
       at = position;
       vec4 seen = modelViewMatrix * vec4(position, 1.0);
       inView = within = seen.xyz;
@@ -63,7 +64,9 @@ const Shaders = (() => {
     uniform highp sampler2D ofComponent;
     uniform vec3 ramp[9];
     uniform vec2 range;
-    uniform int value;                 // 0 curvature, 1 depth
+    uniform int value;                 // 0 curvature, 1 depth, 2 from elsewhere
+    uniform vec2 scale;                // of the latter: step, and what zero stands for
+    uniform vec3 none;                 // where there is none of the latter
     uniform vec2 steps;                // of curvature and depth
     uniform vec4 plane;                // kept is dot(plane, (at, 1)) <= 0
     uniform bool inPerspective;
@@ -72,7 +75,7 @@ const Shaders = (() => {
     uniform mat4 projectionMatrix;
     uniform bool choosing;             // whether any atom is chosen
     varying vec3 at, inView, normal_, kinds;
-    varying float sky, curvature, depth;
+    varying float sky, curvature, depth, brought;
     flat varying vec3 atoms;
     flat varying float component;
     centroid varying vec3 within;   // as inView, but never beyond the triangle's edges
@@ -112,7 +115,8 @@ const Shaders = (() => {
       return sharp(kinds, widths(kinds), byPatch(atom, 0), byPatch(atom, 1), byPatch(atom, 2));
     }
     vec3 byValue() {
-      float v = value == 0 ? curvature * steps.x : depth * steps.y;
+      if (value == 2 && brought < -0.5) return decoded(none);
+      float v = value == 0 ? curvature * steps.x : value == 1 ? depth * steps.y : brought * scale.x + scale.y;
       float p = 8.0 * clamp((v - range.x) / max(range.y - range.x, 1e-9), 0.0, 1.0);
       int i = min(int(p), 7);
       return decoded(mix(ramp[i], ramp[i + 1], p - float(i)));

@@ -131,6 +131,7 @@ const Surface = (() => {
       values[4 * i + 2] = int16(mesh.component[v]);
     }
     return {
+      source,
       index: new THREE.BufferAttribute(index, 1),
       position: new THREE.BufferAttribute(position, 3),
       corners: new THREE.BufferAttribute(corners, 3),
@@ -169,13 +170,15 @@ const Surface = (() => {
         ofComponent: {value: table(Uint8Array, THREE.UnsignedByteType, this.components)},
         scheme: {value: 0}, overPatch: {value: [0, 1, 2].map(() => new THREE.Vector4())},
         ramp: {value: Array.from({length: 9}, () => new THREE.Vector3())}, range: {value: new THREE.Vector2(0, 1)},
-        value: {value: 0}, steps: {value: new THREE.Vector2(data.info.curvatureStep, data.info.depthStep)},
+        value: {value: 0}, scale: {value: new THREE.Vector2(1, 0)}, none: {value: new THREE.Vector3()}, steps: {value: new THREE.Vector2(data.info.curvatureStep, data.info.depthStep)},
         plane: {value: new THREE.Vector4()}, planeInView: {value: new THREE.Vector4()}, cut: {value: false}, inPerspective: {value: false},
         inside: {value: new THREE.Color(0.8, 0.8, 0.8)}, accent: {value: new THREE.Vector3(0.9, 0.05, 0.35)},
         chosen: {value: -1}, choosing: {value: false},
       };
       this.group = new THREE.Group();
-      const shared = attributes(data);
+      const {source, ...shared} = attributes(data);
+      this.source = source;
+      this.values = shared.values;
       this.outer = this.layer(shared, 0, outer);
       this.cavities = this.layer(shared, outer, all - outer);
       // The inner side of a closed surface is never seen, unless it is cut: drawing it would cost time.
@@ -232,10 +235,20 @@ const Surface = (() => {
       if (scheme.kind === "atom") this.paintAtoms(scheme);
       if (scheme.kind === "component") this.paintComponents(scheme);
       if (scheme.kind === "value") {
-        u.value.value = scheme.values === "depth" ? 1 : 0;
+        u.value.value = scheme.values === "curvature" ? 0 : scheme.values === "depth" ? 1 : 2;
+        if (u.value.value === 2) this.showValues(this.data.info.values.findIndex(v => v.name === scheme.values), scheme);
         u.range.value.fromArray(scheme.range);
         scheme.ramp.forEach((colour, i) => u.ramp.value[i].fromArray(rgb(colour)));
       }
+    }
+
+    /** Puts an array from elsewhere before the graphics card; there is room for one at a time. */
+    showValues(i, scheme) {
+      const {step, low} = this.data.info.values[i], steps = this.data.mesh.values[i], to = this.values.array;
+      this.source.forEach((v, k) => to[4 * k + 3] = steps[v] < 0 ? -32768 : steps[v]);
+      this.values.needsUpdate = true;
+      this.uniforms.scale.value.set(step, low);
+      if (scheme.legend.entries.length) this.uniforms.none.value.fromArray(rgb(scheme.legend.entries[0][1]));
     }
 
     paintAtoms(scheme) {

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "meniscus/accessible_surface.h"
@@ -29,6 +30,7 @@ enum class ColourScheme {
     Depth,           ///< below the SES of a probe of kDepthProbe, Å
     BFactor,         ///< of the nearest atom
     Plddt,           ///< the bands of AlphaFold's confidence, which its files keep as B factors
+    Value,           ///< those of Mesh::values that ColourOptions::value names
 };
 
 /// The values that get the first and the last colour of a palette; what is beyond them gets the same.
@@ -41,7 +43,8 @@ struct ValueRange {
 
 struct ColourOptions {
     ColourScheme scheme = ColourScheme::Automatic;
-    std::optional<ValueRange> range{};  ///< Curvature, BFactor and Depth only; nothing: default_range()
+    std::optional<ValueRange> range{};  ///< Curvature, BFactor, Depth and Value only; nothing: default_range()
+    std::string value{};                ///< Value only
 
     bool operator==(const ColourOptions&) const = default;
 };
@@ -52,12 +55,16 @@ inline constexpr double kDepthProbe = 10.0;
 /// The scheme that Automatic stands for; any other stands for itself.
 ColourScheme scheme_in_force(ColourScheme scheme, const Structure& structure);
 
-/// True for schemes of values: curvature, depth and B factor.
+/// True for schemes of numbers: curvature, depth, B factor and values.
 bool takes_range(ColourScheme scheme);
 
 /// The range of a scheme of values unless another is given: curvature -0.7 to 0.7, depth 0 to 10, B factors the
 /// smallest to the largest of the kept atoms.
 ValueRange default_range(ColourScheme scheme, const Structure& structure);
+
+/// What is asked for, or the scheme's own; of values, what range_of() says.
+/// throws   UsageError for values that the mesh does not have
+ValueRange range_in_force(const ColourOptions& options, const Mesh& mesh, const Structure& structure);
 
 /// One colour per vertex, opaque.
 ///
@@ -71,7 +78,7 @@ std::vector<Colour> colour_vertices(const Mesh& mesh, const Structure& structure
 /// Curvature is that of the exact surface.
 ///
 /// surface  of the structure's atoms; must outlive the field
-/// returns  nothing for Component and Depth
+/// returns  nothing for Component, Depth and Value
 /// throws   as colour_vertices
 /// cost     of a call: O(log n)
 ColourField colour_by_feature(const AccessibleSurface& surface, const Structure& structure,

@@ -15,6 +15,7 @@
 #include "meniscus/structure.h"
 #include "meniscus/surface.h"
 #include "meniscus/tables.h"
+#include "meniscus/volume.h"
 
 namespace meniscus {
 
@@ -26,6 +27,12 @@ using Words = std::array<std::pair<const char*, T>, N>;
 template <class T, std::size_t N>
 const char* word_for(const Words<T, N>& words, T value) {
     return std::find_if(words.begin(), words.end(), [&](const auto& w) { return w.second == value; })->first;
+}
+
+/// Whether a text is one of the words.
+template <class T, std::size_t N>
+bool is_word_of(const Words<T, N>& words, const std::string& text) {
+    return std::any_of(words.begin(), words.end(), [&](const auto& w) { return text == w.first; });
 }
 
 /// All words in their order.
@@ -78,6 +85,9 @@ inline constexpr Words<RowsPer, 4> kRowsPerWords{
     {{"residue", RowsPer::Residue}, {"atom", RowsPer::Atom}, {"chain", RowsPer::Chain}, {"cavity", RowsPer::Cavity}}};
 inline constexpr Words<AtomValue, 4> kAtomValueWords{
     {{"sas", AtomValue::Sas}, {"ses", AtomValue::Ses}, {"rsa", AtomValue::Rsa}, {"depth", AtomValue::Depth}}};
+inline constexpr Words<Interpolation, 2> kInterpolationWords{
+    {{"linear", Interpolation::Linear}, {"cubic", Interpolation::Cubic}}};
+/// All but ColourScheme::Value, for which the name of the values stands.
 inline constexpr Words<ColourScheme, 13> kColourSchemeWords{{{"auto", ColourScheme::Automatic},
                                                              {"single", ColourScheme::Single},
                                                              {"patch", ColourScheme::Patch},

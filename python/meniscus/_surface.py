@@ -78,9 +78,33 @@ class _Vertices:
         """(n,) float32, from -1 (cup) over 0 (saddle) to 1 (ball)."""
         return self._mesh.shape_index
 
-    def colors(self, color: str = "auto") -> npt.NDArray[np.uint8]:
-        """(n, 4) uint8, sRGB and alpha: what a scheme of the command line's ``--color`` shows."""
-        return _core.colors(self._mesh, self._structure._core, _writing.colour_options(color))
+    def colors(self, color: str = "auto", values: _writing.Values = None) -> npt.NDArray[np.uint8]:
+        """(n, 4) uint8, sRGB and alpha: what a scheme of the command line's ``--color`` shows.
+
+        values  arrays (n,) by name, which ``color`` may name, too: "phi" or "phi:-5:5"
+        """
+        options = {**_writing.colour_options(color), **_writing.value_options(values, len(self.normals))}
+        return _core.colors(self._mesh, self._structure._core, options)
+
+    def map_values(self, path: Path, offset: float = 0.0, interpolation: str = "linear") -> Singles:
+        """(n,) float32: the values of a map (.dx, .mrc, .map, .ccp4, also .gz) at the points, NaN beyond its ends.
+
+        offset         Å from the surface along the normals; negative: into the molecule
+        interpolation  linear or cubic
+
+        Raises :class:`InputError` for what is no such file, as the command line's ``--sample``.
+        """
+        options = {"offset": _options.number("offset", offset),
+                   "interpolation": _options.word("interpolation", interpolation)}
+        return _core.map_values(self._mesh, text_of_path(path), options)
+
+    def table_values(self, path: Path) -> dict[str, Singles]:
+        """By name, (n,) float32: columns of a table of values by atom, residue or chain, NaN where it has none.
+
+        The table is comma-separated with a line of names, as the command line's ``--values`` takes it. Raises
+        :class:`InputError` for what is no such table, or one of another structure.
+        """
+        return _core.table_values(self._mesh, self._structure._core, text_of_path(path))
 
 
 class Points(_Vertices):
@@ -97,9 +121,10 @@ class Points(_Vertices):
         """(n, 3) float64, Å."""
         return self._mesh.vertices
 
-    def save(self, path: Path, color: _writing.Color = "auto", *, ascii: bool = False) -> None:
-        """Writes the points as .ply (a cloud, with all arrays) or .npz."""
-        _writing.save_points(text_of_path(path), self, color, ascii)
+    def save(self, path: Path, color: _writing.Color = "auto", *, values: _writing.Values = None,
+             ascii: bool = False) -> None:
+        """Writes the points as .ply (a cloud, with all arrays) or .npz; values are more arrays, by name."""
+        _writing.save_points(text_of_path(path), self, color, values, ascii)
 
 
 class Surface(_Vertices):
@@ -225,6 +250,7 @@ class Surface(_Vertices):
         path: Path,
         color: _writing.Color = "auto",
         *,
+        values: _writing.Values = None,
         ascii: bool = False,
         size: tuple[int, int] = (1600, 1200),
         view: _writing.View = "auto",
@@ -243,7 +269,9 @@ class Surface(_Vertices):
         .html                     a page to turn, cut and ask, which opens in a browser without network
         .mls                      the level set without loss
 
-        color       a scheme of ``--color`` ("patch", "curvature:-1:1"), or (n, 3) or (n, 4) uint8, one per vertex
+        color       a scheme of ``--color`` ("patch", "curvature:-1:1"), the name of one of the values ("phi:-5:5"), or
+                    (n, 3) or (n, 4) uint8, one per vertex
+        values      more arrays (n,), by name; :meth:`map_values` and :meth:`table_values` give such
         ascii       .ply and .stl as text
 
         Of pictures, view and perspective also of pages:
@@ -268,7 +296,7 @@ class Surface(_Vertices):
         """
         drawing = {"size": size, "view": view, "background": background, "perspective": perspective,
                    "outline": outline, "depth_cue": depth_cue, "cut": cut, "legend": legend}
-        _writing.save_surface(text_of_path(path), self, color, ascii, drawing)
+        _writing.save_surface(text_of_path(path), self, color, values, ascii, drawing)
 
 
 def surface(

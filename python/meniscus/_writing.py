@@ -8,7 +8,7 @@ import os
 import pathlib
 import re
 import secrets
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from ._surface import Points, Surface
 
 Color = Union[str, npt.NDArray[np.uint8]]
+Values = Union[None, Mapping[str, npt.ArrayLike]]
 View = Union[str, Sequence[float], Sequence[Sequence[float]]]
 Cut = Union[None, str, float, Sequence[float], Sequence[Sequence[float]]]
 
@@ -49,6 +50,17 @@ def colour_options(color: Color) -> dict[str, Any]:
     except ValueError:
         raise UsageError(f"color: '{color}' is neither a scheme nor SCHEME:MIN:MAX") from None
     return {"color": scheme, "range": (low, high)}
+
+
+def value_options(values: Values, count: int) -> dict[str, Any]:
+    """Arrays by name, in single precision, one number per vertex."""
+    arrays = {}
+    for name, array in (values or {}).items():
+        arrays[str(name)] = single = np.ascontiguousarray(array, dtype=np.float32)
+        if single.shape != (count,):
+            raise UsageError(f"values: '{name}' must have the shape ({count},), one number per vertex, not "
+                             f"{single.shape}")
+    return {"values": arrays} if arrays else {}
 
 
 def _checked_colours(color: Any) -> npt.NDArray[np.uint8]:
@@ -194,20 +206,24 @@ def _unknown_suffix(path: str, known: Sequence[str]) -> UsageError:
     return UsageError(f"{path}: the suffix chooses the format; known are {' '.join(known)}")
 
 
-def save_surface(path: str, surface: Surface, color: Color, ascii: bool, drawing: dict[str, Any]) -> None:
+def save_surface(
+    path: str, surface: Surface, color: Color, values: Values, ascii: bool, drawing: dict[str, Any]
+) -> None:
     writer = _SURFACE_WRITERS.get(pathlib.PurePath(path).suffix)
     if writer is None:
         raise _unknown_suffix(path, list(_SURFACE_WRITERS))
-    options = {**colour_options(color), "ascii": bool(ascii), "threads": surface.options["threads"]}
+    options = {**colour_options(color), **value_options(values, len(surface.normals)), "ascii": bool(ascii),
+               "threads": surface.options["threads"]}
     writer(path, surface, options, drawing)
 
 
-def save_points(path: str, points: Points, color: Color, ascii: bool) -> None:
+def save_points(path: str, points: Points, color: Color, values: Values, ascii: bool) -> None:
     suffix = pathlib.PurePath(path).suffix
     if suffix == ".ply":
-        options = {**colour_options(color), "ascii": bool(ascii)}
+        options = {**colour_options(color), **value_options(values, len(points)), "ascii": bool(ascii)}
         _core.write_mesh(path, points._mesh, points.structure._core, options)
     elif suffix == ".npz":
-        _write_npz(path, points, {"points": points.points})
+        more = value_options(values, len(points)).get("values", {})
+        _write_npz(path, points, {"points": points.points, **more})
     else:
         raise _unknown_suffix(path, [".ply", ".npz"])

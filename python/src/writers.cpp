@@ -14,6 +14,7 @@
 #include "meniscus/level_set_file.h"
 #include "meniscus/page.h"
 #include "meniscus/picture.h"
+#include "meniscus/vertex_values.h"
 #include "meniscus/write.h"
 #include "options.h"
 
@@ -23,14 +24,15 @@ namespace {
 
 using Bytes = py::array_t<std::uint8_t, py::array::c_style>;
 
-/// What is drawn: a scheme by its word, perhaps with a range, or one colour per vertex.
+/// What is drawn: a scheme by its word, perhaps with a range, values by their name, or one colour per vertex.
 struct Colouring {
     ColourOptions options;
     std::vector<Colour> given;
+    std::vector<VertexValues> values;
 
     explicit Colouring(const py::dict& asked) {
-        const Options words(asked);
-        words.read_word("color", options.scheme, kColourSchemeWords);
+        if (asked.contains("values")) take_values(asked["values"].cast<py::dict>());
+        if (asked.contains("color")) choose(asked["color"].cast<std::string>());
         if (asked.contains("range")) {
             const auto [min, max] = asked["range"].cast<std::pair<double, double>>();
             options.range = ValueRange{min, max};
@@ -42,7 +44,29 @@ struct Colouring {
         return given.empty() ? colour_vertices(mesh, structure, options) : given;
     }
 
+    /// With the values that were given, and those that the scheme brings along.
+    Mesh complete(const Mesh& mesh, const Structure& structure) const {
+        Mesh with = mesh;
+        if (const auto more = values_of_scheme(options.scheme, structure))
+            with.values.push_back(values_at_vertices(mesh, *more));
+        with.values.insert(with.values.end(), values.begin(), values.end());
+        return with;
+    }
+
 private:
+    void choose(const std::string& word) {
+        const bool of_values = !is_word_of(kColourSchemeWords, word) && is_value_name(word) && !values.empty();
+        if (of_values) options.value = word;
+        options.scheme = of_values ? ColourScheme::Value : parse_word("color", word, kColourSchemeWords);
+    }
+
+    void take_values(const py::dict& arrays) {
+        for (const auto& [name, array] : arrays) {
+            const auto numbers = array.cast<py::array_t<float, py::array::c_style>>();
+            values.push_back({name.cast<std::string>(), {numbers.data(), numbers.data() + numbers.size()}});
+        }
+    }
+
     void take(const Bytes& colours) {
         const auto rows = colours.unchecked<2>();
         for (py::ssize_t i = 0; i < rows.shape(0); ++i)
@@ -56,7 +80,7 @@ py::array colours(const Mesh& mesh, const Structure& structure, const py::dict& 
     std::vector<Colour> result;
     {
         const py::gil_scoped_release release;
-        result = colouring.of(mesh, structure);
+        result = colouring.of(colouring.complete(mesh, structure), structure);
     }
     return owning(std::move(result));
 }
@@ -70,8 +94,9 @@ void save_mesh(const std::string& path, const Mesh& mesh, const Structure& struc
     Options(given).read("ascii", ascii);
     Options(given).read("probe", probe);
     const py::gil_scoped_release release;
-    const std::vector<Colour> colours = colouring.of(mesh, structure);
-    write_mesh(path, mesh,
+    const Mesh complete = colouring.complete(mesh, structure);
+    const std::vector<Colour> colours = colouring.of(complete, structure);
+    write_mesh(path, complete,
                {.encoding = ascii ? Encoding::Text : Encoding::Binary,
                 .colours = colours,
                 .structure = &structure,
@@ -140,7 +165,7 @@ ColourField field_of(const HeldSurface& held, const Colouring& colouring) {
 
 /// With the legend at its right, if one is asked for.
 Picture draw(const HeldSurface& held, const Colouring& colouring, PictureOptions options, bool with_legend) {
-    const Mesh& mesh = held.surface().mesh;
+    const Mesh mesh = colouring.complete(held.surface().mesh, held.structure());
     Picture legend{0, options.height, {}};
     if (with_legend)
         legend = draw_legend(make_legend(mesh, held.structure(), colouring.options),
@@ -171,7 +196,7 @@ void save_page(const std::string& path, const HeldSurface& held, const Measures&
                         .components = exact.components};
     Options(given).read("threads", options.threads);
     const py::gil_scoped_release release;
-    write_page(path, held.surface().mesh, held.structure(), options);
+    write_page(path, colouring.complete(held.surface().mesh, held.structure()), held.structure(), options);
 }
 
 void save_level_set(const std::string& path, const HeldSurface& held) {
@@ -187,12 +212,38 @@ void save_values(const std::string& path, const Structure& structure, const Numb
     write_structure_copy(path, structure, numbers);
 }
 
+py::array map_values(const Mesh& mesh, const std::string& path, const py::dict& given) {
+    SampleVolumeOptions options;
+    Options(given).read("offset", options.offset);
+    Options(given).read_word("interpolation", options.interpolation, kInterpolationWords);
+    VertexValues values;
+    {
+        const py::gil_scoped_release release;
+        values = sample_volume(mesh, "map", read_volume(path), options);
+    }
+    return owning(std::move(values.values));
+}
+
+py::dict table_values(const Mesh& mesh, const Structure& structure, const std::string& path) {
+    std::vector<VertexValues> all;
+    {
+        const py::gil_scoped_release release;
+        for (const AtomValues& column : read_value_table(path, structure).columns)
+            all.push_back(values_at_vertices(mesh, column));
+    }
+    py::dict arrays;
+    for (VertexValues& values : all) arrays[py::str(values.name)] = owning(std::move(values.values));
+    return arrays;
+}
+
 using WithoutGil = py::call_guard<py::gil_scoped_release>;
 
 }  // namespace
 
 void bind_writers(py::module_& module) {
     module.def("colors", &colours, py::arg("mesh"), py::arg("structure"), py::arg("options"));
+    module.def("map_values", &map_values, py::arg("mesh"), py::arg("path"), py::arg("options"));
+    module.def("table_values", &table_values, py::arg("mesh"), py::arg("structure"), py::arg("path"));
     module.def("write_mesh", &save_mesh, py::arg("path"), py::arg("mesh"), py::arg("structure"), py::arg("options"));
     module.def("write_picture", &save_picture, py::arg("path"), py::arg("surface"), py::arg("options"));
     module.def("write_page", &save_page, py::arg("path"), py::arg("surface"), py::arg("measures"), py::arg("options"));

@@ -8,8 +8,11 @@
 namespace meniscus {
 
 void check_options(const ColourOptions& options) {
+    if ((options.scheme == ColourScheme::Value) == options.value.empty())
+        throw UsageError("a name of values goes with the scheme of values, and with no other");
     if (!options.range) return;
-    if (!takes_range(options.scheme)) throw UsageError("only curvature, depth and bfactor take a range of values");
+    if (!takes_range(options.scheme))
+        throw UsageError("only curvature, depth, bfactor and values take a range of values");
     if (!std::isfinite(options.range->min) || !std::isfinite(options.range->max) ||
         !(options.range->min < options.range->max))
         throw UsageError("a range of values needs two finite numbers, the smaller one first");

@@ -9,6 +9,7 @@
 #include "colours/depths.h"
 #include "colours/feature_colours.h"
 #include "colours/palettes.h"
+#include "meniscus/vertex_values.h"
 
 namespace meniscus {
 namespace {
@@ -34,6 +35,18 @@ Colour curvature_colour(const ValueRange& range, double curvature) {
     return ramp_colour(diverging_ramp(), std::isnan(curvature) ? 0.0 : place_in(range, curvature));
 }
 
+std::vector<Colour> by_name(const Mesh& mesh, const ColourOptions& options) {
+    const VertexValues& named = values_named(mesh, options.value);
+    check_values(named.values, mesh, options.value.c_str());
+    const ValueRange range = range_in_force(options, mesh, {});
+    const std::span<const Colour> ramp = ramp_of_values(range);
+    std::vector<Colour> colours(named.values.size());
+    std::transform(named.values.begin(), named.values.end(), colours.begin(), [&](float value) {
+        return std::isnan(value) ? kNeutral : ramp_colour(ramp, place_in(range, double{value}));
+    });
+    return colours;
+}
+
 std::vector<Colour> by_component(const Mesh& mesh) {
     const std::vector<Colour> of_component = component_colours(mesh);
     std::vector<Colour> colours(mesh.vertices.size());
@@ -47,6 +60,7 @@ std::vector<Colour> colour_vertices(const Mesh& mesh, const Structure& structure
     check_options(options);
     if (const auto features = feature_colours(structure, options)) return by_feature(mesh, structure, *features);
     if (options.scheme == ColourScheme::Component) return by_component(mesh);
+    if (options.scheme == ColourScheme::Value) return by_name(mesh, options);
     const ValueRange range = range_in_force(options, structure);
     if (options.scheme == ColourScheme::Depth) return by_value(depths(mesh, structure), cold_ramp(), range);
     check_values(mesh.mean_curvatures, mesh, "mean_curvature");

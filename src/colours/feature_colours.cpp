@@ -8,6 +8,7 @@
 #include "colours/atom_colours.h"
 #include "colours/palettes.h"
 #include "meniscus/tables.h"
+#include "meniscus/vertex_values.h"
 
 namespace meniscus {
 namespace {
@@ -72,7 +73,8 @@ ColourScheme scheme_in_force(ColourScheme scheme, const Structure& structure) {
 }
 
 bool takes_range(ColourScheme scheme) {
-    return scheme == ColourScheme::Curvature || scheme == ColourScheme::Depth || scheme == ColourScheme::BFactor;
+    return scheme == ColourScheme::Curvature || scheme == ColourScheme::Depth || scheme == ColourScheme::BFactor ||
+           scheme == ColourScheme::Value;
 }
 
 ValueRange default_range(ColourScheme scheme, const Structure& structure) {
@@ -83,6 +85,15 @@ ValueRange default_range(ColourScheme scheme, const Structure& structure) {
 
 ValueRange range_in_force(const ColourOptions& options, const Structure& structure) {
     return options.range ? *options.range : default_range(options.scheme, structure);
+}
+
+ValueRange range_in_force(const ColourOptions& options, const Mesh& mesh, const Structure& structure) {
+    const bool by_mesh = options.scheme == ColourScheme::Value && !options.range;
+    return by_mesh ? range_of(values_named(mesh, options.value)) : range_in_force(options, structure);
+}
+
+std::span<const Colour> ramp_of_values(const ValueRange& range) {
+    return range.min < 0.0 && range.max > 0.0 ? potential_ramp() : cold_ramp();
 }
 
 /// Where all values are alike, so are the colours: the first of the ramp.

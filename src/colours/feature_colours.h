@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "meniscus/colours.h"
@@ -23,14 +24,17 @@ struct FeatureColours {
     }
 };
 
-/// Nothing for schemes of other things: curvature, component, depth.
+/// Nothing for schemes of other things: curvature, component, depth, values.
 /// cost     O(n)
 std::optional<FeatureColours> feature_colours(const Structure& structure, const ColourOptions& options);
+
+/// What shows values: two-sided about zero where the range is, else of one hue.
+std::span<const Colour> ramp_of_values(const ValueRange& range);
 
 /// A value's place in a range, 0 at its minimum, 1 at its maximum.
 double place_in(const ValueRange& range, double value);
 
-/// What is asked for, or the scheme's own.
+/// What is asked for, or the scheme's own; not of values, for which a mesh is needed.
 ValueRange range_in_force(const ColourOptions& options, const Structure& structure);
 
 }  // namespace meniscus

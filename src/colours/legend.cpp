@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "colours/feature_colours.h"
 #include "colours/palettes.h"
 #include "meniscus/tables.h"
+#include "meniscus/vertex_values.h"
 
 namespace meniscus {
 namespace {
@@ -136,6 +138,14 @@ Legend of_ramp(std::string title, std::span<const Colour> ramp, const ValueRange
     return {.title = std::move(title), .ramp = {ramp.begin(), ramp.end()}, .range = range};
 }
 
+Legend of_values(const Mesh& mesh, const ColourOptions& options, const ValueRange& range) {
+    Legend legend = of_ramp(options.value, ramp_of_values(range), range);
+    const std::vector<float>& values = values_named(mesh, options.value).values;
+    if (std::any_of(values.begin(), values.end(), [](float value) { return std::isnan(value); }))
+        legend.entries.push_back({"no value", kNeutral});
+    return legend;
+}
+
 const char* title_of_classes(ColourScheme scheme) {
     switch (scheme) {
         case ColourScheme::Patch:
@@ -156,7 +166,7 @@ const char* title_of_classes(ColourScheme scheme) {
 Legend make_legend(const Mesh& mesh, const Structure& structure, const ColourOptions& options) {
     check_options(options);
     const ColourScheme scheme = scheme_in_force(options.scheme, structure);
-    const ValueRange range = range_in_force(options, structure);
+    const ValueRange range = range_in_force(options, mesh, structure);
     switch (scheme) {
         case ColourScheme::Single:
             return {};
@@ -173,6 +183,8 @@ Legend make_legend(const Mesh& mesh, const Structure& structure, const ColourOpt
             return of_ramp("Depth, Å", cold_ramp(), range);
         case ColourScheme::BFactor:
             return of_ramp("B factor, Å²", warm_ramp(), range);
+        case ColourScheme::Value:
+            return of_values(mesh, options, range);
         default:
             return {.title = title_of_classes(scheme),
                     .entries = entries_of_features(mesh, structure, *feature_colours(structure, options), scheme)};

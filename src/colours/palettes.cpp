@@ -18,6 +18,11 @@ constexpr std::array kRdBu{
     rgb(0x2166AC), rgb(0x4393C3), rgb(0x92C5DE), rgb(0xD1E5F0), rgb(0xF7F7F7),
     rgb(0xFDDBC7), rgb(0xF4A582), rgb(0xD6604D), rgb(0xB2182B),
 };
+constexpr auto kBuRd = [] {
+    auto reversed = kRdBu;
+    std::reverse(reversed.begin(), reversed.end());
+    return reversed;
+}();
 constexpr std::array kBrBG{
     rgb(0x01665E), rgb(0x35978F), rgb(0x80CDC1), rgb(0xC7EAE5), rgb(0xF5F5F5),
     rgb(0xF6E8C3), rgb(0xDFC27D), rgb(0xBF812D), rgb(0x8C510A),
@@ -49,6 +54,7 @@ Colour ramp_colour(std::span<const Colour> ramp, double value) {
 }
 
 std::span<const Colour> diverging_ramp() { return kRdBu; }
+std::span<const Colour> potential_ramp() { return kBuRd; }
 std::span<const Colour> hydropathy_ramp() { return kBrBG; }
 std::span<const Colour> warm_ramp() { return kYlOrBr; }
 std::span<const Colour> cold_ramp() { return kYlGnBu; }

@@ -35,6 +35,7 @@ Colour distinct_colour(std::size_t n);
 Colour ramp_colour(std::span<const Colour> ramp, double value);
 
 std::span<const Colour> diverging_ramp();   ///< RdBu from blue: curvature
+std::span<const Colour> potential_ramp();   ///< the same from red, as electrostatic potentials are shown
 std::span<const Colour> hydropathy_ramp();  ///< BrBG from green
 std::span<const Colour> warm_ramp();        ///< YlOrBr: B factors
 std::span<const Colour> cold_ramp();        ///< YlGnBu: depth

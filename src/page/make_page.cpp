@@ -47,6 +47,7 @@ void check(const Mesh& mesh, const Structure& structure) {
     allow(mesh.components, mesh, "component");
     allow(mesh.mean_curvatures, mesh, "mean_curvature");
     allow(mesh.shape_indices, mesh, "shape_index");
+    for (const VertexValues& values : mesh.values) need(values.values, mesh, values.name.c_str());
 }
 
 std::vector<float> light(const Mesh& mesh) {

@@ -55,7 +55,30 @@ void add_values(Streams& streams, const Mesh& mesh, const VertexExtras& extras, 
                                in_order(order, [&](VertexId v) { return to_byte(255.0 * double{extras.sky[v]}); })));
 }
 
+void add_brought_values(Streams& streams, const Mesh& mesh, const VertexOrder& order) {
+    for (std::size_t i = 0; i < mesh.values.size(); ++i) {
+        const ValueScale scale = scale_of(mesh.values[i]);
+        const auto step = [&](VertexId v) {
+            const double value{mesh.values[i].values[v]};
+            return std::isfinite(value) ? rounded((value - scale.low) / scale.step) : std::int64_t{-1};
+        };
+        streams.add("value-" + std::to_string(i), differences(in_order(order, step)));
+    }
+}
+
 }  // namespace
+
+ValueScale scale_of(const VertexValues& values) {
+    float low = std::numeric_limits<float>::infinity();
+    float high = -low;
+    for (const float value : values.values) {
+        if (!std::isfinite(value)) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    return low < high ? ValueScale{double{low}, (double{high} - double{low}) / kLastValueStep}
+                      : ValueScale{std::isfinite(low) ? double{low} : 0.0, 1.0};
+}
 
 VertexOrder order_of_use(const Mesh& mesh) {
     VertexOrder order;
@@ -106,6 +129,7 @@ void add_mesh(Streams& streams, const Mesh& mesh, const VertexExtras& extras, co
         streams.add("component",
                     differences(in_order(order, [&](VertexId v) { return std::int64_t{mesh.components[v]}; })));
     add_values(streams, mesh, extras, order);
+    add_brought_values(streams, mesh, order);
 }
 
 }  // namespace meniscus::page

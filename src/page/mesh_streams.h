@@ -25,6 +25,15 @@ struct VertexExtras {
     std::vector<double> depth{};  ///< Å, 0 to kDepthProbe
 };
 
+/// How values from elsewhere, Mesh::values, are told: as whole multiples of `step` above `low`, from 0 to
+/// kLastValueStep; -1 where there is none. The stream of the n-th is "value-n".
+struct ValueScale {
+    double low = 0.0;
+    double step = 1.0;
+};
+inline constexpr int kLastValueStep = 32000;
+ValueScale scale_of(const VertexValues& values);
+
 /// The vertices that triangles use, in the order of first use.
 struct VertexOrder {
     std::vector<VertexId> vertices{};  ///< the mesh's numbers, in the new order
@@ -38,7 +47,8 @@ std::vector<std::int64_t> quantised(std::span<const Vec3> points, double Vec3::*
 /// A unit vector as two bytes: the octahedral map (Cigolle et al., J. Comput. Graph. Tech. 3, 2014, 1).
 std::pair<std::uint8_t, std::uint8_t> octahedral(const Vec3& normal);
 
-/// Adds: triangles, x y z, nu nv, atom, patch, component, and of what there is: curvature, shape, depth, sky.
+/// Adds: triangles, x y z, nu nv, atom, patch, component, and of what there is: curvature, shape, depth, sky, value-0
+/// and so on.
 /// low   the smallest coordinates of the vertices
 void add_mesh(Streams& streams, const Mesh& mesh, const VertexExtras& extras, const Vec3& low);
 

@@ -128,10 +128,19 @@ ordered_json schemes_json(const Mesh& mesh, const Structure& structure, const Pa
     return list;
 }
 
-const char* id_of_first(const Mesh& mesh, const Structure& structure, const ColourOptions& colours) {
+ordered_json values_json(const Mesh& mesh) {
+    ordered_json list = ordered_json::array();
+    for (const VertexValues& values : mesh.values) {
+        const ValueScale scale = scale_of(values);
+        list.push_back({{"name", values.name}, {"low", scale.low}, {"step", scale.step}});
+    }
+    return list;
+}
+
+std::string id_of_first(const Mesh& mesh, const Structure& structure, const ColourOptions& colours) {
     const ColourScheme shown = scheme_in_force(colours.scheme, structure);
     for (const OfferedScheme& scheme : offered_schemes(mesh, structure, colours))
-        if (scheme.options.scheme == shown) return scheme.id;
+        if (scheme.options.scheme == shown && scheme.options.value == colours.value) return scheme.id;
     return "single";
 }
 
@@ -160,6 +169,7 @@ std::string page_data(const Mesh& mesh, const Structure& structure, const PageOp
     data["atoms"] = add_atoms(streams, structure);
     data["residues"] = residues_json(structure);
     data["schemes"] = schemes_json(mesh, structure, options, streams);
+    data["values"] = values_json(mesh);
     data["scheme"] = id_of_first(mesh, structure, options.colours);
     data["view"] = view_json(mesh, structure, options);
     data["cavities"] = cavities_json(mesh, structure, options);

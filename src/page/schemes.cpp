@@ -16,19 +16,24 @@ using nlohmann::ordered_json;
 namespace {
 
 /// In the order in which they are offered.
+struct Scheme {
+    const char* id;
+    const char* label;
+    ColourScheme scheme;
+};
 constexpr std::array kAll{
-    OfferedScheme{"single", "One colour", {ColourScheme::Single}},
-    OfferedScheme{"chain", "Chain", {ColourScheme::Chain}},
-    OfferedScheme{"patch", "Patch type", {ColourScheme::Patch}},
-    OfferedScheme{"residue", "Residue type", {ColourScheme::Residue}},
-    OfferedScheme{"residue-patch", "Residue type, contact only", {ColourScheme::ResiduePatch}},
-    OfferedScheme{"hydrophobicity", "Hydrophobicity", {ColourScheme::Hydrophobicity}},
-    OfferedScheme{"element", "Element", {ColourScheme::Element}},
-    OfferedScheme{"curvature", "Mean curvature", {ColourScheme::Curvature}},
-    OfferedScheme{"depth", "Depth", {ColourScheme::Depth}},
-    OfferedScheme{"component", "Outer surface and cavities", {ColourScheme::Component}},
-    OfferedScheme{"bfactor", "B factor", {ColourScheme::BFactor}},
-    OfferedScheme{"plddt", "Confidence (pLDDT)", {ColourScheme::Plddt}},
+    Scheme{"single", "One colour", ColourScheme::Single},
+    Scheme{"chain", "Chain", ColourScheme::Chain},
+    Scheme{"patch", "Patch type", ColourScheme::Patch},
+    Scheme{"residue", "Residue type", ColourScheme::Residue},
+    Scheme{"residue-patch", "Residue type, contact only", ColourScheme::ResiduePatch},
+    Scheme{"hydrophobicity", "Hydrophobicity", ColourScheme::Hydrophobicity},
+    Scheme{"element", "Element", ColourScheme::Element},
+    Scheme{"curvature", "Mean curvature", ColourScheme::Curvature},
+    Scheme{"depth", "Depth", ColourScheme::Depth},
+    Scheme{"component", "Outer surface and cavities", ColourScheme::Component},
+    Scheme{"bfactor", "B factor", ColourScheme::BFactor},
+    Scheme{"plddt", "Confidence (pLDDT)", ColourScheme::Plddt},
 };
 
 /// Whether a scheme of atoms tells any two apart.
@@ -70,6 +75,11 @@ bool shows_something(ColourScheme scheme, const Mesh& mesh, const Structure& str
         default:
             return tells_apart(structure, scheme);
     }
+}
+
+/// B factors come with values of the scheme's own name, which is offered already.
+bool is_scheme(const std::string& name) {
+    return std::any_of(kAll.begin(), kAll.end(), [&](const Scheme& scheme) { return name == scheme.id; });
 }
 
 std::string planes(const std::vector<Colour>& colours) {
@@ -119,10 +129,16 @@ std::string hex(const Colour& colour) {
 std::vector<OfferedScheme> offered_schemes(const Mesh& mesh, const Structure& structure, const ColourOptions& first) {
     const ColourScheme shown = scheme_in_force(first.scheme, structure);
     std::vector<OfferedScheme> offered;
-    for (OfferedScheme scheme : kAll) {
-        const bool asked_for = scheme.options.scheme == shown;
-        if (asked_for) scheme.options.range = first.range;
-        if (asked_for || shows_something(scheme.options.scheme, mesh, structure)) offered.push_back(scheme);
+    for (const Scheme& scheme : kAll) {
+        const bool asked_for = scheme.scheme == shown;
+        if (!asked_for && !shows_something(scheme.scheme, mesh, structure)) continue;
+        offered.push_back({scheme.id, scheme.label, {.scheme = scheme.scheme}});
+        if (asked_for) offered.back().options.range = first.range;
+    }
+    for (const VertexValues& values : mesh.values) {
+        if (is_scheme(values.name)) continue;
+        offered.push_back({values.name, values.name, {.scheme = ColourScheme::Value, .value = values.name}});
+        if (first.value == values.name) offered.back().options.range = first.range;
     }
     return offered;
 }

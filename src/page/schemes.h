@@ -15,12 +15,13 @@ namespace meniscus::page {
 
 /// A scheme as a page names it.
 struct OfferedScheme {
-    const char* id;  ///< the word of --color
-    const char* label;
+    std::string id;  ///< what --color says
+    std::string label;
     ColourOptions options;
 };
 
-/// Those that show something of this structure and mesh, and whatever `first` asks for, in a fixed order.
+/// Those that show something of this structure and mesh, and whatever `first` asks for, in a fixed order; then every
+/// array of Mesh::values.
 std::vector<OfferedScheme> offered_schemes(const Mesh& mesh, const Structure& structure, const ColourOptions& first);
 
 /// What the browser needs of one scheme: its legend, and by kind

@@ -82,15 +82,15 @@ TEST(PictureOptions, CutsAreWordsDepthsOrPlanes) {
     EXPECT_EQ(request.picture.cut, plane);
     EXPECT_EQ(request.drawn_by, "--cut");
     nlohmann::ordered_json options;
-    report_picture(request, {}, true, options);
+    report_picture(request, {}, {}, true, options);
     EXPECT_EQ(options["cut"], "-1,2,3:0,-1,0");
-    report_picture(parse({}), {}, true, options);
+    report_picture(parse({}), {}, {}, true, options);
     EXPECT_TRUE(options["cut"].is_null());
 }
 
 TEST(PictureOptions, WhatMakesNoSenseIsRefusedWithItsOption) {
     for (const char* text :
-         {"", "fancy", "patch:1:2", "depth:2:1", "depth:1", "depth:1:2:3", "depth:a:b", "depth:0:inf"})
+         {"", "2fancy", "patch:1:2", "depth:2:1", "depth:1", "depth:1:2:3", "depth:a:b", "depth:0:inf"})
         EXPECT_TRUE(refusal({"--color", text}).starts_with("--color: ")) << text;
     for (const char* text : {"", "sideways", "1,2", "1,2,3,4", "0,0,0", "0,0,1:0,0,2", "0,0,1:", "nan,0,1", "1,2,x"})
         EXPECT_TRUE(refusal({"--view", text}).starts_with("--view: ")) << text;
@@ -115,13 +115,13 @@ TEST(PictureOptions, ALegendNeedsRoom) {
 
 TEST(PictureOptions, TheReportHasWhatIsInForce) {
     nlohmann::ordered_json options;
-    report_picture(parse({"--view", "top", "--size", "3x4"}), {}, true, options);
+    report_picture(parse({"--view", "top", "--size", "3x4"}), {}, {}, true, options);
     EXPECT_EQ(options["color"], "single");
     EXPECT_TRUE(options["color_range"].is_null());
     EXPECT_EQ(options["view"], "top");
     EXPECT_EQ(options["size"], (nlohmann::ordered_json{3, 4}));
     EXPECT_EQ(options["background"], "#ffffff");
-    report_picture(parse({"--color", "curvature"}), {}, false, options);
+    report_picture(parse({"--color", "curvature"}), {}, {}, false, options);
     EXPECT_EQ(options["color_range"], (nlohmann::ordered_json{-0.7, 0.7}));
     EXPECT_TRUE(options["size"].is_null());
 }

@@ -23,6 +23,12 @@ TEST(ColourChecks, RangesMustBeFiniteAndOfSchemesOfValues) {
     EXPECT_THROW(check(ColourScheme::Curvature, std::numeric_limits<double>::quiet_NaN(), 1.0), UsageError);
 }
 
+TEST(ColourChecks, ANameOfValuesGoesWithTheirSchemeAlone) {
+    EXPECT_NO_THROW(check_options({.scheme = ColourScheme::Value, .value = "phi"}));
+    EXPECT_THROW(check_options({.scheme = ColourScheme::Value}), UsageError);
+    EXPECT_THROW(check_options({.scheme = ColourScheme::Chain, .value = "phi"}), UsageError);
+}
+
 TEST(ColourChecks, VerticesMustNameAtomsThatTheStructureHas) {
     Mesh mesh = testing::vertex_per_atom();
     EXPECT_NO_THROW(check_atoms(mesh, testing::small_complex()));

@@ -70,6 +70,24 @@ TEST(ColourVertices, WhatDoesNotFitIsRefused) {
     EXPECT_THROW(colour_vertices(mesh, structure), UsageError);
 }
 
+TEST(ColourVertices, ValuesAreRedBelowZeroBlueAboveAndGreyWhereThereIsNone) {
+    Mesh mesh = vertex_per_atom();
+    mesh.values = {{"phi", {-1.0F, 0.0F, 1.0F, NAN, 0.5F, 9.0F}}};
+    const ColourOptions options{.scheme = ColourScheme::Value, .range = ValueRange{-1.0, 1.0}, .value = "phi"};
+    const auto colours = colour_vertices(mesh, small_complex(), options);
+    EXPECT_EQ(colours[0], diverging_ramp().back());
+    EXPECT_EQ(colours[2], diverging_ramp().front());
+    EXPECT_EQ(colours[1], ramp_colour(diverging_ramp(), 0.5));
+    EXPECT_EQ(colours[3], kNeutral);
+    EXPECT_EQ(colours[5], colours[2]);
+    const auto by_own_range = colour_vertices(mesh, small_complex(), {.scheme = ColourScheme::Value, .value = "phi"});
+    EXPECT_EQ(by_own_range[5], potential_ramp().back());
+    EXPECT_NE(by_own_range[2], potential_ramp().back());
+    EXPECT_THROW(colour_vertices(mesh, small_complex(), {.scheme = ColourScheme::Value, .value = "psi"}), UsageError);
+    mesh.values[0].values.pop_back();
+    EXPECT_THROW(colour_vertices(mesh, small_complex(), options), UsageError);
+}
+
 TEST(ColourVertices, AnEmptyMeshHasNoColours) {
     for (const ColourScheme scheme : {ColourScheme::Patch, ColourScheme::Component, ColourScheme::Curvature})
         EXPECT_TRUE(colour_vertices({}, small_complex(), {.scheme = scheme}).empty());

@@ -95,6 +95,20 @@ TEST(Legend, ValuesHaveARampOverTheRangeInForce) {
     EXPECT_EQ(depth.range, (ValueRange{1.0, 2.0}));
 }
 
+TEST(Legend, ValuesHaveTheirNameAndWhereSomeAreMissingAnEntry) {
+    Mesh mesh;
+    mesh.values = {{"score", {1.0F, 3.0F}}, {"phi", {-1.0F, NAN}}};
+    const Legend score = make_legend(mesh, {}, {.scheme = ColourScheme::Value, .value = "score"});
+    EXPECT_EQ(score.title, "score");
+    EXPECT_EQ(score.range, (ValueRange{1.0, 3.0}));
+    EXPECT_TRUE(std::ranges::equal(score.ramp, cold_ramp()));
+    EXPECT_TRUE(score.entries.empty());
+    const Legend phi =
+        make_legend(mesh, {}, {.scheme = ColourScheme::Value, .range = ValueRange{-5.0, 5.0}, .value = "phi"});
+    EXPECT_TRUE(std::ranges::equal(phi.ramp, potential_ramp()));
+    EXPECT_EQ(phi.entries, (std::vector<LegendEntry>{{"no value", kNeutral}}));
+}
+
 TEST(Legend, WhatHasNoHydropathyStandsBesideTheRamp) {
     EXPECT_TRUE(legend_of(ColourScheme::Hydrophobicity).entries.empty());
     Structure structure = small_complex();

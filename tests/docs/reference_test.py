@@ -71,6 +71,7 @@ class Options(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix="meniscus-docs-") as folder:
             folder = pathlib.Path(folder)
             self.write_sample(folder / "in.pdb")
+            self.write_values(folder)
             for name, (_, _, example, heading) in self.page.items():
                 if heading != "The program":
                     command = "measure" if name in self.help["measure"] and heading == "Measures" else "surface"
@@ -93,6 +94,15 @@ class Options(unittest.TestCase):
         kept = [line for line in lines if line.startswith("REMARK 350")
                 or (line.startswith("ATOM") and int(line[22:26]) < 5)]
         path.write_text("\n".join(kept) + "\nEND\n")
+
+    @staticmethod
+    def write_values(folder):
+        """A map of one cell about everything, and a table of a residue."""
+        (folder / "pot.dx").write_text(
+            "object 1 class gridpositions counts 2 2 2\norigin -500 -500 -500\ndelta 1000 0 0\ndelta 0 1000 0\n"
+            "delta 0 0 1000\nobject 2 class gridconnections counts 2 2 2\n"
+            "object 3 class array type double rank 0 items 8 data follows\n-1 0 1\n0 1 2\n1 2\n")
+        (folder / "cons.csv").write_text("chain,resnum,score\nL,2,0.5\nH,3,1\n")
 
 
 class Formats(unittest.TestCase):

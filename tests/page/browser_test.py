@@ -68,9 +68,12 @@ class PageTest(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="meniscus-page-"))
         (cls.folder / "shell.cif").write_text(shell_of_atoms(), encoding="utf-8")
+        (cls.folder / "score.csv").write_text("serial,score\n" + "".join(f"{i + 1},{-1 if i < 50 else 1}\n"
+                                                                        for i in range(100)), encoding="ascii")
         cls.report = {}
-        for name, source in (("1ubq", ROOT / "examples" / "1ubq.pdb"), ("shell", cls.folder / "shell.cif")):
-            subprocess.run([MENISCUS, "surface", source, "-o", cls.folder / f"{name}.html", "--report",
+        for name, source, *more in (("1ubq", ROOT / "examples" / "1ubq.pdb"), ("shell", cls.folder / "shell.cif"),
+                                    ("scored", cls.folder / "shell.cif", "--values", cls.folder / "score.csv")):
+            subprocess.run([MENISCUS, "surface", source, *more, "-o", cls.folder / f"{name}.html", "--report",
                             cls.folder / f"{name}.json", "--quiet", "--spacing", "0.8"], check=True, stderr=subprocess.DEVNULL)
             cls.report[name] = json.loads((cls.folder / f"{name}.json").read_text(encoding="utf-8"))
         cls.browser = start_browser(cls.folder / "profile")
@@ -148,6 +151,15 @@ class PageTest(unittest.TestCase):
         after = self.pixels()
         self.assertGreater(sum(abs(a - b) for a, b in zip(before, after)), 20)
         self.assertEqual(self.js("return document.querySelector('#legend').hidden"), False)
+
+    def test_values_have_their_colours_and_grey_where_there_is_none(self):
+        self.load("scored")
+        self.choose("#scheme", "score", "change")
+        self.js("meniscus.drawNow()")
+        steps = self.js("return [...meniscus.data.mesh.values[0]]")
+        self.assertEqual(set(steps), {0, 32000, -1})
+        self.assertEqual(self.js("return meniscus.surface.uniforms.value.value"), 2)
+        self.assertIn("no value", self.js("return document.querySelector('#legend').textContent"))
 
     def test_a_click_tells_what_is_there(self):
         self.load("1ubq")

@@ -23,8 +23,9 @@ TEST(MakePage, NamesCannotBringMarkup) {
     SmallMolecule molecule;
     molecule.structure.name = "</title><script>alert(1)</script>";
     molecule.structure.residues[0] = {.chain = "<img src=x onerror=alert(1)>", .name = "</script>"};
-    const std::string html = make_page(molecule.mesh, molecule.structure,
-                                       {.rows = {{"<script>", "</table>", "<img src=x onerror=alert(1)>"}}});
+    PageOptions options;
+    options.rows = {{"<script>", "</table>", "<img src=x onerror=alert(1)>"}};
+    const std::string html = make_page(molecule.mesh, molecule.structure, options);
     EXPECT_EQ(html.find("<script>alert"), std::string::npos);
     EXPECT_EQ(html.find("<img src=x"), std::string::npos);
     EXPECT_EQ(html.find("</title><script>"), std::string::npos);

@@ -69,5 +69,32 @@ TEST(MeshStreams, ArraysThatAreMissingHaveNoStream) {
     EXPECT_FALSE(has("curvature") || has("shape") || has("depth") || has("sky"));
 }
 
+TEST(MeshStreams, ValuesAreWithinHalfAStepAndMinusOneWhereThereIsNone) {
+    Mesh mesh = testing::tetrahedron();
+    mesh.normals.resize(4);
+    mesh.atoms.resize(4);
+    mesh.patches.resize(4);
+    mesh.values = {{"a", {-2.0F, 6.0F, NAN, 0.1F}}, {"b", {7.0F, 7.0F, 7.0F, 7.0F}}};
+    Streams streams;
+    add_mesh(streams, mesh, {}, {});
+    const auto steps = [&](const std::string& name) {
+        const auto place = std::find_if(streams.places().begin(), streams.places().end(),
+                                        [&](const Streams::Place& p) { return p.name == name; });
+        return testing::sums(std::string_view(streams.bytes()).substr(place->offset, place->size));
+    };
+    const ValueScale scale = scale_of(mesh.values[0]);
+    const auto first = steps("value-0");
+    const std::vector<VertexId> order = order_of_use(mesh).vertices;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double value{mesh.values[0].values[order[i]]};
+        if (std::isnan(value))
+            EXPECT_EQ(first[i], -1);
+        else
+            EXPECT_NEAR(scale.low + scale.step * static_cast<double>(first[i]), value, 0.51 * scale.step);
+    }
+    EXPECT_EQ(steps("value-1"), (std::vector<std::int64_t>{0, 0, 0, 0}));
+    EXPECT_EQ(scale_of(mesh.values[1]).low, 7.0);
+}
+
 }  // namespace
 }  // namespace meniscus::page

@@ -39,6 +39,21 @@ TEST(Schemes, WhatWasAskedForIsAlwaysOfferedWithItsRange) {
         EXPECT_EQ(s.options.range.has_value(), s.options.scheme == ColourScheme::Curvature) << s.id;
 }
 
+TEST(Schemes, ValuesAreOfferedByTheirNameOnce) {
+    SmallMolecule molecule;
+    const std::size_t n = molecule.mesh.vertices.size();
+    molecule.mesh.values = {{"phi", std::vector<float>(n)}, {"bfactor", std::vector<float>(n)}};
+    const ColourOptions first{.scheme = ColourScheme::Value, .range = ValueRange{-5.0, 5.0}, .value = "phi"};
+    std::size_t of_b_factors = 0;
+    for (const OfferedScheme& s : offered_schemes(molecule.mesh, molecule.structure, first)) {
+        of_b_factors += s.id == "bfactor" ? 1U : 0U;
+        EXPECT_EQ(s.options.range.has_value(), s.id == "phi") << s.id;
+        EXPECT_EQ(s.options.scheme == ColourScheme::Value, s.id == "phi") << s.id;
+    }
+    EXPECT_EQ(of_b_factors, 1U);
+    EXPECT_TRUE(offers(molecule, "phi"));
+}
+
 TEST(Schemes, ConfidenceIsKnownByOneValuePerResidue) {
     SmallMolecule molecule;
     Structure& s = molecule.structure;

@@ -32,6 +32,19 @@ class AsTheProgram(InScratchFolder):
         surface.structure.save("mesh.atoms.csv")
         self.assertTrue(content("mesh.atoms.csv") == content("cli_mesh.atoms.csv"))
 
+    def test_values_are_the_same(self):
+        pathlib.Path("t.csv").write_text("chain,resnum,score\nA,8,0.5\nA,44,1\n", encoding="ascii")
+        subprocess.run([PROGRAM, "surface", UBIQUITIN, "--quiet", "--values", "t.csv", "--color", "score", "-o", "cli.ply",
+                        "-o", "cli.html"], check=True, capture_output=True)
+        subprocess.run([PROGRAM, "surface", UBIQUITIN, "--quiet", "--color", "bfactor", "-o", "cli_b.ply"], check=True,
+                       capture_output=True)
+        surface = meniscus.surface(read(UBIQUITIN))
+        for name in ("ply", "html"):
+            surface.save(f"own.{name}", values=surface.table_values("t.csv"), color="score")
+            self.assertTrue(content(f"own.{name}") == content(f"cli.{name}"), name)
+        surface.save("own_b.ply", color="bfactor")
+        self.assertTrue(content("own_b.ply") == content("cli_b.ply"))
+
     def test_defaults_are_the_same(self):
         subprocess.run([PROGRAM, "surface", UBIQUITIN, "--quiet", "-o", "cli.ply"], check=True, capture_output=True)
         meniscus.surface(read(UBIQUITIN)).save("own.ply")
@@ -97,6 +110,45 @@ class Saving(InScratchFolder):
         self.assertEqual(len(np.unique(colours[self.surface.patch == 0], axis=0)), 1)
         named = meniscus.Structure.from_arrays(CENTRES, RADII, element=["C", "N", "O", "S"])
         self.assertEqual(len(np.unique(meniscus.surface(named).colors("element"), axis=0)), 4)
+
+    def test_values_go_along_by_name(self):
+        height = self.surface.vertices[:, 2]
+        self.surface.save("v.ply", values={"height": height}, color="height:-1:1", ascii=True)
+        self.assertIn(b"property float height\n", content("v.ply"))
+        self.surface.save("w.ply", values={"height": height}, color="height", ascii=True)
+        self.assertNotEqual(content("v.ply"), content("w.ply"))
+        colours = self.surface.colors("height:-1:1", values={"height": height})
+        self.assertTrue((colours[height > 1][:, 2] > colours[height > 1][:, 0]).all(), "blue above")
+        for name in ("v.html", "v.png", "v.glb"):
+            self.surface.save(name, values={"height": height}, color="height", **({"size": (64, 48)} if "png" in name
+                                                                                  else {}))
+        self.assertIn(b"_HEIGHT", content("v.glb"))
+        for values, message in (({"height": height[1:]}, "shape"), ({"area": height}, "area"), ({"a b": height}, "name")):
+            with self.assertRaisesRegex(ValueError, message):
+                self.surface.save("x.ply", values=values)
+        with self.assertRaisesRegex(ValueError, "there are height"):
+            self.surface.colors("depth_", values={"height": height})
+        self.assertFalse(os.path.exists("x.ply"))
+
+    def test_maps_and_tables_give_values(self):
+        pathlib.Path("x.dx").write_text(
+            "object 1 class gridpositions counts 2 2 2\norigin -50 -50 -50\ndelta 100 0 0\ndelta 0 100 0\n"
+            "delta 0 0 100\nobject 2 class gridconnections counts 2 2 2\n"
+            "object 3 class array type double rank 0 items 8 data follows\n" + "-50 -50 -50 -50 50 50 50 50\n",
+            encoding="ascii")
+        x = self.surface.vertices[:, 0]
+        self.assertTrue(np.allclose(self.surface.map_values("x.dx"), x, atol=1e-5))
+        moved = self.surface.map_values("x.dx", offset=2.0, interpolation="cubic")
+        self.assertTrue(np.allclose(moved, x + 2 * self.surface.normals[:, 0], atol=1e-4))
+        with self.assertRaisesRegex(ValueError, "interpolation"):
+            self.surface.map_values("x.dx", interpolation="best")
+        pathlib.Path("t.csv").write_text("index,score\n0,1.5\n2,2.5\n", encoding="ascii")
+        score = self.surface.table_values("t.csv")["score"]
+        self.assertTrue((score[self.surface.atom == 2] == 2.5).all())
+        self.assertTrue(np.isnan(score[self.surface.atom == 1]).all())
+        points = self.surface.sample()
+        points.save("p.ply", values=points.table_values("t.csv"), color="score", ascii=True)
+        self.assertIn(b"property float score\n", content("p.ply"))
 
     def test_level_sets_are_kept(self):
         self.surface.save("surface.mls")

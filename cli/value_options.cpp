@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "value_options.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "help.h"
+#include "option_words.h"
+
+namespace meniscus::cli {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+SampledMap parse_sample(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals + 1 == text.size())
+        throw UsageError(fmt::format("--sample: '{}' is not NAME=FILE, such as phi=pot.dx", text));
+    SampledMap map{text.substr(0, equals), text.substr(equals + 1)};
+    if (!is_value_name(map.name))
+        throw UsageError(
+            fmt::format("--sample: '{}' cannot be the name of values; write letters, digits and '_', not "
+                        "the name of another vertex array",
+                        map.name));
+    if (is_word_of(kColourSchemeWords, map.name))
+        throw UsageError(fmt::format("--sample: '{}' is a scheme of --color; choose another name", map.name));
+    return map;
+}
+
+std::size_t count_missing(const VertexValues& values) {
+    return static_cast<std::size_t>(
+        std::count_if(values.values.begin(), values.values.end(), [](float v) { return std::isnan(v); }));
+}
+
+ordered_json number_or_null(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(); }
+
+ordered_json numbers_json(const VertexValues& values, const Mesh& mesh) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    double low = kNone;
+    double high = kNone;
+    double sum = 0.0;
+    double area = 0.0;
+    for (std::size_t v = 0; v < values.values.size(); ++v) {
+        const double value = values.values[v];
+        if (std::isnan(value)) continue;
+        low = std::fmin(low, value);
+        high = std::fmax(high, value);
+        sum += double{mesh.areas[v]} * value;
+        area += double{mesh.areas[v]};
+    }
+    return {{"min", number_or_null(low)},
+            {"max", number_or_null(high)},
+            {"mean", number_or_null(sum / area)},
+            {"missing", count_missing(values)}};
+}
+
+}  // namespace
+
+void add_value_options(CLI::App& command, ValueRequest& request) {
+    const auto sample = [&request](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts) request.maps.push_back(parse_sample(text));
+    };
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--sample", sample, "Values of a map (.dx .mrc), as phi=pot.dx\n; repeatable: one vertex array each")
+        ->type_name("NAME=FILE")
+        ->allow_extra_args(false);
+    const auto offset = [&request](const std::string& text) {
+        request.sampling.offset = parse_number("--offset", text, Sign::Any);
+        request.sampled_by = "--offset";
+    };
+    command
+        .add_option_function<std::string>(
+            "--offset", offset, rarely("Sample maps so many Å from the surface, along its normal; negative: inside"))
+        ->type_name("D")
+        ->default_str("0");
+    const auto interpolation = [&request](const std::string& text) {
+        request.sampling.interpolation = parse_word("--interpolation", text, kInterpolationWords);
+        request.sampled_by = "--interpolation";
+    };
+    command
+        .add_option_function<std::string>("--interpolation", interpolation,
+                                          rarely("Between the nodes of maps: trilinear or tricubic"))
+        ->type_name(join(kInterpolationWords, "|"))
+        ->default_str(kInterpolationWords.front().first);
+    command
+        .add_option("--values", request.tables,
+                    "Values by atom, residue or chain\n, comma-separated with a line of names; every column that "
+                    "does not tell what a row is about becomes a vertex array; repeatable")
+        ->type_name("FILE.csv")
+        ->allow_extra_args(false);
+}
+
+void check_values(const ValueRequest& request, const ColourOptions& colours) {
+    if (!request.sampled_by.empty() && request.maps.empty())
+        throw UsageError(request.sampled_by + " is about maps; name one with --sample NAME=FILE");
+    const auto is_named = [&](const SampledMap& map) { return map.name == colours.value; };
+    if (colours.scheme != ColourScheme::Value || !request.tables.empty()) return;
+    if (std::none_of(request.maps.begin(), request.maps.end(), is_named))
+        throw UsageError(
+            fmt::format("--color: unknown value '{}'; one of {}, or the name of values from --sample or "
+                        "--values",
+                        colours.value, join(kColourSchemeWords, ", ")));
+}
+
+void report_values(const ValueRequest& request, ordered_json& options) {
+    ordered_json maps = ordered_json::object();
+    for (const SampledMap& map : request.maps) maps[map.name] = map.path;
+    const bool sampled = !request.maps.empty();
+    options["sample"] = std::move(maps);
+    options["offset"] = sampled ? ordered_json(request.sampling.offset) : ordered_json();
+    options["interpolation"] =
+        sampled ? ordered_json(word_for(kInterpolationWords, request.sampling.interpolation)) : ordered_json();
+    options["values"] = request.tables;
+}
+
+ValueSources::ValueSources(const ValueRequest& request, const ColourOptions& colours, const Structure& structure)
+    : sampling_(request.sampling) {
+    for (const std::string& path : request.tables) add_table(path, structure);
+    for (const SampledMap& map : request.maps) maps_.push_back({map, read_volume(map.path)});
+    check_names(colours);
+    if (auto more = values_of_scheme(colours.scheme, structure)) columns_.push_back({std::move(*more), structure.file});
+}
+
+void ValueSources::add_table(const std::string& path, const Structure& structure) {
+    ValueTable table = read_value_table(path, structure);
+    if (table.strange_rows > 0)
+        warnings_.push_back(fmt::format("{}: {} of {} rows name nothing of what is kept of {}", path,
+                                        table.strange_rows, table.rows, structure.file));
+    for (AtomValues& column : table.columns) columns_.push_back({std::move(column), path});
+}
+
+std::vector<std::string> ValueSources::names() const {
+    std::vector<std::string> all;
+    for (const Column& column : columns_) all.push_back(column.values.name);
+    for (const Map& map : maps_) all.push_back(map.asked.name);
+    return all;
+}
+
+void ValueSources::check_names(const ColourOptions& colours) const {
+    std::set<std::string> seen;
+    for (const std::string& name : names())
+        if (!seen.insert(CLI::detail::to_lower(name)).second)
+            throw UsageError(fmt::format("two arrays of values have the name '{}'; rename one of them", name));
+    if (colours.scheme == ColourScheme::Value) {
+        if (!seen.contains(CLI::detail::to_lower(colours.value)))
+            throw UsageError(fmt::format("--color: there are no values '{}'; there are {}", colours.value,
+                                         fmt::join(names(), ", ")));
+    } else if (const std::string word = word_for(kColourSchemeWords, colours.scheme); seen.contains(word)) {
+        throw UsageError(fmt::format("--color: '{}' is a scheme, and the name of values of {}; rename the latter", word,
+                                     path_of(word)));
+    }
+}
+
+const std::string& ValueSources::path_of(const std::string& name) const {
+    for (const Map& map : maps_)
+        if (map.asked.name == name) return map.asked.path;
+    return std::find_if(columns_.begin(), columns_.end(), [&](const Column& c) { return c.values.name == name; })->path;
+}
+
+std::vector<VertexValues> ValueSources::at_vertices(const Mesh& mesh) const {
+    std::vector<VertexValues> all;
+    for (const Column& column : columns_) all.push_back(values_at_vertices(mesh, column.values));
+    for (const Map& map : maps_) all.push_back(sample_volume(mesh, map.asked.name, map.volume, sampling_));
+    return all;
+}
+
+std::vector<std::string> ValueSources::judge(const std::vector<VertexValues>& values) const {
+    std::vector<std::string> lines;
+    for (const VertexValues& array : values) {
+        const std::size_t missing = count_missing(array);
+        if (missing == 0) continue;
+        const std::string& path = path_of(array.name);
+        const bool of_map =
+            std::any_of(maps_.begin(), maps_.end(), [&](const Map& m) { return m.asked.name == array.name; });
+        if (of_map && missing == array.values.size())
+            throw InputError(path + ": the whole surface lies beyond this map; is it in another frame?");
+        lines.push_back(fmt::format("{}: {} of {} vertices have no value '{}'{}", path, missing, array.values.size(),
+                                    array.name, of_map ? ": they lie beyond the map" : ""));
+    }
+    return lines;
+}
+
+ordered_json ValueSources::report(const Mesh& mesh) const {
+    ordered_json list = ordered_json::array();
+    for (const VertexValues& array : mesh.values) {
+        ordered_json block{{"name", array.name}, {"file", path_of(array.name)}};
+        block.update(numbers_json(array, mesh));
+        list.push_back(std::move(block));
+    }
+    return list;
+}
+
+}  // namespace meniscus::cli

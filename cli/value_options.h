@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The options that bring values of maps and tables to the surface.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "meniscus/vertex_values.h"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
+class App;
+}
+
+namespace meniscus::cli {
+
+/// --sample NAME=FILE
+struct SampledMap {
+    std::string name;
+    std::string path;
+};
+
+struct ValueRequest {
+    std::vector<SampledMap> maps;
+    SampleVolumeOptions sampling;
+    std::string sampled_by{};         ///< an option that was given and that only maps heed; empty if there is none
+    std::vector<std::string> tables;  ///< paths
+};
+
+/// --sample, --offset, --interpolation, --values. `request` must outlive the parser. While parsing, UsageError is
+/// thrown for values that make no sense.
+void add_value_options(CLI::App& command, ValueRequest& request);
+
+/// What depends on several of these options and on --color.
+/// throws   UsageError for options that do not go together
+void check_values(const ValueRequest& request, const ColourOptions& colours);
+
+/// The options as the report has them.
+void report_values(const ValueRequest& request, nlohmann::ordered_json& options);
+
+/// The files of a request, read: what is wrong with them is known before anything is computed.
+class ValueSources {
+public:
+    ValueSources() = default;
+    /// Also the B factors, where they are what the surface shows.
+    /// throws   InputError; UsageError for two arrays of one name, and for a name that --color gives but no file has
+    ValueSources(const ValueRequest& request, const ColourOptions& colours, const Structure& structure);
+
+    /// What may be worth knowing of the files, one line each.
+    const std::vector<std::string>& warnings() const { return warnings_; }
+
+    std::vector<VertexValues> at_vertices(const Mesh& mesh) const;
+
+    /// What of these a user should know, one line each.
+    /// throws   InputError for a map that no vertex lies in
+    std::vector<std::string> judge(const std::vector<VertexValues>& values) const;
+
+    /// The report's block "values": of every array name, file, smallest, largest and mean value, and how many vertices
+    /// have none. The mean is weighted by area.
+    nlohmann::ordered_json report(const Mesh& mesh) const;
+
+private:
+    struct Map {
+        SampledMap asked;
+        Volume volume;
+    };
+    struct Column {
+        AtomValues values;
+        std::string path;
+    };
+
+    void add_table(const std::string& path, const Structure& structure);
+    void check_names(const ColourOptions& colours) const;
+    std::vector<std::string> names() const;
+    const std::string& path_of(const std::string& name) const;
+
+    SampleVolumeOptions sampling_;
+    std::vector<Map> maps_;
+    std::vector<Column> columns_;
+    std::vector<std::string> warnings_;
+};
+
+}  // namespace meniscus::cli

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "value_options.h"
+
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "meniscus/errors.h"
+
+namespace meniscus::cli {
+namespace {
+
+ValueRequest parse(std::vector<std::string> words) {
+    CLI::App app;
+    ValueRequest request;
+    add_value_options(app, request);
+    std::reverse(words.begin(), words.end());
+    app.parse(words);
+    return request;
+}
+
+TEST(ValueOptions, MapsHaveANameAndAFile) {
+    const ValueRequest request = parse({"--sample", "phi=a=b.dx", "--sample", "rho=c.mrc", "--interpolation", "cubic"});
+    ASSERT_EQ(request.maps.size(), 2U);
+    EXPECT_EQ(request.maps[0].name, "phi");
+    EXPECT_EQ(request.maps[0].path, "a=b.dx");
+    EXPECT_EQ(request.maps[1].name, "rho");
+    EXPECT_EQ(request.sampling.interpolation, Interpolation::Cubic);
+    for (const char* wrong : {"pot.dx", "=pot.dx", "phi=", "area=pot.dx", "depth=pot.dx", "a b=pot.dx"})
+        EXPECT_THROW(parse({"--sample", wrong}), UsageError) << wrong;
+}
+
+TEST(ValueOptions, WhatShapesMapsNeedsOne) {
+    EXPECT_NO_THROW(check_values(parse({"--sample", "phi=a.dx", "--offset", "-1"}), {}));
+    EXPECT_THROW(check_values(parse({"--offset", "1"}), {}), UsageError);
+    EXPECT_THROW(check_values(parse({"--interpolation", "cubic"}), {}), UsageError);
+}
+
+TEST(ValueOptions, ColoursMustNameValuesThatMayCome) {
+    const ColourOptions by_phi{.scheme = ColourScheme::Value, .value = "phi"};
+    EXPECT_NO_THROW(check_values(parse({"--sample", "phi=a.dx"}), by_phi));
+    EXPECT_NO_THROW(check_values(parse({"--values", "a.csv"}), by_phi)) << "its columns are not known yet";
+    EXPECT_THROW(check_values(parse({"--sample", "psi=a.dx"}), by_phi), UsageError);
+    EXPECT_THROW(check_values(parse({}), by_phi), UsageError);
+}
+
+TEST(ValueOptions, TheReportTellsThem) {
+    nlohmann::ordered_json options;
+    report_values(parse({"--sample", "phi=a.dx", "--values", "b.csv", "--offset", "1.5"}), options);
+    EXPECT_EQ(options["sample"]["phi"], "a.dx");
+    EXPECT_EQ(options["offset"], 1.5);
+    EXPECT_EQ(options["interpolation"], "linear");
+    EXPECT_EQ(options["values"][0], "b.csv");
+    report_values(parse({}), options);
+    EXPECT_TRUE(options["offset"].is_null());
+    EXPECT_TRUE(options["sample"].empty());
+}
+
+}  // namespace
+}  // namespace meniscus::cli
