@@ -28,13 +28,13 @@ struct VertexArray {
 
 struct WriteOptions {
     Encoding encoding = Encoding::Binary;  ///< of PLY and STL; OBJ and OFF are text
-    std::vector<VertexArray> extra{};  ///< written by formats with named vertex values (PLY, GLB), after the mesh's own
-    std::span<const Colour> colours{};  ///< one per vertex, or none; written by PLY and GLB
-    std::optional<double> probe{};      ///< probe radius, Å; written by GLB
+    std::vector<VertexArray> extra{};  ///< written by formats with named vertex values (PLY, GLB, VTP), after the mesh's own
+    std::span<const Colour> colours{};  ///< one per vertex, or none; written by PLY, GLB and VTP
+    std::optional<double> probe{};      ///< probe radius, Å; written by GLB and VTP
     int threads = 0;                    ///< 0: all cores
 };
 
-/// Writes a mesh; the suffix of `path` chooses the format: .ply .obj .stl .off .glb.
+/// Writes a mesh; the suffix of `path` chooses the format: .ply .obj .stl .off .glb .vtp.
 ///
 /// Written to a temporary name in the same folder and renamed: a failed run leaves no half file and an older file as it
 /// was. Devices and pipes (/dev/stdout) are written to directly. Coordinates are rounded to single precision unless

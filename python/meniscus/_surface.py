@@ -237,11 +237,11 @@ class Surface(_Vertices):
     ) -> None:
         """Writes the surface, in the format of the suffix.
 
-        .ply .obj .stl .off .glb  the mesh; .ply and .glb with every vertex array and colours
-        .npz                      the arrays, named as here, for numpy.load
-        .png                      a picture
-        .html                     a page to turn, cut and ask, which opens in a browser without network
-        .mls                      the level set without loss
+        .ply .obj .stl .off .glb .vtp  the mesh; .ply, .glb and .vtp with every vertex array and colours
+        .npz                           the arrays, named as here, for numpy.load
+        .png                           a picture
+        .html                          a page to turn, cut and ask, which opens in a browser without network
+        .mls                           the level set without loss
 
         color       a scheme of ``--color`` ("patch", "curvature:-1:1"), or (n, 3) or (n, 4) uint8, one per vertex
         ascii       .ply and .stl as text
@@ -264,7 +264,7 @@ class Surface(_Vertices):
         >>> ball.save("ball.ply", color="patch")
         >>> ball.save("ball.gif")
         Traceback (most recent call last):
-        meniscus.UsageError: ball.gif: the suffix chooses the format; known are .ply .obj .stl .off .glb .npz .png .html .mls
+        meniscus.UsageError: ball.gif: the suffix chooses the format; known are .ply .obj .stl .off .glb .vtp .npz .png .html .mls
         """
         drawing = {"size": size, "view": view, "background": background, "perspective": perspective,
                    "outline": outline, "depth_cue": depth_cue, "cut": cut, "legend": legend}

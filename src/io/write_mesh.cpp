@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include "io/off.h"
 #include "io/ply.h"
 #include "io/stl.h"
+#include "io/vtp.h"
 #include "meniscus/errors.h"
 #include "meniscus/write.h"
 
@@ -57,8 +59,9 @@ void check(const Mesh& mesh, const WriteOptions& options) {
 
 void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& options) {
     const std::string suffix = suffix_of(path);
-    if (suffix != ".ply" && suffix != ".obj" && suffix != ".stl" && suffix != ".off" && suffix != ".glb")
-        throw UsageError(path + ": unknown suffix for a mesh; choose .ply, .obj, .stl, .off or .glb");
+    constexpr std::array kSuffixes{".ply", ".obj", ".stl", ".off", ".glb", ".vtp"};
+    if (std::find(kSuffixes.begin(), kSuffixes.end(), suffix) == kSuffixes.end())
+        throw UsageError(path + ": unknown suffix for a mesh; choose .ply, .obj, .stl, .off, .glb or .vtp");
     check(mesh, options);
     const ThreadLimit limit(options.threads);
     AtomicFile file(path);
@@ -67,6 +70,7 @@ void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& o
     if (suffix == ".stl") write_stl(file, mesh, options.encoding);
     if (suffix == ".off") write_off(file, mesh);
     if (suffix == ".glb") write_glb(file, mesh, options);
+    if (suffix == ".vtp") write_vtp(file, mesh, options);
     file.commit();
 }
 

@@ -34,6 +34,7 @@ protected:
 
 TEST_F(OutputPlan, TellsFormatsBySuffix) {
     EXPECT_EQ(kind_of("a.ply"), OutputKind::Mesh);
+    EXPECT_EQ(kind_of("a.vtp"), OutputKind::Mesh);
     EXPECT_EQ(kind_of("dir.x/a.b.stl"), OutputKind::Mesh);
     EXPECT_EQ(kind_of("a.xyzrn"), OutputKind::Spheres);
     EXPECT_EQ(kind_of("a.html"), OutputKind::Page);

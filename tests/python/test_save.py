@@ -19,7 +19,7 @@ def content(path):
 @unittest.skipUnless(PROGRAM, "MENISCUS_PROGRAM names no program to compare with")
 class AsTheProgram(InScratchFolder):
     def test_files_have_the_same_bytes(self):
-        names = ["mesh.ply", "mesh.obj", "mesh.stl", "mesh.off", "mesh.glb", "picture.png", "page.html"]
+        names = ["mesh.ply", "mesh.obj", "mesh.stl", "mesh.off", "mesh.glb", "mesh.vtp", "picture.png", "page.html"]
         outputs = [word for name in names for word in ("-o", f"cli_{name}")]
         options = ["--color", "curvature:-1:1", "--size", "400x300", "--view", "top", "--background", "#202020",
                    "--cut", "12", "--legend"]
@@ -127,7 +127,7 @@ class Saving(InScratchFolder):
         self.assertEqual(os.listdir(), [])
 
     def test_what_cannot_be_written_is_an_os_error_and_leaves_nothing(self):
-        for suffix in ("ply", "npz", "png", "mls", "stl", "glb", "html"):
+        for suffix in ("ply", "npz", "png", "mls", "stl", "glb", "vtp", "html"):
             with self.assertRaisesRegex(OSError, f"nosuch/x.{suffix}: cannot be written"):
                 self.surface.save(f"nosuch/x.{suffix}", size=(8, 8))
             os.mkdir(f"x.{suffix}")
