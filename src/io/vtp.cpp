@@ -6,14 +6,12 @@
 #include <bit>
 #include <cstdint>
 #include <functional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "io/precision.h"
 #include "io/vertex_arrays.h"
-#include "meniscus/errors.h"
 #include "meniscus/version.h"
 
 namespace meniscus {
@@ -116,7 +114,6 @@ private:
 
     template <class Values>
     void add(const std::string& name, Values values) {
-        if (!names_.insert(name).second) throw UsageError("two vertex arrays would be '" + name + "' in VTP");
         using T = std::remove_const_t<typename Values::element_type>;
         if constexpr (std::is_same_v<T, Vec3>)
             point_data_ += vectors<float>("Normals", values);
@@ -157,7 +154,6 @@ private:
     std::string points_;
     std::string point_data_;
     std::string triangles_;
-    std::set<std::string> names_;
     std::vector<Appended> arrays_;
     std::uint64_t offset_ = 0;
 };
