@@ -26,10 +26,10 @@ struct Suffix {
 };
 
 constexpr std::array kSuffixes{
-    Suffix{".ply", OutputKind::Mesh},     Suffix{".obj", OutputKind::Mesh},      Suffix{".stl", OutputKind::Mesh},
-    Suffix{".off", OutputKind::Mesh},     Suffix{".glb", OutputKind::Mesh},      Suffix{".vtp", OutputKind::Mesh},
-    Suffix{".xyzr", OutputKind::Spheres}, Suffix{".xyzrn", OutputKind::Spheres}, Suffix{".png", OutputKind::Picture},
-    Suffix{".html", OutputKind::Page},
+    Suffix{".ply", OutputKind::Mesh},    Suffix{".obj", OutputKind::Mesh},     Suffix{".stl", OutputKind::Mesh},
+    Suffix{".off", OutputKind::Mesh},    Suffix{".glb", OutputKind::Mesh},     Suffix{".vtp", OutputKind::Mesh},
+    Suffix{".npz", OutputKind::Mesh},    Suffix{".xyzr", OutputKind::Spheres}, Suffix{".xyzrn", OutputKind::Spheres},
+    Suffix{".png", OutputKind::Picture}, Suffix{".html", OutputKind::Page},
 };
 
 constexpr std::array kMeasureSuffixes{
@@ -62,6 +62,9 @@ std::string with_mark(const fs::path& path, const std::string& mark) {
 std::string atom_table_beside(const fs::path& path) {
     return (path.parent_path() / (path.stem().string() + ".atoms.csv")).string();
 }
+
+/// Whether the mesh file has the atoms in itself.
+bool holds_atoms(const fs::path& path) { return path.extension() == ".npz"; }
 
 /// The same text for every spelling of one file.
 std::string identity(const std::string& path) {
@@ -96,7 +99,7 @@ std::vector<Output> plan_outputs(const std::vector<std::string>& asked, const st
     if (asked.empty() && pages_supported()) plan.push_back({name + ".html", OutputKind::Page});
     const std::size_t count = plan.size();
     for (std::size_t i = 0; i < count; ++i) {
-        if (plan[i].kind != OutputKind::Mesh) continue;
+        if (plan[i].kind != OutputKind::Mesh || holds_atoms(plan[i].path)) continue;
         const Output table{atom_table_beside(plan[i].path), OutputKind::AtomTable};
         if (std::find(plan.begin(), plan.end(), table) == plan.end()) plan.push_back(table);
     }

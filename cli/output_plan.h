@@ -32,7 +32,7 @@ OutputKind kind_of(const std::string& path);
 OutputKind measure_kind_of(const std::string& path);
 
 /// All files of one structure: those of -o, or NAME.ply and NAME.html (in builds with pages), each mesh with its table
-/// of atoms beside it.
+/// of atoms beside it, unless its format holds them.
 ///
 /// name   of the structure, which for one of several models has its mark already
 /// mark   goes between stem and suffix of what is asked for, e.g. "_m01" for the first of all models; may be empty

@@ -29,6 +29,7 @@ void write_surface_mesh(const std::string& path, const SurfaceRequest& request, 
                {.encoding = request.encoding,
                 .colours = colours,
                 .structure = &structure,
+                .computed_with = &request.surface,
                 .probe = request.surface.probe,
                 .threads = request.surface.threads});
 }

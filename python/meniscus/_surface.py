@@ -238,7 +238,8 @@ class Surface(_Vertices):
         """Writes the surface, in the format of the suffix.
 
         .ply .obj .stl .off .glb .vtp  the mesh; .ply, .glb and .vtp with every vertex array and colours
-        .npz                           the arrays, named as here, for numpy.load
+        .npz                           the arrays, named as here, with atoms (atom_xyz, atom_name ...) and options, for
+                                       numpy.load
         .png                           a picture
         .html                          a page to turn, cut and ask, which opens in a browser without network
         .mls                           the level set without loss

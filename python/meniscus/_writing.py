@@ -132,7 +132,7 @@ def _view_options(drawing: dict[str, Any]) -> dict[str, Any]:
 
 
 def _save_mesh(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
-    _core.write_mesh(path, surface._mesh, surface.structure._core, {**options, "probe": surface.options["probe"]})
+    _core.write_mesh(path, surface._core, options)
 
 
 def _save_picture(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
@@ -147,12 +147,8 @@ def _save_level_set(path: str, surface: Surface, options: dict[str, Any], drawin
     _core.write_level_set(path, surface._core)
 
 
-def _save_arrays(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
-    _write_npz(path, surface, {"vertices": surface.vertices, "triangles": surface.triangles})
-
-
-def _write_npz(path: str, source: Surface | Points, arrays: dict[str, npt.NDArray[Any]]) -> None:
-    arrays = {**arrays, **{name: getattr(source, name) for name in _POINT_ARRAYS}}
+def _save_point_arrays(path: str, points: Points) -> None:
+    arrays = {"points": points.points, **{name: getattr(points, name) for name in _POINT_ARRAYS}}
     try:
         if os.path.exists(path) and not os.path.isfile(path):  # a device or pipe is written to directly
             with open(path, "wb") as file:
@@ -184,7 +180,7 @@ _SURFACE_WRITERS: dict[str, Callable[[str, Surface, dict[str, Any], dict[str, An
     ".off": _save_mesh,
     ".glb": _save_mesh,
     ".vtp": _save_mesh,
-    ".npz": _save_arrays,
+    ".npz": _save_mesh,
     ".png": _save_picture,
     ".html": _save_page,
     ".mls": _save_level_set,
@@ -207,8 +203,8 @@ def save_points(path: str, points: Points, color: Color, ascii: bool) -> None:
     suffix = pathlib.PurePath(path).suffix
     if suffix == ".ply":
         options = {**colour_options(color), "ascii": bool(ascii)}
-        _core.write_mesh(path, points._mesh, points.structure._core, options)
+        _core.write_points(path, points._mesh, points.structure._core, options)
     elif suffix == ".npz":
-        _write_npz(path, points, {"points": points.points})
+        _save_point_arrays(path, points)
     else:
         raise _unknown_suffix(path, [".ply", ".npz"])

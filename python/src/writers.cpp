@@ -61,22 +61,33 @@ py::array colours(const Mesh& mesh, const Structure& structure, const py::dict& 
     return owning(std::move(result));
 }
 
-void save_mesh(const std::string& path, const Mesh& mesh, const Structure& structure, const py::dict& given) {
+/// computed_with   null for points that are no whole surface
+void save_vertices(const std::string& path, const Mesh& mesh, const Structure& structure,
+                   const SurfaceOptions* computed_with, const py::dict& given) {
     const Colouring colouring(given);
     bool ascii = false;
-    std::optional<double> probe;
     int threads = 0;
     Options(given).read("threads", threads);
     Options(given).read("ascii", ascii);
-    Options(given).read("probe", probe);
     const py::gil_scoped_release release;
     const std::vector<Colour> colours = colouring.of(mesh, structure);
+    std::optional<double> probe;
+    if (computed_with != nullptr) probe = computed_with->probe;
     write_mesh(path, mesh,
                {.encoding = ascii ? Encoding::Text : Encoding::Binary,
                 .colours = colours,
                 .structure = &structure,
+                .computed_with = computed_with,
                 .probe = probe,
                 .threads = threads});
+}
+
+void save_points(const std::string& path, const Mesh& points, const Structure& structure, const py::dict& given) {
+    save_vertices(path, points, structure, nullptr, given);
+}
+
+void save_mesh(const std::string& path, const HeldSurface& held, const py::dict& given) {
+    save_vertices(path, held.surface().mesh, held.structure(), &held.surface().options, given);
 }
 
 Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
@@ -193,7 +204,9 @@ using WithoutGil = py::call_guard<py::gil_scoped_release>;
 
 void bind_writers(py::module_& module) {
     module.def("colors", &colours, py::arg("mesh"), py::arg("structure"), py::arg("options"));
-    module.def("write_mesh", &save_mesh, py::arg("path"), py::arg("mesh"), py::arg("structure"), py::arg("options"));
+    module.def("write_mesh", &save_mesh, py::arg("path"), py::arg("surface"), py::arg("options"));
+    module.def("write_points", &save_points, py::arg("path"), py::arg("points"), py::arg("structure"),
+               py::arg("options"));
     module.def("write_picture", &save_picture, py::arg("path"), py::arg("surface"), py::arg("options"));
     module.def("write_page", &save_page, py::arg("path"), py::arg("surface"), py::arg("measures"), py::arg("options"));
     module.def("write_level_set", &save_level_set, py::arg("path"), py::arg("surface"));

@@ -12,6 +12,7 @@
 #include "io/atomic_file.h"
 #include "io/glb.h"
 #include "io/measured_arrays.h"
+#include "io/npz.h"
 #include "io/obj.h"
 #include "io/off.h"
 #include "io/ply.h"
@@ -87,9 +88,9 @@ std::vector<std::uint32_t> residues_of_vertices(const Mesh& mesh, const Structur
 
 void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& given) {
     const std::string suffix = suffix_of(path);
-    constexpr std::array kSuffixes{".ply", ".obj", ".stl", ".off", ".glb", ".vtp"};
+    constexpr std::array kSuffixes{".ply", ".obj", ".stl", ".off", ".glb", ".vtp", ".npz"};
     if (std::find(kSuffixes.begin(), kSuffixes.end(), suffix) == kSuffixes.end())
-        throw UsageError(path + ": unknown suffix for a mesh; choose .ply, .obj, .stl, .off, .glb or .vtp");
+        throw UsageError(path + ": unknown suffix for a mesh; choose .ply, .obj, .stl, .off, .glb, .vtp or .npz");
     WriteOptions options = given;
     std::vector<std::uint32_t> residues;
     if (options.structure != nullptr && !mesh.atoms.empty()) {
@@ -105,6 +106,7 @@ void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& g
     if (suffix == ".off") write_off(file, mesh);
     if (suffix == ".glb") write_glb(file, mesh, options);
     if (suffix == ".vtp") write_vtp(file, mesh, options);
+    if (suffix == ".npz") write_npz(file, mesh, options);
     file.commit();
 }
 

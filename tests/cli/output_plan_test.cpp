@@ -90,6 +90,11 @@ TEST_F(OutputPlan, APictureNeedsNeitherMeshNorTable) {
     EXPECT_THROW(measure_kind_of("a.png"), UsageError);
 }
 
+TEST_F(OutputPlan, AMeshThatHoldsItsAtomsNeedsNoTable) {
+    const std::vector<Output> expected{{"a.npz", OutputKind::Mesh}};
+    EXPECT_EQ(plan_outputs({"a.npz"}, "name", ""), expected);
+}
+
 TEST_F(OutputPlan, TablesAndCopiesAreThoseOfMeasure) {
     EXPECT_EQ(measure_kind_of("a.csv"), OutputKind::Table);
     EXPECT_EQ(measure_kind_of("a.json"), OutputKind::Table);

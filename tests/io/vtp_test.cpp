@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "meniscus/errors.h"
 #include "support/scratch_folder.h"
 #include "support/shapes.h"
 
@@ -68,15 +67,6 @@ TEST(Vtp, FarFromTheOriginCoordinatesAreDouble) {
     Mesh mesh = testing::tetrahedron();
     for (Vec3& v : mesh.vertices) v.x += 5000.125;
     EXPECT_EQ(array_of<double>(written(mesh, {}), "Points")[0], mesh.vertices[0].x);
-}
-
-TEST(Vtp, TwoArraysOfOneNameAreRefused) {
-    const ScratchFolder folder;
-    Mesh mesh = testing::tetrahedron();
-    mesh.areas.assign(4, 1.0F);
-    const VertexArray array{.name = "area", .values = std::span<const float>(mesh.areas)};
-    EXPECT_THROW(write_mesh(folder / "a.vtp", mesh, {.extra = {array}}), UsageError);
-    EXPECT_TRUE(folder.listing().empty());
 }
 
 TEST(Vtp, NamesAreEscaped) {
