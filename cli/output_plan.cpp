@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <set>
 #include <span>
@@ -119,6 +120,20 @@ Output plan_history(const std::string& asked, const std::string& mark) {
 
 std::string snapshot_path(const std::string& mesh, int step) {
     return with_mark(mesh, fmt::format("_step{:03}", step));
+}
+
+std::string cavity_path(const std::string& mesh, std::size_t number) {
+    return with_mark(mesh, fmt::format("_cavity{}", number));
+}
+
+std::string mark_of_chain(const std::string& chain) {
+    std::string mark = "_chain";
+    for (const char c : chain) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool plain = byte < 128 && (std::isalnum(byte) != 0 || c == '-' || c == '+');
+        mark += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
+    }
+    return mark;
 }
 
 void check_paths(const std::vector<std::string>& paths, const std::string& input) {

@@ -19,6 +19,8 @@ struct SurfaceRequest : CommonRequest {
     FlowRequest flow;  ///< surface.flow is what it resolves to
     Encoding encoding = Encoding::Binary;
     PictureRequest picture;
+    std::string show;           ///< selection whose part of the surface is written; empty: all of it
+    bool cavity_files = false;  ///< each cavity also as a mesh of its own
 };
 
 /// Gives a subcommand its options; parsing fills `request`, which must outlive the parser.

@@ -35,6 +35,7 @@ struct WriteOptions {
     const Structure* structure = nullptr;  ///< whose atoms the mesh's `atoms` index; adds the vertex array `residue`
     const SurfaceOptions* computed_with = nullptr;  ///< written by NPZ, beside the structure
     std::optional<double> probe{};                  ///< probe radius, Å; written by GLB and VTP
+    bool open = false;                              ///< a part of a surface: formats with a place for it say so
     int threads = 0;                                ///< 0: all cores
 };
 

@@ -13,7 +13,7 @@ import numpy.typing as npt
 from . import _core, _options, _writing
 from ._arrays import Floats, positions
 from ._errors import CheckWarning, UsageError, text_of_path
-from ._measures import Component, Measures, measure
+from ._measures import Component, Measures, checked
 from ._structure import Path, Structure, as_structure
 
 Singles = npt.NDArray[np.float32]
@@ -167,12 +167,15 @@ class Surface(_Vertices):
     def measures(self) -> Measures:
         """Exact areas and volumes of the same atoms and probe; measured when first asked for, then kept.
 
+        Of a surface sas or vdw they are its own: ses_area and sas_area are then the same.
+
         >>> surface = meniscus.surface([[0, 0, 0], [2, 0, 0]], [1.5, 1.5])
         >>> abs(surface.mesh["corrected_area"] / surface.measures.ses_area - 1) < 0.01
         True
         """
         if self._measures is None:
-            self._measures = measure(self._structure, probe=self._options["probe"], threads=self._options["threads"])
+            options = {"threads": self._options["threads"]}
+            self._measures = checked(Measures(_core.measure_surface(self._core, options), self._structure), stacklevel=3)
         return self._measures
 
     @property
@@ -226,6 +229,8 @@ class Surface(_Vertices):
         color: _writing.Color = "auto",
         *,
         ascii: bool = False,
+        show: str | None = None,
+        cavity: int | None = None,
         size: tuple[int, int] = (1600, 1200),
         view: _writing.View = "auto",
         background: str = "white",
@@ -246,6 +251,8 @@ class Surface(_Vertices):
 
         color       a scheme of ``--color`` ("patch", "curvature:-1:1"), or (n, 3) or (n, 4) uint8, one per vertex
         ascii       .ply and .stl as text
+        show        of a mesh only the part that belongs to these atoms, as in "//A/10-50" (``--show``)
+        cavity      of a mesh only the wall of the cavity of this number, from 1 (``--cavity-files``)
 
         Of pictures, view and perspective also of pages:
 
@@ -269,7 +276,8 @@ class Surface(_Vertices):
         """
         drawing = {"size": size, "view": view, "background": background, "perspective": perspective,
                    "outline": outline, "depth_cue": depth_cue, "cut": cut, "legend": legend}
-        _writing.save_surface(text_of_path(path), self, color, ascii, drawing)
+        part = {"show": show, "cavity_file": cavity}
+        _writing.save_surface(text_of_path(path), self, color, ascii, part, drawing)
 
 
 def surface(
@@ -279,6 +287,7 @@ def surface(
     spacing: float = 0.5,
     method: str = "flow",
     *,
+    surface: str = "ses",
     components: str = "all",
     min_cavity: float = 0.0,
     edge: float | None = None,
@@ -316,6 +325,7 @@ def surface(
 
     What else there is has the names and defaults of the command line (``meniscus surface --help``):
 
+    surface                       ses, sas (solvent-accessible) or vdw (van der Waals: the same as probe 0)
     components, min_cavity        all, outer or cavities: pieces that the mesh keeps; least volume of a cavity, Å³
     edge, vertex_density          even triangles of this size, Å, or so many vertices per Å²; then also adaptive,
                                   keep_ridges, simplify_topology
@@ -346,6 +356,7 @@ def surface(
         "probe": _options.number("probe", probe),
         "spacing": _options.number("spacing", spacing),
         "method": _options.word("method", method),
+        "surface": _options.word("surface", surface),
         "components": _options.word("components", components),
         "min_cavity": _options.number("min_cavity", min_cavity),
         "density": _options.number("density", density),
@@ -375,6 +386,8 @@ def surface(
         options["max_steps"] = _options.whole("max_steps", max_steps)
     if memory is not None:
         options["memory_mb"] = _options.megabytes("memory", memory)
+    if surface == "vdw":
+        options["probe"] = 0.0
     _check_together(options)
     result = Surface(_core.compute_surface(structure._core, options, progress), structure, options)
     if not result.passed:

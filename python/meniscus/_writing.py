@@ -191,11 +191,27 @@ def _unknown_suffix(path: str, known: Sequence[str]) -> UsageError:
     return UsageError(f"{path}: the suffix chooses the format; known are {' '.join(known)}")
 
 
-def save_surface(path: str, surface: Surface, color: Color, ascii: bool, drawing: dict[str, Any]) -> None:
+def _part_options(path: str, writer: Any, part: dict[str, Any]) -> dict[str, Any]:
+    """What of a mesh is written; nothing for all of it."""
+    given = {name: value for name, value in part.items() if value is not None}
+    if given and writer is not _save_mesh:
+        raise UsageError(f"{path}: show and cavity are parts of a mesh; choose a format of meshes")
+    if len(given) > 1:
+        raise UsageError("show and cavity are two parts of a surface; give one of them")
+    if "show" in given and not _options.word("show", given["show"]):
+        raise UsageError("show: empty; write for instance //A/10-50")
+    if "cavity_file" in given and _options.whole("cavity", given["cavity_file"]) < 1:
+        raise UsageError(f"cavity {given['cavity_file']}: cavities count from 1")
+    return given
+
+
+def save_surface(path: str, surface: Surface, color: Color, ascii: bool, part: dict[str, Any],
+                 drawing: dict[str, Any]) -> None:
     writer = _SURFACE_WRITERS.get(pathlib.PurePath(path).suffix)
     if writer is None:
         raise _unknown_suffix(path, list(_SURFACE_WRITERS))
-    options = {**colour_options(color), "ascii": bool(ascii), "threads": surface.options["threads"]}
+    options = {**colour_options(color), **_part_options(path, writer, part), "ascii": bool(ascii),
+               "threads": surface.options["threads"]}
     writer(path, surface, options, drawing)
 
 

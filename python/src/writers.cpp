@@ -12,6 +12,7 @@
 #include "meniscus/errors.h"
 #include "meniscus/legend.h"
 #include "meniscus/level_set_file.h"
+#include "meniscus/mesh_part.h"
 #include "meniscus/page.h"
 #include "meniscus/picture.h"
 #include "meniscus/write.h"
@@ -61,33 +62,72 @@ py::array colours(const Mesh& mesh, const Structure& structure, const py::dict& 
     return owning(std::move(result));
 }
 
-/// computed_with   null for points that are no whole surface
-void save_vertices(const std::string& path, const Mesh& mesh, const Structure& structure,
-                   const SurfaceOptions* computed_with, const py::dict& given) {
-    const Colouring colouring(given);
+/// What every mesh is written with.
+WriteOptions write_options(const Structure& structure, const py::dict& given) {
+    WriteOptions options{.structure = &structure};
     bool ascii = false;
-    int threads = 0;
-    Options(given).read("threads", threads);
+    Options(given).read("threads", options.threads);
     Options(given).read("ascii", ascii);
-    const py::gil_scoped_release release;
-    const std::vector<Colour> colours = colouring.of(mesh, structure);
-    std::optional<double> probe;
-    if (computed_with != nullptr) probe = computed_with->probe;
-    write_mesh(path, mesh,
-               {.encoding = ascii ? Encoding::Text : Encoding::Binary,
-                .colours = colours,
-                .structure = &structure,
-                .computed_with = computed_with,
-                .probe = probe,
-                .threads = threads});
+    options.encoding = ascii ? Encoding::Text : Encoding::Binary;
+    return options;
 }
 
 void save_points(const std::string& path, const Mesh& points, const Structure& structure, const py::dict& given) {
-    save_vertices(path, points, structure, nullptr, given);
+    const Colouring colouring(given);
+    WriteOptions options = write_options(structure, given);
+    const py::gil_scoped_release release;
+    const std::vector<Colour> colours = colouring.of(points, structure);
+    options.colours = colours;
+    write_mesh(path, points, options);
+}
+
+/// What of a surface is written: all of it, the part of some atoms, or the wall of a cavity.
+class Shown {
+public:
+    explicit Shown(const py::dict& given) {
+        Options(given).read("show", select_);
+        Options(given).read("cavity_file", cavity_);
+    }
+
+    std::optional<MeshPart> part_of(const HeldSurface& held) const {
+        const Mesh& mesh = held.surface().mesh;
+        if (!select_.empty()) return part_of_atoms(mesh, select_atoms(held.structure(), select_, "show"));
+        if (cavity_ != 0) return part_of_component(mesh, component(held.surface().measures));
+        return std::nullopt;
+    }
+
+private:
+    std::uint32_t component(const MeshMeasures& measures) const {
+        int number = 0;
+        for (std::uint32_t c = 0; c < measures.components.size(); ++c)
+            if (measures.components[c].volume < 0.0 && ++number == cavity_) return c;
+        throw UsageError("cavity " + std::to_string(cavity_) + ": the mesh has " + std::to_string(number));
+    }
+
+    std::string select_;
+    int cavity_ = 0;  // from 1
+};
+
+std::vector<Colour> picked(const std::vector<Colour>& colours, const std::vector<VertexId>& vertices) {
+    std::vector<Colour> result;
+    result.reserve(vertices.size());
+    for (const VertexId v : vertices) result.push_back(colours.at(v));
+    return result;
 }
 
 void save_mesh(const std::string& path, const HeldSurface& held, const py::dict& given) {
-    save_vertices(path, held.surface().mesh, held.structure(), &held.surface().options, given);
+    const Colouring colouring(given);
+    const Shown shown(given);
+    WriteOptions options = write_options(held.structure(), given);
+    options.computed_with = &held.surface().options;
+    options.probe = held.surface().options.probe;
+    const py::gil_scoped_release release;
+    std::vector<Colour> colours = colouring.of(held.surface().mesh, held.structure());
+    const std::optional<MeshPart> part = shown.part_of(held);
+    if (part) colours = picked(colours, part->vertices);
+    options.open = part && !measure_mesh(part->mesh).closed;
+    options.colours = colours;
+    write_mesh(path, part ? part->mesh : held.surface().mesh, options);
 }
 
 Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }

@@ -208,6 +208,7 @@ void write_npz(AtomicFile& file, const Mesh& mesh, const WriteOptions& options) 
     if (options.structure != nullptr) AtomColumns(npz, *options.structure);
     if (options.structure != nullptr && options.computed_with != nullptr)
         npz.add_text("options", {letters_of(options_json(*options.computed_with, *options.structure))}, "()");
+    if (options.open) npz.add_number("open", 1);
     npz.add_number("layout", kLayout);
     npz.finish();
 }

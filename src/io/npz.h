@@ -15,6 +15,7 @@ namespace meniscus {
 /// float32; options.extra; colors (n, 4) uint8. Of options.structure: atom_xyz (k, 3), atom_radius, atom_b_factor,
 /// atom_occupancy, atom_charge float64; atom_residue uint32; atom_serial, atom_resnum int32; atom_chain, atom_resname,
 /// atom_icode, atom_name, atom_element, atom_altloc text. Of options.computed_with: options, text (options_json.h).
+/// open is the number 1 for a mesh that is; otherwise it is absent.
 /// layout is the number 1, which changes when one of these does.
 /// throws   UsageError for two arrays of one name and for names with / or other letters than ASCII
 /// cost     25 ns per byte and core; memory for the compressed bytes of the largest array

@@ -23,6 +23,7 @@ ordered_json options_block(const SurfaceOptions& o) {
     const bool even = o.remesh.is_on();
     const FlowOptions& f = o.flow;
     return {{"method", word_for(kMethodWords, o.method)},
+            {"surface", word_for(kSurfaceWords, o.surface)},
             {"curvature", if_used(flows, word_for(kCurvatureWords, f.curvature))},
             {"anchor", if_used(flows, f.anchor)},
             {"reinitialise", if_used(flows, word_for(kReinitialiserWords, f.reinitialiser))},

@@ -62,7 +62,8 @@ public:
         triangles_ += declare<std::int64_t, 1>("offsets", mesh.triangles.size(), [this] {
             for (std::size_t t = 1; t <= mesh_.triangles.size(); ++t) file_.bytes(static_cast<std::int64_t>(3 * t));
         });
-        if (options.probe) probe_ = *options.probe;
+        probe_ = options.probe;
+        is_open_ = options.open;
         active_normals_ = mesh.normals.empty() ? "" : R"( Normals="Normals")";
         active_scalars_ = options.colours.empty() ? "" : R"( Scalars="colors")";
     }
@@ -139,16 +140,25 @@ private:
     }
 
     void write_field_data() {
-        if (!probe_) return;
-        file_.write(R"(    <FieldData>
-      <DataArray type="Float64" Name="probe" NumberOfTuples="1" format="ascii">)");
-        file_.number(*probe_);
-        file_.write("</DataArray>\n    </FieldData>\n");
+        if (!probe_ && !is_open_) return;
+        file_.write("    <FieldData>\n");
+        if (probe_) write_field<double>("probe", *probe_);
+        if (is_open_) write_field<std::uint8_t>("open", 1.0);
+        file_.write("    </FieldData>\n");
+    }
+
+    template <class T>
+    void write_field(const std::string& name, double value) {
+        file_.write(std::string("      <DataArray type=\"") + kTypeName<T> + "\" Name=\"" + name +
+                    R"(" NumberOfTuples="1" format="ascii">)");
+        file_.number(value);
+        file_.write("</DataArray>\n");
     }
 
     AtomicFile& file_;
     const Mesh& mesh_;
     std::optional<double> probe_;
+    bool is_open_ = false;
     std::string active_scalars_;
     std::string active_normals_;
     std::string points_;

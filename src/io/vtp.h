@@ -13,7 +13,8 @@ namespace meniscus {
 ///
 /// Points are Float32, or Float64 where io/precision.h says so. Point data, those that the mesh has: Normals (Float32,
 /// the active normals), atom, component (UInt32), patch (UInt8), the measured ones (Float32), options.extra, colors
-/// (four UInt8, the active scalars). Field data: probe, if options.probe is given.
+/// (four UInt8, the active scalars). Field data: probe, if options.probe is given; open, the
+/// number 1, for a mesh that is.
 void write_vtp(AtomicFile& file, const Mesh& mesh, const WriteOptions& options);
 
 }  // namespace meniscus

@@ -101,9 +101,9 @@ void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& g
     const ThreadLimit limit(options.threads);
     AtomicFile file(path);
     if (suffix == ".ply") write_ply(file, mesh, options);
-    if (suffix == ".obj") write_obj(file, mesh);
+    if (suffix == ".obj") write_obj(file, mesh, options.open);
     if (suffix == ".stl") write_stl(file, mesh, options.encoding);
-    if (suffix == ".off") write_off(file, mesh);
+    if (suffix == ".off") write_off(file, mesh, options.open);
     if (suffix == ".glb") write_glb(file, mesh, options);
     if (suffix == ".vtp") write_vtp(file, mesh, options);
     if (suffix == ".npz") write_npz(file, mesh, options);

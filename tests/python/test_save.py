@@ -73,6 +73,32 @@ class Saving(InScratchFolder):
             self.assertEqual((told["input"]["probe"], told["options"]["spacing"]), (1.5, 1))
             self.assertEqual(told["input"]["sha256"], structure.sha256)
 
+    def test_parts_have_the_bytes_of_the_program(self):
+        if not PROGRAM:
+            self.skipTest("MENISCUS_PROGRAM names no program to compare with")
+        subprocess.run([PROGRAM, "surface", UBIQUITIN, "--quiet", "--spacing", "0.8", "--surface", "sas", "--show",
+                        "//A/1-30", "-o", "cli.ply", "-o", "cli.npz"], check=True, capture_output=True)
+        surface = meniscus.surface(read(UBIQUITIN), spacing=0.8, surface="sas")
+        for suffix in ("ply", "npz"):
+            surface.save(f"own.{suffix}", show="//A/1-30")
+            self.assertTrue(content(f"own.{suffix}") == content(f"cli.{suffix}"), suffix)
+        self.assertAlmostEqual(surface.measures.ses_area, surface.measures.sas_area, delta=1e-3)
+        self.assertAlmostEqual(surface.measures.sas_area, meniscus.measure(surface.structure).sas_area, delta=1e-3)
+
+    def test_a_cavity_alone_and_what_is_no_part(self):
+        shell = meniscus.surface(5 * np.vstack([np.eye(3), -np.eye(3)]), [4.0] * 6, probe=0.5)
+        shell.save("cavity.npz", cavity=1)
+        with np.load("cavity.npz") as arrays:
+            self.assertTrue((arrays["component"] == 1).all())
+            self.assertEqual(len(arrays["vertices"]), int((shell.component == 1).sum()))
+        for options, message in (({"cavity": 2}, "cavity 2: the mesh has 1"), ({"cavity": 0}, "count from 1"),
+                                 ({"show": "//Z"}, "selects no atom"), ({"show": ""}, "empty"),
+                                 ({"show": "//A", "cavity": 1}, "one of them")):
+            with self.assertRaisesRegex(ValueError, message):
+                shell.save("bad.ply", **options)
+        with self.assertRaisesRegex(ValueError, "formats? of meshes"):
+            shell.save("bad.png", cavity=1)
+
     def test_npz_keeps_letters_of_every_alphabet(self):
         names = ["C", "Cα", "酸", "😀"]
         structure = meniscus.Structure.from_arrays(CENTRES, RADII, name=names)
