@@ -19,6 +19,7 @@ struct CommonRequest {
     std::string input;  ///< path, or "-" for standard input
     ReadOptions read;
     bool all_models = false;           ///< every model as a structure of its own; read.model is then not used
+    bool per_chain = false;            ///< every chain as a structure of its own
     std::vector<std::string> outputs;  ///< -o, in order
     std::string report;                ///< path, "-" for standard output, empty for none
     bool quiet = false;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <set>
 #include <span>
@@ -26,9 +27,10 @@ struct Suffix {
 };
 
 constexpr std::array kSuffixes{
-    Suffix{".ply", OutputKind::Mesh},      Suffix{".obj", OutputKind::Mesh},    Suffix{".stl", OutputKind::Mesh},
-    Suffix{".off", OutputKind::Mesh},      Suffix{".glb", OutputKind::Mesh},    Suffix{".xyzr", OutputKind::Spheres},
-    Suffix{".xyzrn", OutputKind::Spheres}, Suffix{".png", OutputKind::Picture}, Suffix{".html", OutputKind::Page},
+    Suffix{".ply", OutputKind::Mesh},    Suffix{".obj", OutputKind::Mesh},     Suffix{".stl", OutputKind::Mesh},
+    Suffix{".off", OutputKind::Mesh},    Suffix{".glb", OutputKind::Mesh},     Suffix{".vtp", OutputKind::Mesh},
+    Suffix{".npz", OutputKind::Mesh},    Suffix{".xyzr", OutputKind::Spheres}, Suffix{".xyzrn", OutputKind::Spheres},
+    Suffix{".png", OutputKind::Picture}, Suffix{".html", OutputKind::Page},
 };
 
 constexpr std::array kMeasureSuffixes{
@@ -61,6 +63,9 @@ std::string with_mark(const fs::path& path, const std::string& mark) {
 std::string atom_table_beside(const fs::path& path) {
     return (path.parent_path() / (path.stem().string() + ".atoms.csv")).string();
 }
+
+/// Whether the mesh file has the atoms in itself.
+bool holds_atoms(const fs::path& path) { return path.extension() == ".npz"; }
 
 /// The same text for every spelling of one file.
 std::string identity(const std::string& path) {
@@ -95,7 +100,7 @@ std::vector<Output> plan_outputs(const std::vector<std::string>& asked, const st
     if (asked.empty() && pages_supported()) plan.push_back({name + ".html", OutputKind::Page});
     const std::size_t count = plan.size();
     for (std::size_t i = 0; i < count; ++i) {
-        if (plan[i].kind != OutputKind::Mesh) continue;
+        if (plan[i].kind != OutputKind::Mesh || holds_atoms(plan[i].path)) continue;
         const Output table{atom_table_beside(plan[i].path), OutputKind::AtomTable};
         if (std::find(plan.begin(), plan.end(), table) == plan.end()) plan.push_back(table);
     }
@@ -115,6 +120,20 @@ Output plan_history(const std::string& asked, const std::string& mark) {
 
 std::string snapshot_path(const std::string& mesh, int step) {
     return with_mark(mesh, fmt::format("_step{:03}", step));
+}
+
+std::string cavity_path(const std::string& mesh, std::size_t number) {
+    return with_mark(mesh, fmt::format("_cavity{}", number));
+}
+
+std::string mark_of_chain(const std::string& chain) {
+    std::string mark = "_chain";
+    for (const char c : chain) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool plain = byte < 128 && (std::isalnum(byte) != 0 || c == '-' || c == '+');
+        mark += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
+    }
+    return mark;
 }
 
 void check_paths(const std::vector<std::string>& paths, const std::string& input) {

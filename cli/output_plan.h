@@ -3,6 +3,7 @@
 // Which files a run writes, decided and checked before anything is computed.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,7 @@ OutputKind kind_of(const std::string& path);
 OutputKind measure_kind_of(const std::string& path);
 
 /// All files of one structure: those of -o, or NAME.ply and NAME.html (in builds with pages), each mesh with its table
-/// of atoms beside it.
+/// of atoms beside it, unless its format holds them.
 ///
 /// name   of the structure, which for one of several models has its mark already
 /// mark   goes between stem and suffix of what is asked for, e.g. "_m01" for the first of all models; may be empty
@@ -48,6 +49,13 @@ Output plan_history(const std::string& asked, const std::string& mark);
 
 /// The mesh of a step beside the final one: "a.ply" -> "a_step007.ply".
 std::string snapshot_path(const std::string& mesh, int step);
+
+/// The mesh of a cavity beside that of all, counted from 1: "a.ply" -> "a_cavity1.ply".
+std::string cavity_path(const std::string& mesh, std::size_t number);
+
+/// Goes between stem and suffix of the files of a chain: "_chainA". Other characters than letters and digits of ASCII,
+/// - and + are written as %2F.
+std::string mark_of_chain(const std::string& chain);
 
 /// Refuses what could not be written in the end, or would overwrite something of the same run.
 ///

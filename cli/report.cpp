@@ -14,6 +14,7 @@
 #include "io/atomic_file.h"
 #include "meniscus/errors.h"
 #include "meniscus/version.h"
+#include "meniscus/words.h"
 #include "output_plan.h"
 
 namespace meniscus::cli {
@@ -28,10 +29,11 @@ ordered_json if_used(bool used, const T& value) {
     return used ? ordered_json(value) : ordered_json();
 }
 
-ordered_json input_block(const Structure& structure, double probe, int model) {
+ordered_json input_block(const Structure& structure, double probe, const RunFacts& facts) {
     return {{"file", structure.file},
             {"sha256", structure.sha256},
-            {"model", model},
+            {"model", facts.model},
+            {"chain", if_used(!facts.chain.empty(), facts.chain)},
             {"atoms", structure.atoms.size()},
             {"residues", structure.residues.size()},
             {"radii", structure.radii_set},
@@ -58,10 +60,14 @@ ordered_json surface_options_block(const SurfaceRequest& request, const Structur
                        {"reinitialise", if_used(flow, name_of(o.flow.reinitialiser))},
                        {"solver", if_used(flow, name_of(o.flow.solver))},
                        {"slope", if_used(flow, name_of(o.flow.slope))},
+                       {"surface", word_for(kSurfaceWords, o.surface)},
                        {"probe", o.probe},
                        {"spacing", o.spacing},
                        {"components", name_of(o.pieces)},
                        {"min_cavity", o.min_cavity},
+                       {"cavity_files", request.cavity_files},
+                       {"show", if_used(!request.show.empty(), request.show)},
+                       {"per_chain", request.per_chain},
                        {"edge", if_used(o.remesh.is_on(), o.remesh.edge)},
                        {"adaptive", if_used(o.remesh.is_on(), o.remesh.adaptive)},
                        {"keep_ridges", if_used(o.remesh.is_on(), o.remesh.keep_ridges)},
@@ -153,7 +159,16 @@ ordered_json two_sided_json(const std::optional<TwoSidedDistance>& distance) {
     return {{"to_exact", one_way(distance->to_exact)}, {"from_exact", one_way(distance->from_exact)}};
 }
 
-ordered_json mesh_block(const Surface& surface, const SurfaceTotals& exact) {
+ordered_json shown_json(const std::optional<ShownPart>& shown) {
+    if (!shown) return nullptr;
+    return {{"select", shown->select},
+            {"vertices", shown->vertices},
+            {"triangles", shown->triangles},
+            {"area", shown->area},
+            {"open", shown->open}};
+}
+
+ordered_json mesh_block(const Surface& surface, const SurfaceTotals& exact, const std::optional<ShownPart>& shown) {
     const MeshMeasures& m = surface.measures;
     return {{"vertices", surface.mesh.vertices.size()},
             {"triangles", surface.mesh.triangles.size()},
@@ -165,7 +180,7 @@ ordered_json mesh_block(const Surface& surface, const SurfaceTotals& exact) {
             {"volume_deviation", deviation(m.volume, exact.ses_volume)},
             {"corrected_area_deviation", deviation(surface.corrected_area, exact.ses_area)},
             {"corrected_volume_deviation", deviation(surface.corrected_volume, exact.ses_volume)},
-            {"closed", m.closed},
+            {"closed", m.closed && !(shown && shown->open)},
             {"manifold", m.manifold},
             {"components", m.components.size()},
             {"euler_characteristic", m.euler_characteristic},
@@ -176,6 +191,7 @@ ordered_json mesh_block(const Surface& surface, const SurfaceTotals& exact) {
             {"max_distance", surface.distance.max},
             {"smallest_triangle_angle_deg", m.smallest_angle_deg},
             {"quality", quality_json(surface)},
+            {"shown", shown_json(shown)},
             {"two_sided_distance", two_sided_json(surface.two_sided)}};
 }
 
@@ -246,11 +262,11 @@ ordered_json make_report(const SurfaceRequest& request, const Structure& structu
     checks.push_back(agreement_check(exact));
     return {{"meniscus", kVersion},
             {"schema", 1},
-            {"input", input_block(structure, surface.options.probe, facts.model)},
+            {"input", input_block(structure, surface.options.probe, facts)},
             {"options", options_block(surface_options_block(request, structure, surface.mesh, facts), request)},
             {"exact", exact_json(exact)},
             {"components", components_json(exact)},
-            {"mesh", mesh_block(surface, exact_counterpart(exact, surface.options))},
+            {"mesh", mesh_block(surface, exact_counterpart(exact, surface.options), facts.shown)},
             {"flow", flow_block(surface)},
             {"checks", checks_block(checks)},
             {"expected", expected_block(surface.expected)},
@@ -262,7 +278,7 @@ ordered_json make_report(const MeasureRequest& request, const Structure& structu
                          const ordered_json& interfaces, const RunFacts& facts) {
     return {{"meniscus", kVersion},
             {"schema", 1},
-            {"input", input_block(structure, exact.options.probe, facts.model)},
+            {"input", input_block(structure, exact.options.probe, facts)},
             {"options", options_block(measure_options_block(request, facts), request)},
             {"exact", exact_json(exact)},
             {"components", components_json(exact)},

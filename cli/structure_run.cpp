@@ -15,6 +15,18 @@ using nlohmann::ordered_json;
 
 namespace {
 
+/// The chains of every structure.
+std::vector<Job> split_by_chain(const std::vector<Job>& jobs) {
+    std::vector<Job> split;
+    for (const Job& job : jobs)
+        for (Structure& part : split_chains(job.structure)) {
+            const std::string chain = part.residues.empty() ? "" : part.residues.front().chain;
+            part.name += mark_of_chain(chain);
+            split.push_back({std::move(part), {}, job.model, chain});
+        }
+    return split;
+}
+
 /// Each warning once, although every model of a file repeats it.
 void print_warnings(const std::vector<Job>& jobs) {
     std::set<std::string> seen;
@@ -61,16 +73,23 @@ void StructureRun::check_all_paths(const std::vector<Job>& jobs) const {
     check_paths(paths, request_.input);
 }
 
-std::vector<Job> StructureRun::read_jobs() const {
+std::vector<Job> StructureRun::read_structures() const {
     std::vector<Job> jobs;
     if (!request_.all_models) {
-        jobs.push_back({read_structure(request_.input, request_.read), {}, request_.read.model});
+        jobs.push_back({read_structure(request_.input, request_.read), {}, request_.read.model, ""});
     } else {
         for (Structure& structure : read_all_models(request_.input, request_.read))
-            jobs.push_back({std::move(structure), {}, static_cast<int>(jobs.size()) + 1});
+            jobs.push_back({std::move(structure), {}, static_cast<int>(jobs.size()) + 1, ""});
     }
+    return jobs;
+}
+
+std::vector<Job> StructureRun::read_jobs() const {
+    std::vector<Job> jobs = read_structures();
+    if (request_.per_chain) jobs = split_by_chain(jobs);
     for (Job& job : jobs) {
-        const std::string mark = request_.all_models ? fmt::format("_m{:02}", job.model) : "";
+        const std::string model = request_.all_models ? fmt::format("_m{:02}", job.model) : "";
+        const std::string mark = model + (request_.per_chain ? mark_of_chain(job.chain) : "");
         job.outputs = plan(job.structure.name, mark);
     }
     return jobs;
@@ -82,6 +101,7 @@ void StructureRun::run(const Job& job) {
     write_outputs(job);
     RunFacts facts;
     facts.model = job.model;
+    facts.chain = job.chain;
     facts.threads = threads_in_use(threads_);
     facts.read_seconds = std::exchange(read_seconds_, 0.0);
     facts.write_seconds = watch_.lap();
@@ -118,7 +138,7 @@ void StructureRun::finish() {
     if (!request_.report.empty()) {
         {
             const WritingSection section;
-            write_report(request_.report, request_.all_models ? reports_ : reports_.front());
+            write_report(request_.report, request_.all_models || request_.per_chain ? reports_ : reports_.front());
         }
         throw_if_interrupted();
     }

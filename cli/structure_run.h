@@ -42,6 +42,7 @@ struct Job {
     Structure structure;
     std::vector<Output> outputs;
     int model = 1;
+    std::string chain{};  ///< the only one, with --per-chain
 };
 
 /// One run; a subcommand fills in what is computed and written. compute() is called once per structure, then write()
@@ -78,6 +79,7 @@ protected:
 private:
     void check_asked_paths() const;
     void check_all_paths(const std::vector<Job>& jobs) const;
+    std::vector<Job> read_structures() const;
     std::vector<Job> read_jobs() const;
     void run(const Job& job);
     void write_outputs(const Job& job);

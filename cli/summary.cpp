@@ -37,6 +37,18 @@ std::string describe_mesh(const Surface& surface) {
                        m.closed ? "closed" : "not closed", m.manifold ? "manifold" : "not manifold");
 }
 
+std::string describe_shown(const ShownPart& shown) {
+    return fmt::format("only the part of {}: {} vertices, {} triangles, {:.2f} Å²{}", shown.select, shown.vertices,
+                       shown.triangles, shown.area, shown.open ? ", open" : "");
+}
+
+std::string describe_surface(const SurfaceOptions& options) {
+    if (options.surface == SurfaceKind::Sas)
+        return fmt::format("solvent-accessible surface, probe {} Å", options.probe);
+    if (options.surface == SurfaceKind::Vdw) return "van der Waals surface";
+    return fmt::format("probe {} Å", options.probe);
+}
+
 std::string describe_flow(const FlowSummary& flow) {
     const std::string steps = counted(static_cast<std::size_t>(flow.steps), "step", "steps");
     const std::string why = flow.explanation.empty() ? "" : ": " + flow.explanation;
@@ -48,9 +60,11 @@ std::string describe_flow(const FlowSummary& flow) {
 std::string make_summary(const Structure& structure, const Surface& surface, const RunFacts& facts,
                          const std::vector<Output>& written) {
     const MeshMeasures& m = surface.measures;
-    std::string text = fmt::format("{}: {}, {}, probe {} Å, spacing {} Å\n", one_line(input_label(structure.file)),
-                                   counted(structure.atoms.size(), "atom", "atoms"),
-                                   describe_radii(structure.radii_set), surface.options.probe, surface.options.spacing);
+    const std::string chain = facts.chain.empty() ? "" : " chain " + one_line(facts.chain);
+    std::string text =
+        fmt::format("{}{}: {}, {}, {}, spacing {} Å\n", one_line(input_label(structure.file)), chain,
+                    counted(structure.atoms.size(), "atom", "atoms"), describe_radii(structure.radii_set),
+                    describe_surface(surface.options), surface.options.spacing);
     text += summary_line("area", fmt::format("{:.2f} Å² (flat triangles {:.2f} Å²)", surface.corrected_area, m.area));
     text +=
         summary_line("volume", fmt::format("{:.2f} Å³ (flat triangles {:.2f} Å³)", surface.corrected_volume, m.volume));
@@ -60,6 +74,7 @@ std::string make_summary(const Structure& structure, const Surface& surface, con
         summary_line("distance", fmt::format("mean {:.4f}, 99 % below {:.4f}, largest {:.4f} Å from the exact surface",
                                              surface.distance.mean, surface.distance.p99, surface.distance.max));
     if (surface.options.method == Method::Flow) text += summary_line("flow", describe_flow(surface.flow));
+    if (facts.shown) text += summary_line("written", describe_shown(*facts.shown));
     text += describe_run(facts);
     text += describe_files(written);
     return text;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "interrupt.h"
 #include "io/atomic_file.h"
@@ -13,6 +15,7 @@
 #include "meniscus/errors.h"
 #include "meniscus/legend.h"
 #include "meniscus/measures.h"
+#include "meniscus/mesh_part.h"
 #include "meniscus/page.h"
 #include "meniscus/tables.h"
 #include "summary.h"
@@ -24,12 +27,14 @@ using nlohmann::ordered_json;
 namespace {
 
 void write_surface_mesh(const std::string& path, const SurfaceRequest& request, const Structure& structure,
-                        const Mesh& mesh, std::span<const Colour> colours) {
+                        const Mesh& mesh, std::span<const Colour> colours, bool open = false) {
     write_mesh(path, mesh,
                {.encoding = request.encoding,
                 .colours = colours,
                 .structure = &structure,
+                .computed_with = &request.surface,
                 .probe = request.surface.probe,
+                .open = open,
                 .threads = request.surface.threads});
 }
 
@@ -44,6 +49,8 @@ private:
         if (!request_.flow.history.empty()) outputs.push_back(plan_history(request_.flow.history, mark));
         if (request_.flow.snapshots > 0 && first_mesh(outputs) == nullptr)
             throw UsageError("--snapshots writes meshes beside the final one; give a mesh with -o");
+        if (request_.cavity_files && first_mesh(outputs) == nullptr)
+            throw UsageError("--cavity-files writes meshes beside that of the surface; give a mesh with -o");
         if (has(outputs, OutputKind::Page) && !pages_supported())
             throw UsageError("this build writes no pages; build with MENISCUS_PAGE=ON, or ask for another format");
         const bool has_picture = has(outputs, OutputKind::Picture);
@@ -69,6 +76,8 @@ private:
     /// needs it.
     void compute(const Job& job) override {
         const SurfaceOptions& options = request_.surface;
+        std::vector<bool> selected;
+        if (!request_.show.empty()) selected = select_atoms(job.structure, request_.show, "--show");
         values_ = ValueSources(request_.values, request_.picture.colours, job.structure);
         for (const std::string& line : values_.warnings()) warn(line);
         Stopwatch estimating;
@@ -91,6 +100,8 @@ private:
         bring_values();
         Stopwatch watch;
         colours_ = colour_vertices(surface_.mesh, job.structure, request_.picture.colours);
+        if (!selected.empty()) show_part(part_of_atoms(surface_.mesh, selected));
+        if (request_.cavity_files) plan_cavities(job);
         if (has(job.outputs, OutputKind::Picture)) draw(job.structure);
         picture_seconds_ = watch.lap();
         if (has(job.outputs, OutputKind::Page)) make_page(job.structure);
@@ -102,17 +113,65 @@ private:
         for (const std::string& line : values_.judge(surface_.mesh.values)) warn(line);
     }
 
+    /// The mesh that is written.
+    const Mesh& written_mesh() const { return part_ ? part_->mesh : surface_.mesh; }
+    const std::vector<Colour>& written_colours() const { return part_ ? part_colours_ : colours_; }
+
+    void show_part(MeshPart part) {
+        const MeshMeasures measures = measure_mesh(part.mesh);
+        shown_ = ShownPart{.select = request_.show,
+                           .vertices = part.mesh.vertices.size(),
+                           .triangles = part.mesh.triangles.size(),
+                           .area = measures.area,
+                           .open = !measures.closed};
+        part_colours_ = colours_of(part);
+        part_ = std::move(part);
+    }
+
+    std::vector<Colour> colours_of(const MeshPart& part) const {
+        std::vector<Colour> colours;
+        colours.reserve(part.vertices.size());
+        for (const VertexId v : part.vertices) colours.push_back(colours_[v]);
+        return colours;
+    }
+
+    /// Walls of cavities, by falling volume as everywhere, and where they go.
+    void plan_cavities(const Job& job) {
+        cavities_.clear();
+        const std::vector<MeshComponent>& pieces = surface_.measures.components;
+        for (std::size_t c = 0; c < pieces.size(); ++c) {
+            if (pieces[c].volume >= 0.0) continue;
+            const std::string path = cavity_path(first_mesh(job.outputs)->path, cavities_.size() + 1);
+            for (const Output& output : job.outputs)
+                if (output.path == path) throw UsageError(path + ": --cavity-files writes this file; choose another");
+            cavities_.push_back({static_cast<std::uint32_t>(c), {path, OutputKind::Mesh}});
+        }
+    }
+
+    void write_cavities(const Job& job) const {
+        for (const auto& [component, output] : cavities_) {
+            const MeshPart part = part_of_component(surface_.mesh, component);
+            write_surface_mesh(output.path, request_, job.structure, part.mesh, colours_of(part));
+        }
+    }
+
     void make_page(const Structure& structure) {
         show("page", 0.0);
         const PictureOptions& picture = request_.picture.picture;
-        page_ = meniscus::make_page(surface_.mesh, structure,
+        page_ = meniscus::make_page(written_mesh(), structure,
                                     {.colours = request_.picture.colours,
                                      .viewpoint = picture.viewpoint,
                                      .projection = picture.projection,
-                                     .rows = page_rows(structure, surface_, exact_),
+                                     .rows = rows_of_page(structure),
                                      .components = exact_.components,
                                      .threads = request_.surface.threads});
         show("page", 1.0);
+    }
+
+    std::vector<PageRow> rows_of_page(const Structure& structure) const {
+        std::vector<PageRow> rows = page_rows(structure, surface_, exact_);
+        if (shown_) rows.push_back({"What is shown of it", "atoms", shown_->select});
+        return rows;
     }
 
     void write_made_page(const std::string& path) const {
@@ -126,7 +185,8 @@ private:
         PictureOptions options = request_.picture.picture;
         options.threads = request_.surface.threads;
         const ColourOptions& colours = request_.picture.colours;
-        const AccessibleSurface accessible(structure.atoms, request_.surface.probe);
+        const SesProblem problem = ses_problem(structure.atoms, request_.surface);
+        const AccessibleSurface accessible(problem.atoms, problem.probe);
         ColourField field;
         if (surface_.level_set) field = colour_by_level_set(*surface_.level_set, colours);
         if (!field) field = colour_by_feature(accessible, structure, colours);
@@ -136,7 +196,7 @@ private:
                 draw_legend(make_legend(surface_.mesh, structure, colours),
                             {.width = options.width / 2, .height = options.height, .background = options.background});
         options.width -= legend.width;
-        picture_ = side_by_side(draw_picture(surface_.mesh, colours_, options, field), legend);
+        picture_ = side_by_side(draw_picture(written_mesh(), written_colours(), options, field), legend);
         show("picture", 1.0);
     }
 
@@ -154,7 +214,8 @@ private:
 
     void measure_exactly(const Atoms& atoms) {
         Stopwatch watch;
-        exact_ = measure(atoms, {.probe = request_.surface.probe, .threads = request_.surface.threads});
+        const SesProblem problem = ses_problem(atoms, request_.surface);
+        exact_ = measure(problem.atoms, {.probe = problem.probe, .threads = request_.surface.threads});
         std::vector<PatchMeasure>().swap(exact_.patches);
         std::vector<AtomMeasure>().swap(exact_.atoms);
         exact_seconds_ = watch.lap();
@@ -163,7 +224,10 @@ private:
     void write(const Output& output, const Job& job) const override {
         switch (output.kind) {
             case OutputKind::Mesh:
-                return write_surface_mesh(output.path, request_, job.structure, surface_.mesh, colours_);
+                write_surface_mesh(output.path, request_, job.structure, written_mesh(), written_colours(),
+                                   shown_ && shown_->open);
+                if (&output == first_mesh(job.outputs)) write_cavities(job);
+                return;
             case OutputKind::Picture:
                 return write_picture(output.path, picture_);
             case OutputKind::Page:
@@ -184,13 +248,18 @@ private:
         all.exact_seconds = exact_seconds_;
         all.picture_seconds = picture_seconds_;
         all.page_seconds = page_seconds_;
+        all.shown = shown_;
         ordered_json report = make_report(request_, job.structure, surface_, exact_, all);
         report["values"] = values_.report(surface_.mesh);
         return report;
     }
 
     std::string summary(const Job& job, const RunFacts& facts) const override {
-        return make_summary(job.structure, surface_, facts, job.outputs);
+        RunFacts all = facts;
+        all.shown = shown_;
+        std::vector<Output> written = job.outputs;
+        for (const auto& [component, output] : cavities_) written.push_back(output);
+        return make_summary(job.structure, surface_, all, written);
     }
 
     const SurfaceRequest& request_;
@@ -200,7 +269,11 @@ private:
     double picture_seconds_ = 0.0;
     double page_seconds_ = 0.0;
     Surface surface_;
-    std::vector<Colour> colours_;  // of the mesh's vertices
+    std::vector<Colour> colours_;   // of the mesh's vertices
+    std::optional<MeshPart> part_;  // with --show
+    std::vector<Colour> part_colours_;
+    std::optional<ShownPart> shown_;
+    std::vector<std::pair<std::uint32_t, Output>> cavities_;  // numbers of components and their files
     Picture picture_;
     std::string page_;  // HTML
 };

@@ -10,7 +10,7 @@ namespace meniscus::cli {
 namespace {
 
 constexpr const char* kFooter =
-    "-o writes meshes (.ply .obj .stl .off .glb), a page to look at in a browser\n"
+    "-o writes meshes (.ply .obj .stl .off .glb .vtp .npz), a page for a browser\n"
     "(.html), pictures (.png) and the kept atoms (.xyzr .xyzrn). Without -o mesh\n"
     "and page go to NAME.ply and NAME.html in the current folder.\n"
     "Examples:\n"
@@ -26,6 +26,9 @@ void add_shape_options(CLI::App& command, SurfaceRequest& request) {
         command, "--method", surface.method, kMethodWords,
         "Smooth flow, or direct: sharp ridges\n. flow: a level-set flow; direct: the exact distance itself; gaussian: "
         "only the density envelope that the flow starts from, which is not the solvent-excluded surface");
+    add_choice(command, "--surface", surface.surface, kSurfaceWords,
+               rarely("Which surface: solvent-excluded, solvent-accessible (traced by the probe's centre) or van der "
+                      "Waals (the same as --probe 0)"));
     add_number(command, "--spacing", surface.spacing, Sign::Positive, "H",
                "Grid spacing, Å\n; time and memory grow as 1/H²");
     add_choice(command, "--components", surface.pieces, kPiecesWords, "Closed pieces that the mesh keeps");
@@ -57,6 +60,17 @@ void add_remesh_options(CLI::App& command, SurfaceRequest& request) {
                      rarely("With --edge: cut handles, close tunnels and drop pieces narrower than an edge"));
 }
 
+void add_part_options(CLI::App& command, SurfaceRequest& request) {
+    command
+        .add_option("--show", request.show,
+                    rarely("Write only the part of the surface that belongs to these atoms, as in //A/10-50; it is "
+                           "computed with all atoms"))
+        ->type_name("EXPR");
+    command.add_flag("--per-chain", request.per_chain, rarely("One surface per chain: NAME_chainA and so on"));
+    command.add_flag("--cavity-files", request.cavity_files,
+                     rarely("Write each cavity as a mesh of its own, too: NAME_cavity1 and so on"));
+}
+
 void add_encoding(CLI::App& command, SurfaceRequest& request) {
     const auto ascii = [&request](std::int64_t) { request.encoding = Encoding::Text; };
     command.add_flag_function("--ascii", ascii, rarely("Write PLY and STL as text"));
@@ -85,6 +99,13 @@ void complete(SurfaceRequest& request) {
             "--adaptive, --keep-ridges and --simplify-topology shape even triangles; ask for them with --edge");
     check_picture(request.picture);
     check_values(request.values, request.picture.colours);
+    if (request.surface.method == Method::Gaussian && request.surface.surface != SurfaceKind::Ses)
+        throw UsageError("--method gaussian is one envelope of the atoms; --surface sas|vdw needs flow or direct");
+    if (request.surface.surface == SurfaceKind::Vdw) request.surface.probe = 0.0;
+    if (!request.show.empty() && request.per_chain)
+        throw UsageError("--show and --per-chain are two ways to divide a surface; give one of them");
+    if (request.cavity_files && request.surface.pieces == Pieces::Outer)
+        throw UsageError("--cavity-files writes cavities, which --components outer leaves out");
     request.surface.history = !request.flow.history.empty();
     request.surface.initial_area = !request.report.empty();
     request.surface.quality = !request.report.empty();
@@ -107,6 +128,7 @@ void add_surface_options(CLI::App& command, SurfaceRequest& request) {
     add_remesh_options(command, request);
     command.option_defaults()->group("Output");
     add_output_options(command, request);
+    add_part_options(command, request);
     add_encoding(command, request);
     command.option_defaults()->group("Colours and pictures");
     add_picture_options(command, request.picture);

@@ -21,6 +21,8 @@ struct SurfaceRequest : CommonRequest {
     Encoding encoding = Encoding::Binary;
     PictureRequest picture{};
     ValueRequest values{};
+    std::string show;           ///< selection whose part of the surface is written; empty: all of it
+    bool cavity_files = false;  ///< each cavity also as a mesh of its own
 };
 
 /// Gives a subcommand its options; parsing fills `request`, which must outlive the parser.

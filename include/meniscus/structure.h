@@ -82,6 +82,17 @@ struct Structure {
 /// cost     O(size of the file)
 Structure read_structure(const std::string& path, const ReadOptions& options = {});
 
+/// For each atom whether a selection names it, in the syntax of ReadOptions::select, by the structure's own names:
+/// copies of an assembly are chains of their own.
+///
+/// option   named in messages
+/// throws   UsageError for an expression that is not valid or selects nothing
+std::vector<bool> select_atoms(const Structure& structure, const std::string& expression,
+                               const std::string& option = "selection");
+
+/// The chains of a structure, each a structure of its own with the same radii, in the order of their first atoms.
+std::vector<Structure> split_chains(const Structure& structure);
+
 /// All models of a file as structures of their own, in file order (options.model is ignored). Their names are those
 /// of the file with _m01, _m02 ... behind.
 /// throws   as read_structure, for the first model that cannot be read

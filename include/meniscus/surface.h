@@ -27,19 +27,27 @@ enum class Method {
     Gaussian,  ///< only the Gaussian density envelope that the flow starts from; not the SES
 };
 
+/// Which surface of the atoms.
+enum class SurfaceKind {
+    Ses,  ///< solvent-excluded: where the probe's ball cannot be
+    Sas,  ///< solvent-accessible: traced by the probe's centre
+    Vdw,  ///< van der Waals: of the atoms themselves; the probe radius does not matter
+};
+
 /// Which closed pieces of the surface the mesh keeps.
 enum class Pieces { All, Outer, Cavities };
 
 /// Everything that decides the result. Lengths in Å.
 struct SurfaceOptions {
     Method method = Method::Flow;
-    double probe = 1.4;               ///< probe radius; 0 gives the van der Waals surface
-    double spacing = 0.5;             ///< grid spacing
-    double density = -0.5;            ///< constant C of the initial Gaussian map, Å^-2, negative
-    FlowOptions flow{};               ///< which evolution Method::Flow runs
-    bool history = false;             ///< keep a record of every step of the flow
-    bool initial_area = false;        ///< measure the Gaussian start, too, where the flow can do without
-    bool quality = false;             ///< look at the shapes of the triangles, too
+    SurfaceKind surface = SurfaceKind::Ses;  ///< of Method::Gaussian always this one
+    double probe = 1.4;                      ///< probe radius; 0 gives the van der Waals surface
+    double spacing = 0.5;                    ///< grid spacing
+    double density = -0.5;                   ///< constant C of the initial Gaussian map, Å^-2, negative
+    FlowOptions flow{};                      ///< which evolution Method::Flow runs
+    bool history = false;                    ///< keep a record of every step of the flow
+    bool initial_area = false;               ///< measure the Gaussian start, too, where the flow can do without
+    bool quality = false;                    ///< look at the shapes of the triangles, too
     bool two_sided_distance = false;  ///< measure how far mesh and exact SES are from each other between vertices, too
     bool verify = false;              ///< make the expensive self-checks, too
     Pieces pieces = Pieces::All;      ///< what the mesh keeps
@@ -48,6 +56,16 @@ struct SurfaceOptions {
     int threads = 0;                  ///< 0: all cores; results do not depend on it
     std::size_t memory_limit_mb = 0;  ///< 0: what the machine has available
 };
+
+/// Balls and a probe radius. Their SES is the surface that is asked for: the SAS is that of the enlarged atoms, the van
+/// der Waals surface that of the atoms, both with a probe of radius 0. Whatever is measured or looked up for a Surface
+/// (exact measures, nearest features) is that of its problem.
+struct SesProblem {
+    Atoms atoms;
+    double probe = 0.0;  ///< Å
+};
+
+SesProblem ses_problem(const Atoms& atoms, const SurfaceOptions& options);
 
 /// One self-check: passed means value <= bound, or value == bound for counts.
 struct Check {
@@ -114,7 +132,7 @@ Surface compute_surface(const Atoms& atoms, const SurfaceOptions& options = {}, 
 /// Holds a flow's level set against the exact pieces of the surface: how many, with an inscribed radius above 1.5
 /// spacings, have the wrong sign at their deepest point (of an outer piece: in the middle of its largest atom).
 ///
-/// measured   with cavities, of the same atoms and probe radius
+/// measured   with cavities, of the surface's ses_problem()
 /// cost       a few microseconds per piece
 Check check_pieces(const Surface& surface, const Measures& measured, const Atoms& atoms);
 

@@ -61,6 +61,8 @@ inline constexpr Words<HeteroPolicy, 3> kHeteroWords{
 
 inline constexpr Words<Method, 3> kMethodWords{
     {{"flow", Method::Flow}, {"direct", Method::Direct}, {"gaussian", Method::Gaussian}}};
+inline constexpr Words<SurfaceKind, 3> kSurfaceWords{
+    {{"ses", SurfaceKind::Ses}, {"sas", SurfaceKind::Sas}, {"vdw", SurfaceKind::Vdw}}};
 inline constexpr Words<Pieces, 3> kPiecesWords{
     {{"all", Pieces::All}, {"outer", Pieces::Outer}, {"cavities", Pieces::Cavities}}};
 inline constexpr Words<CurvatureField, 4> kCurvatureWords{{{"parallel", CurvatureField::Parallel},

@@ -14,6 +14,7 @@
 #include "meniscus/mesh.h"
 #include "meniscus/picture.h"
 #include "meniscus/structure.h"
+#include "meniscus/surface.h"
 #include "meniscus/tables.h"
 
 namespace meniscus {
@@ -28,14 +29,17 @@ struct VertexArray {
 
 struct WriteOptions {
     Encoding encoding = Encoding::Binary;  ///< of PLY and STL; OBJ and OFF are text
-    std::vector<VertexArray> extra{};  ///< written by formats with named vertex values (PLY, GLB), after the mesh's own
-    std::span<const Colour> colours{};     ///< one per vertex, or none; written by PLY and GLB
+    /// Written by formats with named vertex values (PLY, GLB, VTP, NPZ), after the mesh's own.
+    std::vector<VertexArray> extra{};
+    std::span<const Colour> colours{};     ///< one per vertex, or none; written by PLY, GLB, VTP and NPZ
     const Structure* structure = nullptr;  ///< whose atoms the mesh's `atoms` index; adds the vertex array `residue`
-    std::optional<double> probe{};         ///< probe radius, Å; written by GLB
-    int threads = 0;                       ///< 0: all cores
+    const SurfaceOptions* computed_with = nullptr;  ///< written by NPZ, beside the structure
+    std::optional<double> probe{};                  ///< probe radius, Å; written by GLB and VTP
+    bool open = false;                              ///< a part of a surface: formats with a place for it say so
+    int threads = 0;                                ///< 0: all cores
 };
 
-/// Writes a mesh; the suffix of `path` chooses the format: .ply .obj .stl .off .glb.
+/// Writes a mesh; the suffix of `path` chooses the format: .ply .obj .stl .off .glb .vtp .npz.
 ///
 /// Written to a temporary name in the same folder and renamed: a failed run leaves no half file and an older file as it
 /// was. Devices and pipes (/dev/stdout) are written to directly. Coordinates are rounded to single precision unless

@@ -237,10 +237,14 @@ def measure(
     structure = as_structure(atoms, radii)
     options = {"probe": _options.number("probe", probe), "cavities": bool(cavities), "depth": bool(depth),
                "threads": _options.count("threads", threads)}
-    measures = Measures(_core.measure(structure._core, options), structure)
+    return checked(Measures(_core.measure(structure._core, options), structure), stacklevel=3)
+
+
+def checked(measures: Measures, stacklevel: int) -> Measures:
+    """Warns where two evaluations do not agree."""
     if not measures.agreed:
         warnings.warn("exact measures: evaluations do not agree on " + ", ".join(measures.disputed), CheckWarning,
-                      stacklevel=2)
+                      stacklevel=stacklevel)
     return measures
 
 

@@ -212,6 +212,14 @@ class Structure:
     def icode(self) -> Strings:
         return self._of_residues("icode")
 
+    def split_chains(self) -> list[Structure]:
+        """One structure per chain, with the radii that the atoms have here.
+
+        >>> [chain.chain[0] for chain in meniscus.read("1ubq.pdb").split_chains()]
+        ['A']
+        """
+        return [Structure(core) for core in _core.split_chains(self._core)]
+
     def save(self, path: Path, values: npt.ArrayLike | None = None) -> None:
         """Writes the atoms, in the format of the suffix.
 

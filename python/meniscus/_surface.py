@@ -13,7 +13,7 @@ import numpy.typing as npt
 from . import _core, _options, _writing
 from ._arrays import Floats, positions
 from ._errors import CheckWarning, UsageError, text_of_path
-from ._measures import Component, Measures, measure
+from ._measures import Component, Measures, checked
 from ._structure import Path, Structure, as_structure
 
 Singles = npt.NDArray[np.float32]
@@ -192,12 +192,15 @@ class Surface(_Vertices):
     def measures(self) -> Measures:
         """Exact areas and volumes of the same atoms and probe; measured when first asked for, then kept.
 
+        Of a surface sas or vdw they are its own: ses_area and sas_area are then the same.
+
         >>> surface = meniscus.surface([[0, 0, 0], [2, 0, 0]], [1.5, 1.5])
         >>> abs(surface.mesh["corrected_area"] / surface.measures.ses_area - 1) < 0.01
         True
         """
         if self._measures is None:
-            self._measures = measure(self._structure, probe=self._options["probe"], threads=self._options["threads"])
+            options = {"threads": self._options["threads"]}
+            self._measures = checked(Measures(_core.measure_surface(self._core, options), self._structure), stacklevel=3)
         return self._measures
 
     @property
@@ -252,6 +255,8 @@ class Surface(_Vertices):
         *,
         values: _writing.Values = None,
         ascii: bool = False,
+        show: str | None = None,
+        cavity: int | None = None,
         size: tuple[int, int] = (1600, 1200),
         view: _writing.View = "auto",
         background: str = "white",
@@ -263,16 +268,19 @@ class Surface(_Vertices):
     ) -> None:
         """Writes the surface, in the format of the suffix.
 
-        .ply .obj .stl .off .glb  the mesh; .ply and .glb with every vertex array and colours
-        .npz                      the arrays, named as here, for numpy.load
-        .png                      a picture
-        .html                     a page to turn, cut and ask, which opens in a browser without network
-        .mls                      the level set without loss
+        .ply .obj .stl .off .glb .vtp  the mesh; .ply, .glb and .vtp with every vertex array and colours
+        .npz                           the arrays, named as here, with atoms (atom_xyz, atom_name ...) and options, for
+                                       numpy.load
+        .png                           a picture
+        .html                          a page to turn, cut and ask, which opens in a browser without network
+        .mls                           the level set without loss
 
         color       a scheme of ``--color`` ("patch", "curvature:-1:1"), the name of one of the values ("phi:-5:5"), or
                     (n, 3) or (n, 4) uint8, one per vertex
         values      more arrays (n,), by name; :meth:`map_values` and :meth:`table_values` give such
         ascii       .ply and .stl as text
+        show        of a mesh only the part that belongs to these atoms, as in "//A/10-50" (``--show``)
+        cavity      of a mesh only the wall of the cavity of this number, from 1 (``--cavity-files``)
 
         Of pictures, view and perspective also of pages:
 
@@ -292,11 +300,12 @@ class Surface(_Vertices):
         >>> ball.save("ball.ply", color="patch")
         >>> ball.save("ball.gif")
         Traceback (most recent call last):
-        meniscus.UsageError: ball.gif: the suffix chooses the format; known are .ply .obj .stl .off .glb .npz .png .html .mls
+        meniscus.UsageError: ball.gif: the suffix chooses the format; known are .ply .obj .stl .off .glb .vtp .npz .png .html .mls
         """
         drawing = {"size": size, "view": view, "background": background, "perspective": perspective,
                    "outline": outline, "depth_cue": depth_cue, "cut": cut, "legend": legend}
-        _writing.save_surface(text_of_path(path), self, color, values, ascii, drawing)
+        part = {"show": show, "cavity_file": cavity}
+        _writing.save_surface(text_of_path(path), self, color, values, ascii, part, drawing)
 
 
 def surface(
@@ -306,6 +315,7 @@ def surface(
     spacing: float = 0.5,
     method: str = "flow",
     *,
+    surface: str = "ses",
     components: str = "all",
     min_cavity: float = 0.0,
     edge: float | None = None,
@@ -343,6 +353,7 @@ def surface(
 
     What else there is has the names and defaults of the command line (``meniscus surface --help``):
 
+    surface                       ses, sas (solvent-accessible) or vdw (van der Waals: the same as probe 0)
     components, min_cavity        all, outer or cavities: pieces that the mesh keeps; least volume of a cavity, Å³
     edge, vertex_density          even triangles of this size, Å, or so many vertices per Å²; then also adaptive,
                                   keep_ridges, simplify_topology
@@ -373,6 +384,7 @@ def surface(
         "probe": _options.number("probe", probe),
         "spacing": _options.number("spacing", spacing),
         "method": _options.word("method", method),
+        "surface": _options.word("surface", surface),
         "components": _options.word("components", components),
         "min_cavity": _options.number("min_cavity", min_cavity),
         "density": _options.number("density", density),
@@ -402,6 +414,8 @@ def surface(
         options["max_steps"] = _options.whole("max_steps", max_steps)
     if memory is not None:
         options["memory_mb"] = _options.megabytes("memory", memory)
+    if surface == "vdw":
+        options["probe"] = 0.0
     _check_together(options)
     result = Surface(_core.compute_surface(structure._core, options, progress), structure, options)
     if not result.passed:

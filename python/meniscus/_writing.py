@@ -144,7 +144,7 @@ def _view_options(drawing: dict[str, Any]) -> dict[str, Any]:
 
 
 def _save_mesh(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
-    _core.write_mesh(path, surface._mesh, surface.structure._core, {**options, "probe": surface.options["probe"]})
+    _core.write_mesh(path, surface._core, options)
 
 
 def _save_picture(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
@@ -159,12 +159,8 @@ def _save_level_set(path: str, surface: Surface, options: dict[str, Any], drawin
     _core.write_level_set(path, surface._core)
 
 
-def _save_arrays(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
-    _write_npz(path, surface, {"vertices": surface.vertices, "triangles": surface.triangles})
-
-
-def _write_npz(path: str, source: Surface | Points, arrays: dict[str, npt.NDArray[Any]]) -> None:
-    arrays = {**arrays, **{name: getattr(source, name) for name in _POINT_ARRAYS}}
+def _save_point_arrays(path: str, points: Points, more: dict[str, npt.NDArray[Any]]) -> None:
+    arrays = {"points": points.points, **more, **{name: getattr(points, name) for name in _POINT_ARRAYS}}
     try:
         if os.path.exists(path) and not os.path.isfile(path):  # a device or pipe is written to directly
             with open(path, "wb") as file:
@@ -195,7 +191,8 @@ _SURFACE_WRITERS: dict[str, Callable[[str, Surface, dict[str, Any], dict[str, An
     ".stl": _save_mesh,
     ".off": _save_mesh,
     ".glb": _save_mesh,
-    ".npz": _save_arrays,
+    ".vtp": _save_mesh,
+    ".npz": _save_mesh,
     ".png": _save_picture,
     ".html": _save_page,
     ".mls": _save_level_set,
@@ -206,13 +203,27 @@ def _unknown_suffix(path: str, known: Sequence[str]) -> UsageError:
     return UsageError(f"{path}: the suffix chooses the format; known are {' '.join(known)}")
 
 
-def save_surface(
-    path: str, surface: Surface, color: Color, values: Values, ascii: bool, drawing: dict[str, Any]
-) -> None:
+def _part_options(path: str, writer: Any, part: dict[str, Any]) -> dict[str, Any]:
+    """What of a mesh is written; nothing for all of it."""
+    given = {name: value for name, value in part.items() if value is not None}
+    if given and writer is not _save_mesh:
+        raise UsageError(f"{path}: show and cavity are parts of a mesh; choose a format of meshes")
+    if len(given) > 1:
+        raise UsageError("show and cavity are two parts of a surface; give one of them")
+    if "show" in given and not _options.word("show", given["show"]):
+        raise UsageError("show: empty; write for instance //A/10-50")
+    if "cavity_file" in given and _options.whole("cavity", given["cavity_file"]) < 1:
+        raise UsageError(f"cavity {given['cavity_file']}: cavities count from 1")
+    return given
+
+
+def save_surface(path: str, surface: Surface, color: Color, values: Values, ascii: bool, part: dict[str, Any],
+                 drawing: dict[str, Any]) -> None:
     writer = _SURFACE_WRITERS.get(pathlib.PurePath(path).suffix)
     if writer is None:
         raise _unknown_suffix(path, list(_SURFACE_WRITERS))
-    options = {**colour_options(color), **value_options(values, len(surface.normals)), "ascii": bool(ascii),
+    options = {**colour_options(color), **value_options(values, len(surface.normals)),
+               **_part_options(path, writer, part), "ascii": bool(ascii),
                "threads": surface.options["threads"]}
     writer(path, surface, options, drawing)
 
@@ -221,9 +232,8 @@ def save_points(path: str, points: Points, color: Color, values: Values, ascii: 
     suffix = pathlib.PurePath(path).suffix
     if suffix == ".ply":
         options = {**colour_options(color), **value_options(values, len(points)), "ascii": bool(ascii)}
-        _core.write_mesh(path, points._mesh, points.structure._core, options)
+        _core.write_points(path, points._mesh, points.structure._core, options)
     elif suffix == ".npz":
-        more = value_options(values, len(points)).get("values", {})
-        _write_npz(path, points, {"points": points.points, **more})
+        _save_point_arrays(path, points, value_options(values, len(points)).get("values", {}))
     else:
         raise _unknown_suffix(path, [".ply", ".npz"])

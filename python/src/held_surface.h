@@ -24,7 +24,8 @@ public:
     /// The exact surface, made when it is first asked for.
     const AccessibleSurface& accessible() const {
         std::call_once(made_, [this] {
-            accessible_ = std::make_unique<AccessibleSurface>(structure_->atoms, surface_.options.probe);
+            const SesProblem problem = ses_problem(structure_->atoms, surface_.options);
+            accessible_ = std::make_unique<AccessibleSurface>(problem.atoms, problem.probe);
         });
         return *accessible_;
     }

@@ -8,6 +8,7 @@
 
 #include "arrays.h"
 #include "bindings.h"
+#include "held_surface.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/tables.h"
 #include "meniscus/write.h"
@@ -17,15 +18,29 @@ namespace meniscus::python {
 
 namespace {
 
-std::shared_ptr<Measures> measure_structure(const Structure& structure, const py::dict& given) {
+MeasureOptions measure_options(const py::dict& given) {
     const Options options(given);
     MeasureOptions measured;
     options.read("probe", measured.probe);
     options.read("cavities", measured.cavities);
     options.read("depth", measured.depth);
     options.read("threads", measured.threads);
+    return measured;
+}
+
+std::shared_ptr<Measures> measure_structure(const Structure& structure, const py::dict& given) {
+    const MeasureOptions options = measure_options(given);
     const py::gil_scoped_release release;
-    return std::make_shared<Measures>(measure(structure.atoms, measured));
+    return std::make_shared<Measures>(measure(structure.atoms, options));
+}
+
+/// Of the surface that was computed, whichever it is.
+std::shared_ptr<Measures> measure_surface(const HeldSurface& held, const py::dict& given) {
+    MeasureOptions options = measure_options(given);
+    const py::gil_scoped_release release;
+    const SesProblem problem = ses_problem(held.structure().atoms, held.surface().options);
+    options.probe = problem.probe;
+    return std::make_shared<Measures>(measure(problem.atoms, options));
 }
 
 py::dict totals_dict(const SurfaceTotals& t) {
@@ -128,6 +143,7 @@ void bind_measures(py::module_& module) {
     type.def("table", &table, py::arg("structure"), py::arg("per"));
     type.def("save", &save_table, py::arg("structure"), py::arg("path"), py::arg("per"));
     module.def("measure", &measure_structure, py::arg("structure"), py::arg("options"));
+    module.def("measure_surface", &measure_surface, py::arg("surface"), py::arg("options"));
     module.def("signed_distance", &distances, py::arg("structure"), py::arg("probe"), py::arg("points"));
 }
 

@@ -49,6 +49,12 @@ std::vector<StructurePointer> read_models(const std::string& path, const py::dic
     return models;
 }
 
+std::vector<StructurePointer> split(const Structure& structure) {
+    std::vector<StructurePointer> chains;
+    for (Structure& chain : split_chains(structure)) chains.push_back(std::make_shared<Structure>(std::move(chain)));
+    return chains;
+}
+
 char letter(const std::string& text) { return text.empty() ? ' ' : text.front(); }
 
 /// The names that from_arrays() is given: every list has an entry per atom, or is empty.
@@ -191,6 +197,7 @@ void bind_structure(py::module_& module) {
     bind_columns(type);
     module.def("read", &read, py::arg("path"), py::arg("options"));
     module.def("read_models", &read_models, py::arg("path"), py::arg("options"));
+    module.def("split_chains", &split, py::arg("structure"));
     module.def("from_arrays", &from_arrays, py::arg("xyz"), py::arg("radii"), py::arg("columns"));
     module.def("radii", &radii_by_name, py::arg("elements"), py::arg("names"), py::arg("resnames"), py::arg("set"));
 }

@@ -53,6 +53,7 @@ RemeshOptions remesh_options(const Options& options) {
 SurfaceOptions surface_options(const Options& options) {
     SurfaceOptions surface;
     options.read_word("method", surface.method, kMethodWords);
+    options.read_word("surface", surface.surface, kSurfaceWords);
     options.read("probe", surface.probe);
     options.read("spacing", surface.spacing);
     options.read("density", surface.density);

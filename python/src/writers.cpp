@@ -12,6 +12,7 @@
 #include "meniscus/errors.h"
 #include "meniscus/legend.h"
 #include "meniscus/level_set_file.h"
+#include "meniscus/mesh_part.h"
 #include "meniscus/page.h"
 #include "meniscus/picture.h"
 #include "meniscus/vertex_values.h"
@@ -85,23 +86,73 @@ py::array colours(const Mesh& mesh, const Structure& structure, const py::dict& 
     return owning(std::move(result));
 }
 
-void save_mesh(const std::string& path, const Mesh& mesh, const Structure& structure, const py::dict& given) {
-    const Colouring colouring(given);
+/// What every mesh is written with.
+WriteOptions write_options(const Structure& structure, const py::dict& given) {
+    WriteOptions options{.structure = &structure};
     bool ascii = false;
-    std::optional<double> probe;
-    int threads = 0;
-    Options(given).read("threads", threads);
+    Options(given).read("threads", options.threads);
     Options(given).read("ascii", ascii);
-    Options(given).read("probe", probe);
+    options.encoding = ascii ? Encoding::Text : Encoding::Binary;
+    return options;
+}
+
+void save_points(const std::string& path, const Mesh& points, const Structure& structure, const py::dict& given) {
+    const Colouring colouring(given);
+    WriteOptions options = write_options(structure, given);
     const py::gil_scoped_release release;
-    const Mesh complete = colouring.complete(mesh, structure);
+    const Mesh complete = colouring.complete(points, structure);
     const std::vector<Colour> colours = colouring.of(complete, structure);
-    write_mesh(path, complete,
-               {.encoding = ascii ? Encoding::Text : Encoding::Binary,
-                .colours = colours,
-                .structure = &structure,
-                .probe = probe,
-                .threads = threads});
+    options.colours = colours;
+    write_mesh(path, complete, options);
+}
+
+/// What of a surface is written: all of it, the part of some atoms, or the wall of a cavity.
+class Shown {
+public:
+    explicit Shown(const py::dict& given) {
+        Options(given).read("show", select_);
+        Options(given).read("cavity_file", cavity_);
+    }
+
+    std::optional<MeshPart> part_of(const Mesh& mesh, const HeldSurface& held) const {
+        if (!select_.empty()) return part_of_atoms(mesh, select_atoms(held.structure(), select_, "show"));
+        if (cavity_ != 0) return part_of_component(mesh, component(held.surface().measures));
+        return std::nullopt;
+    }
+
+private:
+    std::uint32_t component(const MeshMeasures& measures) const {
+        int number = 0;
+        for (std::uint32_t c = 0; c < measures.components.size(); ++c)
+            if (measures.components[c].volume < 0.0 && ++number == cavity_) return c;
+        throw UsageError("cavity " + std::to_string(cavity_) + ": the mesh has " + std::to_string(number));
+    }
+
+    std::string select_;
+    int cavity_ = 0;  // from 1
+};
+
+std::vector<Colour> picked(const std::vector<Colour>& colours, const std::vector<VertexId>& vertices) {
+    std::vector<Colour> result;
+    result.reserve(vertices.size());
+    for (const VertexId v : vertices) result.push_back(colours.at(v));
+    return result;
+}
+
+void save_mesh(const std::string& path, const HeldSurface& held, const py::dict& given) {
+    const Colouring colouring(given);
+    const Shown shown(given);
+    WriteOptions options = write_options(held.structure(), given);
+    options.computed_with = &held.surface().options;
+    options.probe = held.surface().options.probe;
+    const py::gil_scoped_release release;
+    const Mesh complete = colouring.complete(held.surface().mesh, held.structure());
+    std::vector<Colour> colours = colouring.of(complete, held.structure());
+    const std::optional<MeshPart> part = shown.part_of(complete, held);
+    if (part) colours = picked(colours, part->vertices);
+    options.open = part && !measure_mesh(part->mesh).closed;
+    options.colours = colours;
+    write_mesh(path, part ? part->mesh : complete, options);
 }
 
 Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
@@ -244,7 +295,9 @@ void bind_writers(py::module_& module) {
     module.def("colors", &colours, py::arg("mesh"), py::arg("structure"), py::arg("options"));
     module.def("map_values", &map_values, py::arg("mesh"), py::arg("path"), py::arg("options"));
     module.def("table_values", &table_values, py::arg("mesh"), py::arg("structure"), py::arg("path"));
-    module.def("write_mesh", &save_mesh, py::arg("path"), py::arg("mesh"), py::arg("structure"), py::arg("options"));
+    module.def("write_mesh", &save_mesh, py::arg("path"), py::arg("surface"), py::arg("options"));
+    module.def("write_points", &save_points, py::arg("path"), py::arg("points"), py::arg("structure"),
+               py::arg("options"));
     module.def("write_picture", &save_picture, py::arg("path"), py::arg("surface"), py::arg("options"));
     module.def("write_page", &save_page, py::arg("path"), py::arg("surface"), py::arg("measures"), py::arg("options"));
     module.def("write_level_set", &save_level_set, py::arg("path"), py::arg("surface"));

@@ -223,6 +223,7 @@ private:
     ordered_json asset() const {
         ordered_json extras{{"units", "angstrom"}, {"frame", "as in the input"}};
         if (options_.probe) extras["probe"] = *options_.probe;
+        if (options_.open) extras["open"] = true;
         return {{"version", "2.0"}, {"generator", std::string("Meniscus ") + kVersion}, {"extras", extras}};
     }
 
@@ -232,7 +233,8 @@ private:
         json["scenes"] = list_of({{"nodes", list_of(0)}});
         json["nodes"] = list_of({{"mesh", 0}, {"name", "surface"}});
         json["meshes"] = list_of({{"name", "surface"}, {"primitives", list_of(primitive)}});
-        json["materials"] = list_of({{"name", "surface"}, {"doubleSided", false}, {"pbrMetallicRoughness", look}});
+        json["materials"] =
+            list_of({{"name", "surface"}, {"doubleSided", options_.open}, {"pbrMetallicRoughness", look}});
     }
 
     void describe_buffer(ordered_json& json) const {

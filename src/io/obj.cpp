@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "io/open_mark.h"
 #include "io/precision.h"
 #include "meniscus/version.h"
 
@@ -31,8 +32,9 @@ void write_corner(AtomicFile& file, VertexId vertex, bool with_normal) {
 
 }  // namespace
 
-void write_obj(AtomicFile& file, const Mesh& mesh) {
+void write_obj(AtomicFile& file, const Mesh& mesh, bool open) {
     file.write(std::string("# meniscus ") + kVersion + "\n# lengths in angstrom\n");
+    if (open) file.write(std::string("# ") + kOpenMark + '\n');
     write_points(file, "v ", mesh.vertices, precision_needed(mesh));
     write_points(file, "vn ", mesh.normals, Precision::Single);
     for (const Triangle& t : mesh.triangles) {

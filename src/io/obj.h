@@ -9,6 +9,7 @@
 namespace meniscus {
 
 /// Writes a mesh as Wavefront OBJ: v, vn if the mesh has normals, and f a//a b//b c//c (or f a b c), counted from 1.
-void write_obj(AtomicFile& file, const Mesh& mesh);
+/// open   a comment says that the mesh is part of a surface
+void write_obj(AtomicFile& file, const Mesh& mesh, bool open);
 
 }  // namespace meniscus

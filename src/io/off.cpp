@@ -4,14 +4,16 @@
 
 #include <string>
 
+#include "io/open_mark.h"
 #include "io/precision.h"
 #include "meniscus/version.h"
 
 namespace meniscus {
 
-void write_off(AtomicFile& file, const Mesh& mesh) {
+void write_off(AtomicFile& file, const Mesh& mesh, bool open) {
     const Precision precision = precision_needed(mesh);
     file.write("OFF\n# meniscus " + std::string(kVersion) + ", lengths in angstrom\n");
+    if (open) file.write(std::string("# ") + kOpenMark + '\n');
     file.write(std::to_string(mesh.vertices.size()) + ' ' + std::to_string(mesh.triangles.size()) + " 0\n");
     for (const Vec3& p : mesh.vertices) {
         write_point(file, p, precision);

@@ -9,6 +9,7 @@
 namespace meniscus {
 
 /// Writes positions and triangles as OFF.
-void write_off(AtomicFile& file, const Mesh& mesh);
+/// open   a comment says that the mesh is part of a surface
+void write_off(AtomicFile& file, const Mesh& mesh, bool open);
 
 }  // namespace meniscus

@@ -16,6 +16,7 @@
 
 #include "core/parallel.h"
 #include "io/measured_arrays.h"
+#include "io/open_mark.h"
 #include "io/precision.h"
 #include "meniscus/version.h"
 
@@ -50,7 +51,7 @@ struct Column {
 class PlyWriter {
 public:
     PlyWriter(AtomicFile& file, const Mesh& mesh, const WriteOptions& options)
-        : file_(file), mesh_(mesh), is_text_(options.encoding == Encoding::Text) {
+        : file_(file), mesh_(mesh), is_text_(options.encoding == Encoding::Text), is_open_(options.open) {
         if (precision_needed(mesh) == Precision::Single)
             add_vectors<float>({"x", "y", "z"}, mesh.vertices);
         else
@@ -123,6 +124,7 @@ private:
         const bool fits_int = mesh_.vertices.size() <= std::size_t{1} << 31U;
         file_.write(std::string("ply\nformat ") + (is_text_ ? "ascii" : "binary_little_endian") + " 1.0\n");
         file_.write(std::string("comment meniscus ") + kVersion + "\ncomment lengths in angstrom\n");
+        if (is_open_) file_.write(std::string("comment ") + kOpenMark + '\n');
         file_.write("element vertex " + std::to_string(mesh_.vertices.size()) + '\n' + declarations_);
         file_.write("element face " + std::to_string(mesh_.triangles.size()) + '\n');
         file_.write(std::string("property list uchar ") + (fits_int ? "int" : "uint") +
@@ -193,6 +195,7 @@ private:
     AtomicFile& file_;
     const Mesh& mesh_;
     bool is_text_;
+    bool is_open_;
     bool at_line_start_ = true;
     std::string declarations_;
     std::size_t record_size_ = 0;  // bytes of a vertex

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <set>
 #include <string>
@@ -11,10 +12,12 @@
 #include "io/atomic_file.h"
 #include "io/glb.h"
 #include "io/measured_arrays.h"
+#include "io/npz.h"
 #include "io/obj.h"
 #include "io/off.h"
 #include "io/ply.h"
 #include "io/stl.h"
+#include "io/vtp.h"
 #include "meniscus/errors.h"
 #include "meniscus/write.h"
 
@@ -85,8 +88,9 @@ std::vector<std::uint32_t> residues_of_vertices(const Mesh& mesh, const Structur
 
 void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& given) {
     const std::string suffix = suffix_of(path);
-    if (suffix != ".ply" && suffix != ".obj" && suffix != ".stl" && suffix != ".off" && suffix != ".glb")
-        throw UsageError(path + ": unknown suffix for a mesh; choose .ply, .obj, .stl, .off or .glb");
+    constexpr std::array kSuffixes{".ply", ".obj", ".stl", ".off", ".glb", ".vtp", ".npz"};
+    if (std::find(kSuffixes.begin(), kSuffixes.end(), suffix) == kSuffixes.end())
+        throw UsageError(path + ": unknown suffix for a mesh; choose .ply, .obj, .stl, .off, .glb, .vtp or .npz");
     WriteOptions options = given;
     std::vector<std::uint32_t> residues;
     if (options.structure != nullptr && !mesh.atoms.empty()) {
@@ -97,10 +101,12 @@ void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& g
     const ThreadLimit limit(options.threads);
     AtomicFile file(path);
     if (suffix == ".ply") write_ply(file, mesh, options);
-    if (suffix == ".obj") write_obj(file, mesh);
+    if (suffix == ".obj") write_obj(file, mesh, options.open);
     if (suffix == ".stl") write_stl(file, mesh, options.encoding);
-    if (suffix == ".off") write_off(file, mesh);
+    if (suffix == ".off") write_off(file, mesh, options.open);
     if (suffix == ".glb") write_glb(file, mesh, options);
+    if (suffix == ".vtp") write_vtp(file, mesh, options);
+    if (suffix == ".npz") write_npz(file, mesh, options);
     file.commit();
 }
 

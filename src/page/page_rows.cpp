@@ -31,16 +31,25 @@ std::size_t count(const Measures& exact, ComponentKind kind) {
                                                   [kind](const SurfaceComponent& c) { return c.kind == kind; }));
 }
 
-void add_exact(Rows& rows, const Measures& exact) {
+const char* exact_section(SurfaceKind kind) {
+    if (kind == SurfaceKind::Sas) return "Solvent-accessible surface, exact";
+    if (kind == SurfaceKind::Vdw) return "Van der Waals surface, exact";
+    return "Solvent-excluded surface, exact";
+}
+
+void add_exact(Rows& rows, const Measures& exact, SurfaceKind kind) {
     const SurfaceTotals& t = exact.totals;
-    const char* excluded = "Solvent-excluded surface, exact";
+    const char* excluded = exact_section(kind);
     rows.push_back({excluded, "area", area(t.ses_area)});
     rows.push_back({excluded, "volume", volume(t.ses_volume)});
-    rows.push_back({excluded, "contact", area(t.contact_area)});
-    rows.push_back({excluded, "toroidal", area(t.toroidal_area)});
-    rows.push_back({excluded, "reentrant", area(t.reentrant_area)});
+    if (kind == SurfaceKind::Ses) {
+        rows.push_back({excluded, "contact", area(t.contact_area)});
+        rows.push_back({excluded, "toroidal", area(t.toroidal_area)});
+        rows.push_back({excluded, "reentrant", area(t.reentrant_area)});
+    }
     rows.push_back({excluded, "outer pieces", fmt::format("{}", count(exact, ComponentKind::Outer))});
     rows.push_back({excluded, "cavities", fmt::format("{}", count(exact, ComponentKind::Cavity))});
+    if (kind != SurfaceKind::Ses) return;  // that is the same surface
     const char* accessible = "Solvent-accessible surface, exact";
     rows.push_back({accessible, "area", area(t.sas_area)});
     rows.push_back({accessible, "volume", volume(t.sas_volume)});
@@ -90,7 +99,7 @@ void add_checks(Rows& rows, const Surface& surface, const Measures& exact) {
 
 std::vector<PageRow> page_rows(const Structure& structure, const Surface& surface, const Measures& exact) {
     Rows rows;
-    add_exact(rows, exact);
+    add_exact(rows, exact, surface.options.surface);
     add_mesh(rows, surface);
     add_input(rows, structure, surface);
     add_checks(rows, surface, exact);

@@ -228,7 +228,8 @@ private:
 }  // namespace
 
 Cost estimate_cost(const Atoms& atoms, const SurfaceOptions& options) {
-    return cost_of(static_cast<double>(atoms.size()), surface_area(atoms, options.probe), options);
+    const SesProblem problem = ses_problem(atoms, options);
+    return cost_of(static_cast<double>(atoms.size()), surface_area(problem.atoms, problem.probe), options);
 }
 
 void refuse_what_would_not_fit(const Atoms& atoms, const SurfaceOptions& options, const Cost& cost) {

@@ -105,7 +105,8 @@ Mesh sample_surface(const Surface& surface, const Atoms& atoms, const SampleOpti
     const std::size_t count = count_of(surface, options);
     const ThreadLimit limit(options.threads);
     const PointsOnMesh spread = spread_points(surface.mesh, count, options.seed);
-    const AccessibleSurface accessible(atoms, surface.options.probe);
+    const SesProblem problem = ses_problem(atoms, surface.options);
+    const AccessibleSurface accessible(problem.atoms, problem.probe);
     Mesh result = Lander(surface, accessible).land(spread);
     for (const std::uint32_t triangle : spread.triangles)
         result.components.push_back(surface.mesh.components[surface.mesh.triangles[triangle][0]]);

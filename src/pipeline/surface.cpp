@@ -76,6 +76,8 @@ void check_flow(const FlowOptions& flow) {
 
 void check_options(const SurfaceOptions& options) {
     require(std::isfinite(options.probe) && options.probe >= 0.0, "probe", options.probe, "finite and not negative");
+    if (options.method == Method::Gaussian && options.surface != SurfaceKind::Ses)
+        throw UsageError("method gaussian is one envelope of the atoms; surface sas and vdw need flow or direct");
     require(positive(options.spacing), "spacing", options.spacing, "finite and positive");
     require(positive(-options.density), "density", options.density, "finite and negative");
     if (options.method == Method::Flow) check_flow(options.flow);
@@ -115,7 +117,8 @@ public:
         : options_(options), progress_(progress), observer_(observer), margin_(band_margin(options)) {
         surface_.options = options;
         report("geometry", 0.0);
-        accessible_ = std::make_unique<AccessibleSurface>(atoms, options.probe);
+        const SesProblem problem = ses_problem(atoms, options);
+        accessible_ = std::make_unique<AccessibleSurface>(problem.atoms, problem.probe);
         surface_.seconds.geometry = clock_.lap();
         report("geometry", 1.0);
     }

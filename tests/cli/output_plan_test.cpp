@@ -34,6 +34,7 @@ protected:
 
 TEST_F(OutputPlan, TellsFormatsBySuffix) {
     EXPECT_EQ(kind_of("a.ply"), OutputKind::Mesh);
+    EXPECT_EQ(kind_of("a.vtp"), OutputKind::Mesh);
     EXPECT_EQ(kind_of("dir.x/a.b.stl"), OutputKind::Mesh);
     EXPECT_EQ(kind_of("a.xyzrn"), OutputKind::Spheres);
     EXPECT_EQ(kind_of("a.html"), OutputKind::Page);
@@ -87,6 +88,11 @@ TEST_F(OutputPlan, APictureNeedsNeitherMeshNorTable) {
     const std::vector<Output> expected{{"a_m01.png", OutputKind::Picture}};
     EXPECT_EQ(plan_outputs({"a.png"}, "name", "_m01"), expected);
     EXPECT_THROW(measure_kind_of("a.png"), UsageError);
+}
+
+TEST_F(OutputPlan, AMeshThatHoldsItsAtomsNeedsNoTable) {
+    const std::vector<Output> expected{{"a.npz", OutputKind::Mesh}};
+    EXPECT_EQ(plan_outputs({"a.npz"}, "name", ""), expected);
 }
 
 TEST_F(OutputPlan, TablesAndCopiesAreThoseOfMeasure) {

@@ -205,7 +205,7 @@ class Outputs(ProgramTest):
         self.assertEqual(self.files(), ["sub/three.xyzr", "three.atoms.csv", "three.html", "three.ply"])
 
     def test_every_format_can_be_written(self):
-        names = ["a.glb", "a.obj", "a.off", "a.ply", "a.stl", "b.xyzr", "b.xyzrn"]
+        names = ["a.glb", "a.obj", "a.off", "a.ply", "a.stl", "a.vtp", "a.npz", "b.xyzr", "b.xyzrn"]
         self.surface("three.xyzr", *[word for name in names for word in ("-o", name)])
         self.assertEqual(self.files(), sorted([*names, "a.atoms.csv", "three.xyzr"]))
         for name in names:

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Meniscus authors
 # SPDX-License-Identifier: Apache-2.0
 """Files: the same bytes as the command line's, every format, what is refused."""
+import json
 import os
 import pathlib
 import subprocess
@@ -19,7 +20,7 @@ def content(path):
 @unittest.skipUnless(PROGRAM, "MENISCUS_PROGRAM names no program to compare with")
 class AsTheProgram(InScratchFolder):
     def test_files_have_the_same_bytes(self):
-        names = ["mesh.ply", "mesh.obj", "mesh.stl", "mesh.off", "mesh.glb", "picture.png", "page.html"]
+        names = ["mesh.ply", "mesh.obj", "mesh.stl", "mesh.off", "mesh.glb", "mesh.vtp", "mesh.npz", "picture.png", "page.html"]
         outputs = [word for name in names for word in ("-o", f"cli_{name}")]
         options = ["--color", "curvature:-1:1", "--size", "400x300", "--view", "top", "--background", "#202020",
                    "--cut", "12", "--legend"]
@@ -59,10 +60,64 @@ class Saving(InScratchFolder):
     def test_npz_holds_the_arrays_by_name(self):
         self.surface.save("surface.npz")
         with np.load("surface.npz") as arrays:
-            self.assertEqual(set(arrays), {"vertices", "triangles", "normals", "atom", "residue", "patch", "component",
-                                           "area", "mean_curvature", "gaussian_curvature", "shape_index"})
-            for name in arrays:
-                self.assertTrue((arrays[name] == getattr(self.surface, name)).all(), name)
+            names = {"vertices", "triangles", "normals", "atom", "residue", "patch", "component", "area",
+                     "mean_curvature", "gaussian_curvature", "shape_index"}
+            columns = {"xyz", "radius", "name", "element", "altloc", "chain", "resname", "icode", "resnum", "residue",
+                       "serial", "b_factor", "occupancy", "charge"}
+            self.assertEqual(set(arrays), names | {f"atom_{name}" for name in columns} | {"colors", "options", "layout"})
+            for name in names:
+                array, own = arrays[name], getattr(self.surface, name)
+                self.assertEqual((array.dtype, array.shape), (own.dtype, own.shape), name)
+                self.assertTrue((array == own).all(), name)
+            self.assertTrue((arrays["colors"] == self.surface.colors()).all())
+            self.assertEqual(arrays["layout"], 1)
+
+    def test_npz_holds_the_atoms_and_options(self):
+        structure = read(UBIQUITIN)
+        meniscus.surface(structure, probe=1.5, spacing=1).save("surface.npz")
+        with np.load("surface.npz", allow_pickle=False) as arrays:
+            for name in ("xyz", "name", "element", "altloc", "chain", "resname", "icode", "resnum", "residue", "serial",
+                         "b_factor", "occupancy", "charge"):
+                array, own = arrays[f"atom_{name}"], getattr(structure, name)
+                self.assertEqual(array.shape, own.shape, name)
+                self.assertTrue((array == own).all(), name)
+            self.assertTrue((arrays["atom_radius"] == structure.radii).all())
+            told = json.loads(str(arrays["options"]))
+            self.assertEqual((told["input"]["probe"], told["options"]["spacing"]), (1.5, 1))
+            self.assertEqual(told["input"]["sha256"], structure.sha256)
+
+    def test_parts_have_the_bytes_of_the_program(self):
+        if not PROGRAM:
+            self.skipTest("MENISCUS_PROGRAM names no program to compare with")
+        subprocess.run([PROGRAM, "surface", UBIQUITIN, "--quiet", "--spacing", "0.8", "--surface", "sas", "--show",
+                        "//A/1-30", "-o", "cli.ply", "-o", "cli.npz"], check=True, capture_output=True)
+        surface = meniscus.surface(read(UBIQUITIN), spacing=0.8, surface="sas")
+        for suffix in ("ply", "npz"):
+            surface.save(f"own.{suffix}", show="//A/1-30")
+            self.assertTrue(content(f"own.{suffix}") == content(f"cli.{suffix}"), suffix)
+        self.assertAlmostEqual(surface.measures.ses_area, surface.measures.sas_area, delta=1e-3)
+        self.assertAlmostEqual(surface.measures.sas_area, meniscus.measure(surface.structure).sas_area, delta=1e-3)
+
+    def test_a_cavity_alone_and_what_is_no_part(self):
+        shell = meniscus.surface(5 * np.vstack([np.eye(3), -np.eye(3)]), [4.0] * 6, probe=0.5)
+        shell.save("cavity.npz", cavity=1)
+        with np.load("cavity.npz") as arrays:
+            self.assertTrue((arrays["component"] == 1).all())
+            self.assertEqual(len(arrays["vertices"]), int((shell.component == 1).sum()))
+        for options, message in (({"cavity": 2}, "cavity 2: the mesh has 1"), ({"cavity": 0}, "count from 1"),
+                                 ({"show": "//Z"}, "selects no atom"), ({"show": ""}, "empty"),
+                                 ({"show": "//A", "cavity": 1}, "one of them")):
+            with self.assertRaisesRegex(ValueError, message):
+                shell.save("bad.ply", **options)
+        with self.assertRaisesRegex(ValueError, "formats? of meshes"):
+            shell.save("bad.png", cavity=1)
+
+    def test_npz_keeps_letters_of_every_alphabet(self):
+        names = ["C", "Cα", "酸", "😀"]
+        structure = meniscus.Structure.from_arrays(CENTRES, RADII, name=names)
+        meniscus.surface(structure, spacing=1).save("surface.npz")
+        with np.load("surface.npz") as arrays:
+            self.assertEqual(arrays["atom_name"].tolist(), names)
 
     def test_text_is_written_when_asked_for(self):
         self.surface.save("surface.ply", ascii=True)
@@ -179,7 +234,7 @@ class Saving(InScratchFolder):
         self.assertEqual(os.listdir(), [])
 
     def test_what_cannot_be_written_is_an_os_error_and_leaves_nothing(self):
-        for suffix in ("ply", "npz", "png", "mls", "stl", "glb", "html"):
+        for suffix in ("ply", "npz", "png", "mls", "stl", "glb", "vtp", "html"):
             with self.assertRaisesRegex(OSError, f"nosuch/x.{suffix}: cannot be written"):
                 self.surface.save(f"nosuch/x.{suffix}", size=(8, 8))
             os.mkdir(f"x.{suffix}")

@@ -410,19 +410,19 @@ bool matches_atom(const gemmi::Selection& selection, const RawAtom& atom) {
     return selection.matches(copy);
 }
 
-gemmi::Selection parse_selection(const std::string& expression) {
+gemmi::Selection parse_selection(const std::string& expression, const std::string& option) {
     try {
         return gemmi::Selection(expression);
     } catch (const std::exception& error) {
-        throw UsageError("--select " + shown(expression) + ": " + error.what() +
+        throw UsageError(option + " " + shown(expression) + ": " + error.what() +
                          "; write for instance //A/10-50 or (ALA,GLY) or CA[C]");
     }
 }
 
 // A bare name is a chain to gemmi; if there is no such chain, it is meant as atom names ("CA").
-std::string meant(const RawModel& model, const std::string& expression) {
+std::string meant(const RawModel& model, const std::string& expression, const std::string& option) {
     if (expression.find_first_of("/([:;*!.-") != std::string::npos) return expression;
-    const gemmi::Selection selection = parse_selection(expression);
+    const gemmi::Selection selection = parse_selection(expression, option);
     const bool is_chain = std::any_of(model.residues.begin(), model.residues.end(), [&](const RawResidue& residue) {
         return selection.matches(gemmi::Chain(residue.chain));
     });
@@ -431,8 +431,9 @@ std::string meant(const RawModel& model, const std::string& expression) {
 
 }  // namespace
 
-std::vector<bool> selected_atoms(const RawModel& model, const std::string& expression, int model_position) {
-    const gemmi::Selection selection = parse_selection(meant(model, expression));
+std::vector<bool> selected_atoms(const RawModel& model, const std::string& expression, int model_position,
+                                 const std::string& option) {
+    const gemmi::Selection selection = parse_selection(meant(model, expression, option), option);
     std::vector<bool> selected(model.atoms.size(), false);
     if (selection.mdl != 0 && selection.mdl != model_position) return selected;
     std::vector<bool> in_residue(model.residues.size());

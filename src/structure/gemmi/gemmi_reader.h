@@ -41,7 +41,9 @@ private:
 /// For each atom, whether it is in the selection (gemmi's syntax: /model/chain/10-50/CA[C]:A;q>0.5).
 ///
 /// model_position  what a model number in the expression is compared with
+/// option          named in messages
 /// throws          UsageError if the expression is not valid
-std::vector<bool> selected_atoms(const RawModel& model, const std::string& expression, int model_position);
+std::vector<bool> selected_atoms(const RawModel& model, const std::string& expression, int model_position,
+                                 const std::string& option = "--select");
 
 }  // namespace meniscus::reading
