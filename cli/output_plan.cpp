@@ -29,6 +29,7 @@ constexpr std::array kSuffixes{
     Suffix{".ply", OutputKind::Mesh},      Suffix{".obj", OutputKind::Mesh},    Suffix{".stl", OutputKind::Mesh},
     Suffix{".off", OutputKind::Mesh},      Suffix{".glb", OutputKind::Mesh},    Suffix{".xyzr", OutputKind::Spheres},
     Suffix{".xyzrn", OutputKind::Spheres}, Suffix{".png", OutputKind::Picture}, Suffix{".html", OutputKind::Page},
+    Suffix{".dx", OutputKind::Volume},     Suffix{".mrc", OutputKind::Volume},  Suffix{".vdb", OutputKind::Volume},
 };
 
 constexpr std::array kMeasureSuffixes{

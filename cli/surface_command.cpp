@@ -40,7 +40,7 @@ public:
 
 private:
     std::vector<Output> plan(const std::string& name, const std::string& mark) const override {
-        std::vector<Output> outputs = plan_outputs(request_.outputs, name, mark);
+        std::vector<Output> outputs = plan_volumes(request_.volume, plan_outputs(request_.outputs, name, mark));
         if (!request_.flow.history.empty()) outputs.push_back(plan_history(request_.flow.history, mark));
         if (request_.flow.snapshots > 0 && first_mesh(outputs) == nullptr)
             throw UsageError("--snapshots writes meshes beside the final one; give a mesh with -o");
@@ -70,8 +70,11 @@ private:
     void compute(const Job& job) override {
         const SurfaceOptions& options = request_.surface;
         Stopwatch estimating;
-        if (!request_.report.empty() || shows_progress()) {
+        const bool has_volume = has(job.outputs, OutputKind::Volume);
+        VolumeGrid grid;
+        if (!request_.report.empty() || shows_progress() || has_volume) {
             const Cost expected = estimate_cost(job.structure.atoms, options);
+            if (has_volume) grid = find_grid(request_.volume, job.structure.atoms, options, job.outputs, expected);
             refuse_what_would_not_fit(job.structure.atoms, options, expected);
             expect(expected.seconds);
         }
@@ -90,8 +93,16 @@ private:
         colours_ = colour_vertices(surface_.mesh, job.structure, request_.picture.colours);
         if (has(job.outputs, OutputKind::Picture)) draw(job.structure);
         picture_seconds_ = watch.lap();
+        if (has_volume) sample_volumes(grid, job.structure.atoms);
+        volume_seconds_ = watch.lap();
         if (has(job.outputs, OutputKind::Page)) make_page(job.structure);
         page_seconds_ = watch.lap();
+    }
+
+    void sample_volumes(const VolumeGrid& grid, const Atoms& atoms) {
+        show("volume", 0.0);
+        volumes_ = Volumes(request_.volume, grid, surface_, atoms);
+        show("volume", 1.0);
     }
 
     void make_page(const Structure& structure) {
@@ -158,6 +169,8 @@ private:
                 return write_picture(output.path, picture_);
             case OutputKind::Page:
                 return write_made_page(output.path);
+            case OutputKind::Volume:
+                return volumes_.write(output.path);
             case OutputKind::History:
                 return write_table(output.path, history_table(surface_.history));
             case OutputKind::Spheres:
@@ -174,6 +187,7 @@ private:
         all.exact_seconds = exact_seconds_;
         all.picture_seconds = picture_seconds_;
         all.page_seconds = page_seconds_;
+        all.volume_seconds = volume_seconds_;
         return make_report(request_, job.structure, surface_, exact_, all);
     }
 
@@ -186,9 +200,11 @@ private:
     double exact_seconds_ = 0.0;
     double picture_seconds_ = 0.0;
     double page_seconds_ = 0.0;
+    double volume_seconds_ = 0.0;
     Surface surface_;
     std::vector<Colour> colours_;  // of the mesh's vertices
     Picture picture_;
+    Volumes volumes_;
     std::string page_;  // HTML
 };
 

@@ -10,6 +10,7 @@
 #include "meniscus/surface.h"
 #include "meniscus/write.h"
 #include "picture_options.h"
+#include "volume_options.h"
 
 namespace meniscus::cli {
 
@@ -19,6 +20,7 @@ struct SurfaceRequest : CommonRequest {
     FlowRequest flow;  ///< surface.flow is what it resolves to
     Encoding encoding = Encoding::Binary;
     PictureRequest picture;
+    VolumeRequest volume;
 };
 
 /// Gives a subcommand its options; parsing fills `request`, which must outlive the parser.

@@ -49,6 +49,10 @@ Volume surface_field(const Surface& surface, const Atoms& atoms, const VolumeGri
 /// and z, and accessibility for ions at the nodes.
 enum class ApbsMap { DielectricX, DielectricY, DielectricZ, Kappa };
 
+constexpr VolumeContent content_of(ApbsMap map) {
+    return map == ApbsMap::Kappa ? VolumeContent::Ions : VolumeContent::Dielectric;
+}
+
 /// One of them, for APBS's grid.
 /// options   content is not used
 /// throws    as surface_field

@@ -29,6 +29,10 @@ struct VolumeGrid {
     }
 };
 
+/// So many nodes along x, y, z, the same spacing between them, Å, and the middle of them all: what APBS calls dime,
+/// grid and gcent.
+VolumeGrid centred_grid(const std::array<std::size_t, 3>& counts, double spacing, const Vec3& middle);
+
 /// One value per node, that of node (i, j, k) at grid.index(i, j, k): the last axis runs fastest, as in OpenDX.
 struct Volume {
     VolumeGrid grid;

@@ -241,7 +241,7 @@ Volume surface_field(const Surface& surface, const Atoms& atoms, const VolumeGri
 Volume apbs_map(const Surface& surface, const Atoms& atoms, const VolumeGrid& grid, ApbsMap map,
                 const FieldOptions& options) {
     FieldOptions of_map = options;
-    of_map.content = map == ApbsMap::Kappa ? VolumeContent::Ions : VolumeContent::Dielectric;
+    of_map.content = content_of(map);
     VolumeGrid shifted = grid;
     if (map == ApbsMap::DielectricX) shifted.origin.x += 0.5 * grid.spacing.x;
     if (map == ApbsMap::DielectricY) shifted.origin.y += 0.5 * grid.spacing.y;

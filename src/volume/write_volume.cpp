@@ -29,7 +29,7 @@ const char* meaning(VolumeContent content) {
         case VolumeContent::Ions:
             return "Ion accessibility: 1 outside the enlarged atoms, 0 inside";
         default:
-            return "Signed distance to the surface, Angstrom: inside positive";
+            return "Signed distance to the surface, Angstrom, inside positive";
     }
 }
 
