@@ -12,7 +12,7 @@
 namespace meniscus {
 namespace {
 
-constexpr float kHalfWidth = openvdb::LEVEL_SET_HALF_WIDTH;  // voxels
+const auto kHalfWidth = static_cast<float>(openvdb::LEVEL_SET_HALF_WIDTH);  // voxels
 
 void set_values(const VdbRequest& request, openvdb::FloatGrid& target) {
     const VolumeGrid& grid = request.volume.grid;
