@@ -61,12 +61,13 @@ class ApbsTest(foreign.ForeignTest):
         self.assertEqual(result.returncode, 0, result.stdout[-2000:] + result.stderr[-2000:])
         return float(re.search(r"Global net ELEC energy = (\S+)", result.stdout)[1])
 
-    DIEL = "    diel dx ours_dielx.dx ours_diely.dx ours_dielz.dx\n"
-    KAPPA = "    kappa dx ours_kappa.dx\n"
+    # APBS takes all of them or none.
+    READ = "    diel dx ours_dielx.dx ours_diely.dx ours_dielz.dx\n    kappa dx ours_kappa.dx\n"
+    MAPS = "usemap diel 1\n    usemap kappa 1"
 
     def test_born_energy(self):
         vacuum = self.elec("vacuum", outer=INNER)
-        ours = self.energy(self.elec("solvated", more="usemap diel 1"), vacuum, read=self.DIEL)
+        ours = self.energy(self.elec("solvated", more=self.MAPS), vacuum, read=self.READ)
         theirs = self.energy(self.elec("solvated"), vacuum)
         print(f"Born {BORN:.2f} kJ/mol; with our maps {ours:.2f} ({100 * (ours / BORN - 1):+.2f} %), with its own "
               f"{theirs:.2f} ({100 * (theirs / BORN - 1):+.2f} %)")
@@ -88,11 +89,9 @@ class ApbsTest(foreign.ForeignTest):
 
     def test_salt_is_where_its_own_map_has_it(self):
         ions = "ion charge 1 conc 0.15 radius 2.0\n    ion charge -1 conc 0.15 radius 2.0"
-        dry = self.elec("dry", more="usemap diel 1")
-        ours = self.energy(self.elec("salt", more="usemap diel 1\n    usemap kappa 1", ions=ions), dry,
-                           read=self.DIEL + self.KAPPA, what="salt - dry")
-        theirs = self.energy(self.elec("salt", more="usemap diel 1", ions=ions), dry, read=self.DIEL,
-                             what="salt - dry")
+        ours = self.energy(self.elec("salt", more=self.MAPS, ions=ions), self.elec("dry", more=self.MAPS),
+                           read=self.READ, what="salt - dry")
+        theirs = self.energy(self.elec("salt", ions=ions), self.elec("dry"), what="salt - dry")
         print(f"salt: with our map {ours:.4f} kJ/mol, with its own {theirs:.4f}")
         self.assertLess(theirs, -0.1)
         self.assertLess(abs(ours / theirs - 1), 0.02)

@@ -60,11 +60,12 @@ class VtkVolumeTest(foreign.ForeignTest):
     def test_normals_point_outwards(self):
         import numpy
 
-        _, points, triangles, normals = self.contoured()
-        # VTK's point up the values; programs that show molecules let them point down, out of what is positive.
-        moved = enclosed(points - 0.01 * normals, triangles)
-        self.assertGreater(abs(moved), abs(enclosed(points, triangles)))
+        report, points, triangles, normals = self.contoured()
         self.assertTrue(numpy.isfinite(normals).all())
+        # VTK's normals and triangles look down the values, as those of programs that show molecules do.
+        before, after = enclosed(points, triangles), enclosed(points + 0.01 * normals, triangles)
+        self.assertGreater(before, 0)
+        self.assertAlmostEqual((after - before) / (0.01 * report["mesh"]["area"]), 1, delta=0.1)
 
     def test_vtk_and_we_agree_on_dx(self):
         import numpy

@@ -61,8 +61,12 @@ TEST(Field, OfAFlowIsTheLevelSetNearItsSurfaceAndADistanceBeyond) {
     at_all_nodes(surface_field(surface, kBall, kGrid), [&](const Vec3& p, double value) {
         const double depth = depth_in_ball(p);
         EXPECT_NEAR(value, depth, 0.03);
-        if (std::abs(depth) < 0.9) EXPECT_NEAR(value, -surface.level_set->value(p), 1e-5);
-        if (std::abs(depth) > 1.6) EXPECT_NEAR(value, depth, 1e-5);
+        if (std::abs(depth) < 0.9) {
+            EXPECT_NEAR(value, -surface.level_set->value(p), 1e-5);
+        }
+        if (std::abs(depth) > 1.6) {
+            EXPECT_NEAR(value, depth, 1e-5);
+        }
     });
 }
 
@@ -70,8 +74,12 @@ TEST(Field, OfAGaussianHasTheSignOfItsSurfaceEverywhere) {
     const Surface surface = compute_surface(kBall, {.method = Method::Gaussian});
     at_all_nodes(surface_field(surface, kBall, kGrid), [&](const Vec3& p, double value) {
         const double depth = depth_in_ball(p);
-        if (std::abs(depth) > 0.1) EXPECT_EQ(value > 0.0, depth > 0.0);
-        if (std::abs(depth) > 2.0) EXPECT_GT(std::abs(value), 1.0);
+        if (std::abs(depth) > 0.1) {
+            EXPECT_EQ(value > 0.0, depth > 0.0);
+        }
+        if (std::abs(depth) > 2.0) {
+            EXPECT_GT(std::abs(value), 1.0);
+        }
     });
 }
 
@@ -137,13 +145,21 @@ TEST(Field, FilledCavitiesAreInsideInEveryField) {
         EXPECT_EQ(filled.measures.components.size(), 1U);
         at_all_nodes(surface_field(filled, atoms, grid), [](const Vec3& p, double value) {
             const double r = norm(p);
-            if (r < 7.4) EXPECT_GT(value, 0.0) << r;  // no trace of the wall
-            if (r > 8.3) EXPECT_LT(value, 0.0) << r;
-            if (r < 6.0) EXPECT_NEAR(value, 7.9 - r, 0.4) << r;  // as far as it is to the outer surface
+            if (r < 7.4) {
+                EXPECT_GT(value, 0.0) << r;
+            }  // no trace of the wall
+            if (r > 8.3) {
+                EXPECT_LT(value, 0.0) << r;
+            }
+            if (r < 6.0) {
+                EXPECT_NEAR(value, 7.9 - r, 0.4) << r;
+            }  // as far as it is to the outer surface
         });
         at_all_nodes(surface_field(filled, atoms, grid, {.content = VolumeContent::Ions}),
                      [](const Vec3& p, double value) {
-                         if (norm(p) < 8.0) EXPECT_EQ(value, 0.0);
+                         if (norm(p) < 8.0) {
+                             EXPECT_EQ(value, 0.0);
+                         }
                      });
         const Volume mask = surface_field(filled, atoms, grid, {.content = VolumeContent::Mask});
         EXPECT_NEAR(sum(mask) * cell(grid), filled.measures.volume, 0.01 * filled.measures.volume);
@@ -152,7 +168,7 @@ TEST(Field, FilledCavitiesAreInsideInEveryField) {
 
 TEST(Field, CavitiesThatTheMeshLeavesOutStayOutside) {
     const Atoms atoms = hollow_shell();
-    const Surface outer = compute_surface(atoms, {.min_cavity = 1000.0, .pieces = Pieces::Outer});
+    const Surface outer = compute_surface(atoms, {.pieces = Pieces::Outer, .min_cavity = 1000.0});
     const VolumeGrid middle{{1, 1, 1}, {0, 0, 0}, {1, 1, 1}};
     EXPECT_LT(surface_field(outer, atoms, middle).values[0], 0.0F);
 }
