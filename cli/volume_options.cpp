@@ -37,12 +37,13 @@ void set_grid(VolumeRequest& request, const std::string& text) {
     request.grid.reset();
     request.grid_file.clear();
     const std::vector<std::string> parts = CLI::detail::split(text, ',');
-    if (parts.size() == 7 && text.find_first_not_of("0123456789.+-eE,") == std::string::npos)
-        request.grid = parse_numbers(parts);
-    else if (fs::path(text).has_extension())
-        request.grid_file = text;
-    else
+    const bool is_numbers = text.find_first_not_of("0123456789.+-eE,") == std::string::npos;
+    if (is_numbers ? parts.size() != 7 : !fs::path(text).has_extension())
         throw UsageError(fmt::format("--grid: '{}' is no grid; give {}", text, kGridWords));
+    if (is_numbers)
+        request.grid = parse_numbers(parts);
+    else
+        request.grid_file = text;
 }
 
 void set_dielectrics(FieldOptions& field, const std::string& text) {

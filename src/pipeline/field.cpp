@@ -105,7 +105,7 @@ public:
 
     double operator()(const Vec3& point) const {
         const double distance = enlarged_.nearest(point).signed_distance;
-        return filled_.contains(point) ? std::min(distance, 0.0) - kSafe : distance;
+        return distance >= 0.0 && filled_.contains(point) ? -kSafe : distance;
     }
 
 private:

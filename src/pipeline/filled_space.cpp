@@ -48,7 +48,8 @@ bool FilledSpace::surrounds(std::size_t piece, const Vec3& point) const {
 
 double FilledSpace::distance(const Vec3& point, double with_cavities) const {
     if (empty()) return with_cavities;
-    const bool within = contains(point);
+    // In islands, too, walls are as near as the surface with all cavities.
+    const bool within = with_cavities > 0.0 && contains(point);
     const double reach = std::max(-with_cavities, 0.0) + kNear * spacing_;
     const bool may_be_near = std::any_of(boxes_.begin(), boxes_.end(),
                                          [&](const Box& box) { return box.squared_distance(point) <= reach * reach; });
