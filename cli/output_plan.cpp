@@ -30,6 +30,7 @@ constexpr std::array kSuffixes{
     Suffix{".ply", OutputKind::Mesh},    Suffix{".obj", OutputKind::Mesh},     Suffix{".stl", OutputKind::Mesh},
     Suffix{".off", OutputKind::Mesh},    Suffix{".glb", OutputKind::Mesh},     Suffix{".vtp", OutputKind::Mesh},
     Suffix{".npz", OutputKind::Mesh},    Suffix{".xyzr", OutputKind::Spheres}, Suffix{".xyzrn", OutputKind::Spheres},
+    Suffix{".dx", OutputKind::Volume},     Suffix{".mrc", OutputKind::Volume},  Suffix{".vdb", OutputKind::Volume},
     Suffix{".png", OutputKind::Picture}, Suffix{".html", OutputKind::Page},
 };
 

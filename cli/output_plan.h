@@ -14,6 +14,7 @@ enum class OutputKind {
     Spheres,
     Picture,
     Page,
+    Volume,
     AtomTable,      ///< NAME.atoms.csv beside a mesh
     History,        ///< of a flow
     Table,          ///< of measures

@@ -44,9 +44,9 @@ ordered_json input_block(const Structure& structure, double probe, const RunFact
 
 ordered_json time_step_json(double step) { return std::isinf(step) ? ordered_json("inf") : ordered_json(step); }
 
-bool has_picture(const std::vector<std::string>& outputs) {
+bool has(const std::vector<std::string>& outputs, OutputKind kind) {
     return std::any_of(outputs.begin(), outputs.end(),
-                       [](const std::string& path) { return kind_of(path) == OutputKind::Picture; });
+                       [kind](const std::string& path) { return kind_of(path) == kind; });
 }
 
 ordered_json surface_options_block(const SurfaceRequest& request, const Structure& structure, const Mesh& mesh,
@@ -68,6 +68,7 @@ ordered_json surface_options_block(const SurfaceRequest& request, const Structur
                        {"cavity_files", request.cavity_files},
                        {"show", if_used(!request.show.empty(), request.show)},
                        {"per_chain", request.per_chain},
+                       {"fill_cavities", o.fill_cavities},
                        {"edge", if_used(o.remesh.is_on(), o.remesh.edge)},
                        {"adaptive", if_used(o.remesh.is_on(), o.remesh.adaptive)},
                        {"keep_ridges", if_used(o.remesh.is_on(), o.remesh.keep_ridges)},
@@ -80,7 +81,8 @@ ordered_json surface_options_block(const SurfaceRequest& request, const Structur
                        {"threads", facts.threads},
                        {"verify", o.verify},
                        {"memory_mb", if_used(o.memory_limit_mb > 0, o.memory_limit_mb)}};
-    report_picture(request.picture, structure, mesh, has_picture(request.outputs), block);
+    report_picture(request.picture, structure, mesh, has(request.outputs, OutputKind::Picture), block);
+    report_volumes(request.volume, has(request.outputs, OutputKind::Volume), block);
     report_values(request.values, block);
     return block;
 }
@@ -124,12 +126,13 @@ bool is_dropped(const SurfaceComponent& piece, const Measures& exact, double min
 
 /// Exact area and volume of the pieces that a mesh keeps.
 SurfaceTotals exact_counterpart(const Measures& exact, const SurfaceOptions& options) {
-    if (options.pieces == Pieces::All && options.min_cavity == 0.0) return exact.totals;
+    const double least = std::max(options.min_cavity, options.fill_cavities);
+    if (options.pieces == Pieces::All && least == 0.0) return exact.totals;
     SurfaceTotals sum;
     for (const SurfaceComponent& c : exact.components) {
         const bool outer = c.kind == ComponentKind::Outer;
         if (options.pieces != Pieces::All && outer != (options.pieces == Pieces::Outer)) continue;
-        if (is_dropped(c, exact, options.min_cavity)) continue;
+        if (is_dropped(c, exact, least)) continue;
         sum.ses_area += c.ses_area;
         sum.ses_volume += outer ? c.ses_volume : -c.ses_volume;
     }
@@ -185,6 +188,10 @@ ordered_json mesh_block(const Surface& surface, const SurfaceTotals& exact, cons
             {"components", m.components.size()},
             {"euler_characteristic", m.euler_characteristic},
             {"dropped", {{"cavities", surface.dropped.cavities}, {"islands", surface.dropped.islands}}},
+            {"filled",
+             {{"cavities", surface.filled.cavities},
+              {"islands", surface.filled.islands},
+              {"volume", surface.filled.volume}}},
             {"simplified", {{"handles", surface.simplified.handles}, {"pieces", surface.simplified.pieces}}},
             {"mean_distance", surface.distance.mean},
             {"p99_distance", surface.distance.p99},
@@ -251,6 +258,7 @@ ordered_json time_block(const StageTimes& s, const RunFacts& facts) {
             {"exact", facts.exact_seconds},
             {"picture", facts.picture_seconds},
             {"page", facts.page_seconds},
+            {"volume", facts.volume_seconds},
             {"write", facts.write_seconds}};
 }
 

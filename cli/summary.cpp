@@ -24,6 +24,9 @@ std::string describe_components(const Surface& surface) {
     if (surface.dropped.cavities > 0)
         text += fmt::format("; {} below {:g} Å³ dropped", counted(surface.dropped.cavities, "cavity", "cavities"),
                             surface.options.min_cavity);
+    if (surface.filled.cavities > 0)
+        text += fmt::format("; {} below {:g} Å³ filled", counted(surface.filled.cavities, "cavity", "cavities"),
+                            surface.options.fill_cavities);
     if (surface.simplified.handles > 0)
         text += fmt::format("; {} cut", counted(surface.simplified.handles, "handle", "handles"));
     if (surface.simplified.pieces > 0)

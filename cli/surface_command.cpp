@@ -45,7 +45,7 @@ public:
 
 private:
     std::vector<Output> plan(const std::string& name, const std::string& mark) const override {
-        std::vector<Output> outputs = plan_outputs(request_.outputs, name, mark);
+        std::vector<Output> outputs = plan_volumes(request_.volume, plan_outputs(request_.outputs, name, mark));
         if (!request_.flow.history.empty()) outputs.push_back(plan_history(request_.flow.history, mark));
         if (request_.flow.snapshots > 0 && first_mesh(outputs) == nullptr)
             throw UsageError("--snapshots writes meshes beside the final one; give a mesh with -o");
@@ -81,8 +81,11 @@ private:
         values_ = ValueSources(request_.values, request_.picture.colours, job.structure);
         for (const std::string& line : values_.warnings()) warn(line);
         Stopwatch estimating;
-        if (!request_.report.empty() || shows_progress()) {
+        const bool has_volume = has(job.outputs, OutputKind::Volume);
+        VolumeGrid grid;
+        if (!request_.report.empty() || shows_progress() || has_volume) {
             const Cost expected = estimate_cost(job.structure.atoms, options);
+            if (has_volume) grid = find_grid(request_.volume, job.structure.atoms, options, job.outputs, expected);
             refuse_what_would_not_fit(job.structure.atoms, options, expected);
             expect(expected.seconds);
         }
@@ -104,6 +107,8 @@ private:
         if (request_.cavity_files) plan_cavities(job);
         if (has(job.outputs, OutputKind::Picture)) draw(job.structure);
         picture_seconds_ = watch.lap();
+        if (has_volume) sample_volumes(grid, job.structure.atoms);
+        volume_seconds_ = watch.lap();
         if (has(job.outputs, OutputKind::Page)) make_page(job.structure);
         page_seconds_ = watch.lap();
     }
@@ -153,6 +158,12 @@ private:
             const MeshPart part = part_of_component(surface_.mesh, component);
             write_surface_mesh(output.path, request_, job.structure, part.mesh, colours_of(part));
         }
+    }
+
+    void sample_volumes(const VolumeGrid& grid, const Atoms& atoms) {
+        show("volume", 0.0);
+        volumes_ = Volumes(request_.volume, grid, surface_, atoms);
+        show("volume", 1.0);
     }
 
     void make_page(const Structure& structure) {
@@ -232,6 +243,8 @@ private:
                 return write_picture(output.path, picture_);
             case OutputKind::Page:
                 return write_made_page(output.path);
+            case OutputKind::Volume:
+                return volumes_.write(output.path);
             case OutputKind::History:
                 return write_table(output.path, history_table(surface_.history));
             case OutputKind::Spheres:
@@ -248,6 +261,7 @@ private:
         all.exact_seconds = exact_seconds_;
         all.picture_seconds = picture_seconds_;
         all.page_seconds = page_seconds_;
+        all.volume_seconds = volume_seconds_;
         all.shown = shown_;
         ordered_json report = make_report(request_, job.structure, surface_, exact_, all);
         report["values"] = values_.report(surface_.mesh);
@@ -268,6 +282,7 @@ private:
     double exact_seconds_ = 0.0;
     double picture_seconds_ = 0.0;
     double page_seconds_ = 0.0;
+    double volume_seconds_ = 0.0;
     Surface surface_;
     std::vector<Colour> colours_;   // of the mesh's vertices
     std::optional<MeshPart> part_;  // with --show
@@ -275,6 +290,7 @@ private:
     std::optional<ShownPart> shown_;
     std::vector<std::pair<std::uint32_t, Output>> cavities_;  // numbers of components and their files
     Picture picture_;
+    Volumes volumes_;
     std::string page_;  // HTML
 };
 

@@ -11,8 +11,8 @@ namespace {
 
 constexpr const char* kFooter =
     "-o writes meshes (.ply .obj .stl .off .glb .vtp .npz), a page for a browser\n"
-    "(.html), pictures (.png) and the kept atoms (.xyzr .xyzrn). Without -o mesh\n"
-    "and page go to NAME.ply and NAME.html in the current folder.\n"
+    "(.html), pictures (.png), volumes (.dx .mrc .vdb) and the kept atoms (.xyzr\n"
+    ".xyzrn). Without -o mesh and page go to NAME.ply and NAME.html, here.\n"
     "Examples:\n"
     "  meniscus surface 1abc.pdb                                  mesh and page\n"
     "  meniscus surface 1abc.pdb -o 1abc.png --color patch        a picture\n"
@@ -34,6 +34,8 @@ void add_shape_options(CLI::App& command, SurfaceRequest& request) {
     add_choice(command, "--components", surface.pieces, kPiecesWords, "Closed pieces that the mesh keeps");
     add_number(command, "--min-cavity", surface.min_cavity, Sign::NotNegative, "V",
                "Drop cavities of less than V Å³\n and what lies in them; outer pieces stay");
+    add_number(command, "--fill-cavities", surface.fill_cavities, Sign::NotNegative, "V",
+               rarely("Drop cavities of less than V Å³, and count their space as inside in volumes"));
     add_number(command, "--density", surface.density, Sign::Negative, "C",
                rarely("Constant of the initial Gaussian map, Å^-2"));
 }
@@ -133,6 +135,8 @@ void add_surface_options(CLI::App& command, SurfaceRequest& request) {
     command.option_defaults()->group("Colours and pictures");
     add_picture_options(command, request.picture);
     add_value_options(command, request.values);
+    command.option_defaults()->group("Volumes");
+    add_volume_options(command, request.volume);
     command.option_defaults()->group("Running");
     add_run_options(command, request, request.surface.threads);
     add_memory_limit(command, request);

@@ -11,6 +11,7 @@
 #include "meniscus/write.h"
 #include "picture_options.h"
 #include "value_options.h"
+#include "volume_options.h"
 
 namespace meniscus::cli {
 
@@ -21,6 +22,7 @@ struct SurfaceRequest : CommonRequest {
     Encoding encoding = Encoding::Binary;
     PictureRequest picture{};
     ValueRequest values{};
+    VolumeRequest volume{};
     std::string show;           ///< selection whose part of the surface is written; empty: all of it
     bool cavity_files = false;  ///< each cavity also as a mesh of its own
 };

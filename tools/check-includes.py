@@ -39,6 +39,7 @@ ONLY_IN = {
     "<gemmi/": ("src/structure/", "src/radii/", "src/io/gemmi/"),
     "<embree3/": ("src/render/",),
     "<ft2build.h>": ("src/render/font.cpp",),
+    "<openvdb/": ("src/volume/vdb_module.cpp",),
     "<png.h>": ("src/io/", "tests/io/"),
     "<CLI/": ("cli/", "tests/cli/"),
     "<pybind11/": ("python/",),

@@ -52,6 +52,7 @@ struct SurfaceOptions {
     bool verify = false;              ///< make the expensive self-checks, too
     Pieces pieces = Pieces::All;      ///< what the mesh keeps
     double min_cavity = 0.0;          ///< Å³: cavities that enclose less are dropped, with all that lies in them
+    double fill_cavities = 0.0;       ///< Å³: the same, and their space counts as inside in fields (field.h)
     RemeshOptions remesh{};           ///< even triangles of a chosen size; needs a spacing of at most 0.5 Å
     int threads = 0;                  ///< 0: all cores; results do not depend on it
     std::size_t memory_limit_mb = 0;  ///< 0: what the machine has available
@@ -81,6 +82,15 @@ struct DroppedPieces {
     std::size_t islands = 0;  ///< outer pieces within these cavities
 };
 
+/// What SurfaceOptions::fill_cavities has filled.
+struct FilledCavities {
+    std::size_t cavities = 0;
+    std::size_t islands = 0;  ///< outer pieces within these cavities
+    double volume = 0.0;      ///< Å³ between the cavities' walls and the islands in them
+    Mesh walls;               ///< of the cavities, and of the islands in them; triangles of the grid, with components
+    Mesh rest;                ///< all other triangles of the grid; empty if nothing was filled
+};
+
 /// What RemeshOptions::simplify_topology has changed.
 struct SimplifiedTopology {
     std::size_t handles = 0;  ///< cut; tunnels closed among them
@@ -107,6 +117,7 @@ struct Surface {
     std::optional<MeshQuality> quality;             ///< if asked for
     std::optional<TwoSidedDistance> two_sided;      ///< if asked for
     DroppedPieces dropped;                          ///< too small for the mesh
+    FilledCavities filled;                          ///< by SurfaceOptions::fill_cavities
     SimplifiedTopology simplified;                  ///< by making triangles even
     std::optional<std::size_t> self_intersections;  ///< pairs of triangles that pass through each other, if verified
     FlowSummary flow;                               ///< zero for Method::Direct and Method::Gaussian

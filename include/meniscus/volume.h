@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Values on a regular grid, such as an electrostatic potential: read from files, and looked up between the nodes.
+// Values on a regular grid, such as an electrostatic potential: read, written and looked up between the nodes.
 #pragma once
 
 #include <array>
@@ -29,6 +29,10 @@ struct VolumeGrid {
     }
 };
 
+/// So many nodes along x, y, z, the same spacing between them, Å, and the middle of them all: what APBS calls dime,
+/// grid and gcent.
+VolumeGrid centred_grid(const std::array<std::size_t, 3>& counts, double spacing, const Vec3& middle);
+
 /// One value per node, that of node (i, j, k) at grid.index(i, j, k): the last axis runs fastest, as in OpenDX.
 struct Volume {
     VolumeGrid grid;
@@ -47,6 +51,29 @@ Volume read_volume(const std::string& path);
 
 /// The grid alone, which is in the first lines of the file; the values are not looked at.
 VolumeGrid read_volume_grid(const std::string& path);
+
+/// What values mean; files say it in their headers.
+enum class VolumeContent {
+    Distance,    ///< signed distance to a surface, Å, inside positive
+    Mask,        ///< 1 inside, 0 outside
+    Dielectric,  ///< relative permittivity
+    Ions,        ///< accessibility for ions, 0 or 1
+};
+
+/// Writes a volume; the suffix of `path` chooses the format: .dx (OpenDX text), .mrc (MRC2014, mode 2), and in builds
+/// with OpenVDB .vdb.
+///
+/// What the values are, with the sign convention, stands in the comments (DX), the labels (MRC) or the metadata (VDB).
+/// VDB has distances by its own convention, negative inside, as a level set of class "level set": kept within three
+/// voxels of the surface, beyond that only their sign. The others are kept where they differ from the value outside.
+/// DX and MRC are streamed; every format has the file appear whole or not at all, as with write_mesh().
+/// throws   UsageError for an unknown suffix, for a number of values that is not that of the nodes, for .vdb in builds
+///          without OpenVDB and for spacings that differ by axis there; LimitError for a count that the format cannot
+///          hold (MRC and VDB: 2^31 - 1 per axis); OutputError
+void write_volume(const std::string& path, const Volume& volume, VolumeContent content);
+
+/// Whether this build writes .vdb.
+bool vdb_supported();
 
 enum class Interpolation {
     Linear,  ///< trilinear: continuous, exact for linear functions

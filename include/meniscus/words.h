@@ -11,6 +11,7 @@
 
 #include "meniscus/colours.h"
 #include "meniscus/errors.h"
+#include "meniscus/field.h"
 #include "meniscus/flow.h"
 #include "meniscus/structure.h"
 #include "meniscus/surface.h"
@@ -82,6 +83,16 @@ inline constexpr Words<FlowEnd, 5> kFlowEndWords{{{"converged", FlowEnd::Converg
                                                   {"stalled", FlowEnd::Stalled},
                                                   {"vanished", FlowEnd::Vanished},
                                                   {"left-band", FlowEnd::LeftBand}}};
+
+inline constexpr Words<VolumeContent, 4> kFieldWords{{{"distance", VolumeContent::Distance},
+                                                      {"mask", VolumeContent::Mask},
+                                                      {"dielectric", VolumeContent::Dielectric},
+                                                      {"ions", VolumeContent::Ions}}};
+
+inline constexpr Words<ApbsMap, 4> kApbsMapWords{{{"dielx", ApbsMap::DielectricX},
+                                                  {"diely", ApbsMap::DielectricY},
+                                                  {"dielz", ApbsMap::DielectricZ},
+                                                  {"kappa", ApbsMap::Kappa}}};
 
 inline constexpr Words<RowsPer, 4> kRowsPerWords{
     {{"residue", RowsPer::Residue}, {"atom", RowsPer::Atom}, {"chain", RowsPer::Chain}, {"cavity", RowsPer::Cavity}}};

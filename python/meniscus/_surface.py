@@ -265,6 +265,11 @@ class Surface(_Vertices):
         depth_cue: float = 0.0,
         cut: _writing.Cut = None,
         legend: bool = False,
+        grid: _writing.Grid = None,
+        field: str = "distance",
+        eps: tuple[float, float] = (2.0, 78.54),
+        ion_radius: float = 2.0,
+        maps: str | None = None,
     ) -> None:
         """Writes the surface, in the format of the suffix.
 
@@ -273,6 +278,7 @@ class Surface(_Vertices):
                                        numpy.load
         .png                           a picture
         .html                          a page to turn, cut and ask, which opens in a browser without network
+        .dx .mrc .vdb                  values on a regular grid
         .mls                           the level set without loss
 
         color       a scheme of ``--color`` ("patch", "curvature:-1:1"), the name of one of the values ("phi:-5:5"), or
@@ -293,6 +299,14 @@ class Surface(_Vertices):
                     "cavity:N", a depth behind the nearest point, Å, a point (x, y, z), or two triples, a point and the
                     side that is left out
 
+        Of volumes (.dx .mrc .vdb):
+
+        grid        a .dx, .mrc, .map or .ccp4 file that has it, or seven numbers: nodes along x, y and z, spacing,
+                    middle; None: nodes at the surface's spacing round all atoms
+        field       distance (Å, inside positive), mask, dielectric or ions
+        eps, ion_radius   dielectric constants inside and outside; radius of ions, Å
+        maps        "apbs": with "a.dx" writes a_dielx.dx, a_diely.dx, a_dielz.dx and a_kappa.dx, which APBS reads
+
         Raises ValueError for an unknown suffix or option, OSError where the file cannot be written; it appears whole
         or not at all.
 
@@ -300,10 +314,11 @@ class Surface(_Vertices):
         >>> ball.save("ball.ply", color="patch")
         >>> ball.save("ball.gif")
         Traceback (most recent call last):
-        meniscus.UsageError: ball.gif: the suffix chooses the format; known are .ply .obj .stl .off .glb .vtp .npz .png .html .mls
+        meniscus.UsageError: ball.gif: the suffix chooses the format; known are .ply .obj .stl .off .glb .vtp .npz .png .html .dx .mrc .vdb .mls
         """
         drawing = {"size": size, "view": view, "background": background, "perspective": perspective,
-                   "outline": outline, "depth_cue": depth_cue, "cut": cut, "legend": legend}
+                   "outline": outline, "depth_cue": depth_cue, "cut": cut, "legend": legend, "grid": grid, "field": field,
+                   "eps": eps, "ion_radius": ion_radius, "maps": maps}
         part = {"show": show, "cavity_file": cavity}
         _writing.save_surface(text_of_path(path), self, color, values, ascii, part, drawing)
 
@@ -318,6 +333,7 @@ def surface(
     surface: str = "ses",
     components: str = "all",
     min_cavity: float = 0.0,
+    fill_cavities: float = 0.0,
     edge: float | None = None,
     vertex_density: float | None = None,
     adaptive: bool = False,
@@ -355,6 +371,7 @@ def surface(
 
     surface                       ses, sas (solvent-accessible) or vdw (van der Waals: the same as probe 0)
     components, min_cavity        all, outer or cavities: pieces that the mesh keeps; least volume of a cavity, Å³
+    fill_cavities                 Å³: the same, and the space of smaller cavities is inside in volumes
     edge, vertex_density          even triangles of this size, Å, or so many vertices per Å²; then also adaptive,
                                   keep_ridges, simplify_topology
     flow                          anchored, parallel or paper, and its pieces one by one: curvature, anchor,
@@ -387,6 +404,7 @@ def surface(
         "surface": _options.word("surface", surface),
         "components": _options.word("components", components),
         "min_cavity": _options.number("min_cavity", min_cavity),
+        "fill_cavities": _options.number("fill_cavities", fill_cavities),
         "density": _options.number("density", density),
         "flow": _options.word("flow", flow),
         "threads": _options.count("threads", threads),

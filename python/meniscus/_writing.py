@@ -25,6 +25,8 @@ Values = Union[None, Mapping[str, npt.ArrayLike]]
 View = Union[str, Sequence[float], Sequence[Sequence[float]]]
 Cut = Union[None, str, float, Sequence[float], Sequence[Sequence[float]]]
 
+Grid = Union[None, str, os.PathLike[str], Sequence[float]]
+
 _VIEWS = {
     "front": ((0, 0, 1), (0, 1, 0)),
     "back": ((0, 0, -1), (0, 1, 0)),
@@ -159,6 +161,42 @@ def _save_level_set(path: str, surface: Surface, options: dict[str, Any], drawin
     _core.write_level_set(path, surface._core)
 
 
+def _grid_options(grid: Grid) -> dict[str, Any]:
+    if grid is None:
+        return {}
+    if isinstance(grid, (str, os.PathLike)):
+        return {"grid_file": os.fspath(grid)}
+    array = np.asarray(grid, dtype=np.float64)
+    if array.shape != (7,):
+        raise UsageError(f"grid: the name of a file or seven numbers (nx, ny, nz, h, cx, cy, cz), not {array.shape}")
+    counts = tuple(_options.whole("grid", int(n)) for n in array[:3])
+    return {"grid": (counts, _options.positive("grid", array[3]), tuple(array[4:].tolist()))}
+
+
+def _save_volume(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
+    inner, outer = drawing["eps"]
+    asked = {
+        "threads": options["threads"],
+        "field": _options.word("field", drawing["field"]),
+        "eps": (_options.positive("eps", inner), _options.positive("eps", outer)),
+        "ion_radius": _options.number("ion_radius", drawing["ion_radius"]),
+        **_grid_options(drawing["grid"]),
+    }
+    maps = drawing["maps"]
+    if maps is None:
+        return _core.write_volume(path, surface._core, asked)
+    if maps != "apbs":
+        raise UsageError(f"maps: unknown value '{maps}'; one of apbs")
+    stem, suffix = os.path.splitext(path)
+    if suffix != ".dx":
+        raise UsageError(f"{path}: APBS reads its maps as .dx; name a file with that suffix")
+    if drawing["grid"] is None:
+        raise UsageError("maps='apbs' needs the grid of APBS; give grid a .dx file or seven numbers")
+    for name in ("dielx", "diely", "dielz", "kappa"):
+        _core.write_volume(f"{stem}_{name}.dx", surface._core, {**asked, "map": name})
+    return None
+
+
 def _save_point_arrays(path: str, points: Points, more: dict[str, npt.NDArray[Any]]) -> None:
     arrays = {"points": points.points, **more, **{name: getattr(points, name) for name in _POINT_ARRAYS}}
     try:
@@ -195,6 +233,9 @@ _SURFACE_WRITERS: dict[str, Callable[[str, Surface, dict[str, Any], dict[str, An
     ".npz": _save_mesh,
     ".png": _save_picture,
     ".html": _save_page,
+    ".dx": _save_volume,
+    ".mrc": _save_volume,
+    ".vdb": _save_volume,
     ".mls": _save_level_set,
 }
 

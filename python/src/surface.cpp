@@ -61,6 +61,7 @@ SurfaceOptions surface_options(const Options& options) {
     surface.remesh = remesh_options(options);
     options.read_word("components", surface.pieces, kPiecesWords);
     options.read("min_cavity", surface.min_cavity);
+    options.read("fill_cavities", surface.fill_cavities);
     options.read("history", surface.history);
     options.read("initial_area", surface.initial_area);
     options.read("quality", surface.quality);
@@ -118,6 +119,8 @@ py::dict mesh_dict(const HeldSurface& held) {
                    "mean_distance"_a = s.distance.mean, "p99_distance"_a = s.distance.p99,
                    "max_distance"_a = s.distance.max, "smallest_triangle_angle_deg"_a = m.smallest_angle_deg);
     block["dropped"] = py::dict("cavities"_a = s.dropped.cavities, "islands"_a = s.dropped.islands);
+    block["filled"] =
+        py::dict("cavities"_a = s.filled.cavities, "islands"_a = s.filled.islands, "volume"_a = s.filled.volume);
     block["simplified"] = py::dict("handles"_a = s.simplified.handles, "pieces"_a = s.simplified.pieces);
     block["self_intersections"] = py::cast(s.self_intersections);
     block["quality"] = py::none();

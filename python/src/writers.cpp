@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 
 #include "arrays.h"
 #include "bindings.h"
 #include "held_surface.h"
 #include "meniscus/colours.h"
 #include "meniscus/errors.h"
+#include "meniscus/field.h"
 #include "meniscus/legend.h"
 #include "meniscus/level_set_file.h"
 #include "meniscus/mesh_part.h"
@@ -257,6 +259,35 @@ void save_level_set(const std::string& path, const HeldSurface& held) {
     write_level_set(path, *held.surface().level_set);
 }
 
+/// A file that has it, three counts, spacing and middle, or the one round all atoms.
+VolumeGrid grid_of(const py::dict& given, const HeldSurface& held) {
+    if (given.contains("grid_file")) return read_volume_grid(given["grid_file"].cast<std::string>());
+    const SurfaceOptions& made = held.surface().options;
+    if (!given.contains("grid")) return enclosing_grid(ses_problem(held.structure().atoms, made).atoms, made.spacing);
+    const auto [counts, spacing, middle] =
+        given["grid"].cast<std::tuple<std::array<std::size_t, 3>, double, std::array<double, 3>>>();
+    return centred_grid(counts, spacing, vector_of(middle));
+}
+
+void save_volume(const std::string& path, const HeldSurface& held, const py::dict& given) {
+    FieldOptions options;
+    const Options words(given);
+    words.read_word("field", options.content, kFieldWords);
+    words.read("ion_radius", options.ion_radius);
+    words.read("threads", options.threads);
+    if (given.contains("eps"))
+        std::tie(options.inner_dielectric, options.outer_dielectric) = given["eps"].cast<std::pair<double, double>>();
+    std::optional<ApbsMap> map;
+    if (given.contains("map")) words.read_word("map", map.emplace(), kApbsMapWords);
+    const VolumeGrid grid = grid_of(given, held);
+    const py::gil_scoped_release release;
+    const Atoms& atoms = held.structure().atoms;
+    if (map)
+        write_volume(path, apbs_map(held.surface(), atoms, grid, *map, options), content_of(*map));
+    else
+        write_volume(path, surface_field(held.surface(), atoms, grid, options), options.content);
+}
+
 void save_values(const std::string& path, const Structure& structure, const Numbers& values) {
     const std::span<const double> numbers = numbers_of(values);
     const py::gil_scoped_release release;
@@ -301,6 +332,7 @@ void bind_writers(py::module_& module) {
     module.def("write_picture", &save_picture, py::arg("path"), py::arg("surface"), py::arg("options"));
     module.def("write_page", &save_page, py::arg("path"), py::arg("surface"), py::arg("measures"), py::arg("options"));
     module.def("write_level_set", &save_level_set, py::arg("path"), py::arg("surface"));
+    module.def("write_volume", &save_volume, py::arg("path"), py::arg("surface"), py::arg("options"));
     module.def("write_spheres", &write_spheres, py::arg("path"), py::arg("structure"), WithoutGil());
     module.def("write_atom_table", &write_atom_table, py::arg("path"), py::arg("structure"), WithoutGil());
     module.def("write_structure_copy", &save_values, py::arg("path"), py::arg("structure"), py::arg("values"));

@@ -18,17 +18,6 @@ namespace {
 
 constexpr std::size_t kChunk = 512;  // vertices projected at once
 
-// Solid angle of a triangle seen from a point (Van Oosterom & Strackee 1983), positive from behind.
-double solid_angle(const Vec3& from, const Mesh& mesh, const Triangle& triangle) {
-    const Vec3 a = mesh.vertices[triangle[0]] - from;
-    const Vec3 b = mesh.vertices[triangle[1]] - from;
-    const Vec3 c = mesh.vertices[triangle[2]] - from;
-    const double la = norm(a);
-    const double lb = norm(b);
-    const double lc = norm(c);
-    return 2.0 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-}
-
 // Puts the vertices of all cavities onto the surface for as long as it lives.
 class CavitiesOnSurface {
 public:
@@ -104,7 +93,17 @@ private:
 
 }  // namespace
 
-DroppedPieces drop_small_cavities(Mesh& zero_set, double least_volume, const SurfaceProjector& project) {
+double solid_angle(const Vec3& from, const Mesh& mesh, const Triangle& triangle) {
+    const Vec3 a = mesh.vertices[triangle[0]] - from;
+    const Vec3 b = mesh.vertices[triangle[1]] - from;
+    const Vec3 c = mesh.vertices[triangle[2]] - from;
+    const double la = norm(a);
+    const double lb = norm(b);
+    const double lc = norm(c);
+    return 2.0 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+}
+
+DroppedPieces drop_small_cavities(Mesh& zero_set, double least_volume, const SurfaceProjector& project, Mesh* walls) {
     const std::vector<MeshComponent> pieces = label_components(zero_set);
     std::vector<bool> dropped(pieces.size());
     DroppedPieces result;
@@ -120,6 +119,10 @@ DroppedPieces drop_small_cavities(Mesh& zero_set, double least_volume, const Sur
     const std::vector<std::uint32_t> islands = Islands(zero_set, pieces).within(dropped);
     for (const std::uint32_t p : islands) dropped[p] = true;
     result.islands = islands.size();
+    if (walls != nullptr) {
+        *walls = zero_set;
+        keep_components(*walls, dropped);
+    }
     std::vector<bool> keep = dropped;
     keep.flip();
     keep_components(zero_set, keep);

@@ -11,12 +11,17 @@
 
 namespace meniscus {
 
+/// The solid angle of a triangle seen from a point, positive from behind (Van Oosterom & Strackee 1983).
+double solid_angle(const Vec3& from, const Mesh& mesh, const Triangle& triangle);
+
 /// Drops the walls of cavities that enclose less than a volume, and the islands within these.
 ///
 /// zero_set       as extract_zero_set gives it; triangles and positions that stay are the same bits
 /// least_volume   Å³, held against what a wall's triangles enclose once its vertices lie on the surface
 /// returns        how many pieces went
-DroppedPieces drop_small_cavities(Mesh& zero_set, double least_volume, const SurfaceProjector& project);
+/// walls          if there is one: becomes the mesh of what is dropped, with its components
+DroppedPieces drop_small_cavities(Mesh& zero_set, double least_volume, const SurfaceProjector& project,
+                                  Mesh* walls = nullptr);
 
 /// Drops the pieces that fit into a ball of this diameter round the mean of their vertices, all but the largest outer
 /// one. Returns how many they were.

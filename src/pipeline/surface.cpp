@@ -89,6 +89,8 @@ void check_options(const SurfaceOptions& options) {
             "positive where the topology is simplified");
     require(std::isfinite(options.min_cavity) && options.min_cavity >= 0.0, "min cavity", options.min_cavity,
             "finite and not negative");
+    require(std::isfinite(options.fill_cavities) && options.fill_cavities >= 0.0, "fill cavities",
+            options.fill_cavities, "finite and not negative");
     require(options.threads >= 0, "threads", options.threads, "0 (all cores) or more");
 }
 
@@ -213,6 +215,7 @@ private:
         Mesh zero_set = extract_zero_set(*field.grid, field.values, kSpreadFraction);
         std::vector<float>().swap(field.values);  // the mesh grows into their memory
         const SurfaceProjector project = surface_projector(*accessible_, field.level_set.get(), options_.spacing);
+        if (options_.fill_cavities > 0.0) fill_cavities(zero_set, project);
         if (options_.min_cavity > 0.0) surface_.dropped = drop_small_cavities(zero_set, options_.min_cavity, project);
         if (options_.remesh.is_on()) zero_set = make_even(std::move(zero_set), project);
         SurfaceMesh meshed =
@@ -224,6 +227,16 @@ private:
         if (options_.method != Method::Flow) return;
         surface_.flow.mean_distance = surface_.distance.mean;
         surface_.flow.max_distance = surface_.distance.max;
+    }
+
+    void fill_cavities(Mesh& zero_set, const SurfaceProjector& project) {
+        FilledCavities& filled = surface_.filled;
+        const DroppedPieces dropped = drop_small_cavities(zero_set, options_.fill_cavities, project, &filled.walls);
+        filled.cavities = dropped.cavities;
+        filled.islands = dropped.islands;
+        if (dropped.cavities == 0) return;
+        filled.volume = -measure_mesh(filled.walls).volume;
+        filled.rest = zero_set;
     }
 
     // Handles are too narrow for the triangles only where these are even; their ends are made even afterwards.

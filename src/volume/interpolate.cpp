@@ -94,6 +94,11 @@ private:
 
 }  // namespace
 
+VolumeGrid centred_grid(const std::array<std::size_t, 3>& counts, double spacing, const Vec3& middle) {
+    const auto half = [spacing](std::size_t count) { return 0.5 * spacing * static_cast<double>(count - 1); };
+    return {counts, middle - Vec3{half(counts[0]), half(counts[1]), half(counts[2])}, {spacing, spacing, spacing}};
+}
+
 std::vector<double> interpolate(const Volume& volume, std::span<const Vec3> points, Interpolation interpolation) {
     if (volume.grid.size() != volume.values.size() || volume.values.empty())
         throw UsageError(fmt::format("a volume with {} values has a grid of {} nodes; give one value per node",

@@ -24,10 +24,10 @@ struct MrcHeader {
     float mean = 0.0F;                       ///< DMEAN
     std::int32_t space_group = 1;            ///< ISPG: 1 for one volume
     std::int32_t extended_size = 0;          ///< NSYMBT: bytes between header and values
-    std::array<char, 8> extra1{};            ///<
+    std::array<char, 8> extra1{};            ///< not used
     std::array<char, 4> extended_type{};     ///< EXTTYP
     std::int32_t version = 20140;            ///< NVERSION
-    std::array<char, 84> extra2{};           ///<
+    std::array<char, 84> extra2{};           ///< not used
     std::array<float, 3> origin{};           ///< ORIGIN: of the first value, Å
     std::array<char, 4> map{};               ///< MAP: "MAP "
     std::array<unsigned char, 4> machine{};  ///< MACHST: 0x44 0x44 little-endian, 0x11 0x11 big-endian

@@ -43,8 +43,8 @@ TEST(Report, HasTheBlocksOfTheInterfaceInOrder) {
     const std::vector<std::string> expected{"meniscus", "schema", "input",  "options",  "exact",  "components",
                                             "mesh",     "flow",   "checks", "expected", "time_s", "peak_memory_mb"};
     EXPECT_EQ(keys_of(report_of({})), expected);
-    const std::vector<std::string> times{"total", "read",  "estimate", "geometry", "band", "flow",
-                                         "mesh",  "exact", "picture",  "page",     "write"};
+    const std::vector<std::string> times{"total", "read",  "estimate", "geometry", "band",   "flow",
+                                         "mesh",  "exact", "picture",  "page",     "volume", "write"};
     EXPECT_EQ(keys_of(report_of({})["time_s"]), times);
 }
 

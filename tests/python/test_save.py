@@ -46,6 +46,27 @@ class AsTheProgram(InScratchFolder):
         surface.save("own_b.ply", color="bfactor")
         self.assertTrue(content("own_b.ply") == content("cli_b.ply"))
 
+    def test_volumes_have_the_same_bytes(self):
+        for options, keywords in (([], {}), (["--grid", "20,21,22,0.8,30,29,15", "--field", "dielectric", "--eps", "4,80"],
+                                             {"grid": (20, 21, 22, 0.8, 30, 29, 15), "field": "dielectric",
+                                              "eps": (4, 80)}),
+                                  (["--grid", "cli.mrc", "--field", "ions", "--ion-radius", "1.5"],
+                                   {"grid": "cli.mrc", "field": "ions", "ion_radius": 1.5})):
+            outputs = ["-o", "cli_a.dx"] if "cli.mrc" in options else ["-o", "cli_a.dx", "-o", "cli.mrc"]
+            subprocess.run([PROGRAM, "surface", UBIQUITIN, "--quiet", *options, *outputs], check=True,
+                           capture_output=True)
+            surface = meniscus.surface(read(UBIQUITIN))
+            for name in outputs[1::2]:
+                surface.save(f"own{name}", **keywords)
+                self.assertTrue(content(f"own{name}") == content(name), (name, options))
+
+    def test_maps_of_apbs_have_the_same_bytes(self):
+        subprocess.run([PROGRAM, "surface", UBIQUITIN, "--quiet", "--maps", "apbs", "--grid", "9,9,9,3,30,29,15", "-o",
+                        "cli.dx"], check=True, capture_output=True)
+        meniscus.surface(read(UBIQUITIN)).save("own.dx", maps="apbs", grid=(9, 9, 9, 3, 30, 29, 15))
+        for name in ("dielx", "diely", "dielz", "kappa"):
+            self.assertTrue(content(f"own_{name}.dx") == content(f"cli_{name}.dx"), name)
+
     def test_defaults_are_the_same(self):
         subprocess.run([PROGRAM, "surface", UBIQUITIN, "--quiet", "-o", "cli.ply"], check=True, capture_output=True)
         meniscus.surface(read(UBIQUITIN)).save("own.ply")
@@ -225,6 +246,11 @@ class Saving(InScratchFolder):
                                        ("x.ply", {"color": "curvature:1"}, "SCHEME:MIN:MAX"),
                                        ("x.ply", {"color": "curvature:1:0"}, "range"),
                                        ("x.ply", {"color": "patch:0:1"}, "range"),
+                                       ("x.dx", {"grid": (1, 2)}, "seven numbers"),
+                                       ("x.dx", {"field": "charge"}, "field: unknown value"),
+                                       ("x.dx", {"eps": (0, 1)}, "eps"),
+                                       ("x.dx", {"maps": "apbs"}, "needs the grid"),
+                                       ("x.mrc", {"maps": "apbs", "grid": (9, 9, 9, 1, 0, 0, 0)}, "reads its maps"),
                                        ("x.png", {"view": "behind"}, "view: unknown value"),
                                        ("x.png", {"view": (1, 2)}, "shape"),
                                        ("x.png", {"background": "mauve"}, "is no colour"),
@@ -234,7 +260,7 @@ class Saving(InScratchFolder):
         self.assertEqual(os.listdir(), [])
 
     def test_what_cannot_be_written_is_an_os_error_and_leaves_nothing(self):
-        for suffix in ("ply", "npz", "png", "mls", "stl", "glb", "vtp", "html"):
+        for suffix in ("ply", "npz", "png", "mls", "stl", "glb", "vtp", "html", "dx", "mrc"):
             with self.assertRaisesRegex(OSError, f"nosuch/x.{suffix}: cannot be written"):
                 self.surface.save(f"nosuch/x.{suffix}", size=(8, 8))
             os.mkdir(f"x.{suffix}")

@@ -182,6 +182,10 @@ class Options(unittest.TestCase):
         without = meniscus.surface(shell, [4.0] * 6, min_cavity=100.0, **options)
         self.assertEqual((without.mesh["components"], without.mesh["dropped"]["cavities"]), (1, 1))
 
+        filled = meniscus.surface(shell, [4.0] * 6, fill_cavities=100.0, **options)
+        self.assertEqual((filled.mesh["components"], filled.mesh["filled"]["cavities"]), (1, 1))
+        self.assertGreater(filled.mesh["filled"]["volume"], 0)
+
     def test_results_do_not_depend_on_threads(self):
         one = meniscus.surface(CENTRES, RADII, threads=1)
         self.assertTrue((one.vertices == meniscus.surface(CENTRES, RADII).vertices).all())

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "volume_options.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "help.h"
+#include "meniscus/errors.h"
+#include "option_words.h"
+
+namespace meniscus::cli {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kGridWords = "a .dx, .mrc, .map or .ccp4 file, or NX,NY,NZ,H,CX,CY,CZ";
+
+/// Counts, spacing and middle, as APBS is told them (dime, grid, gcent).
+VolumeGrid parse_numbers(const std::vector<std::string>& parts) {
+    std::array<std::size_t, 3> counts{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        counts[axis] = static_cast<std::size_t>(parse_count("--grid", parts[axis]));
+    const auto number = [&](std::size_t i) { return parse_number("--grid", parts[i], Sign::Any); };
+    return centred_grid(counts, parse_number("--grid", parts[3], Sign::Positive), {number(4), number(5), number(6)});
+}
+
+/// "_dielx.dx"
+std::string map_suffix(const char* word) { return fmt::format("_{}.dx", word); }
+
+void set_grid(VolumeRequest& request, const std::string& text) {
+    request.grid_text = text;
+    request.grid.reset();
+    request.grid_file.clear();
+    const std::vector<std::string> parts = CLI::detail::split(text, ',');
+    const bool is_numbers = text.find_first_not_of("0123456789.+-eE,") == std::string::npos;
+    if (is_numbers ? parts.size() != 7 : !fs::path(text).has_extension())
+        throw UsageError(fmt::format("--grid: '{}' is no grid; give {}", text, kGridWords));
+    if (is_numbers)
+        request.grid = parse_numbers(parts);
+    else
+        request.grid_file = text;
+}
+
+void set_dielectrics(FieldOptions& field, const std::string& text) {
+    const std::vector<std::string> parts = CLI::detail::split(text, ',');
+    if (parts.size() != 2) throw UsageError(fmt::format("--eps: '{}' must be IN,OUT, as in 2,78.54", text));
+    field.inner_dielectric = parse_number("--eps", parts[0], Sign::Positive);
+    field.outer_dielectric = parse_number("--eps", parts[1], Sign::Positive);
+}
+
+template <class Set>
+void add(CLI::App& command, VolumeRequest& request, const char* name, const std::string& symbol,
+         const std::string& default_text, const std::string& text, const Set& set) {
+    const auto read = [&request, name, set](const std::string& value) {
+        request.given.emplace_back(name);
+        set(value);
+    };
+    CLI::Option* option = command.add_option_function<std::string>(name, read, rarely(text));
+    option->type_name(symbol);
+    if (!default_text.empty()) option->default_str(default_text);
+}
+
+bool is_given(const VolumeRequest& request, const char* name) {
+    return std::find(request.given.begin(), request.given.end(), name) != request.given.end();
+}
+
+bool is_volume(const Output& output) { return output.kind == OutputKind::Volume; }
+
+std::string suffix_of(const Output& output) { return fs::path(output.path).extension().string(); }
+
+void check_together(const VolumeRequest& request, const std::vector<Output>& outputs) {
+    if (!request.given.empty() && std::none_of(outputs.begin(), outputs.end(), is_volume))
+        throw UsageError(request.given.front() + " is for volumes; ask for one with -o FILE.dx, FILE.mrc or FILE.vdb");
+    const VolumeContent content = request.field.content;
+    if (is_given(request, "--eps") && content != VolumeContent::Dielectric && !request.apbs_maps)
+        throw UsageError("--eps is for dielectric constants; ask for them with --field dielectric or --maps apbs");
+    if (is_given(request, "--ion-radius") && content != VolumeContent::Ions && !request.apbs_maps)
+        throw UsageError("--ion-radius is for the accessibility for ions; ask for it with --field ions or --maps apbs");
+    if (request.apbs_maps && is_given(request, "--field"))
+        throw UsageError("--maps says what is written; leave --field out");
+    if (request.apbs_maps && request.grid_text.empty())
+        throw UsageError(fmt::format("--maps apbs needs the grid of APBS; give --grid with {}", kGridWords));
+}
+
+void check_format(const VolumeRequest& request, const Output& output) {
+    const std::string suffix = suffix_of(output);
+    if (suffix == ".vdb" && !vdb_supported())
+        throw UsageError(output.path +
+                         ": this build writes no .vdb; install libopenvdb-dev and build again, or ask for .dx or .mrc");
+    if (request.apbs_maps && suffix != ".dx")
+        throw UsageError(output.path + ": APBS reads its maps as .dx; name a file with that suffix");
+}
+
+}  // namespace
+
+void add_volume_options(CLI::App& command, VolumeRequest& request) {
+    FieldOptions& field = request.field;
+    add(command, request, "--grid", "FILE|NX,NY,NZ,H,CX,CY,CZ", "",
+        "Put volumes on the grid of that .dx, .mrc, .map or .ccp4 file, or on so many nodes H Å apart with the middle "
+        "at CX,CY,CZ; without it the grid has the --spacing and encloses the atoms",
+        [&request](const std::string& text) { set_grid(request, text); });
+    add(command, request, "--field", join(kFieldWords, "|"), kFieldWords.front().first,
+        "What volumes hold: distance: Å, inside positive; mask: 1 inside, 0 outside; dielectric: --eps; ions: 0 in the "
+        "atoms enlarged by --ion-radius, else 1",
+        [&field](const std::string& text) { field.content = parse_word("--field", text, kFieldWords); });
+    add(command, request, "--eps", "IN,OUT", fmt::format("{},{}", field.inner_dielectric, field.outer_dielectric),
+        "Dielectric constants inside and outside", [&field](const std::string& text) { set_dielectrics(field, text); });
+    add(command, request, "--ion-radius", "R", fmt::format("{}", field.ion_radius), "Radius of ions, Å",
+        [&field](const std::string& text) {
+            field.ion_radius = parse_number("--ion-radius", text, Sign::NotNegative);
+        });
+    add(command, request, "--maps", "apbs", "",
+        "With -o NAME.dx: NAME_dielx.dx, NAME_diely.dx, NAME_dielz.dx and NAME_kappa.dx instead, which APBS reads",
+        [&request](const std::string& text) {
+            if (text != "apbs") throw UsageError(fmt::format("--maps: unknown value '{}'; one of apbs", text));
+            request.apbs_maps = true;
+        });
+}
+
+std::vector<Output> plan_volumes(const VolumeRequest& request, std::vector<Output> outputs) {
+    check_together(request, outputs);
+    std::vector<Output> plan;
+    for (Output& output : outputs) {
+        if (is_volume(output)) check_format(request, output);
+        if (!is_volume(output) || !request.apbs_maps) {
+            plan.push_back(std::move(output));
+            continue;
+        }
+        const std::string stem = output.path.substr(0, output.path.size() - suffix_of(output).size());
+        for (const auto& word : kApbsMapWords) plan.push_back({stem + map_suffix(word.first), OutputKind::Volume});
+    }
+    return plan;
+}
+
+VolumeGrid find_grid(const VolumeRequest& request, const Atoms& atoms, const SurfaceOptions& options,
+                     const std::vector<Output>& outputs, const Cost& expected) {
+    VolumeGrid grid;
+    if (!request.grid_file.empty())
+        grid = read_volume_grid(request.grid_file);
+    else
+        grid = request.grid ? *request.grid : enclosing_grid(ses_problem(atoms, options).atoms, options.spacing);
+    for (const Output& output : outputs) {
+        std::error_code error;
+        if (!request.grid_file.empty() && fs::equivalent(output.path, request.grid_file, error))
+            throw UsageError(output.path + ": would overwrite the file of --grid; choose another name");
+        if (suffix_of(output) == ".vdb" && (grid.spacing.x != grid.spacing.y || grid.spacing.x != grid.spacing.z))
+            throw UsageError(output.path +
+                             ": a level set has one spacing, the --grid has several; ask for .dx or .mrc");
+    }
+    refuse_grid_that_would_not_fit(grid, request.apbs_maps ? kApbsMapWords.size() : 1, options, expected);
+    return grid;
+}
+
+Volumes::Volumes(const VolumeRequest& request, const VolumeGrid& grid, const Surface& surface, const Atoms& atoms)
+    : content_(request.field.content) {
+    FieldOptions options = request.field;
+    options.threads = surface.options.threads;
+    if (!request.apbs_maps)
+        volumes_.push_back(surface_field(surface, atoms, grid, options));
+    else
+        for (const auto& word : kApbsMapWords) volumes_.push_back(apbs_map(surface, atoms, grid, word.second, options));
+}
+
+void Volumes::write(const std::string& path) const {
+    if (volumes_.size() == 1) return write_volume(path, volumes_.front(), content_);
+    for (std::size_t i = 0; i < kApbsMapWords.size(); ++i)
+        if (path.ends_with(map_suffix(kApbsMapWords[i].first)))
+            write_volume(path, volumes_[i], content_of(kApbsMapWords[i].second));
+}
+
+void report_volumes(const VolumeRequest& request, bool written, ordered_json& options) {
+    for (const char* name : {"grid", "field", "eps", "ion_radius", "maps"}) options[name] = nullptr;
+    if (!written) return;
+    const VolumeContent content = request.field.content;
+    const bool maps = request.apbs_maps;
+    if (!request.grid_text.empty()) options["grid"] = request.grid_text;
+    if (!maps) options["field"] = word_for(kFieldWords, content);
+    if (maps || content == VolumeContent::Dielectric)
+        options["eps"] = {request.field.inner_dielectric, request.field.outer_dielectric};
+    if (maps || content == VolumeContent::Ions) options["ion_radius"] = request.field.ion_radius;
+    if (maps) options["maps"] = "apbs";
+}
+
+}  // namespace meniscus::cli

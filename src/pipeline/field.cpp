@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "meniscus/field.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/memory.h"
+#include "core/parallel.h"
+#include "meniscus/accessible_surface.h"
+#include "meniscus/errors.h"
+#include "pipeline/filled_space.h"
+
+namespace meniscus {
+namespace {
+
+constexpr double kMegabyte = 1024.0 * 1024.0;
+constexpr std::size_t kRowsPerTask = 4;
+
+constexpr double kSafe = 1e-6;  // Å: rounding of distances
+
+// From the inner part of the band, which the flow has shaped, to the exact distance around it.
+constexpr double kBlend = 1.0;  // spacings before the end of the band's half width
+
+// No direction that atoms or lattices have.
+constexpr Vec3 kRay{0.5477225, 0.6324555, 0.5477226};
+
+// The signed distance that a surface means at any point of space, negative inside.
+class SurfaceDistance {
+public:
+    SurfaceDistance(const Surface& surface, const SesProblem& problem)
+        : level_set_(surface.level_set.get()),
+          accessible_(problem.atoms, problem.probe),
+          filled_(surface),
+          spacing_(surface.options.spacing) {
+        const SurfaceOptions& options = surface.options;
+        anchored_ = options.method == Method::Flow && options.flow.anchor > 0.0;
+        const double half_width = options.method == Method::Flow ? options.flow.half_width : FlowOptions{}.half_width;
+        end_ = half_width * options.spacing;
+        begin_ = end_ - kBlend * options.spacing;
+    }
+
+    double operator()(const Vec3& point) const { return filled_.distance(point, with_cavities(point)); }
+
+    /// Nodes lie on the same side as a point whose value is above this by more than their distance from it, Å.
+    double slack() const {
+        const double of_mesh = filled_.empty() ? kSafe : spacing_;
+        if (level_set_ == nullptr) return of_mesh;
+        return anchored_ ? std::max(end_, of_mesh) : std::numeric_limits<double>::infinity();
+    }
+
+private:
+    double with_cavities(const Vec3& point) const {
+        const double exact = accessible_.nearest(point).signed_distance;
+        if (level_set_ == nullptr) return exact;
+        return anchored_ ? blended(point, exact) : from_level_set(point, exact);
+    }
+
+    double blended(const Vec3& point, double exact) const {
+        const double t = (std::abs(exact) - begin_) / (end_ - begin_);
+        if (t >= 1.0) return exact;
+        const double value = level_set_->value(point);
+        if (std::isnan(value)) return exact;
+        if (t <= 0.0) return value;
+        const double share = t * t * (3.0 - 2.0 * t);
+        return (1.0 - share) * value + share * exact;
+    }
+
+    double from_level_set(const Vec3& point, double exact) const {
+        const double value = level_set_->value(point);
+        if (!std::isnan(value)) return value;
+        return std::copysign(std::max(std::abs(exact), end_), is_inside(point) ? -1.0 : 1.0);
+    }
+
+    // Outside the band: whether what a ray meets first is the surface seen from within.
+    bool is_inside(const Vec3& point) const {
+        const double t = level_set_->intersect(point, kRay);
+        return std::isfinite(t) && dot(level_set_->sample(point + t / norm(kRay) * kRay).gradient, kRay) > 0.0;
+    }
+
+    const LevelSet* level_set_;
+    AccessibleSurface accessible_;
+    FilledSpace filled_;
+    double spacing_;
+    bool anchored_ = false;
+    double begin_ = 0.0;
+    double end_ = 0.0;
+};
+
+// Å to the atoms enlarged by the ion radius, negative in them and in cavities that are filled.
+class IonDistance {
+public:
+    IonDistance(const Surface& surface, const Atoms& atoms, double ion_radius)
+        : enlarged_(enlarged(atoms, ion_radius), 0.0), filled_(surface) {}
+
+    double slack() const { return filled_.empty() ? kSafe : std::numeric_limits<double>::infinity(); }
+
+    double operator()(const Vec3& point) const {
+        const double distance = enlarged_.nearest(point).signed_distance;
+        return distance >= 0.0 && filled_.contains(point) ? -kSafe : distance;
+    }
+
+private:
+    static Atoms enlarged(Atoms atoms, double by) {
+        for (double& radius : atoms.radii) radius += by;
+        return atoms;
+    }
+
+    AccessibleSurface enlarged_;
+    FilledSpace filled_;
+};
+
+// Calls row(i, j) for every row of nodes along z.
+template <class Row>
+void for_each_row(const VolumeGrid& grid, const Row& row) {
+    parallel_for(grid.counts[0] * grid.counts[1], kRowsPerTask,
+                 [&](std::size_t r) { row(r / grid.counts[1], r % grid.counts[1]); });
+}
+
+template <class Distance>
+Volume distances(const VolumeGrid& grid, const Distance& distance) {
+    Volume volume{grid, std::vector<float>(grid.size())};
+    for_each_row(grid, [&](std::size_t i, std::size_t j) {
+        for (std::size_t k = 0; k < grid.counts[2]; ++k)
+            volume.values[grid.index(i, j, k)] = static_cast<float>(-distance(grid.node(i, j, k)));
+    });
+    return volume;
+}
+
+struct Sides {
+    float inner;
+    float outer;
+};
+
+// A distance changes by no more than 1 per Å: nodes that are nearer than that along a row lie on the same side.
+template <class Distance>
+Volume two_valued(const VolumeGrid& grid, const Distance& distance, Sides sides) {
+    Volume volume{grid, std::vector<float>(grid.size())};
+    const std::size_t count = grid.counts[2];
+    for_each_row(grid, [&](std::size_t i, std::size_t j) {
+        for (std::size_t k = 0; k < count;) {
+            const double d = distance(grid.node(i, j, k));
+            const double alike = std::max(0.0, std::abs(d) - distance.slack()) / grid.spacing.z;
+            const auto more = static_cast<std::size_t>(std::min(alike, static_cast<double>(count)));
+            const std::size_t end = std::min(count, k + 1 + more);
+            std::fill(volume.values.begin() + static_cast<std::ptrdiff_t>(grid.index(i, j, k)),
+                      volume.values.begin() + static_cast<std::ptrdiff_t>(grid.index(i, j, 0) + end),
+                      d < 0.0 ? sides.inner : sides.outer);
+            k = end;
+        }
+    });
+    return volume;
+}
+
+bool positive(double v) { return std::isfinite(v) && v > 0.0; }
+
+void require_positive(double value, const char* what) {
+    if (!positive(value)) throw UsageError(fmt::format("{} {:g}: must be finite and positive", what, value));
+}
+
+void check(const VolumeGrid& grid, const FieldOptions& options) {
+    for (const std::size_t count : grid.counts)
+        if (count == 0) throw UsageError("a grid without nodes; give at least one along each axis");
+    for (const double spacing : {grid.spacing.x, grid.spacing.y, grid.spacing.z})
+        require_positive(spacing, "grid spacing");
+    if (!is_finite(grid.origin)) throw UsageError("the origin of the grid is not finite; correct it");
+    require_positive(options.inner_dielectric, "inner dielectric constant");
+    require_positive(options.outer_dielectric, "outer dielectric constant");
+    if (!(std::isfinite(options.ion_radius) && options.ion_radius >= 0.0))
+        throw UsageError(fmt::format("ion radius {:g}: must be finite and not negative", options.ion_radius));
+    if (options.threads < 0)
+        throw UsageError(fmt::format("threads {}: must be 0 (all cores) or more", options.threads));
+    refuse_grid_that_would_not_fit(grid, 1, {}, {});
+}
+
+double limit_mb(const SurfaceOptions& options) {
+    return options.memory_limit_mb > 0 ? static_cast<double>(options.memory_limit_mb)
+                                       : static_cast<double>(available_memory()) / kMegabyte;
+}
+
+// Counts may be such that their product has no place in an integer.
+double megabytes(const VolumeGrid& grid, std::size_t volumes) {
+    return static_cast<double>(grid.counts[0]) * static_cast<double>(grid.counts[1]) *
+           static_cast<double>(grid.counts[2]) * sizeof(float) / kMegabyte * static_cast<double>(volumes);
+}
+
+}  // namespace
+
+VolumeGrid enclosing_grid(const Atoms& atoms, double spacing) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    std::array low{kInfinity, kInfinity, kInfinity};
+    std::array high{-kInfinity, -kInfinity, -kInfinity};
+    for (std::size_t i = 0; i < atoms.size(); ++i) {
+        const std::array centre{atoms.centres[i].x, atoms.centres[i].y, atoms.centres[i].z};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], centre[axis] - atoms.radii[i]);
+            high[axis] = std::max(high[axis], centre[axis] + atoms.radii[i]);
+        }
+    }
+    VolumeGrid grid;
+    std::array<double, 3> origin{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double first = std::floor(low[axis] / spacing - kFieldMargin);
+        const double last = std::ceil(high[axis] / spacing + kFieldMargin);
+        origin[axis] = first * spacing;
+        // Beyond what any memory holds; what is asked for is refused afterwards.
+        constexpr double kMost = 1e9;
+        grid.counts[axis] = static_cast<std::size_t>(std::min(last - first, kMost)) + 1;
+    }
+    grid.origin = {origin[0], origin[1], origin[2]};
+    grid.spacing = {spacing, spacing, spacing};
+    return grid;
+}
+
+Volume surface_field(const Surface& surface, const Atoms& atoms, const VolumeGrid& grid, const FieldOptions& options) {
+    check(grid, options);
+    const ThreadLimit limit(options.threads);
+    if (options.content == VolumeContent::Ions)
+        return two_valued(grid, IonDistance(surface, atoms, options.ion_radius), {0.0F, 1.0F});
+    const SurfaceDistance distance(surface, ses_problem(atoms, surface.options));
+    switch (options.content) {
+        case VolumeContent::Mask:
+            return two_valued(grid, distance, {1.0F, 0.0F});
+        case VolumeContent::Dielectric:
+            return two_valued(
+                grid, distance,
+                {static_cast<float>(options.inner_dielectric), static_cast<float>(options.outer_dielectric)});
+        default:
+            return distances(grid, distance);
+    }
+}
+
+Volume apbs_map(const Surface& surface, const Atoms& atoms, const VolumeGrid& grid, ApbsMap map,
+                const FieldOptions& options) {
+    FieldOptions of_map = options;
+    of_map.content = content_of(map);
+    VolumeGrid shifted = grid;
+    if (map == ApbsMap::DielectricX) shifted.origin.x += 0.5 * grid.spacing.x;
+    if (map == ApbsMap::DielectricY) shifted.origin.y += 0.5 * grid.spacing.y;
+    if (map == ApbsMap::DielectricZ) shifted.origin.z += 0.5 * grid.spacing.z;
+    return surface_field(surface, atoms, shifted, of_map);
+}
+
+void refuse_grid_that_would_not_fit(const VolumeGrid& grid, std::size_t volumes, const SurfaceOptions& options,
+                                    const Cost& cost) {
+    const double needed = megabytes(grid, volumes) + cost.memory_mb;
+    if (needed <= limit_mb(options)) return;
+    throw LimitError(
+        fmt::format("the grid of {} x {} x {} nodes needs about {:.0f} MB of memory with all that is computed, "
+                    "and {:.0f} MB are {}; choose a coarser or smaller grid",
+                    grid.counts[0], grid.counts[1], grid.counts[2], needed, limit_mb(options),
+                    options.memory_limit_mb > 0 ? "allowed" : "free"));
+}
+
+}  // namespace meniscus

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <exception>
+#include <limits>
+#include <ostream>
+#include <streambuf>
+#include <string_view>
+
+#include "io/atomic_file.h"
+#include "meniscus/errors.h"
+#include "volume/vdb_module.h"
+#include "volume/writers.h"
+
+namespace meniscus {
+namespace {
+
+#ifdef MENISCUS_VDB_MODULE
+constexpr const char* kModule = MENISCUS_VDB_MODULE;
+#else
+constexpr const char* kModule = nullptr;
+#endif
+
+// Loaded once, and for good: OpenVDB keeps registers of its own.
+VdbWriter* writer() {
+    static VdbWriter* const found = []() -> VdbWriter* {
+        void* const module = kModule == nullptr ? nullptr : ::dlopen(kModule, RTLD_NOW | RTLD_LOCAL);
+        return module == nullptr ? nullptr : reinterpret_cast<VdbWriter*>(::dlsym(module, kVdbWriterName));
+    }();
+    return found;
+}
+
+// A stream into an AtomicFile. Streams swallow what is thrown below them; it is kept.
+class FileBuffer : public std::streambuf {
+public:
+    explicit FileBuffer(AtomicFile& file) : file_(file) {}
+
+    void rethrow() const {
+        if (error_) std::rethrow_exception(error_);
+    }
+
+protected:
+    int_type overflow(int_type c) override {
+        const char byte = traits_type::to_char_type(c);
+        return xsputn(&byte, 1) == 1 ? c : traits_type::eof();
+    }
+    std::streamsize xsputn(const char* data, std::streamsize size) override {
+        try {
+            file_.write(std::string_view(data, static_cast<std::size_t>(size)));
+            written_ += size;
+            return size;
+        } catch (...) {
+            error_ = std::current_exception();
+            return 0;
+        }
+    }
+    // OpenVDB asks where it is, and goes nowhere.
+    pos_type seekoff(off_type offset, std::ios_base::seekdir from, std::ios_base::openmode) override {
+        return offset == 0 && from == std::ios_base::cur ? pos_type(written_) : pos_type(off_type(-1));
+    }
+
+private:
+    AtomicFile& file_;
+    std::streamsize written_ = 0;
+    std::exception_ptr error_;
+};
+
+void check(const std::string& path, const VolumeGrid& grid) {
+    if (!vdb_supported())
+        throw UsageError(path +
+                         ": this build writes no .vdb; install libopenvdb-dev and build again, or ask for .dx or .mrc");
+    if (grid.spacing.x != grid.spacing.y || grid.spacing.x != grid.spacing.z)
+        throw UsageError(path + ": a level set has one spacing, the grid has several; ask for .dx or .mrc");
+    for (const std::size_t count : grid.counts)
+        if (count > std::numeric_limits<std::int32_t>::max())
+            throw LimitError(
+                fmt::format("{}: VDB holds at most 2147483647 nodes along an axis, not {}; write .dx", path, count));
+}
+
+}  // namespace
+
+bool vdb_supported() { return writer() != nullptr; }
+
+void write_vdb(const std::string& path, const Volume& volume, VolumeContent content) {
+    check(path, volume.grid);
+    const std::array<std::string, 2> lines = header_lines(content);
+    const char* const of_vdb = "Signed distance to the surface, Angstrom, inside negative";
+    AtomicFile file(path);
+    FileBuffer buffer(file);
+    std::ostream out(&buffer);
+    writer()({volume, content, lines[0], content == VolumeContent::Distance ? of_vdb : lines[1]}, out);
+    buffer.rethrow();
+    file.commit();
+}
+
+}  // namespace meniscus

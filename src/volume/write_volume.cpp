@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "meniscus/errors.h"
+#include "meniscus/version.h"
+#include "meniscus/volume.h"
+#include "volume/writers.h"
+
+namespace meniscus {
+namespace {
+
+struct Format {
+    std::string_view suffix;
+    void (*write)(const std::string&, const Volume&, VolumeContent);
+};
+constexpr std::array kFormats{Format{".dx", write_dx}, Format{".mrc", write_mrc}, Format{".vdb", write_vdb}};
+
+const char* meaning(VolumeContent content) {
+    switch (content) {
+        case VolumeContent::Mask:
+            return "Mask: 1 inside, 0 outside";
+        case VolumeContent::Dielectric:
+            return "Relative dielectric constant";
+        case VolumeContent::Ions:
+            return "Ion accessibility: 1 outside the enlarged atoms, 0 inside";
+        default:
+            return "Signed distance to the surface, Angstrom, inside positive";
+    }
+}
+
+}  // namespace
+
+std::array<std::string, 2> header_lines(VolumeContent content) {
+    return {fmt::format("Meniscus {}", kVersion), meaning(content)};
+}
+
+void write_volume(const std::string& path, const Volume& volume, VolumeContent content) {
+    if (volume.grid.size() != volume.values.size() || volume.values.empty())
+        throw UsageError(fmt::format("{}: a volume with {} values has a grid of {} nodes; give one value per node",
+                                     path, volume.values.size(), volume.grid.size()));
+    const auto found =
+        std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) { return path.ends_with(f.suffix); });
+    if (found != kFormats.end()) return found->write(path, volume, content);
+    std::string known;
+    for (const Format& format : kFormats) known.append(known.empty() ? "" : " ").append(format.suffix);
+    throw UsageError(fmt::format("{}: the suffix chooses the format; known are {}", path, known));
+}
+
+}  // namespace meniscus
