@@ -22,13 +22,15 @@ ROOMS = {
     "colours": ("radii",),
     "render": (),
     "io": ("grid",),
+    "mesh_io": ("structure", "mesh"),
     "page": ("colours", "render", "io"),
     "pipeline": ("geometry", "grid", "band", "flow", "mesh", "remesh", "measure"),
 }
 # What clients may use beside the public headers: how to write a file of their own whole or not at all.
 FOR_CLIENTS = ("src/io/atomic_file.h",)
 # Public headers that numerical rooms must not see, and words that only some folders may include.
-FILE_HEADERS = ("include/meniscus/structure.h", "include/meniscus/write.h", "include/meniscus/level_set_file.h")
+FILE_HEADERS = ("include/meniscus/structure.h", "include/meniscus/write.h", "include/meniscus/level_set_file.h",
+                "include/meniscus/read_mesh.h")
 NUMERICAL = ("geometry", "grid", "band", "flow", "mesh", "remesh", "measure", "render")
 ONLY_IN = {
     "<tbb/": ("src/core/",),

@@ -65,17 +65,6 @@ std::string read_stream(std::FILE* stream, const std::string& path) {
     return bytes;
 }
 
-std::string read_bytes(const std::string& path) {
-    if (path == "-") return read_stream(stdin, path);
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) {
-        throw InputError(path + ": is a folder; name a structure file");
-    }
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path.c_str(), "rb"), &std::fclose);
-    if (!stream) throw InputError(path + ": cannot be opened: " + std::strerror(errno) + "; check the name");
-    return read_stream(stream.get(), path);
-}
-
 bool is_pdb_record(std::string_view line) {
     constexpr auto kRecords = std::to_array<std::string_view>({
         "HEADER", "OBSLTE", "TITLE ", "COMPND", "SOURCE", "KEYWDS", "EXPDTA", "AUTHOR", "REVDAT", "JRNL  ", "REMARK",
@@ -149,6 +138,17 @@ void choose_format(InputFile& file) {
 }
 
 }  // namespace
+
+std::string read_bytes(const std::string& path) {
+    if (path == "-") return read_stream(stdin, path);
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) {
+        throw InputError(path + ": is a folder; name a file");
+    }
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path.c_str(), "rb"), &std::fclose);
+    if (!stream) throw InputError(path + ": cannot be opened: " + std::strerror(errno) + "; check the name");
+    return read_stream(stream.get(), path);
+}
 
 std::string stem_of(const std::string& path) {
     if (path == "-") return "stdin";
