@@ -9,7 +9,8 @@ from sources import ROOT, includes, sources
 # What a room may include beside itself, core and the public headers.
 ROOMS = {
     "core": (),
-    "structure": ("radii",),
+    "reading": (),
+    "structure": ("reading", "radii"),
     "radii": (),
     "geometry": (),
     "grid": (),
@@ -22,7 +23,8 @@ ROOMS = {
     "colours": ("radii",),
     "render": (),
     "io": ("grid",),
-    "mesh_io": ("structure", "mesh"),
+    "mesh_io": ("reading", "mesh"),
+    "volume": ("reading", "io"),
     "page": ("colours", "render", "io"),
     "pipeline": ("geometry", "grid", "band", "flow", "mesh", "remesh", "measure"),
 }
@@ -30,7 +32,7 @@ ROOMS = {
 FOR_CLIENTS = ("src/io/atomic_file.h",)
 # Public headers that numerical rooms must not see, and words that only some folders may include.
 FILE_HEADERS = ("include/meniscus/structure.h", "include/meniscus/write.h", "include/meniscus/level_set_file.h",
-                "include/meniscus/read_mesh.h")
+                "include/meniscus/volume.h", "include/meniscus/read_mesh.h")
 NUMERICAL = ("geometry", "grid", "band", "flow", "mesh", "remesh", "measure", "render")
 ONLY_IN = {
     "<tbb/": ("src/core/",),

@@ -16,7 +16,7 @@ namespace meniscus {
 /// .vert or .face for the pair of files that MSMS writes. Polygons become fans of triangles round their first corner.
 /// Triangles keep the order of their corners; those of no area and vertices without triangles stay.
 ///
-/// throws   InputError "FILE:LINE:COLUMN: what is wrong; what to do", for binary files "FILE: byte N: ...", for what
+/// throws   InputError "FILE:LINE:COLUMN: what is wrong; what to do", for binary files "FILE:byte N: ...", for what
 ///          cannot be read, is not well-formed, or has corners that name no vertex and coordinates that are no finite
 ///          numbers; UsageError for another suffix; LimitError for more vertices than a mesh can have
 /// cost     O(n). Nothing is allocated that the file is too short to hold

@@ -7,10 +7,9 @@
 #include <limits>
 
 #include "meniscus/errors.h"
-#include "structure/gunzip.h"
-#include "structure/input_file.h"
-#include "structure/numbers.h"
-#include "structure/text.h"
+#include "reading/numbers.h"
+#include "reading/read_bytes.h"
+#include "reading/text.h"
 
 namespace meniscus::reading {
 namespace {
@@ -26,13 +25,10 @@ Place place_of(std::string_view text, std::size_t offset) {
 
 }  // namespace
 
-MeshFile load_mesh_file(const std::string& path) {
-    std::string bytes = read_bytes(path);
-    return {path, is_gzip(bytes) ? gunzip(bytes, path) : std::move(bytes)};
-}
+MeshFile load_mesh_file(const std::string& path) { return {path, read_unzipped(path, "mesh")}; }
 
 void fail_at_byte(const std::string& file, std::size_t byte, const std::string& message) {
-    throw InputError(file + ": byte " + std::to_string(byte) + ": " + message);
+    throw InputError(file + ":byte " + std::to_string(byte) + ": " + message);
 }
 
 void add_polygon(Mesh& mesh, std::span<const VertexId> corners) {

@@ -25,7 +25,7 @@ struct MeshFile {
 /// throws   InputError if it cannot be read
 MeshFile load_mesh_file(const std::string& path);
 
-/// throws   InputError "FILE: byte N: message"
+/// throws   InputError "FILE:byte N: message"
 [[noreturn]] void fail_at_byte(const std::string& file, std::size_t byte, const std::string& message);
 
 /// Adds a polygon as a fan of triangles round its first corner.

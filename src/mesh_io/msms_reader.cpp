@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "structure/numbers.h"
-#include "structure/text.h"
+#include "reading/numbers.h"
+#include "reading/text.h"
 
 namespace meniscus::reading {
 namespace {

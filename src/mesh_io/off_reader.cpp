@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "structure/text.h"
+#include "reading/text.h"
 
 namespace meniscus::reading {
 namespace {

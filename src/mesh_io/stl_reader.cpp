@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "mesh/merge_vertices.h"
-#include "structure/text.h"
+#include "reading/text.h"
 
 namespace meniscus::reading {
 namespace {

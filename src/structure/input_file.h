@@ -21,10 +21,6 @@ struct InputFile {
     std::vector<std::string> warnings;
 };
 
-/// The bytes of a file, or of standard input if the path is "-".
-/// throws   InputError if it cannot be read
-std::string read_bytes(const std::string& path);
-
 /// Reads a file, or standard input if the path is "-".
 /// throws   InputError if it cannot be read or is of no known format
 InputFile load_input(const std::string& path);

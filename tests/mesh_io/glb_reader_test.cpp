@@ -79,7 +79,7 @@ TEST(GlbReader, SaysWhatIsWrong) {
     expect_error(square({.more = R"(, "extensionsRequired": ["KHR_draco_mesh_compression"])"}), "a.glb",
                  "KHR_draco_mesh_compression");
     expect_error(glb("{", ""), "a.glb", "the JSON cannot be read");
-    expect_error("OFF\n", "a.glb", "a.glb: byte 0: the file does not begin with glTF");
+    expect_error("OFF\n", "a.glb", "a.glb:byte 0: the file does not begin with glTF");
     expect_error(square().substr(0, 100), "a.glb", "the file is shorter than it says");
 }
 

@@ -68,7 +68,7 @@ TEST(PlyReader, BinaryFilesNameTheByte) {
     expect_error(whole.substr(0, whole.size() - 3), "a.ply", "a list of a length that does not fit into this file");
     std::string wrong = whole;
     wrong[whole.size() - 4] = 9;
-    expect_error(wrong, "a.ply", "a.ply: byte " + std::to_string(whole.size()) + ": a corner of a face");
+    expect_error(wrong, "a.ply", "a.ply:byte " + std::to_string(whole.size()) + ": a corner of a face");
 }
 
 }  // namespace

@@ -35,12 +35,12 @@ TEST(StlReader, BinaryIsToldByItsSize) {
 }
 
 TEST(StlReader, SaysWhereWhatIsWrong) {
-    expect_error(binary_stl(3), "a.stl", "a.stl: byte 84: the header says 3 triangles, but 100 bytes follow");
+    expect_error(binary_stl(3), "a.stl", "a.stl:byte 84: the header says 3 triangles, but 100 bytes follow");
     expect_error(binary_stl(0xffffffffU), "a.stl", "the header says 4294967295 triangles");
-    expect_error("", "a.stl", "a.stl: byte 0: the file ends where the number of triangles should be");
+    expect_error("", "a.stl", "a.stl:byte 0: the file ends where the number of triangles should be");
     std::string with_nan = binary_stl(2);
     with_nan.replace(96, 4, bytes_of<float>({std::numeric_limits<float>::quiet_NaN()}));
-    expect_error(with_nan, "a.stl", "a.stl: byte 100: the coordinate before it is not a finite number");
+    expect_error(with_nan, "a.stl", "a.stl:byte 100: the coordinate before it is not a finite number");
     expect_error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 x\n", "a.stl", "a.stl:4:12: a z coordinate: 'x'");
     expect_error("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\n", "a.stl",
                  "a.stl:5:1: 'endloop' where vertex should be");
