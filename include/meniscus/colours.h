@@ -71,8 +71,8 @@ std::vector<Colour> colour_vertices(const Mesh& mesh, const Structure& structure
 /// throws   UsageError for a range that is empty or not finite
 std::vector<Colour> colour_values(std::span<const float> values, const ValueRange& range);
 
-/// The colours of colour_vertices() at any point, by the point's nearest feature: sharp borders between patches and between atoms.
-/// Curvature is that of the exact surface.
+/// The colours of colour_vertices() at any point, by the point's nearest feature: sharp borders between patches and
+/// between atoms. Curvature is that of the exact surface.
 ///
 /// surface  of the structure's atoms; must outlive the field
 /// returns  nothing for Component and Depth

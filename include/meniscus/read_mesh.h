@@ -9,6 +9,9 @@
 
 namespace meniscus {
 
+/// Å. Meshes that reach farther are refused, so that squares and products of lengths stay finite.
+inline constexpr double kFarthestCoordinate = 1e9;
+
 /// Reads positions and triangles of a mesh; whatever else a file holds is passed over, but must be well-formed.
 ///
 /// The suffix says the format, also before .gz: .ply (text, binary of either byte order), .obj, .stl (text or binary,
@@ -18,7 +21,8 @@ namespace meniscus {
 ///
 /// throws   InputError "FILE:LINE:COLUMN: what is wrong; what to do", for binary files "FILE:byte N: ...", for what
 ///          cannot be read, is not well-formed, or has corners that name no vertex and coordinates that are no finite
-///          numbers; UsageError for another suffix; LimitError for more vertices than a mesh can have
+///          numbers up to kFarthestCoordinate; UsageError for another suffix; LimitError for more vertices than a mesh
+///          can have
 /// cost     O(n). Nothing is allocated that the file is too short to hold
 Mesh read_mesh(const std::string& path);
 

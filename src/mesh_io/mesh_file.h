@@ -38,7 +38,7 @@ void check_vertex_count(const std::string& file, std::uint64_t count);
 class TextCursor {
 public:
     TextCursor(const std::string& file, std::string_view text, std::size_t begin = 0)
-        : file_(file), text_(text), position_(begin), word_begin_(begin) {}
+        : file_(file), text_(text), position_(std::min(begin, text.size())), word_begin_(position_) {}
 
     /// The next word; empty at the end of the text.
     std::string_view next();

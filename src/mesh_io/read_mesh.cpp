@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "meniscus/errors.h"
@@ -48,6 +49,18 @@ Mesh read_pair(const std::string& path, std::string_view suffix) {
     return suffix == ".vert" ? reading::read_msms(one, other) : reading::read_msms(other, one);
 }
 
+Mesh read_by_suffix(const std::string& path, std::string_view suffix) {
+    if (suffix == ".vert" || suffix == ".face") return read_pair(path, suffix);
+    const reading::MeshFile file = reading::load_mesh_file(path);
+    if (suffix == ".ply") return reading::read_ply(file);
+    if (suffix == ".obj") return reading::read_obj(file);
+    if (suffix == ".stl") return reading::read_stl(file);
+    if (suffix == ".off") return reading::read_off(file);
+    return reading::read_glb(file);
+}
+
+bool is_too_far(const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kFarthestCoordinate; }
+
 }  // namespace
 
 bool is_mesh_file(const std::string& path) { return !suffix_of(path).empty(); }
@@ -58,13 +71,10 @@ Mesh read_mesh(const std::string& path) {
         throw UsageError(path +
                          ": unknown suffix for a mesh; known are .ply .obj .stl .off .glb .vert .face, each "
                          "also .gz");
-    if (suffix == ".vert" || suffix == ".face") return read_pair(path, suffix);
-    const reading::MeshFile file = reading::load_mesh_file(path);
-    if (suffix == ".ply") return reading::read_ply(file);
-    if (suffix == ".obj") return reading::read_obj(file);
-    if (suffix == ".stl") return reading::read_stl(file);
-    if (suffix == ".off") return reading::read_off(file);
-    return reading::read_glb(file);
+    Mesh mesh = read_by_suffix(path, suffix);
+    if (std::any_of(mesh.vertices.begin(), mesh.vertices.end(), is_too_far))
+        throw InputError(path + ": a coordinate beyond 1e9 Å; is this a molecule?");
+    return mesh;
 }
 
 }  // namespace meniscus

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -19,9 +20,21 @@
 namespace meniscus {
 namespace {
 
+// Squares and products of lengths must stay finite; also refuses what is no number.
+bool is_in_reach(const Vec3& p) {
+    constexpr double kFarthest = 1e9;  // Å, as of meshes that are read
+    return std::abs(p.x) <= kFarthest && std::abs(p.y) <= kFarthest && std::abs(p.z) <= kFarthest;
+}
+
+void check_mesh(const Mesh& mesh) {
+    if (mesh.triangles.empty()) throw UsageError("a mesh without triangles cannot be compared");
+    if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_in_reach))
+        throw UsageError("a vertex that is not within 1e9 Å of the origin");
+}
+
 void check(const ComparedSurface& a, const ComparedSurface& b, const CompareOptions& options) {
-    if (a.mesh.triangles.empty() || b.mesh.triangles.empty())
-        throw UsageError("a mesh without triangles cannot be compared");
+    check_mesh(a.mesh);
+    check_mesh(b.mesh);
     if (!(std::isfinite(options.density) && options.density > 0.0))
         throw UsageError(fmt::format("points {:g}: must be finite and positive", options.density));
     if (options.threads < 0)

@@ -60,6 +60,7 @@ TEST(PlyReader, NumbersThatAFileCannotHoldAreNotBelieved) {
         expect_error(start + "property float x\nproperty float y\nproperty float z\nend_header\n1", "a.ply",
                      "do not fit");
         expect_error(start + "end_header\n1", "a.ply", "do not fit");
+        expect_error(start + "property float x\nend_header", "a.ply", "do not fit");
     }
 }
 

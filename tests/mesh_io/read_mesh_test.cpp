@@ -67,6 +67,7 @@ TEST(ReadMesh, KnowsMeshesByTheirNames) {
     for (const char* name : {"a.pdb", "a.xyzr", "ply", "a.ply/b", "", "-"}) EXPECT_FALSE(is_mesh_file(name));
     EXPECT_THROW(read_mesh("a.pdb"), UsageError);
     EXPECT_THROW(read_mesh("/no/such/a.ply"), InputError);
+    expect_error("v 0 0 2e9\n", "a.obj", "a coordinate beyond 1e9");
 }
 
 // Whatever is in a file, it is a mesh whose corners exist, or it is refused.

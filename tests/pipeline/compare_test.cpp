@@ -131,6 +131,7 @@ TEST(Compare, RefusesWhatCannotBeCompared) {
     EXPECT_THROW(compare_surfaces(sphere(1.0), mesh_to_compare({})), UsageError);
     EXPECT_THROW(compare_surfaces(sphere(1.0), sphere(1.0), {.density = 0.0}), UsageError);
     EXPECT_THROW(compare_surfaces(sphere(1.0), sphere(1.0), {.threads = -1}), UsageError);
+    EXPECT_THROW(compare_surfaces(sphere(1.0), mesh_to_compare(square(1e300))), UsageError);
     EXPECT_THROW(structure_to_compare({}), std::invalid_argument);
 }
 
