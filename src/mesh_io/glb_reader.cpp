@@ -23,11 +23,11 @@ using nlohmann::json;
 constexpr std::uint32_t kMagic = 0x46546C67;
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;
-constexpr int kUnsignedByte = 5121;
-constexpr int kUnsignedShort = 5123;
-constexpr int kUnsignedInt = 5125;
-constexpr int kFloat = 5126;
-constexpr int kTriangles = 4;
+constexpr std::uint64_t kUnsignedByte = 5121;
+constexpr std::uint64_t kUnsignedShort = 5123;
+constexpr std::uint64_t kUnsignedInt = 5125;
+constexpr std::uint64_t kFloat = 5126;
+constexpr std::uint64_t kTriangles = 4;
 
 // 4 x 4, column by column.
 using Matrix = std::array<double, 16>;
@@ -75,7 +75,7 @@ struct Values {
     std::uint64_t begin = 0;  // in the binary chunk
     std::uint64_t stride = 0;
     std::uint64_t count = 0;
-    int type = 0;
+    std::uint64_t type = 0;
 };
 
 class GlbReader {
@@ -135,10 +135,10 @@ private:
 
     void add_scene() {
         if (!json_.contains("scenes")) return add_all_meshes();
-        const json& scene = json_.at("scenes").at(json_.value("scene", std::size_t{0}));
+        const json& scene = json_.at("scenes").at(json_.contains("scene") ? number_in(json_.at("scene")) : 0);
         visited_.assign(list("nodes").size(), false);
         if (!scene.contains("nodes")) return;
-        for (const json& root : scene.at("nodes")) add_tree(root.get<std::size_t>());
+        for (const json& root : scene.at("nodes")) add_tree(number_in(root));
     }
 
     void add_all_meshes() {
@@ -164,9 +164,9 @@ private:
             if (visited_.at(number)) fail("a node has two parents or is its own");
             visited_[number] = true;
             const Matrix whole = product(parent, transformation(node));
-            if (node.contains("mesh")) add_mesh(list("meshes").at(node.at("mesh").get<std::size_t>()), whole);
+            if (node.contains("mesh")) add_mesh(list("meshes").at(number_in(node.at("mesh"))), whole);
             if (!node.contains("children")) continue;
-            for (const json& child : node.at("children")) steps.push_back({child.get<std::size_t>(), whole});
+            for (const json& child : node.at("children")) steps.push_back({number_in(child), whole});
         }
     }
 
@@ -179,14 +179,14 @@ private:
 
     void add_mesh(const json& mesh, const Matrix& transform) {
         for (const json& primitive : mesh.at("primitives")) {
-            if (primitive.value("mode", kTriangles) != kTriangles)
+            if (primitive.contains("mode") && number_in(primitive.at("mode")) != kTriangles)
                 fail("it has points, lines, strips or fans; write it again with separate triangles");
             add_primitive(primitive, transform);
         }
     }
 
     void add_primitive(const json& primitive, const Matrix& transform) {
-        const Values places = values_of(primitive.at("attributes").at("POSITION").get<std::size_t>(), "VEC3");
+        const Values places = values_of(number_in(primitive.at("attributes").at("POSITION")), "VEC3");
         if (places.type != kFloat) fail("positions are not of type float");
         const std::size_t first = mesh_.vertices.size();
         check_vertex_count(file_.path, first + places.count);
@@ -196,7 +196,7 @@ private:
             mesh_.vertices.push_back(moved(transform, position(places.begin + v * places.stride)));
         const bool turned = is_mirror(transform);
         if (!primitive.contains("indices")) return add_triangles(first, places.count, turned);
-        const Values corners = values_of(primitive.at("indices").get<std::size_t>(), "SCALAR");
+        const Values corners = values_of(number_in(primitive.at("indices")), "SCALAR");
         if (corners.type == kFloat) fail("indices are fractions");
         check_repeats(mesh_.triangles.size() + corners.count / 3);
         if (corners.count % 3 != 0) fail("the number of indices is no multiple of three");
@@ -250,10 +250,10 @@ private:
         if (accessor.contains("sparse") || !accessor.contains("bufferView"))
             fail("sparse accessors and those without a view are not read");
         if (accessor.at("type").get<std::string>() != type) fail(std::string("an accessor is not of type ") + type);
-        const json& view = list("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
-        if (view.at("buffer").get<std::size_t>() != 0 || list("buffers").at(0).contains("uri"))
+        const json& view = list("bufferViews").at(number_in(accessor.at("bufferView")));
+        if (number_in(view.at("buffer")) != 0 || list("buffers").at(0).contains("uri"))
             fail("buffers outside the file are not read; write one file");
-        Values values{.type = accessor.at("componentType").get<int>()};
+        Values values{.type = number_in(accessor.at("componentType"))};
         const std::uint64_t size = size_of(values.type) * (std::string_view(type) == "VEC3" ? 3 : 1);
         const std::uint64_t view_begin = whole(view, "byteOffset");
         const std::uint64_t view_size = whole(view, "byteLength");
@@ -269,16 +269,18 @@ private:
         return values;
     }
 
-    // Below 2^32, so that products of two do not overflow; 0 if it is absent.
     std::uint64_t whole(const json& object, const char* name) const {
-        if (!object.contains(name)) return 0;
-        const json& value = object.at(name);
+        return object.contains(name) ? number_in(object.at(name)) : 0;
+    }
+
+    // Below 2^32, so that products of two do not overflow.
+    std::uint64_t number_in(const json& value) const {
         if (!value.is_number_unsigned() || value.get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
-            fail(std::string(name) + " is not a whole number from 0 to 2^32 - 1");
+            fail("a number in its JSON is not a whole one from 0 to 2^32 - 1");
         return value.get<std::uint64_t>();
     }
 
-    std::uint64_t size_of(int type) const {
+    std::uint64_t size_of(std::uint64_t type) const {
         if (type == kUnsignedByte) return sizeof(std::uint8_t);
         if (type == kUnsignedShort) return sizeof(std::uint16_t);
         if (type == kUnsignedInt || type == kFloat) return sizeof(std::uint32_t);

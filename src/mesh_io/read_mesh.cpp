@@ -59,7 +59,11 @@ Mesh read_by_suffix(const std::string& path, std::string_view suffix) {
     return reading::read_glb(file);
 }
 
-bool is_too_far(const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kFarthestCoordinate; }
+// Also of what is no number, which transformations can make.
+bool is_too_far(const Vec3& p) {
+    const auto is_near = [](double x) { return std::abs(x) <= kFarthestCoordinate; };
+    return !(is_near(p.x) && is_near(p.y) && is_near(p.z));
+}
 
 }  // namespace
 

@@ -71,7 +71,9 @@ TEST(TriangleTree, DistanceToFacesSidesAndCorners) {
 }
 
 TEST(TriangleTree, NearestPointsKnowTheirSide) {
-    const Mesh mesh = testing::tetrahedron();
+    Mesh mesh;  // a tetrahedron
+    mesh.vertices = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+    mesh.triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
     const TriangleTree tree(mesh);
     for (const Vec3& corner : mesh.vertices) {
         const NearestOnMesh outside = tree.nearest(mesh, 1.5 * corner);
