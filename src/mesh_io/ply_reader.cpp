@@ -323,8 +323,8 @@ private:
 
     std::uint64_t length_of(const Property& list) {
         const double length = source_.number(*list.count_type);
-        const double most = static_cast<double>(source_.bytes_left() / Source::least_size(list.type));
-        if (!(length >= 0.0 && length <= most && length == std::floor(length)))
+        const std::size_t most = source_.bytes_left() / Source::least_size(list.type);
+        if (!(length >= 0.0 && length <= static_cast<double>(most) && length == std::floor(length)))
             source_.fail("a list of a length that does not fit into this file; correct it");
         return static_cast<std::uint64_t>(length);
     }
