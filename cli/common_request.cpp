@@ -100,7 +100,7 @@ std::vector<std::string> join_negative_values(const std::vector<std::string>& ar
     for (const std::string& argument : arguments) {
         const bool after_option =
             !joined.empty() && joined.back().starts_with("--") && joined.back().find('=') == std::string::npos;
-        if (after_option && looks_like_negative_number(argument.substr(0, argument.find(','))))
+        if (after_option && looks_like_negative_number(argument.substr(0, argument.find_first_of(",:"))))
             joined.back() += "=" + argument;
         else
             joined.push_back(argument);

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "compare_command.h"
 #include "help.h"
 #include "interrupt.h"
 #include "measure_command.h"
@@ -39,6 +40,7 @@ constexpr const char* kFooter =
     "  meniscus surface 1abc.pdb -o 1abc.ply     the surface as a mesh\n"
     "  meniscus surface 1abc.pdb -o 1abc.png     as a picture\n"
     "  meniscus measure 1abc.pdb                 areas, volumes and cavities\n"
+    "  meniscus compare other.obj 1abc.pdb       another program's surface and the exact one\n"
     "Help of a subcommand: meniscus surface --help; of every option: --help-all.\n\n"
     "Exit codes: 0 done; 2 wrong usage; 3 input cannot be read or is not valid;\n"
     "4 output cannot be written; 5 would exceed the memory or size limit;\n"
@@ -80,6 +82,7 @@ int run(int argc, char** argv) {
     Outcome outcome = Outcome::Done;
     meniscus::cli::add_surface_command(program, outcome);
     meniscus::cli::add_measure_command(program, outcome);
+    meniscus::cli::add_compare_command(program, outcome);
 
     std::vector<std::string> arguments =
         meniscus::cli::join_negative_values(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));

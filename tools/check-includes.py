@@ -24,6 +24,7 @@ ROOMS = {
     "render": (),
     "io": ("grid",),
     "values": ("reading",),
+    "mesh_io": ("reading", "mesh"),
     "volume": ("reading", "io"),
     "page": ("colours", "render", "io"),
     "pipeline": ("geometry", "grid", "band", "flow", "mesh", "remesh", "measure"),
@@ -32,7 +33,7 @@ ROOMS = {
 FOR_CLIENTS = ("src/io/atomic_file.h",)
 # Public headers that numerical rooms must not see, and words that only some folders may include.
 FILE_HEADERS = ("include/meniscus/structure.h", "include/meniscus/write.h", "include/meniscus/level_set_file.h",
-                "include/meniscus/volume.h")
+                "include/meniscus/volume.h", "include/meniscus/read_mesh.h")
 NUMERICAL = ("geometry", "grid", "band", "flow", "mesh", "remesh", "measure", "render")
 ONLY_IN = {
     "<tbb/": ("src/core/",),

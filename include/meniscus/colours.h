@@ -74,8 +74,12 @@ ValueRange range_in_force(const ColourOptions& options, const Mesh& mesh, const 
 /// cost     O(n); Depth also builds an AccessibleSurface and asks it for every vertex
 std::vector<Colour> colour_vertices(const Mesh& mesh, const Structure& structure, const ColourOptions& options = {});
 
-/// The same colours at any point, by the point's nearest feature: sharp borders between patches and between atoms.
-/// Curvature is that of the exact surface.
+/// Colours of values that have a middle: blue, white, red; those that are no numbers are grey.
+/// throws   UsageError for a range that is empty or not finite
+std::vector<Colour> colour_values(std::span<const float> values, const ValueRange& range);
+
+/// The colours of colour_vertices() at any point, by the point's nearest feature: sharp borders between patches and
+/// between atoms. Curvature is that of the exact surface.
 ///
 /// surface  of the structure's atoms; must outlive the field
 /// returns  nothing for Component, Depth and Value

@@ -15,6 +15,7 @@ normals point into the solvent. Arrays of results are views: they are not copied
 
 A tutorial is in ``docs/python.md``.
 """
+from ._compare import Compared, Comparison, Distance, compare
 from ._core import version as __version__
 from ._errors import CheckWarning, InputError, LimitError, OutputError, ReadWarning, UsageError
 from ._measures import Component, Measures, measure, signed_distance
@@ -23,7 +24,10 @@ from ._surface import Points, Surface, surface
 
 __all__ = [
     "CheckWarning",
+    "Compared",
+    "Comparison",
     "Component",
+    "Distance",
     "InputError",
     "LimitError",
     "Measures",
@@ -34,6 +38,7 @@ __all__ = [
     "Surface",
     "UsageError",
     "__version__",
+    "compare",
     "measure",
     "radii",
     "read",

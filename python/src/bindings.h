@@ -11,6 +11,7 @@ void bind_errors(pybind11::module_& module);
 void bind_structure(pybind11::module_& module);
 void bind_measures(pybind11::module_& module);
 void bind_surface(pybind11::module_& module);
+void bind_compare(pybind11::module_& module);
 void bind_writers(pybind11::module_& module);
 
 }  // namespace meniscus::python

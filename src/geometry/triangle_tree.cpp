@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "geometry/canonical_atoms.h"
@@ -41,27 +42,81 @@ std::vector<Box> boxes_of(const Mesh& mesh, const std::vector<std::uint32_t>& or
     return boxes;
 }
 
-// The point of a triangle that is nearest to p (Ericson 2005, Real-Time Collision Detection, 5.1.5).
-Vec3 nearest_in_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+double angle_at(const Vec3& p, const Vec3& q, const Vec3& r) {
+    const Vec3 a = q - p;
+    const Vec3 b = r - p;
+    return std::atan2(norm(cross(a, b)), dot(a, b));
+}
+
+// Where in a triangle the point nearest to another is: at a corner, on an edge, within.
+enum class Part { A, B, C, Edge, Inside };
+
+// Ericson 2005, Real-Time Collision Detection, 5.1.5.
+std::pair<Vec3, Part> nearest_in_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 ab = b - a;
     const Vec3 ac = c - a;
     const double d1 = dot(ab, p - a);
     const double d2 = dot(ac, p - a);
-    if (d1 <= 0.0 && d2 <= 0.0) return a;
+    if (d1 <= 0.0 && d2 <= 0.0) return {a, Part::A};
     const double d3 = dot(ab, p - b);
     const double d4 = dot(ac, p - b);
-    if (d3 >= 0.0 && d4 <= d3) return b;
+    if (d3 >= 0.0 && d4 <= d3) return {b, Part::B};
     const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + (d1 / (d1 - d3)) * ab;
+    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return {a + (d1 / (d1 - d3)) * ab, Part::Edge};
     const double d5 = dot(ab, p - c);
     const double d6 = dot(ac, p - c);
-    if (d6 >= 0.0 && d5 <= d6) return c;
+    if (d6 >= 0.0 && d5 <= d6) return {c, Part::C};
     const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + (d2 / (d2 - d6)) * ac;
+    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return {a + (d2 / (d2 - d6)) * ac, Part::Edge};
     const double va = d3 * d6 - d5 * d4;
-    if (va <= 0.0 && d4 >= d3 && d5 >= d6) return b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b);
+    if (va <= 0.0 && d4 >= d3 && d5 >= d6) return {b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b), Part::Edge};
     const double scale = 1.0 / (va + vb + vc);
-    return a + (vb * scale) * ab + (vc * scale) * ac;
+    return {a + (vb * scale) * ab + (vc * scale) * ac, Part::Inside};
+}
+
+double angle_of(Part part, const Vec3& a, const Vec3& b, const Vec3& c) {
+    switch (part) {
+        case Part::A:
+            return angle_at(a, b, c);
+        case Part::B:
+            return angle_at(b, c, a);
+        case Part::C:
+            return angle_at(c, a, b);
+        case Part::Edge:
+            return std::numbers::pi;
+        default:
+            return 2.0 * std::numbers::pi;
+    }
+}
+
+// A triangle that may have the nearest point.
+struct Candidate {
+    std::uint32_t triangle = 0;
+    Vec3 point;
+    Part part = Part::Inside;
+    double distance2 = 0.0;
+};
+
+// Squared distances up to it are equal but for rounding.
+double tied(double distance2) {
+    const double distance = std::sqrt(distance2) * (1.0 + 1e-9) + 1e-11;
+    return distance * distance;
+}
+
+// The candidates' normals, weighted by their angles.
+Vec3 normal_of(const Mesh& mesh, const std::vector<Candidate>& candidates, double most) {
+    Vec3 sum;
+    for (const Candidate& candidate : candidates) {
+        if (candidate.distance2 > most) continue;
+        const auto& [i, j, k] = mesh.triangles[candidate.triangle];
+        const Vec3& a = mesh.vertices[i];
+        const Vec3& b = mesh.vertices[j];
+        const Vec3& c = mesh.vertices[k];
+        const Vec3 normal = cross(b - a, c - a);
+        const double length = norm(normal);
+        if (length > 0.0) sum += (angle_of(candidate.part, a, b, c) / length) * normal;
+    }
+    return sum;
 }
 
 }  // namespace
@@ -74,10 +129,33 @@ double TriangleTree::distance(const Mesh& mesh, const Vec3& point) const {
         point, [&least] { return least; },
         [&](std::uint32_t i) {
             const auto& [a, b, c] = mesh.triangles[order[i]];
-            const Vec3 nearest = nearest_in_triangle(point, mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
+            const Vec3 nearest = nearest_in_triangle(point, mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]).first;
             least = std::min(least, squared_norm(point - nearest));
         });
     return std::sqrt(least);
+}
+
+NearestOnMesh TriangleTree::nearest(const Mesh& mesh, const Vec3& point) const {
+    std::vector<Candidate> candidates;
+    Candidate best;
+    best.distance2 = std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+    tree.search_nearest(
+        point, [&most] { return most; },
+        [&](std::uint32_t i) {
+            const auto& [a, b, c] = mesh.triangles[order[i]];
+            const auto [nearest, part] =
+                nearest_in_triangle(point, mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
+            const Candidate found{order[i], nearest, part, squared_norm(point - nearest)};
+            if (found.distance2 > most) return;
+            if (found.distance2 < best.distance2) {
+                best = found;
+                most = tied(found.distance2);
+            }
+            candidates.push_back(found);
+        });
+    const double side = dot(point - best.point, normal_of(mesh, candidates, most));
+    return {best.point, std::copysign(std::sqrt(best.distance2), side)};
 }
 
 }  // namespace meniscus

@@ -11,12 +11,23 @@
 
 namespace meniscus {
 
+/// The point of a mesh that is nearest to another.
+struct NearestOnMesh {
+    Vec3 point;
+    /// Å; negative behind the mesh, as seen from where its triangles are counter-clockwise: inside, if it is closed.
+    double signed_distance = 0.0;
+};
+
 struct TriangleTree {
     /// cost     O(n log n)
     explicit TriangleTree(const Mesh& mesh);
 
     /// From a point to the nearest one of the mesh that the tree was made of, Å; infinite where that has no triangles.
     double distance(const Mesh& mesh, const Vec3& point) const;
+
+    /// The nearest point itself, for a mesh with triangles. Where it lies on several triangles, each counts for the
+    /// side by the angle that it takes up there (Bærentzen & Aanæs 2005); they need not share vertices.
+    NearestOnMesh nearest(const Mesh& mesh, const Vec3& point) const;
 
     std::vector<std::uint32_t> order;  ///< the triangle of each item: along a space-filling curve, ties as in the mesh
     BoxTree tree;

@@ -11,6 +11,7 @@
 #include "core/parallel.h"
 #include "geometry/local_features.h"
 #include "geometry/triangle_tree.h"
+#include "measure/triangle_parts.h"
 #include "measure/weighted_distances.h"
 
 namespace meniscus {
@@ -47,11 +48,8 @@ double aspect_ratio(double a, double b, double c) {
     return product > 0.0 ? a * b * c / product : std::numeric_limits<double>::infinity();
 }
 
-// Barycentric coordinates of points that stand for four equal parts of a triangle.
-constexpr std::array<std::array<double, 3>, 4> kSamples{{{1.0 / 3, 1.0 / 3, 1.0 / 3},
-                                                         {2.0 / 3, 1.0 / 6, 1.0 / 6},
-                                                         {1.0 / 6, 2.0 / 3, 1.0 / 6},
-                                                         {1.0 / 6, 1.0 / 6, 2.0 / 3}}};
+constexpr std::size_t kDivisions = 2;
+constexpr std::size_t kSamples = kDivisions * kDivisions;  // points that stand for equal parts of a triangle
 
 // Corners by their angles, see MeshQuality.
 struct AngleCounts {
@@ -101,20 +99,16 @@ MeshQuality measure_quality(const Mesh& mesh) {
 
 TwoSidedDistance measure_distance(const Mesh& mesh, const AccessibleSurface& surface) {
     const TriangleTree triangles(mesh);
-    WeightedDistances to_exact(kSamples.size() * mesh.triangles.size());
-    WeightedDistances from_exact(kSamples.size() * mesh.triangles.size());
+    WeightedDistances to_exact(kSamples * mesh.triangles.size());
+    WeightedDistances from_exact(kSamples * mesh.triangles.size());
     parallel_chunks(mesh.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
         std::vector<Vec3> points;
-        for (std::size_t t = begin; t < end; ++t) {
-            const auto& [a, b, c] = mesh.triangles[t];
-            for (const auto& [u, v, w] : kSamples)
-                points.push_back(u * mesh.vertices[a] + v * mesh.vertices[b] + w * mesh.vertices[c]);
-        }
+        for (std::size_t t = begin; t < end; ++t)
+            for_each_part(mesh, mesh.triangles[t], kDivisions, [&](const Vec3& point) { points.push_back(point); });
         const std::vector<NearestFeature> features = nearest_features(surface, points);
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const auto& [a, b, c] = mesh.triangles[begin + i / kSamples.size()];
-            const double area = norm(cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
-            const std::size_t sample = kSamples.size() * begin + i;
+            const double area = area_of(mesh, mesh.triangles[begin + i / kSamples]);
+            const std::size_t sample = kSamples * begin + i;
             const double distance = features[i].signed_distance;
             to_exact.set(sample, std::abs(distance), area);
             from_exact.set(sample, triangles.distance(mesh, points[i] - distance * features[i].normal), area);

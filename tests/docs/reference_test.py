@@ -53,10 +53,10 @@ def options_of_page():
 class Options(unittest.TestCase):
     def setUp(self):
         self.page = options_of_page()
-        self.help = {command: options_of_help(command) for command in ("surface", "measure")}
+        self.help = {command: options_of_help(command) for command in ("surface", "measure", "compare")}
 
     def test_the_page_has_every_option_and_no_other(self):
-        known = set(self.help["surface"]) | set(self.help["measure"]) | {"-h", "--help", "--help-all", "--version"}
+        known = set().union(*self.help.values()) | {"-h", "--help", "--help-all", "--version"}
         self.assertEqual(set(self.page), known)
         self.assertGreater(len(known), 40)
 
@@ -74,11 +74,11 @@ class Options(unittest.TestCase):
             self.write_values(folder)
             for name, (_, _, example, heading) in self.page.items():
                 if heading != "The program":
-                    command = "measure" if name in self.help["measure"] and heading == "Measures" else "surface"
+                    command = {"Measures": "measure", "Comparing": "compare"}.get(heading, "surface")
                     self.try_example(folder, command, name, example)
 
     def try_example(self, folder, command, name, example):
-        words = [command, "in.pdb", *example.split()]
+        words = [command, "in.pdb", *(["in.pdb"] if command == "compare" else []), *example.split()]
         if self.page[name][3] == "Colours and pictures":
             words += ["-o", "a.png"] + ([] if "--size" in example else ["--size", "20x15"])
         elif command == "surface" and "-o" not in words:

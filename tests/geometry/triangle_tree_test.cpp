@@ -70,5 +70,19 @@ TEST(TriangleTree, DistanceToFacesSidesAndCorners) {
     EXPECT_TRUE(std::isinf(TriangleTree({}).distance({}, {})));
 }
 
+TEST(TriangleTree, NearestPointsKnowTheirSide) {
+    Mesh mesh;  // a tetrahedron
+    mesh.vertices = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+    mesh.triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+    const TriangleTree tree(mesh);
+    for (const Vec3& corner : mesh.vertices) {
+        const NearestOnMesh outside = tree.nearest(mesh, 1.5 * corner);
+        EXPECT_EQ(outside.point, corner);
+        EXPECT_NEAR(outside.signed_distance, 0.5 * norm(corner), 1e-12);
+        EXPECT_LT(tree.nearest(mesh, 0.9 * corner).signed_distance, 0.0);
+    }
+    EXPECT_NEAR(tree.nearest(mesh, {}).signed_distance, -1.0 / std::sqrt(3.0), 1e-12);
+}
+
 }  // namespace
 }  // namespace meniscus::testing

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "compare_request.h"
+
+#include <array>
+#include <filesystem>
+
+#include "help.h"
+#include "option_words.h"
+#include "output_plan.h"
+
+namespace meniscus::cli {
+
+namespace {
+
+constexpr const char* kFooter =
+    "A and B are meshes (.ply .obj .stl .off .glb .vert+.face, each also .gz) or\n"
+    "structures, of which the exact surface is taken. -o writes A's mesh coloured by\n"
+    "its distance from B, red outside, blue inside (.ply .glb).\n"
+    "Examples:\n"
+    "  meniscus compare other.obj 1abc.pdb              another program's surface\n"
+    "  meniscus compare a.ply b.ply -o difference.ply   where two meshes differ";
+
+// Formats of meshes that have no room for distances.
+constexpr std::array<const char*, 4> kWithoutValues{".obj", ".stl", ".off", ".vert"};
+
+ValueRange parse_range(const std::string& text) {
+    const std::size_t colon = text.find(':', 1);
+    if (colon == std::string::npos) throw UsageError(fmt::format("--range: '{}' is not MIN:MAX", text));
+    const ValueRange range{parse_number("--range", text.substr(0, colon), Sign::Any),
+                           parse_number("--range", text.substr(colon + 1), Sign::Any)};
+    if (range.min >= range.max)
+        throw UsageError(fmt::format("--range: '{}' is empty; write the smaller value first", text));
+    return range;
+}
+
+void add_surfaces(CLI::App& command, CompareRequest& request) {
+    command.add_option("A", request.input, "a mesh or a structure")->required()->type_name("");
+    command.add_option("B", request.second, "another")->required()->type_name("");
+}
+
+}  // namespace
+
+void add_compare_options(CLI::App& command, CompareRequest& request) {
+    add_surfaces(command, request);
+    command.footer(kFooter);
+    command.option_defaults()->group("Atoms");
+    add_atom_options(command, request);
+    command.option_defaults()->group("Surfaces");
+    add_probe(command, request.structure.probe);
+    add_number(command, "--spacing", request.structure.spacing, Sign::Positive, "H",
+               rarely("Grid spacing of the mesh that tells where points of a structure's surface are, Å"));
+    command.option_defaults()->group("Distances");
+    add_number(command, "--points", request.compare.density, Sign::Positive, "D",
+               "Points per Å² at least\n, spread over the triangles; no triangle has fewer than four");
+    command.option_defaults()->group("Output");
+    add_output_options(command, request);
+    command
+        .add_option_function<std::string>(
+            "--range", [&request](const std::string& text) { request.range = parse_range(text); },
+            "Distances of full blue and full red, Å\n; by default what 99 % of A's area are within")
+        ->type_name("MIN:MAX");
+    command.option_defaults()->group("Running");
+    add_run_options(command, request, request.compare.threads);
+}
+
+void check_request(const CompareRequest& request) {
+    if (request.all_models) throw UsageError("--model all: one model is compared; name it by its number");
+    if (request.input == "-" && request.second == "-")
+        throw UsageError("A and B cannot both come on standard input; name a file");
+    for (const std::string& path : request.outputs) {
+        const std::string suffix = std::filesystem::path(path).extension().string();
+        const bool holds_values =
+            std::find(kWithoutValues.begin(), kWithoutValues.end(), suffix) == kWithoutValues.end();
+        if (kind_of(path) != OutputKind::Mesh || !holds_values)
+            throw UsageError(fmt::format("-o {}: has no room for distances; choose .ply or .glb", path));
+    }
+}
+
+}  // namespace meniscus::cli

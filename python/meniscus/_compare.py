@@ -1,0 +1,144 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+"""How far two surfaces are from each other."""
+from __future__ import annotations
+
+import dataclasses
+from typing import Union
+
+
+from . import _core, _options
+from ._arrays import Floats
+from ._errors import InputError, text_of_path, unreadable
+from ._structure import Path, Structure, read
+from ._surface import Indices, Singles, Surface
+
+Comparable = Union[Path, Surface, Structure]
+
+
+@dataclasses.dataclass(frozen=True)
+class Distance:
+    """From one surface to another, Å; absolute values, weighted by area, but for ``signed_mean``."""
+
+    mean: float
+    p99: float
+    """99 % of the area are nearer"""
+    max: float
+    signed_mean: float
+    """positive where the points lie outside the other surface"""
+    points: int
+    """how many"""
+
+
+@dataclasses.dataclass(frozen=True)
+class Compared:
+    """What one of two surfaces measures by itself; of a structure exactly."""
+
+    area: float
+    """Å²"""
+    volume: float
+    """Å³"""
+    outer_pieces: int
+    cavities: int
+    closed: bool
+    manifold: bool
+    merged_vertices: int
+    """vertices at the same place that were made one, because the mesh was not closed"""
+
+
+class Comparison:
+    """What :func:`compare` finds."""
+
+    def __init__(self, a: _core.ComparedSurface, b: _core.ComparedSurface, options: dict[str, float | int],
+                 structure: Structure | None) -> None:
+        self._a = a
+        self._structure = structure
+        self._probe = options["probe"]
+        self.a = Compared(**a.measures)
+        self.b = Compared(**b.measures)
+        found = _core.compare(a, b, options)
+        self.a_to_b = Distance(**found["a_to_b"])
+        self.b_to_a = Distance(**found["b_to_a"])
+        self.distances: Singles = found["distances"]
+        """(n,) float32, Å: signed distances of ``vertices`` to B, positive outside."""
+
+    def __repr__(self) -> str:
+        return (f"<meniscus.Comparison: mean {self.a_to_b.mean:.4g} and {self.b_to_a.mean:.4g} Å, "
+                f"Hausdorff {self.hausdorff:.4g} Å>")
+
+    @property
+    def hausdorff(self) -> float:
+        """The larger of both maxima, Å."""
+        return max(self.a_to_b.max, self.b_to_a.max)
+
+    @property
+    def vertices(self) -> Floats:
+        """(n, 3) float64, Å: of A's mesh; a view."""
+        return self._a.mesh.vertices
+
+    @property
+    def triangles(self) -> Indices:
+        """(m, 3) uint32: of A's mesh; a view."""
+        return self._a.mesh.triangles
+
+    def save(self, path: Path, range: tuple[float, float] | None = None) -> None:
+        """Writes A's mesh (.ply .glb) with the vertex array ``distance`` and its colours: blue inside B, red outside.
+
+        range  distances of full blue and full red, Å; by default what 99 % of A's area are within
+        """
+        reach = max(self.a_to_b.p99, 1e-3)
+        low, high = (-reach, reach) if range is None else range
+        structure = self._structure
+        _core.write_compared(text_of_path(path), self._a, self.distances,
+                             (_options.number("range", low), _options.number("range", high)),
+                             None if structure is None else structure._core, None if structure is None else self._probe)
+
+
+def _mesh_of_file(path: str) -> _core.ComparedSurface:
+    try:
+        return _core.compared_file(path)
+    except InputError as error:
+        raise unreadable(path, str(error)) or error from None
+
+
+def _side(value: Comparable, options: dict[str, float | int]) -> tuple[_core.ComparedSurface, Structure | None]:
+    if isinstance(value, Surface):
+        return _core.compared_mesh(value._core.mesh), value.structure
+    if not isinstance(value, Structure):
+        path = text_of_path(value)
+        if _core.is_mesh_file(path):
+            return _mesh_of_file(path), None
+        value = read(path)
+    return _core.compared_structure(value._core, options), value
+
+
+def compare(
+    a: Comparable,
+    b: Comparable,
+    *,
+    probe: float = 1.4,
+    points: float = 10.0,
+    spacing: float = 0.5,
+    threads: int = 0,
+) -> Comparison:
+    """Distances between two surfaces, both ways, by points spread over their triangles.
+
+    a, b     the path of a mesh (.ply .obj .stl .off .glb .vert .face, each also .gz), a :class:`Surface`; or a
+             structure or its path, of which the exact solvent-excluded surface is taken
+    probe    radius for structures, Å
+    points   per Å², at least
+    spacing  of the mesh that tells where points of a structure's surface are, Å
+    threads  0: all cores; results do not depend on it
+
+    Raises ValueError for what makes no sense, :class:`InputError` for a file that is not valid, OSError for one that
+    cannot be opened. Other Python threads run meanwhile.
+
+    >>> protein = meniscus.read("1ubq.pdb")
+    >>> found = meniscus.compare(meniscus.surface(protein), protein)
+    >>> found.a_to_b.mean < 0.02, found.a.closed, round(found.b.area, 1)
+    (True, True, 3892.2)
+    """
+    options = {"probe": _options.number("probe", probe), "points": _options.number("points", points),
+               "spacing": _options.number("spacing", spacing), "threads": _options.count("threads", threads)}
+    (first, structure), (second, _) = _side(a, options), _side(b, options)
+    return Comparison(first, second, options, structure)

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "compare_request.h"
+
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "meniscus/errors.h"
+
+namespace meniscus::cli {
+
+namespace {
+
+CompareRequest parse(std::vector<std::string> arguments) {
+    CompareRequest request;
+    CLI::App app;
+    add_compare_options(app, request);
+    arguments = join_negative_values(arguments);
+    std::reverse(arguments.begin(), arguments.end());
+    app.parse(arguments);
+    check_request(request);
+    return request;
+}
+
+}  // namespace
+
+TEST(CompareRequest, HasTheDefaultsOfTheLibrary) {
+    const CompareRequest request = parse({"a.ply", "1ubq.pdb"});
+    EXPECT_EQ(request.input, "a.ply");
+    EXPECT_EQ(request.second, "1ubq.pdb");
+    EXPECT_EQ(request.structure.probe, StructureToCompare{}.probe);
+    EXPECT_EQ(request.compare.density, CompareOptions{}.density);
+    EXPECT_FALSE(request.range);
+}
+
+TEST(CompareRequest, TakesItsOwnOptionsAndThoseOfReading) {
+    const CompareRequest request = parse({"a.ply", "b.obj", "--range", "-1:0.5", "--points", "3", "--probe", "1.5",
+                                          "--chains", "A", "-o", "d.glb", "--threads", "2"});
+    EXPECT_EQ(request.range, (ValueRange{-1.0, 0.5}));
+    EXPECT_EQ(request.compare.density, 3.0);
+    EXPECT_EQ(request.structure.probe, 1.5);
+    EXPECT_EQ(request.compare.threads, 2);
+    EXPECT_EQ(request.outputs, std::vector<std::string>{"d.glb"});
+}
+
+TEST(CompareRequest, RefusesWhatMakesNoSense) {
+    EXPECT_THROW(parse({"a.ply"}), CLI::ParseError);
+    EXPECT_THROW(parse({"-", "-"}), UsageError);
+    EXPECT_THROW(parse({"a.ply", "b.pdb", "--model", "all"}), UsageError);
+    for (const char* range : {"1", "1:1", "2:1", "a:b", ":", "0:inf"})
+        EXPECT_THROW(parse({"a.ply", "b.ply", "--range", range}), UsageError) << range;
+    for (const char* file : {"d.off", "d.stl", "d.obj", "d.png", "d.html", "d", "d.xyzr"})
+        EXPECT_THROW(parse({"a.ply", "b.ply", "-o", file}), UsageError) << file;
+    EXPECT_THROW(parse({"a.ply", "b.ply", "--points", "0"}), UsageError);
+}
+
+}  // namespace meniscus::cli
