@@ -23,15 +23,12 @@ using nlohmann::ordered_json;
 
 namespace {
 
-void write_mesh_with_residues(const std::string& path, const SurfaceRequest& request, const Structure& structure,
-                              const Mesh& mesh, std::span<const Colour> colours) {
-    std::vector<std::uint32_t> residues(mesh.atoms.size());
-    std::transform(mesh.atoms.begin(), mesh.atoms.end(), residues.begin(),
-                   [&](std::uint32_t atom) { return structure.labels[atom].residue; });
+void write_surface_mesh(const std::string& path, const SurfaceRequest& request, const Structure& structure,
+                        const Mesh& mesh, std::span<const Colour> colours) {
     write_mesh(path, mesh,
                {.encoding = request.encoding,
-                .extra = {{"residue", residues}},
                 .colours = colours,
+                .structure = &structure,
                 .probe = request.surface.probe,
                 .threads = request.surface.threads});
 }
@@ -139,8 +136,8 @@ private:
         if (step.step % request_.flow.snapshots != 0) return;
         {
             const WritingSection section;
-            write_mesh_with_residues(snapshot_path(first_mesh(job.outputs)->path, step.step), request_, job.structure,
-                                     mesh, colour_vertices(mesh, job.structure, request_.picture.colours));
+            write_surface_mesh(snapshot_path(first_mesh(job.outputs)->path, step.step), request_, job.structure, mesh,
+                               colour_vertices(mesh, job.structure, request_.picture.colours));
         }
         throw_if_interrupted();
     }
@@ -156,7 +153,7 @@ private:
     void write(const Output& output, const Job& job) const override {
         switch (output.kind) {
             case OutputKind::Mesh:
-                return write_mesh_with_residues(output.path, request_, job.structure, surface_.mesh, colours_);
+                return write_surface_mesh(output.path, request_, job.structure, surface_.mesh, colours_);
             case OutputKind::Picture:
                 return write_picture(output.path, picture_);
             case OutputKind::Page:

@@ -9,7 +9,8 @@ from sources import ROOT, includes, sources
 # What a room may include beside itself, core and the public headers.
 ROOMS = {
     "core": (),
-    "structure": ("radii",),
+    "reading": (),
+    "structure": ("reading", "radii"),
     "radii": (),
     "geometry": (),
     "grid": (),
@@ -22,13 +23,15 @@ ROOMS = {
     "colours": ("radii",),
     "render": (),
     "io": ("grid",),
+    "volume": ("reading", "io"),
     "page": ("colours", "render", "io"),
     "pipeline": ("geometry", "grid", "band", "flow", "mesh", "remesh", "measure"),
 }
 # What clients may use beside the public headers: how to write a file of their own whole or not at all.
 FOR_CLIENTS = ("src/io/atomic_file.h",)
 # Public headers that numerical rooms must not see, and words that only some folders may include.
-FILE_HEADERS = ("include/meniscus/structure.h", "include/meniscus/write.h", "include/meniscus/level_set_file.h")
+FILE_HEADERS = ("include/meniscus/structure.h", "include/meniscus/write.h", "include/meniscus/level_set_file.h",
+                "include/meniscus/volume.h")
 NUMERICAL = ("geometry", "grid", "band", "flow", "mesh", "remesh", "measure", "render")
 ONLY_IN = {
     "<tbb/": ("src/core/",),

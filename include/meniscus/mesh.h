@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "meniscus/vec3.h"
@@ -25,6 +26,12 @@ using VertexId = std::uint32_t;
 /// Corners, counter-clockwise seen from the solvent.
 using Triangle = std::array<VertexId, 3>;
 
+/// Values at the vertices that the surface does not have of itself, such as a potential.
+struct VertexValues {
+    std::string name;  ///< a word; no two of a mesh are the same, nor that of another vertex array
+    std::vector<float> values;
+};
+
 /// A triangle mesh with one entry per vertex in every vertex array (or the array is empty).
 struct Mesh {
     std::vector<Vec3> vertices;             ///< positions, Å, in the frame of the input
@@ -37,6 +44,7 @@ struct Mesh {
     std::vector<float> mean_curvatures{};      ///< Å^-1, positive on a sphere
     std::vector<float> gaussian_curvatures{};  ///< Å^-2
     std::vector<float> shape_indices{};        ///< from -1 (cup) to 1 (ball); see PrincipalCurvatures
+    std::vector<VertexValues> values{};        ///< more arrays, by name
     std::vector<Triangle> triangles;
 };
 

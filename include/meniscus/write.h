@@ -20,7 +20,7 @@ namespace meniscus {
 
 enum class Encoding { Binary, Text };
 
-/// One more value per vertex, such as `residue`; the name must be a word that the format can hold.
+/// One more value per vertex; the name must be a word that the format can hold.
 struct VertexArray {
     std::string name;
     std::variant<std::span<const std::uint32_t>, std::span<const float>> values;
@@ -29,9 +29,10 @@ struct VertexArray {
 struct WriteOptions {
     Encoding encoding = Encoding::Binary;  ///< of PLY and STL; OBJ and OFF are text
     std::vector<VertexArray> extra{};  ///< written by formats with named vertex values (PLY, GLB), after the mesh's own
-    std::span<const Colour> colours{};  ///< one per vertex, or none; written by PLY and GLB
-    std::optional<double> probe{};      ///< probe radius, Å; written by GLB
-    int threads = 0;                    ///< 0: all cores
+    std::span<const Colour> colours{};     ///< one per vertex, or none; written by PLY and GLB
+    const Structure* structure = nullptr;  ///< whose atoms the mesh's `atoms` index; adds the vertex array `residue`
+    std::optional<double> probe{};         ///< probe radius, Å; written by GLB
+    int threads = 0;                       ///< 0: all cores
 };
 
 /// Writes a mesh; the suffix of `path` chooses the format: .ply .obj .stl .off .glb.

@@ -70,14 +70,11 @@ void save_mesh(const std::string& path, const Mesh& mesh, const Structure& struc
     Options(given).read("ascii", ascii);
     Options(given).read("probe", probe);
     const py::gil_scoped_release release;
-    std::vector<std::uint32_t> residues(mesh.atoms.size());
-    std::transform(mesh.atoms.begin(), mesh.atoms.end(), residues.begin(),
-                   [&](std::uint32_t atom) { return structure.labels[atom].residue; });
     const std::vector<Colour> colours = colouring.of(mesh, structure);
     write_mesh(path, mesh,
                {.encoding = ascii ? Encoding::Text : Encoding::Binary,
-                .extra = {{"residue", residues}},
                 .colours = colours,
+                .structure = &structure,
                 .probe = probe,
                 .threads = threads});
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// What was measured at the vertices of a mesh, under the names that formats with named values use.
+// What was measured at the vertices of a mesh or brought there, under the names that formats with named values use.
 #pragma once
 
 #include <span>
@@ -22,6 +22,7 @@ inline std::vector<MeasuredArray> measured_arrays(const Mesh& mesh) {
                                       {"mean_curvature", mesh.mean_curvatures},
                                       {"gaussian_curvature", mesh.gaussian_curvatures},
                                       {"shape_index", mesh.shape_indices}};
+    for (const VertexValues& more : mesh.values) arrays.push_back({more.name, more.values});
     std::erase_if(arrays, [](const MeasuredArray& array) { return array.values.empty(); });
     return arrays;
 }

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/parallel.h"
 #include "io/atomic_file.h"
@@ -19,14 +21,17 @@
 namespace meniscus {
 namespace {
 
+std::string lower_case(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
 // ".ply" of "dir.x/NAME.PLY"; empty if the last part of the path has no suffix.
 std::string suffix_of(const std::string& path) {
     const std::size_t dot = path.find_last_of("./");
     if (dot == std::string::npos || path[dot] == '/') return "";
-    std::string suffix = path.substr(dot);
-    std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return suffix;
+    return lower_case(path.substr(dot));
 }
 
 bool is_word(std::string_view name) {
@@ -39,7 +44,20 @@ void check_size(std::string_view name, std::size_t size, std::size_t vertices) {
                          std::to_string(vertices) + " vertices");
 }
 
+// Every array needs a name of its own; GLB tells no upper from lower case.
+void check_names(const Mesh& mesh, const WriteOptions& options) {
+    std::set<std::string> names{"x",     "y",         "z",   "nx",    "ny",   "nz",   "atom",
+                                "patch", "component", "red", "green", "blue", "alpha"};
+    const auto add = [&names](const std::string& name) {
+        if (!is_word(name)) throw UsageError("'" + name + "' cannot be the name of a vertex array");
+        if (!names.insert(lower_case(name)).second) throw UsageError("two vertex arrays have the name '" + name + "'");
+    };
+    for (const MeasuredArray& array : measured_arrays(mesh)) add(array.name);
+    for (const VertexArray& array : options.extra) add(array.name);
+}
+
 void check(const Mesh& mesh, const WriteOptions& options) {
+    check_names(mesh, options);
     const std::size_t n = mesh.vertices.size();
     if (!mesh.normals.empty()) check_size("normals", mesh.normals.size(), n);
     if (!mesh.atoms.empty()) check_size("atom", mesh.atoms.size(), n);
@@ -47,18 +65,34 @@ void check(const Mesh& mesh, const WriteOptions& options) {
     if (!mesh.components.empty()) check_size("component", mesh.components.size(), n);
     for (const auto& [name, values] : measured_arrays(mesh)) check_size(name, values.size(), n);
     if (!options.colours.empty()) check_size("colours", options.colours.size(), n);
-    for (const VertexArray& array : options.extra) {
-        if (!is_word(array.name)) throw UsageError("'" + array.name + "' cannot be the name of a vertex array");
+    for (const VertexArray& array : options.extra)
         std::visit([&](auto values) { check_size(array.name, values.size(), n); }, array.values);
+}
+
+std::vector<std::uint32_t> residues_of_vertices(const Mesh& mesh, const Structure& structure) {
+    std::vector<std::uint32_t> residues;
+    residues.reserve(mesh.atoms.size());
+    for (const std::uint32_t atom : mesh.atoms) {
+        if (atom >= structure.labels.size())
+            throw UsageError("vertex array 'atom' names atom " + std::to_string(atom) + " of a structure with " +
+                             std::to_string(structure.labels.size()));
+        residues.push_back(structure.labels[atom].residue);
     }
+    return residues;
 }
 
 }  // namespace
 
-void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& options) {
+void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& given) {
     const std::string suffix = suffix_of(path);
     if (suffix != ".ply" && suffix != ".obj" && suffix != ".stl" && suffix != ".off" && suffix != ".glb")
         throw UsageError(path + ": unknown suffix for a mesh; choose .ply, .obj, .stl, .off or .glb");
+    WriteOptions options = given;
+    std::vector<std::uint32_t> residues;
+    if (options.structure != nullptr && !mesh.atoms.empty()) {
+        residues = residues_of_vertices(mesh, *options.structure);
+        options.extra.insert(options.extra.begin(), {"residue", residues});
+    }
     check(mesh, options);
     const ThreadLimit limit(options.threads);
     AtomicFile file(path);

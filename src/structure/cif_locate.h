@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-#include "structure/text.h"
+#include "reading/text.h"
 
 namespace meniscus::reading {
 

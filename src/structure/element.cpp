@@ -7,7 +7,7 @@
 
 #include "radii/aliases.h"
 #include "radii/element_radii.h"
-#include "structure/numbers.h"
+#include "reading/numbers.h"
 
 namespace meniscus::reading {
 namespace {

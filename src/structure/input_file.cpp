@@ -4,18 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <memory>
 #include <optional>
 
 #include "meniscus/errors.h"
-#include "structure/gunzip.h"
-#include "structure/numbers.h"
+#include "reading/gunzip.h"
+#include "reading/numbers.h"
+#include "reading/read_bytes.h"
+#include "reading/text.h"
 #include "structure/sha256.h"
-#include "structure/text.h"
 
 namespace meniscus::reading {
 namespace {
@@ -53,27 +49,6 @@ std::optional<Suffix> suffix_of(const std::string& path) {
     const auto* found =
         std::find_if(kSuffixes.begin(), kSuffixes.end(), [&](const Suffix& s) { return name.ends_with(s.text); });
     return found == kSuffixes.end() ? std::nullopt : std::optional(*found);
-}
-
-std::string read_stream(std::FILE* stream, const std::string& path) {
-    std::string bytes;
-    std::array<char, std::size_t{1} << 16U> buffer{};
-    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), stream)) {
-        bytes.append(buffer.data(), count);
-    }
-    if (std::ferror(stream) != 0) throw InputError(path + ": cannot be read: " + std::strerror(errno));
-    return bytes;
-}
-
-std::string read_bytes(const std::string& path) {
-    if (path == "-") return read_stream(stdin, path);
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) {
-        throw InputError(path + ": is a folder; name a structure file");
-    }
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path.c_str(), "rb"), &std::fclose);
-    if (!stream) throw InputError(path + ": cannot be opened: " + std::strerror(errno) + "; check the name");
-    return read_stream(stream.get(), path);
 }
 
 bool is_pdb_record(std::string_view line) {
@@ -177,6 +152,6 @@ InputFile load_bytes(std::string bytes, const std::string& path) {
     return file;
 }
 
-InputFile load_input(const std::string& path) { return load_bytes(read_bytes(path), path); }
+InputFile load_input(const std::string& path) { return load_bytes(read_bytes(path, "structure file"), path); }
 
 }  // namespace meniscus::reading

@@ -3,9 +3,9 @@
 // Where the models of a PDB file begin and end, however oddly it marks them.
 #include <set>
 
-#include "structure/numbers.h"
+#include "reading/numbers.h"
+#include "reading/text.h"
 #include "structure/pdb_screen.h"
-#include "structure/text.h"
 
 namespace meniscus::reading {
 namespace {

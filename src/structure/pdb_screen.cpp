@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "radii/aliases.h"
+#include "reading/numbers.h"
+#include "reading/text.h"
 #include "structure/element.h"
-#include "structure/numbers.h"
-#include "structure/text.h"
 
 namespace meniscus::reading {
 namespace {

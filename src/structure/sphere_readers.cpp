@@ -4,10 +4,10 @@
 
 #include <vector>
 
+#include "reading/numbers.h"
+#include "reading/text.h"
 #include "structure/element.h"
-#include "structure/numbers.h"
 #include "structure/residue_list.h"
-#include "structure/text.h"
 
 namespace meniscus::reading {
 namespace {

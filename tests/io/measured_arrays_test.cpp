@@ -19,6 +19,9 @@ TEST(MeasuredArrays, AreThoseThatTheMeshHas) {
     EXPECT_EQ(arrays[0].name, "area");
     EXPECT_EQ(arrays[1].name, "shape_index");
     EXPECT_EQ(arrays[1].values[3], 1.0F);
+    mesh.values = {{"phi", {5, 6, 7, 8}}};
+    EXPECT_EQ(measured_arrays(mesh).back().name, "phi");
+    EXPECT_EQ(measured_arrays(mesh).back().values[0], 5.0F);
 }
 
 }  // namespace

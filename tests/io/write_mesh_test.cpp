@@ -54,6 +54,30 @@ TEST(WriteMesh, ArraysOfAnotherSizeAreRefused) {
     EXPECT_TRUE(folder.listing().empty());
 }
 
+TEST(WriteMesh, EveryArrayNeedsANameOfItsOwn) {
+    const ScratchFolder folder;
+    for (const char* name : {"x", "atom", "Alpha", "area", "phi", "PHI"}) {
+        Mesh mesh = tetrahedron();
+        mesh.areas.resize(4);
+        mesh.values = {{"phi", {1, 2, 3, 4}}, {name, {1, 2, 3, 4}}};
+        EXPECT_THROW(write_mesh(folder / "a.ply", mesh), UsageError) << name;
+    }
+    EXPECT_TRUE(folder.listing().empty());
+}
+
+TEST(WriteMesh, AStructureTellsTheResiduesOfVertices) {
+    const ScratchFolder folder;
+    Mesh mesh = tetrahedron();
+    mesh.atoms = {0, 1, 1, 0};
+    Structure structure;
+    structure.labels.resize(2);
+    structure.labels[1].residue = 7;
+    write_mesh(folder / "a.ply", mesh, {.structure = &structure});
+    EXPECT_EQ(testing::read_ply(folder / "a.ply").values.at("residue"), (std::vector<double>{0, 7, 7, 0}));
+    structure.labels.resize(1);
+    EXPECT_THROW(write_mesh(folder / "a.ply", mesh, {.structure = &structure}), UsageError);
+}
+
 TEST(WriteMesh, NamesThatAreNoWordsAreRefused) {
     const ScratchFolder folder;
     const std::vector<float> values(4);

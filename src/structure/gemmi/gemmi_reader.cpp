@@ -18,11 +18,11 @@
 #include <set>
 
 #include "meniscus/errors.h"
+#include "reading/numbers.h"
+#include "reading/text.h"
 #include "structure/cif_locate.h"
 #include "structure/element.h"
-#include "structure/numbers.h"
 #include "structure/residue_list.h"
-#include "structure/text.h"
 
 namespace meniscus::reading {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "structure/gunzip.h"
+#include "reading/gunzip.h"
 
 #include <zlib.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "structure/text.h"
+#include "reading/text.h"
 
 namespace meniscus::reading {
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "structure/gunzip.h"
+#include "reading/gunzip.h"
 
-#include "fragments.h"
+#include "structure/fragments.h"
 
 namespace meniscus::reading {
 namespace {

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reading/csv.h"
+
+namespace meniscus::reading {
+namespace {
+
+class CsvReader {
+public:
+    CsvReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+
+    std::vector<CsvRow> rows() {
+        std::vector<CsvRow> all;
+        while (position_ < text_.size()) {
+            CsvRow row = next_row();
+            if (row.size() > 1 || !row.front().text.empty()) all.push_back(std::move(row));
+        }
+        return all;
+    }
+
+private:
+    bool at(char c) const { return position_ < text_.size() && text_[position_] == c; }
+    Place here() const { return {line_, position_ - line_begin_ + 1}; }
+
+    CsvRow next_row() {
+        CsvRow row{next_cell()};
+        while (at(',')) {
+            ++position_;
+            row.push_back(next_cell());
+        }
+        end_line();
+        return row;
+    }
+
+    void end_line() {
+        ++position_;
+        ++line_;
+        line_begin_ = position_;
+    }
+
+    CsvCell next_cell() {
+        CsvCell cell{.text = {}, .place = here()};
+        if (at('"')) {
+            cell.text = quoted(cell.place);
+            if (position_ < text_.size() && !at(',') && !at('\n'))
+                fail_at(file_, here(), "something stands behind the closing quote; write \"\" for a quote in the text");
+        } else {
+            const std::size_t end = std::min(text_.find_first_of(",\n", position_), text_.size());
+            cell.text = text_.substr(position_, end - position_);
+            position_ = end;
+        }
+        return cell;
+    }
+
+    std::string quoted(Place begin) {
+        std::string text;
+        for (++position_; position_ < text_.size(); ++position_) {
+            if (at('"')) {
+                ++position_;
+                if (!at('"')) return text;
+            }
+            text += text_[position_];
+            if (!at('\n')) continue;
+            ++line_;
+            line_begin_ = position_ + 1;
+        }
+        fail_at(file_, begin, "the quote is not closed");
+    }
+
+    std::string_view text_;
+    const std::string& file_;
+    std::size_t position_ = 0;
+    std::size_t line_ = 1;
+    std::size_t line_begin_ = 0;
+};
+
+}  // namespace
+
+std::vector<CsvRow> read_csv(std::string_view text, const std::string& file) { return CsvReader(text, file).rows(); }
+
+}  // namespace meniscus::reading

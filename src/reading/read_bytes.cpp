@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reading/read_bytes.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "meniscus/errors.h"
+#include "reading/gunzip.h"
+
+namespace meniscus::reading {
+namespace {
+
+std::string read_stream(std::FILE* stream, const std::string& path) {
+    std::string bytes;
+    std::array<char, std::size_t{1} << 16U> buffer{};
+    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), stream)) {
+        bytes.append(buffer.data(), count);
+    }
+    if (std::ferror(stream) != 0) throw InputError(path + ": cannot be read: " + std::strerror(errno));
+    return bytes;
+}
+
+}  // namespace
+
+std::string read_bytes(const std::string& path, const std::string& kind) {
+    if (path == "-") return read_stream(stdin, path);
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) {
+        throw InputError(path + ": is a folder; name a " + kind);
+    }
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path.c_str(), "rb"), &std::fclose);
+    if (!stream) throw InputError(path + ": cannot be opened: " + std::strerror(errno) + "; check the name");
+    return read_stream(stream.get(), path);
+}
+
+std::string read_unzipped(const std::string& path, const std::string& kind) {
+    std::string bytes = read_bytes(path, kind);
+    return is_gzip(bytes) ? gunzip(bytes, path) : bytes;
+}
+
+}  // namespace meniscus::reading
