@@ -49,9 +49,12 @@ Output plan_history(const std::string& asked, const std::string& mark);
 /// The mesh of a step beside the final one: "a.ply" -> "a_step007.ply".
 std::string snapshot_path(const std::string& mesh, int step);
 
+/// The files that are written where one of this name is asked for: itself, and "a.face" beside "a.vert".
+std::vector<std::string> files_of(const std::string& path);
+
 /// Refuses what could not be written in the end, or would overwrite something of the same run.
 ///
-/// paths    every file of the run; "-" (standard output) and devices are left alone
+/// paths    every file of the run (files_of() of them are looked at); "-" (standard output) and devices are left alone
 /// input    a path, or "-"
 /// throws   OutputError for a folder that is missing or closed, or a path that is a folder; UsageError for a path
 ///          that appears twice or is the input

@@ -10,7 +10,7 @@ namespace meniscus::cli {
 namespace {
 
 constexpr const char* kFooter =
-    "-o writes meshes (.ply .obj .stl .off .glb), a page to look at in a browser\n"
+    "-o writes meshes (.ply .obj .stl .off .glb .vert), a page to look at in a browser\n"
     "(.html), pictures (.png) and the kept atoms (.xyzr .xyzrn). Without -o mesh\n"
     "and page go to NAME.ply and NAME.html in the current folder.\n"
     "Examples:\n"

@@ -31,11 +31,12 @@ struct WriteOptions {
     std::vector<VertexArray> extra{};  ///< written by formats with named vertex values (PLY, GLB), after the mesh's own
     std::span<const Colour> colours{};     ///< one per vertex, or none; written by PLY and GLB
     const Structure* structure = nullptr;  ///< whose atoms the mesh's `atoms` index; adds the vertex array `residue`
-    std::optional<double> probe{};         ///< probe radius, Å; written by GLB
+    std::optional<double> probe{};         ///< probe radius, Å; written by GLB and MSMS pairs
     int threads = 0;                       ///< 0: all cores
 };
 
-/// Writes a mesh; the suffix of `path` chooses the format: .ply .obj .stl .off .glb.
+/// Writes a mesh; the suffix of `path` chooses the format: .ply .obj .stl .off .glb .vert (and .face beside it,
+/// see write_msms()).
 ///
 /// Written to a temporary name in the same folder and renamed: a failed run leaves no half file and an older file as it
 /// was. Devices and pipes (/dev/stdout) are written to directly. Coordinates are rounded to single precision unless

@@ -238,6 +238,7 @@ class Surface(_Vertices):
         """Writes the surface, in the format of the suffix.
 
         .ply .obj .stl .off .glb  the mesh; .ply and .glb with every vertex array and colours
+        .vert                     the mesh as MSMS writes it, with .face beside it
         .npz                      the arrays, named as here, for numpy.load
         .png                      a picture
         .html                     a page to turn, cut and ask, which opens in a browser without network
@@ -264,7 +265,7 @@ class Surface(_Vertices):
         >>> ball.save("ball.ply", color="patch")
         >>> ball.save("ball.gif")
         Traceback (most recent call last):
-        meniscus.UsageError: ball.gif: the suffix chooses the format; known are .ply .obj .stl .off .glb .npz .png .html .mls
+        meniscus.UsageError: ball.gif: the suffix chooses the format; known are .ply .obj .stl .off .glb .vert .npz .png .html .mls
         """
         drawing = {"size": size, "view": view, "background": background, "perspective": perspective,
                    "outline": outline, "depth_cue": depth_cue, "cut": cut, "legend": legend}

@@ -183,6 +183,7 @@ _SURFACE_WRITERS: dict[str, Callable[[str, Surface, dict[str, Any], dict[str, An
     ".stl": _save_mesh,
     ".off": _save_mesh,
     ".glb": _save_mesh,
+    ".vert": _save_mesh,
     ".npz": _save_arrays,
     ".png": _save_picture,
     ".html": _save_page,

@@ -11,6 +11,7 @@
 #include "io/atomic_file.h"
 #include "io/glb.h"
 #include "io/measured_arrays.h"
+#include "io/msms_pair.h"
 #include "io/obj.h"
 #include "io/off.h"
 #include "io/ply.h"
@@ -85,8 +86,9 @@ std::vector<std::uint32_t> residues_of_vertices(const Mesh& mesh, const Structur
 
 void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& given) {
     const std::string suffix = suffix_of(path);
-    if (suffix != ".ply" && suffix != ".obj" && suffix != ".stl" && suffix != ".off" && suffix != ".glb")
-        throw UsageError(path + ": unknown suffix for a mesh; choose .ply, .obj, .stl, .off or .glb");
+    if (suffix != ".ply" && suffix != ".obj" && suffix != ".stl" && suffix != ".off" && suffix != ".glb" &&
+        suffix != ".vert")
+        throw UsageError(path + ": unknown suffix for a mesh; choose .ply, .obj, .stl, .off, .glb or .vert");
     WriteOptions options = given;
     std::vector<std::uint32_t> residues;
     if (options.structure != nullptr && !mesh.atoms.empty()) {
@@ -95,6 +97,7 @@ void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& g
     }
     check(mesh, options);
     const ThreadLimit limit(options.threads);
+    if (suffix == ".vert") return write_msms_pair(path, mesh, options.structure, options.probe.value_or(0.0));
     AtomicFile file(path);
     if (suffix == ".ply") write_ply(file, mesh, options);
     if (suffix == ".obj") write_obj(file, mesh);
