@@ -3,6 +3,7 @@
 #include "dropins/msms_report.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -29,8 +30,8 @@ std::string msms_banner() {
 
 std::string msms_input(const MsmsRequest& request, const SphereFile& spheres) {
     const auto [least, most] = std::minmax_element(spheres.atoms.radii.begin(), spheres.atoms.radii.end());
-    return fmt::format("INPUT  {} {} spheres {} collision only, radii {:6.3f} to {:6.3f}\n", cli::one_line(request.input),
-                       spheres.atoms.size(), spheres.collision_only, *least, *most) +
+    return fmt::format("INPUT  {} {} spheres {} collision only, radii {:6.3f} to {:6.3f}\n",
+                       cli::one_line(request.input), spheres.atoms.size(), spheres.collision_only, *least, *most) +
            fmt::format("PARAM  Probe_radius {:6.3f} density {:6.3f} hdensity {:6.3f}\n", request.probe, request.density,
                        request.hdensity);
 }
@@ -72,9 +73,14 @@ std::string msms_volumes(const MsmsRequest& request, std::span<const MeshCompone
     return text + fmt::format("    Total ses_volume: {:9.3f}\n", total);
 }
 
-std::string msms_end(double seconds) {
-    return fmt::format("MSMS terminated normally\nTotal Time real: {:9.2f} user: {:9.2f} sys: {:9.2f}\n", seconds,
-                       seconds, 0.0);
+std::string msms_end(double real) {
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    return fmt::format("MSMS terminated normally\nTotal Time real: {:9.2f} user: {:9.2f} sys: {:9.2f}\n", real,
+                       seconds(used.ru_utime), seconds(used.ru_stime));
 }
 
 std::string msms_area_table(const SphereFile& spheres, std::span<const std::vector<AtomShare>> shares,

@@ -33,7 +33,8 @@ std::string msms_areas(const MsmsRequest& request, std::span<const SurfaceCompon
 std::string msms_volumes(const MsmsRequest& request, std::span<const MeshComponent> pieces);
 
 /// The last two lines.
-std::string msms_end(double seconds);
+/// real   seconds since the start; processor time is asked of the system
+std::string msms_end(double real);
 
 /// The table of areas: a line per sphere of the file, for every component the SES and the SAS area and, if there are
 /// names, the name.
