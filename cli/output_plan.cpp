@@ -27,9 +27,10 @@ struct Suffix {
 };
 
 constexpr std::array kSuffixes{
-    Suffix{".ply", OutputKind::Mesh},      Suffix{".obj", OutputKind::Mesh},    Suffix{".stl", OutputKind::Mesh},
-    Suffix{".off", OutputKind::Mesh},      Suffix{".glb", OutputKind::Mesh},    Suffix{".vert", OutputKind::Mesh}, Suffix{".xyzr", OutputKind::Spheres},
-    Suffix{".xyzrn", OutputKind::Spheres}, Suffix{".png", OutputKind::Picture}, Suffix{".html", OutputKind::Page},
+    Suffix{".ply", OutputKind::Mesh},     Suffix{".obj", OutputKind::Mesh},      Suffix{".stl", OutputKind::Mesh},
+    Suffix{".off", OutputKind::Mesh},     Suffix{".glb", OutputKind::Mesh},      Suffix{".vert", OutputKind::Mesh},
+    Suffix{".xyzr", OutputKind::Spheres}, Suffix{".xyzrn", OutputKind::Spheres}, Suffix{".png", OutputKind::Picture},
+    Suffix{".html", OutputKind::Page},
 };
 
 constexpr std::array kMeasureSuffixes{

@@ -75,7 +75,8 @@ private:
         else
             for (std::uint32_t piece = 0; piece < (request_.all_components ? matches_.size() : 1); ++piece)
                 if (matches_[piece] != kNone) chosen_.push_back(piece);
-        if (chosen_.empty()) throw std::runtime_error("no closed piece of the surface came out; take a higher -density");
+        if (chosen_.empty())
+            throw std::runtime_error("no closed piece of the surface came out; take a higher -density");
         if (request_.all_components && chosen_.size() < exact_.components.size())
             warn(kName, std::to_string(exact_.components.size() - chosen_.size()) +
                             " closed pieces are too small for the mesh and are left out");

@@ -27,15 +27,16 @@ constexpr const char* kName = "meniscus-nanoshaper";
 constexpr const char* kDefaultFile = "surfaceConfiguration.prm";
 
 NanoShaperRequest read_parameters(const std::vector<std::string>& arguments) {
-    if (arguments.size() > 1) throw UsageError("one argument: a file of parameters; without it " + std::string(kDefaultFile));
+    if (arguments.size() > 1)
+        throw UsageError("one argument: a file of parameters; without it " + std::string(kDefaultFile));
     const std::string path = arguments.empty() ? kDefaultFile : arguments.front();
     std::ifstream file(path);
     if (!file) throw InputError(fmt::format("{}: cannot be opened: {}; check the name", path, std::strerror(errno)));
     return read_nanoshaper(file, path);
 }
 
-/// As many vertices as marching cubes on NanoShaper's grid give, on the exact surface. Where that grid would be too coarse
-/// for the surface, a fine one is taken and its mesh made coarse.
+/// As many vertices as marching cubes on NanoShaper's grid give, on the exact surface. Where that grid would be too
+/// coarse for the surface, a fine one is taken and its mesh made coarse.
 SurfaceOptions surface_options(const NanoShaperRequest& request) {
     constexpr double kVerticesPerCellFace = 1.5;  // of marching cubes per area / spacing², mean over all directions
     SurfaceOptions options;
@@ -100,9 +101,10 @@ void run(const std::vector<std::string>& arguments) {
     print(fmt::format("<<INFO>> Estimated volume {:.6g} [A^3]\n", surface.measures.volume));
     if (!request.triangulated) return;
     write_surface(surface.mesh, request);
-    print(fmt::format("<<INFO>> Number of vertices {} number of triangles {}\n"
-                      "<<INFO>> Total, grid conformant, surface area is {:.6g} [A^2]\n",
-                      surface.mesh.vertices.size(), surface.mesh.triangles.size(), surface.measures.area));
+    print(
+        fmt::format("<<INFO>> Number of vertices {} number of triangles {}\n"
+                    "<<INFO>> Total, grid conformant, surface area is {:.6g} [A^2]\n",
+                    surface.mesh.vertices.size(), surface.mesh.triangles.size(), surface.measures.area));
 }
 
 }  // namespace

@@ -36,7 +36,9 @@ struct Entry {
     std::string key;
     std::string value;
 
-    [[noreturn]] void fail(const std::string& message) const { throw InputError(fmt::format("{}: {}", place, message)); }
+    [[noreturn]] void fail(const std::string& message) const {
+        throw InputError(fmt::format("{}: {}", place, message));
+    }
 
     double number(double least) const {
         const auto parsed = strict_number(value);
@@ -62,7 +64,8 @@ using Action = void (*)(NanoShaperRequest&, const Entry&);
 
 void set_surface(NanoShaperRequest& /*request*/, const Entry& entry) {
     if (lower_case(entry.value) != "ses")
-        entry.fail(fmt::format("Surface: only ses, the solvent-excluded surface, is computed here, not {}", entry.value));
+        entry.fail(
+            fmt::format("Surface: only ses, the solvent-excluded surface, is computed here, not {}", entry.value));
 }
 
 void set_mode(NanoShaperRequest& /*request*/, const Entry& entry) {
@@ -154,8 +157,9 @@ bool makes_no_difference(std::string_view key) {
 /// What NanoShaper would do beyond a triangulated surface, if it is switched on.
 bool is_not_done_here(std::string_view key) {
     constexpr std::array<std::string_view, 11> kKeys{
-        "Save_eps_maps", "Save_bgps",  "Save_Cavities",    "Save_Status_map",           "Save_ideb_map", "Save_PovRay",
-        "Tri2Balls",     "Stern_layer", "Multi_Dielectric", "Keep_Water_Shaped_Cavities", "Save_Mesh_PLY_Format"};
+        "Save_eps_maps",       "Save_bgps", "Save_Cavities", "Save_Status_map",  "Save_ideb_map",
+        "Save_PovRay",         "Tri2Balls", "Stern_layer",   "Multi_Dielectric", "Keep_Water_Shaped_Cavities",
+        "Save_Mesh_PLY_Format"};
     return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
 }
 

@@ -72,9 +72,10 @@ std::vector<double> radii_for(const std::vector<PdbRecord>& records, bool explic
         ++hydrogens;
     }
     if (hydrogens > 0)
-        warn(name, fmt::format("{} hydrogens beside radii that stand for atoms with their hydrogens: take msms -noh, or "
-                               "explicit radii with -h",
-                               hydrogens));
+        warn(name,
+             fmt::format("{} hydrogens beside radii that stand for atoms with their hydrogens: take msms -noh, or "
+                         "explicit radii with -h",
+                         hydrogens));
     return radii;
 }
 
@@ -98,7 +99,8 @@ void run(const std::string& name, bool with_names, const std::vector<std::string
     std::vector<PdbRecord> records;
     bool has_file = false;
     for (const std::string& argument : arguments) {
-        if (argument == "--help") return print(fmt::format("Usage: {} [-h] [FILE.pdb ...]\n-h  explicit hydrogens\n", name));
+        if (argument == "--help")
+            return print(fmt::format("Usage: {} [-h] [FILE.pdb ...]\n-h  explicit hydrogens\n", name));
         if (argument == "-h")
             explicit_hydrogens = true;
         else if (argument.size() > 1 && argument[0] == '-')

@@ -45,7 +45,8 @@ public:
     double number(std::size_t i, const char* what) const {
         if (i >= words_.size()) fail(end_, fmt::format("the {} is missing; a sphere is x y z radius", what));
         const auto value = strict_number(words_[i].text);
-        if (!value) fail(words_[i].column, fmt::format("{} '{}' is not a finite number; correct it", what, words_[i].text));
+        if (!value)
+            fail(words_[i].column, fmt::format("{} '{}' is not a finite number; correct it", what, words_[i].text));
         return *value;
     }
 

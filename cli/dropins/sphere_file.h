@@ -13,9 +13,9 @@
 namespace meniscus::dropins {
 
 struct SphereFile {
-    Atoms atoms;                      ///< every sphere of the file; radii may be 0
-    std::vector<std::string> names;   ///< of all of them, or none
-    std::size_t collision_only = 0;   ///< whose flag is 0
+    Atoms atoms;                     ///< every sphere of the file; radii may be 0
+    std::vector<std::string> names;  ///< of all of them, or none
+    std::size_t collision_only = 0;  ///< whose flag is 0
 
     /// The spheres of positive radius, which have a surface, and their places in the file.
     Atoms solid() const;

@@ -92,8 +92,8 @@ std::vector<AtomShare> shares_of_atoms(const Measures& measures, std::uint32_t c
     std::vector<AtomShare> shares(measures.atoms.size());
     for (const PatchMeasure& patch : measures.patches) {
         if (patch.component != component) continue;
-        const auto others = std::count_if(patch.atoms.begin() + 1, patch.atoms.end(),
-                                          [](std::uint32_t atom) { return atom != kNone; });
+        const auto others =
+            std::count_if(patch.atoms.begin() + 1, patch.atoms.end(), [](std::uint32_t atom) { return atom != kNone; });
         shares[patch.atoms[0]].ses += patch.first_share;
         shares[patch.atoms[0]].sas += patch.sas_area;
         for (std::size_t i = 1; i < patch.atoms.size(); ++i)
