@@ -73,13 +73,18 @@ private:
         if (!request_.cavity_atoms.empty())
             choose_touching();
         else
-            for (std::uint32_t piece = 0; piece < (request_.all_components ? matches_.size() : 1); ++piece)
-                if (matches_[piece] != kNone) chosen_.push_back(piece);
+            choose_from_the_first_on(request_.all_components ? matches_.size()
+                                                             : std::min<std::size_t>(1, matches_.size()));
         if (chosen_.empty())
             throw std::runtime_error("no closed piece of the surface came out; take a higher -density");
         if (request_.all_components && chosen_.size() < exact_.components.size())
             warn(kName, std::to_string(exact_.components.size() - chosen_.size()) +
                             " closed pieces are too small for the mesh and are left out");
+    }
+
+    void choose_from_the_first_on(std::size_t count) {
+        for (std::uint32_t piece = 0; piece < count; ++piece)
+            if (matches_[piece] != kNone) chosen_.push_back(piece);
     }
 
     void choose_touching() {

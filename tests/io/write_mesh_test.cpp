@@ -73,7 +73,7 @@ TEST(WriteMesh, AStructureTellsTheResiduesOfVertices) {
     structure.labels.resize(2);
     structure.labels[1].residue = 7;
     write_mesh(folder / "a.ply", mesh, {.structure = &structure});
-    EXPECT_EQ(testing::read_ply(folder / "a.ply").values.at("residue"), (std::vector<double>{0, 7, 7, 0}));
+    EXPECT_EQ(testing::read_ply(testing::read_file(folder / "a.ply")).values.at("residue"), (std::vector<double>{0, 7, 7, 0}));
     structure.labels.resize(1);
     EXPECT_THROW(write_mesh(folder / "a.ply", mesh, {.structure = &structure}), UsageError);
 }
