@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <set>
 #include <span>
+#include <utility>
 
 #include "meniscus/errors.h"
 #include "meniscus/page.h"
@@ -27,11 +28,11 @@ struct Suffix {
 };
 
 constexpr std::array kSuffixes{
-    Suffix{".ply", OutputKind::Mesh},    Suffix{".obj", OutputKind::Mesh},     Suffix{".stl", OutputKind::Mesh},
-    Suffix{".off", OutputKind::Mesh},    Suffix{".glb", OutputKind::Mesh},     Suffix{".vtp", OutputKind::Mesh},
-    Suffix{".npz", OutputKind::Mesh},    Suffix{".xyzr", OutputKind::Spheres}, Suffix{".xyzrn", OutputKind::Spheres},
-    Suffix{".dx", OutputKind::Volume},     Suffix{".mrc", OutputKind::Volume},  Suffix{".vdb", OutputKind::Volume},
-    Suffix{".png", OutputKind::Picture}, Suffix{".html", OutputKind::Page},
+    Suffix{".ply", OutputKind::Mesh},      Suffix{".obj", OutputKind::Mesh},    Suffix{".stl", OutputKind::Mesh},
+    Suffix{".off", OutputKind::Mesh},      Suffix{".glb", OutputKind::Mesh},    Suffix{".vtp", OutputKind::Mesh},
+    Suffix{".vert", OutputKind::Mesh},     Suffix{".npz", OutputKind::Mesh},    Suffix{".xyzr", OutputKind::Spheres},
+    Suffix{".xyzrn", OutputKind::Spheres}, Suffix{".dx", OutputKind::Volume},   Suffix{".mrc", OutputKind::Volume},
+    Suffix{".vdb", OutputKind::Volume},    Suffix{".png", OutputKind::Picture}, Suffix{".html", OutputKind::Page},
 };
 
 constexpr std::array kMeasureSuffixes{
@@ -137,10 +138,19 @@ std::string mark_of_chain(const std::string& chain) {
     return mark;
 }
 
+std::vector<std::string> files_of(const std::string& path) {
+    std::vector<std::string> files{path};
+    if (fs::path(path).extension() == ".vert") files.push_back(fs::path(path).replace_extension(".face").string());
+    return files;
+}
+
 void check_paths(const std::vector<std::string>& paths, const std::string& input) {
     std::set<std::string> seen;
     const std::string source = input == "-" ? "" : identity(input);
-    for (const std::string& path : paths) {
+    std::vector<std::string> files;
+    for (const std::string& path : paths)
+        for (std::string& file : files_of(path)) files.push_back(std::move(file));
+    for (const std::string& path : files) {
         if (path == "-" || is_special_file(path)) continue;
         check_writable(path);
         const std::string file = identity(path);

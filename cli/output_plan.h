@@ -58,9 +58,12 @@ std::string cavity_path(const std::string& mesh, std::size_t number);
 /// - and + are written as %2F.
 std::string mark_of_chain(const std::string& chain);
 
+/// The files that are written where one of this name is asked for: itself, and "a.face" beside "a.vert".
+std::vector<std::string> files_of(const std::string& path);
+
 /// Refuses what could not be written in the end, or would overwrite something of the same run.
 ///
-/// paths    every file of the run; "-" (standard output) and devices are left alone
+/// paths    every file of the run (files_of() of them are looked at); "-" (standard output) and devices are left alone
 /// input    a path, or "-"
 /// throws   OutputError for a folder that is missing or closed, or a path that is a folder; UsageError for a path
 ///          that appears twice or is the input

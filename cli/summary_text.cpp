@@ -28,7 +28,9 @@ std::string describe_run(const RunFacts& facts) {
 
 std::string describe_files(const std::vector<Output>& written) {
     std::string list;
-    for (const Output& output : written) list.append(list.empty() ? "" : ", ").append(one_line(output.path));
+    for (const Output& output : written)
+        for (const std::string& file : files_of(output.path))
+            list.append(list.empty() ? "" : ", ").append(one_line(file));
     return list.empty() ? "" : summary_line("written", list);
 }
 

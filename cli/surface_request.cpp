@@ -10,9 +10,9 @@ namespace meniscus::cli {
 namespace {
 
 constexpr const char* kFooter =
-    "-o writes meshes (.ply .obj .stl .off .glb .vtp .npz), a page for a browser\n"
-    "(.html), pictures (.png), volumes (.dx .mrc .vdb) and the kept atoms (.xyzr\n"
-    ".xyzrn). Without -o mesh and page go to NAME.ply and NAME.html, here.\n"
+    "-o writes meshes (.ply .obj .stl .off .glb .vtp .vert .npz), pages (.html),\n"
+    "pictures (.png), volumes (.dx .mrc .vdb) and the kept atoms (.xyzr .xyzrn).\n"
+    "Without -o mesh and page go to NAME.ply and NAME.html in this folder.\n"
     "Examples:\n"
     "  meniscus surface 1abc.pdb                                  mesh and page\n"
     "  meniscus surface 1abc.pdb -o 1abc.png --color patch        a picture\n"

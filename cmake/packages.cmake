@@ -33,10 +33,13 @@ set(doc_dir ${CMAKE_INSTALL_DATADIR}/doc)
 install(FILES LICENSE DESTINATION ${doc_dir}/meniscus RENAME copyright COMPONENT runtime)
 install(FILES LICENSE DESTINATION ${doc_dir}/libmeniscus-dev RENAME copyright COMPONENT development)
 
-# The archive: bin/meniscus starts lib/meniscus/meniscus with the libraries beside it.
+# The archive: bin/meniscus starts lib/meniscus/meniscus with the libraries beside it, and so do the others.
 set(of_bundle COMPONENT bundle EXCLUDE_FROM_ALL)
-install(PROGRAMS cmake/launcher.sh DESTINATION bin RENAME meniscus ${of_bundle})
-install(TARGETS meniscus_cli RUNTIME DESTINATION lib/meniscus ${of_bundle})
+foreach(name IN ITEMS meniscus ${dropins})
+  install(PROGRAMS cmake/launcher.sh DESTINATION bin RENAME ${name} ${of_bundle})
+endforeach()
+install(TARGETS meniscus_cli ${dropins} RUNTIME DESTINATION lib/meniscus ${of_bundle})
+install(DIRECTORY ${link_dir}/ DESTINATION lib/meniscus/dropins ${of_bundle})
 install_pages(${of_bundle})
 install(CODE "
   set(program \"$<TARGET_FILE:meniscus_cli>\")

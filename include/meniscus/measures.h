@@ -42,6 +42,7 @@ struct PatchMeasure {
     std::uint32_t component = 0;                              ///< into Measures::components
     double ses_area = 0.0;                                    ///< Å²
     double sas_area = 0.0;                                    ///< Å²; contact patches only
+    double first_share = 0.0;  ///< of ses_area, what belongs to atoms[0]; the others have equal parts of the rest
 };
 
 enum class ComponentKind {

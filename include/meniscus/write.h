@@ -34,12 +34,13 @@ struct WriteOptions {
     std::span<const Colour> colours{};     ///< one per vertex, or none; written by PLY, GLB, VTP and NPZ
     const Structure* structure = nullptr;  ///< whose atoms the mesh's `atoms` index; adds the vertex array `residue`
     const SurfaceOptions* computed_with = nullptr;  ///< written by NPZ, beside the structure
-    std::optional<double> probe{};                  ///< probe radius, Å; written by GLB and VTP
+    std::optional<double> probe{};                  ///< probe radius, Å; written by GLB, VTP and MSMS pairs
     bool open = false;                              ///< a part of a surface: formats with a place for it say so
     int threads = 0;                                ///< 0: all cores
 };
 
-/// Writes a mesh; the suffix of `path` chooses the format: .ply .obj .stl .off .glb .vtp .npz.
+/// Writes a mesh; the suffix of `path` chooses the format: .ply .obj .stl .off .glb .vtp .npz .vert (and .face beside
+/// it, see write_msms()).
 ///
 /// Written to a temporary name in the same folder and renamed: a failed run leaves no half file and an older file as it
 /// was. Devices and pipes (/dev/stdout) are written to directly. Coordinates are rounded to single precision unless
@@ -49,6 +50,32 @@ struct WriteOptions {
 ///          format can count and for numbers beyond its reach (GLB: whole numbers above 2^24, files above 4 GiB);
 ///          OutputError when the file cannot be written
 void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& options = {});
+
+/// What stands above the vertices and the faces of an MSMS pair.
+enum class MsmsHeader {
+    Full,       ///< three lines, as MSMS writes them: of what, heads, numbers
+    CountOnly,  ///< three lines, as NanoShaper writes them: the third has the count alone
+    None,
+};
+
+/// What a pair of MSMS files tells beside the mesh.
+struct MsmsOptions {
+    std::string title{};                      ///< name of the input, for the first line
+    std::size_t spheres = 0;                  ///< in the input
+    double density = 0.0;                     ///< vertices per Å²
+    double probe = 0.0;                       ///< probe radius, Å
+    std::span<const std::string> names = {};  ///< of the spheres, words; none: vertices have nine fields instead of ten
+    MsmsHeader header = MsmsHeader::Full;
+};
+
+/// Writes STEM.vert and STEM.face as MSMS 2.6.1 does: per vertex position and normal with three decimals, 0, the
+/// nearest sphere from 1 on, 1, 2 or 3 for toroidal, reentrant or contact, and its name; per triangle the corners from
+/// 1 on, the same kind, and 1. (Numbers of analytical faces, for which the 0 and the last 1 stand, are not kept.)
+///
+/// Both files appear whole or not at all. Vertices that would coincide when rounded are moved by 0.001 Å.
+/// throws   UsageError for a mesh without normals, atoms or patches, and for names that are no words or too few;
+///          LimitError for coordinates wider than their nine columns and more than 2^31 - 1 items; OutputError
+void write_msms(const std::string& stem, const Mesh& mesh, const MsmsOptions& options);
 
 /// Writes a picture as PNG, with eight bits per channel in sRGB and an alpha channel if a pixel is not opaque.
 /// throws   UsageError for a number of pixels that is zero or does not match the size; OutputError

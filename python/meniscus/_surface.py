@@ -274,6 +274,7 @@ class Surface(_Vertices):
         """Writes the surface, in the format of the suffix.
 
         .ply .obj .stl .off .glb .vtp  the mesh; .ply, .glb and .vtp with every vertex array and colours
+        .vert                          the mesh as MSMS writes it, with .face beside it
         .npz                           the arrays, named as here, with atoms (atom_xyz, atom_name ...) and options, for
                                        numpy.load
         .png                           a picture
@@ -314,7 +315,7 @@ class Surface(_Vertices):
         >>> ball.save("ball.ply", color="patch")
         >>> ball.save("ball.gif")
         Traceback (most recent call last):
-        meniscus.UsageError: ball.gif: the suffix chooses the format; known are .ply .obj .stl .off .glb .vtp .npz .png .html .dx .mrc .vdb .mls
+        meniscus.UsageError: ball.gif: the suffix chooses the format; known are .ply .obj .stl .off .glb .vtp .vert .npz .png .html .dx .mrc .vdb .mls
         """
         drawing = {"size": size, "view": view, "background": background, "perspective": perspective,
                    "outline": outline, "depth_cue": depth_cue, "cut": cut, "legend": legend, "grid": grid, "field": field,

@@ -230,6 +230,7 @@ _SURFACE_WRITERS: dict[str, Callable[[str, Surface, dict[str, Any], dict[str, An
     ".off": _save_mesh,
     ".glb": _save_mesh,
     ".vtp": _save_mesh,
+    ".vert": _save_mesh,
     ".npz": _save_mesh,
     ".png": _save_picture,
     ".html": _save_page,

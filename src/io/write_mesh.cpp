@@ -12,6 +12,7 @@
 #include "io/atomic_file.h"
 #include "io/glb.h"
 #include "io/measured_arrays.h"
+#include "io/msms_pair.h"
 #include "io/npz.h"
 #include "io/obj.h"
 #include "io/off.h"
@@ -88,9 +89,10 @@ std::vector<std::uint32_t> residues_of_vertices(const Mesh& mesh, const Structur
 
 void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& given) {
     const std::string suffix = suffix_of(path);
-    constexpr std::array kSuffixes{".ply", ".obj", ".stl", ".off", ".glb", ".vtp", ".npz"};
+    constexpr std::array kSuffixes{".ply", ".obj", ".stl", ".off", ".glb", ".vtp", ".npz", ".vert"};
     if (std::find(kSuffixes.begin(), kSuffixes.end(), suffix) == kSuffixes.end())
-        throw UsageError(path + ": unknown suffix for a mesh; choose .ply, .obj, .stl, .off, .glb, .vtp or .npz");
+        throw UsageError(path +
+                         ": unknown suffix for a mesh; choose .ply, .obj, .stl, .off, .glb, .vtp, .npz or .vert");
     WriteOptions options = given;
     std::vector<std::uint32_t> residues;
     if (options.structure != nullptr && !mesh.atoms.empty()) {
@@ -99,6 +101,7 @@ void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& g
     }
     check(mesh, options);
     const ThreadLimit limit(options.threads);
+    if (suffix == ".vert") return write_msms_pair(path, mesh, options.structure, options.probe.value_or(0.0));
     AtomicFile file(path);
     if (suffix == ".ply") write_ply(file, mesh, options);
     if (suffix == ".obj") write_obj(file, mesh, options.open);

@@ -107,26 +107,31 @@ std::array<std::uint32_t, 3> atoms_of(const AccessibleSurface::Data& data, const
 }
 
 // A torus is divided at the plane of its circle (ψ = 0); a piece on one side of it belongs to that side's atom.
-void share_torus(const SesPatches& patches, const SesPatch& patch, std::vector<AtomMeasure>& atoms) {
-    const AccessibleSurface::Data& data = patches.data();
+double torus_area_at_first(const AccessibleSurface::Data& data, const SesPatch& patch) {
     const SasArc& arc = data.arcs[patch.feature];
     const auto range = toroidal_patch(arc, data.probe).pieces[patch.part];
     const double middle = std::clamp(0.0, range.begin, range.end);
-    const double first = toroidal_piece(arc, data.probe, {range.begin, middle}, {}).area;
-    atoms[data.atoms.original[arc.atoms[0]]].toroidal_area += first;
-    atoms[data.atoms.original[arc.atoms[1]]].toroidal_area += patch.ses.area - first;
+    return toroidal_piece(arc, data.probe, {range.begin, middle}, {}).area;
+}
+
+// What the first of a patch's atoms has of its area.
+double area_of_first(const AccessibleSurface::Data& data, const SesPatch& patch) {
+    if (patch.kind == PatchKind::Toroidal) return torus_area_at_first(data, patch);
+    return patch.kind == PatchKind::Contact ? patch.ses.area : patch.ses.area / 3.0;
 }
 
 void share_among_atoms(const SesPatches& patches, Measures& measures) {
     for (const SesPatch& patch : patches.patches()) {
         const auto owners = atoms_of(patches.data(), patch);
+        const double first = area_of_first(patches.data(), patch);
         if (patch.kind == PatchKind::Contact) {
             measures.atoms[owners[0]].contact_area += patch.ses.area;
             measures.atoms[owners[0]].sas_area += patch.sas.area;
         } else if (patch.kind == PatchKind::Toroidal) {
-            share_torus(patches, patch, measures.atoms);
+            measures.atoms[owners[0]].toroidal_area += first;
+            measures.atoms[owners[1]].toroidal_area += patch.ses.area - first;
         } else {
-            for (const std::uint32_t atom : owners) measures.atoms[atom].reentrant_area += patch.ses.area / 3.0;
+            for (const std::uint32_t atom : owners) measures.atoms[atom].reentrant_area += first;
         }
     }
 }
@@ -276,7 +281,7 @@ Measures describe(const Atoms& atoms, const MeasureOptions& options, const Evalu
     measures.patches.reserve(evaluation.patches.patches().size());
     for (const SesPatch& patch : evaluation.patches.patches())
         measures.patches.push_back({patch.kind, atoms_of(evaluation.patches.data(), patch), number[patch.component],
-                                    patch.ses.area, patch.sas.area});
+                                    patch.ses.area, patch.sas.area, area_of_first(evaluation.patches.data(), patch)});
     if (options.depth) add_depths(evaluation.surface, atoms, measures);
     return measures;
 }

@@ -68,6 +68,15 @@ TEST_F(OutputPlan, RefusesAFileNamedTwice) {
     EXPECT_NO_THROW(check_paths({in_folder("a.ply"), in_folder("sub/a.ply")}, "-"));
 }
 
+TEST_F(OutputPlan, AVertFileBringsAFaceFileWithIt) {
+    EXPECT_EQ(files_of("out/a.b.vert"), (std::vector<std::string>{"out/a.b.vert", "out/a.b.face"}));
+    EXPECT_EQ(files_of("a.ply"), std::vector<std::string>{"a.ply"});
+    EXPECT_THROW(check_paths({in_folder("a.vert"), in_folder("a.face")}, "-"), UsageError);
+    std::ofstream(in_folder("b.face")) << "0 0 0 1\n";
+    EXPECT_THROW(check_paths({in_folder("b.vert")}, in_folder("b.face")), UsageError);
+    EXPECT_NO_THROW(check_paths({in_folder("a.vert"), in_folder("b.vert")}, "-"));
+}
+
 TEST_F(OutputPlan, RefusesToOverwriteTheInput) {
     std::ofstream(in_folder("a.xyzr")) << "0 0 0 1\n";
     fs::create_symlink(in_folder("a.xyzr"), in_folder("link.xyzr"));

@@ -205,11 +205,16 @@ class Outputs(ProgramTest):
         self.assertEqual(self.files(), ["sub/three.xyzr", "three.atoms.csv", "three.html", "three.ply"])
 
     def test_every_format_can_be_written(self):
-        names = ["a.glb", "a.obj", "a.off", "a.ply", "a.stl", "a.vtp", "a.npz", "b.xyzr", "b.xyzrn"]
+        names = ["a.glb", "a.obj", "a.off", "a.ply", "a.stl", "a.vert", "a.vtp", "a.npz", "b.xyzr", "b.xyzrn"]
         self.surface("three.xyzr", *[word for name in names for word in ("-o", name)])
-        self.assertEqual(self.files(), sorted([*names, "a.atoms.csv", "three.xyzr"]))
-        for name in names:
+        self.assertEqual(self.files(), sorted([*names, "a.atoms.csv", "a.face", "three.xyzr"]))
+        for name in [*names, "a.face"]:
             self.assertGreater((self.folder / name).stat().st_size, 0, name)
+
+    def test_a_pair_of_msms_is_told_whole_and_nothing_else_goes_to_its_second_file(self):
+        self.assertIn("written     a.vert, a.face, a.atoms.csv", self.surface("three.xyzr", "-o", "a.vert").stdout)
+        error = self.surface("three.xyzr", "-o", "b.vert", "--report", "b.face", code=2).stderr
+        self.assertIn("b.face: two outputs go to this file", error)
 
     def test_a_picture_alone(self):
         self.surface("three.xyzr", "-o", "a.png", "--size", "64x48")

@@ -69,6 +69,8 @@ class Page:
         (folder / "run").chmod(0o755)
         (folder / ".bin").mkdir()
         (folder / ".bin" / "meniscus").symlink_to(PROGRAM)
+        for name in ("meniscus-msms", "meniscus-nanoshaper", "pdb_to_xyzr", "pdb_to_xyzrn"):
+            (folder / ".bin" / name).symlink_to(PROGRAM.parent / "dropins" / name)
         self.environment = {**os.environ, "PATH": f"{folder / '.bin'}:{os.environ['PATH']}", "LC_ALL": "C.UTF-8"}
 
     def run(self, block):

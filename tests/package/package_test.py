@@ -154,6 +154,15 @@ class PackageTest(unittest.TestCase):
         self.assertIn(f'PACKAGE_VERSION "{VERSION}"', self.one("meniscus-config-version.cmake").read_text())
         self.assertIn(f"\nversion: {VERSION}\n", self.one("CITATION.cff").read_text())
 
+    def test_programs_that_stand_in_for_others_have_links_under_their_names(self):
+        folder = self.prefix / "lib/meniscus/dropins"
+        for name in ("msms", "NanoShaper", "pdb_to_xyzr", "pdb_to_xyzrn"):
+            self.assertEqual((folder / name).resolve().parent, self.prefix.resolve() / "bin", name)
+        printed = run("msms", "-if", self.folder / "spheres.xyzr", "-of", self.folder / "spheres",
+                      env={**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"})
+        self.assertIn("MSMS terminated normally", printed)
+        self.assertTrue((self.folder / "spheres.vert").is_file())
+
     def test_the_pages_come_along(self):
         for name in ("LICENSE", "THIRD_PARTY_NOTICES.md", "CHANGELOG.md", "examples/1ubq.pdb", "docs/conventions.md"):
             self.assertTrue((self.prefix / "share/doc/meniscus" / name).is_file(), name)

@@ -20,7 +20,7 @@ def content(path):
 @unittest.skipUnless(PROGRAM, "MENISCUS_PROGRAM names no program to compare with")
 class AsTheProgram(InScratchFolder):
     def test_files_have_the_same_bytes(self):
-        names = ["mesh.ply", "mesh.obj", "mesh.stl", "mesh.off", "mesh.glb", "mesh.vtp", "mesh.npz", "picture.png", "page.html"]
+        names = ["mesh.ply", "mesh.obj", "mesh.stl", "mesh.off", "mesh.glb", "mesh.vtp", "mesh.vert", "mesh.npz", "picture.png", "page.html"]
         outputs = [word for name in names for word in ("-o", f"cli_{name}")]
         options = ["--color", "curvature:-1:1", "--size", "400x300", "--view", "top", "--background", "#202020",
                    "--cut", "12", "--legend"]
@@ -30,6 +30,7 @@ class AsTheProgram(InScratchFolder):
             surface.save(name, color="curvature:-1:1", size=(400, 300), view="top", background="#202020", cut=12,
                          legend=True)
             self.assertTrue(content(name) == content(f"cli_{name}"), name)
+        self.assertTrue(content("mesh.face") == content("cli_mesh.face"))
         surface.structure.save("mesh.atoms.csv")
         self.assertTrue(content("mesh.atoms.csv") == content("cli_mesh.atoms.csv"))
 
