@@ -217,7 +217,8 @@ void add_picture_options(CLI::App& command, PictureRequest& request) {
         });
     add_drawing_flag(command, request, "--perspective", rarely("Draw what is nearer larger"),
                      [&] { picture.projection = Projection::Perspective; });
-    add_drawing_flag(command, request, "--outline", rarely("Lines where the surface ends"), [&] { picture.outline = true; });
+    add_drawing_flag(command, request, "--outline", rarely("Lines where the surface ends"),
+                     [&] { picture.outline = true; });
     add_drawing_flag(command, request, "--legend", "What the colours mean, beside the surface",
                      [&] { request.legend = true; });
 }

@@ -16,8 +16,8 @@ class App;
 namespace meniscus::cli {
 
 struct PictureRequest {
-    ColourOptions colours{};   ///< of meshes too
-    PictureOptions picture;  ///< threads are those of the run
+    ColourOptions colours{};  ///< of meshes too
+    PictureOptions picture;   ///< threads are those of the run
     bool legend = false;
     std::string view = "auto";  ///< as asked for
     std::string cut{};          ///< as asked for
