@@ -78,7 +78,7 @@ private:
         const SurfaceOptions& options = request_.surface;
         std::vector<bool> selected;
         if (!request_.show.empty()) selected = select_atoms(job.structure, request_.show, "--show");
-        values_ = ValueSources(request_.values, request_.picture.colours, job.structure);
+        values_ = ValueSources(request_.values, request_.picture.colours, job.structure, request_.per_chain);
         for (const std::string& line : values_.warnings()) warn(line);
         Stopwatch estimating;
         const bool has_volume = has(job.outputs, OutputKind::Volume);

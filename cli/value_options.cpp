@@ -121,17 +121,19 @@ void report_values(const ValueRequest& request, ordered_json& options) {
     options["values"] = request.tables;
 }
 
-ValueSources::ValueSources(const ValueRequest& request, const ColourOptions& colours, const Structure& structure)
+ValueSources::ValueSources(const ValueRequest& request, const ColourOptions& colours, const Structure& structure,
+                           bool one_chain)
     : sampling_(request.sampling) {
-    for (const std::string& path : request.tables) add_table(path, structure);
+    for (const std::string& path : request.tables) add_table(path, structure, one_chain);
     for (const SampledMap& map : request.maps) maps_.push_back({map, read_volume(map.path)});
     check_names(colours);
     if (auto more = values_of_scheme(colours.scheme, structure)) columns_.push_back({std::move(*more), structure.file});
 }
 
-void ValueSources::add_table(const std::string& path, const Structure& structure) {
+void ValueSources::add_table(const std::string& path, const Structure& structure, bool one_chain) {
     ValueTable table = read_value_table(path, structure);
-    if (table.strange_rows > 0)
+    if (!one_chain) refuse_strange_table(table, path, structure);
+    if (table.strange_rows > 0 && !one_chain)
         warnings_.push_back(fmt::format("{}: {} of {} rows name nothing of what is kept of {}", path,
                                         table.strange_rows, table.rows, structure.file));
     for (AtomValues& column : table.columns) columns_.push_back({std::move(column), path});

@@ -44,8 +44,9 @@ class ValueSources {
 public:
     ValueSources() = default;
     /// Also the B factors, where they are what the surface shows.
-    /// throws   InputError; UsageError for two arrays of one name, and for a name that --color gives but no file has
-    ValueSources(const ValueRequest& request, const ColourOptions& colours, const Structure& structure);
+    /// one_chain   of several: rows of tables may be about the others
+    /// throws      InputError; UsageError for two arrays of one name, and for a name that --color gives but no file has
+    ValueSources(const ValueRequest& request, const ColourOptions& colours, const Structure& structure, bool one_chain);
 
     /// What may be worth knowing of the files, one line each.
     const std::vector<std::string>& warnings() const { return warnings_; }
@@ -70,7 +71,7 @@ private:
         std::string path;
     };
 
-    void add_table(const std::string& path, const Structure& structure);
+    void add_table(const std::string& path, const Structure& structure, bool one_chain);
     void check_names(const ColourOptions& colours) const;
     std::vector<std::string> names() const;
     const std::string& path_of(const std::string& name) const;

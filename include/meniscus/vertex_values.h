@@ -34,10 +34,12 @@ struct ValueTable {
 /// or serial; chain is not needed where the structure has one only. What of these, and of resname, stands beside an
 /// index, or beside a residue's number, must agree with the structure. All other columns are values, one array each;
 /// an empty cell, NA or nan is no value, true and false are 1 and 0.
-/// throws   InputError "FILE:LINE:COLUMN: what; what to do", also where every row names something that the structure
-///          does not have
+/// throws   InputError "FILE:LINE:COLUMN: what; what to do"
 /// cost     O(n log n)
 ValueTable read_value_table(const std::string& path, const Structure& structure);
+
+/// throws   InputError for a table whose rows all name something that the structure does not have
+void refuse_strange_table(const ValueTable& table, const std::string& path, const Structure& structure);
 
 /// Whether values may have this name: a letter or '_', then letters, digits and '_'; no vertex array of the surface
 /// itself has it.

@@ -310,8 +310,9 @@ py::dict table_values(const Mesh& mesh, const Structure& structure, const std::s
     std::vector<VertexValues> all;
     {
         const py::gil_scoped_release release;
-        for (const AtomValues& column : read_value_table(path, structure).columns)
-            all.push_back(values_at_vertices(mesh, column));
+        const ValueTable table = read_value_table(path, structure);
+        refuse_strange_table(table, path, structure);
+        for (const AtomValues& column : table.columns) all.push_back(values_at_vertices(mesh, column));
     }
     py::dict arrays;
     for (VertexValues& values : all) arrays[py::str(values.name)] = owning(std::move(values.values));

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/lower_case.h"
 #include "core/parallel.h"
 #include "io/atomic_file.h"
 #include "io/glb.h"
@@ -24,12 +25,6 @@
 
 namespace meniscus {
 namespace {
-
-std::string lower_case(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 // ".ply" of "dir.x/NAME.PLY"; empty if the last part of the path has no suffix.
 std::string suffix_of(const std::string& path) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/lower_case.h"
 #include "meniscus/errors.h"
 #include "mesh_io/glb_reader.h"
 #include "mesh_io/mesh_file.h"
@@ -20,12 +21,6 @@ namespace meniscus {
 namespace {
 
 constexpr std::array<std::string_view, 7> kSuffixes{".ply", ".obj", ".stl", ".off", ".glb", ".vert", ".face"};
-
-std::string lower_case(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return text;
-}
 
 // Where the suffix begins: ".off" of "dir/a.OFF.gz". Empty if the name has none that is known.
 std::string_view suffix_of(const std::string& path) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 
+#include "core/lower_case.h"
 #include "meniscus/errors.h"
 #include "reading/gunzip.h"
 #include "reading/numbers.h"
@@ -30,12 +31,6 @@ constexpr auto kSuffixes = std::to_array<Suffix>({
     {".xyzr", Format::Xyzr},
     {".xyzrn", Format::Xyzrn},
 });
-
-std::string lower_case(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return text;
-}
 
 // The file name without folders, and without .gz if it ends so.
 std::string base_name(const std::string& path) {

@@ -57,9 +57,6 @@ public:
         if (rows.empty()) throw InputError(file_ + ": is empty; give a line of names and one per residue or atom");
         read_names(rows.front());
         for (const CsvRow& row : std::span(rows).subspan(1)) read_row(row);
-        if (table_.rows == table_.strange_rows)
-            throw InputError(file_ + ": no row names anything of " + structure_.file +
-                             "; is it the table of another structure?");
         copy_to_assembly();
         return std::move(table_);
     }
@@ -145,6 +142,12 @@ private:
 
 ValueTable read_value_table(const std::string& path, const Structure& structure) {
     return TableReader(path, structure).read();
+}
+
+void refuse_strange_table(const ValueTable& table, const std::string& path, const Structure& structure) {
+    if (table.rows == table.strange_rows)
+        throw InputError(path + ": no row names anything of " + structure.file +
+                         "; is it the table of another structure?");
 }
 
 }  // namespace meniscus

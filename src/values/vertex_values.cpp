@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/lower_case.h"
 #include "meniscus/errors.h"
 
 namespace meniscus {
@@ -36,10 +37,7 @@ std::vector<float> to_single(const std::vector<double>& values) { return {values
 bool is_value_name(const std::string& name) {
     if (name.empty() || !is_letter(name.front())) return false;
     if (!std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c); })) return false;
-    std::string lower = name;
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return std::find(kTaken.begin(), kTaken.end(), lower) == kTaken.end();
+    return std::find(kTaken.begin(), kTaken.end(), lower_case(name)) == kTaken.end();
 }
 
 VertexValues values_at_vertices(const Mesh& mesh, const AtomValues& values) {

@@ -116,6 +116,13 @@ class Chains(ProgramTest):
                              (self.folder / f"{chain}.ply").read_bytes())
             self.assertTrue((self.folder / f"out_chain{chain}.atoms.csv").exists())
 
+    def test_a_table_may_be_about_another_chain(self):
+        (self.folder / "t.csv").write_text("chain,resnum,score\nL,2,1\n", encoding="ascii")
+        reports = self.report(COMPLEX, "--per-chain", "--spacing", "1", "--values", "t.csv", "-o", "out.ply")
+        found = {r["input"]["chain"]: r["mesh"]["vertices"] - r["values"][0]["missing"] for r in reports}
+        self.assertEqual(found["H"], 0)
+        self.assertGreater(found["L"], 0)
+
     def test_names_that_are_no_file_names_are_escaped(self):
         lines = [line for line in UBIQUITIN.read_text().splitlines() if line.startswith("ATOM")][:40]
         (self.folder / "a.pdb").write_text("\n".join(line[:21] + "/" + line[22:] for line in lines) + "\nEND\n")
