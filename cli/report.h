@@ -26,18 +26,19 @@ struct ShownPart {
 
 /// What the program itself knows about a run, beside the library's results.
 struct RunFacts {
-    int model = 1;                     ///< position in the file, from 1
-    int threads = 1;                   ///< in use
-    double read_seconds = 0.0;         ///< with the start of the program; with all models: counted with the first
-    double exact_seconds = 0.0;        ///< of the exact measures
-    double picture_seconds = 0.0;      ///< of colours and pictures, without writing them
-    double page_seconds = 0.0;         ///< of pages, without writing them
-    double volume_seconds = 0.0;       ///< of volumes, without writing them
-    double write_seconds = 0.0;        ///< of the files of -o
-    double total_seconds = 0.0;        ///< wall clock
-    double peak_memory_mb = 0.0;       ///< of the process so far, in units of 2^20 bytes
-    std::string chain{};               ///< the only one, with --per-chain
-    std::optional<ShownPart> shown{};  ///< with --show
+    int model = 1;                         ///< position in the file, from 1
+    int threads = 1;                       ///< in use
+    double read_seconds = 0.0;             ///< with the start of the program; with all models: counted with the first
+    double exact_seconds = 0.0;            ///< of the exact measures
+    double picture_seconds = 0.0;          ///< of colours and pictures, without writing them
+    double page_seconds = 0.0;             ///< of pages, without writing them
+    double volume_seconds = 0.0;           ///< of volumes, without writing them
+    double write_seconds = 0.0;            ///< of the files of -o
+    double total_seconds = 0.0;            ///< wall clock
+    double peak_memory_mb = 0.0;           ///< of the process so far, in units of 2^20 bytes
+    std::string chain{};                   ///< the only one, with --per-chain
+    std::optional<SurfaceTotals> exact{};  ///< of all pieces, where the summary is to tell them
+    std::optional<ShownPart> shown{};      ///< with --show
 };
 
 /// The report of one surface. Numbers that are not finite become null.

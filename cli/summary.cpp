@@ -68,6 +68,9 @@ std::string make_summary(const Structure& structure, const Surface& surface, con
         fmt::format("{}{}: {}, {}, {}, spacing {} Å\n", one_line(input_label(structure.file)), chain,
                     counted(structure.atoms.size(), "atom", "atoms"), describe_radii(structure.radii_set),
                     describe_surface(surface.options), surface.options.spacing);
+    if (facts.exact)
+        text += summary_line("exact", fmt::format("{:.2f} Å², {:.2f} Å³; what follows is of the mesh, without creases",
+                                                  facts.exact->ses_area, facts.exact->ses_volume));
     text += summary_line("area", fmt::format("{:.2f} Å² (flat triangles {:.2f} Å²)", surface.corrected_area, m.area));
     text +=
         summary_line("volume", fmt::format("{:.2f} Å³ (flat triangles {:.2f} Å³)", surface.corrected_volume, m.volume));

@@ -90,7 +90,8 @@ private:
             expect(expected.seconds);
         }
         const double estimate_seconds = estimating.lap();
-        if (!request_.report.empty() || has(job.outputs, OutputKind::Page)) measure_exactly(job.structure.atoms);
+        if (!request_.report.empty() || has(job.outputs, OutputKind::Page) || is_creased())
+            measure_exactly(job.structure.atoms);
         FlowObserver observer;
         if (request_.flow.snapshots > 0)
             observer = [&](const FlowStep& step, const Mesh& mesh) { write_snapshot(job, step, mesh); };
@@ -223,12 +224,17 @@ private:
         throw_if_interrupted();
     }
 
+    /// All over: the mesh cuts the creases between atoms off, and only the exact area is right.
+    bool is_creased() const { return request_.surface.surface != SurfaceKind::Ses; }
+
     void measure_exactly(const Atoms& atoms) {
         Stopwatch watch;
         const SesProblem problem = ses_problem(atoms, request_.surface);
         exact_ = measure(problem.atoms, {.probe = problem.probe, .threads = request_.surface.threads});
         std::vector<PatchMeasure>().swap(exact_.patches);
         std::vector<AtomMeasure>().swap(exact_.atoms);
+        if (request_.surface.surface == SurfaceKind::Sas && !request_.report.empty())
+            excluded_ = measure(atoms, {.probe = request_.surface.probe, .threads = request_.surface.threads});
         exact_seconds_ = watch.lap();
     }
 
@@ -265,12 +271,17 @@ private:
         all.shown = shown_;
         ordered_json report = make_report(request_, job.structure, surface_, exact_, all);
         report["values"] = values_.report(surface_.mesh);
+        if (request_.surface.surface == SurfaceKind::Sas) {
+            report["exact"] = exact_json(excluded_);
+            report["components"] = components_json(excluded_);
+        }
         return report;
     }
 
     std::string summary(const Job& job, const RunFacts& facts) const override {
         RunFacts all = facts;
         all.shown = shown_;
+        if (is_creased()) all.exact = exact_.totals;
         std::vector<Output> written = job.outputs;
         for (const auto& [component, output] : cavities_) written.push_back(output);
         return make_summary(job.structure, surface_, all, written);
@@ -278,7 +289,8 @@ private:
 
     const SurfaceRequest& request_;
     ValueSources values_;
-    Measures exact_;
+    Measures exact_;     // of the surface that is made
+    Measures excluded_;  // of the SES, where another one is made and reports tell both by their names
     double exact_seconds_ = 0.0;
     double picture_seconds_ = 0.0;
     double page_seconds_ = 0.0;
