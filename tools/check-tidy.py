@@ -13,12 +13,17 @@ import sys
 from sources import ROOT, Cache, sources
 
 
+# Compiled only where the library that they are about is installed (packages.txt, section [full]).
+OPTIONAL = {pathlib.Path("src/volume/vdb_module.cpp")}
+
+
 def main():
     build = pathlib.Path(sys.argv[1])
     entries = json.loads((build / "compile_commands.json").read_text())
     compiled = {pathlib.Path(entry["file"]) for entry in entries}
     paths = [path for path in sources(".cpp") if ROOT / path in compiled]
-    for path in set(sources(".cpp")) - set(paths):
+    forgotten = set(sources(".cpp")) - set(paths) - OPTIONAL
+    for path in forgotten:
         print(f"{path}: not in any target")
     version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
     configurations = [path.read_text() for path in sorted(ROOT.glob(".clang-tidy")) + sorted(ROOT.glob("*/.clang-tidy"))]
@@ -26,7 +31,7 @@ def main():
     # -Wno-unknown-warning-option: the commands are GCC's.
     failed = cache.run(paths, lambda path: ["clang-tidy", "--quiet", "-p", str(build),
                                             "--extra-arg=-Wno-unknown-warning-option", str(path)])
-    return 1 if failed or len(paths) != len(sources(".cpp")) else 0
+    return 1 if failed or forgotten else 0
 
 
 sys.exit(main())
