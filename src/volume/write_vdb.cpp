@@ -3,11 +3,14 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <exception>
+#include <filesystem>
 #include <limits>
 #include <ostream>
 #include <streambuf>
 #include <string_view>
+#include <system_error>
 
 #include "io/atomic_file.h"
 #include "meniscus/errors.h"
@@ -15,18 +18,41 @@
 #include "volume/writers.h"
 
 namespace meniscus {
+
+namespace fs = std::filesystem;
+
 namespace {
 
-#ifdef MENISCUS_VDB_MODULE
-constexpr const char* kModule = MENISCUS_VDB_MODULE;
-#else
-constexpr const char* kModule = nullptr;
-#endif
+constexpr const char* kModule = "meniscus_vdb.so";
+
+// Where the module is in a folder above the program or library: installed, and in the tree of the build.
+constexpr std::array kPlaces{"lib/meniscus", "src/volume"};
+constexpr int kFoldersUp = 3;
+
+fs::path module_above(const fs::path& file) {
+    std::error_code ignored;
+    fs::path folder = fs::weakly_canonical(file, ignored);
+    for (int i = 0; i < kFoldersUp; ++i) {
+        folder = folder.parent_path();
+        for (const char* place : kPlaces)
+            if (const fs::path found = folder / place / kModule; fs::exists(found, ignored)) return found;
+    }
+    return {};
+}
+
+// Of the library that this code is in, or else of the program.
+fs::path find_module() {
+    Dl_info here{};
+    if (::dladdr(reinterpret_cast<const void*>(&vdb_supported), &here) != 0)
+        if (const fs::path found = module_above(here.dli_fname); !found.empty()) return found;
+    return module_above("/proc/self/exe");
+}
 
 // Loaded once, and for good: OpenVDB keeps registers of its own.
 VdbWriter* writer() {
     static VdbWriter* const found = []() -> VdbWriter* {
-        void* const module = kModule == nullptr ? nullptr : ::dlopen(kModule, RTLD_NOW | RTLD_LOCAL);
+        const fs::path path = find_module();
+        void* const module = path.empty() ? nullptr : ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
         return module == nullptr ? nullptr : reinterpret_cast<VdbWriter*>(::dlsym(module, kVdbWriterName));
     }();
     return found;
