@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "exact_blocks.h"
 #include "interrupt.h"
 #include "io/atomic_file.h"
 #include "meniscus/accessible_surface.h"
