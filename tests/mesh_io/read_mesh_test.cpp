@@ -45,6 +45,22 @@ TEST(ReadMesh, WhatWeWriteReadsBackAsTheSameManifold) {
     }
 }
 
+TEST(ReadMesh, PairsOfMsmsReadBackToTheirThreeDecimals) {
+    const ScratchFolder folder;
+    Mesh mesh = two_spheres();
+    mesh.normals.assign(mesh.vertices.size(), {0.0, 0.0, 1.0});
+    mesh.atoms.assign(mesh.vertices.size(), 0);
+    mesh.patches.assign(mesh.vertices.size(), PatchKind::Contact);
+    write_mesh(folder / "a.vert", mesh);
+    for (const char* name : {"a.vert", "a.face"}) {
+        const Mesh read = read_mesh(folder / name);
+        expect_closed_manifold(read);
+        ASSERT_EQ(read.triangles, mesh.triangles) << name;
+        for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+            ASSERT_LT(norm(read.vertices[v] - mesh.vertices[v]), 0.001) << name;
+    }
+}
+
 TEST(ReadMesh, MeshesOfNothingReadBack) {
     const ScratchFolder folder;
     for (const Written& written : kWritten) {
