@@ -35,7 +35,7 @@ fs::path module_above(const fs::path& file) {
     for (int i = 0; i < kFoldersUp; ++i) {
         folder = folder.parent_path();
         for (const char* place : kPlaces)
-            if (const fs::path found = folder / place / kModule; fs::exists(found, ignored)) return found;
+            if (fs::path found = folder / place / kModule; fs::exists(found, ignored)) return found;
     }
     return {};
 }
@@ -44,7 +44,7 @@ fs::path module_above(const fs::path& file) {
 fs::path find_module() {
     Dl_info here{};
     if (::dladdr(reinterpret_cast<const void*>(&vdb_supported), &here) != 0)
-        if (const fs::path found = module_above(here.dli_fname); !found.empty()) return found;
+        if (fs::path found = module_above(here.dli_fname); !found.empty()) return found;
     return module_above("/proc/self/exe");
 }
 

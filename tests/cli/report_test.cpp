@@ -30,7 +30,7 @@ Structure sample_structure() {
     return structure;
 }
 
-constexpr RunFacts kFacts{.model = 2, .threads = 3, .exact_seconds = 0.25, .total_seconds = 1.5};
+const RunFacts kFacts{.model = 2, .threads = 3, .exact_seconds = 0.25, .total_seconds = 1.5};
 
 nlohmann::ordered_json report_of(const SurfaceRequest& request, const Surface& surface = {},
                                  const Measures& exact = {}) {
