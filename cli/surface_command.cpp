@@ -12,9 +12,8 @@
 #include "exact_blocks.h"
 #include "interrupt.h"
 #include "io/atomic_file.h"
-#include "meniscus/accessible_surface.h"
+#include "meniscus/draw_surface.h"
 #include "meniscus/errors.h"
-#include "meniscus/legend.h"
 #include "meniscus/measures.h"
 #include "meniscus/mesh_part.h"
 #include "meniscus/page.h"
@@ -197,19 +196,11 @@ private:
         show("picture", 0.0);
         PictureOptions options = request_.picture.picture;
         options.threads = request_.surface.threads;
-        const ColourOptions& colours = request_.picture.colours;
-        const SesProblem problem = ses_problem(structure.atoms, request_.surface);
-        const AccessibleSurface accessible(problem.atoms, problem.probe);
-        ColourField field;
-        if (surface_.level_set) field = colour_by_level_set(*surface_.level_set, colours);
-        if (!field) field = colour_by_feature(accessible, structure, colours);
-        Picture legend{0, options.height, {}};
-        if (request_.picture.legend)
-            legend =
-                draw_legend(make_legend(surface_.mesh, structure, colours),
-                            {.width = options.width / 2, .height = options.height, .background = options.background});
-        options.width -= legend.width;
-        picture_ = side_by_side(draw_picture(written_mesh(), written_colours(), options, field), legend);
+        picture_ = draw_surface(surface_, structure, written_mesh(), written_colours(),
+                                {.picture = options,
+                                 .scheme = request_.picture.colours,
+                                 .legend = request_.picture.legend,
+                                 .whole = &surface_.mesh});
         show("picture", 1.0);
     }
 

@@ -10,9 +10,9 @@
 #include "bindings.h"
 #include "held_surface.h"
 #include "meniscus/colours.h"
+#include "meniscus/draw_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/field.h"
-#include "meniscus/legend.h"
 #include "meniscus/level_set_file.h"
 #include "meniscus/mesh_part.h"
 #include "meniscus/page.h"
@@ -207,36 +207,15 @@ PictureOptions picture_options(const py::dict& given) {
     return picture;
 }
 
-/// Sharp borders where they are known at any point; colours that were given are known at the vertices.
-ColourField field_of(const HeldSurface& held, const Colouring& colouring) {
-    if (!colouring.given.empty()) return {};
-    ColourField field;
-    if (const auto& level_set = held.surface().level_set) field = colour_by_level_set(*level_set, colouring.options);
-    if (!field) field = colour_by_feature(held.accessible(), held.structure(), colouring.options);
-    return field;
-}
-
-/// With the legend at its right, if one is asked for.
-Picture draw(const HeldSurface& held, const Colouring& colouring, PictureOptions options, bool with_legend) {
-    const Mesh mesh = colouring.complete(held.surface().mesh, held.structure());
-    Picture legend{0, options.height, {}};
-    if (with_legend)
-        legend = draw_legend(make_legend(mesh, held.structure(), colouring.options),
-                             {.width = options.width / 2, .height = options.height, .background = options.background});
-    options.width -= legend.width;
-    return side_by_side(draw_picture(mesh, colouring.of(mesh, held.structure()), options, field_of(held, colouring)),
-                        legend);
-}
-
 void save_picture(const std::string& path, const HeldSurface& held, const py::dict& given) {
     const Colouring colouring(given);
-    const PictureOptions options = picture_options(given);
-    bool legend = false;
-    Options(given).read("legend", legend);
-    if (legend && !colouring.given.empty())
-        throw UsageError("legend: tells what a scheme means; there is none for colours that are given");
+    DrawOptions options{.picture = picture_options(given)};
+    if (colouring.given.empty()) options.scheme = colouring.options;
+    Options(given).read("legend", options.legend);
     const py::gil_scoped_release release;
-    write_picture(path, draw(held, colouring, options, legend));
+    const Mesh mesh = colouring.complete(held.surface().mesh, held.structure());
+    const std::vector<Colour> colours = colouring.of(mesh, held.structure());
+    write_picture(path, draw_surface(held.surface(), held.structure(), mesh, colours, options));
 }
 
 void save_page(const std::string& path, const HeldSurface& held, const Measures& exact, const py::dict& given) {

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "meniscus/draw_surface.h"
+
+#include "meniscus/accessible_surface.h"
+#include "meniscus/errors.h"
+#include "meniscus/legend.h"
+
+namespace meniscus {
+namespace {
+
+Picture legend_of(const Mesh& mesh, const Structure& structure, const DrawOptions& options) {
+    const PictureOptions& picture = options.picture;
+    if (!options.legend) return {0, picture.height, {}};
+    if (!options.scheme)
+        throw UsageError("legend: tells what a scheme means; there is none for colours that are given");
+    return draw_legend(make_legend(options.whole != nullptr ? *options.whole : mesh, structure, *options.scheme),
+                       {.width = picture.width / 2, .height = picture.height, .background = picture.background});
+}
+
+}  // namespace
+
+Picture draw_surface(const Surface& surface, const Structure& structure, const Mesh& mesh,
+                     std::span<const Colour> colours, const DrawOptions& options) {
+    const Picture legend = legend_of(mesh, structure, options);
+    PictureOptions picture = options.picture;
+    picture.width -= legend.width;
+    const auto draw = [&](const ColourField& field) {
+        return side_by_side(draw_picture(mesh, colours, picture, field), legend);
+    };
+    if (!options.scheme) return draw({});
+    if (surface.level_set)
+        if (const ColourField field = colour_by_level_set(*surface.level_set, *options.scheme)) return draw(field);
+    const SesProblem problem = ses_problem(structure.atoms, surface.options);
+    const AccessibleSurface accessible(problem.atoms, problem.probe);
+    return draw(colour_by_feature(accessible, structure, *options.scheme));
+}
+
+}  // namespace meniscus
