@@ -255,53 +255,6 @@ class Outputs(ProgramTest):
         header = (self.folder / "a.ply").read_bytes().split(b"end_header")[0].decode("ascii")
         self.assertRegex(header, r"uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n")
 
-    def write_map(self, name, values):
-        """A map of one cell of 100 Å about the origin."""
-        (self.folder / name).write_text(
-            "object 1 class gridpositions counts 2 2 2\norigin -50 -50 -50\ndelta 100 0 0\ndelta 0 100 0\n"
-            "delta 0 0 100\nobject 2 class gridconnections counts 2 2 2\n"
-            f"object 3 class array type double rank 0 items 8 data follows\n{values}\n", encoding="ascii")
-
-    def test_values_of_maps_and_tables_are_in_the_mesh_the_report_and_the_page(self):
-        (self.folder / "gly.pdb").write_text(glycine())
-        self.write_map("x.dx", "-50 -50 -50 -50 50 50 50 50")
-        (self.folder / "t.csv").write_text("name,resnum,score\nCA,1,2.5\n", encoding="ascii")
-        report = self.report("gly.pdb", "-o", "a.ply", "-o", "a.html", "--ascii", "--sample", "phi=x.dx", "--values",
-                             "t.csv", "--color", "phi:-2:2", "--offset", "1")
-        rules = json.loads((SOURCE / "docs" / "report.schema.json").read_text(encoding="utf-8"))
-        self.assertEqual(schema.problems(report, rules), [])
-        self.assertEqual((report["options"]["color"], report["options"]["color_range"]), ("phi", [-2, 2]))
-        score, phi = report["values"]
-        self.assertEqual((score["name"], score["min"], score["max"], score["file"]), ("score", 2.5, 2.5, "t.csv"))
-        self.assertGreater(score["missing"], 0)
-        self.assertEqual((phi["name"], phi["missing"]), ("phi", 0))
-        lines = (self.folder / "a.ply").read_text(encoding="ascii").splitlines()
-        names = [line.split()[2] for line in lines if line.startswith("property") and "list" not in line]
-        first = dict(zip(names, map(float, lines[lines.index("end_header") + 1].split())))
-        self.assertAlmostEqual(first["phi"], first["x"] + first["nx"], places=4)
-        self.assertIn("score", names)
-        colours = self.report("gly.pdb", "-o", "b.ply", "--color", "plddt")
-        self.assertEqual([block["name"] for block in colours["values"]], ["plddt"])
-
-    def test_values_that_make_no_sense_are_refused(self):
-        (self.folder / "gly.pdb").write_text(glycine())
-        self.write_map("far.dx", "1 1 1 1 1 1 1 1")
-        text = (self.folder / "far.dx").read_text().replace("-50 -50 -50", "900 900 900")
-        (self.folder / "far.dx").write_text(text)
-        (self.folder / "t.csv").write_text("name,resnum,depth\nCA,1,2.5\n", encoding="ascii")
-        for words, code, message in (
-                (["--sample", "far.dx"], 2, "NAME=FILE"), (["--sample", "area=far.dx"], 2, "name of another vertex"),
-                (["--sample", "depth=far.dx"], 2, "is a scheme"), (["--sample", "v=no.dx"], 3, "no.dx"),
-                (["--sample", "v=far.dx"], 3, "another frame"), (["--offset", "1"], 2, "--sample"),
-                (["--color", "phi"], 2, "unknown value 'phi'"), (["--values", "no.csv"], 3, "no.csv"),
-                (["--values", "t.csv", "--color", "phi"], 2, "there are depth"),
-                (["--values", "t.csv", "--color", "depth"], 2, "rename"),
-                (["--values", "t.csv", "--values", "t.csv"], 2, "two arrays"),
-                (["--sample", "v=far.dx", "--interpolation", "best"], 2, "linear, cubic")):
-            result = self.surface("gly.pdb", "-o", "a.ply", *words, code=code)
-            self.assertIn(message, result.stderr, words)
-        self.assertFalse((self.folder / "a.ply").exists())
-
     def test_the_history_has_a_row_per_step(self):
         report = self.report("three.xyzr", "-o", "a.ply", "--history", "a.csv")
         with (self.folder / "a.csv").open() as file:
