@@ -37,6 +37,9 @@ constexpr int kElementArrayBuffer = 34963;
 
 constexpr std::uint32_t kLargestWholeFloat = 1U << 24U;  // all whole numbers up to it are floats
 
+// Stands where a vertex has no value: glTF knows no NaN. The asset's extras say so.
+constexpr float kMissing = std::numeric_limits<float>::lowest();
+
 // Neither a mirror nor chalk.
 constexpr double kRoughness = 0.7;
 
@@ -116,7 +119,8 @@ public:
         if (!mesh.atoms.empty()) add_values("atom", std::span<const std::uint32_t>(mesh.atoms));
         if (!mesh.patches.empty()) add_patches();
         if (!mesh.components.empty()) add_values("component", std::span<const std::uint32_t>(mesh.components));
-        for (const auto& [name, values] : measured_arrays(mesh)) add_values(name, values);
+        for (const auto& [name, values] : measured_arrays(mesh))
+            has_gaps(name) ? add_values_with_gaps(name, values) : add_values(name, values);
         for (const VertexArray& array : options.extra)
             std::visit([&](auto values) { add_values(array.name, values); }, array.values);
         add_triangles();
@@ -201,6 +205,22 @@ private:
                              [values](std::size_t v) { return static_cast<float>(values[v]); });
     }
 
+    // Whether these are values from elsewhere, of which some vertices have none.
+    bool has_gaps(const std::string& name) const {
+        return std::any_of(mesh_.values.begin(), mesh_.values.end(), [&](const VertexValues& brought) {
+            return brought.name == name && std::any_of(brought.values.begin(), brought.values.end(),
+                                                       [](float value) { return std::isnan(value); });
+        });
+    }
+
+    void add_values_with_gaps(const std::string& name, std::span<const float> values) {
+        if (std::any_of(values.begin(), values.end(), [](float value) { return std::isinf(value); }))
+            throw UsageError("GLB cannot hold the values of '" + name + "': one is not finite; write PLY");
+        missing_[attribute_name(name)] = kMissing;
+        add_attribute<float>(attribute_name(name), {{"componentType", kFloat}, {"type", "SCALAR"}},
+                             [values](std::size_t v) { return std::isnan(values[v]) ? kMissing : values[v]; });
+    }
+
     void add_patches() {
         add_attribute<float>("_PATCH", {{"componentType", kFloat}, {"type", "SCALAR"}},
                              [this](std::size_t v) { return static_cast<float>(mesh_.patches[v]); });
@@ -224,6 +244,7 @@ private:
         ordered_json extras{{"units", "angstrom"}, {"frame", "as in the input"}};
         if (options_.probe) extras["probe"] = *options_.probe;
         if (options_.open) extras["open"] = true;
+        if (!missing_.empty()) extras["missing"] = missing_;
         return {{"version", "2.0"}, {"generator", std::string("Meniscus ") + kVersion}, {"extras", extras}};
     }
 
@@ -267,6 +288,7 @@ private:
     const WriteOptions& options_;
     std::vector<Section> sections_;
     ordered_json attributes_;
+    ordered_json missing_;  // by attribute, the number that stands for none
 };
 
 }  // namespace

@@ -14,7 +14,8 @@
 namespace meniscus::reading {
 namespace {
 
-constexpr std::size_t kHeaderWords = 4;  // how many, spheres, density, probe radius
+constexpr std::size_t kHeaderWords = 4;      // how many, spheres, density, probe radius
+constexpr std::size_t kNanoShaperWords = 1;  // how many
 constexpr std::size_t kLeastVertexWords = 6;
 constexpr std::size_t kLeastFaceWords = 3;
 
@@ -29,7 +30,8 @@ public:
         while (lines_.next()) {
             split();
             if (words_.empty() || words_[0].starts_with('#')) continue;
-            if (read_++ == 0 && !expected_ && words_.size() == kHeaderWords) {
+            const bool may_count = words_.size() == kHeaderWords || words_.size() == kNanoShaperWords;
+            if (read_++ == 0 && !expected_ && may_count) {
                 expected_ = count(0);
                 read_ = 0;
                 continue;

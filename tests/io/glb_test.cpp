@@ -123,6 +123,23 @@ TEST(Glb, WhatFloatCannotHoldIsRefusedAndLeavesNoFile) {
     EXPECT_TRUE(folder.listing().empty());
 }
 
+TEST(Glb, WhereThereIsNoValueStandsANumberThatTheExtrasName) {
+    Mesh mesh = testing::tetrahedron();
+    constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+    mesh.values = {{"score", {1.0F, kNone, -2.0F, kNone}}, {"phi", {1.0F, 2.0F, 3.0F, 4.0F}}};
+    const GlbContent glb = round_trip(mesh, {});
+    const auto& missing = glb.json.at("asset").at("extras").at("missing");
+    EXPECT_EQ(missing.size(), 1U);
+    const double number = missing.at("_SCORE");
+    EXPECT_EQ(number, double{std::numeric_limits<float>::lowest()});
+    EXPECT_EQ(glb.attributes.at("_SCORE").at(1).at(0), number);
+    EXPECT_EQ(glb.attributes.at("_SCORE").at(2).at(0), -2.0);
+    EXPECT_EQ(glb.attributes.at("_PHI").at(3).at(0), 4.0);
+    const ScratchFolder folder;
+    mesh.values[0].values[0] = std::numeric_limits<float>::infinity();
+    EXPECT_THROW(write_mesh(folder / "a.glb", mesh), UsageError);
+}
+
 TEST(Glb, NamesThatItCannotHoldAreRefused) {
     const ScratchFolder folder;
     const std::vector<float> values(4);

@@ -46,6 +46,11 @@ TEST(MsmsReader, WithHeadersAndWithoutByEitherName) {
     }
 }
 
+TEST(MsmsReader, NanoShapersHeaderCountsAlone) {
+    expect_square(read_pair({"# a\n# b\n4\n" + kVertices, "# a\n# b\n2\n" + kFaces}));
+    expect_pair_error({"5\n" + kVertices, kFaces}, "the header says 5, but there are 4");
+}
+
 TEST(MsmsReader, SaysWhereWhatIsWrong) {
     expect_pair_error({kVertexHeader + kVertices + kVertices, kFaces}, "the header says 4, but there are 8");
     expect_pair_error({kVertices, kFaceHeader}, "the header says 2, but there are 0");
