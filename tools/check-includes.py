@@ -11,7 +11,7 @@ ROOMS = {
     "core": (),
     "reading": (),
     "structure": ("reading", "radii"),
-    "radii": (),
+    "radii": ("reading",),
     "geometry": (),
     "grid": (),
     "band": ("geometry", "grid"),

@@ -13,6 +13,10 @@
 #include <memory>
 #include <vector>
 
+#if defined(__SANITIZE_THREAD__)
+#include "core/plain_threads.h"
+#endif
+
 namespace meniscus {
 
 /// Limits the threads of everything below while it lives; 0 leaves all cores.
@@ -31,9 +35,13 @@ private:
 /// Calls body(i) for i in [0, n), in any order, in chunks of at least `grain`.
 template <class Body>
 void parallel_for(std::size_t n, std::size_t grain, const Body& body) {
+#if defined(__SANITIZE_THREAD__)
+    plain::for_each(n, grain, body);
+#else
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain), [&](const auto& range) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
     });
+#endif
 }
 
 /// Calls body(begin, end) for fixed chunks of [0, n): the same chunks for any number of threads.
@@ -45,7 +53,11 @@ void parallel_chunks(std::size_t n, std::size_t chunk, const Body& body) {
 /// Calls both, in any order or at once.
 template <class First, class Second>
 void parallel_both(const First& first, const Second& second) {
+#if defined(__SANITIZE_THREAD__)
+    plain::invoke(first, second);
+#else
     tbb::parallel_invoke(first, second);
+#endif
 }
 
 /// Sum of term(begin, end) over fixed chunks, added in their order: the same bits for any number of threads.

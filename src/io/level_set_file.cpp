@@ -32,6 +32,8 @@ constexpr std::array<char, 8> kMagic{'\x8d', 'M', 'L', 'S', '\r', '\n', '\x1a', 
 constexpr std::uint32_t kFormatVersion = 1;
 constexpr std::uint32_t kByteOrder = 0x01020304;  // reads as 0x04030201 where the file is of the other byte order
 constexpr std::int32_t kFarthestBlock = 1 << 30;  // so that a block's neighbours can be counted too
+constexpr double kFarthest = 1e9;  // Å, of the origin; also the largest spacing, and one by the smallest:
+                                   // so that every place in the grid is a number of spacings that fits
 
 struct Header {
     std::array<char, 8> magic = kMagic;
@@ -123,9 +125,10 @@ private:
         if (header.block_edge != kBlockEdge) fail("has blocks of another size than 8");
         if (header.blocks > (size_ - kBytesAround) / kBytesPerBlock) fail("is cut off");
         if (header.blocks * kBytesPerBlock != size_ - kBytesAround) fail("is longer than it says");
-        if (!(header.spacing > 0.0 && std::isfinite(header.spacing))) fail("has a spacing that is not positive");
-        if (!std::all_of(header.origin.begin(), header.origin.end(), [](double x) { return std::isfinite(x); }))
-            fail("has an origin that is not finite");
+        if (!(header.spacing >= 1.0 / kFarthest && header.spacing <= kFarthest))
+            fail("has a spacing that is not between 1e-9 and 1e9 Å");
+        if (!std::all_of(header.origin.begin(), header.origin.end(), [](double x) { return std::abs(x) <= kFarthest; }))
+            fail("has an origin that is farther away than 1e9 Å");
         return header;
     }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "meniscus/errors.h"
+#include "reading/text.h"
 
 namespace meniscus::reading {
 namespace {
@@ -88,7 +89,7 @@ public:
             check_extensions();
             add_scene();
         } catch (const json::exception& error) {
-            fail(std::string("its JSON is not that of glTF (") + error.what() + ")");
+            fail(std::string("its JSON is not that of glTF (") + printable(error.what()) + ")");
         }
         return std::move(mesh_);
     }
@@ -124,13 +125,15 @@ private:
             json_ = json::parse(text);
         } catch (const json::parse_error& error) {
             fail_at_byte(file_.path, begin + error.byte, "the JSON cannot be read; write the file again");
+        } catch (const json::out_of_range&) {
+            fail_at_byte(file_.path, begin, "the JSON holds a number beyond 1e308; write the file again");
         }
         has_json_ = true;
     }
 
     void check_extensions() const {
         if (const auto needed = json_.find("extensionsRequired"); needed != json_.end() && !needed->empty())
-            fail("it needs the extension " + needed->at(0).get<std::string>() + ", which is not read");
+            fail("it needs the extension " + shown(needed->at(0).get<std::string>()) + ", which is not read");
     }
 
     void add_scene() {

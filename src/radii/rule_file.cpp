@@ -9,9 +9,12 @@
 #include <sstream>
 
 #include "meniscus/errors.h"
+#include "reading/text.h"
 
 namespace meniscus {
 namespace {
+
+using reading::shown;
 
 constexpr std::string_view kBlank = " \t\r\v\f";
 
@@ -41,8 +44,6 @@ struct Line {
         throw InputError(file + ":" + std::to_string(number) + ":" + std::to_string(column) + ": " + what);
     }
 };
-
-std::string shown(std::string_view word) { return std::string("'").append(word).append("'"); }
 
 double read_radius(const Line& line, std::string_view word) {
     if (word.empty()) line.fail(word, "the radius is missing; write RESIDUE ATOM RADIUS");

@@ -3,16 +3,30 @@
 #include "reading/text.h"
 
 namespace meniscus::reading {
+namespace {
+
+bool is_unprintable(char c) { return c < 0x20 || c >= 0x7f; }
+
+}  // namespace
 
 void fail_at(const std::string& file, Place place, const std::string& message) {
     throw InputError(file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": " + message);
 }
 
+std::size_t find_unprintable(std::string_view text) {
+    const auto* const found = std::find_if(text.begin(), text.end(), is_unprintable);
+    return found == text.end() ? std::string_view::npos : static_cast<std::size_t>(found - text.begin());
+}
+
+std::string printable(std::string_view text) {
+    std::string result(text);
+    std::replace_if(result.begin(), result.end(), is_unprintable, '?');
+    return result;
+}
+
 std::string shown(std::string_view word) {
     constexpr std::size_t kLongest = 40;
-    std::string text(word.substr(0, kLongest));
-    std::replace_if(
-        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7f; }, '?');
+    std::string text = printable(word.substr(0, kLongest));
     if (word.size() > kLongest) text += "...";
     return std::string("'").append(text).append("'");
 }

@@ -20,7 +20,13 @@ struct Place {
 /// throws   InputError "FILE:LINE:COLUMN: message"
 [[noreturn]] void fail_at(const std::string& file, Place place, const std::string& message);
 
-/// A word as it may stand in a message: in quotes, cut short, unprintable bytes shown as '?'.
+/// Where the first byte stands that is no printable character of ASCII; npos if there is none.
+std::size_t find_unprintable(std::string_view text);
+
+/// The text with '?' for every such byte, as it may stand in a message.
+std::string printable(std::string_view text);
+
+/// A word as it may stand in a message: printable, in quotes, cut short.
 std::string shown(std::string_view word);
 
 /// Walks through a text whose lines end with '\n'.

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "meniscus/errors.h"
+#include "reading/text.h"
 
 namespace meniscus::reading {
 namespace {
@@ -73,7 +74,7 @@ const RawAssembly& find_assembly(const RawModel& model, const std::string& name,
     std::string names;
     for (const RawAssembly& assembly : model.assemblies) {
         if (assembly.name == name) return assembly;
-        names += " " + assembly.name;
+        names += " " + printable(assembly.name);
     }
     throw InputError(file + ": no assembly " + name + "; " +
                      (names.empty() ? "the file names none, leave out --assembly" : "there are" + names));

@@ -6,6 +6,7 @@
 
 #include "meniscus/errors.h"
 #include "meniscus/structure.h"
+#include "reading/text.h"
 #include "structure/gemmi/gemmi_reader.h"
 
 namespace meniscus {
@@ -55,7 +56,8 @@ Structure without_atoms(const Structure& structure) {
 std::vector<bool> select_atoms(const Structure& structure, const std::string& expression, const std::string& option) {
     std::vector<bool> selected = reading::selected_atoms(to_model(structure), expression, 1, option);
     if (std::find(selected.begin(), selected.end(), true) == selected.end())
-        throw UsageError(option + " " + expression + ": selects no atom that is kept; write for instance //A/10-50");
+        throw UsageError(option + " " + reading::shown(expression) +
+                         ": selects no atom that is kept; write for instance //A/10-50");
     return selected;
 }
 

@@ -46,6 +46,13 @@ public:
         fail(line_.size() + 1, "the record ends before the coordinates do (column 54); the file is cut off or damaged");
     }
 
+    // Names go into messages, tables and pages; no format of structures has other characters in them.
+    void check_names() const {
+        const std::size_t place = find_unprintable(columns(13, 27));
+        if (place == std::string_view::npos) return;
+        fail(13 + place, "a byte that is no printable character among the names of an atom; correct it");
+    }
+
     double coordinate(std::size_t first, char axis) const {
         const std::string_view field = columns(first, first + 7);
         const auto value = finite_number(field);
@@ -112,7 +119,7 @@ int serial_columns(const AtomLine& line) {
 PdbAtomExtra read_extra(const AtomLine& line, const ResidueColumns& residue, CleanPdb& clean) {
     PdbAtomExtra extra;
     extra.residue = residue.name;
-    extra.segment = trimmed(line.columns(73, 76));
+    extra.segment = printable(trimmed(line.columns(73, 76)));
     extra.element = element_columns(line);
     if (extra.element.empty()) {
         extra.element = element_from_columns(line.padded(13, 16), residue.name);
@@ -149,6 +156,7 @@ std::string clean_record(const AtomLine& line, const ResidueColumns& residue, co
 
 void screen_atom(const AtomLine& line, CleanPdb& clean) {
     line.check_length();
+    line.check_names();
     line.coordinate(31, 'x');
     line.coordinate(39, 'y');
     line.coordinate(47, 'z');

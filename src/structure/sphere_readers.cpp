@@ -31,6 +31,13 @@ public:
     std::size_t size() const { return words_.size(); }
     std::string_view operator[](std::size_t i) const { return words_[i].text; }
 
+    // Names go into messages, tables and pages.
+    std::string_view name(std::size_t i) const {
+        if (find_unprintable(words_[i].text) != std::string_view::npos)
+            fail(i, "a byte that is no printable character in the name " + shown(words_[i].text) + "; correct it");
+        return words_[i].text;
+    }
+
     [[noreturn]] void fail(std::size_t i, const std::string& message) const {
         fail_at(file_, {number_, i < words_.size() ? words_[i].column : end_column_}, message);
     }
@@ -79,10 +86,10 @@ bool set_number(std::string_view digits, RawResidue& residue) {
 // Ten words without a chain, eleven with one; a chain and a number may have grown together (A1000).
 RawResidue pqr_residue(const WordLine& line) {
     RawResidue residue;
-    residue.name = upper_case(line[3]);
+    residue.name = upper_case(line.name(3));
     const bool has_chain = line.size() >= 11;
-    const std::string_view number = line[has_chain ? 5 : 4];
-    if (has_chain) residue.chain = line[4];
+    const std::string_view number = line.name(has_chain ? 5 : 4);
+    if (has_chain) residue.chain = line.name(4);
     if (set_number(number, residue)) return residue;
     const bool grown_together = !has_chain && number[0] > '9' && set_number(number.substr(1), residue);
     if (!grown_together)
@@ -97,7 +104,7 @@ RawAtom pqr_atom(const WordLine& line, const RawResidue& residue) {
     atom.centre = line.centre(first);
     atom.charge = line.number(first + 3, "charge");
     atom.radius = line.radius(first + 4);
-    atom.name = upper_case(line[2]);
+    atom.name = upper_case(line.name(2));
     atom.element = element_from_name(atom.name, residue.name);
     atom.hetatm = line[0] == "HETATM";
     atom.serial = integer(line[1]).value_or(0);
@@ -110,7 +117,7 @@ RawResidue xyzrn_residue(const WordLine& line, RawAtom& atom) {
     RawResidue residue;
     if (line.size() <= kName) return residue;
     std::vector<std::string_view> parts;
-    for (std::string_view rest = line[kName]; parts.size() < 3; rest.remove_prefix(parts.back().size() + 1)) {
+    for (std::string_view rest = line.name(kName); parts.size() < 3; rest.remove_prefix(parts.back().size() + 1)) {
         parts.push_back(rest.substr(0, rest.find('_')));
         if (parts.back().size() == rest.size()) break;
     }

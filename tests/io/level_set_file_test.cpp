@@ -134,9 +134,11 @@ TEST(LevelSetFile, EveryComplaintSaysWhatIsWrong) {
     expect(with(whole, 16, std::uint32_t{16}), "has blocks of another size");
     expect(with(whole, kBlocksOffset, std::numeric_limits<std::uint64_t>::max()), "is cut off");
     expect(with(whole, kBlocksOffset, std::uint64_t{1} << 55U), "is cut off");
-    expect(with(whole, kSpacingOffset, -0.5), "has a spacing that is not positive");
+    expect(with(whole, kSpacingOffset, -0.5), "has a spacing that is not between 1e-9 and 1e9 Å");
+    expect(with(whole, kSpacingOffset, 1e-50), "has a spacing");  // found by fuzzing: cells were counted beyond 64 bits
     expect(with(whole, kSpacingOffset, std::numeric_limits<double>::quiet_NaN()), "has a spacing");
     expect(with(whole, kSpacingOffset + 16, std::numeric_limits<double>::infinity()), "has an origin");
+    expect(with(whole, kSpacingOffset + 8, -1e10), "has an origin that is farther away than 1e9 Å");
     expect(with(whole, kFirstBlockOffset, std::numeric_limits<std::int32_t>::min()), "too far away");
     expect(with(whole, kFirstBlockOffset + 8, std::int32_t{1000}), "has blocks out of order");
     EXPECT_NE(complaint(with(whole, 100, std::int32_t{9})).find("its checksum does not match"), std::string::npos);

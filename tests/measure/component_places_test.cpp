@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "meniscus/measures.h"
+
 namespace meniscus {
 namespace {
 
@@ -72,6 +74,20 @@ TEST(ComponentPlaces, InscribedSphereTouchesTheAtomsAroundIt) {
     const InscribedSphere sphere = largest_inscribed_sphere(surface, std::span(&start, 1));
     EXPECT_NEAR(sphere.radius, std::sqrt(12.0) - 1.5, 1e-4);
     EXPECT_NEAR(norm(sphere.centre), 0.0, 1e-3);
+}
+
+// Found by fuzzing: with a probe of radius 0 the search stepped through the wall of a void of 0.004 Å and out of all
+// atoms, where gaps grow for ever.
+TEST(ComponentPlaces, InscribedSphereOfATinyVoidStaysInIt) {
+    const Atoms atoms{{{-1.5, -3, 0}, {-4, -4, -2}, {-0.5, -3, -3}, {-1.5, -0.5, -3}, {-2, 0, 0}},
+                      {1.5, 3, 2, 2.5, 1.5}};
+    const Measures measures = measure(atoms, {.probe = 0.0});
+    ASSERT_EQ(measures.components.size(), 2U);
+    const SurfaceComponent& cavity = measures.components[1];
+    EXPECT_EQ(cavity.kind, ComponentKind::Cavity);
+    EXPECT_GT(cavity.inscribed_radius, 1e-3);
+    EXPECT_LT(cavity.inscribed_radius, 5e-3);
+    EXPECT_LT(norm(cavity.inscribed_centre - cavity.centre), 0.02);
 }
 
 }  // namespace

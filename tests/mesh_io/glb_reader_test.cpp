@@ -49,6 +49,10 @@ TEST(GlbReader, IndicesOfAllTypes) {
     expect_square(mesh_of(square({.type = "5125", .indices = bytes_of<std::uint32_t>({0, 1, 2, 0, 2, 3})}), "a.glb"));
 }
 
+TEST(GlbReader, NumbersBeyondDoubleAreRefused) {
+    expect_error(glb(R"({"asset": 1e30812})", ""), "a.glb", "a.glb:byte 20: the JSON holds a number beyond 1e308");
+}
+
 TEST(GlbReader, WithoutIndicesThreeVerticesAreATriangle) {
     const Mesh mesh = mesh_of(glb(R"({"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
         "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3}],

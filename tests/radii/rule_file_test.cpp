@@ -39,6 +39,7 @@ TEST(RuleFile, ZeroRadiusIsAllowed) {
 
 TEST(RuleFile, ErrorsNameTheirPlace) {
     EXPECT_TRUE(error_of("* @C 1.7\nASP OD* big\n").starts_with("my.radii:2:9: the radius 'BIG' is not a number"));
+    EXPECT_TRUE(error_of("* @C 1\xff\n").starts_with("my.radii:1:6: the radius '1?' is not a number"));
     EXPECT_TRUE(error_of("ASP OD* -1\n").starts_with("my.radii:1:9: the radius '-1' is negative"));
     EXPECT_TRUE(error_of("ASP OD* nan\n").starts_with("my.radii:1:9: "));
     EXPECT_TRUE(error_of("ASP OD* 1.4 1.5\n").starts_with("my.radii:1:13: '1.5' is too much"));

@@ -86,6 +86,20 @@ TEST(ReadStructure, NothingLeftIsAnErrorThatSaysWhatWent) {
     expect_contains(error_of("# none\n", "e.xyzr"), "no atoms in this file");
 }
 
+// Found by fuzzing: such names made messages and reports that are no text.
+TEST(ReadStructure, NamesThatAreNoTextAreRefused) {
+    std::string pdb(kGlycine);
+    pdb[14] = '\x82';
+    expect_contains(error_of(pdb, "n.pdb"), "n.pdb:1:15: a byte that is no printable character among the names");
+    expect_contains(error_of("ATOM 1 N AL\xff 1 0 0 0 0 1\n", "n.pqr"), "n.pqr:1:10: a byte that is no printable");
+    expect_contains(error_of("0 0 0 1 1 C\x01_ALA_1\n", "n.xyzrn"), "n.xyzrn:1:11: a byte that is no printable");
+    expect_contains(error_of("data_n\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+                             "_atom_site.label_atom_id\n_atom_site.label_comp_id\n0 0 0\n;C\nA\n;\nALA\n",
+                             "n.cif"),
+                    "n.cif:9:1: _atom_site.label_atom_id 'C?A' holds a byte that is no printable character");
+    expect_contains(error_of<UsageError>(kGlycine, "g.pdb", {.select = "\x01["}), "'?['");
+}
+
 TEST(ReadStructure, ModifiedResiduesStayLigandsGo) {
     const std::string mse =
         pdb_line({.name = " N  ", .residue = "MSE", .number = 21, .x = 14.3, .y = 6.4, .z = 2.0, .record = "HETATM"}) +

@@ -40,9 +40,7 @@ auto with_input_errors(const std::string& file, Read read) {
     } catch (const InputError&) {
         throw;
     } catch (const std::exception& error) {
-        std::string message = error.what();
-        std::replace(message.begin(), message.end(), '\n', ' ');
-        throw InputError(file + ": " + message + "; correct the file or fetch it again");
+        throw InputError(file + ": " + printable(error.what()) + "; correct the file or fetch it again");
     }
 }
 
@@ -178,8 +176,8 @@ gemmi::cif::Document parse_cif(const std::string& text, const std::string& file)
         return gemmi::cif::read_memory(text.data(), text.size(), file.c_str());
     } catch (const std::exception& error) {
         const std::string message = tidy_message(error.what());
-        const std::string place = has_prefix(message, file + ":") ? message : file + ": " + message;
-        throw InputError(place + "; this is not valid CIF, correct it or fetch the file again");
+        const std::string own = has_prefix(message, file + ":") ? message.substr(file.size()) : ": " + message;
+        throw InputError(file + printable(own) + "; this is not valid CIF, correct it or fetch the file again");
     }
 }
 
@@ -189,10 +187,20 @@ struct CifSource {
     const std::string& text;
 
     [[noreturn]] void fail(Column::Index column, std::size_t row, const std::string& value, const char* remedy) const {
-        const std::string& listed = atom_tags()[column];
-        const std::string tag = "_atom_site." + listed.substr(listed[0] == '?' ? 1 : 0);
+        const std::string tag = tag_of(column);
         fail_at(file, locate_cif_value(text, tag, row),
                 tag + " " + shown(value) + " is not a finite number; " + remedy);
+    }
+
+    [[noreturn]] void fail_name(Column::Index column, std::size_t row, const std::string& value) const {
+        fail_at(file, locate_cif_value(text, tag_of(column), row),
+                tag_of(column) + " " + shown(value) + " holds a byte that is no printable character; correct it");
+    }
+
+private:
+    static std::string tag_of(Column::Index column) {
+        const std::string& listed = atom_tags()[column];
+        return "_atom_site." + listed.substr(listed[0] == '?' ? 1 : 0);
     }
 };
 
@@ -204,12 +212,19 @@ public:
 
     bool has(Column::Index column) { return row_.has2(column); }
 
-    std::string text(Column::Index column) { return has(column) ? row_.str(column) : std::string(); }
+    std::string text(Column::Index column) {
+        std::string value = has(column) ? row_.str(column) : std::string();
+        if (find_unprintable(value) != std::string::npos) source_.fail_name(column, index_, value);
+        return value;
+    }
 
     // The first of two columns that has a value: author's names before label names.
-    std::string text(Column::Index first, Column::Index second) { return has(first) ? row_.str(first) : text(second); }
+    std::string text(Column::Index first, Column::Index second) { return text(has(first) ? first : second); }
 
-    char letter(Column::Index column) { return has(column) ? row_.str(column)[0] : ' '; }
+    char letter(Column::Index column) {
+        const std::string value = text(column);
+        return value.empty() ? ' ' : value[0];
+    }
 
     double coordinate(Column::Index column) {
         const auto value = has(column) ? finite_number(row_.str(column)) : std::nullopt;
@@ -414,7 +429,7 @@ gemmi::Selection parse_selection(const std::string& expression, const std::strin
     try {
         return gemmi::Selection(expression);
     } catch (const std::exception& error) {
-        throw UsageError(option + " " + shown(expression) + ": " + error.what() +
+        throw UsageError(option + " " + shown(expression) + ": " + printable(error.what()) +
                          "; write for instance //A/10-50 or (ALA,GLY) or CA[C]");
     }
 }

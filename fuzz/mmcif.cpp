@@ -1,0 +1,10 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// mmCIF files.
+#include "fuzzed_structure.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const meniscus::fuzz::FuzzedFile file("a.cif");
+    meniscus::fuzz::read_in_every_way(file, meniscus::fuzz::text_of(data, size));
+    return 0;
+}

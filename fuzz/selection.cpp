@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Selections: of what is read, and by the names of what was.
+#include "fuzzed_structure.h"
+
+namespace {
+
+using namespace meniscus;
+
+template <class Select>
+void select_or_refuse(const Select& select) {
+    try {
+        select();
+    } catch (const UsageError& error) {
+        fuzz::require_clear(error.what());
+    } catch (const InputError& error) {
+        fuzz::require_clear(error.what());  // nothing is left
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const fuzz::FuzzedFile file("a.pdb");
+    static const Structure structure = (file.write(fuzz::small_file()), read_structure(file.path()));
+    const std::string expression(fuzz::text_of(data, size));
+    select_or_refuse([&] {
+        const std::vector<bool> chosen = select_atoms(structure, expression);
+        fuzz::require(chosen.size() == structure.atoms.centres.size(), "an answer for each atom");
+    });
+    if (!expression.empty())
+        select_or_refuse([&] { fuzz::require_sound(read_structure(file.path(), {.select = expression})); });
+    return 0;
+}
