@@ -176,6 +176,31 @@ TEST(Measure, TwoShellsAreTwoPiecesWithACavityEach) {
     }
 }
 
+// Turned, the same atoms are perturbed otherwise: what both say lies within both estimates.
+TEST(Measure, ErrorEstimatesOfPiecesHold) {
+    Atoms atoms = shell(11.0, 270);
+    append(atoms, {{{0.5, 0.3, -0.2}, {2.5, 0.3, 1.1}, {30.0, 0.0, 0.0}}, {2.0, 1.5, 1.5}});
+    append(atoms, random_cluster(150, 16.0, 3));
+    Atoms turned = atoms;
+    for (Vec3& c : turned.centres) c = {0.6 * c.x - 0.8 * c.y, 0.8 * c.x + 0.6 * c.y, c.z};
+    const Measures one = measure(atoms);
+    const Measures other = measure(turned);
+    ASSERT_GT(one.components.size(), 2U);
+    ASSERT_EQ(one.components.size(), other.components.size());
+    for (std::size_t i = 0; i < one.components.size(); ++i) {
+        const SurfaceComponent& a = one.components[i];
+        const SurfaceComponent& b = other.components[i];
+        EXPECT_LE(std::abs(a.ses_area - b.ses_area), a.errors.ses_area + b.errors.ses_area);
+        EXPECT_LE(std::abs(a.ses_volume - b.ses_volume), a.errors.ses_volume + b.errors.ses_volume);
+        EXPECT_LE(std::abs(a.sas_area - b.sas_area), a.errors.sas_area + b.errors.sas_area);
+        EXPECT_LE(std::abs(a.sas_volume - b.sas_volume), a.errors.sas_volume + b.errors.sas_volume);
+        EXPECT_LE(std::abs(a.reentrant_area - b.reentrant_area), a.errors.reentrant_area + b.errors.reentrant_area);
+        EXPECT_LT(a.errors.ses_area, 1e-6 * a.ses_area);
+        EXPECT_LT(a.errors.ses_volume, 1e-6 * a.ses_volume);
+        EXPECT_GT(a.errors.ses_area, 0.0);
+    }
+}
+
 TEST(Measure, ASpindleTorusSeparatesTwoSpheres) {
     const Measures m = measure({{{0, 0, 0}, {5.9, 0, 0}}, {1.7, 1.7}});
     EXPECT_EQ(m.components.size(), 2U);
