@@ -19,7 +19,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-TOO_LARGE = ("1aon", "1tw7", "2btv", "3jc8", "6xm4", "7cgo", "7o0u")  # more than 14,000 atoms
+TOO_LARGE = ("1aon", "2btv", "3jc8", "6xm4", "7cgo", "7o0u")  # more than 14,000 atoms
 SUFFIXES = (".pdb", ".ent", ".cif", ".pqr", ".xyzr", ".gz")
 DENSITIES = (-0.2, -0.3, -0.5, -0.8, -1.4, -4.0)
 # At 0.25 Å, for proteins and nucleic acids.

@@ -3,14 +3,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """Makes the numbers and plots of docs/design/flow.md: the three flows over time, and what their pieces cost and bring.
 
-usage: flow_study.py [--program FILE] [--structure FILE] [--figures FOLDER]
+usage: flow_study.py [--program FILE] [--data FOLDER] [--figures FOLDER] [TABLE ...]
 
-Plots need gnuplot; without --figures only the tables are printed.
+TABLE: pieces, courses, choices, order, solvers, reach, curvature; without any, all of them. Plots need gnuplot; without
+--figures only the tables are printed. FOLDER of --data holds structures/ and reference/.
 """
 import argparse
 import csv
 import json
+import math
+import os
 import pathlib
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -18,6 +22,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SPHERES = ROOT / "docs" / "paper" / "two_spheres.xyzr"
 SPACING = 0.25
+TABLES = ("pieces", "courses", "choices", "order", "solvers", "reach", "curvature")
 FLOWS = {"paper": ("--flow", "paper"), "paper, closest point": ("--flow", "paper", "--reinitialise", "closest-point"),
          "parallel": ("--flow", "parallel"),
          "anchored": ("--anchor", 4, "--time-step", 0.25, "--max-steps", 60)}
@@ -43,14 +48,15 @@ class Study:
         self.program = program
         self.folder = pathlib.Path(folder)
 
-    def run(self, structure, *options):
-        """The report of a flow, and its history as rows."""
-        history = self.folder / "history.csv"
-        command = [self.program, "surface", structure, "--spacing", SPACING, "--quiet", "-o", self.folder / "mesh.ply",
-                   "--history", history, "--report", "-", *options]
+    def run(self, structure, *options, spacing=SPACING, history=None):
+        """The report of a flow, and its history as rows if there is one."""
+        command = [self.program, "surface", structure, "--spacing", spacing, "--quiet", "-o", self.folder / "mesh.ply",
+                   "--report", "-", *options, *(() if history is None else ("--history", history))]
         result = subprocess.run(list(map(str, command)), capture_output=True, text=True, check=False)
         if result.returncode not in (0, 6):
             sys.exit(f"flow_study: {result.stderr.strip()}")
+        if history is None:
+            return json.loads(result.stdout), []
         with history.open() as rows:
             return json.loads(result.stdout), list(csv.DictReader(rows))
 
@@ -67,7 +73,7 @@ def courses(study, structure, title, figure):
     curves = []
     for flow, options in FLOWS.items():
         for density in DENSITIES:
-            report, history = study.run(structure, "--density", density, *options)
+            report, history = study.run(structure, "--density", density, *options, history=study.folder / "history.csv")
             steps = [step for step in history[1:] if step["mean_distance"]]
             best = min(steps, key=lambda step: float(step["mean_distance"]))
             last = steps[-1]
@@ -101,18 +107,104 @@ def pieces(study, structure, title):
                                                     "corrected area", "volume"), rows)
 
 
+def percent(value):
+    return f"{value:+.3%}"
+
+
+def choices(study, data):
+    """λ and τ against distance and area; one solve is τ = inf."""
+    rows = []
+    for anchor, step in ((4, 4), (4, 64), (8, 64), (16, 64), (32, 64), (16, "inf")):
+        row = [anchor, step]
+        for name, spacing in (("1ubq", 0.25), ("1hga", 0.5)):
+            report, _ = study.run(data / "structures" / f"{name}.pdb", "--anchor", anchor, "--time-step", step, spacing=spacing)
+            mesh, flow = report["mesh"], report["flow"]
+            row += [f"{mesh['mean_distance']:.4f}", f"{mesh['p99_distance']:.4f}", percent(mesh["corrected_area_deviation"]),
+                    flow["steps"], flow["solver_iterations"]]
+        rows.append(row)
+    columns = ("mean / Å", "p99 / Å", "corrected area", "steps", "iterations")
+    table("Choice of λ and τ: 1UBQ at 0.25 Å, 1HGA at 0.5 Å", ("λ h²", "τ/h²", *columns, *columns), rows)
+
+
+def order(study, data):
+    """Volume of two overlapping spheres at two spacings, and of the fullerene where a start shows."""
+    rows = []
+    for anchor in (4, 16):
+        errors = [study.run(data / "reference" / "spheres" / "two_overlapping.xyzr", "--anchor", anchor,
+                            spacing=spacing)[0]["mesh"]["volume_deviation"] for spacing in (0.5, 0.25)]
+        rows.append((anchor, *map(percent, errors), f"{math.log2(errors[0] / errors[1]):.2f}"))
+    table("Volume of two overlapping spheres", ("λ h²", "h = 0.5 Å", "h = 0.25 Å", "order"), rows)
+    rows = []
+    for tolerance in ("1e-3", "1e-4"):
+        volumes = [study.run(data / "reference" / "spheres" / "fullerene.xyzr", "--anchor", 4, "--time-step", 1, "--tolerance",
+                             tolerance, "--density", density)[0]["mesh"]["volume_deviation"] for density in (-0.5, -4)]
+        rows.append((tolerance, *map(percent, volumes)))
+    table("Volume of the fullerene, --anchor 4 --time-step 1", ("tolerance", "C = -0.5", "C = -4"), rows)
+
+
+def solvers(study, data):
+    rows = []
+    for name, spacing in (("1crn", 0.25), ("1hga", 0.5), ("1hga", 0.25)):
+        for solver in ("richardson", "cg", "gmres"):
+            report, _ = study.run(data / "structures" / f"{name}.pdb", "--solver", solver, spacing=spacing)
+            rows.append((name, spacing, solver, report["flow"]["solver_iterations"], f"{report['mesh']['mean_distance']:.6f}",
+                         f"{report['time_s']['flow']:.2f}", f"{report['peak_memory_mb']:.0f}"))
+    table("Solvers", ("input", "h / Å", "solver", "iterations", "mean / Å", "flow / s", "memory / MB"), rows)
+
+
+def reach(study, data):
+    rows = []
+    for path, spacing in ((data / "structures/1crn.pdb", 0.5), (data / "structures/1crn.pdb", 0.25),
+                          (data / "structures/1crn.pdb", 0.125), (data / "structures/1hga.pdb", 0.25),
+                          (data / "reference/xyzr/6xm4.xyzr", 0.25)):
+        for method in ("flow", "direct"):
+            mesh = study.run(path, "--method", method, spacing=spacing)[0]["mesh"]
+            rows.append((path.stem, spacing, method, *(f"{mesh[f'{key}_distance']:.6f}" for key in ("mean", "p99", "max")),
+                         *(percent(mesh[f"{key}_deviation"]) for key in ("area", "corrected_area", "volume"))))
+    table("What it reaches", ("input", "h / Å", "method", "mean / Å", "p99 / Å", "max / Å", "area", "corrected area",
+                              "volume"), rows)
+
+
+def curvature(study, data):
+    """Mean curvature at vertices on contact patches, held against 1/r of their atoms."""
+    study.run(data / "structures" / "1crn.pdb", "--ascii")
+    with (study.folder / "mesh.atoms.csv").open() as file:
+        radii = [float(row["radius"]) for row in csv.DictReader(file)]
+    header, body = (study.folder / "mesh.ply").read_text().split("end_header\n", 1)
+    names = [line.split()[2] for line in header.split("element face")[0].splitlines() if line.startswith("property")]
+    count = int(header.split("element vertex ")[1].split()[0])
+    errors = []
+    for line in body.splitlines()[:count]:
+        vertex = dict(zip(names, line.split()))
+        if vertex["patch"] == "0":
+            errors.append(abs(float(vertex["mean_curvature"]) * radii[int(vertex["atom"])] - 1))
+    print(f"\nMean curvature on contact patches of 1crn: median relative error {statistics.median(errors):.2%}, "
+          f"{len(errors)} vertices", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build" / "release" / "cli" / "meniscus")
-    parser.add_argument("--structure", type=pathlib.Path,
-                        default=ROOT.parent / "shared" / "structures" / "1crn.pdb")
+    parser.add_argument("--data", type=pathlib.Path,
+                        default=os.environ.get("MENISCUS_TEST_DATA", ROOT.parent / "shared"))
     parser.add_argument("--figures", type=pathlib.Path)
+    parser.add_argument("tables", nargs="*", metavar="TABLE", help=", ".join(TABLES))
     options = parser.parse_args()
+    for name in set(options.tables) - set(TABLES):
+        parser.error(f"no table {name}: {', '.join(TABLES)}")
+    inputs = ((SPHERES, "two_spheres"), (options.data / "structures" / "1crn.pdb", "1crn"))
     with tempfile.TemporaryDirectory() as folder:
         study = Study(options.program, folder)
-        for structure, title in ((SPHERES, "two_spheres"), (options.structure, options.structure.stem)):
-            pieces(study, structure, title)
-            courses(study, structure, title, options.figures)
+        for name in options.tables or TABLES:
+            if name == "pieces":
+                for structure, title in inputs:
+                    pieces(study, structure, title)
+            elif name == "courses":
+                for structure, title in inputs:
+                    courses(study, structure, title, options.figures)
+            else:
+                {"choices": choices, "order": order, "solvers": solvers, "reach": reach, "curvature": curvature}[name](
+                    study, options.data)
 
 
 if __name__ == "__main__":

@@ -41,6 +41,7 @@ ordered_json component_json(const SurfaceComponent& c) {
     block["atoms"] = c.atoms;
     block["inscribed_centre"] = cavity ? point_json(c.inscribed_centre) : ordered_json();
     block["inscribed_radius"] = cavity ? ordered_json(c.inscribed_radius) : ordered_json();
+    block["errors"] = totals_json(c.errors);
     return block;
 }
 
@@ -66,17 +67,19 @@ ordered_json components_json(const Measures& measures) {
 }
 
 ordered_json interface_json(const std::string& a, const std::string& b, const Interface& i) {
-    return {{"a", a},
-            {"b", b},
-            {"sas_a", i.sas_a},
-            {"sas_b", i.sas_b},
-            {"sas_ab", i.sas_ab},
-            {"buried_sas", i.buried_sas()},
-            {"interface_area", i.interface_area()},
-            {"ses_a", i.ses_a},
-            {"ses_b", i.ses_b},
-            {"ses_ab", i.ses_ab},
-            {"buried_ses", i.buried_ses()}};
+    return {
+        {"a", a},
+        {"b", b},
+        {"sas_a", i.sas_a},
+        {"sas_b", i.sas_b},
+        {"sas_ab", i.sas_ab},
+        {"buried_sas", i.buried_sas()},
+        {"interface_area", i.interface_area()},
+        {"ses_a", i.ses_a},
+        {"ses_b", i.ses_b},
+        {"ses_ab", i.ses_ab},
+        {"buried_ses", i.buried_ses()},
+        {"errors", {{"buried_sas", i.sas_error}, {"interface_area", 0.5 * i.sas_error}, {"buried_ses", i.ses_error}}}};
 }
 
 std::string disputed_patches(bool agreed, std::span<const std::string> disputed) {

@@ -44,6 +44,8 @@ struct Interface {
     double ses_a = 0.0;
     double ses_b = 0.0;
     double ses_ab = 0.0;
+    double sas_error = 0.0;              ///< absolute error estimate of buried_sas(): those of the three areas together
+    double ses_error = 0.0;              ///< of buried_ses()
     std::vector<InterfaceAtom> atoms_a;  ///< in the order of the group
     std::vector<InterfaceAtom> atoms_b;
     bool agreed = true;                 ///< as in Measures, of all three

@@ -66,6 +66,7 @@ struct SurfaceComponent {
     std::vector<std::uint32_t> atoms;  ///< that touch it, ascending, in the caller's order
     Vec3 inscribed_centre;             ///< cavities: of the largest sphere without atoms in it, Å
     double inscribed_radius = 0.0;     ///< Å; 0 for outer pieces
+    SurfaceTotals errors;              ///< absolute error estimates of the areas and volumes
 };
 
 /// Shares of one atom. A toroidal patch is divided at the plane of its circle, a reentrant one in three equal parts.

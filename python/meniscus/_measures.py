@@ -45,6 +45,8 @@ class Component:
     """of the largest sphere that fits into a cavity, Å"""
     inscribed_radius: float
     """Å; 0 for outer pieces"""
+    errors: dict[str, float] = dataclasses.field(repr=False, compare=False)
+    """absolute error estimates of the areas and volumes by name"""
 
     @property
     def area(self) -> float:

@@ -70,7 +70,8 @@ py::dict component_dict(const SurfaceComponent& c) {
                     "reentrant_area"_a = c.reentrant_area, "ses_volume"_a = c.ses_volume, "sas_area"_a = c.sas_area,
                     "sas_volume"_a = c.sas_volume, "sas_components"_a = c.sas_components, "centre"_a = triple(c.centre),
                     "inside_of"_a = outside, "atoms"_a = owning(std::vector<std::uint32_t>(c.atoms)),
-                    "inscribed_centre"_a = triple(c.inscribed_centre), "inscribed_radius"_a = c.inscribed_radius);
+                    "inscribed_centre"_a = triple(c.inscribed_centre), "inscribed_radius"_a = c.inscribed_radius,
+                    "errors"_a = totals_dict(c.errors));
 }
 
 py::list components(const Measures& measures) {

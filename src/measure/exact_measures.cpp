@@ -60,12 +60,16 @@ struct Check {
     double perturbation = 0.0;
     PatchTotals sums;
 
-    Check(const AccessibleSurface& surface, std::uint64_t with_seed) : seed(with_seed) {
-        const AccessibleSurface perturbed = surface.perturbed(seed);
+    Check(const Evaluation& first, std::uint64_t with_seed) : seed(with_seed) {
+        const AccessibleSurface perturbed = first.surface.perturbed(seed);
         perturbation = perturbed.data().perturbation;
-        sums = sum_patches(perturbed, seed);
+        sums = sum_patches(perturbed, seed, first.patches);
     }
 };
+
+double perturbation_of(const Evaluation& first, const Check& second) {
+    return std::max(first.surface.data().perturbation, second.perturbation);
+}
 
 bool agree(const PatchTotals& a, const PatchTotals& b) {
     const bool degenerate = a.degenerate || b.degenerate;
@@ -89,7 +93,7 @@ SurfaceTotals estimate_errors(const SurfaceTotals& a, const SurfaceTotals& b, do
     SurfaceTotals errors;
     for (const auto total : kAllTotals) {
         const bool volume = total == &SurfaceTotals::sas_volume || total == &SurfaceTotals::ses_volume;
-        const double area = volume ? a.sas_area : a.*total;
+        const double area = volume ? std::max(a.sas_area, a.ses_area) : a.*total;
         errors.*total = 3.0 * std::abs(a.*total - b.*total) + 2.0 * amplitude * area + 1e-14 * std::abs(a.*total);
     }
     return errors;
@@ -209,10 +213,25 @@ void finish_component(const Evaluation& evaluation, const MeasureOptions& option
     component.inscribed_radius = sphere.radius;
 }
 
+// Areas and signed volumes of a component.
+SurfaceTotals totals_of(const ComponentSums& sum) {
+    const SurfaceComponent& c = sum.component;
+    return {.sas_area = c.sas_area,
+            .sas_volume = c.sas_volume,
+            .ses_area = c.ses_area,
+            .ses_volume = sum.signed_volume,
+            .contact_area = c.contact_area,
+            .toroidal_area = c.toroidal_area,
+            .reentrant_area = c.reentrant_area};
+}
+
 // Components by falling volume; number[c] is the place of the evaluation's component c.
-std::vector<SurfaceComponent> make_components(const Evaluation& evaluation, const MeasureOptions& options,
-                                              std::vector<std::uint32_t>& number) {
+std::vector<SurfaceComponent> make_components(const Evaluation& evaluation, const Check& check,
+                                              const MeasureOptions& options, std::vector<std::uint32_t>& number) {
     std::vector<ComponentSums> sums = sum_components(evaluation.patches);
+    const double perturbation = perturbation_of(evaluation, check);
+    for (std::size_t c = 0; c < sums.size(); ++c)
+        sums[c].component.errors = estimate_errors(totals_of(sums[c]), check.sums.components[c], perturbation);
     parallel_for(sums.size(), 1, [&](std::size_t c) { finish_component(evaluation, options, sums[c]); });
     std::vector<double> volumes(sums.size());
     std::transform(sums.begin(), sums.end(), volumes.begin(),
@@ -268,7 +287,7 @@ void add_depths(const AccessibleSurface& surface, const Atoms& atoms, Measures& 
                  [&](std::size_t i) { measures.atoms[i].depth = -surface.nearest(atoms.centres[i]).signed_distance; });
 }
 
-Measures describe(const Atoms& atoms, const MeasureOptions& options, const Evaluation& evaluation) {
+Measures describe(const Atoms& atoms, const MeasureOptions& options, const Evaluation& evaluation, const Check& check) {
     Measures measures;
     measures.options = options;
     measures.totals = evaluation.sums.totals;
@@ -277,7 +296,7 @@ Measures describe(const Atoms& atoms, const MeasureOptions& options, const Evalu
     measures.atoms.resize(atoms.size());
     share_among_atoms(evaluation.patches, measures);
     std::vector<std::uint32_t> number;
-    measures.components = make_components(evaluation, options, number);
+    measures.components = make_components(evaluation, check, options, number);
     measures.patches.reserve(evaluation.patches.patches().size());
     for (const SesPatch& patch : evaluation.patches.patches())
         measures.patches.push_back({patch.kind, atoms_of(evaluation.patches.data(), patch), number[patch.component],
@@ -293,14 +312,13 @@ Measures measure(const Atoms& atoms, const MeasureOptions& options) {
         throw UsageError(fmt::format("probe {:g}: must be finite and not negative", options.probe));
     const ThreadLimit limit(options.threads);
     auto evaluation = std::make_unique<Evaluation>(AccessibleSurface(atoms, options.probe), 0);
-    Check check(evaluation->surface, 1);
+    Check check(*evaluation, 1);
     while (!agree(evaluation->sums, check.sums) && check.seed + 1 < kMostSeeds) {
         evaluation = std::make_unique<Evaluation>(evaluation->surface.perturbed(check.seed), check.seed);
-        check = Check(evaluation->surface, check.seed + 1);
+        check = Check(*evaluation, check.seed + 1);
     }
-    Measures measures = describe(atoms, options, *evaluation);
-    const double perturbation = std::max(evaluation->surface.data().perturbation, check.perturbation);
-    measures.errors = estimate_errors(evaluation->sums.totals, check.sums.totals, perturbation);
+    Measures measures = describe(atoms, options, *evaluation, check);
+    measures.errors = estimate_errors(evaluation->sums.totals, check.sums.totals, perturbation_of(*evaluation, check));
     measures.degenerate = evaluation->sums.degenerate || check.sums.degenerate;
     measures.agreed = agree(evaluation->sums, check.sums);
     if (!measures.agreed)

@@ -63,6 +63,10 @@ Interface make_interface(const Measures& a, const Measures& b, const Measures& b
     interface.ses_a = a.totals.ses_area;
     interface.ses_b = b.totals.ses_area;
     interface.ses_ab = both.totals.ses_area;
+    for (const Measures* measures : {&a, &b, &both}) {
+        interface.sas_error += measures->errors.sas_area;
+        interface.ses_error += measures->errors.ses_area;
+    }
     const std::span<const AtomMeasure> in_complex(both.atoms);
     interface.atoms_a = compare(a.atoms, in_complex.first(a.atoms.size()));
     interface.atoms_b = compare(b.atoms, in_complex.subspan(a.atoms.size()));

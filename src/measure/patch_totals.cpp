@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/patch_totals.h"
 
+#include <algorithm>
+
 #include "core/parallel.h"
 #include "measure/patch_integrals.h"
 #include "measure/reentrant_patches.h"
@@ -11,86 +13,128 @@ namespace {
 
 constexpr std::size_t kChunk = 128;
 
-struct SpherePair {
-    PatchIntegrals sas;
-    PatchIntegrals ses;
-    SpherePair& operator+=(const SpherePair& other) {
-        sas += other.sas;
-        ses += other.ses;
+void add(SurfaceTotals& to, PatchKind kind, const PatchIntegrals& ses, const PatchIntegrals& sas, double factor = 1.0) {
+    to.sas_area += factor * sas.area;
+    to.sas_volume += factor * sas.volume;
+    to.ses_area += factor * ses.area;
+    to.ses_volume += factor * ses.volume;
+    if (kind == PatchKind::Contact) to.contact_area += factor * ses.area;
+    if (kind == PatchKind::Toroidal) to.toroidal_area += factor * ses.area;
+    if (kind == PatchKind::Reentrant) to.reentrant_area += factor * ses.area;
+}
+
+// Integrals over patches of one kind. Those of the largest component, nearly all, are only summed up.
+class Sums {
+public:
+    Sums() = default;
+    explicit Sums(std::uint32_t largest) : largest_(largest) {}
+
+    void add(std::uint32_t component, const PatchIntegrals& ses, const PatchIntegrals& sas = {}) {
+        ses_ += ses;
+        sas_ += sas;
+        if (component != largest_ && component != kNone) elsewhere_.push_back({component, ses, sas});
+    }
+    Sums& operator+=(const Sums& other) {
+        ses_ += other.ses_;
+        sas_ += other.sas_;
+        elsewhere_.insert(elsewhere_.end(), other.elsewhere_.begin(), other.elsewhere_.end());
         return *this;
     }
+    void add_to(PatchTotals& found, PatchKind kind, std::uint32_t largest) const {
+        meniscus::add(found.totals, kind, ses_, sas_);
+        meniscus::add(found.components[largest], kind, ses_, sas_);
+        for (const Elsewhere& patch : elsewhere_) {
+            meniscus::add(found.components[patch.component], kind, patch.ses, patch.sas);
+            meniscus::add(found.components[largest], kind, patch.ses, patch.sas, -1.0);
+        }
+    }
+
+private:
+    struct Elsewhere {
+        std::uint32_t component;
+        PatchIntegrals ses;
+        PatchIntegrals sas;
+    };
+    std::uint32_t largest_ = 0;
+    PatchIntegrals ses_;
+    PatchIntegrals sas_;
+    std::vector<Elsewhere> elsewhere_;
 };
 
-SpherePair sum_contact_patches(const AccessibleSurface::Data& data, const Vec3& origin) {
-    return parallel_sum<SpherePair>(data.atoms.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-        SpherePair sum;
+Sums sum_contact_patches(const AccessibleSurface::Data& data, const SesPatches& first, std::uint32_t largest) {
+    return parallel_sum<Sums>(data.atoms.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+        Sums sums(largest);
         SphericalRegions regions;
         for (std::size_t i = begin; i < end; ++i) {
             if (data.exposed[i] == 0) continue;
-            measure_exposed_regions(data, static_cast<std::uint32_t>(i), regions);
-            const Vec3 centre = data.atoms.centres[i] - origin;
+            const auto atom = static_cast<std::uint32_t>(i);
+            measure_exposed_regions(data, atom, regions);
+            const Vec3 centre = data.atoms.centres[i] - first.origin();
             for (const SphericalRegion& region : regions.regions()) {
-                sum.sas += sphere_patch(centre, data.rho[i], region, 1);
-                sum.ses += sphere_patch(centre, data.rho[i] - data.probe, region, 1);
+                const PatchIntegrals ses = sphere_patch(centre, data.rho[i] - data.probe, region, 1);
+                sums.add(first.component_like_contact(atom, ses.area), ses,
+                         sphere_patch(centre, data.rho[i], region, 1));
             }
         }
-        return sum;
+        return sums;
     });
 }
 
-PatchIntegrals sum_toroidal_patches(const AccessibleSurface::Data& data, const Vec3& origin) {
-    return parallel_sum<PatchIntegrals>(data.arcs.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-        PatchIntegrals sum;
+Sums sum_toroidal_patches(const AccessibleSurface::Data& data, const SesPatches& first, std::uint32_t largest) {
+    return parallel_sum<Sums>(data.arcs.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+        Sums sums(largest);
         for (std::size_t a = begin; a < end; ++a) {
             const SasArc& arc = data.arcs[a];
             const ToroidalPatch torus = toroidal_patch(arc, data.probe);
-            for (std::size_t k = 0; k < static_cast<std::size_t>(torus.count); ++k)
-                sum += toroidal_piece(arc, data.probe, torus.pieces[k], arc.centre - origin);
+            for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(torus.count); ++k)
+                sums.add(first.component_like_torus(static_cast<std::uint32_t>(a), arc, k),
+                         toroidal_piece(arc, data.probe, torus.pieces[k], arc.centre - first.origin()));
         }
-        return sum;
+        return sums;
     });
 }
 
-PatchIntegrals sum_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed, const Vec3& origin,
-                                     PatchTotals& found) {
+Sums sum_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed, const SesPatches& first,
+                           std::uint32_t largest, PatchTotals& found) {
     const AccessibleSurface::Data& data = surface.data();
     struct Trimmed {
-        PatchIntegrals sum;
+        Sums sums;
         bool consistent = true;
         bool degenerate = false;
     };
     std::vector<Trimmed> trimmed(data.vertices.size());
     for_each_reentrant_patch(surface, seed, [&](std::uint32_t v, const ReentrantPatch& patch) {
-        trimmed[v].consistent = patch.consistent;
-        trimmed[v].degenerate = patch.degenerate;
-        for (const SphericalRegion& region : patch.regions)
-            trimmed[v].sum += sphere_patch(data.vertices[v].position - origin, data.probe, region, -1);
+        trimmed[v] = {Sums(largest), patch.consistent, patch.degenerate};
+        for (const SphericalRegion& region : patch.regions) {
+            const PatchIntegrals ses = sphere_patch(data.vertices[v].position - first.origin(), data.probe, region, -1);
+            trimmed[v].sums.add(first.component_like_reentrant(v, data.vertices[v], ses.area), ses);
+        }
     });
-    PatchIntegrals sum;
+    Sums sums(largest);
     for (std::uint32_t v = 0; v < trimmed.size(); ++v) {
-        sum += trimmed[v].sum;
+        sums += trimmed[v].sums;
         found.degenerate = found.degenerate || trimmed[v].degenerate;
         if (!trimmed[v].consistent) found.unresolved.push_back(v);
     }
-    return sum;
+    return sums;
+}
+
+std::uint32_t largest_component(const SesPatches& patches) {
+    std::vector<double> areas(patches.component_count());
+    for (const SesPatch& patch : patches.patches()) areas[patch.component] += patch.ses.area;
+    return static_cast<std::uint32_t>(std::max_element(areas.begin(), areas.end()) - areas.begin());
 }
 
 }  // namespace
 
-PatchTotals sum_patches(const AccessibleSurface& surface, std::uint64_t seed) {
+PatchTotals sum_patches(const AccessibleSurface& surface, std::uint64_t seed, const SesPatches& first) {
     const AccessibleSurface::Data& data = surface.data();
-    const Vec3 origin = middle_of(data.atoms.centres);
+    const std::uint32_t largest = largest_component(first);
     PatchTotals found;
-    const SpherePair contact = sum_contact_patches(data, origin);
-    const PatchIntegrals toroidal = sum_toroidal_patches(data, origin);
-    const PatchIntegrals reentrant = sum_reentrant_patches(surface, seed, origin, found);
-    found.totals = {.sas_area = contact.sas.area,
-                    .sas_volume = contact.sas.volume,
-                    .ses_area = contact.ses.area + toroidal.area + reentrant.area,
-                    .ses_volume = contact.ses.volume + toroidal.volume + reentrant.volume,
-                    .contact_area = contact.ses.area,
-                    .toroidal_area = toroidal.area,
-                    .reentrant_area = reentrant.area};
+    found.components.resize(first.component_count());
+    sum_contact_patches(data, first, largest).add_to(found, PatchKind::Contact, largest);
+    sum_toroidal_patches(data, first, largest).add_to(found, PatchKind::Toroidal, largest);
+    sum_reentrant_patches(surface, seed, first, largest, found).add_to(found, PatchKind::Reentrant, largest);
     return found;
 }
 

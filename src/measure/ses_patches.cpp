@@ -13,6 +13,22 @@ namespace {
 
 // Stretches of border shorter than this (radian) may owe themselves to a perturbation: they connect nothing.
 constexpr double kShortestBorder = 1e-6;
+// Features of two evaluations this close (Å) are the same one, perturbed.
+constexpr double kSameFeature = 1e-3;
+
+// The place of the feature most like another one: almost always the same place. Features are in order of their first
+// atom.
+template <class Feature, class Same>
+std::uint32_t find_like(const std::vector<Feature>& features, std::uint32_t place, const Feature& like,
+                        const Same& same) {
+    if (place < features.size() && same(features[place])) return place;
+    const std::uint32_t atom = like.atoms[0];
+    const auto first = std::partition_point(features.begin(), features.end(),
+                                            [&](const Feature& feature) { return feature.atoms[0] < atom; });
+    for (auto found = first; found != features.end() && found->atoms[0] == atom; ++found)
+        if (same(*found)) return static_cast<std::uint32_t>(found - features.begin());
+    return kNone;
+}
 
 }  // namespace
 
@@ -183,6 +199,36 @@ void SesPatches::hand_on_sas_components() {
             patch.kind == PatchKind::Toroidal ? patch.feature : vertex_arcs_[patch.feature].front();
         if (arc != kNone) patch.sas_component = of_arc[arc];
     }
+}
+
+std::uint32_t SesPatches::component_of_nearest_area(std::uint32_t begin, std::uint32_t end, double area) const {
+    const auto off = [&](const SesPatch& patch) { return std::abs(patch.ses.area - area); };
+    const auto nearest = std::min_element(patches_.begin() + begin, patches_.begin() + end,
+                                          [&](const SesPatch& a, const SesPatch& b) { return off(a) < off(b); });
+    return begin == end ? kNone : nearest->component;
+}
+
+std::uint32_t SesPatches::component_like_contact(std::uint32_t atom, double area) const {
+    return component_of_nearest_area(first_contact_[atom], first_contact_[atom + 1], area);
+}
+
+std::uint32_t SesPatches::component_like_torus(std::uint32_t arc, const SasArc& like, std::uint32_t part) const {
+    const Vec3 middle = like.centre + like.radius * like.middle;
+    const std::uint32_t found = find_like(data_->arcs, arc, like, [&](const SasArc& own) {
+        return own.atoms == like.atoms && ((own.whole_circle() && like.whole_circle()) ||
+                                           norm(own.centre + own.radius * own.middle - middle) < kSameFeature);
+    });
+    if (found == kNone) return kNone;
+    const std::uint32_t parts = first_torus_[found + 1] - first_torus_[found];
+    return parts == 0 ? kNone : patches_[first_torus_[found] + std::min(part, parts - 1)].component;
+}
+
+std::uint32_t SesPatches::component_like_reentrant(std::uint32_t vertex, const SasVertex& like, double area) const {
+    const std::uint32_t found = find_like(data_->vertices, vertex, like, [&](const SasVertex& own) {
+        return own.atoms == like.atoms && norm(own.position - like.position) < kSameFeature;
+    });
+    if (found == kNone) return kNone;
+    return component_of_nearest_area(first_reentrant_[found], first_reentrant_[found + 1], area);
 }
 
 std::uint32_t SesPatches::component_at(const Vec3& point) const {

@@ -39,6 +39,12 @@ public:
     /// Vertices whose trimming could not be resolved.
     const std::vector<std::uint32_t>& unresolved() const { return unresolved_; }
 
+    /// The component of the patch most like one of another evaluation of the same atoms, or kNone: of the same atoms,
+    /// at the same place, and of all regions of it the one whose area is nearest.
+    std::uint32_t component_like_contact(std::uint32_t atom, double area) const;
+    std::uint32_t component_like_torus(std::uint32_t arc, const SasArc& like, std::uint32_t part) const;
+    std::uint32_t component_like_reentrant(std::uint32_t vertex, const SasVertex& like, double area) const;
+
     /// The component whose surface is nearest to a point.
     std::uint32_t component_at(const Vec3& point) const;
 
@@ -48,6 +54,7 @@ private:
     void add_reentrant_patches();
     void number_components();
     void hand_on_sas_components();
+    std::uint32_t component_of_nearest_area(std::uint32_t begin, std::uint32_t end, double area) const;
     std::uint32_t torus_patch(std::uint32_t arc, std::uint32_t atom) const;
     std::uint32_t torus_patch_at(std::uint32_t arc, const Vec3& point) const;
     std::uint32_t arc_at_edge(std::uint32_t vertex, std::uint32_t edge) const;

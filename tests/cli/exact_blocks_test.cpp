@@ -30,6 +30,7 @@ TEST(ExactBlocks, OnlyCavitiesHaveAnInscribedSphere) {
     measures.components[1].inscribed_radius = 1.5;
     measures.components[1].inscribed_centre = {1.0, 2.0, 3.0};
     measures.components[1].atoms = {4, 7};
+    measures.components[1].errors.ses_area = 1e-8;
     const auto list = components_json(measures);
     ASSERT_EQ(list.size(), 2u);
     EXPECT_EQ(list[0]["kind"], "outer");
@@ -41,6 +42,7 @@ TEST(ExactBlocks, OnlyCavitiesHaveAnInscribedSphere) {
     EXPECT_EQ(list[1]["inscribed_radius"], 1.5);
     EXPECT_EQ(list[1]["inscribed_centre"], (std::vector<double>{1.0, 2.0, 3.0}));
     EXPECT_EQ(list[1]["atoms"], (std::vector<int>{4, 7}));
+    EXPECT_EQ(list[1]["errors"]["ses_area"], 1e-8);
     EXPECT_TRUE(components_json({}).is_array());
 }
 
@@ -50,11 +52,14 @@ TEST(ExactBlocks, InterfacesTellTheBuriedAreaAndHalfOfIt) {
     interface.sas_b = 8.0;
     interface.sas_ab = 15.0;
     interface.ses_ab = 1.0;
+    interface.sas_error = 2e-8;
     const auto block = interface_json("A,C", "B", interface);
     EXPECT_EQ(block["a"], "A,C");
     EXPECT_EQ(block["buried_sas"], 3.0);
     EXPECT_EQ(block["interface_area"], 1.5);
     EXPECT_EQ(block["buried_ses"], -1.0);
+    EXPECT_EQ(block["errors"]["buried_sas"], 2e-8);
+    EXPECT_EQ(block["errors"]["interface_area"], 1e-8);
 }
 
 TEST(ExactBlocks, DisputedPatchesAreNamed) {

@@ -106,6 +106,9 @@ class Numbers(MeasureTest):
         for name in ("sas_volume", "ses_volume"):
             total = sum(s * c[name] for s, c in zip(signs, report["components"]))
             self.assertAlmostEqual(total / exact[name], 1.0, delta=1e-11, msg=name)
+        for component in report["components"]:
+            for name, error in component["errors"].items():
+                self.assertLess(error, 1e-5 + 1e-6 * component[name], name)
         self.assertEqual(report["exact"]["sas_components"], sum(c["sas_components"] for c in report["components"]))
 
     def test_surface_reports_the_same_exact_numbers(self):

@@ -48,6 +48,9 @@ TEST(Interfaces, TwoSpheresHaveTheClosedForm) {
     EXPECT_NEAR(found.interface_area(), 0.5 * (a.buried_sas() + b.buried_sas()), 1e-6);
     EXPECT_NEAR(found.ses_ab, a.contact() + a.torus() + b.contact() + b.torus(), 1e-6);
     EXPECT_NEAR(found.buried_ses(), found.ses_a + found.ses_b - found.ses_ab, 1e-9);
+    EXPECT_LE(std::abs(found.buried_sas() - a.buried_sas() - b.buried_sas()), found.sas_error);
+    EXPECT_LT(found.sas_error, 1e-6);
+    EXPECT_GT(found.ses_error, 0.0);
     EXPECT_NEAR(found.atoms_a[0].buried_sas(), a.buried_sas(), 1e-6);
     EXPECT_NEAR(found.atoms_b[0].ses_complex, b.contact() + b.torus(), 1e-6);
     EXPECT_TRUE(found.agreed);

@@ -52,6 +52,8 @@ class Measuring(InScratchFolder):
         self.assertEqual(cavity.atoms.tolist(), [0, 1, 2, 3, 4, 5])
         self.assertEqual(cavity.inside_of, 0)
         self.assertGreater(cavity.volume, 4 / 3 * math.pi)
+        self.assertEqual(cavity.errors.keys(), exact.errors.keys())
+        self.assertTrue(0 < cavity.errors["ses_volume"] < 1e-5 * cavity.volume)
 
     def test_tables_have_the_columns_of_the_command_line(self):
         exact = meniscus.measure(read(UBIQUITIN))
