@@ -181,7 +181,7 @@ InscribedSphere largest_inscribed_sphere(const AccessibleSurface& surface, std::
     constexpr double kCoarse = 0.1;  // Å: enough to tell which start leads highest
     constexpr double kFine = 1e-7;
     Gap gap(surface);
-    InscribedSphere best;
+    InscribedSphere best{starts.front(), surface.probe()};
     const double step = std::max(0.25 * surface.probe(), kCoarse);
     const std::size_t stride = (starts.size() + kMostStarts - 1) / kMostStarts;
     for (std::size_t s = 0; s < starts.size(); s += stride) {
