@@ -94,7 +94,13 @@ CanonicalAtoms canonical_atoms(const Atoms& atoms, double cell) {
         return ra < rb || (ra == rb && a < b);
     });
     for (const std::uint32_t i : order) {
-        if (!result.original.empty() && rank(i) == rank(result.original.back())) continue;
+        // Of one centre the largest comes last, and of equal ones the caller's first.
+        if (!result.original.empty() && atoms.centres[i] == result.centres.back()) {
+            if (atoms.radii[i] == result.radii.back()) continue;
+            result.radii.back() = atoms.radii[i];
+            result.original.back() = i;
+            continue;
+        }
         result.centres.push_back(atoms.centres[i]);
         result.radii.push_back(atoms.radii[i]);
         result.original.push_back(i);

@@ -31,14 +31,17 @@ Vec3 perpendicular(const Vec3& axis) {
 }
 
 RimCrossing cross_rims(const Cap& a, const Cap& b) {
-    const Vec3 w = cross(a.axis, b.axis);
-    const double d = squared_norm(w);  // sin² of the axes' angle: 1 - cos² would cancel (near-parallel caps)
-    const double g = dot(a.axis, b.axis);
+    // Sum and difference of the axes are perpendicular to each other. In their frame nothing cancels, so that caps of
+    // spheres that all but coincide keep the order that the perturbation gave them.
+    const Vec3 s = a.axis + b.axis;
+    const Vec3 e = b.axis - a.axis;
+    const double along_s = (a.t + b.t) / squared_norm(s);
+    const double along_e = (b.t - a.t) / squared_norm(e);
+    const Vec3 middle = along_s * s + along_e * e;
+    const Vec3 w = cross(a.axis, e);
     // Positive when the line in which the rims' planes meet passes inside the unit sphere.
-    const double discriminant = d - (a.t * a.t + b.t * b.t - 2.0 * g * a.t * b.t);
-    const double scale = 1.0 / d;
-    const Vec3 middle = scale * ((a.t - g * b.t) * a.axis + (b.t - g * a.t) * b.axis);
-    const Vec3 off = scale * std::sqrt(std::max(0.0, discriminant)) * w;
+    const double discriminant = 1.0 - (along_s * (a.t + b.t) + along_e * (b.t - a.t));
+    const Vec3 off = std::sqrt(std::max(0.0, discriminant) / squared_norm(w)) * w;
     return {discriminant > 0.0, middle + off, middle - off};
 }
 

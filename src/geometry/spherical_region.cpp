@@ -137,15 +137,58 @@ void SphericalRegions::walk(const Vec3& from, const Vec3& to) const {
     std::sort(crossings_.begin(), crossings_.end(), [](const Crossing& a, const Crossing& b) { return a.at < b.at; });
 }
 
+// Points of a loop to walk from or to: the middle of an arc of it, or more.
+std::vector<SphericalRegions::Stand> SphericalRegions::stands_on(std::uint32_t loop, bool many) const {
+    constexpr std::size_t kMost = 16;
+    std::vector<Stand> stands;
+    for (std::uint32_t a = 0; a < contour_.size() && stands.size() < kMost; ++a) {
+        if (loop_[a] != loop) continue;
+        if (!many) return {{measured_[a].middle, a}};
+        const Cap& cap = caps_[contour_[a].cap];
+        const Vec3 e1 = measured_[a].start - cap.t * cap.axis;
+        const Vec3 e2 = cross(e1, cap.axis);
+        for (const double part : {0.125, 0.375, 0.625, 0.875}) {
+            const double angle = part * measured_[a].angle;
+            stands.push_back({normalised(cap.t * cap.axis + std::cos(angle) * e1 + std::sin(angle) * e2), a});
+        }
+    }
+    return stands;
+}
+
+// How far a way between two points of rims is from running along one of these: 1 straight across, 0 along.
+double SphericalRegions::steepness(const Stand& from, const Stand& to) const {
+    const Vec3 normal = cross(from.point, to.point);
+    if (norm(normal) < 1e-6) return 0.0;
+    const auto across = [&](const Stand& at) {
+        const Cap& cap = caps_[contour_[at.arc].cap];
+        return std::abs(dot(normalised(cross(normal, at.point)), cap.axis)) / rim_sine(cap);
+    };
+    return std::min(across(from), across(to));
+}
+
+// A way between two loops that no rounding can take for another one: it may not leave or reach them along a rim, as it
+// does, by symmetry, between lattice points.
+std::pair<SphericalRegions::Stand, SphericalRegions::Stand> SphericalRegions::way_between(std::uint32_t a,
+                                                                                          std::uint32_t b) const {
+    constexpr double kSteepEnough = 0.1;
+    std::pair best{stands_on(a, false).front(), stands_on(b, false).front()};
+    double steepest = steepness(best.first, best.second);
+    if (steepest > kSteepEnough) return best;
+    for (const Stand& from : stands_on(a, true))
+        for (const Stand& to : stands_on(b, true)) {
+            const double steep = steepness(from, to);
+            if (!(steep > steepest)) continue;
+            steepest = steep;
+            best = {from, to};
+        }
+    return best;
+}
+
 // Walks from the first loop to another: loops at both ends of an exposed stretch bound the same region.
 void SphericalRegions::join_along_walk(std::uint32_t loop, DisjointSets& loops) {
-    const auto first_arc = [&](std::uint32_t l) {
-        return static_cast<std::size_t>(std::find(loop_.begin(), loop_.end(), l) - loop_.begin());
-    };
-    const std::size_t a = first_arc(0);
-    const std::size_t b = first_arc(loop);
-    const Vec3& from = measured_[a].middle;
-    const Vec3& to = measured_[b].middle;
+    const auto [first, last] = way_between(0, loop);
+    const auto& [from, a] = first;
+    const auto& [to, b] = last;
     walk(from, to);
     const Vec3 ahead = cross(cross(from, to), from);
     const Vec3 arriving = cross(cross(from, to), to);

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/disjoint_sets.h"
@@ -51,11 +52,19 @@ private:
         std::uint32_t arc;
     };
 
+    struct Stand {  // on the contour
+        Vec3 point;
+        std::uint32_t arc;
+    };
+
     void measure_arcs();
     void link_loops();
     std::uint32_t count_cap_clusters() const;
     void group_loops();
     void walk(const Vec3& from, const Vec3& to) const;
+    std::vector<Stand> stands_on(std::uint32_t loop, bool many) const;
+    double steepness(const Stand& from, const Stand& to) const;
+    std::pair<Stand, Stand> way_between(std::uint32_t a, std::uint32_t b) const;
     void join_along_walk(std::uint32_t loop, DisjointSets& loops);
     void add_up();
 

@@ -46,7 +46,7 @@ std::vector<Vec3> points_on_components(const SesPatches& patches) {
     for (const SesPatch& patch : patches.patches()) {
         if (patch.ses.area <= largest[patch.component]) continue;
         largest[patch.component] = patch.ses.area;
-        points[patch.component] = patches.origin() + (1.0 / patch.ses.area) * patch.ses.first_moment;
+        points[patch.component] = patches.origin_of(patch) + (1.0 / patch.ses.area) * patch.ses.first_moment;
     }
     return points;
 }
@@ -82,7 +82,18 @@ public:
         return gap;
     }
 
+    /// Whether the straight way from one point to another passes through no atom; touching does not count.
+    bool lets_pass(const Vec3& from, const Vec3& to) const {
+        const Vec3 way = to - from;
+        return std::none_of(balls_.begin(), balls_.end(), [&](const Ball& ball) {
+            const double along = std::clamp(dot(ball.centre - from, way) / squared_norm(way), 0.0, 1.0);
+            return norm(from + along * way - ball.centre) < ball.radius - kTouching;
+        });
+    }
+
 private:
+    static constexpr double kTouching = 1e-9;  // Å: above the perturbation
+
     struct Ball {
         Vec3 centre;
         double radius;
@@ -99,8 +110,13 @@ std::array<Vec3, 3> turning_frame(int turn) {
     return {e1, e2, cross(e1, e2)};
 }
 
+// Whether two spheres without atoms in them lie in the same void.
+bool is_beside(const Gap& gap, const InscribedSphere& a, const InscribedSphere& b) {
+    return norm(a.centre - b.centre) < a.radius + b.radius || gap.lets_pass(a.centre, b.centre);
+}
+
 // Compass search from one place for the largest gap, until the step falls below `last_step`.
-InscribedSphere ascend(Gap& gap, const InscribedSphere& start, double step, double last_step) {
+InscribedSphere ascend(Gap& gap, const Box& room, const InscribedSphere& start, double step, double last_step) {
     InscribedSphere best = start;
     double travel = 4.0 * step;  // what the gathered balls are good for
     Vec3 gathered = best.centre;
@@ -117,7 +133,8 @@ InscribedSphere ascend(Gap& gap, const InscribedSphere& start, double step, doub
             const int along[3] = {d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1};
             const Vec3 towards = along[0] * e1 + along[1] * e2 + along[2] * e3;
             const Vec3 p = best.centre + step * towards;
-            if (const double r = gap.above(p, next.radius); r > next.radius) next = {p, r};
+            const double r = gap.above(p, next.radius);
+            if (r > next.radius && room.squared_distance(p) == 0.0 && is_beside(gap, best, {p, r})) next = {p, r};
         }
         if (next.radius > best.radius)
             best = next;
@@ -158,19 +175,20 @@ std::vector<std::uint32_t> nest_components(const AccessibleSurface& surface, con
     return inside_of;
 }
 
-InscribedSphere largest_inscribed_sphere(const AccessibleSurface& surface, std::span<const Vec3> starts) {
+InscribedSphere largest_inscribed_sphere(const AccessibleSurface& surface, std::span<const Vec3> starts,
+                                         const Box& room) {
     constexpr std::size_t kMostStarts = 32;
     constexpr double kCoarse = 0.1;  // Å: enough to tell which start leads highest
     constexpr double kFine = 1e-7;
     Gap gap(surface);
-    InscribedSphere best;
+    InscribedSphere best{starts.front(), surface.probe()};
     const double step = std::max(0.25 * surface.probe(), kCoarse);
     const std::size_t stride = (starts.size() + kMostStarts - 1) / kMostStarts;
     for (std::size_t s = 0; s < starts.size(); s += stride) {
-        const InscribedSphere found = ascend(gap, {starts[s], surface.probe()}, step, kCoarse);
+        const InscribedSphere found = ascend(gap, room, {starts[s], surface.probe()}, step, kCoarse);
         if (found.radius > best.radius) best = found;
     }
-    return ascend(gap, best, kCoarse, kFine);
+    return ascend(gap, room, best, kCoarse, kFine);
 }
 
 }  // namespace meniscus

@@ -24,7 +24,10 @@ struct InscribedSphere {
 };
 
 /// The largest sphere inside the solvent that touches no atom, reached by ascent from probe positions `starts` on
-/// the walls of one cavity.
-InscribedSphere largest_inscribed_sphere(const AccessibleSurface& surface, std::span<const Vec3> starts);
+/// the walls of one cavity. Its centre stays in `room`, a box round the atoms of
+/// these walls, and passes through no atom on its way: walls without thickness, as of spheres of which four meet in a
+/// point, hold it.
+InscribedSphere largest_inscribed_sphere(const AccessibleSurface& surface, std::span<const Vec3> starts,
+                                         const Box& room);
 
 }  // namespace meniscus

@@ -99,15 +99,20 @@ SurfaceTotals estimate_errors(const SurfaceTotals& a, const SurfaceTotals& b, do
     return errors;
 }
 
-std::array<std::uint32_t, 3> atoms_of(const AccessibleSurface::Data& data, const SesPatch& patch) {
-    const auto original = [&](std::uint32_t i) { return data.atoms.original[i]; };
-    if (patch.kind == PatchKind::Contact) return {original(patch.feature), kNone, kNone};
-    if (patch.kind == PatchKind::Toroidal) {
-        const auto& atoms = data.arcs[patch.feature].atoms;
-        return {original(atoms[0]), original(atoms[1]), kNone};
-    }
-    const auto& atoms = data.vertices[patch.feature].atoms;
-    return {original(atoms[0]), original(atoms[1]), original(atoms[2])};
+using PatchAtoms = std::array<std::uint32_t, 3>;
+
+PatchAtoms canonical_atoms_of(const AccessibleSurface::Data& data, const SesPatch& patch) {
+    if (patch.kind == PatchKind::Contact) return {patch.feature, kNone, kNone};
+    if (patch.kind == PatchKind::Reentrant) return data.vertices[patch.feature].atoms;
+    const auto& atoms = data.arcs[patch.feature].atoms;
+    return {atoms[0], atoms[1], kNone};
+}
+
+PatchAtoms atoms_of(const AccessibleSurface::Data& data, const SesPatch& patch) {
+    PatchAtoms atoms = canonical_atoms_of(data, patch);
+    for (std::uint32_t& atom : atoms)
+        if (atom != kNone) atom = data.atoms.original[atom];
+    return atoms;
 }
 
 // A torus is divided at the plane of its circle (ψ = 0); a piece on one side of it belongs to that side's atom.
@@ -159,9 +164,11 @@ PatchAreas areas_of_largest_sas_piece(const SesPatches& patches) {
 struct ComponentSums {
     SurfaceComponent component;
     double signed_volume = 0.0;
-    Vec3 first_moment;
+    Vec3 first_moment;  // about `origin`
+    Vec3 origin;
     std::vector<std::uint32_t> sas_pieces;
     std::vector<std::uint32_t> atoms;
+    Box room;                  // round its atoms
     std::vector<Vec3> probes;  // vertices, or the middle of arcs
 };
 
@@ -173,10 +180,16 @@ std::vector<ComponentSums> sum_components(const SesPatches& patches) {
         sum.component.ses_area += patch.ses.area;
         sum.signed_volume += patch.ses.volume;
         sum.first_moment += patch.ses.first_moment;
+        sum.origin = patches.origin_of(patch);
         sum.component.sas_area += patch.sas.area;
         sum.component.sas_volume += patch.sas.volume;
-        for (const std::uint32_t atom : atoms_of(data, patch))
-            if (atom != kNone) sum.atoms.push_back(atom);
+        for (const std::uint32_t atom : canonical_atoms_of(data, patch)) {
+            if (atom == kNone) continue;
+            sum.atoms.push_back(data.atoms.original[atom]);
+            Box ball;
+            ball.include(data.atoms.centres[atom]);
+            sum.room.include(ball.grown(data.atoms.radii[atom]));
+        }
         if (patch.kind == PatchKind::Contact) {
             sum.component.contact_area += patch.ses.area;
             sum.sas_pieces.push_back(patch.sas_component);
@@ -205,10 +218,10 @@ void finish_component(const Evaluation& evaluation, const MeasureOptions& option
     component.ses_volume = std::abs(sum.signed_volume);
     component.sas_volume = std::abs(component.sas_volume);
     component.sas_components = sorted_without_repeats(std::move(sum.sas_pieces)).size();
-    component.centre = evaluation.patches.origin() + (1.0 / component.ses_area) * sum.first_moment;
+    component.centre = sum.origin + (1.0 / component.ses_area) * sum.first_moment;
     component.atoms = sorted_without_repeats(std::move(sum.atoms));
     if (!options.cavities || component.kind != ComponentKind::Cavity || sum.probes.empty()) return;
-    const InscribedSphere sphere = largest_inscribed_sphere(evaluation.surface, sum.probes);
+    const InscribedSphere sphere = largest_inscribed_sphere(evaluation.surface, sum.probes, sum.room);
     component.inscribed_centre = sphere.centre;
     component.inscribed_radius = sphere.radius;
 }

@@ -7,12 +7,6 @@
 
 namespace meniscus {
 
-Vec3 middle_of(std::span<const Vec3> centres) {
-    Box box;
-    for (const Vec3& centre : centres) box.include(centre);
-    return 0.5 * (box.low + box.high);
-}
-
 void measure_exposed_regions(const AccessibleSurface::Data& data, std::uint32_t atom, SphericalRegions& regions) {
     const std::span<const Cap> caps = data.caps_of(atom);
     std::vector<std::uint32_t> all(caps.size());

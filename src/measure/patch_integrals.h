@@ -4,7 +4,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "geometry/accessible_surface_data.h"
 #include "geometry/spherical_region.h"
@@ -25,9 +24,6 @@ struct PatchIntegrals {
         return *this;
     }
 };
-
-/// The middle of the box of all centres: volume integrals about it lose little to rounding.
-Vec3 middle_of(std::span<const Vec3> centres);
 
 /// The exposed regions of an atom's enlarged sphere. Precondition: the atom is exposed.
 void measure_exposed_regions(const AccessibleSurface::Data& data, std::uint32_t atom, SphericalRegions& regions);

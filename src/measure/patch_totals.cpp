@@ -7,6 +7,7 @@
 #include "core/parallel.h"
 #include "measure/patch_integrals.h"
 #include "measure/reentrant_patches.h"
+#include "measure/volume_origins.h"
 
 namespace meniscus {
 namespace {
@@ -61,7 +62,8 @@ private:
     std::vector<Elsewhere> elsewhere_;
 };
 
-Sums sum_contact_patches(const AccessibleSurface::Data& data, const SesPatches& first, std::uint32_t largest) {
+Sums sum_contact_patches(const AccessibleSurface::Data& data, const VolumeOrigins& origins, const SesPatches& first,
+                         std::uint32_t largest) {
     return parallel_sum<Sums>(data.atoms.size(), kChunk, [&](std::size_t begin, std::size_t end) {
         Sums sums(largest);
         SphericalRegions regions;
@@ -69,7 +71,7 @@ Sums sum_contact_patches(const AccessibleSurface::Data& data, const SesPatches& 
             if (data.exposed[i] == 0) continue;
             const auto atom = static_cast<std::uint32_t>(i);
             measure_exposed_regions(data, atom, regions);
-            const Vec3 centre = data.atoms.centres[i] - first.origin();
+            const Vec3 centre = data.atoms.centres[i] - origins.of(atom);
             for (const SphericalRegion& region : regions.regions()) {
                 const PatchIntegrals ses = sphere_patch(centre, data.rho[i] - data.probe, region, 1);
                 sums.add(first.component_like_contact(atom, ses.area), ses,
@@ -80,7 +82,8 @@ Sums sum_contact_patches(const AccessibleSurface::Data& data, const SesPatches& 
     });
 }
 
-Sums sum_toroidal_patches(const AccessibleSurface::Data& data, const SesPatches& first, std::uint32_t largest) {
+Sums sum_toroidal_patches(const AccessibleSurface::Data& data, const VolumeOrigins& origins, const SesPatches& first,
+                          std::uint32_t largest) {
     return parallel_sum<Sums>(data.arcs.size(), kChunk, [&](std::size_t begin, std::size_t end) {
         Sums sums(largest);
         for (std::size_t a = begin; a < end; ++a) {
@@ -88,14 +91,14 @@ Sums sum_toroidal_patches(const AccessibleSurface::Data& data, const SesPatches&
             const ToroidalPatch torus = toroidal_patch(arc, data.probe);
             for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(torus.count); ++k)
                 sums.add(first.component_like_torus(static_cast<std::uint32_t>(a), arc, k),
-                         toroidal_piece(arc, data.probe, torus.pieces[k], arc.centre - first.origin()));
+                         toroidal_piece(arc, data.probe, torus.pieces[k], arc.centre - origins.of(arc.atoms[0])));
         }
         return sums;
     });
 }
 
-Sums sum_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed, const SesPatches& first,
-                           std::uint32_t largest, PatchTotals& found) {
+Sums sum_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed, const VolumeOrigins& origins,
+                           const SesPatches& first, std::uint32_t largest, PatchTotals& found) {
     const AccessibleSurface::Data& data = surface.data();
     struct Trimmed {
         Sums sums;
@@ -106,7 +109,8 @@ Sums sum_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed,
     for_each_reentrant_patch(surface, seed, [&](std::uint32_t v, const ReentrantPatch& patch) {
         trimmed[v] = {Sums(largest), patch.consistent, patch.degenerate};
         for (const SphericalRegion& region : patch.regions) {
-            const PatchIntegrals ses = sphere_patch(data.vertices[v].position - first.origin(), data.probe, region, -1);
+            const PatchIntegrals ses =
+                sphere_patch(data.vertices[v].position - origins.of(data.vertices[v].atoms[0]), data.probe, region, -1);
             trimmed[v].sums.add(first.component_like_reentrant(v, data.vertices[v], ses.area), ses);
         }
     });
@@ -130,11 +134,12 @@ std::uint32_t largest_component(const SesPatches& patches) {
 PatchTotals sum_patches(const AccessibleSurface& surface, std::uint64_t seed, const SesPatches& first) {
     const AccessibleSurface::Data& data = surface.data();
     const std::uint32_t largest = largest_component(first);
+    const VolumeOrigins origins(data);
     PatchTotals found;
     found.components.resize(first.component_count());
-    sum_contact_patches(data, first, largest).add_to(found, PatchKind::Contact, largest);
-    sum_toroidal_patches(data, first, largest).add_to(found, PatchKind::Toroidal, largest);
-    sum_reentrant_patches(surface, seed, first, largest, found).add_to(found, PatchKind::Reentrant, largest);
+    sum_contact_patches(data, origins, first, largest).add_to(found, PatchKind::Contact, largest);
+    sum_toroidal_patches(data, origins, first, largest).add_to(found, PatchKind::Toroidal, largest);
+    sum_reentrant_patches(surface, seed, origins, first, largest, found).add_to(found, PatchKind::Reentrant, largest);
     return found;
 }
 

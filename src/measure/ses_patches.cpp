@@ -33,7 +33,7 @@ std::uint32_t find_like(const std::vector<Feature>& features, std::uint32_t plac
 }  // namespace
 
 SesPatches::SesPatches(const AccessibleSurface& surface, std::uint64_t seed)
-    : surface_(&surface), data_(&surface.data()), seed_(seed), origin_(middle_of(data_->atoms.centres)) {
+    : surface_(&surface), data_(&surface.data()), seed_(seed), origins_(*data_) {
     add_contact_patches();
     add_toroidal_patches();
     reentrant_ = trim_reentrant_patches(surface, seed);
@@ -51,7 +51,7 @@ void SesPatches::add_contact_patches() {
             const auto atom = static_cast<std::uint32_t>(i);
             if (data_->exposed[i] == 0) continue;
             measure_exposed_regions(*data_, atom, regions);
-            const Vec3 centre = data_->atoms.centres[i] - origin_;
+            const Vec3 centre = data_->atoms.centres[i] - origins_.of(atom);
             const double rho = data_->rho[i];
             for (std::uint32_t r = 0; r < regions.regions().size(); ++r)
                 of_atom[i].push_back({.feature = atom,
@@ -89,11 +89,12 @@ void SesPatches::add_toroidal_patches() {
         const SasArc& arc = data_->arcs[a];
         const ToroidalPatch torus = toroidal_patch(arc, data_->probe);
         for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(torus.count); ++k)
-            patches_.push_back({.kind = PatchKind::Toroidal,
-                                .feature = a,
-                                .part = k,
-                                .ses = toroidal_piece(arc, data_->probe, torus.pieces[k], arc.centre - origin_),
-                                .sas = {}});
+            patches_.push_back(
+                {.kind = PatchKind::Toroidal,
+                 .feature = a,
+                 .part = k,
+                 .ses = toroidal_piece(arc, data_->probe, torus.pieces[k], arc.centre - origins_.of(arc.atoms[0])),
+                 .sas = {}});
         first_torus_.push_back(static_cast<std::uint32_t>(patches_.size()));
     }
     sets_.grow(patches_.size());
@@ -106,15 +107,15 @@ void SesPatches::add_reentrant_patches() {
     first_reentrant_.assign(1, static_cast<std::uint32_t>(patches_.size()));
     for (std::uint32_t v = 0; v < reentrant_.size(); ++v) {
         const ReentrantPatch& patch = reentrant_[v];
+        const Vec3 centre = data_->vertices[v].position - origins_.of(data_->vertices[v].atoms[0]);
         degenerate_ = degenerate_ || patch.degenerate;
         if (!patch.consistent) unresolved_.push_back(v);
         for (std::uint32_t r = 0; r < patch.regions.size(); ++r)
-            patches_.push_back(
-                {.kind = PatchKind::Reentrant,
-                 .feature = v,
-                 .part = r,
-                 .ses = sphere_patch(data_->vertices[v].position - origin_, data_->probe, patch.regions[r], -1),
-                 .sas = {}});
+            patches_.push_back({.kind = PatchKind::Reentrant,
+                                .feature = v,
+                                .part = r,
+                                .ses = sphere_patch(centre, data_->probe, patch.regions[r], -1),
+                                .sas = {}});
         first_reentrant_.push_back(static_cast<std::uint32_t>(patches_.size()));
     }
     sets_.grow(patches_.size());
@@ -128,6 +129,12 @@ void SesPatches::add_reentrant_patches() {
             const std::uint32_t across = patch_across(v, arc);
             if (across != kNone) sets_.join(first_reentrant_[v] + arc.region, across);
         }
+}
+
+const Vec3& SesPatches::origin_of(const SesPatch& patch) const {
+    if (patch.kind == PatchKind::Contact) return origins_.of(patch.feature);
+    if (patch.kind == PatchKind::Toroidal) return origins_.of(data_->arcs[patch.feature].atoms[0]);
+    return origins_.of(data_->vertices[patch.feature].atoms[0]);
 }
 
 // The toroidal patch on an atom's side of an arc.

@@ -10,6 +10,7 @@
 #include "geometry/accessible_surface_data.h"
 #include "measure/patch_integrals.h"
 #include "measure/reentrant_patches.h"
+#include "measure/volume_origins.h"
 #include "meniscus/measures.h"
 
 namespace meniscus {
@@ -31,8 +32,9 @@ public:
     SesPatches(const AccessibleSurface& surface, std::uint64_t seed);
 
     const AccessibleSurface::Data& data() const { return *data_; }
-    const Vec3& origin() const { return origin_; }
     const std::vector<SesPatch>& patches() const { return patches_; }
+    /// Of a patch's integrals; the same for all patches of a component.
+    const Vec3& origin_of(const SesPatch& patch) const;
     std::size_t component_count() const { return components_; }
     std::size_t sas_component_count() const { return sas_components_; }
     bool degenerate() const { return degenerate_; }
@@ -63,7 +65,7 @@ private:
     const AccessibleSurface* surface_;
     const AccessibleSurface::Data* data_;
     std::uint64_t seed_;
-    Vec3 origin_;
+    VolumeOrigins origins_;
     std::vector<SesPatch> patches_;
     std::vector<std::uint32_t> first_contact_;       // per atom, and the end
     std::vector<std::uint32_t> first_torus_;         // per arc, and the end

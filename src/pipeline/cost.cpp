@@ -51,6 +51,7 @@ public:
 
     /// The part of an atom's enlarged sphere that is accessible, 0 to 1.
     double of(std::size_t atom) {
+        if (is_in_another(atom)) return 0.0;
         find_neighbours(atom);
         const double rho = atoms_.radii[atom] + probe_;
         std::size_t free = 0;
@@ -65,6 +66,15 @@ private:
     };
 
     static double squared(double v) { return v * v; }
+
+    // Of atoms with one centre the largest counts, of equal ones the first.
+    bool is_in_another(std::size_t atom) const {
+        for (std::size_t j = 0; j < atoms_.size(); ++j)
+            if (atoms_.centres[j] == atoms_.centres[atom] && j != atom &&
+                (atoms_.radii[j] > atoms_.radii[atom] || (atoms_.radii[j] == atoms_.radii[atom] && j < atom)))
+                return true;
+        return false;
+    }
 
     // All pairs, without a branch: nobody could predict it.
     void find_neighbours(std::size_t atom) {

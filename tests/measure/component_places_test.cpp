@@ -24,6 +24,12 @@ Atoms block_with_a_hole(const Vec3& shift) {
     return atoms;
 }
 
+Box box_round(const Atoms& atoms) {
+    Box box;
+    for (const Vec3& centre : atoms.centres) box.include(centre);
+    return box;
+}
+
 std::vector<double> signed_volumes(const SesPatches& patches) {
     std::vector<double> volumes(patches.component_count(), 0.0);
     for (const SesPatch& patch : patches.patches()) volumes[patch.component] += patch.ses.volume;
@@ -71,7 +77,7 @@ TEST(ComponentPlaces, InscribedSphereTouchesTheAtomsAroundIt) {
     }
     const AccessibleSurface surface(atoms, 0.8);
     const Vec3 start{0.6, -0.3, 0.4};
-    const InscribedSphere sphere = largest_inscribed_sphere(surface, std::span(&start, 1));
+    const InscribedSphere sphere = largest_inscribed_sphere(surface, std::span(&start, 1), box_round(atoms));
     EXPECT_NEAR(sphere.radius, std::sqrt(12.0) - 1.5, 1e-4);
     EXPECT_NEAR(norm(sphere.centre), 0.0, 1e-3);
 }
