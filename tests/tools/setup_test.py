@@ -55,6 +55,11 @@ class SetupTest(unittest.TestCase):
         self.assertEqual(self.install("run", installed=run[1:]),
                          ["update", f"install -y --no-install-recommends {run[0]}"])
 
+    def test_each_package_says_what_it_is_for(self):
+        for line in (SOURCE / "packages.txt").read_text(encoding="utf-8").splitlines():
+            if line and not line.startswith(("#", "[")):
+                self.assertRegex(line, r"^[a-z0-9.+-]+ +# \S")
+
     def test_each_package_is_named_once(self):
         names = self.packages("run", "test", "full")
         self.assertEqual(len(names), len(set(names)))
