@@ -10,6 +10,9 @@ import threading
 import time
 
 
+RUNNING = set()  # leaders of the groups of processes that this module has started
+
+
 @dataclasses.dataclass
 class Run:
     code: int        # exit code; negative: the number of the signal that ended it
@@ -41,12 +44,14 @@ def run_process(command, folder, environment=None, time_limit=None):
         watch = threading.Timer(time_limit or threading.TIMEOUT_MAX, lambda: (late.set(), end_group(process.pid)))
         watch.daemon = True
         watch.start()
+        RUNNING.add(process.pid)
         try:
             _, status, usage = os.wait4(process.pid, 0)
         except BaseException:
             end_group(process.pid)
             raise
         finally:
+            RUNNING.discard(process.pid)
             watch.cancel()
         process.returncode = os.waitstatus_to_exitcode(status)
         wall = time.monotonic() - start
@@ -59,6 +64,12 @@ def end_group(leader):
         os.killpg(leader, signal.SIGKILL)
     except ProcessLookupError:
         pass  # it was faster
+
+
+def end_all():
+    """For who is interrupted while other threads wait for theirs."""
+    for leader in list(RUNNING):
+        end_group(leader)
 
 
 def text_of(file):

@@ -12,6 +12,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
@@ -127,6 +128,20 @@ class SweepTest(unittest.TestCase):
         self.report("good")
         found = self.fake(["good", "large"], "--memory", "1G", code=0)
         self.assertRegex(found["large"], "^left out: exit 5: .*needs 9 GB")
+
+    def test_nothing_runs_on_when_it_is_ended(self):
+        program = self.folder / "fake"
+        program.write_text(f"#!/bin/sh\necho $$ >{self.folder}/started\nexec sleep 1000\n", encoding="ascii")
+        program.chmod(0o755)
+        self.write("one.xyzr")
+        process = subprocess.Popen([SOURCE / "tools" / "sweep", self.folder / "in", "--out", self.folder / "out",
+                                    "--program", program, "--methods", "flow"], stdout=subprocess.DEVNULL)
+        started = self.folder / "started"
+        while not (started.exists() and started.read_text(encoding="ascii").endswith("\n")):
+            time.sleep(0.05)
+        process.terminate()
+        self.assertEqual(process.wait(timeout=100), 143)
+        self.assertFalse(pathlib.Path("/proc", started.read_text(encoding="ascii").strip()).exists())
 
     def test_more_inputs_have_options_of_their_own(self):
         self.write("two.xyzr", "0 0 0 1.7\n9 0 0 1.7\n")
