@@ -28,6 +28,14 @@ def write_xyzr(path, spheres):
     path.write_text("".join(f"{x:.3f} {y:.3f} {z:.3f} {r:.3f}\n" for x, y, z, r in spheres), encoding="ascii")
 
 
+def without_coincident(spheres):
+    """One sphere per place, the largest, which is the same union: FreeSASA's area is not a number where there are two."""
+    largest = {}
+    for *centre, radius in spheres:
+        largest[tuple(centre)] = max(radius, largest.get(tuple(centre), 0.0))
+    return [[*centre, radius] for centre, radius in largest.items()]
+
+
 def write_pdb(path, spheres):
     path.write_text("".join(
         f"ATOM  {i % 100000:5}  CA  GLY A{i % 10000:4}    {x:8.3f}{y:8.3f}{z:8.3f}{r:6.3f}  0.00           C\n"

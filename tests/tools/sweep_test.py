@@ -150,7 +150,7 @@ class SweepTest(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which("freesasa"), "freesasa is not installed")
     def test_areas_are_held_against_freesasa(self):
-        self.write("fine.xyzr", "0 0 0 1.70004\n2 0 0 1.5\n0 2 0 1.5\n")
+        self.write("fine.xyzr", "0 0 0 1.70004\n2 0 0 1.5\n0 2 0 1.5\n0 0 0 1.2\n")
         self.sweep("--methods", "direct", "--spacings", "1", "--freesasa")
         with open(self.folder / "out" / "freesasa.csv", encoding="utf-8", newline="") as file:
             row, = csv.DictReader(file)
