@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The Meniscus authors
 # SPDX-License-Identifier: Apache-2.0
 # Builds everything we ship twice: in folders of other names and depths, by other users (where this is root), with other
-# homes, time zones, languages and permissions, one after the other, without the network; and compares every byte of
+# homes, time zones and languages, one after the other, without the network; and compares every byte of
 # programs, libraries, packages and the wheel.
 #   tools/try-reproducible.sh [BUILD ...]    BUILD: build folders to compare instead of making them
 # Exit code 1 if anything differs. Takes two builds; what a compiler cache holds would prove nothing and is not used.
@@ -23,17 +23,17 @@ copy_sources() {
         tar --extract --directory="$1"
 }
 
-# build_in SOURCE USER MASK VARIABLE=VALUE ...: all targets, packages and the wheel, in SOURCE/build/package.
+# build_in SOURCE USER VARIABLE=VALUE ...: all targets, packages and the wheel, in SOURCE/build/package.
 build_in() {
-    local source=$1 user=$2 mask=$3 as_user=()
-    shift 3
+    local source=$1 user=$2 as_user=()
+    shift 2
     if [ "$(id -u)" -eq 0 ]; then
         chown -R "$user" "$source"
         as_user=(setpriv "--reuid=$user" --regid=65534 --clear-groups)
     fi
     say "building in $source as ${as_user[*]:-this user}"
     quietly "$root/tools/without-network.sh" "${as_user[@]}" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin \
-        CCACHE_DISABLE=1 SOURCE_DATE_EPOCH="$date" "$@" bash -c "umask $mask; cd '$source' &&
+        CCACHE_DISABLE=1 SOURCE_DATE_EPOCH="$date" "$@" bash -c "umask 022; cd '$source' &&
         cmake --preset package -DMENISCUS_VDB=ON -DMENISCUS_PYTHON=ON -DPython_EXECUTABLE=$python -DPYTHON_EXECUTABLE=$python &&
         cmake --build build/package && (cd build/package && cpack) &&
         MENISCUS_BUILD=build/package $python -m pip wheel --no-build-isolation --no-deps --no-index --no-cache-dir \
@@ -68,6 +68,6 @@ first=$work/one second=$work/another/place/of-a-longer-name
 copy_sources "$first"
 copy_sources "$second"
 chmod 755 "$work/another" "$work/another/place"
-build_in "$first" "$(id -u)" 022 HOME="$work" USER=one LC_ALL=C TZ=UTC
-build_in "$second" 65534 027 HOME=/nonexistent USER=another LC_ALL=C.UTF-8 TZ=Asia/Kathmandu
+build_in "$first" "$(id -u)" HOME="$work" USER=one LC_ALL=C TZ=UTC
+build_in "$second" 65534 HOME=/nonexistent USER=another LC_ALL=C.UTF-8 TZ=Asia/Kathmandu
 compare "$first/build/package" "$second/build/package"
