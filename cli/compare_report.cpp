@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "meniscus/file_name.h"
 #include "meniscus/version.h"
 #include "messages.h"
 #include "report.h"
@@ -46,7 +47,7 @@ std::string describe_distance(const char* label, const OneWayDistance& d) {
 
 ordered_json surface_json(const ComparedInput& input, double probe) {
     const ComparedSurface& s = input.surface;
-    ordered_json block{{"file", input.file},
+    ordered_json block{{"file", file_name(input.file)},
                        {"kind", input.structure ? "structure" : "mesh"},
                        {"area", s.area},
                        {"volume", s.volume},
@@ -58,7 +59,7 @@ ordered_json surface_json(const ComparedInput& input, double probe) {
         block[key] = nullptr;
     if (input.structure) {
         block["atoms"] = input.structure->atoms.size();
-        block["radii"] = input.structure->radii_set;
+        block["radii"] = file_name(input.structure->radii_set);
         block["probe"] = probe;
     } else {
         block["vertices"] = s.mesh.vertices.size();

@@ -13,6 +13,7 @@
 #include "exact_blocks.h"
 #include "io/atomic_file.h"
 #include "meniscus/errors.h"
+#include "meniscus/file_name.h"
 #include "meniscus/version.h"
 #include "meniscus/words.h"
 #include "output_plan.h"
@@ -30,13 +31,13 @@ ordered_json if_used(bool used, const T& value) {
 }
 
 ordered_json input_block(const Structure& structure, double probe, const RunFacts& facts) {
-    return {{"file", structure.file},
+    return {{"file", file_name(structure.file)},
             {"sha256", structure.sha256},
             {"model", facts.model},
             {"chain", if_used(!facts.chain.empty(), facts.chain)},
             {"atoms", structure.atoms.size()},
             {"residues", structure.residues.size()},
-            {"radii", structure.radii_set},
+            {"radii", file_name(structure.radii_set)},
             {"probe", probe},
             {"dropped", structure.dropped},
             {"warnings", structure.warnings}};
@@ -102,7 +103,7 @@ ordered_json measure_options_block(const MeasureRequest& request, const RunFacts
 /// Completes the options of a subcommand by those of reading.
 ordered_json options_block(ordered_json block, const CommonRequest& request) {
     const ReadOptions& o = request.read;
-    block["radii"] = o.radii;
+    block["radii"] = file_name(o.radii);
     block["hydrogens"] = name_of(o.hydrogens);
     block["model"] = request.all_models ? ordered_json("all") : ordered_json(o.model);
     block["assembly"] = if_used(!o.assembly.empty(), o.assembly);

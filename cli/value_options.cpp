@@ -11,6 +11,7 @@
 #include <set>
 
 #include "help.h"
+#include "meniscus/file_name.h"
 #include "option_words.h"
 
 namespace meniscus::cli {
@@ -112,13 +113,15 @@ void check_values(const ValueRequest& request, const ColourOptions& colours) {
 
 void report_values(const ValueRequest& request, ordered_json& options) {
     ordered_json maps = ordered_json::object();
-    for (const SampledMap& map : request.maps) maps[map.name] = map.path;
+    for (const SampledMap& map : request.maps) maps[map.name] = file_name(map.path);
     const bool sampled = !request.maps.empty();
     options["sample"] = std::move(maps);
     options["offset"] = sampled ? ordered_json(request.sampling.offset) : ordered_json();
     options["interpolation"] =
         sampled ? ordered_json(word_for(kInterpolationWords, request.sampling.interpolation)) : ordered_json();
-    options["values"] = request.tables;
+    ordered_json tables = ordered_json::array();
+    for (const std::string& path : request.tables) tables.push_back(file_name(path));
+    options["values"] = std::move(tables);
 }
 
 ValueSources::ValueSources(const ValueRequest& request, const ColourOptions& colours, const Structure& structure,
@@ -193,7 +196,7 @@ std::vector<std::string> ValueSources::judge(const std::vector<VertexValues>& va
 ordered_json ValueSources::report(const Mesh& mesh) const {
     ordered_json list = ordered_json::array();
     for (const VertexValues& array : mesh.values) {
-        ordered_json block{{"name", array.name}, {"file", path_of(array.name)}};
+        ordered_json block{{"name", array.name}, {"file", file_name(path_of(array.name))}};
         block.update(numbers_json(array, mesh));
         list.push_back(std::move(block));
     }

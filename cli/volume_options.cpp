@@ -9,6 +9,7 @@
 
 #include "help.h"
 #include "meniscus/errors.h"
+#include "meniscus/file_name.h"
 #include "option_words.h"
 
 namespace meniscus::cli {
@@ -178,7 +179,7 @@ void report_volumes(const VolumeRequest& request, bool written, ordered_json& op
     if (!written) return;
     const VolumeContent content = request.field.content;
     const bool maps = request.apbs_maps;
-    if (!request.grid_text.empty()) options["grid"] = request.grid_text;
+    if (!request.grid_text.empty()) options["grid"] = file_name(request.grid_text);
     if (!maps) options["field"] = word_for(kFieldWords, content);
     if (maps || content == VolumeContent::Dielectric)
         options["eps"] = {request.field.inner_dielectric, request.field.outer_dielectric};

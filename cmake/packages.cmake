@@ -4,6 +4,7 @@
 # Made by `cmake --preset package && cmake --build build/package --target package`.
 set(CPACK_GENERATOR "DEB;TGZ")
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/package-kinds.cmake)
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/package-permissions.cmake)
 set(CPACK_PACKAGE_NAME meniscus)
 set(CPACK_PACKAGE_VENDOR "The Meniscus authors")
 set(CPACK_PACKAGE_CONTACT "The Meniscus authors")
@@ -13,6 +14,14 @@ set(CPACK_MACHINE ${CMAKE_SYSTEM_PROCESSOR})
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+
+# Dates within packages: of the commit, else the earliest that every archive can hold, not of the build.
+set(CPACK_SOURCE_DATE 315532800)
+execute_process(COMMAND git log -1 --format=%ct WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE commit_date
+  OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE without_git)
+if(without_git EQUAL 0)
+  set(CPACK_SOURCE_DATE ${commit_date})
+endif()
 
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)

@@ -18,6 +18,7 @@
 #include "io/atomic_file.h"
 #include "io/sphere_names.h"
 #include "meniscus/errors.h"
+#include "meniscus/file_name.h"
 #include "meniscus/version.h"
 
 namespace meniscus {
@@ -132,11 +133,11 @@ void check(const Mesh& mesh, const MsmsOptions& options) {
 void write_header(AtomicFile& file, const MsmsOptions& options, std::size_t count, bool of_vertices) {
     const char* items = of_vertices ? "vertices" : "faces";
     if (options.header == MsmsHeader::Full) {
-        file.write(fmt::format("# MSMS solvent excluded surface {} for {}\n", items, one_line(options.title)));
+        file.write(fmt::format("# MSMS solvent excluded surface {} for {}\n", items, one_line(file_name(options.title))));
         file.write(of_vertices ? "#vertex #sphere density probe_r\n" : "#faces  #sphere density probe_r\n");
         file.write(fmt::format("{:7} {:7} {:5.2f} {:5.2f}\n", count, options.spheres, options.density, options.probe));
     } else if (options.header == MsmsHeader::CountOnly) {
-        file.write(fmt::format("# {} of {}, by meniscus {}\n", items, one_line(options.title), kVersion));
+        file.write(fmt::format("# {} of {}, by meniscus {}\n", items, one_line(file_name(options.title)), kVersion));
         file.write(of_vertices ? "#vertex\n" : "#faces\n");
         file.write(fmt::format("{}\n", count));
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "meniscus/file_name.h"
 #include "meniscus/version.h"
 #include "meniscus/words.h"
 
@@ -46,9 +47,9 @@ ordered_json options_block(const SurfaceOptions& o) {
 }  // namespace
 
 std::string options_json(const SurfaceOptions& options, const Structure& structure) {
-    const ordered_json input{{"file", structure.file},
+    const ordered_json input{{"file", file_name(structure.file)},
                              {"sha256", structure.sha256},
-                             {"radii", structure.radii_set},
+                             {"radii", file_name(structure.radii_set)},
                              {"probe", options.probe}};
     const ordered_json json{{"meniscus", kVersion}, {"input", input}, {"options", options_block(options)}};
     return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);

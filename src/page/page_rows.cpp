@@ -3,8 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <filesystem>
 
+#include "meniscus/file_name.h"
 #include "meniscus/page.h"
 #include "meniscus/words.h"
 
@@ -20,7 +20,7 @@ std::string length(double value) { return fmt::format("{:.4f} Å", value); }
 
 /// Without its folders, on one line.
 std::string name_of_file(const std::string& path) {
-    std::string name = std::filesystem::path(path).filename().string();
+    std::string name = file_name(path);
     std::replace_if(
         name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
     return name;

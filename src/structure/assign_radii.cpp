@@ -8,6 +8,7 @@
 #include <set>
 
 #include "meniscus/errors.h"
+#include "meniscus/file_name.h"
 #include "radii/element_radii.h"
 #include "radii/rule_file.h"
 #include "structure/hydrogens.h"
@@ -133,7 +134,7 @@ public:
             throw InputError(file + ": set " + set + " has no radius for " + types +
                              "; give them in a file of rules or leave out --strict-radii");
         }
-        std::string line = "unknown to set " + set + ", given the radii of their elements: " + types;
+        std::string line = "unknown to set " + file_name(set) + ", given the radii of their elements: " + types;
         if (without_element_ > 0) {
             line += " (" + std::to_string(without_element_) + " of no known element, given 1.70)";
         }

@@ -19,6 +19,9 @@ import schema
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 SOURCE = pathlib.Path(sys.argv[2]).resolve()
+sys.path.append(str(SOURCE / "tools"))
+import freesasa_area  # noqa: E402
+
 UBIQUITIN = SOURCE / "examples" / "1ubq.pdb"
 FREESASA_DATA = pathlib.Path("/usr/share/freesasa/test-data")
 
@@ -240,28 +243,19 @@ class FreeSasa(MeasureTest):
     SLICES = 1000
     TOLERANCE = 5e-6  # relative
 
-    def radii_as_occupancy(self, structure):
-        """Our kept atoms as a PDB file whose occupancy column holds the radii."""
+    def freesasa_area(self, structure):
         self.run_program("surface", structure, "--method", "gaussian", "--spacing", "2", "--quiet", "-o", "k.xyzr")
-        lines = []
-        for i, line in enumerate((self.folder / "k.xyzr").read_text().splitlines()):
-            x, y, z, radius = map(float, line.split())
-            lines.append(f"ATOM  {i % 100000:5}  CA  GLY A{i % 10000:4}    {x:8.3f}{y:8.3f}{z:8.3f}{radius:6.3f}"
-                         "  0.00           C\n")
-        self.write("k.pdb", "".join(lines))
-
-    def freesasa_area(self):
-        result = subprocess.run(["freesasa", "--lee-richards", f"--resolution={self.SLICES}", "--n-threads=1",
-                                 "--radius-from-occupancy", "--no-warnings", "--format=json", "k.pdb"],
-                                cwd=self.folder, capture_output=True, encoding="utf-8", timeout=300, check=True)
-        return json.loads(result.stdout)["results"][0]["structure"][0]["area"]["total"]
+        spheres, _ = freesasa_area.read_spheres(self.folder / "k.xyzr")
+        freesasa_area.write_pdb(self.folder / "k.pdb", spheres)
+        result = subprocess.run(freesasa_area.command("k.pdb", self.SLICES), cwd=self.folder, capture_output=True,
+                                encoding="utf-8", timeout=300, check=True)
+        return freesasa_area.area_of(result.stdout)
 
     def test_areas_agree_within_the_slicing_error(self):
         for name in ("1a0q", "1d3z", "1ubq", "2jo4"):
             structure = FREESASA_DATA / f"{name}.pdb"
-            self.radii_as_occupancy(structure)
             area = self.report(structure)["exact"]["sas_area"]
-            self.assertAlmostEqual(self.freesasa_area() / area, 1.0, delta=self.TOLERANCE, msg=name)
+            self.assertAlmostEqual(self.freesasa_area(structure) / area, 1.0, delta=self.TOLERANCE, msg=name)
 
 
 if __name__ == "__main__":

@@ -50,7 +50,7 @@ TEST(Report, HasTheBlocksOfTheInterfaceInOrder) {
 
 TEST(Report, TellsWhatWasReadAndDropped) {
     const auto input = report_of({})["input"];
-    EXPECT_EQ(input["file"], "dir/1ubq.pdb");
+    EXPECT_EQ(input["file"], "1ubq.pdb");
     EXPECT_EQ(input["model"], 2);
     EXPECT_EQ(input["radii"], "united");
     EXPECT_EQ(input["dropped"]["waters"], 58);

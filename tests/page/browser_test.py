@@ -15,6 +15,8 @@ import tempfile
 import time
 import unittest
 
+import hostile
+
 try:
     from selenium import webdriver
     from selenium.webdriver.chrome.options import Options
@@ -70,9 +72,11 @@ class PageTest(unittest.TestCase):
         (cls.folder / "shell.cif").write_text(shell_of_atoms(), encoding="utf-8")
         (cls.folder / "score.csv").write_text("serial,score\n" + "".join(f"{i + 1},{-1 if i < 50 else 1}\n"
                                                                         for i in range(100)), encoding="ascii")
+        (cls.folder / hostile.FILE_NAME).write_text(hostile.mmcif(), encoding="utf-8")
         cls.report = {}
         for name, source, *more in (("1ubq", ROOT / "examples" / "1ubq.pdb"), ("shell", cls.folder / "shell.cif"),
-                                    ("scored", cls.folder / "shell.cif", "--values", cls.folder / "score.csv")):
+                                    ("scored", cls.folder / "shell.cif", "--values", cls.folder / "score.csv"),
+                                    ("hostile", cls.folder / hostile.FILE_NAME)):
             subprocess.run([MENISCUS, "surface", source, *more, "-o", cls.folder / f"{name}.html", "--report",
                             cls.folder / f"{name}.json", "--quiet", "--spacing", "0.8"], check=True, stderr=subprocess.DEVNULL)
             cls.report[name] = json.loads((cls.folder / f"{name}.json").read_text(encoding="utf-8"))
@@ -250,6 +254,26 @@ class PageTest(unittest.TestCase):
         self.assertEqual(self.js("return document.images.length"), 1, "the picture alone")
         self.assertNotEqual(self.js("return document.title"), "1")
         self.assertEqual(self.js("return document.querySelectorAll('#stage b, #panel b').length"), 0)
+
+    def test_names_that_are_scripts_never_run(self):
+        self.load("hostile")
+        self.assertIn(hostile.FILE_NAME.removesuffix(".cif"), self.js("return document.querySelector('h1').textContent"))
+        for scheme in self.js("return [...document.querySelectorAll('#scheme option')].map(o => o.value)"):
+            self.choose("#scheme", scheme, "change")  # each has a legend of its own
+        shown = set()
+        width = self.js("return meniscus.canvas.clientWidth")
+        for x in range(-width // 2 + 10, width // 2, 12):  # along the row of atoms, past the panel
+            self.js("document.getElementById('unpick').click()")
+            self.click_canvas(x)
+            shown.add(self.js("return document.getElementById('picked').textContent"))
+        facts = "".join(shown)
+        for payload in hostile.PAYLOADS:
+            self.assertIn(payload.split("\n")[0], facts)
+        self.assertIsNone(self.js("return window.intruder ?? null"))
+        self.assertEqual(self.js("return document.images.length"), 1, "the picture alone")
+        self.assertEqual(self.js("return document.querySelectorAll('[onerror], [onload], [onfocus], [autofocus]').length"), 0)
+        errors = [entry for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"]
+        self.assertEqual(errors, [], "the policy had nothing to refuse either")
 
     def test_nothing_but_the_page_s_own_scripts_can_run(self):
         self.load("1ubq")
