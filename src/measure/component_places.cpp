@@ -99,8 +99,14 @@ std::array<Vec3, 3> turning_frame(int turn) {
     return {e1, e2, cross(e1, e2)};
 }
 
+// Where the search for a cavity's sphere may go, and how large the sphere may become.
+struct Room {
+    Box box;
+    double largest = 0.0;  // radius, Å
+};
+
 // Compass search from one place for the largest gap, until the step falls below `last_step`.
-InscribedSphere ascend(Gap& gap, const InscribedSphere& start, double step, double last_step) {
+InscribedSphere ascend(Gap& gap, const Room& room, const InscribedSphere& start, double step, double last_step) {
     InscribedSphere best = start;
     double travel = 4.0 * step;  // what the gathered balls are good for
     Vec3 gathered = best.centre;
@@ -117,7 +123,8 @@ InscribedSphere ascend(Gap& gap, const InscribedSphere& start, double step, doub
             const int along[3] = {d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1};
             const Vec3 towards = along[0] * e1 + along[1] * e2 + along[2] * e3;
             const Vec3 p = best.centre + step * towards;
-            if (const double r = gap.above(p, next.radius); r > next.radius) next = {p, r};
+            if (room.box.squared_distance(p) > 0.0) continue;
+            if (const double r = gap.above(p, next.radius); r > next.radius && r <= room.largest) next = {p, r};
         }
         if (next.radius > best.radius)
             best = next;
@@ -158,19 +165,24 @@ std::vector<std::uint32_t> nest_components(const AccessibleSurface& surface, con
     return inside_of;
 }
 
-InscribedSphere largest_inscribed_sphere(const AccessibleSurface& surface, std::span<const Vec3> starts) {
+InscribedSphere largest_inscribed_sphere(const AccessibleSurface& surface, std::span<const Vec3> starts,
+                                         double largest) {
     constexpr std::size_t kMostStarts = 32;
     constexpr double kCoarse = 0.1;  // Å: enough to tell which start leads highest
     constexpr double kFine = 1e-7;
     Gap gap(surface);
-    InscribedSphere best;
-    const double step = std::max(0.25 * surface.probe(), kCoarse);
+    Room room{.box = {}, .largest = largest};
+    for (const Vec3& start : starts) room.box.include(start);
+    room.box = room.box.grown(largest);
+    InscribedSphere best{.centre = starts.front(), .radius = 0.0};
+    const double coarse = std::min(kCoarse, 0.5 * largest);
+    const double step = std::max(0.25 * surface.probe(), coarse);
     const std::size_t stride = (starts.size() + kMostStarts - 1) / kMostStarts;
     for (std::size_t s = 0; s < starts.size(); s += stride) {
-        const InscribedSphere found = ascend(gap, {starts[s], surface.probe()}, step, kCoarse);
+        const InscribedSphere found = ascend(gap, room, {starts[s], surface.probe()}, step, coarse);
         if (found.radius > best.radius) best = found;
     }
-    return ascend(gap, best, kCoarse, kFine);
+    return ascend(gap, room, best, coarse, std::min(kFine, 1e-3 * largest));
 }
 
 }  // namespace meniscus

@@ -25,6 +25,11 @@ struct InscribedSphere {
 
 /// The largest sphere inside the solvent that touches no atom, reached by ascent from probe positions `starts` on
 /// the walls of one cavity.
-InscribedSphere largest_inscribed_sphere(const AccessibleSurface& surface, std::span<const Vec3> starts);
+///
+/// largest   Å; no sphere in the cavity is larger. What is, or is farther away than that, lies on the other side of a
+/// wall
+///           thinner than a step, where the solvent has no end.
+InscribedSphere largest_inscribed_sphere(const AccessibleSurface& surface, std::span<const Vec3> starts,
+                                         double largest);
 
 }  // namespace meniscus

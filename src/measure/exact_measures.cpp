@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 
 #include "core/parallel.h"
 #include "measure/component_places.h"
+#include "measure/exact_once.h"
 #include "measure/patch_totals.h"
 #include "measure/ses_patches.h"
 #include "meniscus/accessible_surface.h"
@@ -34,11 +36,11 @@ constexpr double SurfaceTotals::*kAllTotals[] = {&SurfaceTotals::sas_area,      
 
 // An evaluation: the exposed features and the patches they leave.
 struct Evaluation {
-    AccessibleSurface surface;
+    const AccessibleSurface& surface;
     SesPatches patches;
     PatchTotals sums;
 
-    Evaluation(AccessibleSurface of, std::uint64_t seed) : surface(std::move(of)), patches(surface, seed) {
+    Evaluation(const AccessibleSurface& of, std::uint64_t seed) : surface(of), patches(of, seed) {
         SurfaceTotals& totals = sums.totals;
         for (const SesPatch& patch : patches.patches()) {
             totals.sas_area += patch.sas.area;
@@ -52,6 +54,14 @@ struct Evaluation {
         sums.degenerate = patches.degenerate();
         sums.unresolved = patches.unresolved();
     }
+};
+
+// One with the surface that it is of.
+struct OwnEvaluation {
+    AccessibleSurface surface;
+    Evaluation evaluation;
+
+    OwnEvaluation(AccessibleSurface of, std::uint64_t seed) : surface(std::move(of)), evaluation(surface, seed) {}
 };
 
 // Another evaluation of the same surface, of which only the sums are wanted.
@@ -204,7 +214,8 @@ void finish_component(const Evaluation& evaluation, const MeasureOptions& option
     component.centre = evaluation.patches.origin() + (1.0 / component.ses_area) * sum.first_moment;
     component.atoms = sorted_without_repeats(std::move(sum.atoms));
     if (!options.cavities || component.kind != ComponentKind::Cavity || sum.probes.empty()) return;
-    const InscribedSphere sphere = largest_inscribed_sphere(evaluation.surface, sum.probes);
+    const double largest = std::cbrt(0.75 * std::numbers::inv_pi * component.ses_volume);
+    const InscribedSphere sphere = largest_inscribed_sphere(evaluation.surface, sum.probes, largest);
     component.inscribed_centre = sphere.centre;
     component.inscribed_radius = sphere.radius;
 }
@@ -292,20 +303,30 @@ Measures measure(const Atoms& atoms, const MeasureOptions& options) {
     if (!(options.probe >= 0.0) || !std::isfinite(options.probe))
         throw UsageError(fmt::format("probe {:g}: must be finite and not negative", options.probe));
     const ThreadLimit limit(options.threads);
-    auto evaluation = std::make_unique<Evaluation>(AccessibleSurface(atoms, options.probe), 0);
-    Check check(evaluation->surface, 1);
-    while (!agree(evaluation->sums, check.sums) && check.seed + 1 < kMostSeeds) {
-        evaluation = std::make_unique<Evaluation>(evaluation->surface.perturbed(check.seed), check.seed);
-        check = Check(evaluation->surface, check.seed + 1);
+    auto own = std::make_unique<OwnEvaluation>(AccessibleSurface(atoms, options.probe), 0);
+    Check check(own->surface, 1);
+    while (!agree(own->evaluation.sums, check.sums) && check.seed + 1 < kMostSeeds) {
+        own = std::make_unique<OwnEvaluation>(own->surface.perturbed(check.seed), check.seed);
+        check = Check(own->surface, check.seed + 1);
     }
-    Measures measures = describe(atoms, options, *evaluation);
-    const double perturbation = std::max(evaluation->surface.data().perturbation, check.perturbation);
-    measures.errors = estimate_errors(evaluation->sums.totals, check.sums.totals, perturbation);
-    measures.degenerate = evaluation->sums.degenerate || check.sums.degenerate;
-    measures.agreed = agree(evaluation->sums, check.sums);
-    if (!measures.agreed)
-        measures.disputed =
-            name_disputed(*evaluation, Evaluation(evaluation->surface.perturbed(check.seed), check.seed), atoms.size());
+    const Evaluation& evaluation = own->evaluation;
+    Measures measures = describe(atoms, options, evaluation);
+    const double perturbation = std::max(own->surface.data().perturbation, check.perturbation);
+    measures.errors = estimate_errors(evaluation.sums.totals, check.sums.totals, perturbation);
+    measures.degenerate = evaluation.sums.degenerate || check.sums.degenerate;
+    measures.agreed = agree(evaluation.sums, check.sums);
+    if (!measures.agreed) {
+        const OwnEvaluation other(own->surface.perturbed(check.seed), check.seed);
+        measures.disputed = name_disputed(evaluation, other.evaluation, atoms.size());
+    }
+    return measures;
+}
+
+Measures measure_once(const AccessibleSurface& surface, const Atoms& atoms) {
+    const Evaluation evaluation(surface, 0);
+    Measures measures = describe(atoms, {.probe = surface.probe()}, evaluation);
+    measures.degenerate = evaluation.sums.degenerate;
+    measures.agreed = evaluation.sums.unresolved.empty();
     return measures;
 }
 

@@ -69,7 +69,7 @@ TEST(ComponentPlaces, InscribedSphereTouchesTheAtomsAroundIt) {
     }
     const AccessibleSurface surface(atoms, 0.8);
     const Vec3 start{0.6, -0.3, 0.4};
-    const InscribedSphere sphere = largest_inscribed_sphere(surface, std::span(&start, 1));
+    const InscribedSphere sphere = largest_inscribed_sphere(surface, std::span(&start, 1), 3.0);
     EXPECT_NEAR(sphere.radius, std::sqrt(12.0) - 1.5, 1e-4);
     EXPECT_NEAR(norm(sphere.centre), 0.0, 1e-3);
 }
