@@ -74,5 +74,15 @@ TEST(ComponentPlaces, InscribedSphereTouchesTheAtomsAroundIt) {
     EXPECT_NEAR(norm(sphere.centre), 0.0, 1e-3);
 }
 
+// A sphere larger than its cavity was found beyond the wall, where the search would go on for ever.
+TEST(ComponentPlaces, TheSearchStaysInItsCavity) {
+    const Atoms one{{{0.0, 0.0, 0.0}}, {1.5}};
+    const AccessibleSurface surface(one, 0.0);
+    const Vec3 start{1.5, 0.0, 0.0};
+    const InscribedSphere sphere = largest_inscribed_sphere(surface, std::span(&start, 1), 0.01);
+    EXPECT_LE(sphere.radius, 0.01);
+    EXPECT_LE(norm(sphere.centre - start), 0.02);
+}
+
 }  // namespace
 }  // namespace meniscus
