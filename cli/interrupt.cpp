@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interrupt.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+
+#include "io/atomic_file.h"
 
 namespace meniscus::cli {
 
@@ -13,14 +17,19 @@ namespace {
 volatile std::sig_atomic_t writing = 0;
 volatile std::sig_atomic_t pending = 0;
 
-/// Outside a WritingSection nothing is open that would have to be removed, so the end can come at once, however
-/// long the computation would still run. A second signal does not wait.
+constexpr unsigned kSecondsToFinish = 2;  // what is being written; whoever reads a pipe may not take it at all
+
+/// Outside a WritingSection no files belong together, so the end can come at once, however long the computation would
+/// still run. A second signal does not wait.
 extern "C" void on_signal(int number) {
-    if (writing == 0 || pending != 0) {
-        if (isatty(STDERR_FILENO) == 1 && write(STDERR_FILENO, "\n", 1) < 0) _exit(1);
-        _exit(128 + number);
+    if (writing != 0 && pending == 0) {
+        pending = number;
+        alarm(kSecondsToFinish);
+        return;
     }
-    pending = number;
+    remove_temporary_files();
+    if (isatty(STDERR_FILENO) == 1 && write(STDERR_FILENO, "\n", 1) < 0) _exit(1);
+    _exit(128 + (number == SIGALRM ? pending : number));
 }
 
 }  // namespace
@@ -29,10 +38,19 @@ void install_signal_handlers() {
     struct sigaction action = {};
     action.sa_handler = on_signal;
     sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    for (const int number : {SIGINT, SIGTERM, SIGALRM}) sigaction(number, &action, nullptr);
+    struct sigaction inherited = {};
+    sigaction(SIGHUP, nullptr, &inherited);
+    if (inherited.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // nohup
     action.sa_handler = SIG_IGN;
     sigaction(SIGPIPE, &action, nullptr);
+    sigaction(SIGXFSZ, &action, nullptr);
+}
+
+void hold_standard_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(stream, F_GETFD) < 0 && errno == EBADF)  // the lowest one free is this one
+            open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
 WritingSection::WritingSection() { writing = 1; }

@@ -14,12 +14,16 @@ struct Interrupted : std::exception {
     int signal;
 };
 
-/// From now on SIGINT and SIGTERM end the program at once with 128 + the signal's number, except inside a
-/// WritingSection, where the first one waits. SIGPIPE is ignored: a reader that goes away is an output that cannot be
-/// written.
+/// From now on SIGINT, SIGTERM and SIGHUP end the program at once with 128 + the signal's number and remove temporary
+/// files, except inside a WritingSection, where the first one waits for two seconds. SIGPIPE and SIGXFSZ are ignored: a
+/// reader that goes away, or a file larger than it may become, is an output that cannot be written.
 void install_signal_handlers();
 
-/// While one lives, a signal waits: temporary files get their turn to be renamed or removed.
+/// Gives closed standard streams a descriptor that cannot be used, or the next file opened would take the place and
+/// receive what is meant for the stream.
+void hold_standard_streams();
+
+/// While one lives, a signal waits: files that belong together get their turn to be finished.
 class WritingSection {
 public:
     WritingSection();

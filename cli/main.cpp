@@ -110,6 +110,7 @@ void keep_freed_memory() {
 
 int main(int argc, char** argv) {
     keep_freed_memory();
+    meniscus::cli::hold_standard_streams();
     meniscus::cli::install_signal_handlers();
     try {
         return run(argc, argv);
@@ -126,6 +127,7 @@ int main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         return fail(kLimitError, "out of memory; raise --spacing, or keep fewer atoms");
     } catch (const std::exception& error) {
+        if (meniscus::cli::is_out_of_threads(error)) return fail(kLimitError, meniscus::cli::kOutOfThreads);
         return fail(kOtherError, error.what());
     }
 }

@@ -91,7 +91,14 @@ private:
                                                           : interface_table(job.structure, interfaces_, per));
     }
 
-    std::string failed() const override { return disputed_patches(exact_.agreed, exact_.disputed); }
+    std::vector<Check> checks() const { return {agreement_check(exact_), sums_check(exact_)}; }
+
+    std::string failed() const override {
+        std::string list = disputed_patches(exact_.agreed, exact_.disputed);
+        if (const Check sums = sums_check(exact_); !sums.passed)
+            list += fmt::format("{}{} ({:g}, bound {:g})", list.empty() ? "" : ", ", sums.name, sums.value, sums.bound);
+        return list;
+    }
 
     ordered_json report(const Job& job, const RunFacts& facts) const override {
         ordered_json list;
@@ -103,11 +110,14 @@ private:
         }
         RunFacts all = facts;
         all.exact_seconds = exact_seconds_;
+        all.checks = checks();
         return make_report(request_, job.structure, exact_, list, all);
     }
 
     std::string summary(const Job& job, const RunFacts& facts) const override {
-        std::string text = make_summary(job.structure, exact_, facts, job.outputs);
+        RunFacts all = facts;
+        all.checks = checks();
+        std::string text = make_summary(job.structure, exact_, all, job.outputs);
         if (!request_.between.empty()) text += summarise_interfaces(interfaces_);
         return text;
     }

@@ -76,6 +76,7 @@ std::string make_summary(const Structure& structure, const Measures& measures, c
     text += value_line("SES volume", t.ses_volume, e.ses_volume, "Å³");
     text += describe_pieces(measures);
     text += describe_cavities(structure, measures);
+    text += describe_checks(facts.checks);
     text += describe_run(facts);
     text += describe_files(written);
     return text;

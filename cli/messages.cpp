@@ -6,6 +6,10 @@
 
 namespace meniscus::cli {
 
+bool is_out_of_threads(const std::exception& error) {
+    return std::string_view(error.what()).find("pthread_create") != std::string_view::npos;
+}
+
 std::string one_line(std::string_view text) {
     std::string line(text);
     std::replace_if(

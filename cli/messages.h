@@ -9,6 +9,12 @@
 
 namespace meniscus::cli {
 
+/// Whether the system refused to start a thread, which the thread library tells as an error without a class of its own.
+bool is_out_of_threads(const std::exception& error);
+
+inline constexpr const char* kOutOfThreads =
+    "no memory to start another thread; take fewer --threads, or raise the limit";
+
 /// The text with every line break and other control character replaced by a space.
 std::string one_line(std::string_view text);
 

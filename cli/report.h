@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "measure_request.h"
 #include "meniscus/measures.h"
@@ -39,6 +40,7 @@ struct RunFacts {
     std::string chain{};                   ///< the only one, with --per-chain
     std::optional<SurfaceTotals> exact{};  ///< of all pieces, where the summary is to tell them
     std::optional<ShownPart> shown{};      ///< with --show
+    std::vector<Check> checks{};           ///< all that the result was held against
 };
 
 /// The report of one surface. Numbers that are not finite become null.

@@ -80,6 +80,7 @@ std::string make_summary(const Structure& structure, const Surface& surface, con
         summary_line("distance", fmt::format("mean {:.4f}, 99 % below {:.4f}, largest {:.4f} Å from the exact surface",
                                              surface.distance.mean, surface.distance.p99, surface.distance.max));
     if (surface.options.method == Method::Flow) text += summary_line("flow", describe_flow(surface.flow));
+    text += describe_checks(facts.checks);
     if (facts.shown) text += summary_line("written", describe_shown(*facts.shown));
     text += describe_run(facts);
     text += describe_files(written);

@@ -20,6 +20,18 @@ std::string describe_radii(const std::string& set) {
     return set == "file" ? "radii of the file" : "radii " + one_line(set);
 }
 
+std::string describe_checks(std::span<const Check> checks) {
+    std::string failed;
+    std::string passed;
+    for (const Check& check : checks) {
+        std::string& list = check.passed ? passed : failed;
+        list.append(list.empty() ? "" : ", ").append(check.name);
+    }
+    if (checks.empty()) return "";
+    if (failed.empty()) return summary_line("checks", "passed: " + passed);
+    return summary_line("checks", "FAILED: " + failed + (passed.empty() ? "" : "; passed: " + passed));
+}
+
 std::string describe_run(const RunFacts& facts) {
     return summary_line("time", fmt::format("{:.2f} s on {}, {:.0f} MB", facts.total_seconds,
                                             counted(static_cast<std::size_t>(facts.threads), "thread", "threads"),

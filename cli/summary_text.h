@@ -7,6 +7,11 @@
 #include <string>
 #include <vector>
 
+#include <span>
+#include <string>
+#include <vector>
+
+#include "meniscus/surface.h"
 #include "output_plan.h"
 #include "report.h"
 
@@ -20,6 +25,9 @@ std::string counted(std::size_t n, const char* one, const char* many);
 
 /// "radii united", "radii of the file".
 std::string describe_radii(const std::string& set);
+
+/// Which checks the result has passed and which it has not, as a line; empty if there are none.
+std::string describe_checks(std::span<const Check> checks);
 
 /// Time, threads and memory, as a line.
 std::string describe_run(const RunFacts& facts);

@@ -90,17 +90,15 @@ private:
             expect(expected.seconds);
         }
         const double estimate_seconds = estimating.lap();
-        if (!request_.report.empty() || has(job.outputs, OutputKind::Page) || is_creased())
-            measure_exactly(job.structure.atoms);
+        measured_ = !request_.report.empty() || has(job.outputs, OutputKind::Page) || is_creased() || options.verify;
+        if (measured_) measure_exactly(job.structure.atoms);
         FlowObserver observer;
         if (request_.flow.snapshots > 0)
             observer = [&](const FlowStep& step, const Mesh& mesh) { write_snapshot(job, step, mesh); };
         surface_ = compute_surface(
             job.structure.atoms, options, [this](std::string_view stage, double fraction) { show(stage, fraction); },
-            observer);
+            observer, measured_ ? &exact_ : nullptr);
         surface_.seconds.estimate += estimate_seconds;
-        if (!request_.report.empty() && options.method == Method::Flow)
-            surface_.checks.push_back(check_pieces(surface_, exact_, job.structure.atoms));
         bring_values();
         Stopwatch watch;
         colours_ = colour_vertices(surface_.mesh, job.structure, request_.picture.colours);
@@ -252,6 +250,12 @@ private:
         }
     }
 
+    std::vector<Check> checks() const {
+        std::vector<Check> all = surface_.checks;
+        if (measured_) all.push_back(agreement_check(exact_));
+        return all;
+    }
+
     std::string failed() const override { return failed_checks(surface_, exact_); }
 
     ordered_json report(const Job& job, const RunFacts& facts) const override {
@@ -261,6 +265,7 @@ private:
         all.page_seconds = page_seconds_;
         all.volume_seconds = volume_seconds_;
         all.shown = shown_;
+        all.checks = checks();
         ordered_json report = make_report(request_, job.structure, surface_, exact_, all);
         report["values"] = values_.report(surface_.mesh);
         if (request_.surface.surface == SurfaceKind::Sas) {
@@ -273,6 +278,7 @@ private:
     std::string summary(const Job& job, const RunFacts& facts) const override {
         RunFacts all = facts;
         all.shown = shown_;
+        all.checks = checks();
         if (is_creased()) all.exact = exact_.totals;
         std::vector<Output> written = job.outputs;
         for (const auto& [component, output] : cavities_) written.push_back(output);
@@ -281,7 +287,8 @@ private:
 
     const SurfaceRequest& request_;
     ValueSources values_;
-    Measures exact_;     // of the surface that is made
+    bool measured_ = false;
+    Measures exact_;     // of the surface that is made, if measured
     Measures excluded_;  // of the SES, where another one is made and reports tell both by their names
     double exact_seconds_ = 0.0;
     double picture_seconds_ = 0.0;

@@ -140,7 +140,7 @@ void add_surface_options(CLI::App& command, SurfaceRequest& request) {
     command.option_defaults()->group("Running");
     add_run_options(command, request, request.surface.threads);
     add_memory_limit(command, request);
-    command.add_flag("--verify", request.surface.verify, "Check that the mesh crosses itself nowhere");
+    command.add_flag("--verify", request.surface.verify, "Make the expensive self-checks, too");
 }
 
 const char* name_of(Pieces pieces) { return word_for(kPiecesWords, pieces); }

@@ -3,10 +3,10 @@
 #include "dropins/guarded.h"
 
 #include <algorithm>
-#include <csignal>
 #include <iostream>
 #include <new>
 
+#include "interrupt.h"
 #include "meniscus/errors.h"
 #include "messages.h"
 
@@ -23,7 +23,8 @@ int fail(const std::string& name, int code, const std::string& what) {
 
 int run_guarded(const std::string& name, int argc, char** argv,
                 const std::function<void(const std::vector<std::string>&)>& body) {
-    std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away is an output that cannot be written
+    cli::hold_standard_streams();
+    cli::install_signal_handlers();
     try {
         body(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
         return 0;
@@ -33,13 +34,24 @@ int run_guarded(const std::string& name, int argc, char** argv,
         return fail(name, 3, error.what());
     } catch (const OutputError& error) {
         return fail(name, 4, error.what());
+    } catch (const ChecksFailed& error) {
+        return fail(name, 6, error.what());
     } catch (const std::length_error& error) {
         return fail(name, 5, error.what());
     } catch (const std::bad_alloc&) {
         return fail(name, 5, "out of memory");
     } catch (const std::exception& error) {
+        if (cli::is_out_of_threads(error)) return fail(name, 5, "no memory to start another thread");
         return fail(name, 1, error.what());
     }
+}
+
+void require_passed(const Surface& surface) {
+    if (surface.passed()) return;
+    std::string failed;
+    for (const Check& check : surface.checks)
+        if (!check.passed) failed.append(failed.empty() ? "" : ", ").append(check.name);
+    throw ChecksFailed("the surface failed its own checks: " + failed + "; outputs are written all the same");
 }
 
 void warn(const std::string& name, const std::string& text) {

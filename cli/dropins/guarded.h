@@ -4,12 +4,23 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "meniscus/surface.h"
+
 namespace meniscus::dropins {
 
-/// Runs the body of a program and turns what it throws into one line on standard error and an exit code: 0 done, 2 to 5
+/// Outputs are written, but the surface failed its own checks.
+struct ChecksFailed : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// throws   ChecksFailed naming those that have not passed
+void require_passed(const Surface& surface);
+
+/// Runs the body of a program and turns what it throws into one line on standard error and an exit code: 0 done, 2 to 6
 /// as those of `meniscus`, 1 anything else.
 /// name   of the program, for the message
 int run_guarded(const std::string& name, int argc, char** argv,

@@ -63,6 +63,11 @@ public:
         if (request_.with_area && !request_.area.empty()) write_areas();
     }
 
+    /// throws   ChecksFailed
+    void check() const {
+        if (surface_) require_passed(*surface_);
+    }
+
 private:
     /// Which exact components are asked for, and which pieces of the mesh stand for them.
     void choose() {
@@ -154,8 +159,10 @@ void run(const std::vector<std::string>& arguments) {
     }
     print(msms_banner());
     for (const std::string& warning : request.warnings) warn(kName, warning);
-    MsmsRun{request}();
+    MsmsRun run_of(request);
+    run_of();
     print(msms_end(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()));
+    run_of.check();
 }
 
 }  // namespace

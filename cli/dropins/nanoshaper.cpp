@@ -99,12 +99,13 @@ void run(const std::vector<std::string>& arguments) {
     const std::vector<std::uint32_t> places = spheres.solid_places();
     for (std::uint32_t& atom : surface.mesh.atoms) atom = places[atom];
     print(fmt::format("<<INFO>> Estimated volume {:.6g} [A^3]\n", surface.measures.volume));
-    if (!request.triangulated) return;
+    if (!request.triangulated) return require_passed(surface);
     write_surface(surface.mesh, request);
     print(
         fmt::format("<<INFO>> Number of vertices {} number of triangles {}\n"
                     "<<INFO>> Total, grid conformant, surface area is {:.6g} [A^2]\n",
                     surface.mesh.vertices.size(), surface.mesh.triangles.size(), surface.measures.area));
+    require_passed(surface);
 }
 
 }  // namespace

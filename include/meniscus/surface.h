@@ -49,7 +49,7 @@ struct SurfaceOptions {
     bool initial_area = false;               ///< measure the Gaussian start, too, where the flow can do without
     bool quality = false;                    ///< look at the shapes of the triangles, too
     bool two_sided_distance = false;  ///< measure how far mesh and exact SES are from each other between vertices, too
-    bool verify = false;              ///< make the expensive self-checks, too
+    bool verify = false;              ///< make the expensive self-checks, too: see Surface::checks
     Pieces pieces = Pieces::All;      ///< what the mesh keeps
     double min_cavity = 0.0;          ///< Å³: cavities that enclose less are dropped, with all that lies in them
     double fill_cavities = 0.0;       ///< Å³: the same, and their space counts as inside in fields (field.h)
@@ -101,6 +101,7 @@ struct SimplifiedTopology {
 struct StageTimes {
     double estimate = 0.0;  ///< of what the computation will take
     double geometry = 0.0;
+    double exact = 0.0;  ///< of the exact measures that the result is held against
     double band = 0.0;
     double flow = 0.0;
     double mesh = 0.0;
@@ -123,6 +124,10 @@ struct Surface {
     FlowSummary flow;                               ///< zero for Method::Direct and Method::Gaussian
     std::vector<FlowStep> history;                  ///< if asked for, and always for a flow without an anchor
     std::shared_ptr<const LevelSet> level_set;      ///< absent for Method::Direct
+    /// What the result was held against: "not_empty", "closed", "manifold", "converged" (of a flow), "mean_distance",
+    /// "volume" (against the exact one) and "pieces" (the right side of the surface in every exact piece with an
+    /// inscribed radius above 1.5 spacings); if verified also "sides" (of scattered points) and
+    /// "no_self_intersections". Method::Gaussian has nothing exact to be held against.
     std::vector<Check> checks;
     Cost expected;  ///< before the computation started
     StageTimes seconds;
@@ -136,20 +141,24 @@ struct Surface {
 ///          positive or a coordinate that is not finite, LimitError when it would not fit into memory
 /// cost     linear in the number of atoms; memory proportional to area / spacing²
 /// observer sees every step of a flow; where there is one, steps cost a mesh each
+/// exact    measures of the surface's ses_problem(), with cavities, where there are some already: the result is held
+///          against them. Without them what is needed is evaluated once.
 /// source   Pan & Tai 2009, with the anchored flow of docs/design/flow.md
 Surface compute_surface(const Atoms& atoms, const SurfaceOptions& options = {}, const Progress& progress = {},
-                        const FlowObserver& observer = {});
+                        const FlowObserver& observer = {}, const Measures* exact = nullptr);
 
-/// Holds a flow's level set against the exact pieces of the surface: how many, with an inscribed radius above 1.5
-/// spacings, have the wrong sign at their deepest point (of an outer piece: in the middle of its largest atom).
+/// Exact area and volume of those pieces that a mesh of these options keeps; in the volume cavities count negative.
 ///
-/// measured   with cavities, of the surface's ses_problem()
-/// cost       a few microseconds per piece
-Check check_pieces(const Surface& surface, const Measures& measured, const Atoms& atoms);
+/// exact   measures of the surface's ses_problem(), with cavities
+SurfaceTotals exact_counterpart(const Measures& exact, const SurfaceOptions& options);
 
 /// Whether the independent evaluations of exact measures agree: value and bound are 1 where they do.
 inline Check agreement_check(const Measures& measured) {
     return {"exact_agreement", measured.agreed, measured.agreed ? 1.0 : 0.0, 1.0};
 }
+
+/// Whether the areas of atoms, and areas and volumes of components, sum to the totals: the largest difference,
+/// relative.
+Check sums_check(const Measures& measured);
 
 }  // namespace meniscus

@@ -13,6 +13,7 @@
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <system_error>
 #include <utility>
@@ -21,6 +22,43 @@
 
 namespace meniscus {
 namespace {
+
+// Names of temporary files, where a signal handler can read them: it may neither lock nor allocate.
+class NotedNames {
+public:
+    /// Returns the place, or -1 if there is none left or the name is too long: such a file is not removed by signals.
+    int add(const std::string& name) {
+        if (name.size() >= kLongest) return -1;
+        for (int i = 0; i < kPlaces; ++i) {
+            int free = kFree;
+            if (!states_[i].compare_exchange_strong(free, kFilling)) continue;
+            std::memcpy(names_[i], name.c_str(), name.size() + 1);
+            states_[i] = kNoted;
+            return i;
+        }
+        return -1;
+    }
+    void drop(int place) {
+        if (place >= 0) states_[place] = kFree;
+    }
+    void unlink_all() const {
+        for (int i = 0; i < kPlaces; ++i)
+            if (states_[i] == kNoted) ::unlink(names_[i]);
+    }
+
+private:
+    static constexpr int kPlaces = 16;
+    static constexpr std::size_t kLongest = 4096;
+    static constexpr int kFree = 0;
+    static constexpr int kFilling = 1;
+    static constexpr int kNoted = 2;
+    static_assert(std::atomic<int>::is_always_lock_free);
+
+    std::atomic<int> states_[kPlaces]{};
+    char names_[kPlaces][kLongest]{};
+};
+
+NotedNames noted_names;
 
 constexpr int kAttempts = 100;  // at a temporary name that nobody else uses
 
@@ -56,6 +94,8 @@ std::string_view digits_of(T value, std::array<char, 32>& digits) {
 
 }  // namespace
 
+void remove_temporary_files() noexcept { noted_names.unlink_all(); }
+
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), buffer_(new char[kBufferSize]) {
     struct stat found {};
     const bool exists = ::stat(path_.c_str(), &found) == 0;
@@ -76,6 +116,7 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), buffer_(new c
 AtomicFile::~AtomicFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
     if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    noted_names.drop(noted_);
 }
 
 void AtomicFile::open_directly(int descriptor) {
@@ -88,11 +129,13 @@ void AtomicFile::open_temporary() {
     int error = EEXIST;
     for (int attempt = 0; attempt < kAttempts && error == EEXIST; ++attempt) {
         const std::string name = temporary_name_beside(target_);
+        noted_names.drop(noted_);
+        noted_ = noted_names.add(name);  // before it is there, or a signal between both would leave it
         descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         error = descriptor_ < 0 ? errno : 0;
         if (error == 0) temporary_ = name;
     }
-    if (error != 0) fail(error);
+    if (error != 0) fail_without_temporary(error);
 }
 
 void AtomicFile::reserve([[maybe_unused]] std::size_t size) {
@@ -148,6 +191,13 @@ void AtomicFile::commit() {
     if (temporary_.empty()) return;
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
     temporary_.clear();
+    noted_names.drop(std::exchange(noted_, -1));
+}
+
+// From the constructor: there will be no destructor.
+void AtomicFile::fail_without_temporary(int error) {
+    noted_names.drop(std::exchange(noted_, -1));
+    fail(error);
 }
 
 void AtomicFile::fail(int error) const {

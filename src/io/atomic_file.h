@@ -13,6 +13,10 @@
 
 namespace meniscus {
 
+/// Removes the temporary files of every AtomicFile that has not been committed: for programs that a signal ends. May be
+/// called by a signal handler; nothing may be written afterwards.
+void remove_temporary_files() noexcept;
+
 /// Writes to a temporary name in the folder of `path`; commit() gives it its real name.
 ///
 /// An older file stays as it was until then, and for good if commit() is never reached: the destructor removes the
@@ -60,11 +64,13 @@ private:
     void flush();
     void write_out(const char* data, std::size_t size);
     void close_descriptor();
+    [[noreturn]] void fail_without_temporary(int error);
     [[noreturn]] void fail(int error) const;
 
     std::string path_;       // as the caller names it
     std::string target_;     // with links followed
     std::string temporary_;  // empty when written directly
+    int noted_ = -1;         // where remove_temporary_files() finds it
     int descriptor_ = -1;
     std::size_t used_ = 0;  // of the buffer
     std::unique_ptr<char[]> buffer_;

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 
 #include "core/parallel.h"
 #include "measure/component_places.h"
+#include "measure/exact_once.h"
 #include "measure/patch_totals.h"
 #include "measure/ses_patches.h"
 #include "meniscus/accessible_surface.h"
@@ -34,11 +36,11 @@ constexpr double SurfaceTotals::*kAllTotals[] = {&SurfaceTotals::sas_area,      
 
 // An evaluation: the exposed features and the patches they leave.
 struct Evaluation {
-    AccessibleSurface surface;
+    const AccessibleSurface& surface;
     SesPatches patches;
     PatchTotals sums;
 
-    Evaluation(AccessibleSurface of, std::uint64_t seed) : surface(std::move(of)), patches(surface, seed) {
+    Evaluation(const AccessibleSurface& of, std::uint64_t seed) : surface(of), patches(of, seed) {
         SurfaceTotals& totals = sums.totals;
         for (const SesPatch& patch : patches.patches()) {
             totals.sas_area += patch.sas.area;
@@ -52,6 +54,14 @@ struct Evaluation {
         sums.degenerate = patches.degenerate();
         sums.unresolved = patches.unresolved();
     }
+};
+
+// One with the surface that it is of.
+struct OwnEvaluation {
+    AccessibleSurface surface;
+    Evaluation evaluation;
+
+    OwnEvaluation(AccessibleSurface of, std::uint64_t seed) : surface(std::move(of)), evaluation(surface, seed) {}
 };
 
 // Another evaluation of the same surface, of which only the sums are wanted.
@@ -238,13 +248,14 @@ SurfaceTotals totals_of(const ComponentSums& sum) {
             .reentrant_area = c.reentrant_area};
 }
 
-// Components by falling volume; number[c] is the place of the evaluation's component c.
-std::vector<SurfaceComponent> make_components(const Evaluation& evaluation, const Check& check,
+// Components by falling volume, with errors if there is a check; number[c] is the place of the evaluation's component
+// c.
+std::vector<SurfaceComponent> make_components(const Evaluation& evaluation, const Check* check,
                                               const MeasureOptions& options, std::vector<std::uint32_t>& number) {
     std::vector<ComponentSums> sums = sum_components(evaluation.patches);
-    const double perturbation = perturbation_of(evaluation, check);
-    for (std::size_t c = 0; c < sums.size(); ++c)
-        sums[c].component.errors = estimate_errors(totals_of(sums[c]), check.sums.components[c], perturbation);
+    for (std::size_t c = 0; check != nullptr && c < sums.size(); ++c)
+        sums[c].component.errors =
+            estimate_errors(totals_of(sums[c]), check->sums.components[c], perturbation_of(evaluation, *check));
     parallel_for(sums.size(), 1, [&](std::size_t c) { finish_component(evaluation, options, sums[c]); });
     std::vector<double> volumes(sums.size());
     std::transform(sums.begin(), sums.end(), volumes.begin(),
@@ -300,7 +311,7 @@ void add_depths(const AccessibleSurface& surface, const Atoms& atoms, Measures& 
                  [&](std::size_t i) { measures.atoms[i].depth = -surface.nearest(atoms.centres[i]).signed_distance; });
 }
 
-Measures describe(const Atoms& atoms, const MeasureOptions& options, const Evaluation& evaluation, const Check& check) {
+Measures describe(const Atoms& atoms, const MeasureOptions& options, const Evaluation& evaluation, const Check* check) {
     Measures measures;
     measures.options = options;
     measures.totals = evaluation.sums.totals;
@@ -324,19 +335,29 @@ Measures measure(const Atoms& atoms, const MeasureOptions& options) {
     if (!(options.probe >= 0.0) || !std::isfinite(options.probe))
         throw UsageError(fmt::format("probe {:g}: must be finite and not negative", options.probe));
     const ThreadLimit limit(options.threads);
-    auto evaluation = std::make_unique<Evaluation>(AccessibleSurface(atoms, options.probe), 0);
-    Check check(*evaluation, 1);
-    while (!agree(evaluation->sums, check.sums) && check.seed + 1 < kMostSeeds) {
-        evaluation = std::make_unique<Evaluation>(evaluation->surface.perturbed(check.seed), check.seed);
-        check = Check(*evaluation, check.seed + 1);
+    auto own = std::make_unique<OwnEvaluation>(AccessibleSurface(atoms, options.probe), 0);
+    Check check(own->evaluation, 1);
+    while (!agree(own->evaluation.sums, check.sums) && check.seed + 1 < kMostSeeds) {
+        own = std::make_unique<OwnEvaluation>(own->surface.perturbed(check.seed), check.seed);
+        check = Check(own->evaluation, check.seed + 1);
     }
-    Measures measures = describe(atoms, options, *evaluation, check);
-    measures.errors = estimate_errors(evaluation->sums.totals, check.sums.totals, perturbation_of(*evaluation, check));
-    measures.degenerate = evaluation->sums.degenerate || check.sums.degenerate;
-    measures.agreed = agree(evaluation->sums, check.sums);
-    if (!measures.agreed)
-        measures.disputed =
-            name_disputed(*evaluation, Evaluation(evaluation->surface.perturbed(check.seed), check.seed), atoms.size());
+    const Evaluation& evaluation = own->evaluation;
+    Measures measures = describe(atoms, options, evaluation, &check);
+    measures.errors = estimate_errors(evaluation.sums.totals, check.sums.totals, perturbation_of(evaluation, check));
+    measures.degenerate = evaluation.sums.degenerate || check.sums.degenerate;
+    measures.agreed = agree(evaluation.sums, check.sums);
+    if (!measures.agreed) {
+        const OwnEvaluation other(own->surface.perturbed(check.seed), check.seed);
+        measures.disputed = name_disputed(evaluation, other.evaluation, atoms.size());
+    }
+    return measures;
+}
+
+Measures measure_once(const AccessibleSurface& surface, const Atoms& atoms) {
+    const Evaluation evaluation(surface, 0);
+    Measures measures = describe(atoms, {.probe = surface.probe()}, evaluation, nullptr);
+    measures.degenerate = evaluation.sums.degenerate;
+    measures.agreed = evaluation.sums.unresolved.empty();
     return measures;
 }
 

@@ -19,8 +19,10 @@
 #include "pipeline/band_size.h"
 #include "pipeline/choose_pieces.h"
 #include "pipeline/flow_stage.h"
+#include "pipeline/self_checks.h"
 #include "pipeline/surface_mesh.h"
 #include "pipeline/surface_projector.h"
+#include "pipeline/yardstick.h"
 #include "remesh/narrow_handles.h"
 #include "remesh/self_intersections.h"
 
@@ -30,9 +32,6 @@ namespace {
 // The grid starts here, in spacings: fractions without meaning, so that atoms at round coordinates with round
 // radii do not put the surface, or planes of symmetry, exactly onto nodes.
 constexpr Vec3 kGridShift{0.3819660, 0.2360680, 0.1458980};
-
-// A flow's mean distance to the exact surface is near 0.01 spacings; ten times that means something broke.
-constexpr double kMeanDistanceBound = 0.1;  // in spacings
 
 constexpr double kWidestBand = 16.0;  // spacings
 
@@ -115,7 +114,9 @@ struct Field {
 // One computation in progress: the stages, in the order in which they run.
 class Pipeline {
 public:
-    Pipeline(const Atoms& atoms, const SurfaceOptions& options, const Progress& progress, const FlowObserver& observer)
+    /// exact   if there is one, of the surface's problem
+    Pipeline(const Atoms& atoms, const SurfaceOptions& options, const Progress& progress, const FlowObserver& observer,
+             const Measures* exact)
         : options_(options), progress_(progress), observer_(observer), margin_(band_margin(options)) {
         surface_.options = options;
         report("geometry", 0.0);
@@ -123,6 +124,10 @@ public:
         accessible_ = std::make_unique<AccessibleSurface>(problem.atoms, problem.probe);
         surface_.seconds.geometry = clock_.lap();
         report("geometry", 1.0);
+        if (options_.method == Method::Gaussian) return;  // nothing exact says what the envelope should be
+        yardstick_ = exact != nullptr ? yardstick_of(*exact, problem.atoms, options_)
+                                      : make_yardstick(*accessible_, problem.atoms, options_);
+        surface_.seconds.exact = clock_.lap();
     }
 
     Surface run() {
@@ -213,6 +218,7 @@ private:
 
     void make_mesh(Field field) {
         Mesh zero_set = extract_zero_set(*field.grid, field.values, kSpreadFraction);
+        hold_against_exact_sides(zero_set, field.level_set.get());
         std::vector<float>().swap(field.values);  // the mesh grows into their memory
         const SurfaceProjector project = surface_projector(*accessible_, field.level_set.get(), options_.spacing);
         if (options_.fill_cavities > 0.0) fill_cavities(zero_set, project);
@@ -227,6 +233,16 @@ private:
         if (options_.method != Method::Flow) return;
         surface_.flow.mean_distance = surface_.distance.mean;
         surface_.flow.max_distance = surface_.distance.max;
+    }
+
+    // Of everything that was computed, before pieces are left out.
+    void hold_against_exact_sides(const Mesh& zero_set, const LevelSet* level_set) {
+        const auto wrong = [&](std::span<const DeepPoint> points) {
+            return level_set != nullptr ? count_wrong(points, *level_set) : count_wrong(points, zero_set);
+        };
+        if (options_.method == Method::Gaussian) return;
+        sides_.push_back(pieces_check(wrong(yardstick_.points)));
+        if (options_.verify) sides_.push_back(sides_check(wrong(scattered_points(*accessible_, options_))));
     }
 
     void fill_cavities(Mesh& zero_set, const SurfaceProjector& project) {
@@ -262,18 +278,10 @@ private:
         surface_.corrected_volume = corrected.volume;
         if (options_.quality) surface_.quality = measure_quality(surface_.mesh);
         if (options_.two_sided_distance) surface_.two_sided = measure_distance(surface_.mesh, *accessible_);
-        const auto holds = [](std::string name, bool passed) {
-            return Check{std::move(name), passed, passed ? 1.0 : 0.0, 1.0};
-        };
-        if (options_.pieces != Pieces::Cavities)  // there may be none
-            surface_.checks.push_back(holds("not_empty", !surface_.mesh.triangles.empty()));
-        surface_.checks.push_back(holds("closed", surface_.measures.closed));
-        surface_.checks.push_back(holds("manifold", surface_.measures.manifold));
+        surface_.checks = mesh_checks(surface_);
+        if (options_.method != Method::Gaussian) surface_.checks.push_back(volume_check(surface_, yardstick_));
+        surface_.checks.insert(surface_.checks.end(), sides_.begin(), sides_.end());
         if (options_.verify) verify();
-        if (options_.method == Method::Flow) surface_.checks.push_back(holds("converged", surface_.flow.converged));
-        if (options_.method == Method::Gaussian) return;
-        const double bound = kMeanDistanceBound * options_.spacing;
-        surface_.checks.push_back({"mean_distance", surface_.distance.mean <= bound, surface_.distance.mean, bound});
     }
 
     void verify() {
@@ -299,6 +307,8 @@ private:
     double margin_;
     StageClock clock_;
     std::unique_ptr<AccessibleSurface> accessible_;
+    Yardstick yardstick_;
+    std::vector<Check> sides_;
     Surface surface_;
 };
 
@@ -309,14 +319,14 @@ bool Surface::passed() const {
 }
 
 Surface compute_surface(const Atoms& atoms, const SurfaceOptions& options, const Progress& progress,
-                        const FlowObserver& observer) {
+                        const FlowObserver& observer, const Measures* exact) {
     check_options(options);
     const ThreadLimit limit(options.threads);
     StageClock clock;
     const Cost expected = estimate_cost(atoms, options);
     refuse_what_would_not_fit(atoms, options, expected);
     const double estimate_seconds = clock.lap();
-    Surface surface = Pipeline(atoms, options, progress, observer).run();
+    Surface surface = Pipeline(atoms, options, progress, observer, exact).run();
     surface.expected = expected;
     surface.seconds.estimate = estimate_seconds;
     return surface;

@@ -8,6 +8,7 @@
 #include <array>
 #include <limits>
 
+#include "core/memory.h"
 #include "meniscus/errors.h"
 
 namespace meniscus::reading {
@@ -15,6 +16,11 @@ namespace {
 
 // Far above any structure (the largest of the PDB have about 1 GB) and below what would exhaust a machine.
 constexpr std::size_t kLargestContent = std::size_t{8} << 30U;
+// Text of structures shrinks to a tenth, rarely to a fiftieth. What grows a thousandfold was made to fill the memory.
+constexpr std::size_t kSuspicious = std::size_t{256} << 20U;
+constexpr std::size_t kMostGrowth = 200;
+// A text that grows is copied to where there is twice the room.
+constexpr std::size_t kRoomForCopies = 4;
 constexpr int kGzipWindow = 15 + 16;  // largest window, gzip header (zlib.h, inflateInit2)
 
 // A zlib stream that is closed on every way out.
@@ -65,10 +71,18 @@ bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 std::string gunzip(std::string_view bytes, const std::string& file) {
     std::string content;
     Inflater inflater(bytes);
+    const std::size_t room = available_memory() / kRoomForCopies;
     while (true) {
         const int code = inflater.step(content);
         if (content.size() > kLargestContent) {
             throw LimitError(file + ": more than 8 GiB when decompressed; decompress it and pass a part of it");
+        }
+        if (content.size() > kSuspicious && content.size() / kMostGrowth > bytes.size()) {
+            throw LimitError(file + ": grows more than " + std::to_string(kMostGrowth) +
+                             " times when decompressed; no structure does, check where it comes from");
+        }
+        if (content.size() > kSuspicious && content.size() > room) {
+            throw LimitError(file + ": too large for the memory when decompressed; pass a part of it");
         }
         if (code == Z_STREAM_END && !inflater.next_member()) return content;
         if (code == Z_BUF_ERROR) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reading/read_bytes.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -9,16 +10,28 @@
 #include <filesystem>
 #include <memory>
 
+#include "core/memory.h"
 #include "meniscus/errors.h"
 #include "reading/gunzip.h"
 
 namespace meniscus::reading {
 namespace {
 
+// Files below this are read without asking how much memory there is.
+constexpr std::size_t kSmall = std::size_t{64} << 20U;
+// A text that grows is copied to where there is twice the room.
+constexpr std::size_t kRoomForCopies = 4;
+
 std::string read_stream(std::FILE* stream, const std::string& path) {
     std::string bytes;
     std::array<char, std::size_t{1} << 16U> buffer{};
+    std::size_t limit = kSmall;
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), stream)) {
+        if (bytes.size() + count > limit) {
+            if (limit == kSmall) limit = std::max(kSmall, available_memory() / kRoomForCopies);
+            if (bytes.size() + count > limit)
+                throw LimitError(path + ": too large for the memory; pass a part of it, or use a machine with more");
+        }
         bytes.append(buffer.data(), count);
     }
     if (std::ferror(stream) != 0) throw InputError(path + ": cannot be read: " + std::strerror(errno));

@@ -144,31 +144,5 @@ TEST(Pieces, AreKeptByKind) {
     expect_closed_manifold(cavities.mesh);
 }
 
-TEST(CheckPieces, CountsThoseWithTheWrongSign) {
-    const Atoms shell = hollow_shell(60, 5.2, 1.7);
-    const Surface surface = compute_surface(shell);
-    const Measures measured = measure(shell);
-    EXPECT_TRUE(check_pieces(surface, measured, shell).passed);
-    Measures swapped = measured;  // the void taken for a piece of the molecule, and conversely
-    for (SurfaceComponent& piece : swapped.components) {
-        const bool cavity = piece.kind == ComponentKind::Cavity;
-        piece.kind = cavity ? ComponentKind::Outer : ComponentKind::Cavity;
-        piece.inscribed_centre = shell.centres.front();
-        piece.inscribed_radius = 1.7;
-    }
-    const Check check = check_pieces(surface, swapped, shell);
-    EXPECT_FALSE(check.passed);
-    EXPECT_EQ(check.value, 1.0);
-}
-
-TEST(CheckPieces, SeesWhatIsBeyondTheBand) {
-    const Atoms shell = hollow_shell(400, 14.0, 1.7);  // the void's middle is far from the surface
-    const Surface surface = compute_surface(shell);
-    const Measures measured = measure(shell);
-    ASSERT_EQ(measured.components.size(), 2U);
-    EXPECT_TRUE(std::isnan(surface.level_set->value(measured.components[1].inscribed_centre)));
-    EXPECT_TRUE(check_pieces(surface, measured, shell).passed);
-}
-
 }  // namespace
 }  // namespace meniscus::testing

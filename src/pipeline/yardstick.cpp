@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/yardstick.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "geometry/accessible_surface_data.h"
+#include "measure/exact_once.h"
+#include "measure/patch_totals.h"
+#include "pipeline/self_checks.h"
+
+namespace meniscus {
+namespace {
+
+// Volume below which cavities are not in the mesh, Å³.
+double least_cavity(const SurfaceOptions& options) { return std::max(options.min_cavity, options.fill_cavities); }
+
+// Whether a piece is too small a cavity or lies within one.
+bool is_dropped(const SurfaceComponent& piece, const Measures& exact, double least) {
+    if (piece.kind == ComponentKind::Cavity && piece.ses_volume < least) return true;
+    return piece.inside_of != kNone && is_dropped(exact.components[piece.inside_of], exact, least);
+}
+
+bool keeps_everything(const SurfaceOptions& options) {
+    return options.pieces == Pieces::All && least_cavity(options) == 0.0;
+}
+
+DeepPoint deepest_point(const SurfaceComponent& piece, const Atoms& atoms) {
+    if (piece.kind == ComponentKind::Cavity) return {piece.inscribed_centre, piece.inscribed_radius, false};
+    const std::uint32_t largest =
+        *std::max_element(piece.atoms.begin(), piece.atoms.end(),
+                          [&](std::uint32_t a, std::uint32_t b) { return atoms.radii[a] < atoms.radii[b]; });
+    return {atoms.centres[largest], atoms.radii[largest], true};
+}
+
+// Whether the mesh's error of a cavity's volume decides if the cavity is kept.
+bool is_borderline(const SurfaceComponent& piece, const SurfaceOptions& options) {
+    if (piece.kind != ComponentKind::Cavity) return false;
+    const double error = volume_error_bound(options, piece.ses_area);
+    const auto within = [&](double least) { return least > 0.0 && std::abs(piece.ses_volume - least) <= error; };
+    return within(options.min_cavity) || within(options.fill_cavities);
+}
+
+}  // namespace
+
+SurfaceTotals exact_counterpart(const Measures& exact, const SurfaceOptions& options) {
+    if (keeps_everything(options)) return exact.totals;
+    SurfaceTotals sum;
+    for (const SurfaceComponent& c : exact.components) {
+        const bool outer = c.kind == ComponentKind::Outer;
+        if (options.pieces != Pieces::All && outer != (options.pieces == Pieces::Outer)) continue;
+        if (is_dropped(c, exact, least_cavity(options))) continue;
+        sum.ses_area += c.ses_area;
+        sum.ses_volume += outer ? c.ses_volume : -c.ses_volume;
+    }
+    return sum;
+}
+
+Yardstick yardstick_of(const Measures& measured, const Atoms& atoms, const SurfaceOptions& options) {
+    Yardstick yardstick{.kept = exact_counterpart(measured, options), .points = {}, .resolved = measured.agreed};
+    for (const SurfaceComponent& piece : measured.components) {
+        const DeepPoint point = deepest_point(piece, atoms);
+        const bool resolved = point.radius > kResolved * options.spacing;
+        if (resolved) yardstick.points.push_back(point);
+        if (!resolved || is_borderline(piece, options)) yardstick.doubtful += piece.ses_volume;
+    }
+    return yardstick;
+}
+
+Yardstick make_yardstick(const AccessibleSurface& accessible, const Atoms& atoms, const SurfaceOptions& options) {
+    Yardstick yardstick;
+    if (keeps_everything(options) && accessible.probe() > kResolved * options.spacing) {
+        yardstick.points = piece_points(accessible);
+        const bool resolved = std::all_of(yardstick.points.begin(), yardstick.points.end(),
+                                          [&](const DeepPoint& p) { return p.radius > kResolved * options.spacing; });
+        const PatchTotals sums = resolved ? sum_patches(accessible, 0) : PatchTotals{};
+        yardstick.kept = sums.totals;
+        if (resolved && sums.unresolved.empty()) return yardstick;
+    }
+    const Measures once = measure_once(accessible, atoms);
+    return yardstick_of(once.agreed ? once : measure(atoms, {.probe = accessible.probe()}), atoms, options);
+}
+
+std::vector<DeepPoint> scattered_points(const AccessibleSurface& accessible, const SurfaceOptions& options) {
+    constexpr std::size_t kPoints = 20'000;
+    // Kronecker's sequence of the plastic number's generalisation to three dimensions (Roberts 2018).
+    constexpr Vec3 kSteps{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
+    const CanonicalAtoms& atoms = accessible.data().atoms;
+    Box box;
+    for (std::size_t i = 0; i < atoms.size(); ++i) {
+        const double r = atoms.radii[i];
+        box.include(atoms.centres[i] - Vec3{r, r, r});
+        box.include(atoms.centres[i] + Vec3{r, r, r});
+    }
+    const auto part = [](double step, std::size_t i) {
+        const double turns = step * static_cast<double>(i + 1);
+        return turns - std::floor(turns);
+    };
+    std::vector<DeepPoint> all(kPoints);
+    parallel_for(kPoints, 256, [&](std::size_t i) {
+        const Vec3 size = box.high - box.low;
+        const Vec3 p =
+            box.low + Vec3{part(kSteps.x, i) * size.x, part(kSteps.y, i) * size.y, part(kSteps.z, i) * size.z};
+        const double distance = accessible.nearest(p).signed_distance;
+        all[i] = {p, std::abs(distance), distance < 0.0};
+    });
+    std::erase_if(all, [&](const DeepPoint& p) { return !(p.radius > kResolved * options.spacing); });
+    return all;
+}
+
+}  // namespace meniscus

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/self_checks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "meniscus/errors.h"
+#include "support/shapes.h"
+
+namespace meniscus::testing {
+namespace {
+
+const Check& named(const std::vector<Check>& checks, const std::string& name) {
+    return *std::find_if(checks.begin(), checks.end(), [&](const Check& check) { return check.name == name; });
+}
+
+Atoms shell() { return hollow_shell(60, 5.2, 1.7); }
+
+TEST(SelfChecks, EveryMethodPassesItsOwn) {
+    for (const Method method : {Method::Flow, Method::Direct})
+        for (const SurfaceKind kind : {SurfaceKind::Ses, SurfaceKind::Sas, SurfaceKind::Vdw})
+            for (const double spacing : {0.5, 1.0}) {
+                const Surface surface =
+                    compute_surface(shell(), {.method = method, .surface = kind, .spacing = spacing, .verify = true});
+                for (const Check& check : surface.checks)
+                    EXPECT_TRUE(check.passed || check.name == "no_self_intersections")
+                        << check.name << " " << check.value << " " << check.bound;
+                EXPECT_TRUE(named(surface.checks, "volume").passed);
+                EXPECT_TRUE(named(surface.checks, "sides").passed);
+            }
+}
+
+TEST(SelfChecks, MeasuresThatAreThereAlreadyGiveTheSame) {
+    const Measures measured = measure(shell());
+    const Surface without = compute_surface(shell());
+    const Surface with = compute_surface(shell(), {}, {}, {}, &measured);
+    ASSERT_EQ(with.checks.size(), without.checks.size());
+    EXPECT_NEAR(named(with.checks, "volume").value, named(without.checks, "volume").value, 1e-6);
+}
+
+// Measures of other atoms: whatever came out is wrong by them.
+TEST(SelfChecks, AMissingPieceFailsPiecesAndVolume) {
+    Atoms more = shell();
+    more.centres.push_back({30.0, 0.0, 0.0});
+    more.radii.push_back(6.0);
+    const Measures measured = measure(more);
+    for (const Method method : {Method::Flow, Method::Direct}) {
+        Atoms fewer = shell();
+        fewer.centres.push_back({30.0, 0.0, 0.0});
+        fewer.radii.push_back(0.01);  // stands in its place, so that indices are those of the measures
+        const Surface surface = compute_surface(fewer, {.method = method}, {}, {}, &measured);
+        EXPECT_FALSE(named(surface.checks, "volume").passed);
+        EXPECT_FALSE(surface.passed());
+    }
+}
+
+TEST(SelfChecks, ACavityThatIsFilledFailsPieces) {
+    Measures measured = measure(shell());
+    for (SurfaceComponent& piece : measured.components)  // a void where an atom is
+        if (piece.kind == ComponentKind::Cavity) piece.inscribed_centre = shell().centres.front();
+    for (const Method method : {Method::Flow, Method::Direct}) {
+        const Surface surface = compute_surface(shell(), {.method = method}, {}, {}, &measured);
+        EXPECT_EQ(named(surface.checks, "pieces").value, 1.0);
+        EXPECT_FALSE(named(surface.checks, "pieces").passed);
+    }
+}
+
+TEST(SelfChecks, AVolumeThatIsOffFails) {
+    Surface surface = compute_surface(shell());
+    const Measures measured = measure(shell());
+    const Yardstick yardstick = yardstick_of(measured, shell(), surface.options);
+    EXPECT_TRUE(volume_check(surface, yardstick).passed);
+    surface.corrected_volume += 1.1 * volume_error_bound(surface.options, yardstick.kept.ses_area);
+    EXPECT_FALSE(volume_check(surface, yardstick).passed);
+    surface.corrected_volume = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(volume_check(surface, yardstick).passed);
+}
+
+TEST(SelfChecks, AnExactVolumeThatCouldNotBeFoundFails) {
+    const Surface surface = compute_surface(shell());
+    Measures disputed = measure(shell());
+    disputed.agreed = false;
+    EXPECT_FALSE(volume_check(surface, yardstick_of(disputed, shell(), surface.options)).passed);
+}
+
+TEST(SelfChecks, BrokenMeshesFailByName) {
+    const Surface whole = compute_surface(shell());
+    for (const Check& check : mesh_checks(whole)) EXPECT_TRUE(check.passed) << check.name;
+
+    Surface open = whole;
+    open.mesh.triangles.pop_back();
+    open.measures = measure_mesh(open.mesh);
+    EXPECT_FALSE(named(mesh_checks(open), "closed").passed);
+
+    Surface doubled = whole;
+    doubled.mesh.triangles.push_back(doubled.mesh.triangles.front());
+    doubled.measures = measure_mesh(doubled.mesh);
+    EXPECT_FALSE(named(mesh_checks(doubled), "manifold").passed);
+
+    Surface empty = whole;
+    empty.mesh = {};
+    EXPECT_FALSE(named(mesh_checks(empty), "not_empty").passed);
+
+    Surface moved = whole;
+    moved.distance.mean = 0.11 * moved.options.spacing;
+    EXPECT_FALSE(named(mesh_checks(moved), "mean_distance").passed);
+    moved.distance.mean = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(named(mesh_checks(moved), "mean_distance").passed);
+
+    Surface restless = whole;
+    restless.flow.converged = false;
+    EXPECT_FALSE(named(mesh_checks(restless), "converged").passed);
+}
+
+TEST(SelfChecks, PointsOnTheWrongSideAreCountedByLevelSetAndMesh) {
+    const Atoms large = hollow_shell(400, 14.0, 1.7);  // the void's middle is beyond the band
+    const Surface surface = compute_surface(large);
+    ASSERT_TRUE(std::isnan(surface.level_set->value({0, 0, 0})));
+    const std::vector<DeepPoint> right{{{0, 0, 0}, 5.0, false}, {large.centres.front(), 1.7, true}};
+    std::vector<DeepPoint> wrong = right;
+    for (DeepPoint& point : wrong) point.inside = !point.inside;
+    EXPECT_EQ(count_wrong(right, *surface.level_set), 0U);
+    EXPECT_EQ(count_wrong(right, surface.mesh), 0U);
+    EXPECT_EQ(count_wrong(wrong, *surface.level_set), 2U);
+    EXPECT_EQ(count_wrong(wrong, surface.mesh), 2U);
+    EXPECT_FALSE(pieces_check(2).passed);
+    EXPECT_FALSE(sides_check(1).passed);
+}
+
+TEST(SelfChecks, SumsOfMeasures) {
+    Measures measured = measure(shell());
+    EXPECT_TRUE(sums_check(measured).passed) << sums_check(measured).value;
+    measured.atoms.front().contact_area += 0.01;
+    EXPECT_FALSE(sums_check(measured).passed);
+    measured = measure(shell());
+    measured.components.back().ses_volume *= 1.01;
+    EXPECT_FALSE(sums_check(measured).passed);
+}
+
+}  // namespace
+}  // namespace meniscus::testing
