@@ -20,7 +20,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-SPHERES = ROOT / "docs" / "paper" / "two_spheres.xyzr"
+SPHERES = ROOT / "docs" / "paper"
 SPACING = 0.25
 TABLES = ("pieces", "courses", "choices", "order", "solvers", "reach", "curvature")
 FLOWS = {"paper": ("--flow", "paper"), "paper, closest point": ("--flow", "paper", "--reinitialise", "closest-point"),
@@ -192,15 +192,16 @@ def main():
     options = parser.parse_args()
     for name in set(options.tables) - set(TABLES):
         parser.error(f"no table {name}: {', '.join(TABLES)}")
-    inputs = ((SPHERES, "two_spheres"), (options.data / "structures" / "1crn.pdb", "1crn"))
+    crambin = (options.data / "structures" / "1crn.pdb", "1crn")
+    two, four = ((SPHERES / f"{name}.xyzr", name) for name in ("two_spheres", "four_intersecting"))
     with tempfile.TemporaryDirectory() as folder:
         study = Study(options.program, folder)
         for name in options.tables or TABLES:
             if name == "pieces":
-                for structure, title in inputs:
+                for structure, title in (two, crambin):
                     pieces(study, structure, title)
             elif name == "courses":
-                for structure, title in inputs:
+                for structure, title in (two, four, crambin):
                     courses(study, structure, title, options.figures)
             else:
                 {"choices": choices, "order": order, "solvers": solvers, "reach": reach, "curvature": curvature}[name](

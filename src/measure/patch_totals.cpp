@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t kChunk = 128;
 
-void add(SurfaceTotals& to, PatchKind kind, const PatchIntegrals& ses, const PatchIntegrals& sas, double factor = 1.0) {
+void accumulate(SurfaceTotals& to, PatchKind kind, const PatchIntegrals& ses, const PatchIntegrals& sas,
+                double factor = 1.0) {
     to.sas_area += factor * sas.area;
     to.sas_volume += factor * sas.volume;
     to.ses_area += factor * ses.area;
@@ -42,11 +43,11 @@ public:
         return *this;
     }
     void add_to(PatchTotals& found, PatchKind kind, std::uint32_t largest) const {
-        meniscus::add(found.totals, kind, ses_, sas_);
-        meniscus::add(found.components[largest], kind, ses_, sas_);
+        accumulate(found.totals, kind, ses_, sas_);
+        accumulate(found.components[largest], kind, ses_, sas_);
         for (const Elsewhere& patch : elsewhere_) {
-            meniscus::add(found.components[patch.component], kind, patch.ses, patch.sas);
-            meniscus::add(found.components[largest], kind, patch.ses, patch.sas, -1.0);
+            accumulate(found.components[patch.component], kind, patch.ses, patch.sas);
+            accumulate(found.components[largest], kind, patch.ses, patch.sas, -1.0);
         }
     }
 
