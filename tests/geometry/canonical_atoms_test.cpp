@@ -51,13 +51,12 @@ TEST(CanonicalAtoms, NameTheCallersAtoms) {
     expect_sorted_with_cells(sorted);
 }
 
-TEST(CanonicalAtoms, MergeExactDuplicatesIntoTheFirst) {
+TEST(CanonicalAtoms, KeepTheFirstOfTheLargestOfOneCentre) {
     const CanonicalAtoms sorted = canonical_atoms(
         {{{5, 5, 5}, {0, 0, 0}, {5, 5, 5}, {0.0, -0.0, 0}, {0, 0, 0}, {5, 5, 5}}, {1, 2, 1, 2, 3, 1}}, 2.0);
-    ASSERT_EQ(sorted.size(), 3U);
-    EXPECT_EQ(std::vector<std::uint32_t>(sorted.original.begin(), sorted.original.end()),
-              (std::vector<std::uint32_t>{1, 4, 0}));
-    EXPECT_EQ(sorted.radii, (std::vector<double>{2, 3, 1}));
+    ASSERT_EQ(sorted.size(), 2U);
+    EXPECT_EQ(sorted.original, (std::vector<std::uint32_t>{4, 0}));
+    EXPECT_EQ(sorted.radii, (std::vector<double>{3, 1}));
 }
 
 TEST(CanonicalAtoms, EnlargeCellsForHugeExtents) {

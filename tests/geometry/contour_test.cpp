@@ -283,5 +283,21 @@ TEST(Contour, RimsCrossExactlyWhereTheirAnglesAllow) {
     }
 }
 
+// Of spheres next to each other as rounding has it, of which only the perturbation tells which buries which.
+TEST(Contour, RimsThatAllButCoincideCrossWhereTheirAnglesAllow) {
+    constexpr double kAngle = 1e-9;
+    const Cap a{{0.0, 0.0, 1.0}, 0.3, 0};
+    for (const double shift : {-1e-8, -2e-9, -5e-10, 5e-10, 2e-9, 1e-8}) {
+        const Cap b{{kAngle, 0.0, 1.0}, 0.3 + shift, 1};
+        const RimCrossing crossing = cross_rims(a, b);
+        EXPECT_EQ(crossing.crosses, std::abs(shift) < kAngle * std::sqrt(1.0 - 0.09)) << shift;
+        if (!crossing.crosses) continue;
+        EXPECT_NEAR(crossing.onto.x, shift / kAngle, 1e-6);
+        EXPECT_NEAR(norm(crossing.back), 1.0, 1e-6);
+    }
+    EXPECT_FALSE(cross_rims(a, {a.axis, 0.3 + 1e-10, 1}).crosses);
+    EXPECT_FALSE(cross_rims(a, a).crosses);
+}
+
 }  // namespace
 }  // namespace meniscus::testing

@@ -259,6 +259,59 @@ TEST(Measure, DuplicatesCountOnce) {
     EXPECT_EQ(m.atoms[0].ses_area(), single.atoms[0].ses_area());
 }
 
+// Two spheres an ulp apart: their rims on the third differ by the perturbation alone.
+TEST(Measure, SpheresAnUlpApartAreOne) {
+    const Measures m = measure({{{1, 0, 0}, {std::nextafter(1.0, 2.0), 0, 0}, {3.2, 0.4, 0.3}}, {2.0, 2.0, 1.7}});
+    const Measures single = measure({{{1, 0, 0}, {3.2, 0.4, 0.3}}, {2.0, 1.7}});
+    EXPECT_TRUE(m.agreed);
+    EXPECT_NEAR(m.totals.ses_area / single.totals.ses_area, 1.0, 1e-9);
+    EXPECT_NEAR(m.totals.sas_volume / single.totals.sas_volume, 1.0, 1e-9);
+}
+
+// Five atoms, on the brink of a sixth side: the walls of the cavity have no thickness in places, and a step of the
+// search for its inscribed sphere led out of it and away.
+TEST(Measure, TheInscribedSphereOfASmallCavityStaysInIt) {
+    const Measures m =
+        measure({{{2, 0, 0}, {4, 2, 2}, {2, 0, 2}, {4, 0, 0}, {2, 2, 0}}, {1.7, 1.7, 1.7, 1.7, 1.7}}, {.probe = 0.0});
+    ASSERT_EQ(m.components.size(), 2U);
+    EXPECT_NEAR(m.components[1].inscribed_radius, std::sqrt(3.0) - 1.7, 1e-6);
+    EXPECT_NEAR(norm(m.components[1].inscribed_centre - Vec3{3, 1, 1}), 0.0, 1e-5);
+}
+
+// Two spheres that the probe just fits between leave tiny caps on each other, here in the middle of exposed ground.
+TEST(Measure, ACapAtExactContactDividesNothing) {
+    const auto with_gap = [](double height) {
+        return measure({{{11.7, 0, height},
+                         {7.02, 4.68, 0},
+                         {4.68, 7.02, 0},
+                         {7.02, 7.02, 0},
+                         {7.02, 7.02, height},
+                         {9.36, 7.02, 0},
+                         {7.02, 11.7, 0}},
+                        std::vector<double>(7, 1.5)});
+    };
+    const Measures contact = with_gap(5.799999999999);
+    const Measures apart = with_gap(5.8 + 1e-6);
+    EXPECT_TRUE(contact.agreed);
+    EXPECT_EQ(contact.components.size(), apart.components.size());
+    EXPECT_NEAR(contact.totals.ses_area, apart.totals.ses_area, 1e-3);
+}
+
+// Each sums its volumes from an origin of its own: what rounding leaves open is not multiplied by the way between.
+TEST(Measure, ClustersFarApartAreMeasuredAsTheyAreAlone) {
+    Atoms atoms = random_cluster(20, 6.0, 3);
+    const Measures alone = measure(atoms);
+    for (std::size_t i = 0; i < 20; ++i) {
+        atoms.centres.push_back(atoms.centres[i] + Vec3{1e6, 7e5, -3e5});
+        atoms.radii.push_back(atoms.radii[i]);
+    }
+    const Measures both = measure(atoms);
+    EXPECT_TRUE(both.agreed);
+    EXPECT_NEAR(both.totals.ses_volume / alone.totals.ses_volume, 2.0, 1e-8);
+    EXPECT_NEAR(both.totals.sas_volume / alone.totals.sas_volume, 2.0, 1e-8);
+    EXPECT_NEAR(norm(both.components[0].centre - both.components[1].centre), norm(Vec3{1e6, 7e5, -3e5}), 1e-3);
+}
+
 TEST(Measure, ProbeOutOfRangeIsAUsageError) {
     EXPECT_THROW(measure({{{0, 0, 0}}, {1.7}}, {.probe = -1.0}), UsageError);
     EXPECT_THROW(measure({}, {}), std::invalid_argument);
