@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/arrangements.h"
 #include "support/shapes.h"
 
 namespace meniscus::testing {
