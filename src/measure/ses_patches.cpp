@@ -234,8 +234,16 @@ std::uint32_t SesPatches::component_like_reentrant(std::uint32_t vertex, const S
     const std::uint32_t found = find_like(data_->vertices, vertex, like, [&](const SasVertex& own) {
         return own.atoms == like.atoms && norm(own.position - like.position) < kSameFeature;
     });
-    if (found == kNone) return kNone;
-    return component_of_nearest_area(first_reentrant_[found], first_reentrant_[found + 1], area);
+    if (found != kNone) return component_of_nearest_area(first_reentrant_[found], first_reentrant_[found + 1], area);
+    // Where a probe touches more than three atoms, their triangles depend on the perturbation.
+    Box here;
+    here.include(like.position);
+    std::uint32_t component = kNone;
+    data_->vertex_tree.for_each_overlapping(here.grown(kSameFeature), [&](std::uint32_t v) {
+        if (component == kNone)
+            component = component_of_nearest_area(first_reentrant_[v], first_reentrant_[v + 1], area);
+    });
+    return component;
 }
 
 std::uint32_t SesPatches::component_at(const Vec3& point) const {

@@ -201,6 +201,20 @@ TEST(Measure, ErrorEstimatesOfPiecesHold) {
     }
 }
 
+// Over each side of a cube a probe touches four atoms: which triangles they make depends on the perturbation.
+TEST(Measure, ErrorEstimatesOfPiecesAreSmallWhereProbesTouchManyAtoms) {
+    Atoms cube;
+    for (const double x : {-3.0, 3.0})
+        for (const double y : {-3.0, 3.0})
+            for (const double z : {-3.0, 3.0}) append(cube, {{{x, y, z}}, {3.2}});
+    const Measures m = measure(cube);
+    ASSERT_EQ(m.components.size(), 2U);
+    for (const SurfaceComponent& c : m.components) {
+        EXPECT_LT(c.errors.ses_area, 1e-5 * c.ses_area);
+        EXPECT_LT(c.errors.ses_volume, 1e-5 * c.ses_volume);
+    }
+}
+
 TEST(Measure, ASpindleTorusSeparatesTwoSpheres) {
     const Measures m = measure({{{0, 0, 0}, {5.9, 0, 0}}, {1.7, 1.7}});
     EXPECT_EQ(m.components.size(), 2U);
