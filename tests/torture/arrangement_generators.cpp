@@ -255,6 +255,22 @@ rc::Gen<Arrangement> any_arrangement() {
                         });
 }
 
+std::ostream& operator<<(std::ostream& out, const Vessel& vessel) {
+    return out << Arrangement{vessel.island ? "vessel with an island" : "vessel", vessel.atoms} << ", spacing "
+               << vessel.spacing;
+}
+
+rc::Gen<Vessel> any_vessel() {
+    const auto shape = rc::gen::tuple(part(), below(2), part(), part());
+    return rc::gen::map(shape, [](const auto& parts) {
+        const auto& [size, island, spacing, place] = parts;
+        Vessel vessel{hollow_shell(180, between(6.5, 8.0, size), 2.2), island == 1, between(0.3, 0.6, spacing)};
+        if (vessel.island) add(vessel.atoms, {}, between(0.9, 1.3, place));
+        for (Vec3& c : vessel.atoms.centres) c += Vec3{fraction(size), fraction(place), fraction(spacing)};
+        return vessel;
+    });
+}
+
 rc::Gen<std::pair<Arrangement, double>> arrangements_with_spacings() {
     constexpr std::array kSpacings{0.25, 0.35, 0.5, 0.5, 0.7, 1.0, 1.6, 2.5};
     return rc::gen::pair(any_arrangement(), rc::gen::map(below(kSpacings.size()), [=](int i) {
