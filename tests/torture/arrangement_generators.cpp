@@ -127,8 +127,9 @@ Atoms needle_gap(const Clay& clay, double probe) {
     Atoms atoms;
     for (int i = 0; i < 2 * edge * edge; ++i) {
         const double z = i % 2 == 0 ? 0.0 : gap + 3.0;
-        const int place = i / 2;
-        add(atoms, {step * (place % edge), step * (place / edge), z}, 1.5);
+        const int row = i / 2 / edge;
+        const int column = i / 2 % edge;
+        add(atoms, {step * column, step * row, z}, 1.5);
     }
     return atoms;
 }
