@@ -45,7 +45,7 @@ void expect_sound(const Computed& computed) {
     for (const std::string& wrong :
          {what_is_wrong_with_mesh(computed.surface, computed.atoms.size()),
           what_is_wrong_with_places(computed.surface, computed.exact),
-          what_is_wrong_with_size(computed.surface, computed.atoms, shown ? 0.5 : 1.0, shown ? 0.05 : 0.02)})
+          what_is_wrong_with_size(computed.surface, computed.atoms, shown ? 0.5 : 1.0, 0.05)})
         if (!wrong.empty()) RC_FAIL(wrong + ", spacing " + std::to_string(h));
 }
 
