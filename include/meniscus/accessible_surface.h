@@ -49,7 +49,7 @@ public:
 
     /// Builds the SAS of atoms and a probe radius (Å, >= 0) by contour build-up.
     ///
-    /// Exact duplicates of an atom are merged. Degenerate arrangements (four spheres through a point, tangent
+    /// Of atoms with exactly the same centre the largest is kept, which holds the others. Degenerate arrangements (four spheres through a point, tangent
     /// and concentric spheres, lattices) are decided by a perturbation of the radii of order 1e-10 Å that
     /// depends only on the atoms themselves, not on their order. Another seed gives another perturbation: what
     /// both give is not an accident of either.
@@ -64,7 +64,7 @@ public:
     AccessibleSurface& operator=(AccessibleSurface&&) noexcept;
 
     double probe() const;
-    std::size_t atom_count() const;  ///< distinct atoms
+    std::size_t atom_count() const;  ///< with distinct centres
     std::size_t exposed_atom_count() const;
     std::size_t arc_count() const;     ///< exposed arcs, whole circles included
     std::size_t vertex_count() const;  ///< probe positions that touch three atoms

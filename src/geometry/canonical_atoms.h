@@ -10,11 +10,11 @@
 
 namespace meniscus {
 
-/// Distinct atoms sorted along a space-filling curve of cells, ties by coordinates and radius.
+/// Atoms with distinct centres sorted along a space-filling curve of cells, ties by coordinates and radius.
 struct CanonicalAtoms {
     std::vector<Vec3> centres;
     std::vector<double> radii;
-    std::vector<std::uint32_t> original;   ///< index of the first such atom in the caller's order
+    std::vector<std::uint32_t> original;   ///< index in the caller's order
     double cell = 0.0;                     ///< edge of the cells, Å
     Vec3 corner;                           ///< lower corner of cell (0, 0, 0)
     std::vector<std::uint64_t> cell_keys;  ///< of each atom, ascending
@@ -22,7 +22,8 @@ struct CanonicalAtoms {
     std::size_t size() const { return centres.size(); }
 };
 
-/// Sorts and merges exact duplicates (equal centre and radius).
+/// Sorts, and keeps of atoms with exactly the same centre the one that holds the others: the largest, of equal ones the
+/// first.
 ///
 /// cell     edge of the sorting cells, Å; enlarged where the extent would need more than 2^20 of them
 /// throws   std::invalid_argument for no atoms, a radius that is not positive and finite, a coordinate that

@@ -73,7 +73,7 @@ struct Check {
     Check(const Evaluation& first, std::uint64_t with_seed) : seed(with_seed) {
         const AccessibleSurface perturbed = first.surface.perturbed(seed);
         perturbation = perturbed.data().perturbation;
-        sums = sum_patches(perturbed, seed, first.patches);
+        sums = sum_patches(perturbed, seed, &first.patches);
     }
 };
 

@@ -63,10 +63,42 @@ private:
     std::vector<Elsewhere> elsewhere_;
 };
 
-Sums sum_contact_patches(const AccessibleSurface::Data& data, const VolumeOrigins& origins, const SesPatches& first,
-                         std::uint32_t largest) {
+std::uint32_t largest_component(const SesPatches& patches) {
+    std::vector<double> areas(patches.component_count());
+    for (const SesPatch& patch : patches.patches()) areas[patch.component] += patch.ses.area;
+    return static_cast<std::uint32_t>(std::max_element(areas.begin(), areas.end()) - areas.begin());
+}
+
+// The components of a first evaluation that the patches of a second are counted to; without a first they are all one.
+class Likes {
+public:
+    explicit Likes(const SesPatches* first)
+        : first_(first),
+          count_(first == nullptr ? 1 : first->component_count()),
+          largest_(first == nullptr ? 0 : largest_component(*first)) {}
+
+    std::size_t count() const { return count_; }
+    std::uint32_t largest() const { return largest_; }
+
+    std::uint32_t contact(std::uint32_t atom, double area) const {
+        return first_ == nullptr ? largest_ : first_->component_like_contact(atom, area);
+    }
+    std::uint32_t torus(std::uint32_t index, const SasArc& arc, std::uint32_t piece) const {
+        return first_ == nullptr ? largest_ : first_->component_like_torus(index, arc, piece);
+    }
+    std::uint32_t reentrant(std::uint32_t index, const SasVertex& vertex, double area) const {
+        return first_ == nullptr ? largest_ : first_->component_like_reentrant(index, vertex, area);
+    }
+
+private:
+    const SesPatches* first_;
+    std::size_t count_;
+    std::uint32_t largest_;
+};
+
+Sums sum_contact_patches(const AccessibleSurface::Data& data, const VolumeOrigins& origins, const Likes& likes) {
     return parallel_sum<Sums>(data.atoms.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-        Sums sums(largest);
+        Sums sums(likes.largest());
         SphericalRegions regions;
         for (std::size_t i = begin; i < end; ++i) {
             if (data.exposed[i] == 0) continue;
@@ -75,23 +107,21 @@ Sums sum_contact_patches(const AccessibleSurface::Data& data, const VolumeOrigin
             const Vec3 centre = data.atoms.centres[i] - origins.of(atom);
             for (const SphericalRegion& region : regions.regions()) {
                 const PatchIntegrals ses = sphere_patch(centre, data.rho[i] - data.probe, region, 1);
-                sums.add(first.component_like_contact(atom, ses.area), ses,
-                         sphere_patch(centre, data.rho[i], region, 1));
+                sums.add(likes.contact(atom, ses.area), ses, sphere_patch(centre, data.rho[i], region, 1));
             }
         }
         return sums;
     });
 }
 
-Sums sum_toroidal_patches(const AccessibleSurface::Data& data, const VolumeOrigins& origins, const SesPatches& first,
-                          std::uint32_t largest) {
+Sums sum_toroidal_patches(const AccessibleSurface::Data& data, const VolumeOrigins& origins, const Likes& likes) {
     return parallel_sum<Sums>(data.arcs.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-        Sums sums(largest);
+        Sums sums(likes.largest());
         for (std::size_t a = begin; a < end; ++a) {
             const SasArc& arc = data.arcs[a];
             const ToroidalPatch torus = toroidal_patch(arc, data.probe);
             for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(torus.count); ++k)
-                sums.add(first.component_like_torus(static_cast<std::uint32_t>(a), arc, k),
+                sums.add(likes.torus(static_cast<std::uint32_t>(a), arc, k),
                          toroidal_piece(arc, data.probe, torus.pieces[k], arc.centre - origins.of(arc.atoms[0])));
         }
         return sums;
@@ -99,7 +129,7 @@ Sums sum_toroidal_patches(const AccessibleSurface::Data& data, const VolumeOrigi
 }
 
 Sums sum_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed, const VolumeOrigins& origins,
-                           const SesPatches& first, std::uint32_t largest, PatchTotals& found) {
+                           const Likes& likes, PatchTotals& found) {
     const AccessibleSurface::Data& data = surface.data();
     struct Trimmed {
         Sums sums;
@@ -108,14 +138,14 @@ Sums sum_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed,
     };
     std::vector<Trimmed> trimmed(data.vertices.size());
     for_each_reentrant_patch(surface, seed, [&](std::uint32_t v, const ReentrantPatch& patch) {
-        trimmed[v] = {Sums(largest), patch.consistent, patch.degenerate};
+        trimmed[v] = {Sums(likes.largest()), patch.consistent, patch.degenerate};
         for (const SphericalRegion& region : patch.regions) {
             const PatchIntegrals ses =
                 sphere_patch(data.vertices[v].position - origins.of(data.vertices[v].atoms[0]), data.probe, region, -1);
-            trimmed[v].sums.add(first.component_like_reentrant(v, data.vertices[v], ses.area), ses);
+            trimmed[v].sums.add(likes.reentrant(v, data.vertices[v], ses.area), ses);
         }
     });
-    Sums sums(largest);
+    Sums sums(likes.largest());
     for (std::uint32_t v = 0; v < trimmed.size(); ++v) {
         sums += trimmed[v].sums;
         found.degenerate = found.degenerate || trimmed[v].degenerate;
@@ -124,23 +154,17 @@ Sums sum_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed,
     return sums;
 }
 
-std::uint32_t largest_component(const SesPatches& patches) {
-    std::vector<double> areas(patches.component_count());
-    for (const SesPatch& patch : patches.patches()) areas[patch.component] += patch.ses.area;
-    return static_cast<std::uint32_t>(std::max_element(areas.begin(), areas.end()) - areas.begin());
-}
-
 }  // namespace
 
-PatchTotals sum_patches(const AccessibleSurface& surface, std::uint64_t seed, const SesPatches& first) {
+PatchTotals sum_patches(const AccessibleSurface& surface, std::uint64_t seed, const SesPatches* first) {
     const AccessibleSurface::Data& data = surface.data();
-    const std::uint32_t largest = largest_component(first);
+    const Likes likes(first);
     const VolumeOrigins origins(data);
     PatchTotals found;
-    found.components.resize(first.component_count());
-    sum_contact_patches(data, origins, first, largest).add_to(found, PatchKind::Contact, largest);
-    sum_toroidal_patches(data, origins, first, largest).add_to(found, PatchKind::Toroidal, largest);
-    sum_reentrant_patches(surface, seed, origins, first, largest, found).add_to(found, PatchKind::Reentrant, largest);
+    found.components.resize(likes.count());
+    sum_contact_patches(data, origins, likes).add_to(found, PatchKind::Contact, likes.largest());
+    sum_toroidal_patches(data, origins, likes).add_to(found, PatchKind::Toroidal, likes.largest());
+    sum_reentrant_patches(surface, seed, origins, likes, found).add_to(found, PatchKind::Reentrant, likes.largest());
     return found;
 }
 

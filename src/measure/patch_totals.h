@@ -23,7 +23,8 @@ struct PatchTotals {
 /// Sums over all patches; keeps none of them and does not ask which pieces of surface they make.
 ///
 /// Each patch is counted to that component of `first`, an evaluation of the same atoms, to which the patch most like it
-/// belongs. A patch without a like is counted to the largest component: then the estimated errors are large.
-PatchTotals sum_patches(const AccessibleSurface& surface, std::uint64_t seed, const SesPatches& first);
+/// belongs. A patch without a like is counted to the largest component: then the estimated errors are large. Without a
+/// first evaluation all count to one component.
+PatchTotals sum_patches(const AccessibleSurface& surface, std::uint64_t seed, const SesPatches* first = nullptr);
 
 }  // namespace meniscus

@@ -51,8 +51,7 @@ public:
 
     /// The part of an atom's enlarged sphere that is accessible, 0 to 1.
     double of(std::size_t atom) {
-        if (is_in_another(atom)) return 0.0;
-        find_neighbours(atom);
+        if (!find_neighbours(atom)) return 0.0;
         const double rho = atoms_.radii[atom] + probe_;
         std::size_t free = 0;
         for (const Vec3& direction : directions_) free += is_covered(atoms_.centres[atom] + rho * direction) ? 0 : 1;
@@ -67,17 +66,9 @@ private:
 
     static double squared(double v) { return v * v; }
 
-    // Of atoms with one centre the largest counts, of equal ones the first.
-    bool is_in_another(std::size_t atom) const {
-        for (std::size_t j = 0; j < atoms_.size(); ++j)
-            if (atoms_.centres[j] == atoms_.centres[atom] && j != atom &&
-                (atoms_.radii[j] > atoms_.radii[atom] || (atoms_.radii[j] == atoms_.radii[atom] && j < atom)))
-                return true;
-        return false;
-    }
-
-    // All pairs, without a branch: nobody could predict it.
-    void find_neighbours(std::size_t atom) {
+    // All pairs, without a branch: nobody could predict it. False for an atom that another one holds: of those with one
+    // centre the largest counts, of equal ones the first.
+    bool find_neighbours(std::size_t atom) {
         near_.resize(atoms_.size());
         const Vec3 centre = atoms_.centres[atom];
         const double rho = atoms_.radii[atom] + 2.0 * probe_;
@@ -88,8 +79,14 @@ private:
             count += squared_norm(atoms_.centres[j] - centre) < reach * reach ? 1 : 0;
         }
         neighbours_.clear();
-        for (const std::uint32_t j : std::span(near_).first(count))
-            if (j != atom) neighbours_.push_back({atoms_.centres[j], squared(atoms_.radii[j] + probe_)});
+        for (const std::uint32_t j : std::span(near_).first(count)) {
+            if (j == atom) continue;
+            const bool larger =
+                atoms_.radii[j] > atoms_.radii[atom] || (atoms_.radii[j] == atoms_.radii[atom] && j < atom);
+            if (larger && atoms_.centres[j] == centre) return false;
+            neighbours_.push_back({atoms_.centres[j], squared(atoms_.radii[j] + probe_)});
+        }
+        return true;
     }
 
     bool is_covered(const Vec3& point) const {

@@ -17,7 +17,7 @@ TEST(PatchTotals, AreTheSumsOverAllPatches) {
         PatchIntegrals ses[3];
         PatchIntegrals sas;
         const SesPatches patches(surface, seed);
-        const PatchTotals found = sum_patches(surface, seed, patches);
+        const PatchTotals found = sum_patches(surface, seed, &patches);
         for (const SesPatch& patch : patches.patches()) {
             ses[static_cast<int>(patch.kind)] += patch.ses;
             sas += patch.sas;
@@ -47,7 +47,7 @@ TEST(PatchTotals, OfAnotherPerturbationAreDividedAmongTheSamePieces) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         const AccessibleSurface surface(testing::random_cluster(seed, 150, 12.0), 1.4);
         const SesPatches patches(surface, 0);
-        const PatchTotals found = sum_patches(surface.perturbed(1), 1, patches);
+        const PatchTotals found = sum_patches(surface.perturbed(1), 1, &patches);
         std::vector<PatchIntegrals> pieces(patches.component_count());
         for (const SesPatch& patch : patches.patches()) pieces[patch.component] += patch.ses;
         ASSERT_EQ(found.components.size(), pieces.size());

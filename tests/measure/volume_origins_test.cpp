@@ -32,6 +32,7 @@ TEST(VolumeOrigins, EachFarClusterHasItsOwn) {
 // What touches is one surface, however long.
 TEST(VolumeOrigins, AChainIsNotCut) {
     std::vector<Vec3> chain;
+    chain.reserve(3000);
     for (int i = 0; i < 3000; ++i) chain.push_back({3.0 * i, 4.0 * i, 0});
     const std::vector<Vec3> origins = origins_of(chain);
     for (const Vec3& origin : origins) ASSERT_EQ(origin, origins[0]);

@@ -127,8 +127,9 @@ Atoms needle_gap(const Clay& clay, double probe) {
     Atoms atoms;
     for (int i = 0; i < 2 * edge * edge; ++i) {
         const double z = i % 2 == 0 ? 0.0 : gap + 3.0;
-        const int place = i / 2;
-        add(atoms, {step * (place % edge), step * (place / edge), z}, 1.5);
+        const int row = i / 2 / edge;
+        const int column = i / 2 % edge;
+        add(atoms, {step * column, step * row, z}, 1.5);
     }
     return atoms;
 }
@@ -253,6 +254,22 @@ rc::Gen<Arrangement> any_arrangement() {
                             const Kind& chosen = kKinds[static_cast<std::size_t>(kind)];
                             return Arrangement{chosen.name, chosen.shape(clay, probe), probe};
                         });
+}
+
+std::ostream& operator<<(std::ostream& out, const Vessel& vessel) {
+    return out << Arrangement{vessel.island ? "vessel with an island" : "vessel", vessel.atoms} << ", spacing "
+               << vessel.spacing;
+}
+
+rc::Gen<Vessel> any_vessel() {
+    const auto shape = rc::gen::tuple(part(), below(2), part(), part());
+    return rc::gen::map(shape, [](const auto& parts) {
+        const auto& [size, island, spacing, place] = parts;
+        Vessel vessel{hollow_shell(180, between(6.5, 8.0, size), 2.2), island == 1, between(0.3, 0.6, spacing)};
+        if (vessel.island) add(vessel.atoms, {}, between(0.9, 1.3, place));
+        for (Vec3& c : vessel.atoms.centres) c += Vec3{fraction(size), fraction(place), fraction(spacing)};
+        return vessel;
+    });
 }
 
 rc::Gen<std::pair<Arrangement, double>> arrangements_with_spacings() {

@@ -22,4 +22,14 @@ rc::Gen<Arrangement> any_arrangement();
 /// And a grid spacing from 0.25 to 2.5 Å, half of them at most 0.5 Å.
 rc::Gen<std::pair<Arrangement, double>> arrangements_with_spacings();
 
+/// A closed wall of spheres round a void that the probe of 1.4 Å fits into, perhaps with a ball in the middle that
+/// touches nothing; walls and void are thick against the spacing.
+struct Vessel {
+    Atoms atoms;
+    bool island = false;
+    double spacing = 0.5;
+};
+std::ostream& operator<<(std::ostream& out, const Vessel& vessel);
+rc::Gen<Vessel> any_vessel();
+
 }  // namespace meniscus::testing

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "torture/torture_count.h"
+
 namespace meniscus::testing {
 namespace {
 
@@ -18,11 +20,6 @@ bool seed_is_given() {
 }
 
 }  // namespace
-
-int torture_count(int count) {
-    const char* times = std::getenv("MENISCUS_TORTURE");
-    return times == nullptr ? count : std::max(1, static_cast<int>(count * std::strtod(times, nullptr)));
-}
 
 void expect_property(int count, const rc::detail::Property& property) {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();

@@ -11,11 +11,8 @@
 
 namespace meniscus::testing {
 
-/// How often a property is tried: `count` times MENISCUS_TORTURE, which is 1 where it is not set.
-int torture_count(int count);
-
-/// Holds a property against `count` values of a generator; one that breaks it (by RC_ASSERT, RC_FAIL or a throw) is
-/// shrunk and fails the running test. The seed is fixed unless RC_PARAMS names another.
+/// Holds a property against torture_count(count) values of a generator; one that breaks it (by RC_ASSERT, RC_FAIL or a
+/// throw) is shrunk and fails the running test. The seed is fixed unless RC_PARAMS names another.
 void expect_property(int count, const rc::detail::Property& property);
 
 template <class T>

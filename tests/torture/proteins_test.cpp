@@ -3,13 +3,13 @@
 // Real molecules, turned and moved at random: what is exact does not change, what is meshed stays sound.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdlib>
+#include <cmath>
 #include <random>
 
 #include "meniscus/structure.h"
 #include "support/test_data.h"
 #include "torture/surface_checks.h"
+#include "torture/torture_count.h"
 
 namespace meniscus::testing {
 namespace {
@@ -43,7 +43,6 @@ Atoms moved(Atoms atoms, const RigidMotion& motion) {
     return atoms;
 }
 
-// A thousand points per motion.
 void expect_sound(const Atoms& atoms, Method method, double spacing, SignCount& signs) {
     const Surface surface = compute_surface(atoms, {.method = method, .spacing = spacing, .threads = 1});
     const AccessibleSurface exact(atoms, 1.4);
@@ -71,13 +70,8 @@ void expect_same_wherever_it_lies(const Atoms& atoms, int motions) {
     EXPECT_LE(1e3 * static_cast<double>(signs.wrong), static_cast<double>(signs.asked));
 }
 
-int motions(int count) {
-    const char* times = std::getenv("MENISCUS_TORTURE");
-    return times == nullptr ? count : std::max(1, static_cast<int>(count * std::strtod(times, nullptr)));
-}
-
 TEST(Proteins, UbiquitinStaysItself) {
-    expect_same_wherever_it_lies(read_structure(MENISCUS_EXAMPLES "/1ubq.pdb").atoms, motions(4));
+    expect_same_wherever_it_lies(read_structure(MENISCUS_EXAMPLES "/1ubq.pdb").atoms, torture_count(4));
 }
 
 TEST(Proteins, OthersStayThemselves) {
@@ -87,7 +81,7 @@ TEST(Proteins, OthersStayThemselves) {
         const std::filesystem::path path = *test_data() / "structures" / name;
         if (!std::filesystem::exists(path)) continue;
         SCOPED_TRACE(name);
-        expect_same_wherever_it_lies(read_structure(path.string()).atoms, motions(2));
+        expect_same_wherever_it_lies(read_structure(path.string()).atoms, torture_count(2));
     }
 }
 
