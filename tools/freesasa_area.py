@@ -8,10 +8,6 @@ import json
 import math
 
 PROBE = 1.4  # Å, FreeSASA's and ours
-# Slices cut every sphere at places that its neighbours know nothing of, so that the errors of single atoms are
-# independent, and of the order of their area times slices^-1.5, since lengths of arcs begin as square roots. Measured
-# on all reference structures: 0.0 to 0.7 times what this says (docs/design/sweep.md).
-RANDOM_ERROR = 1.0
 
 
 def read_spheres(path):
@@ -59,5 +55,7 @@ def slices_for(count, most):
 
 def slicing_error(spheres, slices):
     """The error to expect of the area of so many slices per sphere, Å²: that of independent errors per atom."""
+    # Slices cut every sphere at places that its neighbours know nothing of, and lengths of arcs begin as square roots:
+    # docs/design/sweep.md, where it is measured.
     squares = sum((4 * math.pi * (r + PROBE) ** 2) ** 2 for *_, r in spheres)
-    return RANDOM_ERROR * math.sqrt(squares) * slices ** -1.5
+    return math.sqrt(squares) * slices ** -1.5

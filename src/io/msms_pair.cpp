@@ -133,7 +133,8 @@ void check(const Mesh& mesh, const MsmsOptions& options) {
 void write_header(AtomicFile& file, const MsmsOptions& options, std::size_t count, bool of_vertices) {
     const char* items = of_vertices ? "vertices" : "faces";
     if (options.header == MsmsHeader::Full) {
-        file.write(fmt::format("# MSMS solvent excluded surface {} for {}\n", items, one_line(file_name(options.title))));
+        file.write(
+            fmt::format("# MSMS solvent excluded surface {} for {}\n", items, one_line(file_name(options.title))));
         file.write(of_vertices ? "#vertex #sphere density probe_r\n" : "#faces  #sphere density probe_r\n");
         file.write(fmt::format("{:7} {:7} {:5.2f} {:5.2f}\n", count, options.spheres, options.density, options.probe));
     } else if (options.header == MsmsHeader::CountOnly) {
