@@ -19,8 +19,8 @@ constexpr std::size_t kLargestContent = std::size_t{8} << 30U;
 // Text of structures shrinks to a tenth, rarely to a fiftieth. What grows a thousandfold was made to fill the memory.
 constexpr std::size_t kSuspicious = std::size_t{256} << 20U;
 constexpr std::size_t kMostGrowth = 200;
-// A text that grows is copied to where there is twice the room.
-constexpr std::size_t kRoomForCopies = 4;
+// Reading takes up to six times the size of the text until the atoms are chosen.
+constexpr std::size_t kMemoryPerText = 6;
 constexpr int kGzipWindow = 15 + 16;  // largest window, gzip header (zlib.h, inflateInit2)
 
 // A zlib stream that is closed on every way out.
@@ -71,7 +71,7 @@ bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 std::string gunzip(std::string_view bytes, const std::string& file) {
     std::string content;
     Inflater inflater(bytes);
-    const std::size_t room = available_memory() / kRoomForCopies;
+    const std::size_t room = available_memory() / kMemoryPerText;
     while (true) {
         const int code = inflater.step(content);
         if (content.size() > kLargestContent) {
