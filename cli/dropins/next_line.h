@@ -18,7 +18,14 @@ inline bool next_line(std::istream& stream, std::string& line, const std::string
     constexpr std::size_t kLongest = std::size_t{1} << 20U;
     line.clear();
     if (!stream) return false;
-    for (int c = stream.rdbuf()->sbumpc(); c != std::istream::traits_type::eof(); c = stream.rdbuf()->sbumpc()) {
+    const auto next = [&] {
+        try {
+            return stream.rdbuf()->sbumpc();
+        } catch (const std::ios_base::failure&) {  // such as a folder
+            throw InputError(path + ": cannot be read; name a file");
+        }
+    };
+    for (int c = next(); c != std::istream::traits_type::eof(); c = next()) {
         if (c == '\n') return true;
         line += static_cast<char>(c);
         if (line.size() > kLongest)

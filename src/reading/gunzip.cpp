@@ -26,7 +26,7 @@ constexpr int kGzipWindow = 15 + 16;  // largest window, gzip header (zlib.h, in
 // A zlib stream that is closed on every way out.
 class Inflater {
 public:
-    explicit Inflater(std::string_view bytes) : rest_(bytes) {
+    explicit Inflater(std::string_view bytes) : rest_(bytes), size_(bytes.size()) {
         if (inflateInit2(&stream_, kGzipWindow) != Z_OK) throw std::bad_alloc();
     }
     ~Inflater() { inflateEnd(&stream_); }
@@ -42,6 +42,9 @@ public:
         content.append(reinterpret_cast<const char*>(buffer_.data()), buffer_.size() - stream_.avail_out);
         return code;
     }
+
+    /// Bytes of input used so far.
+    std::size_t taken() const { return size_ - rest_.size() - stream_.avail_in; }
 
     // After the end of a member: begins the next one; false if there is none (padding behind it is ignored).
     bool next_member() {
@@ -61,6 +64,7 @@ private:
 
     z_stream stream_{};
     std::string_view rest_;
+    std::size_t size_;
     std::array<Bytef, std::size_t{1} << 16U> buffer_{};
 };
 
@@ -77,7 +81,7 @@ std::string gunzip(std::string_view bytes, const std::string& file) {
         if (content.size() > kLargestContent) {
             throw LimitError(file + ": more than 8 GiB when decompressed; decompress it and pass a part of it");
         }
-        if (content.size() > kSuspicious && content.size() / kMostGrowth > bytes.size()) {
+        if (content.size() > kSuspicious && content.size() / kMostGrowth > inflater.taken()) {
             throw LimitError(file + ": grows more than " + std::to_string(kMostGrowth) +
                              " times when decompressed; no structure does, check where it comes from");
         }

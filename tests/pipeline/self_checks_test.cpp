@@ -10,7 +10,7 @@
 #include <string>
 
 #include "meniscus/errors.h"
-#include "support/shapes.h"
+#include "support/arrangements.h"
 
 namespace meniscus::testing {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/shapes.h"
+#include "support/arrangements.h"
 
 namespace meniscus::testing {
 namespace {
