@@ -7,8 +7,12 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstring>
+#include <exception>
+#include <new>
 
 #include "io/atomic_file.h"
+#include "messages.h"
 
 namespace meniscus::cli {
 
@@ -32,7 +36,42 @@ extern "C" void on_signal(int number) {
     _exit(128 + (number == SIGALRM ? pending : number));
 }
 
+const char* program_name = "meniscus";
+
+/// Without memory: nothing is allocated here.
+void say(const char* text) {
+    if (write(STDERR_FILENO, text, std::strlen(text)) < 0) return;
+}
+
+[[noreturn]] void end_with(int code, const char* text) {
+    remove_temporary_files();
+    say(program_name);
+    say(": error: ");
+    say(text);
+    say("\n");
+    _exit(code);
+}
+
+[[noreturn]] void end_in_order() {
+    try {
+        if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+    } catch (const std::bad_alloc&) {
+        end_with(5, "out of memory; raise --spacing, or keep fewer atoms");
+    } catch (const std::exception& error) {
+        if (is_out_of_threads(error)) end_with(5, kOutOfThreads);
+        end_with(1, error.what());
+    } catch (...) {
+        end_with(1, "ended by an unknown error");
+    }
+    end_with(1, "ended by an error");
+}
+
 }  // namespace
+
+void install_last_resort(const char* program) {
+    program_name = program;
+    std::set_terminate(end_in_order);
+}
 
 void install_signal_handlers() {
     struct sigaction action = {};

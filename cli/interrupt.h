@@ -19,6 +19,12 @@ struct Interrupted : std::exception {
 /// reader that goes away, or a file larger than it may become, is an output that cannot be written.
 void install_signal_handlers();
 
+/// What ends the program where nothing can be caught, in a thread of a loop or while it unwinds, ends it in order: one
+/// line on standard error, temporary files removed, exit code 5 for want of memory or threads and 1 otherwise.
+///
+/// program   its name, for the message; must live as long as the program
+void install_last_resort(const char* program);
+
 /// Gives closed standard streams a descriptor that cannot be used, or the next file opened would take the place and
 /// receive what is meant for the stream.
 void hold_standard_streams();

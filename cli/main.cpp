@@ -112,6 +112,7 @@ int main(int argc, char** argv) {
     keep_freed_memory();
     meniscus::cli::hold_standard_streams();
     meniscus::cli::install_signal_handlers();
+    meniscus::cli::install_last_resort("meniscus");
     try {
         return run(argc, argv);
     } catch (const meniscus::cli::Interrupted& interrupted) {

@@ -25,6 +25,7 @@ int run_guarded(const std::string& name, int argc, char** argv,
                 const std::function<void(const std::vector<std::string>&)>& body) {
     cli::hold_standard_streams();
     cli::install_signal_handlers();
+    cli::install_last_resort(name.c_str());
     try {
         body(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
         return 0;

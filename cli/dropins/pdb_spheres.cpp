@@ -12,6 +12,7 @@
 #include <iostream>
 
 #include "dropins/guarded.h"
+#include "dropins/next_line.h"
 #include "dropins/strict_number.h"
 #include "meniscus/errors.h"
 
@@ -133,7 +134,7 @@ std::string element_of(const std::string& name_columns, const std::string& eleme
 std::vector<PdbRecord> read_pdb_records(std::istream& stream, const std::string& path) {
     std::vector<PdbRecord> records;
     std::size_t number = 0;
-    for (std::string line; std::getline(stream, line);) {
+    for (std::string line; next_line(stream, line, path, number + 1);) {
         ++number;
         if (line.starts_with("ENDMDL")) break;
         if (line.starts_with("ATOM  ") || line.starts_with("HETATM"))

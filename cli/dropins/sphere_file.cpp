@@ -12,6 +12,7 @@
 #include <fstream>
 #include <string_view>
 
+#include "dropins/next_line.h"
 #include "dropins/strict_number.h"
 #include "meniscus/errors.h"
 
@@ -93,7 +94,7 @@ SphereFile read_sphere_file(const std::string& path) {
     if (!file) throw InputError(fmt::format("{}: cannot be opened: {}; check the name", path, std::strerror(errno)));
     SphereFile spheres;
     std::size_t number = 0;
-    for (std::string text; std::getline(file, text);) {
+    for (std::string text; next_line(file, text, path, number + 1);) {
         const Line line(path, ++number, text);
         if (!line.words().empty() && line.words().front().text.front() != '#') add_sphere(line, spheres);
     }

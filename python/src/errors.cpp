@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meniscus/errors.h"
 
+#include <stdexcept>
+#include <string_view>
+
 #include "bindings.h"
 
 namespace meniscus::python {
@@ -31,6 +34,9 @@ void bind_errors(py::module_& /*module*/) {
             raise("OutputError", error.what());
         } catch (const LimitError& error) {
             raise("LimitError", error.what());
+        } catch (const std::runtime_error& error) {
+            if (std::string_view(error.what()).find("pthread_create") == std::string_view::npos) throw;
+            PyErr_SetString(PyExc_MemoryError, "no memory to start another thread; take fewer threads");
         }
     });
 }

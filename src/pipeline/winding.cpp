@@ -40,6 +40,7 @@ std::vector<int> winding_numbers(const Mesh& mesh, std::span<const Vec3> points)
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return points[a].x < points[b].x; });
     std::vector<double> xs;
+    xs.reserve(order.size());
     for (const std::size_t i : order) xs.push_back(points[i].x);
     std::vector<int> numbers(points.size(), 0);
     for (const Triangle& t : mesh.triangles) {

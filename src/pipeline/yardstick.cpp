@@ -9,7 +9,6 @@
 #include "geometry/accessible_surface_data.h"
 #include "measure/exact_once.h"
 #include "measure/patch_totals.h"
-#include "pipeline/self_checks.h"
 
 namespace meniscus {
 namespace {
@@ -35,12 +34,10 @@ DeepPoint deepest_point(const SurfaceComponent& piece, const Atoms& atoms) {
     return {atoms.centres[largest], atoms.radii[largest], true};
 }
 
-// Whether the mesh's error of a cavity's volume decides if the cavity is kept.
-bool is_borderline(const SurfaceComponent& piece, const SurfaceOptions& options) {
-    if (piece.kind != ComponentKind::Cavity) return false;
-    const double error = volume_error_bound(options, piece.ses_area);
-    const auto within = [&](double least) { return least > 0.0 && std::abs(piece.ses_volume - least) <= error; };
-    return within(options.min_cavity) || within(options.fill_cavities);
+// On the grid a wall thinner than a cell may be open, and a cavity belong to the outer piece: then it is kept or left
+// out with that one. One near the least volume can be on either side.
+bool may_change_sides(const SurfaceComponent& piece, const SurfaceOptions& options) {
+    return piece.kind == ComponentKind::Cavity && !keeps_everything(options);
 }
 
 }  // namespace
@@ -64,7 +61,7 @@ Yardstick yardstick_of(const Measures& measured, const Atoms& atoms, const Surfa
         const DeepPoint point = deepest_point(piece, atoms);
         const bool resolved = point.radius > kResolved * options.spacing;
         if (resolved) yardstick.points.push_back(point);
-        if (!resolved || is_borderline(piece, options)) yardstick.doubtful += piece.ses_volume;
+        if (!resolved || may_change_sides(piece, options)) yardstick.doubtful += piece.ses_volume;
     }
     return yardstick;
 }

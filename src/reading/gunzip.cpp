@@ -19,14 +19,14 @@ constexpr std::size_t kLargestContent = std::size_t{8} << 30U;
 // Text of structures shrinks to a tenth, rarely to a fiftieth. What grows a thousandfold was made to fill the memory.
 constexpr std::size_t kSuspicious = std::size_t{256} << 20U;
 constexpr std::size_t kMostGrowth = 200;
-// A text that grows is copied to where there is twice the room.
-constexpr std::size_t kRoomForCopies = 4;
+// Reading takes up to six times the size of the text until the atoms are chosen.
+constexpr std::size_t kMemoryPerText = 6;
 constexpr int kGzipWindow = 15 + 16;  // largest window, gzip header (zlib.h, inflateInit2)
 
 // A zlib stream that is closed on every way out.
 class Inflater {
 public:
-    explicit Inflater(std::string_view bytes) : rest_(bytes) {
+    explicit Inflater(std::string_view bytes) : rest_(bytes), size_(bytes.size()) {
         if (inflateInit2(&stream_, kGzipWindow) != Z_OK) throw std::bad_alloc();
     }
     ~Inflater() { inflateEnd(&stream_); }
@@ -42,6 +42,9 @@ public:
         content.append(reinterpret_cast<const char*>(buffer_.data()), buffer_.size() - stream_.avail_out);
         return code;
     }
+
+    /// Bytes of input used so far.
+    std::size_t taken() const { return size_ - rest_.size() - stream_.avail_in; }
 
     // After the end of a member: begins the next one; false if there is none (padding behind it is ignored).
     bool next_member() {
@@ -61,6 +64,7 @@ private:
 
     z_stream stream_{};
     std::string_view rest_;
+    std::size_t size_;
     std::array<Bytef, std::size_t{1} << 16U> buffer_{};
 };
 
@@ -71,13 +75,13 @@ bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 std::string gunzip(std::string_view bytes, const std::string& file) {
     std::string content;
     Inflater inflater(bytes);
-    const std::size_t room = available_memory() / kRoomForCopies;
+    const std::size_t room = available_memory() / kMemoryPerText;
     while (true) {
         const int code = inflater.step(content);
         if (content.size() > kLargestContent) {
             throw LimitError(file + ": more than 8 GiB when decompressed; decompress it and pass a part of it");
         }
-        if (content.size() > kSuspicious && content.size() / kMostGrowth > bytes.size()) {
+        if (content.size() > kSuspicious && content.size() / kMostGrowth > inflater.taken()) {
             throw LimitError(file + ": grows more than " + std::to_string(kMostGrowth) +
                              " times when decompressed; no structure does, check where it comes from");
         }

@@ -19,8 +19,14 @@ namespace {
 
 // Files below this are read without asking how much memory there is.
 constexpr std::size_t kSmall = std::size_t{64} << 20U;
-// A text that grows is copied to where there is twice the room.
-constexpr std::size_t kRoomForCopies = 4;
+// Reading takes up to six times the size of the text until the atoms are chosen.
+constexpr std::size_t kMemoryPerText = 6;
+
+std::size_t largest_text() { return std::max(kSmall, available_memory() / kMemoryPerText); }
+
+[[noreturn]] void fail_too_large(const std::string& path) {
+    throw LimitError(path + ": too large for the memory; pass a part of it, or use a machine with more");
+}
 
 std::string read_stream(std::FILE* stream, const std::string& path) {
     std::string bytes;
@@ -28,9 +34,8 @@ std::string read_stream(std::FILE* stream, const std::string& path) {
     std::size_t limit = kSmall;
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), stream)) {
         if (bytes.size() + count > limit) {
-            if (limit == kSmall) limit = std::max(kSmall, available_memory() / kRoomForCopies);
-            if (bytes.size() + count > limit)
-                throw LimitError(path + ": too large for the memory; pass a part of it, or use a machine with more");
+            if (limit == kSmall) limit = largest_text();
+            if (bytes.size() + count > limit) fail_too_large(path);
         }
         bytes.append(buffer.data(), count);
     }
@@ -48,6 +53,8 @@ std::string read_bytes(const std::string& path, const std::string& kind) {
     }
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path.c_str(), "rb"), &std::fclose);
     if (!stream) throw InputError(path + ": cannot be opened: " + std::strerror(errno) + "; check the name");
+    const std::uintmax_t size = std::filesystem::file_size(path, ignored);  // an error for pipes and devices
+    if (!ignored && size > kSmall && size > largest_text()) fail_too_large(path);
     return read_stream(stream.get(), path);
 }
 

@@ -46,7 +46,9 @@ void set_triangles(RTCGeometry geometry, const Mesh& mesh) {
 
 struct RayScene::Handles {
     Handles() : device(rtcNewDevice(nullptr)), scene(device == nullptr ? nullptr : rtcNewScene(device)) {
-        if (scene == nullptr) throw std::runtime_error("pictures cannot be drawn here: Embree does not start");
+        if (scene != nullptr) return;
+        if (rtcGetDeviceError(device) != RTC_ERROR_UNSUPPORTED_CPU) throw std::bad_alloc();  // memory, or for threads
+        throw std::runtime_error("pictures cannot be drawn here: Embree does not start");
     }
     ~Handles() {
         rtcReleaseScene(scene);

@@ -34,7 +34,10 @@ const RunFacts kFacts{.model = 2, .threads = 3, .exact_seconds = 0.25, .total_se
 
 nlohmann::ordered_json report_of(const SurfaceRequest& request, const Surface& surface = {},
                                  const Measures& exact = {}) {
-    return make_report(request, sample_structure(), surface, exact, kFacts);
+    RunFacts facts = kFacts;
+    facts.checks = surface.checks;
+    facts.checks.push_back(agreement_check(exact));
+    return make_report(request, sample_structure(), surface, exact, facts);
 }
 
 }  // namespace
@@ -143,7 +146,9 @@ TEST(Report, OfMeasuresHasNoMeshAndNamesItsOptions) {
     Measures exact;
     exact.options.probe = 1.2;
     exact.agreed = false;
-    const auto report = make_report(request, sample_structure(), exact, nullptr, kFacts);
+    RunFacts facts = kFacts;
+    facts.checks = {agreement_check(exact)};
+    const auto report = make_report(request, sample_structure(), exact, nullptr, facts);
     EXPECT_TRUE(report["mesh"].is_null());
     EXPECT_TRUE(report["flow"].is_null());
     EXPECT_TRUE(report["interfaces"].is_null());

@@ -25,4 +25,12 @@ TEST(SummaryText, TellsRadiiOfTheFileFromASet) {
     EXPECT_EQ(describe_radii("bondi"), "radii bondi");
 }
 
+TEST(SummaryText, ChecksAreOneLineWithTheFailedOnesFirst) {
+    const std::vector<Check> checks{{"closed", true, 1, 1}, {"volume", false, 3, 2}, {"pieces", true, 0, 0}};
+    EXPECT_EQ(describe_checks(checks), "  checks      FAILED: volume; passed: closed, pieces\n");
+    EXPECT_EQ(describe_checks(std::span(checks).first(1)), "  checks      passed: closed\n");
+    EXPECT_EQ(describe_checks(std::span(checks).subspan(1, 1)), "  checks      FAILED: volume\n");
+    EXPECT_EQ(describe_checks({}), "");
+}
+
 }  // namespace meniscus::cli

@@ -10,6 +10,7 @@ import os
 import resource
 import shutil
 import subprocess
+import tempfile
 import threading
 import time
 import unittest
@@ -23,10 +24,12 @@ READERS = ([MENISCUS, "surface"], [MENISCUS, "measure"], [MSMS, "-if"], [TO_XYZR
 
 def peak_of(*arguments, **keywords):
     """Exit code, standard error and peak memory (MB) of a run."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
-    result = subprocess.run([str(a) for a in arguments], capture_output=True, check=False, timeout=600, **keywords)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
-    return result.returncode, result.stderr.decode("utf-8", "replace"), max(before, after) / 1024
+    with tempfile.TemporaryFile() as errors:
+        process = subprocess.Popen([str(a) for a in arguments], stdout=subprocess.DEVNULL, stderr=errors, **keywords)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        errors.seek(0)
+        return process.returncode, errors.read().decode("utf-8", "replace"), usage.ru_maxrss / 1024
 
 
 class PipesAndDevices(FaultTest):

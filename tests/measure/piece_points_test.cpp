@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "support/arrangements.h"
-#include "support/shapes.h"
 
 namespace meniscus::testing {
 namespace {

@@ -5,6 +5,8 @@ import concurrent.futures
 import multiprocessing
 import os
 import signal
+import subprocess
+import sys
 import threading
 import unittest
 
@@ -118,6 +120,29 @@ class Process(unittest.TestCase):
     def test_ctrl_c_ends_a_surface(self):
         self.assertTrue(any(self.ends_at_ctrl_c(seconds) for seconds in (0.2, 0.1, 0.4, 0.05, 0.8)))
         self.assertTrue(meniscus.surface(PEPTIDE, spacing=1.0).passed)
+
+    def test_too_little_memory_is_a_memory_error(self):
+        code = f"""
+import pathlib, resource, sys
+sys.path.insert(0, {os.path.dirname(os.path.dirname(meniscus.__file__))!r})
+import meniscus
+structure = meniscus.read({str(UBIQUITIN)!r})
+size = int(pathlib.Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
+refused = 0
+for more in (0, 1, 2, 4, 8, 16, 32):
+    resource.setrlimit(resource.RLIMIT_AS, (size + (more << 20), resource.RLIM_INFINITY))
+    try:
+        meniscus.surface(structure, spacing=0.25, threads=2)
+    except MemoryError:
+        refused += 1
+resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
+assert meniscus.surface(structure, spacing=1.0).passed
+print(refused)
+"""
+        done = subprocess.run([sys.executable, "-W", "ignore", "-c", code], capture_output=True, encoding="utf-8",
+                              check=False, timeout=300)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertGreater(int(done.stdout), 2)
 
     def test_children_that_start_afresh_can_compute(self):
         meniscus.surface(PEPTIDE, spacing=1.0)
