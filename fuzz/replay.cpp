@@ -120,7 +120,8 @@ int main(int count, char** words) {
     }
     const CurrentInput input(fs::path(words[0]).filename().string() + ".input");
     std::vector<Bytes> seeds;
-    for (const fs::path& path : files_of({words + 2, words + count})) {
+    const std::vector<std::string> folders(words + 2, words + count);
+    for (const fs::path& path : files_of(folders)) {
         seeds.push_back(read(path));
         input.run(seeds.back());
     }
