@@ -32,7 +32,8 @@ void read(const std::string& path) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
+                                      std::size_t size) {  // NOLINT(readability-identifier-naming)
     static const fuzz::FuzzedFile file("a.mls");
     const std::string_view bytes = fuzz::text_of(data, size);
     file.write(bytes);

@@ -5,7 +5,8 @@
 
 #include "fuzzed_mesh.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
+                                      std::size_t size) {  // NOLINT(readability-identifier-naming)
     using namespace meniscus::fuzz;
     static const FuzzedFile vertices("a.vert");
     static const FuzzedFile faces("a.face");

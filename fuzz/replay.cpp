@@ -17,7 +17,8 @@
 #include <string>
 #include <vector>
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
+                                      std::size_t size);  // NOLINT(readability-identifier-naming)
 
 namespace {
 
@@ -118,7 +119,8 @@ int main(int count, char** words) {
         std::fprintf(stderr, "usage: %s CHANGES FOLDER ...\n", words[0]);
         return 2;
     }
-    const CurrentInput input(fs::path(words[0]).filename().string() + ".input");
+    const fs::path program = words[0];
+    const CurrentInput input(program.filename().string() + ".input");
     std::vector<Bytes> seeds;
     const std::vector<std::string> folders(words + 2, words + count);
     for (const fs::path& path : files_of(folders)) {

@@ -66,8 +66,9 @@ Check volume_check(const Surface& surface, const Yardstick& yardstick) {
     const double edge = surface.options.remesh.edge;
     const auto changed = static_cast<double>(surface.simplified.handles + surface.simplified.pieces);
     const double difference = std::abs(surface.corrected_volume - yardstick.kept.ses_volume);
-    const double bound = volume_error_bound(surface.options, yardstick.kept.ses_area) + yardstick.doubtful +
-                         changed * edge * edge * edge;
+    // Chords of sharper spheres lie deeper below them, as 1/r.
+    const double bound = volume_error_bound(surface.options, yardstick.kept.ses_area) / yardstick.sharpest +
+                         yardstick.doubtful + changed * edge * edge * edge;
     return {"volume", yardstick.resolved && difference <= bound, difference, bound};
 }
 

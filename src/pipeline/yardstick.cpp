@@ -40,6 +40,11 @@ bool may_change_sides(const SurfaceComponent& piece, const SurfaceOptions& optio
     return piece.kind == ComponentKind::Cavity && !keeps_everything(options);
 }
 
+double sharpest_radius(const Atoms& atoms, const SurfaceOptions& options) {
+    const double smallest = *std::min_element(atoms.radii.begin(), atoms.radii.end());
+    return std::min(1.0, std::max(smallest, options.spacing));
+}
+
 }  // namespace
 
 SurfaceTotals exact_counterpart(const Measures& exact, const SurfaceOptions& options) {
@@ -57,6 +62,7 @@ SurfaceTotals exact_counterpart(const Measures& exact, const SurfaceOptions& opt
 
 Yardstick yardstick_of(const Measures& measured, const Atoms& atoms, const SurfaceOptions& options) {
     Yardstick yardstick{.kept = exact_counterpart(measured, options), .points = {}, .resolved = measured.agreed};
+    yardstick.sharpest = sharpest_radius(atoms, options);
     for (const SurfaceComponent& piece : measured.components) {
         const DeepPoint point = deepest_point(piece, atoms);
         const bool resolved = point.radius > kResolved * options.spacing;
@@ -68,6 +74,7 @@ Yardstick yardstick_of(const Measures& measured, const Atoms& atoms, const Surfa
 
 Yardstick make_yardstick(const AccessibleSurface& accessible, const Atoms& atoms, const SurfaceOptions& options) {
     Yardstick yardstick;
+    yardstick.sharpest = sharpest_radius(atoms, options);
     if (keeps_everything(options) && accessible.probe() > kResolved * options.spacing) {
         yardstick.points = piece_points(accessible);
         const bool resolved = std::all_of(yardstick.points.begin(), yardstick.points.end(),

@@ -19,6 +19,7 @@ struct Yardstick {
     double doubtful = 0.0;          ///< Å³ of pieces that the mesh may have or not
     std::vector<DeepPoint> points;  ///< whose sides are told by the exact geometry, with radii that are resolved
     bool resolved = true;           ///< the exact volume could be found
+    double sharpest = 1.0;          ///< Å: radius of the smallest atom, at most 1 and at least the spacing
 };
 
 /// From exact measures of all pieces.

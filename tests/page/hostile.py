@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A structure whose names would run as scripts wherever one of them were taken for anything but text."""
 
+# Names are ASCII, or the reader refuses them; the name of the file may be anything.
 # Each sets window.intruder, by one way that markup or script has; the last are what breaks out of quoted text.
 PAYLOADS = (
     "</script><script>intruder=1</script>",
@@ -10,7 +11,7 @@ PAYLOADS = (
     "\"onmouseover=intruder=1 autofocus onfocus=intruder=1 x=\"",
     "'-(intruder=1)-'",
     "\"};intruder=1;({\"",
-    "\u2028intruder=1\u2028",
+    "\\u2028intruder=1\\u2028",
     "\\u003cscript>intruder=1\\u003c/script>",
     "&lt;script&gt;intruder=1&lt;/script&gt;&#60;b",
     "]]><script>intruder=1</script><!--",

@@ -21,10 +21,12 @@ bool is_finite_normal(const Vec3& n) { return std::abs(norm(n) - 1.0) < 1e-5; }
 
 std::string text_of(const Vec3& p) { return fmt::format("({:.17g}, {:.17g}, {:.17g})", p.x, p.y, p.z); }
 
+// Distances and volumes of spheres that the grid does not show have bounds of their own: what_is_wrong_with_size().
 std::string failed_checks(const Surface& surface) {
     std::string failed;
     for (const Check& check : surface.checks)
-        if (!check.passed && check.name != "not_empty" && check.name != "mean_distance") failed += check.name + " ";
+        if (!check.passed && check.name != "not_empty" && check.name != "mean_distance" && check.name != "volume")
+            failed += check.name + " ";
     return failed;
 }
 
