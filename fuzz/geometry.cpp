@@ -76,9 +76,9 @@ void require_distances(const Arrangement& a, double scale) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
-                                      std::size_t size) {  // NOLINT(readability-identifier-naming)
-    if (size < 6) return -1;                               // not even one sphere
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size < 6) return -1;  // not even one sphere
     const Arrangement a = arrangement_of(data, size);
     const Measures solvent = measure(a.atoms, {.probe = a.probe, .depth = true, .threads = 1});
     const Measures van_der_waals = measure(a.atoms, {.probe = 0.0, .threads = 1});

@@ -3,8 +3,8 @@
 // Volumes as .mrc.
 #include "fuzzed_volume.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
-                                      std::size_t size) {  // NOLINT(readability-identifier-naming)
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const meniscus::fuzz::FuzzedFile file("a.mrc");
     return meniscus::fuzz::run_volume(file, data, size);
 }

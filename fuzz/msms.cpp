@@ -5,8 +5,8 @@
 
 #include "fuzzed_mesh.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
-                                      std::size_t size) {  // NOLINT(readability-identifier-naming)
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace meniscus::fuzz;
     static const FuzzedFile vertices("a.vert");
     static const FuzzedFile faces("a.face");

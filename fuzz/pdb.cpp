@@ -3,8 +3,8 @@
 // PDB files.
 #include "fuzzed_structure.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
-                                      std::size_t size) {  // NOLINT(readability-identifier-naming)
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const meniscus::fuzz::FuzzedFile file("a.pdb");
     meniscus::fuzz::read_in_every_way(file, meniscus::fuzz::text_of(data, size));
     return 0;

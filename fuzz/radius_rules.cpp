@@ -18,8 +18,8 @@ void read(const fuzz::FuzzedFile& structure, const std::string& rules) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
-                                      std::size_t size) {  // NOLINT(readability-identifier-naming)
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const fuzz::FuzzedFile rules("a.radii");
     static const fuzz::FuzzedFile structure("a.pdb");
     static const bool written = (structure.write(fuzz::small_file()), true);

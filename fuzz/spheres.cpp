@@ -5,8 +5,8 @@
 
 #include "fuzzed_structure.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
-                                      std::size_t size) {  // NOLINT(readability-identifier-naming)
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using meniscus::fuzz::FuzzedFile;
     static const std::array<FuzzedFile, 3> files{FuzzedFile("a.pqr"), FuzzedFile("a.xyzr"), FuzzedFile("a.xyzrn")};
     for (const FuzzedFile& file : files) meniscus::fuzz::read_in_every_way(file, meniscus::fuzz::text_of(data, size));

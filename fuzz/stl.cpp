@@ -3,8 +3,8 @@
 // Meshes as .stl.
 #include "fuzzed_mesh.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
-                                      std::size_t size) {  // NOLINT(readability-identifier-naming)
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const meniscus::fuzz::FuzzedFile file("a.stl");
     return meniscus::fuzz::run_mesh(file, data, size);
 }

@@ -20,8 +20,8 @@ void read(const std::string& path, const Structure& structure) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
-                                      std::size_t size) {  // NOLINT(readability-identifier-naming)
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const fuzz::FuzzedFile file("a.csv");
     static const fuzz::FuzzedFile small("a.pdb");
     static const Structure structure =
