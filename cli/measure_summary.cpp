@@ -42,9 +42,13 @@ std::string describe_lining(const Structure& structure, const SurfaceComponent& 
 std::string describe_cavities(const Structure& structure, const Measures& measures) {
     std::string text;
     std::size_t count = 0;
+    double area_error = 0.0;
+    double volume_error = 0.0;
     for (std::size_t i = 0; i < measures.components.size(); ++i) {
         const SurfaceComponent& c = measures.components[i];
         if (c.kind != ComponentKind::Cavity) continue;
+        area_error = std::max(area_error, c.errors.ses_area);
+        volume_error = std::max(volume_error, c.errors.ses_volume);
         if (count++ == 0)
             text += fmt::format("  {:>9} {:>9} {:>10} {:>8} {:>6}  lined by\n", "cavity", "area/Å²", "volume/Å³",
                                 "radius/Å", "atoms");
@@ -55,6 +59,8 @@ std::string describe_cavities(const Structure& structure, const Measures& measur
     if (count > kMostCavities)
         text +=
             fmt::format("  {:>9} and {} smaller; all of them: -o FILE.csv --per cavity\n", "", count - kMostCavities);
+    if (count > 0)
+        text += fmt::format("  {:>9} areas to ± {:.1e} Å², volumes to ± {:.1e} Å³\n", "", area_error, volume_error);
     return text;
 }
 

@@ -25,6 +25,7 @@ class FuzzedFile {
 public:
     /// name     with the suffix that tells the format
     explicit FuzzedFile(const std::string& name);
+    FuzzedFile(const std::string& name, std::string_view bytes) : FuzzedFile(name) { write(bytes); }
     ~FuzzedFile();
     FuzzedFile(const FuzzedFile&) = delete;
     FuzzedFile& operator=(const FuzzedFile&) = delete;

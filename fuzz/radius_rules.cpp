@@ -21,9 +21,7 @@ void read(const fuzz::FuzzedFile& structure, const std::string& rules) {
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const fuzz::FuzzedFile rules("a.radii");
-    static const fuzz::FuzzedFile structure("a.pdb");
-    static const bool written = (structure.write(fuzz::small_file()), true);
-    (void)written;
+    static const fuzz::FuzzedFile structure("a.pdb", fuzz::small_file());
     rules.write(fuzz::text_of(data, size));
     if (fuzz::read_or_refuse(rules.path(), [&] { read_radius_rules(rules.path()); })) read(structure, rules.path());
     return 0;

@@ -22,8 +22,8 @@ void select_or_refuse(const Select& select) {
 
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static const fuzz::FuzzedFile file("a.pdb");
-    static const Structure structure = (file.write(fuzz::small_file()), read_structure(file.path()));
+    static const fuzz::FuzzedFile file("a.pdb", fuzz::small_file());
+    static const Structure structure = read_structure(file.path());
     const std::string expression(fuzz::text_of(data, size));
     select_or_refuse([&] {
         const std::vector<bool> chosen = select_atoms(structure, expression);

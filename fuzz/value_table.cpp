@@ -23,9 +23,8 @@ void read(const std::string& path, const Structure& structure) {
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const fuzz::FuzzedFile file("a.csv");
-    static const fuzz::FuzzedFile small("a.pdb");
-    static const Structure structure =
-        (small.write(fuzz::small_file()), read_structure(small.path(), {.hetero = HeteroPolicy::All}));
+    static const fuzz::FuzzedFile small("a.pdb", fuzz::small_file());
+    static const Structure structure = read_structure(small.path(), {.hetero = HeteroPolicy::All});
     file.write(fuzz::text_of(data, size));
     fuzz::read_or_refuse(file.path(), [&] { read(file.path(), structure); });
     return 0;

@@ -51,6 +51,10 @@ TEST(MeasureSummary, ListsOnlyTheLargestCavities) {
     EXPECT_TRUE(contains(text, "and 15 smaller")) << text;
     EXPECT_FALSE(contains(make_summary(sample_structure(), with_cavities(10), {}, {}), "smaller"));
     EXPECT_FALSE(contains(make_summary(sample_structure(), with_cavities(0), {}, {}), "lined by"));
+    Measures measures = with_cavities(2);
+    measures.components.back().errors = {.ses_area = 2e-7, .ses_volume = 3e-8};
+    EXPECT_TRUE(contains(make_summary(sample_structure(), measures, {}, {}),
+                         "areas to ± 2.0e-07 Å², volumes to ± 3.0e-08 Å³\n"));
 }
 
 TEST(MeasureSummary, InterfacesAreOneLineEach) {
