@@ -5,11 +5,12 @@
 
 usage: flow_study.py [--program FILE] [--data FOLDER] [--figures FOLDER] [TABLE ...]
 
-TABLE: pieces, courses, choices, order, solvers, reach, curvature; without any, all of them. Plots need gnuplot; without
+TABLE: pieces, courses, choices, order, solvers, waves, rim, reach, curvature; without any, all of them. Plots need gnuplot; without
 --figures only the tables are printed. FOLDER of --data holds structures/ and reference/.
 """
 import argparse
 import csv
+import itertools
 import json
 import math
 import os
@@ -22,7 +23,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SPHERES = ROOT / "docs" / "paper"
 SPACING = 0.25
-TABLES = ("pieces", "courses", "choices", "order", "solvers", "reach", "curvature")
+TABLES = ("pieces", "courses", "choices", "order", "solvers", "waves", "rim", "reach", "curvature")
 FLOWS = {"paper": ("--flow", "paper"), "paper, closest point": ("--flow", "paper", "--reinitialise", "closest-point"),
          "parallel": ("--flow", "parallel"),
          "anchored": ("--anchor", 4, "--time-step", 0.25, "--max-steps", 60)}
@@ -152,6 +153,65 @@ def solvers(study, data):
     table("Solvers", ("input", "h / Å", "solver", "iterations", "mean / Å", "flow / s", "memory / MB"), rows)
 
 
+def wave_factor(anchor, cosines):
+    """h²A = h²(λB − L) on the wave with these three cosines: linear in each of them."""
+    return anchor * math.prod((2 + c) / 3 for c in cosines) + sum(
+        2 * (1 - c) * math.prod((2 + other) / 3 for j, other in enumerate(cosines) if j != i) for i, c in enumerate(cosines))
+
+
+def waves(_study, _data):
+    """A on waves: its range, that of its product with the approximate inverse, and how fast what enters at the rim decays."""
+    rows = []
+    node = math.sqrt(0.5)  # the inverse interpolates 1/A at cosines of ±node
+    grid = [i / 20 for i in range(-20, 21)]
+    for anchor in (4, 16, 64):
+        corners = [wave_factor(anchor, c) for c in itertools.product((-1, 1), repeat=3)]
+        inverses = {signs: 1 / wave_factor(anchor, [node * sign for sign in signs])
+                    for signs in itertools.product((-1, 1), repeat=3)}
+
+        def inverse(cosines, inverses=inverses):
+            return sum(value * math.prod((1 + sign * c / node) / 2 for sign, c in zip(signs, cosines))
+                       for signs, value in inverses.items())
+
+        products = [wave_factor(anchor, c) * inverse(c) for c in itertools.combinations_with_replacement(grid, 3)]
+        # along one axis A is middle + 2 beside cos θ, under waves across it; decay is its root beyond 1
+        decays = []
+        for across in ((1, 1), (1, -1), (-1, -1)):
+            least, greatest = (wave_factor(anchor, (c, *across)) for c in (-1, 1))
+            ratio = abs((greatest + least) / (greatest - least))
+            decays.append(ratio + math.sqrt(ratio * ratio - 1))
+        rows.append((anchor, *(f"{value:.2f}" for value in (min(corners), max(corners), min(products), max(products))),
+                     f"{min(decays):.1f}", f"{decays[0]:.1f}"))
+    table("A = λB − L on waves, F its approximate inverse", ("λ h²", "least h²A", "greatest h²A", "least A F", "greatest A F",
+                                                            "least decay per node", "of flat fronts"), rows)
+
+
+def vertices(study):
+    """The vertices of the mesh that a run left as text: their properties as numbers, by name."""
+    header, body = (study.folder / "mesh.ply").read_text().split("end_header\n", 1)
+    names = [line.split()[2] for line in header.split("element face")[0].splitlines() if line.startswith("property")]
+    count = int(header.split("element vertex ")[1].split()[0])
+    return [dict(zip(names, map(float, line.split()))) for line in body.splitlines()[:count]]
+
+
+def rim(study, data):
+    """How far the surface moves with the half width of the band, where coefficients come from outside the unknowns."""
+    rows = []
+    for name in ("1crn", "1ubq"):
+        wide = None
+        for width in (6, 4, 3, 2):
+            study.run(data / "structures" / f"{name}.pdb", "--half-width", width, "--ascii")
+            points = [(v["x"], v["y"], v["z"]) for v in vertices(study)]
+            if wide is None:
+                wide = points
+                continue
+            if len(points) != len(wide):
+                sys.exit(f"flow_study: {name} has other vertices with half width {width}")
+            moved = [math.dist(p, q) / SPACING for p, q in zip(points, wide)]
+            rows.append((name, width, f"{statistics.mean(moved):.1e}", f"{max(moved):.1e}"))
+    table("Vertices against those of half width 6, h = 0.25 Å", ("input", "half width", "mean / h", "max / h"), rows)
+
+
 def reach(study, data):
     rows = []
     for path, spacing in ((data / "structures/1crn.pdb", 0.5), (data / "structures/1crn.pdb", 0.25),
@@ -170,14 +230,7 @@ def curvature(study, data):
     study.run(data / "structures" / "1crn.pdb", "--ascii")
     with (study.folder / "mesh.atoms.csv").open() as file:
         radii = [float(row["radius"]) for row in csv.DictReader(file)]
-    header, body = (study.folder / "mesh.ply").read_text().split("end_header\n", 1)
-    names = [line.split()[2] for line in header.split("element face")[0].splitlines() if line.startswith("property")]
-    count = int(header.split("element vertex ")[1].split()[0])
-    errors = []
-    for line in body.splitlines()[:count]:
-        vertex = dict(zip(names, line.split()))
-        if vertex["patch"] == "0":
-            errors.append(abs(float(vertex["mean_curvature"]) * radii[int(vertex["atom"])] - 1))
+    errors = [abs(vertex["mean_curvature"] * radii[int(vertex["atom"])] - 1) for vertex in vertices(study) if vertex["patch"] == 0]
     print(f"\nMean curvature on contact patches of 1crn: median relative error {statistics.median(errors):.2%}, "
           f"{len(errors)} vertices", flush=True)
 
@@ -204,8 +257,8 @@ def main():
                 for structure, title in (two, four, crambin):
                     courses(study, structure, title, options.figures)
             else:
-                {"choices": choices, "order": order, "solvers": solvers, "reach": reach, "curvature": curvature}[name](
-                    study, options.data)
+                {"choices": choices, "order": order, "solvers": solvers, "waves": waves, "rim": rim, "reach": reach,
+                 "curvature": curvature}[name](study, options.data)
 
 
 if __name__ == "__main__":

@@ -541,6 +541,13 @@ class Report(ProgramTest):
         self.assertEqual(report["options"]["threads"], 1)
         self.assertEqual(report["options"]["chains"], ["A"])
 
+    def test_peak_memory_is_not_that_of_the_caller(self):
+        ours = bytearray(b"x") * (400 << 20)
+        peak = self.report("three.xyzr")["peak_memory_mb"]
+        self.assertEqual(ours[-1], ord("x"))
+        self.assertGreater(peak, 1)
+        self.assertLess(peak, 200)
+
 
 class Limits(ProgramTest):
     def test_what_does_not_fit_is_refused_with_the_option_to_change(self):
