@@ -27,7 +27,7 @@ std::string all_of(const std::string& path) {
 TEST(ByteSource, GivesTheBytesOfPlainAndGzippedFiles) {
     const ScratchFolder folder;
     std::string content;
-    for (int i = 0; i < 500'000; ++i) content.push_back(static_cast<char>(i * i % 251));
+    for (unsigned i = 0; i < 500'000; ++i) content.push_back(static_cast<char>(i * i % 251));
     write_file(folder / "plain", content);
     write_gzip(folder / "zipped", content);
     EXPECT_EQ(all_of(folder / "plain"), content);
