@@ -13,6 +13,7 @@
 #include <cstring>
 #include <utility>
 
+#include "batch/libarchive.h"
 #include "meniscus/errors.h"
 
 namespace meniscus::cli::batch {
@@ -24,7 +25,7 @@ constexpr std::size_t kBlock = 1U << 16U;
 using Reader = std::unique_ptr<archive, int (*)(archive*)>;
 
 std::string reason(archive* a) {
-    const char* text = archive_error_string(a);
+    const char* text = libarchive().error_string(a);
     return text != nullptr ? text : "unknown error";
 }
 
@@ -37,10 +38,11 @@ std::string reason(archive* a) {
 
 /// Reads the archive in `descriptor` from its place on.
 Reader open_reader(const std::string& path, int descriptor) {
-    Reader reader(archive_read_new(), archive_read_free);
-    archive_read_support_format_tar(reader.get());
-    if (archive_read_set_options(reader.get(), "hdrcharset=UTF-8") < ARCHIVE_WARN ||
-        archive_read_open_fd(reader.get(), descriptor, kBlock) != ARCHIVE_OK)
+    const Libarchive& lib = libarchive();
+    Reader reader(lib.read_new(), lib.read_free);
+    lib.read_support_format_tar(reader.get());
+    if (lib.read_set_options(reader.get(), "hdrcharset=UTF-8") < ARCHIVE_WARN ||
+        lib.read_open_fd(reader.get(), descriptor, kBlock) != ARCHIVE_OK)
         refuse(path, reason(reader.get()));
     return reader;
 }
@@ -48,15 +50,15 @@ Reader open_reader(const std::string& path, int descriptor) {
 /// The next header, or nothing at the end.
 archive_entry* next_entry(const std::string& path, archive* reader) {
     archive_entry* entry = nullptr;
-    const int state = archive_read_next_header(reader, &entry);
+    const int state = libarchive().read_next_header(reader, &entry);
     if (state == ARCHIVE_EOF) return nullptr;
     if (state < ARCHIVE_WARN) refuse(path, reason(reader));
     return entry;
 }
 
 std::string name_of(const std::string& path, archive_entry* entry) {
-    const char* name = archive_entry_pathname_utf8(entry);
-    if (name == nullptr) name = archive_entry_pathname(entry);
+    const char* name = libarchive().entry_pathname_utf8(entry);
+    if (name == nullptr) name = libarchive().entry_pathname(entry);
     if (name == nullptr) refuse(path, "a member has a name that is no text");
     return name;
 }
@@ -69,9 +71,9 @@ std::vector<ArchiveMember> list_members(const std::string& path) {
     const Reader reader = open_reader(path, file.number());
     std::vector<ArchiveMember> members;
     while (archive_entry* entry = next_entry(path, reader.get())) {
-        if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry) != nullptr) continue;
-        members.push_back({name_of(path, entry), archive_read_header_position(reader.get()),
-                           static_cast<std::uint64_t>(archive_entry_size(entry))});
+        if (libarchive().entry_filetype(entry) != AE_IFREG || libarchive().entry_hardlink(entry) != nullptr) continue;
+        members.push_back({name_of(path, entry), libarchive().read_header_position(reader.get()),
+                           static_cast<std::uint64_t>(libarchive().entry_size(entry))});
     }
     return members;
 }
@@ -84,17 +86,19 @@ void extract_member(const std::string& path, std::int64_t header, const std::str
     if (next_entry(path, reader.get()) == nullptr) refuse(path, "it has changed meanwhile");
     const Descriptor target(file, O_WRONLY | O_CREAT | O_TRUNC);
     if (!target.is_open()) throw OutputError(fmt::format("{}: cannot be written: {}", file, std::strerror(errno)));
-    if (archive_read_data_into_fd(reader.get(), target.number()) != ARCHIVE_OK) refuse(path, reason(reader.get()));
+    if (libarchive().read_data_into_fd(reader.get(), target.number()) != ARCHIVE_OK) refuse(path, reason(reader.get()));
 }
 
 ArchiveWriter::ArchiveWriter(std::string path, std::int64_t size)
-    : path_(std::move(path)), file_(path_, O_RDWR | O_CREAT), archive_(archive_write_new(), archive_write_free) {
+    : path_(std::move(path)),
+      file_(path_, O_RDWR | O_CREAT),
+      archive_(libarchive().write_new(), libarchive().write_free) {
     if (!file_.is_open() || ftruncate(file_.number(), size) != 0 || lseek(file_.number(), size, SEEK_SET) != size)
         fail(std::strerror(errno));
-    archive_write_set_format_pax_restricted(archive_.get());
-    archive_write_set_bytes_per_block(archive_.get(), 0);  // what is written is in the file at once
-    if (archive_write_set_options(archive_.get(), "hdrcharset=UTF-8") < ARCHIVE_WARN ||
-        archive_write_open_fd(archive_.get(), file_.number()) != ARCHIVE_OK)
+    libarchive().write_set_format_pax_restricted(archive_.get());
+    libarchive().write_set_bytes_per_block(archive_.get(), 0);  // what is written is in the file at once
+    if (libarchive().write_set_options(archive_.get(), "hdrcharset=UTF-8") < ARCHIVE_WARN ||
+        libarchive().write_open_fd(archive_.get(), file_.number()) != ARCHIVE_OK)
         fail(reason(archive_.get()));
 }
 
@@ -102,26 +106,27 @@ void ArchiveWriter::add(const std::string& name, const std::string& file) {
     const Descriptor source(file, O_RDONLY);
     const off_t size = !source.is_open() ? -1 : lseek(source.number(), 0, SEEK_END);
     if (size < 0 || lseek(source.number(), 0, SEEK_SET) != 0) fail(file + ": " + std::strerror(errno));
-    const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(archive_entry_new(), archive_entry_free);
-    archive_entry_set_pathname(entry.get(), name.c_str());
-    archive_entry_set_size(entry.get(), size);
-    archive_entry_set_filetype(entry.get(), AE_IFREG);
-    archive_entry_set_perm(entry.get(), 0644);
-    archive_entry_set_mtime(entry.get(), 0, 0);
-    if (archive_write_header(archive_.get(), entry.get()) < ARCHIVE_WARN) fail(reason(archive_.get()));
+    const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(libarchive().entry_new(),
+                                                                         libarchive().entry_free);
+    libarchive().entry_set_pathname(entry.get(), name.c_str());
+    libarchive().entry_set_size(entry.get(), size);
+    libarchive().entry_set_filetype(entry.get(), AE_IFREG);
+    libarchive().entry_set_perm(entry.get(), 0644);
+    libarchive().entry_set_mtime(entry.get(), 0, 0);
+    if (libarchive().write_header(archive_.get(), entry.get()) < ARCHIVE_WARN) fail(reason(archive_.get()));
     std::array<char, kBlock> block;
     for (ssize_t count; (count = read(source.number(), block.data(), block.size())) != 0;) {
         if (count < 0) fail(file + ": " + std::strerror(errno));
-        if (archive_write_data(archive_.get(), block.data(), static_cast<std::size_t>(count)) != count)
+        if (libarchive().write_data(archive_.get(), block.data(), static_cast<std::size_t>(count)) != count)
             fail(reason(archive_.get()));
     }
-    if (archive_write_finish_entry(archive_.get()) != ARCHIVE_OK) fail(reason(archive_.get()));
+    if (libarchive().write_finish_entry(archive_.get()) != ARCHIVE_OK) fail(reason(archive_.get()));
 }
 
 std::int64_t ArchiveWriter::size() const { return lseek(file_.number(), 0, SEEK_CUR); }
 
 void ArchiveWriter::finish() {
-    if (archive_write_close(archive_.get()) != ARCHIVE_OK) fail(reason(archive_.get()));
+    if (libarchive().write_close(archive_.get()) != ARCHIVE_OK) fail(reason(archive_.get()));
 }
 
 void ArchiveWriter::fail(const std::string& why) const {
