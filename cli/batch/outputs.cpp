@@ -34,9 +34,9 @@ std::string place_of(const Task& task, const std::string& file) {
 
 class FolderStore : public OutputStore {
 public:
-    FolderStore(std::string root, const std::map<std::string, Record>& records) : root_(std::move(root)) {
-        for (const auto& [name, record] : records)
-            for (const std::string output : record.result["outputs"]) owners_[output] = name;
+    FolderStore(std::string root, const std::map<std::string, Entry>& entries) : root_(std::move(root)) {
+        for (const auto& [name, entry] : entries)
+            for (const std::string& output : entry.outputs) owners_[output] = name;
     }
 
     std::vector<std::string> take(const std::string& folder, const Task& task) override {
@@ -87,10 +87,10 @@ private:
 
 }  // namespace
 
-std::unique_ptr<OutputStore> open_outputs(const Places& places, const std::map<std::string, Record>& records) {
-    if (!places.is_archive()) return std::make_unique<FolderStore>(places.outputs(), records);
+std::unique_ptr<OutputStore> open_outputs(const Places& places, const std::map<std::string, Entry>& entries) {
+    if (!places.is_archive()) return std::make_unique<FolderStore>(places.outputs(), entries);
     std::int64_t size = 0;
-    for (const auto& [name, record] : records) size = std::max(size, record.archive_end);
+    for (const auto& [name, entry] : entries) size = std::max(size, entry.archive_end);
     return std::make_unique<ArchiveStore>(places.outputs(), size);
 }
 

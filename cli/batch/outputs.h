@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,7 +38,7 @@ protected:
     OutputStore() = default;
 };
 
-/// records   what earlier runs have left
-std::unique_ptr<OutputStore> open_outputs(const Places& places, const std::map<std::string, Record>& records);
+/// entries   what earlier runs have left
+std::unique_ptr<OutputStore> open_outputs(const Places& places, const std::map<std::string, Entry>& entries);
 
 }  // namespace meniscus::cli::batch

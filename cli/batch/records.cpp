@@ -143,53 +143,77 @@ Log::Log(const Places& places, const ordered_json& header, bool resume) : path_(
     if (!file_.is_open()) cannot_write(path_);
     if (flock(file_.number(), LOCK_EX | LOCK_NB) != 0)
         throw UsageError(fmt::format("{}: another run works on this shard", path_));
-    read(path_, header, resume);
-    append_line(header);
+    load(header, resume);
+    const std::string line = text_of(header);
+    append_line(line);
+    size_ += static_cast<std::int64_t>(line.size());
 }
 
-void Log::read(const std::string& path, const ordered_json& header, bool resume) {
-    std::ifstream lines(path);
+void Log::load(const ordered_json& header, bool resume) {
+    std::ifstream lines(path_);
     std::string line;
-    std::int64_t whole = 0;  // bytes of lines that are complete
     bool begun = false;
     while (std::getline(lines, line) && !lines.eof()) {
-        whole += static_cast<std::int64_t>(line.size()) + 1;
-        if (auto record = record_of(line)) {
-            const std::string name = record->name();
-            records_.insert_or_assign(name, std::move(*record));
+        const auto length = static_cast<std::int64_t>(line.size()) + 1;
+        if (const auto record = record_of(line)) {
+            if (!begun) throw InputError(path_ + ": is damaged; choose another --out");
+            note(*record, length);
             continue;
         }
         const ordered_json older = ordered_json::parse(line, nullptr, false);
-        if (!older.is_object()) throw InputError(path + ": is damaged; choose another --out");
+        if (!older.is_object()) throw InputError(path_ + ": is damaged; choose another --out");
         if (!resume)
             throw UsageError(
-                fmt::format("{}: is there from an earlier run; add --resume to go on, or choose another --out", path));
+                fmt::format("{}: is there from an earlier run; add --resume to go on, or choose another --out", path_));
         if (lasting(older) != lasting(header))
             throw UsageError(
-                fmt::format("{}: was begun by another version or with other options ({}); choose another --out", path,
+                fmt::format("{}: was begun by another version or with other options ({}); choose another --out", path_,
                             lasting(older).dump()));
         begun = true;
+        size_ += length;
     }
-    if (!begun && !records_.empty()) throw InputError(path + ": is damaged; choose another --out");
-    if (ftruncate(file_.number(), whole) != 0) cannot_write(path);
+    if (ftruncate(file_.number(), size_) != 0) cannot_write(path_);
 }
 
-void Log::append_line(const ordered_json& line) {
-    const std::string text = text_of(line);
-    for (std::size_t written = 0; written < text.size();) {
-        const ssize_t count = write(file_.number(), text.data() + written, text.size() - written);
+/// Takes in what the line behind all others says.
+void Log::note(const Record& record, std::int64_t length) {
+    entries_.insert_or_assign(record.name(), Entry{.offset = size_,
+                                                   .length = length,
+                                                   .succeeded = record.succeeded(),
+                                                   .size = record.size,
+                                                   .archive_end = record.archive_end,
+                                                   .radii = radii_of(record.result),
+                                                   .outputs = record.result.at("outputs")});
+    size_ += length;
+}
+
+void Log::append_line(const std::string& line) {
+    for (std::size_t written = 0; written < line.size();) {
+        const ssize_t count = write(file_.number(), line.data() + written, line.size() - written);
         if (count < 0 && errno != EINTR) cannot_write(path_);
         written += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
     }
 }
 
-void Log::append(Record record) {
-    append_line({{"result", record.result},
-                 {"times", record.times},
-                 {"size", record.size},
-                 {"archive_end", record.archive_end}});
-    const std::string name = record.name();
-    records_.insert_or_assign(name, std::move(record));
+void Log::append(const Record& record) {
+    const std::string line = text_of({{"result", record.result},
+                                      {"times", record.times},
+                                      {"size", record.size},
+                                      {"archive_end", record.archive_end}});
+    append_line(line);
+    note(record, static_cast<std::int64_t>(line.size()));
+}
+
+std::string Log::line_of(const Entry& entry) const {
+    std::string line(static_cast<std::size_t>(entry.length), '\0');
+    if (pread(file_.number(), line.data(), line.size(), entry.offset) != entry.length)
+        throw InputError(path_ + ": cannot be read; it has changed meanwhile");
+    return line;
+}
+
+Record Log::read(const Entry& entry) const {
+    if (auto record = record_of(line_of(entry))) return std::move(*record);
+    throw InputError(path_ + ": is damaged; choose another --out");
 }
 
 void Log::finish(const std::string& path, const ordered_json& header, const std::vector<Task>& tasks) const {
@@ -199,10 +223,7 @@ void Log::finish(const std::string& path, const ordered_json& header, const std:
     std::sort(names.begin(), names.end());
     AtomicFile file(path);
     file.write(text_of(header));
-    for (const std::string& name : names) {
-        const Record& record = records_.at(name);
-        file.write(text_of({{"result", record.result}, {"times", record.times}}));
-    }
+    for (const std::string& name : names) file.write(line_of(entries_.at(name)));
     file.commit();
 }
 

@@ -51,6 +51,17 @@ struct Record {
     bool succeeded() const { return result.at("status") == "done"; }
 };
 
+/// Where the last record of an input is, and what a run must know of it; reports stay on disk.
+struct Entry {
+    std::int64_t offset = 0;  ///< of its line in the log, bytes
+    std::int64_t length = 0;
+    bool succeeded = false;
+    std::uint64_t size = 0;
+    std::int64_t archive_end = 0;
+    std::string radii;  ///< see radii_of()
+    std::vector<std::string> outputs;
+};
+
 /// The log of one shard, held by one process at a time.
 class Log {
 public:
@@ -62,19 +73,26 @@ public:
     ///           InputError, OutputError
     Log(const Places& places, const nlohmann::ordered_json& header, bool resume);
 
-    const std::map<std::string, Record>& records() const { return records_; }
-    void append(Record record);
+    /// By names of inputs.
+    const std::map<std::string, Entry>& entries() const { return entries_; }
+    void append(const Record& record);
+
+    /// throws   InputError
+    Record read(const Entry& entry) const;
 
     /// Writes the records of these tasks, by name, for collect().
     void finish(const std::string& path, const nlohmann::ordered_json& header, const std::vector<Task>& tasks) const;
 
 private:
-    void read(const std::string& path, const nlohmann::ordered_json& header, bool resume);
-    void append_line(const nlohmann::ordered_json& line);
+    void load(const nlohmann::ordered_json& header, bool resume);
+    void append_line(const std::string& line);
+    void note(const Record& record, std::int64_t length);
+    std::string line_of(const Entry& entry) const;
 
     std::string path_;
     Descriptor file_;
-    std::map<std::string, Record> records_;
+    std::int64_t size_ = 0;
+    std::map<std::string, Entry> entries_;
 };
 
 struct Collected {

@@ -73,7 +73,8 @@ std::string error_of(const ProcessEnd& end, double time_limit) {
     if (end.timed_out) return fmt::format("took longer than {:g} s", time_limit);
     if (end.signal == SIGKILL) return "ended by SIGKILL, as the system does where memory runs out";
     if (end.signal != 0) return fmt::format("ended by SIG{}", sigabbrev_np(end.signal));
-    return last_message(end.messages, end.exit_code == kChecksFailed ? kWarningMark : kErrorMark);
+    const std::string message = last_message(end.messages, end.exit_code == kChecksFailed ? kWarningMark : kErrorMark);
+    return message.empty() ? fmt::format("exit code {}", end.exit_code) : message;
 }
 
 /// Takes what differs from run to run out of a report.
@@ -124,7 +125,7 @@ void make_folder(const std::string& path) {
     if (error) throw OutputError(fmt::format("{}: cannot be made: {}", path, error.message()));
 }
 
-void remove_folder(const std::string& path) {
+void remove_all_of(const std::string& path) {
     std::error_code ignored;  // what is left is removed by the next run
     fs::remove_all(path, ignored);
 }
@@ -158,30 +159,30 @@ Run::Run(const Request& request, const Shard& shard, const Places& places)
                                              found_.left_out));
     std::uint64_t weight = 0;
     for (const Task& task : tasks_) {
-        const auto record = log_.records().find(task.input.name);
-        if (record != log_.records().end() && record->second.succeeded() && record->second.size == task.input.size) {
-            check_radii(record->second);
+        const auto found = log_.entries().find(task.input.name);
+        if (found != log_.entries().end() && found->second.succeeded && found->second.size == task.input.size) {
+            check_radii(task.input.name, found->second);
         } else {
             open_.push_back(&task);
             weight += task.weight;
         }
     }
-    outputs_ = open_outputs(places, log_.records());
+    outputs_ = open_outputs(places, log_.entries());
     progress_.emplace(resolve(request.progress, request.quiet), std::cerr, open_.size(), weight);
 }
 
 RunResult Run::operator()() {
-    remove_folder(places_.done(shard_));
+    remove_all_of(places_.done(shard_));
     try {
         const WritingSection section;  // a signal ends the wait below, and what processes have left is removed
         compute_all();
     } catch (...) {
         jobs_.clear();
         progress_->clear();
-        remove_folder(places_.work());
+        remove_all_of(places_.work());
         throw;
     }
-    remove_folder(places_.work());
+    remove_all_of(places_.work());
     progress_->clear();
     outputs_->finish();
     log_.finish(places_.done(shard_), header_, tasks_);
@@ -193,14 +194,14 @@ RunResult Run::sum_up() {
     result.inputs = tasks_.size();
     result.done_before = tasks_.size() - open_.size();
     for (const Task& task : tasks_)
-        if (const Record& record = log_.records().at(task.input.name); !record.succeeded())
-            result.failed.push_back(without_report(record.result));
+        if (const Entry& entry = log_.entries().at(task.input.name); !entry.succeeded)
+            result.failed.push_back(without_report(log_.read(entry).result));
     result.seconds = watch_.lap();
     return result;
 }
 
 void Run::compute_all() {
-    remove_folder(places_.work());
+    remove_all_of(places_.work());
     while (next_to_start_ < open_.size() || !jobs_.empty()) {
         while (next_to_start_ < open_.size() && running() < most_jobs_) start(next_to_start_++);
         progress_->show();
@@ -290,13 +291,13 @@ void Run::keep(const Job& job) {
     record.archive_end = outputs_->size();
     log_.append(record);
     progress_->count(record.succeeded(), task.weight);
-    remove_folder(job.folder);
-    check_radii(record);
+    remove_all_of(job.folder);
+    check_radii(task.input.name, log_.entries().at(task.input.name));
 }
 
-void Run::check_radii(const Record& record) {
-    if (request_.may_mix_radii) return;
-    if (const std::string set = radii_of(record.result); !set.empty()) radii_.emplace(set, record.name());
+void Run::check_radii(const std::string& name, const Entry& entry) {
+    if (request_.may_mix_radii || entry.radii.empty()) return;
+    radii_.emplace(entry.radii, name);
     if (radii_.size() > 1) refuse_mixed_radii(radii_);
 }
 

@@ -55,7 +55,7 @@ private:
     void look_at_processes();
     void keep_ended();
     void keep(const Job& job);
-    void check_radii(const Record& record);
+    void check_radii(const std::string& name, const Entry& entry);
     std::vector<std::string> words_of(const Task& task, const std::string& folder) const;
     RunResult sum_up();
 
