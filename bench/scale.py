@@ -77,16 +77,16 @@ def constants(runs):
     for name in RUNS:
         large = [row for row in runs.of_structures(name) if row["atoms"] >= SMALLEST]
         seconds = [(row["cpu"] - start) / row["atoms"] for row in large]
-        heavy = [row for row in large if row["atoms"] > 50_000]
+        largest = max(large, key=lambda row: row["atoms"])
         found[name] = {"cpu": sum(row["cpu"] - start for row in large) / sum(row["atoms"] for row in large), "start": start,
-                       "memory": max(2**20 * row["memory"] / row["atoms"] for row in heavy or large),
+                       "memory": 2**20 * largest["memory"] / largest["atoms"],
                        "files": sum(row["files"] for row in large) / sum(row["atoms"] for row in large)}
-        line = statistics.median(row["line"] for row in large)
+        line = sum(row["line"] for row in large) / sum(row["atoms"] for row in large)
         rows.append((name, len(large), f"{1e6 * statistics.median(seconds):.0f} ({1e6 * min(seconds):.0f} to {1e6 * max(seconds):.0f})",
-                     f"{found[name]['memory'] / 1024:.1f}", f"{found[name]['files'] / 1024:.1f}", f"{line / 1024:.1f}"))
+                     f"{found[name]['memory'] / 1024:.1f}", f"{found[name]['files'] / 1024:.1f}", f"{line:.1f}"))
     print(f"\nA process that has next to nothing to do: {1000 * start:.0f} ms of processor time, {1000 * wall:.0f} ms of wall clock")
     table("Per atom", ("run", "structures", "processor time / µs: median (least to most)", "memory / kB", "files / kB",
-                       "line of results / kB"), rows)
+                       "line of results / bytes"), rows)
     return found
 
 
@@ -135,10 +135,11 @@ def schedule(runs, inputs=20_000):
         row = [shards]
         for loads in (loads_by_count(costs, shards), loads_by_size(sizes, costs, shards)):
             row.append(f"{1 - sum(loads) / (shards * max(loads)):.1%}")
-        rows.append(row)
-    table(f"Idle cores, {inputs} inputs, one task per shard", ("shards", "equal counts", "balanced by size"), rows)
+        rows.append([*row, f"{1 - sum(costs) / (shards * max(*costs, sum(costs) / shards)):.1%}"])
+    print(f"\n{inputs} inputs; the largest takes {max(costs) / sum(costs):.2%} of the whole")
+    table("Idle cores, one core per shard", ("shards", "equal counts", "balanced by size", "best possible"), rows)
     rows = []
-    for jobs in (2, 16, 64):
+    for jobs in (4, 16, 64):
         ordered = [costs[i] for i in sorted(range(inputs), key=lambda i: -sizes[i])]
         rows.append((jobs, *(f"{1 - sum(costs) / (jobs * last_of_jobs(order, jobs)):.2%}" for order in (sorted(costs), costs, ordered))))
     table("Idle jobs within a shard, inputs taken in turn", ("jobs", "smallest first", "by name", "largest first"), rows)

@@ -45,6 +45,7 @@ double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 *
 
 Process::Process(const std::vector<std::string>& words, const ProcessLimits& limits) : limits_(limits) {
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     const Descriptor nothing("/dev/null", O_RDWR);
@@ -84,6 +85,7 @@ Process::~Process() {
 
 void Process::wait_for_any(const std::vector<Process*>& processes, double seconds) {
     std::vector<pollfd> watched;
+    watched.reserve(2 * processes.size());
     for (const Process* process : processes) {
         watched.push_back({process->handle_.number(), POLLIN, 0});
         if (process->errors_.is_open()) watched.push_back({process->errors_.number(), POLLIN, 0});

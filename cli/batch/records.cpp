@@ -10,12 +10,14 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <optional>
 #include <utility>
 
 #include "io/atomic_file.h"
 #include "meniscus/errors.h"
+#include "messages.h"
 
 namespace meniscus::cli::batch {
 
@@ -141,8 +143,11 @@ Log::Log(const Places& places, const ordered_json& header, bool resume) : path_(
     if (error) throw OutputError(fmt::format("{}: cannot be made: {}", places.state(), error.message()));
     file_ = Descriptor(path_, O_RDWR | O_CREAT | O_APPEND);
     if (!file_.is_open()) cannot_write(path_);
-    if (flock(file_.number(), LOCK_EX | LOCK_NB) != 0)
-        throw UsageError(fmt::format("{}: another run works on this shard", path_));
+    if (flock(file_.number(), LOCK_EX | LOCK_NB) != 0) {
+        if (errno == EWOULDBLOCK) throw UsageError(fmt::format("{}: another run works on this shard", path_));
+        print_warning(std::cerr, fmt::format("{}: cannot be locked ({}); see that no other run works on this shard",
+                                             path_, std::strerror(errno)));
+    }
     load(header, resume);
     const std::string line = text_of(header);
     append_line(line);

@@ -63,7 +63,7 @@ void append_words(const CLI::Option& option, std::vector<std::string>& words) {
         words.push_back(name);
         return;
     }
-    for (const std::string& value : option.results()) words.push_back(name + "=" + value);
+    for (const std::string& value : option.results()) words.push_back(fmt::format("{}={}", name, value));
 }
 
 /// Options are passed on as they were written; those of no effect on a line of help are known already.
