@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "batch/command.h"
 #include "compare_command.h"
 #include "help.h"
 #include "interrupt.h"
@@ -41,10 +42,12 @@ constexpr const char* kFooter =
     "  meniscus surface 1abc.pdb -o 1abc.png     as a picture\n"
     "  meniscus measure 1abc.pdb                 areas, volumes and cavities\n"
     "  meniscus compare other.obj 1abc.pdb       another program's and the exact one\n"
+    "  meniscus batch surface structures --out surfaces      of every file in a folder\n"
     "Help of a subcommand: meniscus surface --help; of every option: --help-all.\n\n"
     "Exit codes: 0 done; 2 wrong usage; 3 input cannot be read or is not valid;\n"
     "4 output cannot be written; 5 would exceed the memory or size limit;\n"
-    "6 computed, but the result failed its own checks; 1 anything else.";
+    "6 computed, but a result failed its own checks, or some inputs of a batch failed;\n"
+    "1 anything else.";
 
 int fail(int code, const std::string& what) {
     meniscus::cli::print_error(std::cerr, what);
@@ -83,6 +86,7 @@ int run(int argc, char** argv) {
     meniscus::cli::add_surface_command(program, outcome);
     meniscus::cli::add_measure_command(program, outcome);
     meniscus::cli::add_compare_command(program, outcome);
+    meniscus::cli::add_batch_command(program, outcome);
 
     std::vector<std::string> arguments =
         meniscus::cli::join_negative_values(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));

@@ -36,12 +36,16 @@ std::string nearest_option(const CLI::App& command, const std::string& word) {
 std::string explain_unknown_words(const CLI::App& program) {
     const std::vector<std::string> words = program.remaining(true);
     const auto option = std::find_if(words.begin(), words.end(), [](const auto& w) { return w.starts_with('-'); });
-    const auto commands = program.get_subcommands();
-    const std::string help = commands.empty() ? "" : " " + commands.front()->get_name();
+    const CLI::App* command = &program;
+    std::string help;
+    while (!command->get_subcommands().empty()) {
+        command = command->get_subcommands().front();
+        help += " " + command->get_name();
+    }
     if (option == words.end())
         return fmt::format("{}: not expected; there is one INPUT, and outputs are named by -o", words.front());
     const std::string name = option->substr(0, option->find('='));
-    const std::string meant = nearest_option(commands.empty() ? program : *commands.front(), name);
+    const std::string meant = nearest_option(*command, name);
     if (!meant.empty()) return fmt::format("{}: unknown option; did you mean {}?", name, meant);
     return fmt::format("{}: unknown option; see meniscus{} --help", name, help);
 }

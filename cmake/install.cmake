@@ -36,6 +36,7 @@ function(install_pages)
   install(FILES CHANGELOG.md CITATION.cff LICENSE README.md THIRD_PARTY_NOTICES.md
     DESTINATION ${CMAKE_INSTALL_DOCDIR} ${ARGN})
   install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} ${ARGN})
+  install(PROGRAMS tools/slurm/meniscus-array.sh DESTINATION ${CMAKE_INSTALL_DOCDIR}/tools/slurm ${ARGN})
   foreach(package IN LISTS built_in_packages)
     install(FILES /usr/share/doc/${package}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR}/licences
       RENAME ${package}.txt ${ARGN} OPTIONAL)

@@ -27,6 +27,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME meniscus)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS libarchive13)  # loaded where a batch names an archive
 set(CPACK_DEBIAN_RUNTIME_DESCRIPTION
 "The boundary of the space that a spherical probe, rolling over the atoms of a
 protein or nucleic acid, cannot enter: as a closed triangle mesh, a picture,

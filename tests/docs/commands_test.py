@@ -7,6 +7,7 @@
     ```sh exit=2           run; ends with this exit code
     ```sh not-run          shown only: needs the network, root or another program; listed by this test
     ```                    likewise
+    ```sh not-run slurm    run by tests/engines/slurm_test.py where Slurm is installed
     ```python              run with the interpreter that MENISCUS_DOCS_PYTHON names, which has the package; else listed.
                            Blocks with >>> belong to tests/python
     ```output              what the block before it prints; "..." for what differs from run to run

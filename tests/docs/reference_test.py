@@ -23,9 +23,9 @@ CODE = re.compile(r"`([^`]*)`")
 
 
 
-def options_of_help(command):
+def options_of_help(*command):
     """Every option of a subcommand, from --help-all: name -> (value, default)."""
-    text = subprocess.run([PROGRAM, command, "--help-all"], capture_output=True, encoding="utf-8", check=True).stdout
+    text = subprocess.run([PROGRAM, *command, "--help-all"], capture_output=True, encoding="utf-8", check=True).stdout
     options, entry, value = {}, None, ""
     for line in text.partition("\n\n")[2].splitlines():
         match = ENTRY.match(line)
@@ -54,6 +54,9 @@ class Options(unittest.TestCase):
     def setUp(self):
         self.page = options_of_page()
         self.help = {command: options_of_help(command) for command in ("surface", "measure", "compare")}
+        for command in ("surface", "measure"):  # a batch has these, too, and its own
+            self.help[f"batch {command}"] = {name: rest for name, rest in options_of_help("batch", command).items()
+                                             if name not in self.help[command]}
 
     def test_the_page_has_every_option_and_no_other(self):
         known = set().union(*self.help.values()) | {"-h", "--help", "--help-all", "--version"}
@@ -72,13 +75,16 @@ class Options(unittest.TestCase):
             folder = pathlib.Path(folder)
             self.write_sample(folder / "in.pdb")
             self.write_values(folder)
+            (folder / "list.txt").write_text("in.pdb\n")
             for name, (_, _, example, heading) in self.page.items():
                 if heading != "The program":
-                    command = {"Measures": "measure", "Comparing": "compare"}.get(heading, "surface")
+                    command = {"Measures": "measure", "Comparing": "compare", "A batch": "batch"}.get(heading, "surface")
                     self.try_example(folder, command, name, example)
 
     def try_example(self, folder, command, name, example):
         words = [command, "in.pdb", *(["in.pdb"] if command == "compare" else []), *example.split()]
+        if command == "batch":
+            words = ["batch", "measure", *words[1:], *([] if "--out" in example else ["--out", f"out{name}"])]
         if self.page[name][3] == "Colours and pictures":
             words += ["-o", "a.png"] + ([] if "--size" in example else ["--size", "20x15"])
         elif command == "surface" and "-o" not in words:

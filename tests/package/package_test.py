@@ -164,7 +164,8 @@ class PackageTest(unittest.TestCase):
         self.assertTrue((self.folder / "spheres.vert").is_file())
 
     def test_the_pages_come_along(self):
-        for name in ("LICENSE", "THIRD_PARTY_NOTICES.md", "CHANGELOG.md", "examples/1ubq.pdb", "docs/conventions.md"):
+        for name in ("LICENSE", "THIRD_PARTY_NOTICES.md", "CHANGELOG.md", "examples/1ubq.pdb", "docs/conventions.md",
+                     "tools/slurm/meniscus-array.sh"):
             self.assertTrue((self.prefix / "share/doc/meniscus" / name).is_file(), name)
 
 

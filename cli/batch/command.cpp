@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "batch/command.h"
+
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "batch/records.h"
+#include "batch/run.h"
+#include "messages.h"
+#include "report.h"
+
+namespace meniscus::cli {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::size_t kMostRows = 50;  // of failures that are shown
+
+/// A table of what failed, by name.
+std::string table_of_failures(const std::vector<ordered_json>& failed) {
+    std::size_t width = 0;
+    for (const ordered_json& result : failed) width = std::max(width, result["input"].get<std::string>().size());
+    width = std::min(width, std::size_t{40});
+    std::string text;
+    for (std::size_t i = 0; i < std::min(failed.size(), kMostRows); ++i)
+        text += fmt::format("  {:<{}}  {:<13}  {}\n", one_line(failed[i]["input"].get<std::string>()), width,
+                            failed[i]["status"].get<std::string>(), one_line(failed[i]["error"].get<std::string>()));
+    if (failed.size() > kMostRows) text += fmt::format("  and {} more\n", failed.size() - kMostRows);
+    return text;
+}
+
+}  // namespace
+
+void add_batch_command(CLI::App& program, Outcome& outcome) {
+    CLI::App* command = program.add_subcommand("batch", "Many inputs, one line of results each");
+    const auto request = std::make_shared<batch::Request>();
+    batch::add_subcommands(*command, *request, [request, &outcome] { outcome = run_batch(*request); });
+}
+
+Outcome run_batch(const batch::Request& request) {
+    const bool computes = !request.inputs.empty() || !request.list.empty();
+    batch::Shard shard;
+    if (computes) shard = request.shard ? *request.shard : batch::shard_of_array().value_or(batch::Shard{});
+    const batch::Places places(request.out, shard);
+    const bool collects = request.collect || shard.count == 1;
+    std::vector<ordered_json> failed;
+    std::string summary;
+    if (computes) {
+        batch::RunResult result = batch::Run(request, shard, places)();
+        summary = fmt::format("{}  {} inputs, {} failed, {} done before, {:.1f} s\n", places.outputs(), result.inputs,
+                              result.failed.size(), result.done_before, result.seconds);
+        failed = std::move(result.failed);
+    }
+    if (collects) {
+        batch::Collected collected = batch::collect(places);
+        summary +=
+            fmt::format("{}  {} lines, {} of failures\n", places.results(), collected.inputs, collected.failed.size());
+        failed = std::move(collected.failed);
+    }
+    if (!request.quiet) print(summary + table_of_failures(failed));
+    return failed.empty() ? Outcome::Done : Outcome::ChecksFailed;
+}
+
+}  // namespace meniscus::cli

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "batch/inputs.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "batch/archive.h"
+#include "meniscus/errors.h"
+
+namespace meniscus::cli::batch {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<std::string_view, 7> kSuffixes{".pdb", ".ent", ".cif", ".mmcif", ".pqr", ".xyzr", ".xyzrn"};
+
+std::string in_small_letters(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](char c) { return 'A' <= c && c <= 'Z' ? c + ('a' - 'A') : c; });
+    return text;
+}
+
+/// How many characters at the end of a name are suffixes of a structure; 0 if there are none.
+std::size_t suffix_length(const std::string& name) {
+    const std::string small = in_small_letters(name);
+    const std::size_t packed = small.ends_with(".gz") ? 3 : 0;
+    const std::string_view inner = std::string_view(small).substr(0, small.size() - packed);
+    for (const std::string_view suffix : kSuffixes)
+        if (inner.ends_with(suffix) && inner.size() > suffix.size()) return suffix.size() + packed;
+    return 0;
+}
+
+/// A name as it can be shown, whatever its bytes are.
+std::string shown(const std::string& name) {
+    return nlohmann::json(name).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+bool is_text(const std::string& name) {
+    try {
+        return !nlohmann::json(name).dump().empty();
+    } catch (const nlohmann::json::type_error&) {
+        return false;
+    }
+}
+
+bool is_archive(const std::string& name) { return in_small_letters(name).ends_with(".tar"); }
+
+[[noreturn]] void refuse(const fs::path& path, const std::error_code& error) {
+    throw InputError(fmt::format("{}: cannot be read: {}", path.string(), error.message()));
+}
+
+std::uint64_t size_of(const fs::path& path) {
+    std::error_code error;
+    const auto size = fs::file_size(path, error);
+    return error ? 0 : size;  // a pipe
+}
+
+/// A member's path without what would lead out of the folder of the outputs.
+std::string inner_path(const std::string& archive, const std::string& name) {
+    fs::path inner;
+    for (const fs::path& part : fs::path(name).relative_path()) {
+        if (part == "..") throw InputError(fmt::format("{}: the member {} lies outside of the archive", archive, name));
+        if (part != ".") inner /= part;
+    }
+    return inner.generic_string();
+}
+
+class Search {
+public:
+    explicit Search(const std::vector<std::string>& skip) {
+        std::error_code ignored;
+        for (const std::string& folder : skip) skip_.push_back(fs::weakly_canonical(folder, ignored));
+    }
+
+    /// What one word names; files are called by their path below `root`, or by their name.
+    void add(const std::string& word, const fs::path& root = {}) {
+        std::error_code error;
+        const fs::file_status status = fs::status(word, error);
+        if (!fs::exists(status))
+            refuse(word, error ? error : std::make_error_code(std::errc::no_such_file_or_directory));
+        if (fs::is_directory(status)) return add_folder(word);
+        if (is_archive(word)) return add_archive(word);
+        const fs::path path(word);
+        const fs::path name = root.empty() ? path.filename() : normal(path).lexically_relative(root);
+        found_.inputs.push_back({name.generic_string(), word, std::nullopt, size_of(path)});
+    }
+
+    void add_list(std::istream& lines, const std::string& name) {
+        std::vector<std::string> words;
+        for (std::string line; std::getline(lines, line);) {
+            if (line.ends_with('\r')) line.pop_back();
+            if (!line.empty()) words.push_back(line);
+        }
+        if (lines.bad()) throw InputError(name + ": cannot be read");
+        const fs::path root = common_folder(words);
+        for (const std::string& word : words) add(word, root);
+    }
+
+    FoundInputs finish() {
+        std::vector<Input>& inputs = found_.inputs;
+        std::sort(inputs.begin(), inputs.end(), [](const Input& a, const Input& b) {
+            return std::tie(a.name, a.path, a.member) < std::tie(b.name, b.path, b.member);
+        });
+        inputs.erase(std::unique(inputs.begin(), inputs.end()), inputs.end());
+        for (const Input& input : inputs)
+            if (!is_text(input.name))
+                throw InputError(fmt::format("{}: its name is no text (UTF-8); rename it", shown(input.name)));
+        const auto twin = std::adjacent_find(inputs.begin(), inputs.end(),
+                                             [](const Input& a, const Input& b) { return a.name == b.name; });
+        if (twin != inputs.end())
+            throw UsageError(fmt::format("{} of {} and of {}: two inputs of one name; name the folder that holds both",
+                                         twin->name, twin->path, std::next(twin)->path));
+        if (inputs.empty())
+            throw UsageError(found_.left_out == 0
+                                 ? "there are no inputs"
+                                 : fmt::format("there are no inputs: {} files have other suffixes than "
+                                               "those of structures",
+                                               found_.left_out));
+        return std::move(found_);
+    }
+
+private:
+    static fs::path normal(const fs::path& path) { return fs::absolute(path).lexically_normal(); }
+
+    /// The deepest folder that holds all files of a list.
+    static fs::path common_folder(const std::vector<std::string>& words) {
+        fs::path common;
+        bool first = true;
+        for (const std::string& word : words) {
+            const fs::path folder = normal(word).parent_path();
+            if (std::exchange(first, false)) {
+                common = folder;
+                continue;
+            }
+            const auto [end, other] = std::mismatch(common.begin(), common.end(), folder.begin(), folder.end());
+            fs::path shared;
+            for (auto part = common.begin(); part != end; ++part) shared /= *part;
+            common = std::move(shared);
+        }
+        return common;
+    }
+
+    void add_folder(const fs::path& folder) {
+        std::error_code error;
+        for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
+             entry.increment(error)) {
+            std::error_code ignored;
+            if (entry->is_directory(ignored)) {
+                const fs::path inner = fs::weakly_canonical(entry->path(), ignored);
+                if (std::find(skip_.begin(), skip_.end(), inner) != skip_.end()) entry.disable_recursion_pending();
+            } else if (const std::string name = entry->path().lexically_relative(folder).generic_string();
+                       names_structure(name)) {
+                found_.inputs.push_back({name, entry->path().string(), std::nullopt, size_of(entry->path())});
+            } else {
+                ++found_.left_out;
+            }
+        }
+        if (error) refuse(folder, error);
+    }
+
+    void add_archive(const std::string& path) {
+        std::map<std::string, Input> members;  // of several with one name the last one counts, as for tar
+        for (const ArchiveMember& member : list_members(path)) {
+            const std::string name = inner_path(path, member.name);
+            if (names_structure(name))
+                members.insert_or_assign(name, Input{name, path, member.header, member.size});
+            else
+                ++found_.left_out;
+        }
+        for (auto& [name, input] : members) found_.inputs.push_back(std::move(input));
+    }
+
+    std::vector<fs::path> skip_;
+    FoundInputs found_;
+};
+
+}  // namespace
+
+bool names_structure(const std::string& name) { return suffix_length(name) > 0; }
+
+std::string without_suffix(const std::string& name) { return name.substr(0, name.size() - suffix_length(name)); }
+
+FoundInputs find_inputs(const std::vector<std::string>& words, const std::string& list,
+                        const std::vector<std::string>& skip) {
+    Search search(skip);
+    for (const std::string& word : words) {
+        if (word == "-")
+            search.add_list(std::cin, "standard input");
+        else
+            search.add(word);
+    }
+    if (list == "-") {
+        search.add_list(std::cin, "standard input");
+    } else if (!list.empty()) {
+        std::ifstream file(list);
+        if (!file) throw InputError(list + ": cannot be read");
+        search.add_list(file, list);
+    }
+    return search.finish();
+}
+
+}  // namespace meniscus::cli::batch

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The inputs of a batch: files, folders with all below them, members of tar archives, and lists of these.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace meniscus::cli::batch {
+
+struct Input {
+    std::string name;                    ///< below the folder, archive or list it came from; '/' between folders
+    std::string path;                    ///< of the file, or of the archive that it is a member of
+    std::optional<std::int64_t> member;  ///< where its header begins in the archive
+    std::uint64_t size = 0;              ///< bytes as stored
+
+    bool operator==(const Input&) const = default;
+};
+
+struct FoundInputs {
+    std::vector<Input> inputs;  ///< by name, each name once
+    std::size_t left_out = 0;   ///< files of folders and archives whose suffix names no structure
+};
+
+/// Whether a name ends as structures do: .pdb .ent .cif .mmcif .pqr .xyzr .xyzrn, each also .gz; capitals count as
+/// well.
+bool names_structure(const std::string& name);
+
+/// A name without the suffixes of structures: "ab/1abc.cif.gz" -> "ab/1abc".
+std::string without_suffix(const std::string& name);
+
+/// Finds what `words` name.
+///
+/// A file is called by its name, one in a folder by its path below that folder, a member of an archive by its path in
+/// it, and one of a list by its path below the deepest folder that holds all files of the list. What is named itself
+/// is taken whatever its suffix.
+///
+/// words   files, folders, .tar archives; "-" for a list on standard input
+/// list    a file with one such word per line, or empty
+/// skip    folders that are not looked into: those of the outputs
+/// throws  InputError for what is not there or cannot be read, and for names that are no text (UTF-8); UsageError for
+/// two inputs of one name, and where there
+///         are none
+FoundInputs find_inputs(const std::vector<std::string>& words, const std::string& list,
+                        const std::vector<std::string>& skip);
+
+}  // namespace meniscus::cli::batch

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "batch/request.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "help.h"
+#include "measure_request.h"
+#include "meniscus/errors.h"
+#include "option_words.h"
+#include "output_plan.h"
+#include "surface_request.h"
+
+namespace meniscus::cli::batch {
+
+namespace {
+
+constexpr const char* kFooter =
+    "Every other option of {0} applies to every input: meniscus {0} --help.\n"
+    "Results go to DIR/results.jsonl, a line of JSON per input; times and memory to\n"
+    "DIR/times.jsonl. Exit codes: 0 all inputs succeeded; 6 some failed.\n"
+    "Examples:\n"
+    "  meniscus batch {0} structures --out surfaces\n"
+    "  meniscus batch {0} archive.tar --out results.tar --time-limit 600\n"
+    "  meniscus batch {0} structures --out surfaces --resume    goes on after an end";
+
+/// Names of what a batch decides itself: not passed on to the processes.
+const std::set<std::string> kOwnNames{"INPUTS",         "--list",     "--out",     "--jobs",    "--time-limit",
+                                      "--memory-limit", "--resume",   "--shard",   "--collect", "--mixed-radii",
+                                      "--quiet",        "--progress", "--threads", "-o",        "--help",
+                                      "--help-all"};
+
+/// "90", "90s", "15m", "2h" as seconds.
+double parse_time(const std::string& option, const std::string& text) {
+    double unit = 1.0;
+    std::string number = text;
+    if (!text.empty()) {
+        const char last = text.back();
+        if (last == 's' || last == 'm' || last == 'h') number.pop_back();
+        if (last == 'm') unit = 60.0;
+        if (last == 'h') unit = 3600.0;
+    }
+    return unit * parse_number(option, number, Sign::Positive);
+}
+
+void check_ending(const std::string& command, const std::string& ending) {
+    if (!ending.starts_with('.') && !ending.starts_with('_'))
+        throw UsageError(
+            fmt::format("-o {}: in a batch outputs are called after their inputs; give the ending alone, as in "
+                        "-o .ply or -o _a.ply",
+                        ending));
+    if (ending.find('/') != std::string::npos) throw UsageError(fmt::format("-o {}: an ending has no folders", ending));
+    command == "surface" ? kind_of("a" + ending) : measure_kind_of("a" + ending);
+}
+
+/// The words that give an option again what it was given.
+void append_words(const CLI::Option& option, std::vector<std::string>& words) {
+    const std::string name = option.get_name(false, false);
+    if (option.get_items_expected_max() == 0) {
+        words.push_back(name);
+        return;
+    }
+    for (const std::string& value : option.results()) words.push_back(fmt::format("{}={}", name, value));
+}
+
+/// Options are passed on as they were written; those of no effect on a line of help are known already.
+std::vector<std::string> passed_on(const CLI::App& command) {
+    std::vector<std::string> words;
+    for (const CLI::Option* option : command.get_options())
+        if (option->count() > 0 && !kOwnNames.contains(option->get_name(option->get_positional(), false)))
+            append_words(*option, words);
+    return words;
+}
+
+void add_own_options(CLI::App& command, Request& request) {
+    command
+        .add_option("INPUTS", request.inputs,
+                    "files, folders with all below them, .tar archives; - for a list on standard input")
+        ->type_name("");
+    command.option_defaults()->group("Batch");
+    command.add_option("--list", request.list, "A file that names one input per line")->type_name("FILE");
+    command
+        .add_option("--out", request.out,
+                    "Where outputs go\n, laid out as the inputs are: a folder, or an archive (.tar)")
+        ->required()
+        ->type_name("DIR|X.tar");
+    add_count(command, "--jobs", request.jobs, "Inputs at once, each in a process")->default_str("all cores");
+    const auto time = [&request](const std::string& text) { request.time_limit = parse_time("--time-limit", text); };
+    command.add_option_function<std::string>("--time-limit", time, "For each input: 90, 15m, 2h")->type_name("T");
+    const auto memory = [&request](const std::string& text) {
+        request.memory_limit_mb = parse_memory("--memory-limit", text);
+    };
+    command.add_option_function<std::string>("--memory-limit", memory, "For each input: 500M, 4G")->type_name("LIMIT");
+    command.add_flag("--resume", request.resume, "Skip what is done, retry what failed");
+    const auto shard = [&request](const std::string& text) { request.shard = parse_shard(text); };
+    command
+        .add_option_function<std::string>("--shard", shard,
+                                          "Part I of N of the inputs, from 0\n; in a task of a Slurm array its own")
+        ->type_name("I/N");
+    command.add_flag("--collect", request.collect,
+                     "Put the results of all shards together\n; without inputs nothing else");
+    command.add_flag("--mixed-radii", request.may_mix_radii, "Let --radii auto choose for each input");
+}
+
+void fill(Request& request, const CLI::App& command, const CommonRequest& given, int threads) {
+    request.command = command.get_name();
+    request.options = passed_on(command);
+    request.endings = given.outputs;
+    if (request.command == "surface" && request.endings.empty()) request.endings = {".ply"};
+    for (const std::string& ending : request.endings) check_ending(request.command, ending);
+    request.may_mix_radii = request.may_mix_radii || given.read.radii != "auto";
+    request.threads = threads;
+    request.quiet = given.quiet;
+    request.progress = given.progress;
+    if (request.inputs.empty() && request.list.empty() && !request.collect)
+        throw UsageError("INPUTS: files, folders or archives are missing; see meniscus batch " + request.command +
+                         " --help");
+}
+
+/// One subcommand with the options of the same one outside of a batch.
+template <class Given, class Add, class Threads>
+void add_subcommand(CLI::App& batch, const char* name, const char* text, Request& request,
+                    const std::function<void()>& run, const Add& add, const Threads& threads) {
+    CLI::App* command = batch.add_subcommand(name, text);
+    const auto given = std::make_shared<Given>();
+    add(*command, *given);
+    command->remove_option(command->get_option("INPUT"));
+    command->remove_option(command->get_option("--report"));
+    for (CLI::Option* option : command->get_options())
+        if (option != command->get_help_ptr() && option != command->get_help_all_ptr())
+            option->description(rarely(option->get_description()));
+    command->get_option("-o")->description("Ending of an output, as .ply; repeatable")->type_name(".SUFFIX");
+    add_own_options(*command, request);
+    command->footer(fmt::format(kFooter, name));
+    command->callback([&request, command, given, threads, run] {
+        fill(request, *command, *given, threads(*given));
+        run();
+    });
+}
+
+}  // namespace
+
+void add_subcommands(CLI::App& batch, Request& request, const std::function<void()>& run) {
+    batch.require_subcommand(1);
+    add_subcommand<SurfaceRequest>(
+        batch, "surface", "A surface of every input", request, run,
+        [](CLI::App& command, SurfaceRequest& given) { add_surface_options(command, given); },
+        [](const SurfaceRequest& given) { return given.surface.threads; });
+    add_subcommand<MeasureRequest>(
+        batch, "measure", "Exact areas and volumes of every input", request, run,
+        [](CLI::App& command, MeasureRequest& given) { add_measure_options(command, given); },
+        [](const MeasureRequest& given) { return given.measure.threads; });
+}
+
+}  // namespace meniscus::cli::batch

@@ -1,0 +1,446 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+"""Runs `meniscus batch` as it is built: what it finds, what it survives, and that interrupted runs end as others do.
+
+usage: batch_test.py PROGRAM SOURCE_DIR [unittest arguments]
+"""
+import gzip
+import io
+import json
+import math
+import os
+import pathlib
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tarfile
+import tempfile
+import time
+import unittest
+
+PROGRAM = pathlib.Path(sys.argv[1]).resolve()
+SOURCE = pathlib.Path(sys.argv[2]).resolve()
+UBIQUITIN = (SOURCE / "examples" / "1ubq.pdb").read_bytes()
+
+
+def spheres(count, seed):
+    """A chain of spheres, different for every seed, as xyzr."""
+    numbers = random.Random(seed)
+    x = y = z = 0.0
+    lines = []
+    for _ in range(count):
+        lines.append(f"{x:.3f} {y:.3f} {z:.3f} {numbers.uniform(1.2, 1.9):.2f}")
+        a, b = numbers.uniform(0, 6.28), numbers.uniform(0, 3.14)
+        x, y, z = x + 1.5 * math.cos(a) * math.sin(b), y + 1.5 * math.sin(a) * math.sin(b), z + 1.5 * math.cos(b)
+    return ("\n".join(lines) + "\n").encode()
+
+
+def children(pid):
+    """Processes that a process has started."""
+    found = []
+    for entry in pathlib.Path("/proc").glob("[0-9]*"):
+        try:
+            stat = (entry / "stat").read_text()
+        except OSError:
+            continue
+        if int(stat.rpartition(")")[2].split()[1]) == pid:
+            found.append(int(entry.name))
+    return found
+
+
+def wait_until(happened, seconds=30):
+    end = time.monotonic() + seconds
+    while not happened():
+        if time.monotonic() > end:
+            raise TimeoutError
+        time.sleep(0.01)
+
+
+def contents(folder):
+    """Every file below a folder but those of the state: path -> bytes; times are left out."""
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*"))
+            if path.is_file() and ".batch" not in path.parts and path.name != "times.jsonl"}
+
+
+class BatchTest(unittest.TestCase):
+    """Every test has a folder of its own, with 13 inputs below `in`, one of which is no structure."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="meniscus-batch-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.inputs = self.folder / "in"
+        for i in range(10):
+            self.write(f"{'abc'[i % 3]}/deep/m{i}.xyzr", spheres(10 + 15 * i, i))
+        self.write("packed.xyzr.gz", gzip.compress(spheres(30, 77), mtime=0))
+        self.write("bad.xyzr", b"0 0 0 1.7\n1 2\n")
+        self.write("notes.txt", b"no structure")
+        self.write("top.XYZR", spheres(25, 78))
+
+    def write(self, name, text):
+        path = self.inputs / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(text)
+        return path
+
+    def command(self, *words):
+        return [str(PROGRAM), "batch", *map(str, words)]
+
+    def batch(self, *words, code=0, text=None, environment=None):
+        result = subprocess.run(self.command(*words), cwd=self.folder, capture_output=True, encoding="utf-8", input=text,
+                                timeout=300, check=False, env={**os.environ, **(environment or {})})
+        self.assertEqual(result.returncode, code, result.stderr)
+        return result
+
+    def refused(self, *words, code=2, **keywords):
+        """The one line on standard error of a run that ends at once."""
+        errors = self.batch(*words, code=code, **keywords).stderr.splitlines()
+        errors = [line for line in errors if not line.startswith("meniscus: warning: ")]
+        self.assertEqual(len(errors), 1, errors)
+        return errors[0]
+
+    def results(self, out="out"):
+        path = self.folder / out
+        path = path / "results.jsonl" if path.is_dir() else path.with_suffix(".jsonl")
+        return [json.loads(line) for line in path.read_text().splitlines()]
+
+    def archive(self, name, folder=None):
+        with tarfile.open(self.folder / name, "w") as tar:
+            tar.add(folder or self.inputs, arcname=".")
+        return self.folder / name
+
+
+class Results(BatchTest):
+    def test_a_line_per_input_in_order_of_names(self):
+        text = self.batch("measure", "in", "--out", "out", code=6).stdout
+        results = self.results()
+        names = [result["input"] for result in results]
+        self.assertEqual(names, sorted(names))
+        self.assertEqual(len(names), 13)
+        self.assertIn("a/deep/m0.xyzr", names)
+        bad = results[names.index("bad.xyzr")]
+        self.assertEqual((bad["status"], bad["exit"], bad["outputs"], bad["report"]), ("failed", 3, [], None))
+        self.assertRegex(bad["error"], r"^bad\.xyzr:2:")
+        self.assertEqual([r["status"] for r in results].count("done"), 12)
+        self.assertRegex(text, r"(?m)^  bad\.xyzr +failed +bad\.xyzr:2:")
+        self.assertIn("13 inputs, 1 failed", text)
+
+    def test_reports_are_those_of_the_subcommand(self):
+        self.batch("measure", "in", "--out", "out", "--probe", "1.2", "--threads", "1", code=6)
+        result = next(r for r in self.results() if r["input"] == "b/deep/m4.xyzr")
+        alone = subprocess.run([PROGRAM, "measure", self.inputs / "b/deep/m4.xyzr", "--report", "-", "--probe", "1.2"],
+                               capture_output=True, check=True).stdout
+        expected = json.loads(alone)
+        del expected["time_s"], expected["peak_memory_mb"], expected["options"]["threads"]
+        self.assertEqual(result["report"], expected)
+        times = [json.loads(line) for line in (self.folder / "out/times.jsonl").read_text().splitlines()]
+        self.assertEqual([t["input"] for t in times], [r["input"] for r in self.results()])
+        self.assertGreater(times[0]["run"]["peak_memory_mb"], 1)
+
+    def test_the_folder_of_outputs_is_laid_out_as_the_inputs(self):
+        self.batch("surface", "in", "--out", "out", "--spacing", "1", "-o", ".stl", "-o", "_x.obj", code=6)
+        files = contents(self.folder / "out")
+        self.assertEqual(len(files), 12 * 4 + 1)  # each mesh has its table of atoms
+        self.assertIn("c/deep/m2.stl", files)
+        self.assertIn("packed_x.obj", files)
+        result = next(r for r in self.results() if r["input"] == "c/deep/m2.xyzr")
+        self.assertEqual(result["outputs"], ["c/deep/m2.atoms.csv", "c/deep/m2.stl", "c/deep/m2_x.atoms.csv", "c/deep/m2_x.obj"])
+        subprocess.run([PROGRAM, "surface", self.inputs / "c/deep/m2.xyzr", "--spacing", "1", "-o", self.folder / "x.stl"],
+                       capture_output=True, check=True)
+        self.assertEqual((self.folder / "x.stl").read_bytes(), files["c/deep/m2.stl"])
+
+    def test_a_mesh_is_the_default_of_surface(self):
+        self.batch("surface", "in/top.XYZR", "--out", "out", "--spacing", "1")
+        self.assertEqual(sorted(contents(self.folder / "out")), ["results.jsonl", "top.atoms.csv", "top.ply"])
+
+    def test_failed_checks_are_marked_and_outputs_kept(self):
+        self.batch("surface", self.write("two.xyzr", b"0 0 0 1.7\n2 0 0 1.7\n"), "--out", "out", "--flow", "paper", code=6)
+        result, = self.results()
+        self.assertEqual((result["status"], result["exit"]), ("checks failed", 6))
+        self.assertIn("failed its checks", result["error"])
+        self.assertEqual(result["outputs"], ["two.atoms.csv", "two.ply"])
+
+    def test_large_ones_come_first(self):
+        self.batch("measure", "in", "--out", "out", "--jobs", "1", code=6)
+        log = (self.folder / "out/.batch/shard-0-of-1.log").read_text().splitlines()[1:]
+        names = [json.loads(line)["result"]["input"] for line in log]
+        self.assertEqual(names[:3], ["a/deep/m9.xyzr", "c/deep/m8.xyzr", "b/deep/m7.xyzr"])
+
+    def test_every_model_has_a_report(self):
+        atom = "ATOM      1  CA  GLY A   1      {:6.3f}   0.000   0.000  1.00 10.00           C\n"
+        self.write("x/two.pdb", "".join(f"MODEL     {i:4}\n{atom.format(i)}ENDMDL\n" for i in (1, 2)).encode())
+        self.batch("measure", "in/x", "--out", "out", "--model", "all")
+        self.assertEqual([r["input"]["model"] for r in self.results()[0]["report"]], [1, 2])
+
+    def test_progress_as_lines_of_json(self):
+        errors = self.batch("measure", "in", "--out", "out", "--progress", "json", "--quiet", code=6).stderr
+        self.assertEqual(set(json.loads(errors.splitlines()[0])), {"done", "failed", "inputs", "time_s", "left_s"})
+
+    def test_quiet(self):
+        result = self.batch("measure", "in/top.XYZR", "--out", "out", "--quiet")
+        self.assertEqual((result.stdout, result.stderr), ("", ""))
+
+
+class Inputs(BatchTest):
+    def names(self, *words, **keywords):
+        self.batch("measure", *words, "--out", "out", **keywords)
+        return [result["input"] for result in self.results()]
+
+    def test_files_are_called_by_their_names(self):
+        self.assertEqual(self.names("in/top.XYZR", "in/a/deep/m0.xyzr", "in/top.XYZR"), ["m0.xyzr", "top.XYZR"])
+
+    def test_lists_keep_the_folders_below_the_common_one(self):
+        paths = [f"in/a/deep/m{i}.xyzr" for i in (0, 3)] + ["in/b/deep/m1.xyzr", ""]
+        (self.folder / "list").write_text("\r\n".join(paths))
+        expected = ["a/deep/m0.xyzr", "a/deep/m3.xyzr", "b/deep/m1.xyzr"]
+        self.assertEqual(self.names("--list", "list"), expected)
+        shutil.rmtree(self.folder / "out")
+        self.assertEqual(self.names("-", text="\n".join(paths)), expected)
+
+    def test_archives_give_the_results_of_their_files(self):
+        self.batch("surface", "in", "--out", "out", "--spacing", "1", code=6)
+        self.archive("all.tar")
+        self.batch("surface", "all.tar", "--out", "packed", "--spacing", "1", code=6)
+        self.assertEqual(contents(self.folder / "packed"), contents(self.folder / "out"))
+
+    def test_archives_of_others(self):
+        with tarfile.open(self.folder / "odd.tar", "w", format=tarfile.PAX_FORMAT) as tar:
+            for name, seed in (("/abs/é" + "x" * 150 + ".xyzr", 1), ("twice.xyzr", 2), ("twice.xyzr", 3)):
+                member = tarfile.TarInfo(name)
+                text = spheres(9, seed)
+                member.size = len(text)
+                tar.addfile(member, io.BytesIO(text))
+            link = tarfile.TarInfo("link.xyzr")
+            link.type, link.linkname = tarfile.SYMTYPE, "twice.xyzr"
+            tar.addfile(link)
+        self.assertEqual(self.names("odd.tar"), ["abs/é" + "x" * 150 + ".xyzr", "twice.xyzr"])
+        last = self.results()[1]
+        shutil.rmtree(self.folder / "out")
+        self.names(self.write("x/twice.xyzr", spheres(9, 3)))
+        self.assertEqual(self.results(), [last])
+
+    def test_what_cannot_be_read_is_refused(self):
+        (self.folder / "no.tar").write_bytes(b"no archive" * 100)
+        self.assertIn("no.tar: cannot be read as a tar archive", self.refused("measure", "no.tar", "--out", "out", code=3))
+        self.assertIn("missing: cannot be read", self.refused("measure", "missing", "--out", "out", code=3))
+        self.assertIn("list: cannot be read", self.refused("measure", "--list", "list", "--out", "out", code=3))
+        (self.folder / "notes").mkdir()
+        (self.folder / "notes/a.txt").write_text("")
+        self.assertIn("no inputs: 1 files have other suffixes", self.refused("measure", "notes", "--out", "out"))
+        self.assertIn("INPUTS: files, folders or archives are missing", self.refused("measure", "--out", "out"))
+
+    def test_members_outside_are_refused(self):
+        with tarfile.open(self.folder / "evil.tar", "w") as tar:
+            tar.addfile(tarfile.TarInfo("a/../../evil.xyzr"))
+        self.assertIn("lies outside", self.refused("measure", "evil.tar", "--out", "out", code=3))
+
+    def test_damaged_archives(self):
+        whole = self.archive("all.tar").read_bytes()
+        (self.folder / "cut.tar").write_bytes(whole[:len(whole) // 2 + 100])
+        self.assertIn("cut.tar: cannot be read as a tar archive", self.refused("measure", "cut.tar", "--out", "out", code=3))
+
+    def test_two_inputs_of_one_name_are_refused(self):
+        self.assertIn("m0.xyzr of", self.refused("measure", "in/a/deep/m0.xyzr", self.write("z/m0.xyzr", b"0 0 0 1\n"),
+                                                 "--out", "out"))
+
+    def test_names_that_differ_only_in_their_suffix_keep_it(self):
+        self.write("x/1.pqr", b"ATOM 1 C ALA 1 0.0 0.0 0.0 0.5 1.7\n")
+        self.write("x/1.xyzr", b"0 0 0 1.7\n")
+        self.batch("surface", "in/x", "--out", "out", "-o", ".glb")
+        self.assertLess({"1.pqr.glb", "1.xyzr.glb"}, set(contents(self.folder / "out")))
+
+    def test_names_that_are_no_text_are_refused(self):
+        (self.inputs / os.fsdecode(b"\xff.xyzr")).write_bytes(b"0 0 0 1\n")
+        self.assertIn("its name is no text", self.refused("measure", "in", "--out", "out", code=3))
+
+    def test_outputs_are_no_inputs(self):
+        self.batch("surface", "in", "--out", "in/out", "--spacing", "1", "-o", ".xyzr", code=6)
+        self.batch("surface", "in", "--out", "in/out", "--spacing", "1", "-o", ".xyzr", "--resume", code=6)
+        self.assertEqual(len(self.results("in/out")), 13)
+
+    def test_radii_are_not_mixed_unasked(self):
+        self.write("x/a.xyzr", b"0 0 0 1.7\n")
+        self.write("x/b.pdb", UBIQUITIN)
+        self.assertIn("--mixed-radii", self.refused("measure", "in/x", "--out", "out"))
+        self.assertFalse((self.folder / "out/results.jsonl").exists())
+        self.batch("measure", "in/x", "--out", "out", "--resume", "--mixed-radii")
+        self.assertEqual([r["report"]["input"]["radii"] for r in self.results()], ["file", "united"])
+        self.batch("measure", "in/x", "--out", "chosen", "--radii", "bondi", code=6)
+
+    def test_options_are_refused_before_anything_is_computed(self):
+        for words, why in ((("-o", "a.ply"), "give the ending alone"), (("-o", ".xyz"), ".xyz"), (("--spacing", "0"), "--spacing"),
+                           (("--shard", "4/4"), "0/4, 1/4, 2/4 and 3/4"), (("--time-limit", "soon"), "--time-limit"),
+                           (("--report", "x.json"), "--report"), (("--jobs", "0"), "--jobs"), (("--memory-limt", "1G"), "--memory-limit?")):
+            self.assertIn(why, self.refused("surface", "in", "--out", "out", *words))
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_negative_values_and_repeated_options_reach_every_input(self):
+        self.batch("surface", "in/top.XYZR", "--out", "out", "--density", "-0.8", "--spacing", "1", "--color", "element")
+        self.assertEqual(self.results()[0]["report"]["options"]["density"], -0.8)
+
+
+class Isolation(BatchTest):
+    def test_what_hangs_is_ended(self):
+        os.mkfifo(self.inputs / "never.xyzr")
+        self.batch("measure", "in/never.xyzr", "in/top.XYZR", "--out", "out", "--time-limit", "1", "--jobs", "1", code=6)
+        hung, done = self.results()
+        self.assertEqual((hung["status"], hung["exit"], hung["error"]), ("timed out", None, "took longer than 1 s"))
+        self.assertEqual(done["status"], "done")
+
+    def test_what_crashes_harms_no_other(self):
+        os.mkfifo(self.inputs / "never.xyzr")
+        process = subprocess.Popen(self.command("measure", "in/never.xyzr", "in/top.XYZR", "--out", "out", "--jobs", "2"),
+                                   cwd=self.folder, stdout=subprocess.DEVNULL)
+        log = self.folder / "out/.batch/shard-0-of-1.log"
+        wait_until(lambda: log.exists() and b"top.XYZR" in log.read_bytes())
+        hung, = children(process.pid)
+        os.kill(hung, signal.SIGSEGV)
+        self.assertEqual(process.wait(30), 6)
+        crashed, done = self.results()
+        self.assertEqual((crashed["status"], crashed["exit"], crashed["error"]), ("crashed", None, "ended by SIGSEGV"))
+        self.assertEqual(done["status"], "done")
+
+    def test_memory_is_limited_for_each(self):
+        self.write("x/large.xyzr", spheres(60000, 5))
+        self.write("x/small.xyzr", spheres(10, 6))
+        self.batch("surface", "in/x", "--out", "out", "--spacing", "0.25", "--memory-limit", "150M", "--threads", "1", code=6)
+        large, small = self.results()
+        self.assertEqual((large["status"], large["exit"]), ("failed", 5))
+        self.assertEqual(small["status"], "done")
+
+    def test_children_end_with_their_parent(self):
+        os.mkfifo(self.inputs / "never.xyzr")
+        for number in (signal.SIGKILL, signal.SIGTERM, signal.SIGINT):
+            process = subprocess.Popen(self.command("measure", "in/never.xyzr", "--out", f"out{number}"), cwd=self.folder)
+            wait_until(lambda: children(process.pid))
+            child, = children(process.pid)
+            wait_until(lambda: b"measure" in pathlib.Path(f"/proc/{child}/cmdline").read_bytes())
+            process.send_signal(number)
+            code = process.wait(30)
+            self.assertEqual(code, -number if number == signal.SIGKILL else 128 + number)
+            wait_until(lambda: not pathlib.Path(f"/proc/{child}/cmdline").exists())
+        self.assertFalse((self.folder / f"out{signal.SIGTERM}/.batch/shard-0-of-1.work").exists())
+
+    def test_a_full_disk_ends_the_batch(self):
+        self.assertIn("cannot be made", self.refused("measure", "in", "--out", "/proc/nowhere", code=4))
+
+
+class Resuming(BatchTest):
+    def test_killed_at_any_moment_it_ends_with_the_same_bytes(self):
+        moments = random.Random(1)
+        for out, words in (("killed", ("surface", "in", "--spacing", "1")), ("killed.tar", ("surface", "in", "--spacing", "1"))):
+            whole = out.replace("killed", "whole")
+            self.batch(*words, "--out", whole, code=6)
+            for _ in range(12):
+                process = subprocess.Popen(self.command(*words, "--out", out, "--resume", "--quiet"), cwd=self.folder,
+                                           stderr=subprocess.DEVNULL)
+                time.sleep(moments.uniform(0.01, 0.35))
+                process.send_signal(moments.choice((signal.SIGKILL, signal.SIGTERM)))
+                process.wait()
+            self.batch(*words, "--out", out, "--resume", code=6)
+            self.assertEqual(self.results(out), self.results(whole))
+            if out.endswith(".tar"):
+                self.assertEqual((self.folder / out).read_bytes(), (self.folder / whole).read_bytes())
+            else:
+                self.assertEqual(contents(self.folder / out), contents(self.folder / whole))
+
+    def test_lines_that_were_cut_off_are_made_again(self):
+        self.batch("measure", "in", "--out", "out", code=6)
+        expected = contents(self.folder / "out")
+        log = self.folder / "out/.batch/shard-0-of-1.log"
+        text = log.read_bytes()
+        for size in (len(text) - 5, len(text) // 2, text.index(b"\n") + 1, 3, 0):
+            log.write_bytes(text[:size])
+            (self.folder / "out/results.jsonl").unlink()
+            self.batch("measure", "in", "--out", "out", "--resume", code=6)
+            self.assertEqual(contents(self.folder / "out"), expected)
+
+    def test_what_is_done_is_skipped_and_what_failed_is_tried_again(self):
+        self.batch("measure", "in", "--out", "out", code=6)
+        self.write("bad.xyzr", spheres(12, 3))
+        self.write("a/deep/m0.xyzr", spheres(13, 4))  # another size
+        text = self.batch("measure", "in", "--out", "out", "--resume").stdout
+        self.assertIn("13 inputs, 0 failed, 11 done before", text)
+        self.assertEqual(self.results()[0]["report"]["input"]["atoms"], 13)
+
+    def test_new_inputs_join_and_old_ones_leave(self):
+        self.batch("measure", "in/a", "--out", "out")
+        (self.inputs / "a/deep/m0.xyzr").unlink()
+        self.write("a/new.xyzr", spheres(12, 3))
+        self.batch("measure", "in/a", "--out", "out", "--resume")
+        self.assertEqual([r["input"] for r in self.results()], ["deep/m3.xyzr", "deep/m6.xyzr", "deep/m9.xyzr", "new.xyzr"])
+
+    def test_another_run_is_not_gone_on_with(self):
+        self.batch("measure", "in/a", "--out", "out")
+        self.assertIn("add --resume", self.refused("measure", "in/a", "--out", "out"))
+        self.assertIn("with other options", self.refused("measure", "in/a", "--out", "out", "--resume", "--probe", "1.2"))
+        self.assertIn("with other options", self.refused("surface", "in/a", "--out", "out", "--resume"))
+
+    def test_only_one_run_works_on_a_shard(self):
+        os.mkfifo(self.inputs / "never.xyzr")
+        process = subprocess.Popen(self.command("measure", "in/never.xyzr", "--out", "out"), cwd=self.folder)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        wait_until(lambda: children(process.pid))
+        self.assertIn("another run", self.refused("measure", "in/never.xyzr", "--out", "out", "--resume"))
+
+
+class Shards(BatchTest):
+    def test_together_they_are_the_whole(self):
+        for out in ("whole", "whole.tar"):
+            self.batch("surface", "in", "--out", out, "--spacing", "1", code=6)
+        codes = set()
+        for out in ("parts", "parts.tar"):
+            for i in range(4):
+                process = subprocess.run(self.command("surface", "in", "--out", out, "--spacing", "1", "--shard", f"{i}/4"),
+                                         cwd=self.folder, capture_output=True, check=False)
+                codes.add(process.returncode)
+            self.batch("surface", "--out", out, "--collect", code=6)
+        self.assertEqual(codes, {0, 6})
+        self.assertEqual(contents(self.folder / "parts"), contents(self.folder / "whole"))
+        self.assertEqual(self.results("parts.tar"), self.results("whole.tar"))
+        members = {}
+        for i in range(4):
+            with tarfile.open(self.folder / f"parts-{i}-of-4.tar") as tar:
+                members.update({m.name: tar.extractfile(m).read() for m in tar})
+        with tarfile.open(self.folder / "whole.tar") as tar:
+            self.assertEqual(members, {m.name: tar.extractfile(m).read() for m in tar})
+
+    def test_they_are_balanced(self):
+        sizes = []
+        for i in range(3):
+            self.batch("measure", "in/a", "in/top.XYZR", "in/packed.xyzr.gz", "--out", "out", "--shard", f"{i}/3")
+            done = (self.folder / f"out/.batch/shard-{i}-of-3.done").read_text().splitlines()[1:]
+            sizes.append(len(done))
+        self.assertEqual(sum(sizes), 6)
+        self.assertTrue(all(sizes))
+
+    def test_an_array_names_its_own(self):
+        array = {"SLURM_ARRAY_TASK_COUNT": "2", "SLURM_ARRAY_TASK_MIN": "5", "SLURM_ARRAY_TASK_MAX": "6"}
+        for task in ("5", "6"):
+            self.batch("measure", "in/a", "--out", "out", environment={**array, "SLURM_ARRAY_TASK_ID": task})
+        self.batch("measure", "--out", "out", "--collect")
+        self.assertEqual(len(self.results()), 4)
+        gaps = {**array, "SLURM_ARRAY_TASK_MAX": "9", "SLURM_ARRAY_TASK_ID": "5"}
+        self.assertIn("without gaps", self.refused("measure", "in/a", "--out", "other", environment=gaps))
+
+    def test_missing_and_unlike_shards_are_not_collected(self):
+        self.assertIn("no results", self.refused("measure", "--out", "out", "--collect", code=3))
+        self.batch("measure", "in/a", "--out", "out", "--shard", "0/2")
+        self.assertIn("shard 1/2 is not done", self.refused("measure", "--out", "out", "--collect", code=3))
+        self.batch("measure", "in/b", "--out", "out", "--shard", "1/2")
+        self.assertIn("other inputs", self.refused("measure", "--out", "out", "--collect", code=3))
+        self.batch("measure", "in/a", "--out", "out", "--shard", "0/3")
+        self.assertIn("of 3", self.refused("measure", "--out", "out", "--collect", code=3))
+
+    def test_more_shards_than_inputs(self):
+        for i in range(3):
+            self.batch("measure", "in/top.XYZR", "--out", "out", "--shard", f"{i}/3")
+        self.batch("measure", "--out", "out", "--collect")
+        self.assertEqual(len(self.results()), 1)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
