@@ -89,7 +89,9 @@ public:
     explicit Search(const Sources& sources) {
         std::error_code ignored;
         for (const std::string& folder : sources.skip) skip_.push_back(fs::weakly_canonical(folder, ignored));
-        if (!sources.base.empty()) base_ = normal(sources.base);
+        if (sources.base.empty()) return;
+        base_ = normal(sources.base);
+        if (!fs::is_directory(base_, ignored)) throw UsageError(fmt::format("--base {}: is no folder", sources.base));
     }
 
     /// What one word names; files are called by their path below the base or else `root`, or by their name.

@@ -49,7 +49,7 @@ struct Sources {
 /// Paths are compared as they are written; links are not followed.
 ///
 /// throws  InputError for what is not there or cannot be read, and for names that are no text (UTF-8); UsageError for
-///         two inputs of one name, for what is not below the base, and where there are none
+///         two inputs of one name, for a base that is no folder, for what is not below it, and where there are none
 FoundInputs find_inputs(const Sources& sources);
 
 }  // namespace meniscus::cli::batch

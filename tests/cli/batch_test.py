@@ -212,9 +212,12 @@ class Inputs(BatchTest):
         (self.folder / "aa").mkdir()
         (self.folder / "a").mkdir()
         self.write("../aa/m.xyzr", b"0 0 0 1\n")
-        for word, base in (("in/top.XYZR", "in/a"), ("in", "in/a"), ("aa/m.xyzr", "a"), ("aa", "a"), ("in/top.XYZR", "nowhere")):
+        for word, base in (("in/top.XYZR", "in/a"), ("in", "in/a"), ("aa/m.xyzr", "a"), ("aa", "a")):
             error = self.refused("measure", word, "--base", base, "--out", "out")
             self.assertIn(f"{word}: is not below {self.folder.resolve() / base}; --base", error)
+        for base in ("nowhere", "in/top.XYZR"):
+            error = self.refused("measure", "in/top.XYZR", "--base", base, "--out", "out")
+            self.assertIn(f"--base {base}: is no folder", error)
 
     def test_archives_give_the_results_of_their_files(self):
         self.batch("surface", "in", "--out", "out", "--spacing", "1", code=6)
