@@ -85,7 +85,8 @@ class Page:
         (folder / ".bin" / "meniscus").symlink_to(PROGRAM)
         for name in ("meniscus-msms", "meniscus-nanoshaper", "pdb_to_xyzr", "pdb_to_xyzrn"):
             (folder / ".bin" / name).symlink_to(PROGRAM.parent / "dropins" / name)
-        self.environment = {**os.environ, "PATH": f"{folder / '.bin'}:{os.environ['PATH']}", "LC_ALL": "C.UTF-8"}
+        self.environment = {**os.environ, "PATH": f"{folder / '.bin'}:{os.environ['PATH']}", "LC_ALL": "C.UTF-8",
+                            "DASK_TEMPORARY_DIRECTORY": str(folder)}
 
     def run(self, block):
         command, environment = ["bash", "-c", "set -eo pipefail\n" + block.text], self.environment

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Meniscus authors
 # SPDX-License-Identifier: Apache-2.0
 """meniscus.map() without a client: the records and files of `meniscus batch`."""
+import contextlib
 import json
 import os
 import pathlib
@@ -44,7 +45,8 @@ def run(paths, **keywords):
 class Map(InScratchFolder):
     def setUp(self):
         super().setUp()
-        self.paths = [write("in/b/small.xyzr", "0 0 0 1.7\n"), write("in/a/large.xyzr"), write("in/top.XYZR", "0 0 0 1.7\n1.5 0 0 1.6\n")]
+        self.paths = [write("in/b/small.xyzr", "0 0 0 1.7\n"), write("in/a/large.xyzr"),
+                      write("in/top.XYZR", "0 0 0 1.7\n1.5 0 0 1.6\n")]
 
     def test_records_come_in_the_order_of_the_paths(self):
         for paths in (self.paths, self.paths[::-1], [*self.paths, *map(pathlib.Path, self.paths)]):
@@ -181,12 +183,17 @@ class Interruption(InScratchFolder):
         """
         process = subprocess.Popen([sys.executable, "-c", textwrap.dedent(code)], start_new_session=True)
         self.addCleanup(process.wait)
-        self.addCleanup(process.kill)
+        self.addCleanup(self.end_group, process.pid)
         self.wait_until(lambda: len(self.group(process.pid)) == 3)  # Python, the batch and what it has started
         process.send_signal(signal.SIGINT)
         self.assertEqual(process.wait(30), 3)
         self.wait_until(lambda: not self.group(process.pid))
         self.assertEqual(os.listdir("out"), [])
+
+    @staticmethod
+    def end_group(leader):
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(leader, signal.SIGKILL)
 
     @staticmethod
     def group(leader):
