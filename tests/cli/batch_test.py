@@ -199,6 +199,26 @@ class Inputs(BatchTest):
         shutil.rmtree(self.folder / "out")
         self.assertEqual(self.names("-", text="\n".join(paths)), expected)
 
+    def test_a_base_names_all_files(self):
+        (self.folder / "list").write_text("in/b/deep/m1.xyzr\n")
+        self.archive("all.tar", self.inputs / "c")
+        words = ("in/top.XYZR", "in/b/../a", "--list", "list", "all.tar")
+        for base in ("in", "./in/", self.inputs, "in/a/.."):
+            self.assertEqual(self.names(*words, "--base", base), [f"a/deep/m{i}.xyzr" for i in (0, 3, 6, 9)] +
+                             ["b/deep/m1.xyzr"] + [f"deep/m{i}.xyzr" for i in (2, 5, 8)] + ["top.XYZR"])
+            shutil.rmtree(self.folder / "out")
+        self.assertEqual(self.names("in/a", "--base", "in/a"), [f"deep/m{i}.xyzr" for i in (0, 3, 6, 9)])
+        self.batch("measure", "in/a", "--out", "out", "--resume")  # the base is no part of what a run computes
+        (self.folder / "aa").mkdir()
+        (self.folder / "a").mkdir()
+        self.write("../aa/m.xyzr", b"0 0 0 1\n")
+        for word, base in (("in/top.XYZR", "in/a"), ("in", "in/a"), ("aa/m.xyzr", "a"), ("aa", "a")):
+            error = self.refused("measure", word, "--base", base, "--out", "out")
+            self.assertIn(f"{word}: is not below {self.folder.resolve() / base}; --base", error)
+        for base in ("nowhere", "in/top.XYZR"):
+            error = self.refused("measure", "in/top.XYZR", "--base", base, "--out", "out")
+            self.assertIn(f"--base {base}: is no folder", error)
+
     def test_archives_give_the_results_of_their_files(self):
         self.batch("surface", "in", "--out", "out", "--spacing", "1", code=6)
         self.archive("all.tar")
