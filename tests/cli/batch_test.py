@@ -51,6 +51,14 @@ def children(pid):
     return found
 
 
+def is_running(pid):
+    """Whether a process is there and no mere entry that nobody has asked for."""
+    try:
+        return pathlib.Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] not in "ZX"
+    except OSError:
+        return False
+
+
 def wait_until(happened, seconds=30):
     end = time.monotonic() + seconds
     while not happened():
@@ -340,7 +348,7 @@ class Isolation(BatchTest):
             process.send_signal(number)
             code = process.wait(30)
             self.assertEqual(code, -number if number == signal.SIGKILL else 128 + number)
-            wait_until(lambda: not pathlib.Path(f"/proc/{child}/cmdline").exists())
+            wait_until(lambda: not is_running(child))
         self.assertFalse((self.folder / f"out{signal.SIGTERM}/.batch/shard-0-of-1.work").exists())
 
     def test_a_full_disk_ends_the_batch(self):
