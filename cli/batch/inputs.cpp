@@ -78,14 +78,23 @@ std::string inner_path(const std::string& archive, const std::string& name) {
     return inner.generic_string();
 }
 
+/// As it is written, but whole and without detours: "a/../b/" in /home -> "/home/b".
+fs::path normal(const fs::path& path) {
+    const fs::path whole = fs::absolute(path).lexically_normal();
+    return whole.has_filename() ? whole : whole.parent_path();
+}
+
 class Search {
 public:
-    explicit Search(const std::vector<std::string>& skip) {
+    explicit Search(const Sources& sources) {
         std::error_code ignored;
-        for (const std::string& folder : skip) skip_.push_back(fs::weakly_canonical(folder, ignored));
+        for (const std::string& folder : sources.skip) skip_.push_back(fs::weakly_canonical(folder, ignored));
+        if (sources.base.empty()) return;
+        base_ = normal(sources.base);
+        if (!fs::is_directory(base_, ignored)) throw UsageError(fmt::format("--base {}: is no folder", sources.base));
     }
 
-    /// What one word names; files are called by their path below `root`, or by their name.
+    /// What one word names; files are called by their path below the base or else `root`, or by their name.
     void add(const std::string& word, const fs::path& root = {}) {
         std::error_code error;
         const fs::file_status status = fs::status(word, error);
@@ -94,7 +103,11 @@ public:
         if (fs::is_directory(status)) return add_folder(word);
         if (is_archive(word)) return add_archive(word);
         const fs::path path(word);
-        const fs::path name = root.empty() ? path.filename() : normal(path).lexically_relative(root);
+        fs::path name = path.filename();
+        if (!base_.empty())
+            name = below_base(path);
+        else if (!root.empty())
+            name = normal(path).lexically_relative(root);
         found_.inputs.push_back({name.generic_string(), word, std::nullopt, size_of(path)});
     }
 
@@ -133,7 +146,14 @@ public:
     }
 
 private:
-    static fs::path normal(const fs::path& path) { return fs::absolute(path).lexically_normal(); }
+    /// throws   UsageError
+    fs::path below_base(const fs::path& path) const {
+        const fs::path name = normal(path).lexically_relative(base_);
+        if (name.empty() || *name.begin() == "..")
+            throw UsageError(fmt::format("{}: is not below {}; --base is a folder that holds all inputs", path.string(),
+                                         base_.string()));
+        return name;
+    }
 
     /// The deepest folder that holds all files of a list.
     static fs::path common_folder(const std::vector<std::string>& words) {
@@ -154,6 +174,7 @@ private:
     }
 
     void add_folder(const fs::path& folder) {
+        const fs::path root = base_.empty() ? fs::path() : below_base(folder);
         std::error_code error;
         for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
              entry.increment(error)) {
@@ -163,7 +184,8 @@ private:
                 if (std::find(skip_.begin(), skip_.end(), inner) != skip_.end()) entry.disable_recursion_pending();
             } else if (const std::string name = entry->path().lexically_relative(folder).generic_string();
                        names_structure(name)) {
-                found_.inputs.push_back({name, entry->path().string(), std::nullopt, size_of(entry->path())});
+                found_.inputs.push_back({(root / name).lexically_normal().generic_string(), entry->path().string(),
+                                         std::nullopt, size_of(entry->path())});
             } else {
                 ++found_.left_out;
             }
@@ -184,6 +206,7 @@ private:
     }
 
     std::vector<fs::path> skip_;
+    fs::path base_;
     FoundInputs found_;
 };
 
@@ -193,21 +216,20 @@ bool names_structure(const std::string& name) { return suffix_length(name) > 0; 
 
 std::string without_suffix(const std::string& name) { return name.substr(0, name.size() - suffix_length(name)); }
 
-FoundInputs find_inputs(const std::vector<std::string>& words, const std::string& list,
-                        const std::vector<std::string>& skip) {
-    Search search(skip);
-    for (const std::string& word : words) {
+FoundInputs find_inputs(const Sources& sources) {
+    Search search(sources);
+    for (const std::string& word : sources.words) {
         if (word == "-")
             search.add_list(std::cin, "standard input");
         else
             search.add(word);
     }
-    if (list == "-") {
+    if (sources.list == "-") {
         search.add_list(std::cin, "standard input");
-    } else if (!list.empty()) {
-        std::ifstream file(list);
-        if (!file) throw InputError(list + ": cannot be read");
-        search.add_list(file, list);
+    } else if (!sources.list.empty()) {
+        std::ifstream file(sources.list);
+        if (!file) throw InputError(sources.list + ": cannot be read");
+        search.add_list(file, sources.list);
     }
     return search.finish();
 }

@@ -32,19 +32,24 @@ bool names_structure(const std::string& name);
 /// A name without the suffixes of structures: "ab/1abc.cif.gz" -> "ab/1abc".
 std::string without_suffix(const std::string& name);
 
-/// Finds what `words` name.
+/// Where inputs are looked for.
+struct Sources {
+    std::vector<std::string> words;  ///< files, folders, .tar archives; "-" for a list on standard input
+    std::string list;                ///< a file with one such word per line, or empty
+    std::string base;                ///< a folder that holds all files and folders, or empty
+    std::vector<std::string> skip;   ///< folders that are not looked into: those of the outputs
+};
+
+/// Finds what the sources name.
 ///
-/// A file is called by its name, one in a folder by its path below that folder, a member of an archive by its path in
-/// it, and one of a list by its path below the deepest folder that holds all files of the list. What is named itself
-/// is taken whatever its suffix.
+/// With a base, files are called by their paths below it. Without one, a file is called by its name, one in a folder by
+/// its path below that folder, and one of a list by its path below the deepest folder that holds all files of the list.
+/// A member of an archive is always called by its path in it. What is named itself is taken whatever its suffix.
 ///
-/// words   files, folders, .tar archives; "-" for a list on standard input
-/// list    a file with one such word per line, or empty
-/// skip    folders that are not looked into: those of the outputs
+/// Paths are compared as they are written; links are not followed.
+///
 /// throws  InputError for what is not there or cannot be read, and for names that are no text (UTF-8); UsageError for
-/// two inputs of one name, and where there
-///         are none
-FoundInputs find_inputs(const std::vector<std::string>& words, const std::string& list,
-                        const std::vector<std::string>& skip);
+///         two inputs of one name, for a base that is no folder, for what is not below it, and where there are none
+FoundInputs find_inputs(const Sources& sources);
 
 }  // namespace meniscus::cli::batch

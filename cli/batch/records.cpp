@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "io/atomic_file.h"
@@ -25,6 +27,9 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 namespace {
+
+constexpr int kLockAttempts = 10;
+constexpr std::chrono::milliseconds kLockPause{100};
 
 std::string name_of(const Shard& shard) { return fmt::format("shard-{}-of-{}", shard.index, shard.count); }
 
@@ -143,15 +148,24 @@ Log::Log(const Places& places, const ordered_json& header, bool resume) : path_(
     if (error) throw OutputError(fmt::format("{}: cannot be made: {}", places.state(), error.message()));
     file_ = Descriptor(path_, O_RDWR | O_CREAT | O_APPEND);
     if (!file_.is_open()) cannot_write(path_);
-    if (flock(file_.number(), LOCK_EX | LOCK_NB) != 0) {
-        if (errno == EWOULDBLOCK) throw UsageError(fmt::format("{}: another run works on this shard", path_));
-        print_warning(std::cerr, fmt::format("{}: cannot be locked ({}); see that no other run works on this shard",
-                                             path_, std::strerror(errno)));
-    }
+    lock();
     load(header, resume);
     const std::string line = text_of(header);
     append_line(line);
     size_ += static_cast<std::int64_t>(line.size());
+}
+
+/// A run that was killed may hold the lock for a moment longer, in a process that it was about to start.
+void Log::lock() const {
+    for (int attempt = 0; flock(file_.number(), LOCK_EX | LOCK_NB) != 0; ++attempt) {
+        if (errno != EWOULDBLOCK) {
+            print_warning(std::cerr, fmt::format("{}: cannot be locked ({}); see that no other run works on this shard",
+                                                 path_, std::strerror(errno)));
+            return;
+        }
+        if (attempt == kLockAttempts) throw UsageError(fmt::format("{}: another run works on this shard", path_));
+        std::this_thread::sleep_for(kLockPause);
+    }
 }
 
 void Log::load(const ordered_json& header, bool resume) {

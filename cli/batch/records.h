@@ -84,6 +84,7 @@ public:
     void finish(const std::string& path, const nlohmann::ordered_json& header, const std::vector<Task>& tasks) const;
 
 private:
+    void lock() const;
     void load(const nlohmann::ordered_json& header, bool resume);
     void append_line(const std::string& line);
     void note(const Record& record, std::int64_t length);

@@ -28,10 +28,10 @@ constexpr const char* kFooter =
     "  meniscus batch {0} structures --out surfaces --resume    goes on after an end";
 
 /// Names of what a batch decides itself: not passed on to the processes.
-const std::set<std::string> kOwnNames{"INPUTS",         "--list",     "--out",     "--jobs",    "--time-limit",
-                                      "--memory-limit", "--resume",   "--shard",   "--collect", "--mixed-radii",
-                                      "--quiet",        "--progress", "--threads", "-o",        "--help",
-                                      "--help-all"};
+const std::set<std::string> kOwnNames{"INPUTS",        "--list",         "--base",     "--out",     "--jobs",
+                                      "--time-limit",  "--memory-limit", "--resume",   "--shard",   "--collect",
+                                      "--mixed-radii", "--quiet",        "--progress", "--threads", "-o",
+                                      "--help",        "--help-all"};
 
 /// "90", "90s", "15m", "2h" as seconds.
 double parse_time(const std::string& option, const std::string& text) {
@@ -82,6 +82,7 @@ void add_own_options(CLI::App& command, Request& request) {
         ->type_name("");
     command.option_defaults()->group("Batch");
     command.add_option("--list", request.list, "A file that names one input per line")->type_name("FILE");
+    command.add_option("--base", request.base, "Inputs are called by their paths below DIR")->type_name("DIR");
     command
         .add_option("--out", request.out,
                     "Where outputs go\n, laid out as the inputs are: a folder, or an archive (.tar)")

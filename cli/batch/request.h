@@ -24,6 +24,7 @@ struct Request {
     std::vector<std::string> endings;  ///< of outputs: ".ply"; they follow an input's name
     std::vector<std::string> inputs;
     std::string list;
+    std::string base;
     std::string out;
     std::optional<Shard> shard;
     int jobs = 0;     ///< processes at once; 0 for as many as cores

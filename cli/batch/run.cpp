@@ -148,7 +148,7 @@ Run::Run(const Request& request, const Shard& shard, const Places& places)
     : request_(request),
       shard_(shard),
       places_(places),
-      found_(find_inputs(request.inputs, request.list, {places.outputs(), places.state()})),
+      found_(find_inputs({request.inputs, request.list, request.base, {places.outputs(), places.state()}})),
       header_(header_of(request, shard, found_.inputs)),
       tasks_(plan(found_.inputs, shard)),
       log_(places, header_, request.resume),

@@ -18,6 +18,7 @@ A tutorial is in ``docs/python.md``.
 from ._compare import Compared, Comparison, Distance, compare
 from ._core import version as __version__
 from ._errors import CheckWarning, InputError, LimitError, OutputError, ReadWarning, UsageError
+from ._map import map
 from ._measures import Component, Measures, measure, signed_distance
 from ._structure import Structure, radii, read, read_models
 from ._surface import Points, Surface, surface
@@ -39,6 +40,7 @@ __all__ = [
     "UsageError",
     "__version__",
     "compare",
+    "map",
     "measure",
     "radii",
     "read",

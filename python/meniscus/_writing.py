@@ -9,7 +9,7 @@ import pathlib
 import re
 import secrets
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, BinaryIO, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -204,17 +204,17 @@ def _save_point_arrays(path: str, points: Points, more: dict[str, npt.NDArray[An
             with open(path, "wb") as file:
                 np.savez_compressed(file, **arrays)
         else:
-            _write_whole(path, arrays)
+            write_whole(path, lambda file: np.savez_compressed(file, **arrays))
     except OSError as error:
         raise OutputError(f"{path}: cannot be written: {error.strerror or error}") from error
 
 
-def _write_whole(path: str, arrays: dict[str, npt.NDArray[Any]]) -> None:
+def write_whole(path: str, write: Callable[[BinaryIO], Any]) -> None:
     """Under another name first: the file appears whole or not at all."""
     temporary = f"{path}.{secrets.token_hex(4)}.tmp"
     try:
         with open(temporary, "xb") as file:
-            np.savez_compressed(file, **arrays)
+            write(file)
         os.replace(temporary, path)
     except BaseException:
         with contextlib.suppress(OSError):

@@ -51,6 +51,14 @@ def children(pid):
     return found
 
 
+def is_running(pid):
+    """Whether a process is there and no mere entry that nobody has asked for."""
+    try:
+        return pathlib.Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] not in "ZX"
+    except OSError:
+        return False
+
+
 def wait_until(happened, seconds=30):
     end = time.monotonic() + seconds
     while not happened():
@@ -199,6 +207,26 @@ class Inputs(BatchTest):
         shutil.rmtree(self.folder / "out")
         self.assertEqual(self.names("-", text="\n".join(paths)), expected)
 
+    def test_a_base_names_all_files(self):
+        (self.folder / "list").write_text("in/b/deep/m1.xyzr\n")
+        self.archive("all.tar", self.inputs / "c")
+        words = ("in/top.XYZR", "in/b/../a", "--list", "list", "all.tar")
+        for base in ("in", "./in/", self.inputs, "in/a/.."):
+            self.assertEqual(self.names(*words, "--base", base), [f"a/deep/m{i}.xyzr" for i in (0, 3, 6, 9)] +
+                             ["b/deep/m1.xyzr"] + [f"deep/m{i}.xyzr" for i in (2, 5, 8)] + ["top.XYZR"])
+            shutil.rmtree(self.folder / "out")
+        self.assertEqual(self.names("in/a", "--base", "in/a"), [f"deep/m{i}.xyzr" for i in (0, 3, 6, 9)])
+        self.batch("measure", "in/a", "--out", "out", "--resume")  # the base is no part of what a run computes
+        (self.folder / "aa").mkdir()
+        (self.folder / "a").mkdir()
+        self.write("../aa/m.xyzr", b"0 0 0 1\n")
+        for word, base in (("in/top.XYZR", "in/a"), ("in", "in/a"), ("aa/m.xyzr", "a"), ("aa", "a")):
+            error = self.refused("measure", word, "--base", base, "--out", "out")
+            self.assertIn(f"{word}: is not below {self.folder.resolve() / base}; --base", error)
+        for base in ("nowhere", "in/top.XYZR"):
+            error = self.refused("measure", "in/top.XYZR", "--base", base, "--out", "out")
+            self.assertIn(f"--base {base}: is no folder", error)
+
     def test_archives_give_the_results_of_their_files(self):
         self.batch("surface", "in", "--out", "out", "--spacing", "1", code=6)
         self.archive("all.tar")
@@ -320,7 +348,7 @@ class Isolation(BatchTest):
             process.send_signal(number)
             code = process.wait(30)
             self.assertEqual(code, -number if number == signal.SIGKILL else 128 + number)
-            wait_until(lambda: not pathlib.Path(f"/proc/{child}/cmdline").exists())
+            wait_until(lambda: not is_running(child))
         self.assertFalse((self.folder / f"out{signal.SIGTERM}/.batch/shard-0-of-1.work").exists())
 
     def test_a_full_disk_ends_the_batch(self):

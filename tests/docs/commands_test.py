@@ -8,14 +8,16 @@
     ```sh not-run          shown only: needs the network, root or another program; listed by this test
     ```                    likewise
     ```sh not-run slurm    run by tests/engines/slurm_test.py where Slurm is installed
-    ```python              run with the interpreter that MENISCUS_DOCS_PYTHON names, which has the package; else listed.
-                           Blocks with >>> belong to tests/python
+    ```python              run with the interpreter that MENISCUS_DOCS_PYTHON names, which has the package; else, and
+                           without the engine that it imports, listed. Blocks with >>> belong to tests/python
     ```output              what the block before it prints; "..." for what differs from run to run
 
 usage: commands_test.py PROGRAM SOURCE_DIR
 """
+import functools
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -42,17 +44,29 @@ PYTHON = os.environ.get("MENISCUS_DOCS_PYTHON", "")
 PACKAGE = os.environ.get("MENISCUS_DOCS_PYTHONPATH", "")
 
 
+@functools.lru_cache(maxsize=None)
+def has_module(name):
+    """Whether that interpreter has a module."""
+    code = "import importlib.util, sys; sys.exit(importlib.util.find_spec(sys.argv[1]) is None)"
+    return subprocess.run([PYTHON, "-c", code, name], check=False).returncode == 0
+
+
+def has_engines(block):
+    """Whether the engines are there that a block of Python imports: Debian's, which no other page needs."""
+    return all(has_module(name) for name in re.findall(r"^(?:from|import) (distributed)\b", block.text, re.MULTILINE))
+
+
 def is_run(block):
     """Whether a block is something that this test runs."""
     if block.kind == "python":
-        return bool(PYTHON) and ">>>" not in block.text
+        return bool(PYTHON) and ">>>" not in block.text and has_engines(block)
     return block.kind == "sh" and "not-run" not in block.info
 
 
 def is_left_out(block):
     """Whether a block has commands of the manual that nothing runs."""
     if block.kind == "python":
-        return not PYTHON and ">>>" not in block.text
+        return ">>>" not in block.text and not is_run(block)
     return not is_run(block) and any(line.split()[:1] in (["./run"], ["./test"], ["meniscus"]) for line in block.lines)
 
 
@@ -72,7 +86,8 @@ class Page:
         (folder / ".bin" / "meniscus").symlink_to(PROGRAM)
         for name in ("meniscus-msms", "meniscus-nanoshaper", "pdb_to_xyzr", "pdb_to_xyzrn"):
             (folder / ".bin" / name).symlink_to(PROGRAM.parent / "dropins" / name)
-        self.environment = {**os.environ, "PATH": f"{folder / '.bin'}:{os.environ['PATH']}", "LC_ALL": "C.UTF-8"}
+        self.environment = {**os.environ, "PATH": f"{folder / '.bin'}:{os.environ['PATH']}", "LC_ALL": "C.UTF-8",
+                            "DASK_TEMPORARY_DIRECTORY": str(folder)}
 
     def run(self, block):
         command, environment = ["bash", "-c", "set -eo pipefail\n" + block.text], self.environment

@@ -3,13 +3,15 @@
 """What docstrings and docs/python.md show is what happens."""
 import doctest
 import importlib.util
+import os
 import re
 import shutil
 import unittest
+import unittest.mock
 import warnings
 
 import numpy
-from support import ROOT, UBIQUITIN, InScratchFolder
+from support import PROGRAM, ROOT, UBIQUITIN, InScratchFolder
 
 import meniscus
 
@@ -24,6 +26,8 @@ class Examples(InScratchFolder):
         shutil.copy(UBIQUITIN, ".")
         self.enterContext(warnings.catch_warnings())
         warnings.simplefilter("ignore", meniscus.ReadWarning)
+        path = os.pathsep.join([os.path.dirname(PROGRAM), os.environ["PATH"]])
+        self.enterContext(unittest.mock.patch.dict(os.environ, PATH=path))
 
         self.runner = doctest.DocTestRunner(optionflags=FLAGS)
         self.output = []

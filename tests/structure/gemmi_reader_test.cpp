@@ -137,6 +137,21 @@ TEST(GemmiCif, BrokenFilesAreErrors) {
     expect_contains(cif_error("no data here\n"), "not valid CIF");
 }
 
+TEST(GemmiCif, ColumnsInTwoLoopsAreAnError) {
+    const std::string atom = "ATOM 1 C C . ALA A 1 1 0 0 1\n";
+    expect_contains(cif_error(kHead + atom + "loop_\n_atom_site.B_iso_or_equiv\n1\n"),
+                    "f.cif:16:1: _atom_site is given a second time");
+    // The models stand in another loop than the atoms: found by fuzzing, what was before the values was taken for
+    // theirs.
+    const std::string coordinates =
+        "data_x\nloop_\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+        "_atom_site.Cartn_z\nC ALA 0 0 0\n";
+    expect_contains(cif_error(coordinates + "loop_\n_atom_site.pdbx_PDB_model_num\n1\n"), "a second time");
+    expect_contains(cif_error(coordinates + "loop_\n_other.id\n_atom_site.pdbx_PDB_model_num\n1 1\n"), "a second time");
+    expect_contains(cif_error(coordinates + "_Atom_Site.pdbx_PDB_model_num 1\n"), "a second time");
+    EXPECT_EQ(cif_error(coordinates + "loop_\n_atom_site_anisotrop.id\n1\n"), "");
+}
+
 TEST(GemmiCif, PolymersAreKnownByTheirEntities) {
     const RawModel model =
         cif("data_x\nloop_\n_entity.id\n_entity.type\n1 polymer\n2 non-polymer\nloop_\n_atom_site.label_entity_id\n"

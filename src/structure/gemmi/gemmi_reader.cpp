@@ -299,7 +299,24 @@ gemmi::cif::Block& coordinate_block(gemmi::cif::Document& document, const std::s
     throw InputError(file + ": no _atom_site loop, so no atoms; take the coordinate file of the entry");
 }
 
+// Which values belong to one atom is known only where all columns stand in one loop, or one atom is given in pairs.
+void check_one_table(const gemmi::cif::Block& block, const std::string& file) {
+    const auto is_of_atoms = [](const std::string& tag) { return gemmi::istarts_with(tag, "_atom_site."); };
+    int loops = 0;
+    int pairs = 0;
+    for (const gemmi::cif::Item& item : block.items) {
+        if (item.type == gemmi::cif::ItemType::Loop)
+            loops += std::any_of(item.loop.tags.begin(), item.loop.tags.end(), is_of_atoms) ? 1 : 0;
+        else if (item.type == gemmi::cif::ItemType::Pair)
+            pairs += is_of_atoms(item.pair[0]) ? 1 : 0;
+        if (loops > 1 || (loops == 1 && pairs > 0))
+            throw InputError(file + ":" + std::to_string(item.line_number) +
+                             ":1: _atom_site is given a second time; put all its columns into one loop");
+    }
+}
+
 void check_columns(gemmi::cif::Block& block, const std::string& file) {
+    check_one_table(block, file);
     const auto needs = [&](std::initializer_list<const char*> tags) {
         const auto has_column = [&](const char* tag) { return block.find_values(tag).length() > 0; };
         if (std::any_of(tags.begin(), tags.end(), has_column)) return;

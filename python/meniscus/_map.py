@@ -1,0 +1,396 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+"""Many inputs, each computed by the program in a process of its own, here or on the workers of a Dask cluster."""
+from __future__ import annotations
+
+import collections
+import concurrent.futures
+import dataclasses
+import errno
+import json
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import threading
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any, Protocol, Union
+
+from . import _options
+from ._errors import InputError, LimitError, OutputError, UsageError, text_of_path
+from ._structure import Path
+from ._writing import write_whole
+
+_COMMANDS = ("measure", "surface")
+_SUFFIX = re.compile(r"(?<=.)\.(pdb|ent|cif|mmcif|pqr|xyzr|xyzrn)(\.gz)?\Z", re.ASCII | re.DOTALL | re.IGNORECASE)
+
+# Options of `meniscus batch` that are of no use for one input, or parameters of map().
+_OWN = ("collect", "help", "help_all", "list", "o", "progress", "quiet", "report", "resume", "shard")
+
+_ERRORS: dict[int, type[Exception]] = {2: UsageError, 3: InputError, 4: OutputError, 5: LimitError}
+_ERROR_MARK = "meniscus: error: "
+
+# Of a task that failed for what may pass: a full disk, a program that the system ended. Tasks of workers that are gone
+# run again anyway.
+_RETRIES = 2
+
+
+class Client(Protocol):
+    """What is used of a ``distributed.Client``."""
+
+    def map(self, func: Callable[..., Any], *iterables: Any, key: str, pure: bool, retries: int) -> Any: ...
+    def gather(self, futures: Any) -> Any: ...
+    def cancel(self, futures: Any) -> Any: ...
+
+
+@dataclasses.dataclass(frozen=True)
+class _Task:
+    """One input."""
+
+    name: str
+    """its path below the base"""
+    path: str
+    size: int
+    """bytes"""
+    endings: tuple[str, ...]
+    """of its outputs, as the program is given them"""
+
+
+@dataclasses.dataclass(frozen=True)
+class _Lines:
+    """What the program wrote of one input, as it wrote it."""
+
+    result: bytes
+    times: bytes
+
+
+class _Children:
+    """Processes that can be ended from another thread."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._running: set[subprocess.Popen[str]] = set()
+        self._ended = False
+
+    def run(self, words: Sequence[str], folder: str | None) -> tuple[int, str]:
+        """A program's exit code and what it wrote to standard error."""
+        with self._lock:
+            if self._ended:
+                raise concurrent.futures.CancelledError
+            process = subprocess.Popen(words, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.PIPE, encoding="utf-8", errors="replace")
+            self._running.add(process)
+        try:
+            messages = process.communicate()[1]
+        finally:
+            with self._lock:
+                self._running.discard(process)
+        return process.returncode, messages
+
+    def end(self) -> None:
+        """Ends them all, and those that are still to be started."""
+        with self._lock:
+            self._ended = True
+            for process in self._running:
+                process.terminate()
+
+
+@dataclasses.dataclass(frozen=True)
+class _Work:
+    """What all inputs have in common; it goes to the workers."""
+
+    program: str | None
+    words: tuple[str, ...]
+    base: str
+    folder: str
+    """from where files named in options are looked for"""
+    out: str | None
+    scratch: str | None
+    """holds what is under way; None for the system's folder"""
+
+    def compute(self, task: _Task, children: _Children | None = None) -> _Lines:
+        """One input by one run of `meniscus batch`, whose record it is."""
+        program = self.program or shutil.which("meniscus")
+        if program is None:
+            raise FileNotFoundError(errno.ENOENT, "the program is not on the PATH; install it (docs/install.md), or "
+                                                  "name it with program=", "meniscus")
+        with tempfile.TemporaryDirectory(prefix="meniscus-", dir=self.scratch) as scratch:
+            endings = [word for ending in task.endings for word in ("-o", ending)]
+            # A worker may be in a task of a Slurm array, of which a batch would take its part.
+            words = [program, "batch", *self.words, *endings, f"--base={self.base}", f"--out={scratch}", "--jobs=1",
+                     "--shard=0/1", "--quiet", "--progress=off", "--", task.path]
+            code, messages = (children or _Children()).run(words, self.folder if os.path.isdir(self.folder) else None)
+            if code not in (0, 6):
+                raise _error_of(program, code, messages)
+            lines = _Lines(_content(scratch, "results.jsonl"), _content(scratch, "times.jsonl"))
+            if self.out is not None:
+                _move(json.loads(lines.result)["outputs"], scratch, self.out)
+        return lines
+
+
+def _content(folder: str, name: str) -> bytes:
+    with open(os.path.join(folder, name), "rb") as file:
+        return file.read()
+
+
+def _error_of(program: str, code: int, messages: str) -> Exception:
+    told = [line[len(_ERROR_MARK):] for line in messages.splitlines() if line.startswith(_ERROR_MARK)]
+    if code in _ERRORS and told:
+        return _ERRORS[code](told[-1])
+    how = f"ended with exit code {code}" if code >= 0 else f"was ended by signal {-code}"
+    return RuntimeError(f"{program}: {how}: {messages.strip()}")
+
+
+def _move(outputs: Sequence[str], scratch: str, out: str) -> None:
+    for output in outputs:
+        target = os.path.join(out, output)
+        try:
+            os.makedirs(os.path.dirname(target), exist_ok=True)
+            os.replace(os.path.join(scratch, output), target)
+        except OSError as error:
+            raise OutputError(f"{target}: cannot be written: {error.strerror}") from error
+
+
+def _option_words(options: dict[str, Any]) -> list[str]:
+    """Keywords as the command line has them: min_cavity=5 as --min-cavity=5."""
+    words = []
+    for name, value in options.items():
+        if name in _OWN:
+            raise UsageError(f"{name}: is no option of map()")
+        option = "--" + name.replace("_", "-")
+        for one in value if isinstance(value, (list, tuple)) else [value]:
+            if one is None or one is False:
+                continue
+            words.append(option if one is True else f"{option}={one}")
+    return words
+
+
+def _common_folder(paths: Sequence[str]) -> str:
+    return os.path.commonpath([os.path.dirname(path) for path in paths]) if paths else os.getcwd()
+
+
+def _name(path: str, base: str) -> str:
+    name = os.path.relpath(path, base)
+    if name.split(os.sep)[0] == os.pardir:
+        raise UsageError(f"{path}: is not below {base}; base is a folder that holds all inputs")
+    return name
+
+
+def _size(path: str) -> int:
+    size = os.stat(path).st_size
+    if os.path.isdir(path) or path.lower().endswith(".tar"):
+        raise UsageError(f"{path}: holds many inputs; name each file in it, or use meniscus batch")
+    return size
+
+
+def _tasks(paths: Iterable[str], base: str, endings: Sequence[str]) -> list[_Task]:
+    """A task for every file, largest first."""
+    names = {path: _name(path, base) for path in paths}
+    stems = {name: _SUFFIX.sub("", name) for name in names.values()}
+    uses = collections.Counter(stems.values())
+    tasks = []
+    for path, name in names.items():
+        # Names that differ only in their suffix keep it, so that their outputs differ.
+        kept = name[len(stems[name]):] if uses[stems[name]] > 1 else ""
+        tasks.append(_Task(name, path, _size(path), tuple(kept + ending for ending in endings)))
+    return sorted(tasks, key=lambda task: -task.size)
+
+
+def _run_here(work: _Work, tasks: Sequence[_Task], jobs: int) -> list[_Lines]:
+    children = _Children()
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        futures = [pool.submit(work.compute, task, children) for task in tasks]
+        try:
+            done = concurrent.futures.wait(futures, return_when=concurrent.futures.FIRST_EXCEPTION).done
+            for future in done:
+                future.result()
+            return [future.result() for future in futures]
+        except BaseException:
+            for future in futures:
+                future.cancel()
+            children.end()
+            raise
+
+
+def _run_on(client: Client, work: _Work, tasks: Sequence[_Task]) -> list[_Lines]:
+    futures = client.map(work.compute, tasks, key=f"meniscus-{work.words[0]}", pure=False, retries=_RETRIES)
+    try:
+        return list(client.gather(futures))
+    except BaseException:
+        client.cancel(futures)
+        raise
+
+
+def _run(client: Client | None, work: _Work, tasks: Sequence[_Task], jobs: int) -> list[_Lines]:
+    """In a folder for what is under way; it is among the outputs, so that these can be moved into place."""
+    if work.out is None:
+        return _run_here(work, tasks, jobs) if client is None else _run_on(client, work, tasks)
+    try:
+        os.makedirs(work.out, exist_ok=True)
+        scratch = tempfile.mkdtemp(prefix=".map-", dir=work.out)
+    except OSError as error:
+        raise OutputError(f"{work.out}: cannot be written: {error.strerror}") from error
+    try:
+        work = dataclasses.replace(work, scratch=scratch)
+        return _run_here(work, tasks, jobs) if client is None else _run_on(client, work, tasks)
+    finally:
+        shutil.rmtree(scratch, ignore_errors=True)
+
+
+def _radii(record: dict[str, Any]) -> str:
+    report = record["report"]
+    one = report[0] if isinstance(report, list) and report else report
+    return str(one["input"]["radii"]) if one else ""
+
+
+def _refuse_mixed_radii(records: Iterable[dict[str, Any]]) -> None:
+    found: dict[str, str] = {}
+    for record in records:
+        found.setdefault(_radii(record), record["input"])
+    found.pop("", None)
+    if len(found) > 1:
+        (first, one), (second, other) = sorted(found.items())[:2]
+        raise UsageError(f"{one} has radii {first} and {other} has radii {second}: their numbers do not compare; give "
+                         "one set with radii=, or allow it with mixed_radii=True")
+
+
+def _refuse_shared_outputs(records: Iterable[dict[str, Any]]) -> None:
+    owners: dict[str, str] = {}
+    for record in records:
+        for output in record["outputs"]:
+            if owners.setdefault(output, record["input"]) != record["input"]:
+                raise OutputError(f"{output}: is an output of {owners[output]}, too; give them different names")
+
+
+def _write(path: str, text: bytes) -> None:
+    try:
+        write_whole(path, lambda file: file.write(text))
+    except OSError as error:
+        raise OutputError(f"{path}: cannot be written: {error.strerror or error}") from error
+
+
+def _collect(lines: dict[_Task, _Lines], out: str | None, may_mix_radii: bool) -> dict[str, dict[str, Any]]:
+    """Writes the files of results, by the bytes of names; a record for each path."""
+    tasks = sorted(lines, key=lambda task: os.fsencode(task.name))
+    records = {task.path: json.loads(lines[task].result) for task in tasks}
+    if not may_mix_radii:
+        _refuse_mixed_radii(records.values())
+    if out is None:
+        for record in records.values():
+            record["outputs"] = []
+        return records
+    _refuse_shared_outputs(records.values())
+    _write(os.path.join(out, "results.jsonl"), b"".join(lines[task].result for task in tasks))
+    _write(os.path.join(out, "times.jsonl"), b"".join(lines[task].times for task in tasks))
+    return records
+
+
+def _program(program: Path | None) -> str | None:
+    """A name without a folder is looked for on the PATH of the process that starts it."""
+    text = None if program is None else text_of_path(program)
+    return os.path.abspath(text) if text and os.sep in text else text
+
+
+def _folder(name: str, folder: Path | None) -> str | None:
+    if folder is None:
+        return None
+    text = text_of_path(folder)
+    if not text or text.endswith(".tar"):
+        raise UsageError(f"{name}: must be a folder, not '{text}'")
+    return os.path.abspath(text)
+
+
+def _files(paths: Iterable[Path]) -> list[str]:
+    if isinstance(paths, (str, bytes, os.PathLike)):
+        raise TypeError("paths: must be a list of paths, not one")
+    return [os.path.abspath(text_of_path(path)) for path in paths]
+
+
+def _endings(command: str, outputs: str | Sequence[str], out: str | None) -> tuple[str, ...]:
+    if command not in _COMMANDS:
+        raise UsageError(f"command: unknown value '{command}'; one of {', '.join(_COMMANDS)}")
+    endings = (outputs,) if isinstance(outputs, str) else tuple(outputs)
+    if endings and out is None:
+        raise UsageError("outputs: give a folder for them, out=")
+    return (".ply",) if command == "surface" and out is not None and not endings else endings
+
+
+def _jobs(client: Client | None, jobs: int | None) -> int:
+    if jobs is None:
+        return _cores()
+    if client is not None:
+        raise UsageError("jobs: the workers of the client decide; leave it out")
+    if _options.whole("jobs", jobs) < 1:
+        raise UsageError(f"jobs {jobs}: must be at least 1")
+    return jobs
+
+
+def _cores() -> int:
+    return len(os.sched_getaffinity(0))
+
+
+def _threads(client: Client | None, jobs: int) -> int:
+    """Of each process, where that was left open: a worker runs as many tasks at once as it has threads."""
+    return 1 if client is not None else max(1, _cores() // jobs)
+
+
+def map(
+    paths: Iterable[Path],
+    client: Client | None = None,
+    *,
+    command: str = "measure",
+    out: Path | None = None,
+    outputs: Union[str, Sequence[str]] = (),
+    base: Path | None = None,
+    time_limit: float | str | None = None,
+    memory_limit: str | None = None,
+    mixed_radii: bool = False,
+    program: Path | None = None,
+    jobs: int | None = None,
+    **options: Any,
+) -> list[dict[str, Any]]:
+    """What ``meniscus batch`` records of each of many files, in the order of ``paths``.
+
+    Every file is computed by the program in a process of its own, so that one that cannot be read, crashes or takes too
+    long is a record that says so, and harms no other. A record is what ``meniscus batch`` writes as a line of JSON:
+    ``input`` (its name), ``status`` ("done", "failed", "checks failed", "timed out", "crashed"), ``exit``, ``error``,
+    ``outputs`` and ``report``.
+
+    paths         files of structures
+    client        a ``distributed.Client``: its workers compute, and when one is lost others do its part. They need this
+                  package and the program, and see files under the same paths. None: this machine
+    command       "measure" or "surface"
+    out           a folder for outputs, ``results.jsonl`` and ``times.jsonl``: the files that ``meniscus batch`` writes.
+                  None: nothing is kept but what is returned
+    outputs       endings of outputs, such as ".csv" or "_a.ply"; surfaces have ".ply" unless others are given
+    base          a folder that holds all files; their names are the paths below it. None: the deepest
+    time_limit    of each file, s, or as "15m", "2h"
+    memory_limit  of each file: "500M", "4G"
+    mixed_radii   whether the set of radii may differ from file to file
+    program       path of ``meniscus``. None: what the PATH has
+    jobs          files at once without a client; None: as many as cores
+    options       of the command, with its words: ``min_cavity=5`` is ``--min-cavity=5``, ``waters=True`` is ``--waters``,
+                  lists repeat an option
+
+    Raises ValueError for what makes no sense, for mixed radii too, OSError for a file that is not there, for outputs
+    that cannot be written and where there is no program. Ctrl-C ends what runs on this machine; workers
+    finish the files that they have begun.
+
+    >>> found = meniscus.map(["1ubq.pdb"], probe=1.2)
+    >>> found[0]["status"], round(found[0]["report"]["exact"]["ses_area"], 1)
+    ('done', 4102.3)
+    """
+    place = _folder("out", out)
+    endings = _endings(command, outputs, place)
+    files = _files(paths)
+    root = _folder("base", base) or _common_folder(files)
+    at_once = _jobs(client, jobs)
+    limits = {"time_limit": time_limit, "memory_limit": memory_limit, "mixed_radii": bool(mixed_radii)}
+    words = _option_words({"threads": _threads(client, at_once), **options, **limits})
+    tasks = _tasks(files, root, endings)
+    work = _Work(_program(program), (command, *words), root, os.getcwd(), place, None)
+    lines = dict(zip(tasks, _run(client, work, tasks, at_once)))
+    may_mix = mixed_radii or options.get("radii", "auto") != "auto"
+    records = _collect(lines, place, may_mix)
+    return [records[path] for path in files]
