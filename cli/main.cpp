@@ -42,11 +42,11 @@ constexpr const char* kFooter =
     "  meniscus surface 1abc.pdb -o 1abc.png     as a picture\n"
     "  meniscus measure 1abc.pdb                 areas, volumes and cavities\n"
     "  meniscus compare other.obj 1abc.pdb       another program's and the exact one\n"
-    "  meniscus batch surface structures --out surfaces      of every file in a folder\n"
+    "  meniscus batch measure structures --out results   every file of a folder\n"
     "Help of a subcommand: meniscus surface --help; of every option: --help-all.\n\n"
     "Exit codes: 0 done; 2 wrong usage; 3 input cannot be read or is not valid;\n"
     "4 output cannot be written; 5 would exceed the memory or size limit;\n"
-    "6 computed, but a result failed its own checks, or some inputs of a batch failed;\n"
+    "6 computed, but a result failed its own checks, or inputs of a batch failed;\n"
     "1 anything else.";
 
 int fail(int code, const std::string& what) {

@@ -89,7 +89,7 @@ class Help(ProgramTest):
         self.assertRegex(self.run_program("--version").stdout, r"^meniscus \d+\.\d+\.\d+\n$")
 
     def test_help_fits_a_screen_and_ends_with_examples(self):
-        for arguments in ([], ["surface"], ["measure"]):
+        for arguments in ([], ["surface"], ["measure"], ["compare"], ["batch", "surface"], ["batch", "measure"]):
             lines = self.run_program(*arguments, "--help").stdout.splitlines()
             self.assertLessEqual(len(lines), 50, arguments)
             self.assertEqual([line for line in lines if len(line) > 80], [], arguments)

@@ -33,7 +33,7 @@ SOURCE = pathlib.Path(sys.argv[2]).resolve()
 # ./run without its first half, which installs packages and builds.
 RUN = """#!/bin/sh
 case "$1" in
-    surface | measure | compare | --version | --help | --help-all | -h) exec meniscus "$@" ;;
+    surface | measure | compare | batch | --version | --help | --help-all | -h) exec meniscus "$@" ;;
     *) exec meniscus surface "$@" ;;
 esac
 """
