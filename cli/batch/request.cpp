@@ -25,7 +25,7 @@ constexpr const char* kFooter =
     "Examples:\n"
     "  meniscus batch {0} structures --out results\n"
     "  meniscus batch {0} archive.tar --out results.tar --time-limit 600\n"
-    "  meniscus batch {0} structures --out results --resume     goes on after an end";
+    "  meniscus batch {0} structures --out results --resume     goes on";
 
 /// Names of what a batch decides itself: not passed on to the processes.
 const std::set<std::string> kOwnNames{"INPUTS",        "--list",         "--base",     "--out",     "--jobs",
@@ -133,7 +133,9 @@ void add_subcommand(CLI::App& batch, const char* name, const char* text, Request
     for (CLI::Option* option : command->get_options())
         if (option != command->get_help_ptr() && option != command->get_help_all_ptr())
             option->description(rarely(option->get_description()));
-    command->get_option("-o")->description("Ending of an output\n, which follows the input's name; repeatable")->type_name(".SUFFIX");
+    command->get_option("-o")
+        ->description("Ending of an output\n, which follows the input's name; repeatable")
+        ->type_name(".SUFFIX");
     add_own_options(*command, request);
     command->footer(fmt::format(kFooter, name));
     command->callback([&request, command, given, threads, run] {
