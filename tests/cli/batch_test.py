@@ -8,7 +8,6 @@ usage: batch_test.py PROGRAM SOURCE_DIR [unittest arguments]
 import gzip
 import io
 import json
-import math
 import os
 import pathlib
 import random
@@ -23,19 +22,15 @@ import unittest
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 SOURCE = pathlib.Path(sys.argv[2]).resolve()
+sys.path.append(str(SOURCE / "tests" / "support"))
+
+from sphere_chain import sphere_chain  # noqa: E402
+
 UBIQUITIN = (SOURCE / "examples" / "1ubq.pdb").read_bytes()
 
 
 def spheres(count, seed):
-    """A chain of spheres, different for every seed, as xyzr."""
-    numbers = random.Random(seed)
-    x = y = z = 0.0
-    lines = []
-    for _ in range(count):
-        lines.append(f"{x:.3f} {y:.3f} {z:.3f} {numbers.uniform(1.2, 1.9):.2f}")
-        a, b = numbers.uniform(0, 6.28), numbers.uniform(0, 3.14)
-        x, y, z = x + 1.5 * math.cos(a) * math.sin(b), y + 1.5 * math.sin(a) * math.sin(b), z + 1.5 * math.cos(b)
-    return ("\n".join(lines) + "\n").encode()
+    return sphere_chain(count, seed).encode()
 
 
 def children(pid):

@@ -11,7 +11,6 @@ import concurrent.futures
 import importlib.util
 import json
 import logging
-import math
 import os
 import pathlib
 import random
@@ -33,21 +32,13 @@ import meniscus  # noqa: E402
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 SOURCE = pathlib.Path(sys.argv[2]).resolve()
+sys.path.append(str(SOURCE / "tests" / "support"))
+
+from sphere_chain import sphere_chain  # noqa: E402
+
 REAL = pathlib.Path(os.environ.get("MENISCUS_TEST_DATA", "/nonexistent")) / "structures"
 INPUTS = 200
 MOST_REAL = 20
-
-
-def spheres(count, seed):
-    """A chain of spheres, different for every seed, as xyzr."""
-    numbers = random.Random(seed)
-    x = y = z = 0.0
-    lines = []
-    for _ in range(count):
-        lines.append(f"{x:.3f} {y:.3f} {z:.3f} {numbers.uniform(1.2, 1.9):.2f}")
-        a, b = numbers.uniform(0, 6.28), numbers.uniform(0, 3.14)
-        x, y, z = x + 1.5 * math.cos(a) * math.sin(b), y + 1.5 * math.sin(a) * math.sin(b), z + 1.5 * math.cos(b)
-    return "\n".join(lines) + "\n"
 
 
 def make_inputs(folder):
@@ -62,7 +53,7 @@ def make_inputs(folder):
     for i in range(INPUTS - len(list(folder.rglob("*.*")))):
         path = folder / "abc"[i % 3] / "deep" / f"m{i}.xyzr"
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(spheres(10 + 3 * i, i))
+        path.write_text(sphere_chain(10 + 3 * i, i))
     paths = sorted(path for path in folder.rglob("*") if path.is_file())
     random.Random(1).shuffle(paths)
     return paths
