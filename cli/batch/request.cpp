@@ -31,7 +31,7 @@ constexpr const char* kFooter =
 const std::set<std::string> kOwnNames{"INPUTS",        "--list",         "--base",     "--out",     "--jobs",
                                       "--time-limit",  "--memory-limit", "--resume",   "--shard",   "--collect",
                                       "--mixed-radii", "--quiet",        "--progress", "--threads", "-o",
-                                      "--help",        "--help-all"};
+                                      "--history",     "--help",         "--help-all"};
 
 /// "90", "90s", "15m", "2h" as seconds.
 double parse_time(const std::string& option, const std::string& text) {
@@ -46,14 +46,24 @@ double parse_time(const std::string& option, const std::string& text) {
     return unit * parse_number(option, number, Sign::Positive);
 }
 
-void check_ending(const std::string& command, const std::string& ending) {
+void check_ending(const char* option, const std::string& ending) {
     if (!ending.starts_with('.') && !ending.starts_with('_'))
         throw UsageError(
-            fmt::format("-o {}: in a batch outputs are called after their inputs; give the ending alone, as in "
+            fmt::format("{0} {1}: in a batch outputs are called after their inputs; give the ending alone, as in "
                         "-o .ply or -o _a.ply",
-                        ending));
-    if (ending.find('/') != std::string::npos) throw UsageError(fmt::format("-o {}: an ending has no folders", ending));
-    command == "surface" ? kind_of("a" + ending) : measure_kind_of("a" + ending);
+                        option, ending));
+    if (ending.find('/') != std::string::npos)
+        throw UsageError(fmt::format("{} {}: an ending has no folders", option, ending));
+}
+
+void check_endings(const Request& request) {
+    for (const std::string& ending : request.endings) {
+        check_ending("-o", ending);
+        request.command == "surface" ? kind_of("a" + ending) : measure_kind_of("a" + ending);
+    }
+    if (request.history.empty()) return;
+    check_ending("--history", request.history);
+    plan_history("a" + request.history, "");
 }
 
 /// The words that give an option again what it was given.
@@ -66,7 +76,7 @@ void append_words(const CLI::Option& option, std::vector<std::string>& words) {
     for (const std::string& value : option.results()) words.push_back(fmt::format("{}={}", name, value));
 }
 
-/// Options are passed on as they were written; those of no effect on a line of help are known already.
+/// What was given of the options that are not the batch's own.
 std::vector<std::string> passed_on(const CLI::App& command) {
     std::vector<std::string> words;
     for (const CLI::Option* option : command.get_options())
@@ -106,14 +116,13 @@ void add_own_options(CLI::App& command, Request& request) {
     command.add_flag("--mixed-radii", request.may_mix_radii, "Let --radii auto choose for each input");
 }
 
-void fill(Request& request, const CLI::App& command, const CommonRequest& given, int threads) {
+void fill(Request& request, const CLI::App& command, const CommonRequest& given) {
     request.command = command.get_name();
     request.options = passed_on(command);
     request.endings = given.outputs;
     if (request.command == "surface" && request.endings.empty()) request.endings = {".ply"};
-    for (const std::string& ending : request.endings) check_ending(request.command, ending);
+    check_endings(request);
     request.may_mix_radii = request.may_mix_radii || given.read.radii != "auto";
-    request.threads = threads;
     request.quiet = given.quiet;
     request.progress = given.progress;
     if (request.inputs.empty() && request.list.empty() && !request.collect)
@@ -121,25 +130,43 @@ void fill(Request& request, const CLI::App& command, const CommonRequest& given,
                          " --help");
 }
 
-/// One subcommand with the options of the same one outside of a batch.
-template <class Given, class Add, class Threads>
-void add_subcommand(CLI::App& batch, const char* name, const char* text, Request& request,
-                    const std::function<void()>& run, const Add& add, const Threads& threads) {
-    CLI::App* command = batch.add_subcommand(name, text);
-    const auto given = std::make_shared<Given>();
-    add(*command, *given);
-    command->remove_option(command->get_option("INPUT"));
-    command->remove_option(command->get_option("--report"));
-    for (CLI::Option* option : command->get_options())
-        if (option != command->get_help_ptr() && option != command->get_help_all_ptr())
+/// What the options of the same subcommand outside of a batch become within one.
+void adapt_options(CLI::App& command) {
+    command.remove_option(command.get_option("INPUT"));
+    command.remove_option(command.get_option("--report"));
+    for (CLI::Option* option : command.get_options())
+        if (option != command.get_help_ptr() && option != command.get_help_all_ptr())
             option->description(rarely(option->get_description()));
-    command->get_option("-o")
+    command.get_option("-o")
         ->description("Ending of an output\n, which follows the input's name; repeatable")
         ->type_name(".SUFFIX");
+}
+
+void add_surface(CLI::App& batch, Request& request, const std::function<void()>& run) {
+    CLI::App* command = batch.add_subcommand("surface", "A surface of every input");
+    const auto given = std::make_shared<SurfaceRequest>();
+    add_surface_options(*command, *given);
+    adapt_options(*command);
     add_own_options(*command, request);
-    command->footer(fmt::format(kFooter, name));
-    command->callback([&request, command, given, threads, run] {
-        fill(request, *command, *given, threads(*given));
+    command->footer(fmt::format(kFooter, "surface"));
+    command->callback([&request, command, given, run] {
+        request.threads = given->surface.threads;
+        request.history = given->flow.history;
+        fill(request, *command, *given);
+        run();
+    });
+}
+
+void add_measure(CLI::App& batch, Request& request, const std::function<void()>& run) {
+    CLI::App* command = batch.add_subcommand("measure", "Exact areas and volumes of every input");
+    const auto given = std::make_shared<MeasureRequest>();
+    add_measure_options(*command, *given);
+    adapt_options(*command);
+    add_own_options(*command, request);
+    command->footer(fmt::format(kFooter, "measure"));
+    command->callback([&request, command, given, run] {
+        request.threads = given->measure.threads;
+        fill(request, *command, *given);
         run();
     });
 }
@@ -148,14 +175,8 @@ void add_subcommand(CLI::App& batch, const char* name, const char* text, Request
 
 void add_subcommands(CLI::App& batch, Request& request, const std::function<void()>& run) {
     batch.require_subcommand(1);
-    add_subcommand<SurfaceRequest>(
-        batch, "surface", "A surface of every input", request, run,
-        [](CLI::App& command, SurfaceRequest& given) { add_surface_options(command, given); },
-        [](const SurfaceRequest& given) { return given.surface.threads; });
-    add_subcommand<MeasureRequest>(
-        batch, "measure", "Exact areas and volumes of every input", request, run,
-        [](CLI::App& command, MeasureRequest& given) { add_measure_options(command, given); },
-        [](const MeasureRequest& given) { return given.measure.threads; });
+    add_surface(batch, request, run);
+    add_measure(batch, request, run);
 }
 
 }  // namespace meniscus::cli::batch

@@ -22,6 +22,7 @@ struct Request {
     std::string command;               ///< "surface" or "measure"
     std::vector<std::string> options;  ///< of the subcommand, as every process gets them
     std::vector<std::string> endings;  ///< of outputs: ".ply"; they follow an input's name
+    std::string history;               ///< ending of records of the flow, or empty
     std::vector<std::string> inputs;
     std::string list;
     std::string base;

@@ -135,6 +135,7 @@ ordered_json header_of(const Request& request, const Shard& shard, const std::ve
     std::vector<std::string> command{request.command};
     command.insert(command.end(), request.options.begin(), request.options.end());
     for (const std::string& ending : request.endings) command.push_back("-o=" + ending);
+    if (!request.history.empty()) command.push_back("--history=" + request.history);
     return {{"meniscus", kVersion},
             {"command", command},
             {"shard", {shard.index, shard.count}},
@@ -243,10 +244,9 @@ std::vector<std::string> Run::words_of(const Task& task, const std::string& fold
         std::any_of(words.begin(), words.end(), [](const auto& w) { return w.starts_with("--memory="); });
     if (request_.command == "surface" && request_.memory_limit_mb > 0 && !has_limit)
         words.push_back(fmt::format("--memory={}M", request_.memory_limit_mb));
-    for (const std::string& ending : request_.endings) {
-        words.emplace_back("-o");
-        words.push_back(outputs_in(folder) + "/" + fs::path(task.stem).filename().string() + ending);
-    }
+    const std::string stem = outputs_in(folder) + "/" + fs::path(task.stem).filename().string();
+    for (const std::string& ending : request_.endings) words.insert(words.end(), {"-o", stem + ending});
+    if (!request_.history.empty()) words.push_back("--history=" + stem + request_.history);
     words.push_back(fmt::format("--threads={}", threads_));
     words.push_back("--report=" + report_in(folder));
     words.insert(words.end(), {"--quiet", "--progress=off", "--", input_of(task, folder)});

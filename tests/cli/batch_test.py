@@ -158,6 +158,12 @@ class Results(BatchTest):
         self.batch("surface", "in/top.XYZR", "--out", "out", "--spacing", "1")
         self.assertEqual(sorted(contents(self.folder / "out")), ["results.jsonl", "top.atoms.csv", "top.ply"])
 
+    def test_records_of_the_flow_are_outputs_of_every_input(self):
+        self.batch("surface", "in/a", "--out", "out", "--spacing", "1", "--history", ".csv", "-o", ".stl")
+        self.assertLess({"deep/m0.csv", "deep/m9.csv"}, set(contents(self.folder / "out")))
+        self.assertIn("deep/m0.csv", self.results()[0]["outputs"])
+        self.assertIn("--history h.csv", self.refused("surface", "in/a", "--out", "other", "--history", "h.csv"))
+
     def test_failed_checks_are_marked_and_outputs_kept(self):
         self.batch("surface", self.write("two.xyzr", b"0 0 0 1.7\n2 0 0 1.7\n"), "--out", "out", "--flow", "paper", code=6)
         result, = self.results()
