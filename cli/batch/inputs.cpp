@@ -148,7 +148,7 @@ public:
 private:
     /// throws   UsageError
     fs::path below_base(const fs::path& path) const {
-        const fs::path name = normal(path).lexically_relative(base_);
+        fs::path name = normal(path).lexically_relative(base_);
         if (name.empty() || *name.begin() == "..")
             throw UsageError(fmt::format("{}: is not below {}; --base is a folder that holds all inputs", path.string(),
                                          base_.string()));
