@@ -299,19 +299,32 @@ gemmi::cif::Block& coordinate_block(gemmi::cif::Document& document, const std::s
     throw InputError(file + ": no _atom_site loop, so no atoms; take the coordinate file of the entry");
 }
 
-// Which values belong to one atom is known only where all columns stand in one loop, or one atom is given in pairs.
+bool all_begin_with(const gemmi::cif::Loop& loop, const std::string& prefix) {
+    return std::all_of(loop.tags.begin(), loop.tags.end(),
+                       [&](const std::string& tag) { return gemmi::istarts_with(tag, prefix); });
+}
+
+// Which values belong to one atom is known only where all columns stand in one loop of their own, or one atom is given
+// in pairs.
 void check_one_table(const gemmi::cif::Block& block, const std::string& file) {
-    const auto is_of_atoms = [](const std::string& tag) { return gemmi::istarts_with(tag, "_atom_site."); };
+    const std::string prefix = "_atom_site.";
+    const auto is_of_atoms = [&](const std::string& tag) { return gemmi::istarts_with(tag, prefix); };
     int loops = 0;
     int pairs = 0;
     for (const gemmi::cif::Item& item : block.items) {
-        if (item.type == gemmi::cif::ItemType::Loop)
-            loops += std::any_of(item.loop.tags.begin(), item.loop.tags.end(), is_of_atoms) ? 1 : 0;
-        else if (item.type == gemmi::cif::ItemType::Pair)
+        const auto refuse = [&](const std::string& why) {
+            throw InputError(file + ":" + std::to_string(item.line_number) + ":1: " + why);
+        };
+        if (item.type == gemmi::cif::ItemType::Loop) {
+            const bool has_some = std::any_of(item.loop.tags.begin(), item.loop.tags.end(), is_of_atoms);
+            if (has_some && !all_begin_with(item.loop, prefix))
+                refuse("a loop of _atom_site has other columns, too; give these a loop of their own");
+            loops += has_some ? 1 : 0;
+        } else if (item.type == gemmi::cif::ItemType::Pair) {
             pairs += is_of_atoms(item.pair[0]) ? 1 : 0;
+        }
         if (loops > 1 || (loops == 1 && pairs > 0))
-            throw InputError(file + ":" + std::to_string(item.line_number) +
-                             ":1: _atom_site is given a second time; put all its columns into one loop");
+            refuse("_atom_site is given a second time; put all its columns into one loop");
     }
 }
 
@@ -332,10 +345,12 @@ void check_columns(gemmi::cif::Block& block, const std::string& file) {
 std::vector<RawAssembly> read_assemblies(const gemmi::cif::Block& block) {
     gemmi::cif::Block clean(block.name);
     for (const gemmi::cif::Item& item : block.items) {
-        const bool is_pair = item.type == gemmi::cif::ItemType::Pair;
-        const bool is_loop = item.type == gemmi::cif::ItemType::Loop;
-        const std::string tag = is_pair ? item.pair[0] : is_loop ? item.loop.tags.at(0) : std::string();
-        const bool wanted = has_prefix(tag, "_pdbx_struct_assembly") || has_prefix(tag, "_pdbx_struct_oper_list");
+        const auto is_all = [&](const std::string& category) {
+            if (item.type == gemmi::cif::ItemType::Pair) return gemmi::istarts_with(item.pair[0], category);
+            return item.type == gemmi::cif::ItemType::Loop && all_begin_with(item.loop, category);
+        };
+        const bool wanted = is_all("_pdbx_struct_assembly.") || is_all("_pdbx_struct_assembly_gen.") ||
+                            is_all("_pdbx_struct_assembly_prop.") || is_all("_pdbx_struct_oper_list.");
         if (wanted) clean.items.push_back(item);
     }
     std::vector<RawAssembly> assemblies = to_assemblies(gemmi::make_structure_from_block(clean).assemblies);
