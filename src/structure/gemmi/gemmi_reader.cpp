@@ -304,6 +304,10 @@ bool all_begin_with(const gemmi::cif::Loop& loop, const std::string& prefix) {
                        [&](const std::string& tag) { return gemmi::istarts_with(tag, prefix); });
 }
 
+[[noreturn]] void refuse(const std::string& file, const gemmi::cif::Item& item, const std::string& why) {
+    throw InputError(file + ":" + std::to_string(item.line_number) + ":1: " + why);
+}
+
 // Which values belong to one atom is known only where all columns stand in one loop of their own, or one atom is given
 // in pairs.
 void check_one_table(const gemmi::cif::Block& block, const std::string& file) {
@@ -312,19 +316,16 @@ void check_one_table(const gemmi::cif::Block& block, const std::string& file) {
     int loops = 0;
     int pairs = 0;
     for (const gemmi::cif::Item& item : block.items) {
-        const auto refuse = [&](const std::string& why) {
-            throw InputError(file + ":" + std::to_string(item.line_number) + ":1: " + why);
-        };
         if (item.type == gemmi::cif::ItemType::Loop) {
             const bool has_some = std::any_of(item.loop.tags.begin(), item.loop.tags.end(), is_of_atoms);
             if (has_some && !all_begin_with(item.loop, prefix))
-                refuse("a loop of _atom_site has other columns, too; give these a loop of their own");
+                refuse(file, item, "a loop of _atom_site has other columns, too; give these a loop of their own");
             loops += has_some ? 1 : 0;
         } else if (item.type == gemmi::cif::ItemType::Pair) {
             pairs += is_of_atoms(item.pair[0]) ? 1 : 0;
         }
         if (loops > 1 || (loops == 1 && pairs > 0))
-            refuse("_atom_site is given a second time; put all its columns into one loop");
+            refuse(file, item, "_atom_site is given a second time; put all its columns into one loop");
     }
 }
 
