@@ -6,8 +6,8 @@
 usage: scale.py [--program FILE] [--data FOLDER] [--kept FOLDER] [TABLE ...]
 
 TABLE: constants, archives, schedule; without any, all of them. The structures of FOLDER/structures are run through
-`meniscus batch` with one job and one thread, which takes three to four minutes on a quiet machine; with --kept what was run stays there and is
-used again.
+`meniscus batch` with one job and one thread, which takes three to four minutes on a quiet machine; with --kept what was
+run stays there and is used again.
 """
 import argparse
 import heapq
