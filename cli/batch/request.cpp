@@ -142,33 +142,37 @@ void adapt_options(CLI::App& command) {
         ->type_name(".SUFFIX");
 }
 
-void add_surface(CLI::App& batch, Request& request, const std::function<void()>& run) {
-    CLI::App* command = batch.add_subcommand("surface", "A surface of every input");
-    const auto given = std::make_shared<SurfaceRequest>();
-    add_surface_options(*command, *given);
-    adapt_options(*command);
-    add_own_options(*command, request);
-    command->footer(fmt::format(kFooter, "surface"));
-    command->callback([&request, command, given, run] {
-        request.threads = given->surface.threads;
-        request.history = given->flow.history;
-        fill(request, *command, *given);
+/// Makes a subcommand with its usual options one of a batch.
+/// take   moves what only this subcommand has from `given` to the request
+void complete_subcommand(CLI::App& command, Request& request, const std::shared_ptr<const CommonRequest>& given,
+                         const std::function<void()>& take, const std::function<void()>& run) {
+    adapt_options(command);
+    add_own_options(command, request);
+    command.footer(fmt::format(kFooter, command.get_name()));
+    command.callback([&command, &request, given, take, run] {
+        take();
+        fill(request, command, *given);
         run();
     });
 }
 
+void add_surface(CLI::App& batch, Request& request, const std::function<void()>& run) {
+    CLI::App& command = *batch.add_subcommand("surface", "A surface of every input");
+    const auto given = std::make_shared<SurfaceRequest>();
+    add_surface_options(command, *given);
+    const auto take = [&request, given] {
+        request.threads = given->surface.threads;
+        request.history = given->flow.history;
+    };
+    complete_subcommand(command, request, given, take, run);
+}
+
 void add_measure(CLI::App& batch, Request& request, const std::function<void()>& run) {
-    CLI::App* command = batch.add_subcommand("measure", "Exact areas and volumes of every input");
+    CLI::App& command = *batch.add_subcommand("measure", "Exact areas and volumes of every input");
     const auto given = std::make_shared<MeasureRequest>();
-    add_measure_options(*command, *given);
-    adapt_options(*command);
-    add_own_options(*command, request);
-    command->footer(fmt::format(kFooter, "measure"));
-    command->callback([&request, command, given, run] {
-        request.threads = given->measure.threads;
-        fill(request, *command, *given);
-        run();
-    });
+    add_measure_options(command, *given);
+    complete_subcommand(
+        command, request, given, [&request, given] { request.threads = given->measure.threads; }, run);
 }
 
 }  // namespace

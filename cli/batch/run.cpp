@@ -156,7 +156,7 @@ Run::Run(const Request& request, const Shard& shard, const Places& places)
       most_jobs_(static_cast<std::size_t>(request.jobs > 0 ? request.jobs : threads_in_use(0))),
       threads_(request.threads > 0 ? request.threads : std::max(1, threads_in_use(0) / static_cast<int>(most_jobs_))) {
     if (found_.left_out > 0 && !request.quiet)
-        print_warning(std::cerr, fmt::format("{} files are left out: their suffixes are not those of structures",
+        print_warning(std::cerr, fmt::format("files left out because their suffixes are not those of structures: {}",
                                              found_.left_out));
     std::uint64_t weight = 0;
     for (const Task& task : tasks_) {
@@ -255,11 +255,9 @@ std::vector<std::string> Run::words_of(const Task& task, const std::string& fold
 
 void Run::wait() const {
     std::vector<Process*> processes;
-    for (const auto& job : jobs_) {
-        if (!job->process) return;  // ended before it began
-        processes.push_back(&*job->process);
-    }
-    Process::wait_for_any(processes, kTick);
+    for (const auto& job : jobs_)
+        if (job->process) processes.push_back(&*job->process);
+    if (!processes.empty()) Process::wait_for_any(processes, kTick);
 }
 
 void Run::look_at_processes() {

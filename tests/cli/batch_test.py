@@ -331,6 +331,23 @@ class Isolation(BatchTest):
         self.assertEqual((crashed["status"], crashed["exit"], crashed["error"]), ("crashed", None, "ended by SIGSEGV"))
         self.assertEqual(done["status"], "done")
 
+    def test_what_waits_for_its_turn_in_an_archive_costs_nothing(self):
+        process = subprocess.Popen(self.command("surface", "in", "--out", "out.tar", "--jobs", "2", "--spacing", "0.3", "--quiet"),
+                                   cwd=self.folder)
+        self.addCleanup(process.wait)
+        work = self.folder / "out.batch/shard-0-of-1.work"
+        wait_until(lambda: (work / "0").exists() and children(process.pid))
+        first = min(children(process.pid))  # the largest, which all others must wait for
+        os.kill(first, signal.SIGSTOP)
+        wait_until(lambda: (work / "12").exists() and children(process.pid) == [first])
+        states = []
+        for _ in range(20):
+            time.sleep(0.02)
+            states.append(pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()[0])
+        os.kill(first, signal.SIGCONT)
+        self.assertEqual(process.wait(60), 6)
+        self.assertGreater(states.count("S"), 15, states)
+
     def test_memory_is_limited_for_each(self):
         self.write("x/large.xyzr", spheres(60000, 5))
         self.write("x/small.xyzr", spheres(10, 6))
