@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -27,15 +28,9 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kSuffixes{".pdb", ".ent", ".cif", ".mmcif", ".pqr", ".xyzr", ".xyzrn"};
 
-std::string in_small_letters(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return 'A' <= c && c <= 'Z' ? c + ('a' - 'A') : c; });
-    return text;
-}
-
 /// How many characters at the end of a name are suffixes of a structure; 0 if there are none.
 std::size_t suffix_length(const std::string& name) {
-    const std::string small = in_small_letters(name);
+    const std::string small = CLI::detail::to_lower(name);
     const std::size_t packed = small.ends_with(".gz") ? 3 : 0;
     const std::string_view inner = std::string_view(small).substr(0, small.size() - packed);
     for (const std::string_view suffix : kSuffixes)
@@ -56,7 +51,7 @@ bool is_text(const std::string& name) {
     }
 }
 
-bool is_archive(const std::string& name) { return in_small_letters(name).ends_with(".tar"); }
+bool is_archive(const std::string& name) { return CLI::detail::to_lower(name).ends_with(".tar"); }
 
 [[noreturn]] void refuse(const fs::path& path, const std::error_code& error) {
     throw InputError(fmt::format("{}: cannot be read: {}", path.string(), error.message()));
