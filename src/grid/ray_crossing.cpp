@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "grid/ray_crossing.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "grid/cube_walk.h"
 #include "grid/spline_cursor.h"
@@ -22,6 +26,19 @@ public:
         : grid_(grid), cursor_(grid, coefficients), line_(line) {}
 
     std::optional<double> find(const Stretch& stretch) {
+        return blocks_along(stretch) > static_cast<double>(grid_.block_count()) ? find_from_block_to_block(stretch)
+                                                                                : find_step_by_step(stretch);
+    }
+
+private:
+    // About as many block's edges as a stretch passes.
+    double blocks_along(const Stretch& stretch) const {
+        double most = 0.0;
+        for (const double d : line_.direction) most = std::max(most, std::abs(d));
+        return most * (stretch.end - stretch.begin) / kBlockEdge;
+    }
+
+    std::optional<double> find_step_by_step(const Stretch& stretch) {
         CubeWalk blocks(line_, kBlockEdge, stretch);
         do {
             if (is_missing(blocks.cube()))
@@ -32,7 +49,26 @@ public:
         return std::nullopt;
     }
 
-private:
+    // Where blocks lie so far apart that looking at all of them takes less than going from one to the next.
+    std::optional<double> find_from_block_to_block(const Stretch& stretch) {
+        std::vector<Stretch> parts;
+        for (const BlockCoord& c : grid_.coords()) {
+            const std::array<double, 3> low{kBlockEdge * double(c.x), kBlockEdge * double(c.y), kBlockEdge * double(c.z)};
+            const std::array<double, 3> high{low[0] + kBlockEdge, low[1] + kBlockEdge, low[2] + kBlockEdge};
+            if (const Stretch part = clipped(line_, stretch, low, high); !part.empty()) parts.push_back(part);
+        }
+        std::sort(parts.begin(), parts.end(), [](const Stretch& a, const Stretch& b) {
+            return std::pair(a.begin, a.end) < std::pair(b.begin, b.end);
+        });
+        double end = stretch.begin;
+        for (const Stretch& part : parts) {
+            if (part.begin > end) was_inside_.reset();
+            if (const auto found = find_in_block(part)) return found;
+            end = part.end;
+        }
+        return std::nullopt;
+    }
+
     bool is_missing(const std::array<std::int64_t, 3>& cube) const {
         const auto number = [&](std::size_t axis) { return static_cast<std::int32_t>(cube[axis]); };
         return grid_.find({.z = number(2), .y = number(1), .x = number(0)}) == kNoBlock;

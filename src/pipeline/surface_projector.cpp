@@ -13,7 +13,7 @@ namespace meniscus {
 namespace {
 
 constexpr double kOnSurface = 1e-9;  // Å
-constexpr int kSteps = 4;            // next to ridges a step along the distance falls short
+constexpr int kSteps = 60;           // as vertices get in the end; next to ridges steps fall short
 
 double largest_curvature(PrincipalCurvatures k, double spacing) {
     k = k.capped(1.0 / spacing);

@@ -9,7 +9,6 @@
 #include <functional>
 #include <iterator>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -35,6 +34,9 @@ constexpr double kSquaredTangent = 0.1325;
 constexpr double kFree = 2.5;
 constexpr double kRoom = 5.0;
 
+// What that leaves below the needed angle is mended with so many times as much round it.
+constexpr double kWider = 2.0;
+
 // A bad triangle's neighbourhood: vertices in `free` may move, all triangles that reach into `room` are there.
 struct Place {
     std::uint32_t triangle = 0;
@@ -57,7 +59,8 @@ public:
         : mesh_(mesh),
           options_(options),
           project_(project),
-          wanted_(std::tan(options.smallest_angle_deg * std::numbers::pi / 180.0)),
+          needed_(tangent_of_degrees(options.needed_angle_deg)),
+          wanted_(tangent_of_degrees(options.smallest_angle_deg)),
           squared_tangent_(std::max(kSquaredTangent, wanted_ * wanted_)) {}
 
     VertexChanges run() {
@@ -70,7 +73,9 @@ public:
             pending = std::move(all);
         }
         if (!pending.empty()) moved_.resize(mesh_.vertices.size());
-        while (!pending.empty()) pending = round(pending);
+        mend(std::move(pending));
+        reach_ = kWider;
+        mend(std::exchange(left_, {}));
         return close_holes();
     }
 
@@ -99,10 +104,11 @@ private:
         __builtin_prefetch(&mesh_.normals[triangle[0]]);
     }
 
-    bool is_bad(const Triangle& triangle) const {
+    double goodness(const Triangle& triangle) const {
         const Patch alone{{point(triangle[0]), point(triangle[1]), point(triangle[2])}, {}};
-        return alone.goodness({0, 1, 2}, kShortestEdge) < wanted_;
+        return alone.goodness({0, 1, 2}, kShortestEdge);
     }
+    bool is_bad(const Triangle& triangle) const { return goodness(triangle) < wanted_; }
     bool is_tangled(std::uint32_t triangle) const {
         return std::binary_search(tangled_.begin(), tangled_.end(), triangle);
     }
@@ -136,6 +142,12 @@ private:
         return bad;
     }
 
+    void mend(std::vector<std::uint32_t> pending) {
+        while (!pending.empty()) pending = round(pending);
+        std::sort(left_.begin(), left_.end());
+        left_.erase(std::unique(left_.begin(), left_.end()), left_.end());
+    }
+
     // Mends places far enough from each other side by side; returns the triangles that have to wait.
     std::vector<std::uint32_t> round(const std::vector<std::uint32_t>& pending) {
         std::vector<std::uint32_t> waiting;
@@ -150,7 +162,11 @@ private:
             mender.run();
             mended[i] = mender.patch();
         });
-        for (std::size_t i = 0; i < places.size(); ++i) paste(cuttings[i], mended[i]);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            paste(cuttings[i], mended[i]);
+            for (const std::uint32_t t : cuttings[i].triangles)
+                if (!is_removed(mesh_.triangles[t]) && goodness(mesh_.triangles[t]) < needed_) left_.push_back(t);
+        }
         forget_tangled(places);
         return waiting;
     }
@@ -169,7 +185,7 @@ private:
     std::vector<Place> choose_places(const std::vector<std::uint32_t>& pending, std::vector<std::uint32_t>& waiting) {
         std::vector<Place> places;
         std::map<std::array<int, 3>, std::vector<std::size_t>> cells;  // places by the cells that their rooms touch
-        const double cell = 4.0 * kRoom * options_.edge;
+        const double cell = 4.0 * reach_ * kRoom * options_.edge;
         const auto for_each_cell = [cell](const Box& box, const auto& visit) {
             const auto number = [cell](double x) { return static_cast<int>(std::floor(x / cell)); };
             for (int z = number(box.low.z); z <= number(box.high.z); ++z)
@@ -180,7 +196,8 @@ private:
             const Triangle& triangle = mesh_.triangles[t];
             if (is_removed(triangle) || !(is_bad(triangle) || is_tangled(t))) continue;
             const Box box = box_of(mesh_, triangle);
-            const Place place{t, box.grown(kFree * options_.edge), box.grown(kRoom * options_.edge)};
+            const Place place{t, box.grown(reach_ * kFree * options_.edge),
+                              box.grown(reach_ * kRoom * options_.edge)};
             bool overlaps = false;
             for_each_cell(place.room, [&](const std::array<int, 3>& at) {
                 const auto found = cells.find(at);
@@ -340,8 +357,11 @@ private:
     Mesh& mesh_;
     const SliverOptions& options_;
     const SurfaceProjector& project_;
+    double needed_;  // tangents
     double wanted_;
     double squared_tangent_;
+    double reach_ = 1.0;                  // of kFree and kRoom
+    std::vector<std::uint32_t> left_;     // triangles below the needed angle near places that have been mended
     std::vector<Box> boxes_;              // per chunk of triangles
     std::vector<std::uint32_t> tangled_;  // triangles, as they were found, that have not had their turn
     bool was_tangled_ = false;

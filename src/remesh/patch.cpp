@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/box_tree.h"
 #include "remesh/self_intersections.h"
@@ -53,6 +54,8 @@ double tangent_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
     const double product = 0.5 * (ab + bc + ca) - std::min({ab, bc, ca});
     return product > 0.0 ? norm(area_vector(a, b, c)) / product : 0.0;
 }
+
+double tangent_of_degrees(double degrees) { return std::tan(degrees * std::numbers::pi / 180.0); }
 
 std::vector<std::size_t> Patch::star(VertexId v) const {
     std::vector<std::size_t> found;

@@ -18,6 +18,8 @@ namespace meniscus {
 /// Tangent of a triangle's smallest angle: √3 for an equilateral one, 0 for one without area.
 double tangent_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c);
 
+double tangent_of_degrees(double degrees);
+
 /// No mesh of ours has shorter edges, Å: coordinates with three decimals, or in single precision, stay apart.
 inline constexpr double kShortestEdge = 0.02;
 

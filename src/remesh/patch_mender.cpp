@@ -31,8 +31,6 @@ constexpr int kPerRing = 8;
 constexpr std::size_t kTriedTogether = 16;
 constexpr int kSweeps = 3;
 
-double tangent_of_degrees(double degrees) { return std::tan(degrees * std::numbers::pi / 180.0); }
-
 bool makes_short_edges(const PatchShape& before, const PatchShape& after) {
     return after.shortest < std::min(kShortestEdge * kShortestEdge, before.shortest);
 }

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <vector>
 
 #include "meniscus/errors.h"
 #include "support/directions.h"
@@ -122,6 +124,40 @@ TEST(RayCrossing, MovesWithTheOrigin) {
     const Sphere moved{.centre = kSphere.centre + far, .radius = kSphere.radius};
     const LevelSet there = spline_of(0.25, far - kCorner, far + kCorner, moved);
     EXPECT_NEAR(there.intersect(moved.centre + Vec3{0, 30.0, 0}, {0, -1, 0}), 27.5, 1e-3);
+}
+
+// The same blocks at two places, 1.9e9 Å apart: nobody can go from block to block.
+TEST(RayCrossing, GapsOfAnyLengthTakeNoTime) {
+    constexpr std::int32_t kFar = 469'762'047;
+    const LevelSet alone = rough_level_set(0.5);
+    std::vector<BlockCoord> blocks(alone.grid().coords().begin(), alone.grid().coords().end());
+    for (const BlockCoord& c : alone.grid().coords()) blocks.push_back({.z = c.z, .y = c.y, .x = c.x + kFar});
+    const auto grid = std::make_shared<const BlockGrid>(0.5, alone.grid().origin(), blocks);
+    std::vector<float> coefficients;
+    for (const BlockCoord& c : grid->coords()) {
+        const BlockId same = alone.grid().find({.z = c.z, .y = c.y, .x = c.x > 1 ? c.x - kFar : c.x});
+        const auto values = alone.coefficients().subspan(std::size_t{same} * kBlockNodes, kBlockNodes);
+        coefficients.insert(coefficients.end(), values.begin(), values.end());
+    }
+    const LevelSet both(grid, coefficients);
+    const double apart = 0.5 * kBlockEdge * kFar;
+    int met = 0;
+    for (const Vec3& p : random_points(300, 3.0)) {
+        const Vec3 direction = normalised({p.y, -p.z, p.x});
+        const double found = alone.intersect(p, direction);
+        if (std::isinf(found)) {
+            EXPECT_EQ(both.intersect(p, direction), kInfinity);
+        } else {
+            EXPECT_NEAR(both.intersect(p, direction), found, 1e-6);
+            ++met;
+        }
+        const double through_the_gap = alone.intersect({-10.0, p.y, p.z}, {1, 0, 0});
+        if (std::isfinite(through_the_gap)) {
+            EXPECT_NEAR(both.intersect({apart - 10.0, p.y, p.z}, {1, 0, 0}), through_the_gap, 1e-5);
+            EXPECT_NEAR(both.intersect({10.0, p.y, p.z}, {1, 0, 0}), apart - 20.0 + through_the_gap, 1e-5);
+        }
+    }
+    EXPECT_GT(met, 100);
 }
 
 TEST(RayCrossing, ManyRaysOfARoughLevelSetAllEnd) {

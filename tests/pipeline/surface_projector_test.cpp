@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -34,6 +35,25 @@ TEST(SurfaceProjector, NormalsAreUnitVectorsAlsoInCorners) {
         }
     }
     EXPECT_GT(in_corners, 0) << "no point has come to lie in a corner";
+}
+
+// Mended vertices are projected once more when all is known about them: what moved then would be bad again.
+TEST(SurfaceProjector, StepsThatFallShortNextToRidgesAreTakenUntilTheyDoNot) {
+    const AccessibleSurface exact(Atoms{{{0.0, 0.0, 0.0}, {5.3, 0.0, 0.0}, {2.6, 4.7, 0.0}}, {1.7, 1.6, 1.5}}, 1.4);
+    const SurfaceProjector project = surface_projector(exact, nullptr, 0.5);
+    std::vector<SurfacePoint> points;
+    for (int i = 0; i < 20000; ++i) {
+        const Vec3 anywhere{std::fmod(0.7548776662 * i, 1.0), std::fmod(0.5698402910 * i, 1.0),
+                            std::fmod(0.3183098862 * i, 1.0)};
+        const Vec3 point{9.0 * anywhere.x - 2.0, 9.0 * anywhere.y - 2.0, 4.0 * anywhere.z - 2.0};
+        if (std::abs(exact.nearest(point).signed_distance) < 0.5) points.emplace_back().position = point;
+    }
+    ASSERT_GT(points.size(), 2000U);
+    project(points);
+    double farthest = 0.0;
+    for (const SurfacePoint& point : points)
+        farthest = std::max(farthest, std::abs(exact.nearest(point.position).signed_distance));
+    EXPECT_LE(farthest, 0.005);  // after four steps 0.35
 }
 
 }  // namespace

@@ -91,6 +91,13 @@ TEST(MendSlivers, LeaveNoneOnASphereThatIsFullOfThem) {
     for (const Vec3& v : mesh.vertices) EXPECT_NEAR(kSphere(v), 0.0, 1e-9);
 }
 
+TEST(MendSlivers, WhatNeedsMoreRoomGetsIt) {
+    // Edges are five times as long as it is told: at first there is no triangle that may change.
+    Mesh mesh = projected_sphere(kSphere, kSpacing);
+    mend_slivers(mesh, {.edge = kSpacing / 5.0, .longest_edge = 2.0 * kSpacing}, onto(kSphere));
+    expect_mended(mesh);
+}
+
 TEST(MendSlivers, LeaveAGoodMeshAlone) {
     Mesh mesh = projected_sphere(kSphere, kSpacing);
     mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
