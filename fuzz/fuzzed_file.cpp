@@ -53,14 +53,16 @@ void require(bool holds, std::string_view what) {
 }
 
 FuzzedFile::FuzzedFile(const std::string& name) {
-    fs::create_directories(scratch_folder());
     path_ = scratch_folder() / name;
+    fs::create_directories(fs::path(path_).parent_path());
 }
 
 FuzzedFile::~FuzzedFile() {
     std::error_code ignored;
     fs::remove(path_, ignored);
-    fs::remove(scratch_folder(), ignored);  // with the last file
+    for (fs::path folder = fs::path(path_).parent_path(); folder != scratch_folder().parent_path();
+         folder = folder.parent_path())
+        fs::remove(folder, ignored);  // with its last file
 }
 
 void FuzzedFile::write(std::string_view bytes) const {

@@ -23,7 +23,7 @@ void require(bool holds, std::string_view what);
 /// A file of this process with some name, removed at its end.
 class FuzzedFile {
 public:
-    /// name     with the suffix that tells the format
+    /// name     with the suffix that tells the format; may begin with folders, which are made
     explicit FuzzedFile(const std::string& name);
     FuzzedFile(const std::string& name, std::string_view bytes) : FuzzedFile(name) { write(bytes); }
     ~FuzzedFile();

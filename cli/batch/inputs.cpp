@@ -19,12 +19,15 @@
 
 #include "batch/archive.h"
 #include "meniscus/errors.h"
+#include "next_line.h"
 
 namespace meniscus::cli::batch {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::size_t kLongestPath = 4096;  // bytes, as for the system
 
 constexpr std::array<std::string_view, 7> kSuffixes{".pdb", ".ent", ".cif", ".mmcif", ".pqr", ".xyzr", ".xyzrn"};
 
@@ -38,9 +41,11 @@ std::size_t suffix_length(const std::string& name) {
     return 0;
 }
 
-/// A name as it can be shown, whatever its bytes are.
+/// A name as it can be shown, whatever its bytes are; cut short.
 std::string shown(const std::string& name) {
-    return nlohmann::json(name).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    constexpr std::size_t kLongest = 200;
+    const std::string text = name.size() > kLongest ? name.substr(0, kLongest) + "..." : name;
+    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 bool is_text(const std::string& name) {
@@ -67,7 +72,8 @@ std::uint64_t size_of(const fs::path& path) {
 std::string inner_path(const std::string& archive, const std::string& name) {
     fs::path inner;
     for (const fs::path& part : fs::path(name).relative_path()) {
-        if (part == "..") throw InputError(fmt::format("{}: the member {} lies outside of the archive", archive, name));
+        if (part == "..")
+            throw InputError(fmt::format("{}: the member {} lies outside of the archive", archive, shown(name)));
         if (part != ".") inner /= part;
     }
     return inner.generic_string();
@@ -108,8 +114,12 @@ public:
 
     void add_list(std::istream& lines, const std::string& name) {
         std::vector<std::string> words;
-        for (std::string line; std::getline(lines, line);) {
+        std::size_t number = 0;
+        for (std::string line; next_line(lines, line, name, ++number);) {
             if (line.ends_with('\r')) line.pop_back();
+            if (line.size() > kLongestPath)
+                throw InputError(
+                    fmt::format("{}:{}: a name of {} bytes; a list has one name per line", name, number, line.size()));
             if (!line.empty()) words.push_back(line);
         }
         if (lines.bad()) throw InputError(name + ": cannot be read");
@@ -125,7 +135,10 @@ public:
         inputs.erase(std::unique(inputs.begin(), inputs.end()), inputs.end());
         for (const Input& input : inputs)
             if (!is_text(input.name))
-                throw InputError(fmt::format("{}: its name is no text (UTF-8); rename it", shown(input.name)));
+                throw InputError(input.member
+                                     ? fmt::format("{}: the name of its member {} is no text (UTF-8); rename it",
+                                                   input.path, shown(input.name))
+                                     : shown(input.name) + ": its name is no text (UTF-8); rename it");
         const auto twin = std::adjacent_find(inputs.begin(), inputs.end(),
                                              [](const Input& a, const Input& b) { return a.name == b.name; });
         if (twin != inputs.end())

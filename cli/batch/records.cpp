@@ -37,12 +37,23 @@ std::string text_of(const ordered_json& line) {
     return line.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
+/// Nothing if the line is no record, or lacks what every record has.
 std::optional<Record> record_of(const std::string& line) {
-    const ordered_json all = ordered_json::parse(line, nullptr, false);
-    if (!all.is_object() || !all.contains("result")) return std::nullopt;
-    return Record{all["result"], all.value("times", ordered_json()), all.value("size", std::uint64_t{0}),
-                  all.value("archive_end", std::int64_t{0})};
+    try {
+        const ordered_json all = ordered_json::parse(line);
+        for (const char* number : {"size", "archive_end"})
+            if (!all.at(number).is_number_integer()) return std::nullopt;
+        Record record{all.at("result"), all.at("times"), all["size"], all["archive_end"]};
+        if (record.name().empty() || !record.result.at("status").is_string()) return std::nullopt;
+        record.outputs();
+        radii_of(record.result);
+        return record;
+    } catch (const ordered_json::exception&) {
+        return std::nullopt;
+    }
 }
+
+std::string text_in_ascii(const ordered_json& line) { return line.dump(-1, ' ', true); }
 
 /// What of a header must be the same for a run to go on.
 ordered_json lasting(ordered_json header) {
@@ -61,7 +72,9 @@ public:
         std::string line;
         std::getline(lines_, line);
         header_ = ordered_json::parse(line, nullptr, false);
-        if (!header_.is_object()) throw InputError(path + ": cannot be read; run the shard again with --resume");
+        if (!header_.is_object() || !header_.contains("inputs") || !header_.contains("command") ||
+            !header_.value("mixed_radii", ordered_json(false)).is_boolean())
+            throw InputError(path + ": cannot be read; run the shard again with --resume");
         advance();
     }
 
@@ -117,6 +130,12 @@ std::vector<DoneFile> open_shards(const Places& places) {
                                          places.state(), i, count, count));
     }
     return shards;
+}
+
+void move_file(const std::string& from, const std::string& to) {
+    std::error_code error;
+    fs::rename(from, to, error);
+    if (error) throw OutputError(fmt::format("{}: cannot be written: {}", to, error.message()));
 }
 
 bool may_mix_radii(const DoneFile& shard) { return shard.header().value("mixed_radii", false); }
@@ -180,14 +199,15 @@ void Log::load(const ordered_json& header, bool resume) {
             continue;
         }
         const ordered_json older = ordered_json::parse(line, nullptr, false);
-        if (!older.is_object()) throw InputError(path_ + ": is damaged; choose another --out");
+        if (!older.is_object() || older.contains("result"))
+            throw InputError(path_ + ": is damaged; choose another --out");
         if (!resume)
             throw UsageError(
                 fmt::format("{}: is there from an earlier run; add --resume to go on, or choose another --out", path_));
         if (lasting(older) != lasting(header))
             throw UsageError(
-                fmt::format("{}: was begun by another version or with other options ({}); choose another --out", path_,
-                            lasting(older).dump()));
+                fmt::format("{}: was begun by another version or with other options ({:.400}); choose another --out",
+                            path_, text_in_ascii(lasting(older))));
         begun = true;
         size_ += length;
     }
@@ -202,7 +222,7 @@ void Log::note(const Record& record, std::int64_t length) {
                                                    .size = record.size,
                                                    .archive_end = record.archive_end,
                                                    .radii = radii_of(record.result),
-                                                   .outputs = record.result.at("outputs")});
+                                                   .outputs = record.outputs()});
     size_ += length;
 }
 
@@ -249,8 +269,11 @@ void Log::finish(const std::string& path, const ordered_json& header, const std:
 Collected collect(const Places& places) {
     std::vector<DoneFile> shards = open_shards(places);
     const bool may_mix = std::all_of(shards.begin(), shards.end(), may_mix_radii);
-    AtomicFile results(places.results());
-    AtomicFile times(places.times());
+    // What a kill leaves of them stays out of the outputs.
+    const std::string new_results = places.state() + "/results.jsonl";
+    const std::string new_times = places.state() + "/times.jsonl";
+    AtomicFile results(new_results);
+    AtomicFile times(new_times);
     Collected collected;
     std::map<std::string, std::string> radii;  // set -> an input
     const auto comes_first = [](const DoneFile& a, const DoneFile& b) {
@@ -271,6 +294,8 @@ Collected collect(const Places& places) {
     }
     results.commit();
     times.commit();
+    move_file(new_results, places.results());
+    move_file(new_times, places.times());
     return collected;
 }
 

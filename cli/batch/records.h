@@ -49,6 +49,7 @@ struct Record {
 
     std::string name() const { return result.at("input"); }
     bool succeeded() const { return result.at("status") == "done"; }
+    std::vector<std::string> outputs() const { return result.at("outputs"); }
 };
 
 /// Where the last record of an input is, and what a run must know of it; reports stay on disk.

@@ -13,9 +13,16 @@
 
 #include "dropins/strict_number.h"
 #include "meniscus/errors.h"
+#include "next_line.h"
+#include "reading/text.h"
 
 namespace meniscus::dropins {
 namespace {
+
+using reading::printable;
+using reading::shown;
+
+constexpr std::size_t kShown = 40;  // bytes of a word
 
 std::string trimmed(std::string_view text) {
     constexpr std::string_view kBlanks = " \t\r";
@@ -42,7 +49,8 @@ struct Entry {
 
     double number(double least) const {
         const auto parsed = strict_number(value);
-        if (!parsed || *parsed < least) fail(fmt::format("{}: '{}' is not a number from {} on", key, value, least));
+        if (!parsed || *parsed < least)
+            fail(fmt::format("{}: {} is not a number from {} on", key, shown(value), least));
         return *parsed;
     }
 
@@ -56,7 +64,7 @@ struct Entry {
         const std::string word = lower_case(value);
         if (word == "true" || word == "t" || word == "yes" || word == "y" || word == "1") return true;
         if (word == "false" || word == "f" || word == "no" || word == "n" || word == "0") return false;
-        fail(fmt::format("{}: '{}' is neither true nor false", key, value));
+        fail(fmt::format("{}: {} is neither true nor false", key, shown(value)));
     }
 };
 
@@ -64,13 +72,13 @@ using Action = void (*)(NanoShaperRequest&, const Entry&);
 
 void set_surface(NanoShaperRequest& /*request*/, const Entry& entry) {
     if (lower_case(entry.value) != "ses")
-        entry.fail(
-            fmt::format("Surface: only ses, the solvent-excluded surface, is computed here, not {}", entry.value));
+        entry.fail("Surface: only ses, the solvent-excluded surface, is computed here, not " +
+                   printable(entry.value, kShown));
 }
 
 void set_mode(NanoShaperRequest& /*request*/, const Entry& entry) {
     if (lower_case(entry.value) != "normal")
-        entry.fail(fmt::format("Operative_Mode: only normal is known here, not {}", entry.value));
+        entry.fail("Operative_Mode: only normal is known here, not " + printable(entry.value, kShown));
 }
 
 void set_folder(NanoShaperRequest& request, const Entry& entry) {
@@ -175,7 +183,8 @@ void apply(const Entry& entry, NanoShaperRequest& request) {
     else if (is_not_done_here(entry.key)) {
         if (!is_switched_off(entry)) request.warnings.push_back(entry.key + " is not done here and is left out");
     } else if (!makes_no_difference(entry.key))
-        request.warnings.push_back(fmt::format("{}: {} is unknown and is passed over", entry.place, entry.key));
+        request.warnings.push_back(
+            fmt::format("{}: {} is unknown and is passed over", entry.place, printable(entry.key, kShown)));
 }
 
 }  // namespace
@@ -183,7 +192,7 @@ void apply(const Entry& entry, NanoShaperRequest& request) {
 NanoShaperRequest read_nanoshaper(std::istream& stream, const std::string& path) {
     NanoShaperRequest request;
     std::size_t number = 0;
-    for (std::string line; std::getline(stream, line);) {
+    for (std::string line; cli::next_line(stream, line, path, number + 1);) {
         ++number;
         const std::string text = line.substr(0, line.find('#'));
         if (trimmed(text).empty()) continue;

@@ -6,20 +6,14 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iostream>
 
-#include "dropins/guarded.h"
-#include "dropins/next_line.h"
 #include "dropins/strict_number.h"
 #include "meniscus/errors.h"
+#include "next_line.h"
+#include "reading/text.h"
 
 namespace meniscus::dropins {
 namespace {
-
-constexpr double kUnitedHydrogen = 1.2;  // Å; the radius that msms -noh leaves out
 
 /// Columns first to last of a record, from 1 on, without blanks around.
 std::string columns(const std::string& line, std::size_t first, std::size_t last) {
@@ -42,8 +36,8 @@ double coordinate(const std::string& line, std::size_t first, const std::string&
     const std::string text = columns(line, first, first + 7);
     const auto value = strict_number(text);
     if (!value)
-        throw InputError(
-            fmt::format("{}:{}:{}: the coordinate '{}' is not a finite number; correct it", path, number, first, text));
+        throw InputError(fmt::format("{}:{}:{}: the coordinate {} is not a finite number; correct it", path, number,
+                                     first, reading::shown(text)));
     return *value;
 }
 
@@ -56,63 +50,6 @@ PdbRecord parse_record(const std::string& line, const std::string& path, std::si
     record.names.element = element_of(line.substr(12, 4), columns(line, 77, 78));
     record.number = without_blanks(columns(line, 23, 27));
     return record;
-}
-
-bool is_hydrogen(const PdbRecord& record) { return record.names.element == "H" || record.names.element == "D"; }
-
-std::vector<double> radii_for(const std::vector<PdbRecord>& records, bool explicit_hydrogens, const std::string& name) {
-    std::vector<AtomNames> names;
-    names.reserve(records.size());
-    for (const PdbRecord& record : records) names.push_back(record.names);
-    std::vector<double> radii = radii_of(names, explicit_hydrogens ? "bondi" : "united");
-    if (explicit_hydrogens) return radii;
-    std::size_t hydrogens = 0;
-    for (std::size_t i = 0; i < records.size(); ++i) {
-        if (!is_hydrogen(records[i])) continue;
-        radii[i] = kUnitedHydrogen;
-        ++hydrogens;
-    }
-    if (hydrogens > 0)
-        warn(name,
-             fmt::format("{} hydrogens beside radii that stand for atoms with their hydrogens: take msms -noh, or "
-                         "explicit radii with -h",
-                         hydrogens));
-    return radii;
-}
-
-void print_spheres(const std::vector<PdbRecord>& records, bool explicit_hydrogens, bool with_names,
-                   const std::string& name) {
-    const std::vector<double> radii = radii_for(records, explicit_hydrogens, name);
-    std::string text;
-    for (std::size_t i = 0; i < records.size(); ++i)
-        text += with_names ? xyzrn_line(records[i], radii[i]) : xyzr_line(records[i], radii[i]);
-    print(text);
-}
-
-std::vector<PdbRecord> read_file(const std::string& path) {
-    std::ifstream file(path);
-    if (!file) throw InputError(fmt::format("{}: cannot be opened: {}; check the name", path, std::strerror(errno)));
-    return read_pdb_records(file, path);
-}
-
-void run(const std::string& name, bool with_names, const std::vector<std::string>& arguments) {
-    bool explicit_hydrogens = false;
-    std::vector<PdbRecord> records;
-    bool has_file = false;
-    for (const std::string& argument : arguments) {
-        if (argument == "--help")
-            return print(fmt::format("Usage: {} [-h] [FILE.pdb ...]\n-h  explicit hydrogens\n", name));
-        if (argument == "-h")
-            explicit_hydrogens = true;
-        else if (argument.size() > 1 && argument[0] == '-')
-            throw UsageError(fmt::format("{}: unknown option; -h takes radii for explicit hydrogens", argument));
-        if (argument[0] == '-' && argument != "-") continue;
-        has_file = true;
-        const auto more = argument == "-" ? read_pdb_records(std::cin, argument) : read_file(argument);
-        records.insert(records.end(), more.begin(), more.end());
-    }
-    if (!has_file) records = read_pdb_records(std::cin, "-");
-    print_spheres(records, explicit_hydrogens, with_names, name);
 }
 
 }  // namespace
@@ -134,7 +71,7 @@ std::string element_of(const std::string& name_columns, const std::string& eleme
 std::vector<PdbRecord> read_pdb_records(std::istream& stream, const std::string& path) {
     std::vector<PdbRecord> records;
     std::size_t number = 0;
-    for (std::string line; next_line(stream, line, path, number + 1);) {
+    for (std::string line; cli::next_line(stream, line, path, number + 1);) {
         ++number;
         if (line.starts_with("ENDMDL")) break;
         if (line.starts_with("ATOM  ") || line.starts_with("HETATM"))
@@ -154,10 +91,6 @@ std::string xyzrn_line(const PdbRecord& record, double radius) {
     const auto word = [](const std::string& text) { return text.empty() ? std::string("-") : text; };
     return fmt::format("{:f} {:f} {:f} {:f} 1 {}_{}_{}\n", x, y, z, radius, word(record.names.name),
                        word(record.names.residue), word(record.number));
-}
-
-int run_pdb_to_spheres(const std::string& name, bool with_names, int argc, char** argv) {
-    return run_guarded(name, argc, argv, [&](const auto& arguments) { run(name, with_names, arguments); });
 }
 
 }  // namespace meniscus::dropins

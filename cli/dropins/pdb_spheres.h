@@ -33,7 +33,4 @@ std::string xyzr_line(const PdbRecord& record, double radius);
 /// "12.703000 4.973000 10.746000 1.400000 1 OXT_ASN_46"
 std::string xyzrn_line(const PdbRecord& record, double radius);
 
-/// The programs pdb_to_xyzr and pdb_to_xyzrn: [-h] [FILE ...], standard input without a file.
-int run_pdb_to_spheres(const std::string& name, bool with_names, int argc, char** argv);
-
 }  // namespace meniscus::dropins

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
 // The program `pdb_to_xyzr`.
-#include "dropins/pdb_spheres.h"
+#include "dropins/pdb_to_spheres.h"
 
 int main(int argc, char** argv) { return meniscus::dropins::run_pdb_to_spheres("pdb_to_xyzr", false, argc, argv); }

@@ -12,9 +12,10 @@
 #include <fstream>
 #include <string_view>
 
-#include "dropins/next_line.h"
 #include "dropins/strict_number.h"
 #include "meniscus/errors.h"
+#include "next_line.h"
+#include "reading/text.h"
 
 namespace meniscus::dropins {
 namespace {
@@ -47,7 +48,8 @@ public:
         if (i >= words_.size()) fail(end_, fmt::format("the {} is missing; a sphere is x y z radius", what));
         const auto value = strict_number(words_[i].text);
         if (!value)
-            fail(words_[i].column, fmt::format("{} '{}' is not a finite number; correct it", what, words_[i].text));
+            fail(words_[i].column,
+                 fmt::format("{} {} is not a finite number; correct it", what, reading::shown(words_[i].text)));
         return *value;
     }
 
@@ -94,7 +96,7 @@ SphereFile read_sphere_file(const std::string& path) {
     if (!file) throw InputError(fmt::format("{}: cannot be opened: {}; check the name", path, std::strerror(errno)));
     SphereFile spheres;
     std::size_t number = 0;
-    for (std::string text; next_line(file, text, path, number + 1);) {
+    for (std::string text; cli::next_line(file, text, path, number + 1);) {
         const Line line(path, ++number, text);
         if (!line.words().empty() && line.words().front().text.front() != '#') add_sphere(line, spheres);
     }

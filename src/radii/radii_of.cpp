@@ -11,6 +11,7 @@
 #include "radii/element_radii.h"
 #include "radii/radius_set.h"
 #include "radii/rule_file.h"
+#include "reading/text.h"
 
 namespace meniscus {
 namespace {
@@ -47,9 +48,10 @@ std::vector<double> radii_of(std::span<const AtomNames> atoms, const std::string
         const auto of_element = element_radius(element);
         if (!known && !of_element)
             throw UsageError(
-                fmt::format("atom {} ('{}' of '{}', element '{}'): set {} has no radius for it, nor is "
-                            "its element known; give its element",
-                            i, atoms[i].name, atoms[i].residue, atoms[i].element, typer.set().name));
+                fmt::format("atom {} ({} of {}, element {}): set {} has no radius for it, nor is its element known; "
+                            "give its element",
+                            i, reading::shown(atoms[i].name), reading::shown(atoms[i].residue),
+                            reading::shown(atoms[i].element), typer.set().name));
         radii.push_back(known ? *known : of_element->radius);
     }
     return radii;

@@ -18,17 +18,16 @@ std::size_t find_unprintable(std::string_view text) {
     return found == text.end() ? std::string_view::npos : static_cast<std::size_t>(found - text.begin());
 }
 
-std::string printable(std::string_view text) {
-    std::string result(text);
+std::string printable(std::string_view text, std::size_t at_most) {
+    std::string result(text.substr(0, at_most));
     std::replace_if(result.begin(), result.end(), is_unprintable, '?');
+    if (text.size() > at_most) result += "...";
     return result;
 }
 
 std::string shown(std::string_view word) {
     constexpr std::size_t kLongest = 40;
-    std::string text = printable(word.substr(0, kLongest));
-    if (word.size() > kLongest) text += "...";
-    return std::string("'").append(text).append("'");
+    return std::string("'").append(printable(word, kLongest)).append("'");
 }
 
 std::string_view Words::next() {

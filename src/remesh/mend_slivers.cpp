@@ -196,8 +196,7 @@ private:
             const Triangle& triangle = mesh_.triangles[t];
             if (is_removed(triangle) || !(is_bad(triangle) || is_tangled(t))) continue;
             const Box box = box_of(mesh_, triangle);
-            const Place place{t, box.grown(reach_ * kFree * options_.edge),
-                              box.grown(reach_ * kRoom * options_.edge)};
+            const Place place{t, box.grown(reach_ * kFree * options_.edge), box.grown(reach_ * kRoom * options_.edge)};
             bool overlaps = false;
             for_each_cell(place.room, [&](const std::array<int, 3>& at) {
                 const auto found = cells.find(at);

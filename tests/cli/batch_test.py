@@ -11,6 +11,7 @@ import json
 import os
 import pathlib
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -264,6 +265,22 @@ class Inputs(BatchTest):
         with tarfile.open(self.folder / "evil.tar", "w") as tar:
             tar.addfile(tarfile.TarInfo("a/../../evil.xyzr"))
         self.assertIn("lies outside", self.refused("measure", "evil.tar", "--out", "out", code=3))
+
+    def test_lists_of_something_else_are_refused(self):
+        (self.folder / "list").write_bytes(b"in/a\n" + b"x" * 5000 + b"\n")
+        self.assertIn("list:2: a name of 5000 bytes", self.refused("measure", "--list", "list", "--out", "out", code=3))
+        self.assertIn("more than 1 MiB", self.refused("measure", "--list", "/dev/zero", "--out", "out", code=3))
+
+    def test_damaged_logs_are_refused(self):
+        self.batch("measure", "in/a", "--out", "out")
+        log = self.folder / "out/.batch/shard-0-of-1.log"
+        whole = log.read_text()
+        first = whole.splitlines()[1]
+        for damaged in (re.sub('"input":"[^"]*"', '"input":7', first, count=1), '{"result":{"input":"a"}}', '{"result":1}',
+                        re.sub('"size":[0-9]+', '"size":1e300', first)):
+            self.assertNotEqual(damaged, first)
+            log.write_text(whole + damaged + "\n")
+            self.assertIn("is damaged", self.refused("measure", "in/a", "--out", "out", "--resume", code=3))
 
     def test_damaged_archives(self):
         whole = self.archive("all.tar").read_bytes()

@@ -79,5 +79,15 @@ TEST(NanoShaperOptions, ValuesThatCannotBeReadAreToldWithTheirPlace) {
     }
 }
 
+TEST(NanoShaperOptions, WhatIsNoTextIsShownAsText) {
+    EXPECT_NE(read("\x01\xff = 1\n").warnings.at(0).find(std::string(2, '?') + " is unknown"), std::string::npos);
+    try {
+        read("Surface = " + std::string(5000, '\x02'));
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_TRUE(std::string(error.what()).ends_with("not " + std::string(40, '?') + "...")) << error.what();
+    }
+}
+
 }  // namespace
 }  // namespace meniscus::dropins

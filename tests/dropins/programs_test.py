@@ -320,6 +320,13 @@ class PdbToSpheresTest(ProgramTest):
         self.assertIn("1 hydrogens", done.stderr)
         self.assertEqual(done.stdout.splitlines()[1].split()[3], "1.20")
 
+    def test_an_element_without_a_radius_is_told_with_its_file(self):
+        (self.folder / "z.pdb").write_text(
+            "ATOM      1  Q\x01  GLY A   1       0.000   0.000   0.000  1.00  0.00           Q\n")
+        done = self.run_program("pdb_to_xyzr", "z.pdb", code=3)
+        self.assertEqual(done.stdout, "")
+        self.assertRegex(done.stderr, r"^pdb_to_xyzr: error: z.pdb: atom 0 \('Q\?' of 'GLY', element 'Q'\): .*\n$")
+
     def test_the_usual_course_from_pdb_to_surface(self):
         with open(self.folder / "u.xyzrn", "w") as file:
             file.write(self.run_program("pdb_to_xyzrn", UBIQUITIN).stdout)

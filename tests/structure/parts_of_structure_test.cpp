@@ -44,6 +44,20 @@ TEST(SelectAtoms, NothingAndNonsenseAreUsageErrors) {
     }
 }
 
+// Of fuzzing: gemmi repeats all that is wrong with a selection.
+TEST(SelectAtoms, LongSelectionsAreToldInShortMessages) {
+    std::string expression;
+    for (int i = 0; i < 500; ++i) expression += ";q<9";
+    for (const std::string& wrong : {expression + "?", expression + ";q<-1"}) {
+        try {
+            select_atoms(three_residues(), wrong);
+            FAIL();
+        } catch (const UsageError& error) {
+            EXPECT_LT(std::string(error.what()).size(), 500U);
+        }
+    }
+}
+
 TEST(SplitChains, InTheOrderOfTheirFirstAtoms) {
     const std::vector<Structure> chains = split_chains(three_residues());
     ASSERT_EQ(chains.size(), 2U);

@@ -27,6 +27,9 @@
 namespace meniscus::reading {
 namespace {
 
+// What is taken of gemmi's messages, which may repeat all that is wrong; bytes.
+constexpr std::size_t kOfGemmi = 300;
+
 // With clang this file is C++17 (CMakeLists.txt), which has no starts_with.
 bool has_prefix(const std::string& text, const std::string& prefix) {
     return text.compare(0, prefix.size(), prefix) == 0;
@@ -40,7 +43,7 @@ auto with_input_errors(const std::string& file, Read read) {
     } catch (const InputError&) {
         throw;
     } catch (const std::exception& error) {
-        throw InputError(file + ": " + printable(error.what()) + "; correct the file or fetch it again");
+        throw InputError(file + ": " + printable(error.what(), kOfGemmi) + "; correct the file or fetch it again");
     }
 }
 
@@ -177,7 +180,8 @@ gemmi::cif::Document parse_cif(const std::string& text, const std::string& file)
     } catch (const std::exception& error) {
         const std::string message = tidy_message(error.what());
         const std::string own = has_prefix(message, file + ":") ? message.substr(file.size()) : ": " + message;
-        throw InputError(file + printable(own) + "; this is not valid CIF, correct it or fetch the file again");
+        throw InputError(file + printable(own, kOfGemmi) +
+                         "; this is not valid CIF, correct it or fetch the file again");
     }
 }
 
@@ -462,7 +466,7 @@ gemmi::Selection parse_selection(const std::string& expression, const std::strin
     try {
         return gemmi::Selection(expression);
     } catch (const std::exception& error) {
-        throw UsageError(option + " " + shown(expression) + ": " + printable(error.what()) +
+        throw UsageError(option + " " + shown(expression) + ": " + printable(error.what(), kOfGemmi) +
                          "; write for instance //A/10-50 or (ALA,GLY) or CA[C]");
     }
 }

@@ -8,7 +8,7 @@
 
 #include "meniscus/errors.h"
 
-namespace meniscus::dropins {
+namespace meniscus::cli {
 
 /// Takes the next line without its end, as std::getline, but none that no text has: it could fill the memory.
 ///
@@ -36,4 +36,4 @@ inline bool next_line(std::istream& stream, std::string& line, const std::string
     return !line.empty();
 }
 
-}  // namespace meniscus::dropins
+}  // namespace meniscus::cli
