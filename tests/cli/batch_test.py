@@ -25,6 +25,7 @@ PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 SOURCE = pathlib.Path(sys.argv[2]).resolve()
 sys.path.append(str(SOURCE / "tests" / "support"))
 
+from sanitized import is_sanitized  # noqa: E402
 from sphere_chain import sphere_chain  # noqa: E402
 
 UBIQUITIN = (SOURCE / "examples" / "1ubq.pdb").read_bytes()
@@ -335,6 +336,7 @@ class Isolation(BatchTest):
         self.assertEqual((hung["status"], hung["exit"], hung["error"]), ("timed out", None, "took longer than 1 s"))
         self.assertEqual(done["status"], "done")
 
+    @unittest.skipIf(is_sanitized(PROGRAM), "sanitizers make an exit of a crash")
     def test_what_crashes_harms_no_other(self):
         os.mkfifo(self.inputs / "never.xyzr")
         process = subprocess.Popen(self.command("measure", "in/never.xyzr", "in/top.XYZR", "--out", "out", "--jobs", "2"),
@@ -365,6 +367,7 @@ class Isolation(BatchTest):
         self.assertEqual(process.wait(60), 6)
         self.assertGreater(states.count("S"), 15, states)
 
+    @unittest.skipIf(is_sanitized(PROGRAM), "sanitizers need the whole address space")
     def test_memory_is_limited_for_each(self):
         self.write("x/large.xyzr", spheres(60000, 5))
         self.write("x/small.xyzr", spheres(10, 6))

@@ -15,7 +15,7 @@ import threading
 import time
 import unittest
 
-from support import MENISCUS, MSMS, SPHERES, TO_XYZR, UBIQUITIN, FaultTest, main
+from support import MENISCUS, MSMS, SPHERES, TO_XYZR, UBIQUITIN, FaultTest, main, needs_little_memory
 
 GIGABYTE = 1 << 30
 # Every program that reads, with room for one name.
@@ -144,6 +144,7 @@ class LargeFiles(FaultTest):
             self.assertEqual(len([line for line in error.splitlines() if ": error: " in line]), 1, error)
             self.assertLess(peak, 5000)
 
+    @needs_little_memory
     def test_a_large_file_of_atoms_is_read_or_refused_within_its_memory(self):
         line = UBIQUITIN.read_bytes()
         with open(self.folder / "large.pdb", "wb") as file:
@@ -180,6 +181,7 @@ class Bombs(FaultTest):
         self.assertIn(code, (3, 5), error)
         self.assertLess(peak, 1500)
 
+    @needs_little_memory
     def test_a_bomb_within_little_memory(self):
         self.bomb("bomb.pdb.gz", bytes(64 << 20), 4)
 

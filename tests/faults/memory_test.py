@@ -8,7 +8,7 @@ usage: memory_test.py FOLDER_OF_PROGRAM SOURCE_DIR [unittest arguments]
 import resource
 import unittest
 
-from support import MENISCUS, MSMS, NANOSHAPER, PRM, TO_XYZR, UBIQUITIN, FaultTest, main
+from support import MENISCUS, MSMS, NANOSHAPER, PRM, TO_XYZR, UBIQUITIN, FaultTest, main, needs_little_memory
 
 MEGABYTE = 1 << 20
 
@@ -17,11 +17,10 @@ def limit(size):
     return lambda: resource.setrlimit(resource.RLIMIT_AS, (size, size))
 
 
+@needs_little_memory
 class Memory(FaultTest):
     def setUp(self):
         super().setUp()
-        if b"asan" in MENISCUS.read_bytes() and b"__asan_init" in MENISCUS.read_bytes():
-            self.skipTest("AddressSanitizer needs the whole address space")
         (self.folder / "surfaceConfiguration.prm").write_text(PRM)
 
     def least(self, *command):

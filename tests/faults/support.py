@@ -12,12 +12,17 @@ import unittest
 
 FOLDER = pathlib.Path(sys.argv[1]).resolve()  # of the built program
 SOURCE = pathlib.Path(sys.argv[2]).resolve()
+sys.path.append(str(SOURCE / "tests" / "support"))
+
+from sanitized import is_sanitized  # noqa: E402
+
 MENISCUS = FOLDER / "meniscus"
 MSMS = FOLDER / "dropins" / "meniscus-msms"
 NANOSHAPER = FOLDER / "dropins" / "meniscus-nanoshaper"
 TO_XYZR = FOLDER / "dropins" / "pdb_to_xyzr"
 UBIQUITIN = SOURCE / "examples" / "1ubq.pdb"
 IS_ROOT = os.geteuid() == 0
+needs_little_memory = unittest.skipIf(is_sanitized(MENISCUS), "sanitizers need the whole address space")
 
 SPHERES = "0 0 0 1.7\n1.2 0 0 1.52\n20 0 0 1.8\n"
 PRM = ("Grid_scale = 2.0\nXYZR_FileName = three.xyzr\nTriangulation = true\nSurface = ses\n"
