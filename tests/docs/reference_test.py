@@ -17,6 +17,10 @@ import markdown
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 SOURCE = pathlib.Path(sys.argv[2]).resolve()
+sys.path.append(str(SOURCE / "tests" / "support"))
+
+from sanitized import is_sanitized  # noqa: E402
+
 REFERENCE = SOURCE / "docs" / "reference"
 ENTRY = re.compile(r"^  (-[\w-]+)(?: (--[\w-]+))?(?: (\S+))?(?:  |$)")
 CODE = re.compile(r"`([^`]*)`")
@@ -77,6 +81,8 @@ class Options(unittest.TestCase):
             self.write_values(folder)
             (folder / "list.txt").write_text("in.pdb\n")
             for name, (_, _, example, heading) in self.page.items():
+                if name == "--memory-limit" and is_sanitized(PROGRAM):
+                    continue  # it limits the address space
                 if heading != "The program":
                     command = {"Measures": "measure", "Comparing": "compare", "A batch": "batch"}.get(heading, "surface")
                     self.try_example(folder, command, name, example)

@@ -24,9 +24,10 @@ import slurm_cluster
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 SOURCE = pathlib.Path(sys.argv[2]).resolve()
-sys.path.append(str(SOURCE / "tests" / "docs"))
+sys.path += [str(SOURCE / "tests" / room) for room in ("docs", "support")]
 
 import markdown  # noqa: E402
+from sanitized import is_sanitized  # noqa: E402
 import shown_output  # noqa: E402
 
 PAGE = SOURCE / "docs" / "howto" / "slurm.md"
@@ -175,7 +176,7 @@ class SlurmTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    why = slurm_cluster.obstacle()
+    why = "sanitizers need more than --memory-limit" if is_sanitized(PROGRAM) else slurm_cluster.obstacle()
     if why:
         print("skipped:", why)
         sys.exit(SKIPPED)
