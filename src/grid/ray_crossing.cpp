@@ -53,7 +53,8 @@ private:
     std::optional<double> find_from_block_to_block(const Stretch& stretch) {
         std::vector<Stretch> parts;
         for (const BlockCoord& c : grid_.coords()) {
-            const std::array<double, 3> low{kBlockEdge * double(c.x), kBlockEdge * double(c.y), kBlockEdge * double(c.z)};
+            const std::array<double, 3> low{kBlockEdge * double(c.x), kBlockEdge * double(c.y),
+                                            kBlockEdge * double(c.z)};
             const std::array<double, 3> high{low[0] + kBlockEdge, low[1] + kBlockEdge, low[2] + kBlockEdge};
             if (const Stretch part = clipped(line_, stretch, low, high); !part.empty()) parts.push_back(part);
         }
