@@ -15,6 +15,7 @@
 #pragma GCC diagnostic pop
 
 #include <algorithm>
+#include <new>
 #include <set>
 
 #include "meniscus/errors.h"
@@ -35,12 +36,16 @@ bool has_prefix(const std::string& text, const std::string& prefix) {
     return text.compare(0, prefix.size(), prefix) == 0;
 }
 
-// Whatever gemmi does not like about a file is an error of the input.
+// Whatever gemmi does not like about a file is an error of the input; memory that there is not is none.
 template <class Read>
 auto with_input_errors(const std::string& file, Read read) {
     try {
         return read();
     } catch (const InputError&) {
+        throw;
+    } catch (const LimitError&) {
+        throw;
+    } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {
         throw InputError(file + ": " + printable(error.what(), kOfGemmi) + "; correct the file or fetch it again");
@@ -177,6 +182,8 @@ std::string tidy_message(const std::string& message) {
 gemmi::cif::Document parse_cif(const std::string& text, const std::string& file) {
     try {
         return gemmi::cif::read_memory(text.data(), text.size(), file.c_str());
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception& error) {
         const std::string message = tidy_message(error.what());
         const std::string own = has_prefix(message, file + ":") ? message.substr(file.size()) : ": " + message;
