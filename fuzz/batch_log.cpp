@@ -11,22 +11,14 @@ namespace batch = cli::batch;
 
 void go_on(const batch::Places& places) {
     const nlohmann::ordered_json header{{"command", "surface"}, {"inputs", "1"}};
-    try {
-        const batch::Log log(places, header, true);
-        for (const auto& [name, entry] : log.entries())
-            fuzz::require(log.read(entry).name() == name, "an entry leads to its record");
-    } catch (const UsageError& error) {
-        fuzz::require_clear(error.what());
-    }
+    const batch::Log log(places, header, true);
+    for (const auto& [name, entry] : log.entries())
+        fuzz::require(log.read(entry).name() == name, "an entry leads to its record");
 }
 
 void gather(const batch::Places& places) {
-    try {
-        const batch::Collected collected = batch::collect(places);
-        fuzz::require(collected.failed.size() <= collected.inputs, "what failed are inputs");
-    } catch (const UsageError& error) {
-        fuzz::require_clear(error.what());
-    }
+    const batch::Collected collected = batch::collect(places);
+    fuzz::require(collected.failed.size() <= collected.inputs, "what failed are inputs");
 }
 
 }  // namespace
@@ -43,7 +35,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static const batch::Places places(folder, {});
     log.write(fuzz::text_of(data, size));
     done.write(fuzz::text_of(data, size));
-    fuzz::read_or_refuse(folder, [] { go_on(places); });
-    fuzz::read_or_refuse(folder, [] { gather(places); });
+    fuzz::read_or_refuse(folder, [] { fuzz::use_or_refuse([] { go_on(places); }); });
+    fuzz::read_or_refuse(folder, [] { fuzz::use_or_refuse([] { gather(places); }); });
     return 0;
 }

@@ -59,4 +59,14 @@ bool read_or_refuse(const std::string& named, const Read& read) {
     return false;
 }
 
+/// Does what may be refused as wrong usage, too, in one clear line.
+template <class Use>
+void use_or_refuse(const Use& use) {
+    try {
+        use();
+    } catch (const UsageError& error) {
+        require_clear(error.what());
+    }
+}
+
 }  // namespace meniscus::fuzz

@@ -10,9 +10,7 @@ using namespace meniscus;
 template <class Select>
 void select_or_refuse(const Select& select) {
     try {
-        select();
-    } catch (const UsageError& error) {
-        fuzz::require_clear(error.what());
+        fuzz::use_or_refuse(select);
     } catch (const InputError& error) {
         fuzz::require_clear(error.what());  // nothing is left
     }

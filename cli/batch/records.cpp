@@ -53,8 +53,6 @@ std::optional<Record> record_of(const std::string& line) {
     }
 }
 
-std::string text_in_ascii(const ordered_json& line) { return line.dump(-1, ' ', true); }
-
 /// What of a header must be the same for a run to go on.
 ordered_json lasting(ordered_json header) {
     for (const char* key : {"inputs", "mixed_radii"}) header.erase(key);
@@ -207,7 +205,7 @@ void Log::load(const ordered_json& header, bool resume) {
         if (lasting(older) != lasting(header))
             throw UsageError(
                 fmt::format("{}: was begun by another version or with other options ({:.400}); choose another --out",
-                            path_, text_in_ascii(lasting(older))));
+                            path_, lasting(older).dump(-1, ' ', true)));
         begun = true;
         size_ += length;
     }

@@ -19,10 +19,9 @@
 namespace meniscus::dropins {
 namespace {
 
+using reading::kOfWord;
 using reading::printable;
 using reading::shown;
-
-constexpr std::size_t kShown = 40;  // bytes of a word
 
 std::string trimmed(std::string_view text) {
     constexpr std::string_view kBlanks = " \t\r";
@@ -73,12 +72,12 @@ using Action = void (*)(NanoShaperRequest&, const Entry&);
 void set_surface(NanoShaperRequest& /*request*/, const Entry& entry) {
     if (lower_case(entry.value) != "ses")
         entry.fail("Surface: only ses, the solvent-excluded surface, is computed here, not " +
-                   printable(entry.value, kShown));
+                   printable(entry.value, kOfWord));
 }
 
 void set_mode(NanoShaperRequest& /*request*/, const Entry& entry) {
     if (lower_case(entry.value) != "normal")
-        entry.fail("Operative_Mode: only normal is known here, not " + printable(entry.value, kShown));
+        entry.fail("Operative_Mode: only normal is known here, not " + printable(entry.value, kOfWord));
 }
 
 void set_folder(NanoShaperRequest& request, const Entry& entry) {
@@ -184,7 +183,7 @@ void apply(const Entry& entry, NanoShaperRequest& request) {
         if (!is_switched_off(entry)) request.warnings.push_back(entry.key + " is not done here and is left out");
     } else if (!makes_no_difference(entry.key))
         request.warnings.push_back(
-            fmt::format("{}: {} is unknown and is passed over", entry.place, printable(entry.key, kShown)));
+            fmt::format("{}: {} is unknown and is passed over", entry.place, printable(entry.key, kOfWord)));
 }
 
 }  // namespace

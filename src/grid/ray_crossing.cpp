@@ -53,10 +53,11 @@ private:
     std::optional<double> find_from_block_to_block(const Stretch& stretch) {
         std::vector<Stretch> parts;
         for (const BlockCoord& c : grid_.coords()) {
-            const std::array<double, 3> low{kBlockEdge * double(c.x), kBlockEdge * double(c.y),
-                                            kBlockEdge * double(c.z)};
-            const std::array<double, 3> high{low[0] + kBlockEdge, low[1] + kBlockEdge, low[2] + kBlockEdge};
-            if (const Stretch part = clipped(line_, stretch, low, high); !part.empty()) parts.push_back(part);
+            const auto at = [](double x, double y, double z) {
+                return std::array<double, 3>{kBlockEdge * x, kBlockEdge * y, kBlockEdge * z};
+            };
+            const Stretch part = clipped(line_, stretch, at(c.x, c.y, c.z), at(c.x + 1.0, c.y + 1.0, c.z + 1.0));
+            if (!part.empty()) parts.push_back(part);
         }
         std::sort(parts.begin(), parts.end(), [](const Stretch& a, const Stretch& b) {
             return std::pair(a.begin, a.end) < std::pair(b.begin, b.end);

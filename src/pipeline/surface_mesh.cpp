@@ -142,24 +142,22 @@ public:
                 const SurfaceStep step = batch_.step_to_surface(i);
                 features[i] = step.feature;
                 points_[i] = step.point;
-                if (!step.settled) features[i] = step_on(points_[i], kSteps - 1);
+                if (!step.settled) features[i] = step_on(points_[i], kStepsToSurface - 1);
             } else {
                 points_[i] = points[i];
-                features[i] = step_on(points_[i], kSteps);
+                features[i] = step_on(points_[i], kStepsToSurface);
             }
         }
         std::copy_n(points_.begin(), points.size(), points.begin());
     }
 
 private:
-    static constexpr double kRoom = 0.1;          // Å: most points move less
-    static constexpr double kMargin = 0.5;        // Å: points of a mesh are far nearer to the surface than this
-    static constexpr double kCloseEnough = 1e-9;  // Å
-    static constexpr int kSteps = 60;
+    static constexpr double kRoom = 0.1;    // Å: most points move less
+    static constexpr double kMargin = 0.5;  // Å: points of a mesh are far nearer to the surface than this
 
     NearestFeature step_on(Vec3& point, int steps) const {
         NearestFeature feature = nearest(point);
-        for (; steps > 0 && std::abs(feature.signed_distance) > kCloseEnough; --steps) {
+        for (; steps > 0 && std::abs(feature.signed_distance) > kOnSurface; --steps) {
             point = point - feature.signed_distance * feature.normal;
             feature = nearest(point);
         }

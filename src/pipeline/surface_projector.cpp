@@ -12,9 +12,6 @@
 namespace meniscus {
 namespace {
 
-constexpr double kOnSurface = 1e-9;  // Å
-constexpr int kSteps = 60;           // as vertices get in the end; next to ridges steps fall short
-
 double largest_curvature(PrincipalCurvatures k, double spacing) {
     k = k.capped(1.0 / spacing);
     return std::max(std::abs(k.largest), std::abs(k.smallest));
@@ -24,7 +21,7 @@ void project_onto_exact(const AccessibleSurface& accessible, double spacing, std
     std::vector<std::size_t> moving(points.size());
     for (std::size_t i = 0; i < moving.size(); ++i) moving[i] = i;
     std::vector<Vec3> places;
-    for (int step = 0; step <= kSteps && !moving.empty(); ++step) {
+    for (int step = 0; step <= kStepsToSurface && !moving.empty(); ++step) {
         places.clear();
         for (const std::size_t i : moving) places.push_back(points[i].position);
         const std::vector<NearestFeature> features = nearest_features(accessible, places);
@@ -35,7 +32,7 @@ void project_onto_exact(const AccessibleSurface& accessible, double spacing, std
             point.normal = at.normal;
             point.curvature =
                 largest_curvature(principal_curvatures(at.mean_curvature, at.gaussian_curvature), spacing);
-            if (!(std::abs(at.signed_distance) > kOnSurface) || step == kSteps) continue;
+            if (!(std::abs(at.signed_distance) > kOnSurface) || step == kStepsToSurface) continue;
             point.position = point.position - at.signed_distance * at.normal;
             left.push_back(moving[k]);
         }

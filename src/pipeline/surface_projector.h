@@ -9,6 +9,13 @@
 
 namespace meniscus {
 
+/// A point so near to the exact SES lies on it, Å.
+inline constexpr double kOnSurface = 1e-9;
+
+/// As many steps along the distance lead there. One is enough but next to ridges, where the distance is a lower bound.
+/// Whoever projects takes as many: a point that another has left short would move once more.
+inline constexpr int kStepsToSurface = 60;
+
 /// Onto the zero set of a level set, or, where that is null, onto the exact SES. Both must outlive the projector.
 ///
 /// cost     0.3 to 0.5 µs per point, if neighbours come together

@@ -25,10 +25,7 @@ std::string printable(std::string_view text, std::size_t at_most) {
     return result;
 }
 
-std::string shown(std::string_view word) {
-    constexpr std::size_t kLongest = 40;
-    return std::string("'").append(printable(word, kLongest)).append("'");
-}
+std::string shown(std::string_view word) { return std::string("'").append(printable(word, kOfWord)).append("'"); }
 
 std::string_view Words::next() {
     constexpr std::string_view kBlank = " \t\v\f";

@@ -26,6 +26,9 @@ std::size_t find_unprintable(std::string_view text);
 /// The text with '?' for every such byte, as it may stand in a message; what is longer than `at_most` is cut.
 std::string printable(std::string_view text, std::size_t at_most = std::string_view::npos);
 
+/// Of a word that is shown, bytes.
+inline constexpr std::size_t kOfWord = 40;
+
 /// A word as it may stand in a message: printable, in quotes, cut short.
 std::string shown(std::string_view word);
 

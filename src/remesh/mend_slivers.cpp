@@ -142,6 +142,7 @@ private:
         return bad;
     }
 
+    // Mends in rounds; what it leaves below the needed angle is in left_ afterwards.
     void mend(std::vector<std::uint32_t> pending) {
         while (!pending.empty()) pending = round(pending);
         std::sort(left_.begin(), left_.end());

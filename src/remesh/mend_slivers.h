@@ -45,7 +45,7 @@ void renumber_entries(const VertexChanges& changes, std::vector<T>& entries) {
 
 /// Mends triangles with small angles, with edges shorter than kShortestEdge and such that face the wrong way: flips,
 /// collapses and splits edges and moves vertices on the surface, where that keeps the topology and passes the mesh
-/// through itself nowhere. What cannot be mended stays.
+/// through itself nowhere. What cannot be mended stays, after a second try with more round it.
 ///
 /// mesh      closed oriented 2-manifold with normals, its vertices on the surface. Positions, normals, components and
 ///           triangles are changed; other vertex arrays are the caller's to renumber

@@ -56,7 +56,7 @@ Structure without_atoms(const Structure& structure) {
 std::vector<bool> select_atoms(const Structure& structure, const std::string& expression, const std::string& option) {
     std::vector<bool> selected = reading::selected_atoms(to_model(structure), expression, 1, option);
     if (std::find(selected.begin(), selected.end(), true) == selected.end())
-        throw UsageError(option + " " + reading::printable(expression, 40) +
+        throw UsageError(option + " " + reading::printable(expression, reading::kOfWord) +
                          ": selects no atom that is kept; write for instance //A/10-50");
     return selected;
 }

@@ -15,7 +15,7 @@ import threading
 import time
 import unittest
 
-from support import MENISCUS, MSMS, SPHERES, TO_XYZR, UBIQUITIN, SHADOW, FaultTest, main, needs_little_memory
+from support import MENISCUS, MSMS, SPHERES, TO_XYZR, UBIQUITIN, SHADOW, FaultTest, main, limits_memory
 
 GIGABYTE = 1 << 30
 # Every program that reads, with room for one name.
@@ -144,7 +144,7 @@ class LargeFiles(FaultTest):
             self.assertEqual(len([line for line in error.splitlines() if ": error: " in line]), 1, error)
             self.assertLess(peak, 5000 * SHADOW)
 
-    @needs_little_memory
+    @limits_memory
     def test_a_large_file_of_atoms_is_read_or_refused_within_its_memory(self):
         line = UBIQUITIN.read_bytes()
         with open(self.folder / "large.pdb", "wb") as file:
@@ -186,7 +186,7 @@ class Bombs(FaultTest):
         self.assertIn(code, (3, 5), error)
         self.assertLess(peak, 1500 * SHADOW)
 
-    @needs_little_memory
+    @limits_memory
     def test_a_bomb_within_little_memory(self):
         self.bomb("bomb.pdb.gz", bytes(64 << 20), 4)
 

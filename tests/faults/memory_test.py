@@ -8,7 +8,7 @@ usage: memory_test.py FOLDER_OF_PROGRAM SOURCE_DIR [unittest arguments]
 import resource
 import unittest
 
-from support import MENISCUS, MSMS, NANOSHAPER, PRM, TO_XYZR, UBIQUITIN, FaultTest, main, needs_little_memory
+from support import MENISCUS, MSMS, NANOSHAPER, PRM, TO_XYZR, UBIQUITIN, FaultTest, main, limits_memory
 
 MEGABYTE = 1 << 20
 
@@ -17,7 +17,7 @@ def limit(size):
     return lambda: resource.setrlimit(resource.RLIMIT_AS, (size, size))
 
 
-@needs_little_memory
+@limits_memory
 class Memory(FaultTest):
     def setUp(self):
         super().setUp()

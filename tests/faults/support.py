@@ -23,7 +23,7 @@ TO_XYZR = FOLDER / "dropins" / "pdb_to_xyzr"
 UBIQUITIN = SOURCE / "examples" / "1ubq.pdb"
 IS_ROOT = os.geteuid() == 0
 SHADOW = 4 if is_sanitized(MENISCUS) else 1  # how many times as much memory a program takes
-needs_little_memory = unittest.skipIf(is_sanitized(MENISCUS), "sanitizers need the whole address space")
+limits_memory = unittest.skipIf(is_sanitized(MENISCUS), "sanitizers need the whole address space")
 
 SPHERES = "0 0 0 1.7\n1.2 0 0 1.52\n20 0 0 1.8\n"
 PRM = ("Grid_scale = 2.0\nXYZR_FileName = three.xyzr\nTriangulation = true\nSurface = ses\n"
