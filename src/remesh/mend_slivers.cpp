@@ -27,8 +27,7 @@ constexpr std::size_t kChunk = 256;  // triangles: neighbours, if the mesh comes
 constexpr std::size_t kRenumbered = 8192;  // triangles per task
 constexpr std::size_t kAhead = 24;         // triangles: so far ahead their corners are fetched
 
-// Of 20 degrees. Triangles with larger angles are not looked at closely.
-constexpr double kSquaredTangent = 0.1325;
+constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding
 
 // In usual lengths of edges: how far from a bad triangle things change, and how far all is known.
 constexpr double kFree = 2.5;
@@ -61,7 +60,7 @@ public:
           project_(project),
           needed_(tangent_of_degrees(options.needed_angle_deg)),
           wanted_(tangent_of_degrees(options.smallest_angle_deg)),
-          squared_tangent_(std::max(kSquaredTangent, wanted_ * wanted_)) {}
+          squared_tangent_(kAboveOne * wanted_ * wanted_) {}
 
     VertexChanges run() {
         std::vector<std::uint32_t> pending = look_at_all();
