@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -53,6 +55,56 @@ struct Box {
     }
 };
 
+/// Eight boxes in single precision, side by side in vectors, none smaller than the box it stands for.
+class EightBoxes {
+public:
+    static constexpr std::size_t kCount = 8;
+
+    /// Bounds in single precision, moved outwards.
+    struct Bounds {
+        std::array<float, 3> low;
+        std::array<float, 3> high;
+        explicit Bounds(const Box& box)
+            : low{below(box.low.x), below(box.low.y), below(box.low.z)},
+              high{above(box.high.x), above(box.high.y), above(box.high.z)} {}
+    };
+
+    void set(std::size_t i, const Bounds& box) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low_[axis][i / 4][i % 4] = box.low[axis];
+            high_[axis][i / 4][i % 4] = box.high[axis];
+        }
+    }
+
+    /// Bit i is set if box i may overlap; those that were never set do not.
+    unsigned may_overlap(const Bounds& query) const {
+        const Bits bits = (overlaps(0, query) & Bits{1, 2, 4, 8}) | (overlaps(1, query) & Bits{16, 32, 64, 128});
+        return static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3]));
+    }
+
+private:
+    using Floats = float __attribute__((vector_size(16)));
+    using Bits = std::int32_t __attribute__((vector_size(16)));
+    using Columns = std::array<std::array<Floats, 2>, 3>;
+
+    static constexpr float kLargest = std::numeric_limits<float>::max();
+    static float rounded(double x) { return static_cast<float>(std::clamp<double>(x, -kLargest, kLargest)); }
+    static float slack(float x) { return 0x1p-22F * std::abs(x) + std::numeric_limits<float>::min(); }
+    static float below(double x) { return rounded(x) - slack(rounded(x)); }
+    static float above(double x) { return rounded(x) + slack(rounded(x)); }
+
+    Bits overlaps(std::size_t half, const Bounds& query) const {
+        Bits bits = ~Bits{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            bits &= (low_[axis][half] <= query.high[axis]) & (high_[axis][half] >= query.low[axis]);
+        return bits;
+    }
+
+    static constexpr Floats kNone = Floats{} + kLargest;
+    Columns low_{{{kNone, kNone}, {kNone, kNone}, {kNone, kNone}}};
+    Columns high_{{{-kNone, -kNone}, {-kNone, -kNone}, {-kNone, -kNone}}};
+};
+
 class BoxTree {
 public:
     BoxTree() = default;
@@ -64,12 +116,18 @@ public:
             for (std::size_t i = 0; i < below.size(); ++i) above[i / kFanOut].include(below[i]);
             levels_.push_back(std::move(above));
         }
+        for (const std::vector<Box>& level : levels_) {
+            std::vector<EightBoxes>& eights = eights_.emplace_back((level.size() + kFanOut - 1) / kFanOut);
+            for (std::size_t i = 0; i < level.size(); ++i)
+                eights[i / kFanOut].set(i % kFanOut, EightBoxes::Bounds(level[i]));
+        }
     }
 
     /// Calls visit(item) for every item whose box overlaps `box`, in the items' order.
     template <class Visit>
     void for_each_overlapping(const Box& box, const Visit& visit) const {
-        if (!levels_.empty()) descend_overlapping(levels_.size() - 1, 0, levels_.back().size(), box, visit);
+        if (!eights_.empty() && !eights_.back().empty())
+            descend_overlapping(levels_.size() - 1, 0, box, EightBoxes::Bounds(box), visit);
     }
 
     /// Branch and bound: calls visit(item) near to far for items whose squared box distance from `point` is
@@ -80,18 +138,17 @@ public:
     }
 
 private:
-    static constexpr std::size_t kFanOut = 8;
+    static constexpr std::size_t kFanOut = EightBoxes::kCount;
 
     template <class Visit>
-    void descend_overlapping(std::size_t level, std::size_t begin, std::size_t end, const Box& box,
+    void descend_overlapping(std::size_t level, std::size_t eight, const Box& box, const EightBoxes::Bounds& query,
                              const Visit& visit) const {
-        for (std::size_t i = begin; i < end; ++i) {
-            if (!levels_[level][i].overlaps(box)) continue;
-            if (level == 0)
+        for (unsigned bits = eights_[level][eight].may_overlap(query); bits != 0; bits &= bits - 1) {
+            const std::size_t i = eight * kFanOut + static_cast<std::size_t>(std::countr_zero(bits));
+            if (level > 0)
+                descend_overlapping(level - 1, i, box, query, visit);
+            else if (levels_[0][i].overlaps(box))
                 visit(static_cast<std::uint32_t>(i));
-            else
-                descend_overlapping(level - 1, i * kFanOut, std::min((i + 1) * kFanOut, levels_[level - 1].size()), box,
-                                    visit);
         }
     }
 
@@ -121,6 +178,7 @@ private:
     }
 
     std::vector<std::vector<Box>> levels_;
+    std::vector<std::vector<EightBoxes>> eights_;  // the same
 };
 
 }  // namespace meniscus
