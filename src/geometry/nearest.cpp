@@ -102,6 +102,14 @@ bool in_vertex_cell(const Data& data, const SasVertex& vertex, const Vec3& p) {
 
 }  // namespace
 
+std::uint32_t atom_of_arc(const Data& data, std::uint32_t arc, const Vec3& p) {
+    return data.atoms.original[nearest_atom(data, data.arcs[arc].atoms, p)];
+}
+
+std::uint32_t atom_of_vertex(const Data& data, std::uint32_t vertex, const Vec3& p) {
+    return data.atoms.original[nearest_atom(data, data.vertices[vertex].atoms, p)];
+}
+
 NearestFeature contact_feature(const Data& data, const Vec3& p, const NearestBall& ball) {
     const Vec3& centre = data.atoms.centres[ball.atom];
     NearestFeature feature;

@@ -243,6 +243,16 @@ SurfaceStep NearestBatch::step_to_surface(std::size_t point) const {
                        : step_from_vertex(*data_, p, static_cast<std::uint32_t>(tag));
 }
 
+FeatureLabel NearestBatch::label(std::size_t point) const {
+    const double s = signed_distances_[point];
+    if (claims_[point] == Claim::Ball) return {s, data_->atoms.original[atoms_[point]], PatchKind::Contact};
+    const std::int64_t tag = tags_[point];
+    const Vec3& p = points_[point];
+    return is_arc(tag)
+               ? FeatureLabel{s, atom_of_arc(*data_, arc_of(tag), p), PatchKind::Toroidal}
+               : FeatureLabel{s, atom_of_vertex(*data_, static_cast<std::uint32_t>(tag), p), PatchKind::Reentrant};
+}
+
 NearestFeature NearestBatch::feature(std::size_t point) const {
     const Vec3& p = points_[point];
     if (claims_[point] == Claim::Ball) {

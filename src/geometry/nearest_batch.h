@@ -49,6 +49,7 @@ public:
     double signed_distance(std::size_t point) const { return signed_distances_[point]; }
     double mean_curvature(std::size_t point) const { return curvatures_[point]; }  ///< once they were found
     NearestFeature feature(std::size_t point) const;
+    FeatureLabel label(std::size_t point) const;
     /// The nearest point of K. Not finite in the centre of a ball and on the axis of an arc.
     Vec3 foot(std::size_t point) const;
     /// A step along the distance to the surface.

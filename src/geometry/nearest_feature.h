@@ -55,6 +55,19 @@ struct NearestHit {
 };
 NearestHit nearest_hit(const AccessibleSurface::Data& data, const Vec3& p);
 
+/// What a vertex of a mesh is labelled with.
+struct FeatureLabel {
+    double signed_distance = 0.0;
+    std::uint32_t atom = 0;  ///< as in NearestFeature
+    PatchKind patch = PatchKind::Contact;
+};
+inline FeatureLabel label_of(const NearestFeature& feature) {
+    return {feature.signed_distance, feature.atom, feature.patch};
+}
+/// Of the atoms of an arc or vertex, the one whose van der Waals sphere is nearest to p; in the caller's order.
+std::uint32_t atom_of_arc(const AccessibleSurface::Data& data, std::uint32_t arc, const Vec3& p);
+std::uint32_t atom_of_vertex(const AccessibleSurface::Data& data, std::uint32_t vertex, const Vec3& p);
+
 NearestFeature contact_feature(const AccessibleSurface::Data& data, const Vec3& p, const NearestBall& ball);
 NearestFeature edge_feature(const AccessibleSurface::Data& data, const Vec3& p, const NearestEdge& edge);
 

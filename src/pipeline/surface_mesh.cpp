@@ -116,19 +116,19 @@ public:
         around_.gather(entered_);
     }
 
-    // The nearest features of at most kBatchLanes points.
-    void find(std::span<const Vec3> points, std::span<NearestFeature> features) {
+    // What at most kBatchLanes points are labelled with.
+    void label(std::span<const Vec3> points, std::span<FeatureLabel> labels) {
         box_ = {};
         for (const Vec3& p : points) box_.include(p);
         if (!entered_.contains(box_)) {
-            for (std::size_t i = 0; i < points.size(); ++i) features[i] = surface_.nearest(points[i]);
+            for (std::size_t i = 0; i < points.size(); ++i) labels[i] = label_of(surface_.nearest(points[i]));
             return;
         }
         local_.gather_from(around_, box_);
         const bool open = batch_.start(local_, box_, kMargin) == NearestBatch::Claim::Open;
         if (open) batch_.find(points);
         for (std::size_t i = 0; i < points.size(); ++i)
-            features[i] = open && batch_.found(i) ? batch_.feature(i) : nearest(points[i]);
+            labels[i] = open && batch_.found(i) ? batch_.label(i) : label_of(nearest(points[i]));
     }
 
     // Moves at most kBatchLanes points of a box and fills in their nearest features where they have come to lie.
@@ -284,9 +284,9 @@ private:
             mesh_.normals[v] = squared_norm(at.gradient) > 0.0 ? normalised(at.gradient) : Vec3{0.0, 0.0, 1.0};
             set_curvatures(v, at.principal_curvatures());
         }
-        std::array<NearestFeature, kBatchLanes> features;
-        projector.find(vertices(run), features);
-        for (std::size_t v = run.begin; v < run.end; ++v) label(v, features[v - run.begin]);
+        std::array<FeatureLabel, kBatchLanes> labels;
+        projector.label(vertices(run), labels);
+        for (std::size_t v = run.begin; v < run.end; ++v) label(v, labels[v - run.begin]);
     }
 
     void finish_on_exact_surface(const VertexRun& run, ExactProjector& projector) {
@@ -296,7 +296,7 @@ private:
             const NearestFeature& at = features[v - run.begin];
             mesh_.normals[v] = at.normal;
             set_curvatures(v, principal_curvatures_at(at));
-            label(v, at);
+            label(v, label_of(at));
         }
     }
 
@@ -308,10 +308,10 @@ private:
         mesh_.shape_indices[v] = shape_index_of(capped);
     }
 
-    void label(std::size_t v, const NearestFeature& feature) {
-        mesh_.atoms[v] = feature.atom;
-        mesh_.patches[v] = feature.patch;
-        distances_[v] = std::abs(feature.signed_distance);
+    void label(std::size_t v, const FeatureLabel& label) {
+        mesh_.atoms[v] = label.atom;
+        mesh_.patches[v] = label.patch;
+        distances_[v] = std::abs(label.signed_distance);
     }
 
     const AccessibleSurface& accessible_;
