@@ -20,9 +20,6 @@ constexpr double kLargestGroup = 16.0;  // Å: blocks within this share one desc
 constexpr int kLongestShift = 2;
 constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding
 
-// Clamps to ±limit; a NaN (0/0 on the SAS itself) becomes the limit.
-double clamped(double value, double limit) { return value > -limit ? (value < limit ? value : limit) : -limit; }
-
 // Of a unit's middle from its first node, in spacings.
 constexpr double kHalfEdge = 0.5 * (BlockDistance::kUnitEdge - 1);
 constexpr Vec3 kToMiddle{kHalfEdge, kHalfEdge, kHalfEdge};
@@ -211,14 +208,10 @@ void BlockDistance::choose_points(const Vec3& corner) {
 void BlockDistance::sample_points() {
     if (count_ == 0) return;
     batch_.find(std::span(points_).first(count_));
-    for (std::size_t i = 0; i < count_; ++i) distances_[nodes_[i]] = static_cast<float>(batch_.clamped_distance(i));
+    batch_.write_distances(nodes_, distances_);
     if (!curved_) return;
     batch_.find_curvatures();
-    for (std::size_t i = 0; i < count_; ++i) {
-        const double curvature = clamped(batch_.mean_curvature(i), 1.0 / spacing_);
-        const bool within = std::abs(batch_.clamped_distance(i)) < margin_;
-        curvatures_[nodes_[i]] = within ? static_cast<float>(curvature) : 0.0F;
-    }
+    batch_.write_curvatures(nodes_, 1.0 / spacing_, curvatures_);
 }
 
 void BlockDistance::write_unit(int unit, const BlockSamples& samples) const {

@@ -7,10 +7,10 @@
 #include <limits>
 #include <numeric>
 
-#include "geometry/parallel_curvature.h"
-
 namespace meniscus {
 namespace {
+
+constexpr std::size_t kChains = 2;
 
 template <class T>
 void set_point(LanePoints<T>& points, std::size_t lane, const Vec3& p) {
@@ -64,6 +64,7 @@ void NearestBatch::find(std::span<const Vec3> points) {
     group_points();
     sort_by_groups();
     claim_by_groups();
+    collect_open();
     if (open_count_ > 0) offer_edges();
     claim_by_edges();
 }
@@ -91,70 +92,73 @@ void NearestBatch::group_points() {
     kernels_.group_points(depths_, limits, points_.size(), groups_);
 }
 
-std::size_t NearestBatch::deepest_exactly(std::size_t point) const {
+std::size_t NearestBatch::deepest_exactly(const Vec3& point) const {
     double best = -std::numeric_limits<double>::infinity();
     std::size_t deepest = 0;
     for (std::size_t b = 0; b < contenders_.size(); ++b) {
-        const double depth = contenders_.column(3)[b] - norm(points_[point] - position_in(contenders_, b));
+        const double depth = contenders_.column(3)[b] - norm(point - position_in(contenders_, b));
         if (depth > best) deepest = b;
         best = std::max(best, depth);
     }
     return deepest;
 }
 
-// A counting sort.
+// A counting sort. Points next to each other mostly have the same group: they count in several chains, or each would
+// have to wait for the one before.
 void NearestBatch::sort_by_groups() {
-    ends_.assign(contenders_.size() + kSpecialGroups, 0);
-    for (std::size_t i = 0; i < points_.size(); ++i) ++ends_[static_cast<std::size_t>(groups_[i])];
-    std::exclusive_scan(ends_.begin(), ends_.end(), ends_.begin(), std::size_t{0});
+    ends_.assign(kChains * (contenders_.size() + kSpecialGroups), 0);
+    const auto end_of = [&](std::size_t i) -> std::uint32_t& {
+        return ends_[kChains * static_cast<std::size_t>(groups_[i]) + i % kChains];
+    };
+    for (std::size_t i = 0; i < points_.size(); ++i) ++end_of(i);
+    std::exclusive_scan(ends_.begin(), ends_.end(), ends_.begin(), std::uint32_t{0});
     for (std::size_t i = 0; i < points_.size(); ++i) {
-        const std::size_t lane = ends_[static_cast<std::size_t>(groups_[i])]++;
+        const std::uint32_t lane = end_of(i)++;
         sorted_[lane] = static_cast<std::uint32_t>(i);
+        lane_of_[i] = lane;
         set_point(lanes_, lane, points_[i]);
     }
 }
 
-LaneRange NearestBatch::lanes_of(std::size_t group) const { return {group == 0 ? 0 : ends_[group - 1], ends_[group]}; }
+LaneRange NearestBatch::lanes_of(std::size_t group) const {
+    return {group == 0 ? 0 : ends_[kChains * group - 1], ends_[kChains * (group + 1) - 1]};
+}
 
+// In the order of the lanes: kernels write beyond the end of a range.
 void NearestBatch::claim_by_groups() {
-    open_count_ = 0;
     const std::size_t balls = contenders_.size();
     for (std::size_t b = 0; b < balls; ++b)
         if (const LaneRange lanes = lanes_of(b); lanes.end > lanes.begin) claim_by_ball(b, lanes);
-    claim_by_side(Claim::Above, lanes_of(balls + kAboveGroup));
-    claim_by_side(Claim::Below, lanes_of(balls + kBelowGroup));
     const LaneRange doubtful = lanes_of(balls + kDoubtfulGroup);
     for (std::size_t lane = doubtful.begin; lane < doubtful.end; ++lane)
-        claim_by_ball(deepest_exactly(sorted_[lane]), {lane, lane + 1});
+        claim_by_ball(deepest_exactly(get_point(lanes_, lane)), {lane, lane + 1});
+    claim_by_side(margin_, lanes_of(balls + kAboveGroup));
+    claim_by_side(-margin_, lanes_of(balls + kBelowGroup));
 }
 
-void NearestBatch::claim_by_side(Claim side, const LaneRange& lanes) {
-    for (std::size_t lane = lanes.begin; lane < lanes.end; ++lane) {
-        claims_[sorted_[lane]] = side;
-        signed_distances_[sorted_[lane]] = side == Claim::Above ? margin_ : -margin_;
-    }
+void NearestBatch::claim_by_side(double signed_distance, const LaneRange& lanes) {
+    std::fill(claims_.signed_distance.at + lanes.begin, claims_.signed_distance.at + lanes.end, signed_distance);
+    std::fill(claims_.owned.at + lanes.begin, claims_.owned.at + lanes.end, 0);
+}
+
+void NearestBatch::claim_by_ball(std::size_t contender, const LaneRange& lanes) {
+    const std::uint32_t atom = contenders_.index(contender);
+    BallOwner ball{
+        position_in(contenders_, contender), contenders_.column(3)[contender], data_->exposed[atom] != 0, {}};
+    if (ball.exposed) ball.caps = data_->caps_of(atom);
+    kernels_.claim(ball, data_->probe, lanes_, lanes, claims_);
+    std::fill(atoms_.at + lanes.begin, atoms_.at + lanes.end, atom);
 }
 
 // Without a branch, for nobody could predict it.
-void NearestBatch::claim_by_ball(std::size_t contender, const LaneRange& lanes) {
-    const std::uint32_t atom = contenders_.index(contender);
-    const bool exposed = data_->exposed[atom] != 0;
-    const auto caps = exposed ? data_->caps_of(atom) : std::span<const Cap>();
-    kernels_.find_directions(position_in(contenders_, contender), caps, lanes_, lanes, directions_);
-    const double rho = contenders_.column(3)[contender];
-    for (std::size_t lane = lanes.begin; lane < lanes.end; ++lane) {
-        const double depth = rho - directions_.distance[lane];
-        const bool owned = (depth <= 0.0) | (exposed & (directions_.excess[lane] <= 0.0));
-        const double s = data_->probe - depth;
-        const std::uint32_t i = sorted_[lane];
-        const Claim ball = s < margin_ ? Claim::Ball : Claim::Above;
-        claims_[i] = owned ? ball : Claim::Open;
-        signed_distances_[i] = s;
-        atoms_[i] = atom;
-        open_[open_count_] = i;
-        set_point(open_points_, open_count_, get_point(lanes_, lane));
-        open_count_ += owned ? 0 : 1;
+void NearestBatch::collect_open() {
+    const std::size_t end = lanes_of(contenders_.size() + kDoubtfulGroup).end;
+    open_count_ = 0;
+    for (std::size_t lane = 0; lane < end; ++lane) {
+        open_[open_count_] = static_cast<std::uint32_t>(lane);
+        open_count_ += claims_.owned[lane] != 0 ? 0 : 1;
     }
+    for (std::size_t k = 0; k < open_count_; ++k) set_point(open_points_, k, get_point(lanes_, open_[k]));
 }
 
 void NearestBatch::offer_edges() {
@@ -186,8 +190,7 @@ void NearestBatch::drop_above() {
     std::size_t kept = 0;
     for (std::size_t k = 0; k < open_count_; ++k) {
         const bool above = nearest_.squared_distance[k] <= near * near;
-        claims_[open_[k]] = above ? Claim::Above : Claim::Open;
-        signed_distances_[open_[k]] = margin_;
+        claims_.signed_distance[open_[k]] = margin_;  // the last word only if it is above
         open_[kept] = open_[k];
         set_point(open_points_, kept, get_point(open_points_, k));
         nearest_.squared_distance[kept] = nearest_.squared_distance[k];
@@ -198,55 +201,65 @@ void NearestBatch::drop_above() {
 }
 
 void NearestBatch::claim_by_edges() {
-    constexpr Claim kClaims[] = {Claim::Edge, Claim::Above, Claim::Below};  // without a branch
-    for (std::size_t k = 0; k < open_count_; ++k)
-        edge_distances_[k] = data_->probe - std::sqrt(nearest_.squared_distance[k]);
     for (std::size_t k = 0; k < open_count_; ++k) {
-        const std::size_t i = open_[k];
-        const double s = edge_distances_[k];
-        claims_[i] = kClaims[(s >= margin_ ? 1 : 0) + (s <= -margin_ ? 2 : 0)];
-        signed_distances_[i] = s;
-        tags_[i] = nearest_.tag[k];
+        claims_.signed_distance[open_[k]] = data_->probe - std::sqrt(nearest_.squared_distance[k]);
+        tags_[open_[k]] = nearest_.tag[k];
     }
 }
 
-// Each formula for all points, without asking whose they are: nobody could predict it.
+NearestBatch::Claim NearestBatch::claim(std::size_t point) const {
+    const std::size_t lane = lane_of_[point];
+    const double s = claims_.signed_distance[lane];
+    if (s >= margin_) return Claim::Above;
+    if (claims_.owned[lane] != 0) return Claim::Ball;
+    return s <= -margin_ ? Claim::Below : Claim::Edge;
+}
+
+// Each formula for all lanes, without asking whose they are: nobody could predict it.
 void NearestBatch::find_curvatures() {
-    for (std::size_t i = 0; i < points_.size(); ++i)
-        curvatures_[i] = contact_curvature(data_->rho[atoms_[i]] - (data_->probe - signed_distances_[i]));
-    for (std::size_t k = 0; k < open_count_; ++k) {
-        const double distance = data_->probe - edge_distances_[k];
-        const std::int64_t tag = nearest_.tag[k];
-        const double circle_radius = is_arc(tag) ? data_->arcs[arc_of(tag)].radius : 0.0;
-        const double toroidal = toroidal_curvature(circle_radius, nearest_.from_axis[k], distance);
-        curvatures_[open_[k]] = is_arc(tag) ? toroidal : reentrant_curvature(distance);
-    }
+    kernels_.find_ball_curvatures(claims_, data_->probe, points_.size(), curvatures_);
+    kernels_.find_edge_curvatures(nearest_, data_->probe, open_count_, edge_curvatures_);
+    for (std::size_t k = 0; k < open_count_; ++k) curvatures_[open_[k]] = edge_curvatures_[k];
+}
+
+void NearestBatch::write_distances(std::span<const std::uint32_t> places, float* to) {
+    kernels_.clamp(claims_.signed_distance, margin_, points_.size(), clamped_);
+    for (std::size_t lane = 0; lane < points_.size(); ++lane) to[places[sorted_[lane]]] = clamped_[lane];
+}
+
+void NearestBatch::write_curvatures(std::span<const std::uint32_t> places, double limit, float* to) {
+    kernels_.clamp(curvatures_, limit, points_.size(), clamped_);
+    kernels_.clear_beyond(claims_.signed_distance, margin_, points_.size(), clamped_);
+    for (std::size_t lane = 0; lane < points_.size(); ++lane) to[places[sorted_[lane]]] = clamped_[lane];
 }
 
 Vec3 NearestBatch::foot(std::size_t point) const {
     const Vec3& p = points_[point];
-    if (claims_[point] == Claim::Ball) {
-        const Vec3& centre = data_->atoms.centres[atoms_[point]];
-        return centre + (data_->rho[atoms_[point]] / norm(p - centre)) * (p - centre);
+    const std::size_t lane = lane_of_[point];
+    if (claims_.owned[lane] != 0) {
+        const Vec3& centre = data_->atoms.centres[atoms_[lane]];
+        return centre + (data_->rho[atoms_[lane]] / norm(p - centre)) * (p - centre);
     }
-    if (!is_arc(tags_[point])) return data_->vertices[static_cast<std::size_t>(tags_[point])].position;
-    const SasArc& arc = data_->arcs[arc_of(tags_[point])];
+    if (!is_arc(tags_[lane])) return data_->vertices[static_cast<std::size_t>(tags_[lane])].position;
+    const SasArc& arc = data_->arcs[arc_of(tags_[lane])];
     const ArcFoot on_arc = foot_on_arc(arc, p);
     return arc.centre + (arc.radius / on_arc.from_axis) * on_arc.radial;
 }
 
 SurfaceStep NearestBatch::step_to_surface(std::size_t point) const {
     const Vec3& p = points_[point];
-    if (claims_[point] == Claim::Ball) return step_from_ball(*data_, p, atoms_[point]);
-    const std::int64_t tag = tags_[point];
+    const std::size_t lane = lane_of_[point];
+    if (claims_.owned[lane] != 0) return step_from_ball(*data_, p, atoms_[lane]);
+    const std::int64_t tag = tags_[lane];
     return is_arc(tag) ? step_from_arc(*data_, p, arc_of(tag))
                        : step_from_vertex(*data_, p, static_cast<std::uint32_t>(tag));
 }
 
 FeatureLabel NearestBatch::label(std::size_t point) const {
-    const double s = signed_distances_[point];
-    if (claims_[point] == Claim::Ball) return {s, data_->atoms.original[atoms_[point]], PatchKind::Contact};
-    const std::int64_t tag = tags_[point];
+    const std::size_t lane = lane_of_[point];
+    const double s = claims_.signed_distance[lane];
+    if (claims_.owned[lane] != 0) return {s, data_->atoms.original[atoms_[lane]], PatchKind::Contact};
+    const std::int64_t tag = tags_[lane];
     const Vec3& p = points_[point];
     return is_arc(tag)
                ? FeatureLabel{s, atom_of_arc(*data_, arc_of(tag), p), PatchKind::Toroidal}
@@ -255,13 +268,14 @@ FeatureLabel NearestBatch::label(std::size_t point) const {
 
 NearestFeature NearestBatch::feature(std::size_t point) const {
     const Vec3& p = points_[point];
-    if (claims_[point] == Claim::Ball) {
-        const std::uint32_t atom = atoms_[point];
+    const std::size_t lane = lane_of_[point];
+    if (claims_.owned[lane] != 0) {
+        const std::uint32_t atom = atoms_[lane];
         const double l = norm(p - data_->atoms.centres[atom]);
         return contact_feature(*data_, p, {atom, data_->rho[atom] - l, l});
     }
     NearestEdge edge;
-    const std::int64_t tag = tags_[point];
+    const std::int64_t tag = tags_[lane];
     if (is_arc(tag)) {
         edge.arc = arc_of(tag);
         edge.squared_distance = foot_on_arc(data_->arcs[edge.arc], p).squared_distance;

@@ -6,7 +6,6 @@
 // the deepest ball is looked for in single precision: what that leaves in doubt is decided in double precision.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -41,13 +40,20 @@ public:
     /// Then finds their mean curvatures.
     void find_curvatures();
 
-    Claim claim(std::size_t point) const { return claims_[point]; }
-    bool found(std::size_t point) const { return claims_[point] == Claim::Ball || claims_[point] == Claim::Edge; }
-    /// The signed distance of any point, clamped to ±margin.
-    double clamped_distance(std::size_t point) const { return std::clamp(signed_distances_[point], -margin_, margin_); }
+    Claim claim(std::size_t point) const;
+    /// Whether it is a ball, arc or vertex.
+    bool found(std::size_t point) const {
+        const std::size_t lane = lane_of_[point];
+        const double s = claims_.signed_distance[lane];
+        return s < margin_ && (s > -margin_ || claims_.owned[lane] != 0);
+    }
+    /// Writes the signed distance of every point, clamped to ±margin, to the place given for it.
+    void write_distances(std::span<const std::uint32_t> places, float* to);
+    /// The same of mean curvatures, once they were found, clamped to ±limit, and 0 where the distance is clamped.
+    void write_curvatures(std::span<const std::uint32_t> places, double limit, float* to);
     /// Precondition of the others: found.
-    double signed_distance(std::size_t point) const { return signed_distances_[point]; }
-    double mean_curvature(std::size_t point) const { return curvatures_[point]; }  ///< once they were found
+    double signed_distance(std::size_t point) const { return claims_.signed_distance[lane_of_[point]]; }
+    double mean_curvature(std::size_t point) const { return curvatures_[lane_of_[point]]; }  ///< once they were found
     NearestFeature feature(std::size_t point) const;
     FeatureLabel label(std::size_t point) const;
     /// The nearest point of K. Not finite in the centre of a ball and on the axis of an arc.
@@ -61,10 +67,11 @@ private:
     void group_points();
     void sort_by_groups();
     LaneRange lanes_of(std::size_t group) const;
-    std::size_t deepest_exactly(std::size_t point) const;
+    std::size_t deepest_exactly(const Vec3& point) const;
     void claim_by_groups();
-    void claim_by_side(Claim side, const LaneRange& lanes);
+    void claim_by_side(double signed_distance, const LaneRange& lanes);
     void claim_by_ball(std::size_t contender, const LaneRange& lanes);
+    void collect_open();
     void offer_edges();
     void choose_edges();
     void drop_above();
@@ -88,25 +95,26 @@ private:
     std::vector<std::uint32_t> arcs_;
 
     std::span<const Vec3> points_;
-    LaneArray<Claim> claims_;
-    LaneArray<double> signed_distances_;
+    LanePoints<float> small_points_;
+    Depths depths_;
+    LaneArray<std::int32_t> groups_;    // per point
+    std::vector<std::uint32_t> ends_;   // per group and chain: where its lanes end
+    LaneArray<std::uint32_t> sorted_;   // points in the order of their groups: that of the lanes
+    LaneArray<std::uint32_t> lane_of_;  // per point
+
+    // Per lane.
+    LanePoints<double> lanes_;  // the points
+    BallClaims claims_;         // signed distances are those of all points in the end
     LaneArray<std::uint32_t> atoms_;
     LaneArray<std::int64_t> tags_;
     LaneArray<double> curvatures_;
-
-    LanePoints<float> small_points_;
-    Depths depths_;
-    LaneArray<std::int32_t> groups_;   // per point
-    std::vector<std::size_t> ends_;    // per group: where it ends in lanes_
-    LaneArray<std::uint32_t> sorted_;  // points in the order of their groups
-    LanePoints<double> lanes_;         // the same
-    Directions directions_;
+    LaneArray<float> clamped_;
 
     std::size_t open_count_ = 0;
-    LaneArray<std::uint32_t> open_;  // points that no ball owns
+    LaneArray<std::uint32_t> open_;  // lanes that no ball owns
     LanePoints<double> open_points_;
     NearestTags nearest_;
-    LaneArray<double> edge_distances_;  // the same, signed
+    LaneArray<double> edge_curvatures_;
 };
 
 }  // namespace meniscus

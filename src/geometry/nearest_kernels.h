@@ -65,24 +65,33 @@ struct DepthLimits {
     std::int32_t balls = 0;  ///< their number
 };
 /// Where a point belongs: the position of its deepest ball, or, after the last ball, one of these.
-inline constexpr std::int32_t kAboveGroup = 0;
-inline constexpr std::int32_t kBelowGroup = 1;
-inline constexpr std::int32_t kDoubtfulGroup = 2;
+inline constexpr std::int32_t kDoubtfulGroup = 0;
+inline constexpr std::int32_t kAboveGroup = 1;
+inline constexpr std::int32_t kBelowGroup = 2;
 inline constexpr std::int32_t kSpecialGroups = 3;  ///< their number
 
-/// Per point, from a ball's centre: its distance, and by how much its direction exceeds the nearest cap's rim
-/// (max over caps of axis·q - t |q|): the direction is exposed where that is not positive.
-struct Directions {
-    LaneArray<double> distance;
-    LaneArray<double> excess;
+/// A ball that may own points.
+struct BallOwner {
+    Vec3 centre;
+    double rho = 0.0;
+    bool exposed = false;
+    std::span<const Cap> caps;  ///< where it is exposed
+};
+
+/// Per point, what its deepest ball says.
+struct BallClaims {
+    LaneArray<double> signed_distance;  ///< were the ball to own it
+    LaneArray<double> rho;
+    LaneArray<std::int64_t> owned;  ///< 0, or all bits set: see owned_by_ball() in nearest_feature.h
 };
 
 /// Per point, the nearest of what was offered so far: its squared distance, its tag, and, if it is an arc, how far the
-/// point is from the arc's axis.
+/// point is from the arc's axis, and the arc's radius.
 struct NearestTags {
     LaneArray<double> squared_distance;
     LaneArray<std::int64_t> tag;
     LaneArray<double> from_axis;
+    LaneArray<double> radius;
 };
 inline std::int64_t vertex_tag(std::uint32_t vertex) { return vertex; }
 inline std::int64_t arc_tag(std::uint32_t arc) { return -1 - std::int64_t{arc}; }
@@ -102,14 +111,24 @@ struct NearestKernels {
                         Depths& depths);
     void (*group_points)(const Depths& depths, const DepthLimits& limits, std::size_t count,
                          LaneArray<std::int32_t>& groups);
-    void (*find_directions)(const Vec3& centre, std::span<const Cap> caps, const LanePoints<double>& points,
-                            const LaneRange& lanes, Directions& directions);
+    void (*claim)(const BallOwner& ball, double probe, const LanePoints<double>& points, const LaneRange& lanes,
+                  BallClaims& claims);
     /// Of a list, the items at `chosen`.
     void (*offer_vertices)(const SphereList& vertices, std::span<const std::uint32_t> chosen,
                            const LanePoints<double>& points, std::size_t count, NearestTags& nearest);
     /// Only where the nearest point of an arc is none of its ends, as foot_on_arc has it.
     void (*offer_arcs)(std::span<const SasArc> arcs, std::span<const std::uint32_t> chosen,
                        const LanePoints<double>& points, std::size_t count, NearestTags& nearest);
+    /// Mean curvatures (parallel_curvature.h) of points that a ball owns, and of those nearest to an arc or vertex.
+    void (*find_ball_curvatures)(const BallClaims& claims, double probe, std::size_t count,
+                                 LaneArray<double>& curvatures);
+    void (*find_edge_curvatures)(const NearestTags& nearest, double probe, std::size_t count,
+                                 LaneArray<double>& curvatures);
+    /// Clamps to ±limit; a NaN (0/0 on the SAS itself) becomes -limit.
+    void (*clamp)(const LaneArray<double>& values, double limit, std::size_t count, LaneArray<float>& clamped);
+    /// Sets those to 0 whose distance is not within ±margin.
+    void (*clear_beyond)(const LaneArray<double>& distances, double margin, std::size_t count,
+                         LaneArray<float>& values);
 };
 
 /// Those that this machine can run, the plainest first.
