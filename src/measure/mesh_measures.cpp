@@ -12,7 +12,6 @@
 #include "measure/surface_measures.h"
 #include "measure/topology.h"
 #include "measure/triangle_lanes.h"
-#include "measure/vertex_areas.h"
 #include "meniscus/errors.h"
 #include "meniscus/mesh.h"
 #include "mesh/components.h"
@@ -190,8 +189,8 @@ private:
     TriangleSums sums_;
 };
 
-void add_topology(const Mesh& mesh, MeshMeasures& measures) {
-    const MeshTopology topology = examine_topology(mesh.vertices.size(), mesh.triangles);
+void add_topology(const Mesh& mesh, MeshMeasures& measures, const CornerSums& sums = {}) {
+    const MeshTopology topology = examine_topology(mesh.vertices.size(), mesh.triangles, sums);
     measures.closed = topology.closed;
     measures.manifold = topology.manifold;
     measures.euler_characteristic = static_cast<std::int64_t>(mesh.vertices.size()) -
@@ -214,13 +213,14 @@ SurfaceMeasures measure_surface(Mesh& mesh) {
     check(mesh);
     if (mesh.normals.size() != mesh.vertices.size() || mesh.components.size() != mesh.vertices.size())
         throw UsageError("measures of a surface need one normal and one component number per vertex");
-    const auto thirds = std::make_unique_for_overwrite<float[]>(mesh.triangles.size());
+    const auto memory = std::make_unique_for_overwrite<float[]>(mesh.triangles.size());
+    const std::span thirds(memory.get(), mesh.triangles.size());
     TrianglePass pass(mesh, mesh.components);
-    SurfaceMeasures measures{.mesh = pass.run({thirds.get(), mesh.triangles.size()}), .corrected = {}, .areas = {}};
+    SurfaceMeasures measures{.mesh = pass.run(thirds), .corrected = {}, .areas = {}};
     measures.corrected = extrapolate({measures.mesh.area, measures.mesh.volume}, pass.parts());
-    measures.areas = vertex_areas(mesh, {thirds.get(), mesh.triangles.size()});
     renumber(measures.mesh.components, mesh.components);
-    add_topology(mesh, measures.mesh);
+    measures.areas.resize(mesh.vertices.size());
+    add_topology(mesh, measures.mesh, {thirds, measures.areas});
     return measures;
 }
 

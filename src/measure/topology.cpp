@@ -201,13 +201,38 @@ private:
     std::vector<std::pair<std::size_t, Step>> more_;  // what the short stars had no room for, and whose
 };
 
+// The sums at the vertices of one stretch.
+class StretchSums {
+public:
+    StretchSums(const CornerSums& sums, VertexId first, std::size_t count)
+        : of_triangle_(sums.of_triangle), first_(first) {
+        if (of_triangle_.empty()) return;
+        of_vertex_ = sums.of_vertex.subspan(first, count);
+        std::fill(of_vertex_.begin(), of_vertex_.end(), 0.0F);
+    }
+
+    void add(const Triangle& triangle, std::size_t number) const {
+        for (const VertexId v : triangle)
+            if (const VertexId i = v - first_; i < of_vertex_.size()) of_vertex_[i] += of_triangle_[number];
+    }
+
+private:
+    std::span<const float> of_triangle_;
+    std::span<float> of_vertex_;
+    VertexId first_;
+};
+
 }  // namespace
 
-MeshTopology examine_topology(std::size_t vertex_count, std::span<const Triangle> triangles) {
+MeshTopology examine_topology(std::size_t vertex_count, std::span<const Triangle> triangles, const CornerSums& sums) {
     const VertexStretches stretches(vertex_count, triangles);
     const auto examine = [&](std::size_t stretch, std::size_t) {
         StretchStars stars(stretches.first(stretch), stretches.count(stretch));
-        stretches.visit_triangles(stretch, [&](const Triangle& triangle) { stars.add(triangle); });
+        const StretchSums at_corners(sums, stretches.first(stretch), stretches.count(stretch));
+        stretches.visit_triangles(stretch, [&](const Triangle& triangle, std::size_t number) {
+            stars.add(triangle);
+            at_corners.add(triangle, number);
+        });
         return Part{stars.examine()};
     };
     MeshTopology topology = parallel_sum<Part>(stretches.size(), 1, examine).seen;

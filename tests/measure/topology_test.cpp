@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <random>
 
 #include "support/mesh_checks.h"
@@ -149,6 +151,31 @@ TEST(Topology, AgreesWithThePlainCheckerOnDamagedMeshes) {
         EXPECT_EQ(static_cast<std::int64_t>(mesh.vertices.size() + mesh.triangles.size() - topology.edges),
                   testing::euler_characteristic_of(mesh));
     }
+}
+
+// A third of the triangles' areas, and what came out at the vertices.
+std::vector<float> areas_at_vertices(const Mesh& mesh) {
+    std::vector<float> thirds;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const Vec3 normal = cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
+        thirds.push_back(static_cast<float>(norm(normal) / 6.0));
+    }
+    std::vector<float> areas(mesh.vertices.size(), -1.0F);
+    examine_topology(mesh.vertices.size(), mesh.triangles, {thirds, areas});
+    return areas;
+}
+
+TEST(CornerSums, OfATetrahedronAreEqual) {
+    for (const float area : areas_at_vertices(testing::tetrahedron()))
+        EXPECT_FLOAT_EQ(area, static_cast<float>(2.0 * std::sqrt(3.0)));
+}
+
+TEST(CornerSums, OfAreasSumToTheAreaOfTheMesh) {
+    Mesh mesh = testing::projected_sphere({.centre = {1, 2, 3}, .radius = 2.0}, 0.1);  // of several stretches
+    mesh.vertices.push_back({0, 0, 0});                                                // of no triangle
+    const std::vector<float> areas = areas_at_vertices(mesh);
+    EXPECT_EQ(areas.back(), 0.0F);
+    EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0) / testing::area_of(mesh), 1.0, 1e-7);
 }
 
 }  // namespace
