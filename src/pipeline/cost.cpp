@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/memory.h"
+#include "core/parallel.h"
 #include "grid/block_grid.h"
 #include "meniscus/errors.h"
 #include "meniscus/remesh.h"
@@ -29,6 +30,7 @@ constexpr double kMegabyte = 1024.0 * 1024.0;
 // Enough to know the area within some 15 %; small structures can afford more.
 constexpr std::size_t kLeastSamples = 100;
 constexpr std::size_t kPairs = 500'000;
+constexpr std::size_t kSamplesPerTask = 16;
 
 constexpr std::size_t kDirections = 16;
 
@@ -113,18 +115,31 @@ double surface_area(const Atoms& atoms, double probe) {
     if (atoms.empty()) return 0.0;
     const std::size_t samples = std::clamp(kPairs / atoms.size(), kLeastSamples, std::max(kLeastSamples, atoms.size()));
     const std::size_t step = std::max<std::size_t>(1, atoms.size() / samples);
-    Exposure exposure(atoms, probe);
-    double contact = 0.0;
-    double exposed = 0.0;
-    double count = 0.0;
-    for (std::size_t i = 0; i < atoms.size(); i += step) {
-        const double part = exposure.of(i);
-        contact += 4.0 * std::numbers::pi * atoms.radii[i] * atoms.radii[i] * part;
-        exposed += part;
-        count += 1.0;
-    }
-    if (exposed == 0.0) return 0.0;
-    return bridged_area(contact * static_cast<double>(atoms.size()) / count, exposed / count, probe);
+    struct Sums {
+        double contact = 0.0;
+        double exposed = 0.0;
+        double count = 0.0;
+        Sums& operator+=(const Sums& b) {
+            contact += b.contact;
+            exposed += b.exposed;
+            count += b.count;
+            return *this;
+        }
+    };
+    const Sums sums =
+        parallel_sum<Sums>((atoms.size() + step - 1) / step, kSamplesPerTask, [&](std::size_t begin, std::size_t end) {
+            Exposure exposure(atoms, probe);
+            Sums of_these;
+            for (std::size_t i = begin * step; i < std::min(end * step, atoms.size()); i += step) {
+                const double part = exposure.of(i);
+                const double r = atoms.radii[i];
+                of_these += {4.0 * std::numbers::pi * r * r * part, part, 1.0};
+            }
+            return of_these;
+        });
+    if (sums.exposed == 0.0) return 0.0;
+    return bridged_area(sums.contact * static_cast<double>(atoms.size()) / sums.count, sums.exposed / sums.count,
+                        probe);
 }
 
 // Blocks of the grid within a margin of the surface: those with their centre within half a diagonal more. Layers that

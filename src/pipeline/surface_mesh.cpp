@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <memory>
 #include <numbers>
@@ -47,16 +48,23 @@ struct VertexRun {
 class RunGroups {
 public:
     explicit RunGroups(std::span<const Vec3> points, double longest) {
-        runs_ = parallel_sum<Runs>(points.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-                    Runs runs;
-                    for (std::size_t v = begin; v < end; v = runs.list.back().end)
-                        runs.list.push_back(run_from(points.first(end), v, longest));
-                    return runs;
-                }).list;
-        std::stable_sort(runs_.begin(), runs_.end(),
-                         [](const VertexRun& a, const VertexRun& b) { return group_of(a) < group_of(b); });
-        for (std::size_t i = 0; i < runs_.size(); ++i)
-            if (i == 0 || group_of(runs_[i - 1]) != group_of(runs_[i])) begins_.push_back(i);
+        const Runs found = parallel_sum<Runs>(points.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+            Runs runs;
+            for (std::size_t v = begin; v < end; v = runs.list.back().end) {
+                runs.list.push_back(run_from(points.first(end), v, longest));
+                runs.groups.push_back(group_of(runs.list.back()));
+            }
+            return runs;
+        });
+        std::vector<std::pair<Group, std::size_t>> order;
+        order.reserve(found.list.size());
+        for (std::size_t i = 0; i < found.list.size(); ++i) order.emplace_back(found.groups[i], i);
+        std::sort(order.begin(), order.end());
+        runs_.reserve(order.size());
+        for (const auto& [group, i] : order) {
+            if (runs_.empty() || order[runs_.size() - 1].first != group) begins_.push_back(runs_.size());
+            runs_.push_back(found.list[i]);
+        }
         begins_.push_back(runs_.size());
     }
 
@@ -69,10 +77,14 @@ private:
     static constexpr double kGroupEdge = 10.0;      // Å
     static constexpr std::size_t kChunk = 1 << 15;  // points per task
 
+    using Group = std::array<std::int32_t, 3>;
+
     struct Runs {
         std::vector<VertexRun> list;
+        std::vector<Group> groups;
         Runs& operator+=(const Runs& b) {
             list.insert(list.end(), b.list.begin(), b.list.end());
+            groups.insert(groups.end(), b.groups.begin(), b.groups.end());
             return *this;
         }
     };
@@ -89,9 +101,9 @@ private:
         }
         return run;
     }
-    static std::array<double, 3> group_of(const VertexRun& run) {
-        const Vec3& p = run.box.low;
-        return {std::floor(p.z / kGroupEdge), std::floor(p.y / kGroupEdge), std::floor(p.x / kGroupEdge)};
+    static Group group_of(const VertexRun& run) {
+        const auto number = [](double x) { return static_cast<std::int32_t>(std::floor(x / kGroupEdge)); };
+        return {number(run.box.low.z), number(run.box.low.y), number(run.box.low.x)};
     }
 
     std::vector<VertexRun> runs_;
@@ -198,13 +210,27 @@ double value_near_the_end(std::span<const double> values, std::size_t place) {
 }
 
 DistanceSummary summarise(std::span<const double> distances) {
+    constexpr std::size_t kSummed = 1 << 14;  // distances per task
     if (distances.empty()) return {};
+    struct Sums {
+        double sum = 0.0;
+        double max = 0.0;
+        Sums& operator+=(const Sums& b) {
+            sum += b.sum;
+            max = std::max(max, b.max);
+            return *this;
+        }
+    };
+    const auto [sum, max] = parallel_sum<Sums>(distances.size(), kSummed, [&](std::size_t begin, std::size_t end) {
+        Sums sums;
+        for (const double d : distances.subspan(begin, end - begin)) sums += {d, d};
+        return sums;
+    });
     DistanceSummary summary;
-    for (const double d : distances) summary.mean += d;
-    summary.mean /= static_cast<double>(distances.size());
+    summary.mean = sum / static_cast<double>(distances.size());
     summary.p99 =
         value_near_the_end(distances, static_cast<std::size_t>(0.99 * static_cast<double>(distances.size() - 1)));
-    summary.max = *std::max_element(distances.begin(), distances.end());
+    summary.max = max;
     return summary;
 }
 
