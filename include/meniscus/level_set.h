@@ -6,9 +6,11 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "meniscus/curvature.h"
+#include "meniscus/node_field.h"
 #include "meniscus/vec3.h"
 
 namespace meniscus {
@@ -37,7 +39,9 @@ struct LevelSetSample {
 class LevelSet {
 public:
     /// Takes the spline coefficients, one per node of the grid.
-    LevelSet(std::shared_ptr<const BlockGrid> grid, std::vector<float> coefficients);
+    LevelSet(std::shared_ptr<const BlockGrid> grid, NodeField coefficients);
+    LevelSet(std::shared_ptr<const BlockGrid> grid, std::span<const float> coefficients)
+        : LevelSet(std::move(grid), NodeField(coefficients.begin(), coefficients.end())) {}
 
     double spacing() const;
     double value(const Vec3& point) const;
@@ -84,7 +88,7 @@ public:
 
 private:
     std::shared_ptr<const BlockGrid> grid_;
-    std::vector<float> coefficients_;
+    NodeField coefficients_;
     Vec3 low_;  // corners of the box round all blocks
     Vec3 high_;
 };

@@ -11,6 +11,7 @@
 #include "geometry/nearest_batch.h"
 #include "grid/block_grid.h"
 #include "meniscus/accessible_surface.h"
+#include "meniscus/node_field.h"
 
 namespace meniscus {
 
@@ -19,10 +20,10 @@ enum class BandFields : std::uint8_t { Distance, DistanceAndCurvature };
 
 /// One entry per node of the grid.
 struct DistanceBand {
-    double margin = 0.0;           ///< Å
-    std::vector<float> distance;   ///< signed distance to the SES, clamped to ±margin, Å
-    std::vector<float> curvature;  ///< mean curvature of the parallel surface, clamped to ±1/spacing, Å^-1;
-                                   ///< 0 where the distance is clamped; empty if not asked for
+    double margin = 0.0;  ///< Å
+    NodeField distance;   ///< signed distance to the SES, clamped to ±margin, Å
+    NodeField curvature;  ///< mean curvature of the parallel surface, clamped to ±1/spacing, Å^-1;
+                          ///< 0 where the distance is clamped; empty if not asked for
 };
 
 /// Samples every node of the grid.

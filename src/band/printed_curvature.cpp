@@ -36,10 +36,9 @@ double curvature_as_printed(const Data& data, const Vec3& p, BridgedPair bridged
 
 }  // namespace
 
-std::vector<float> sample_printed_curvature(const AccessibleSurface& surface, const BlockGrid& grid,
-                                            BridgedPair bridged) {
+NodeField sample_printed_curvature(const AccessibleSurface& surface, const BlockGrid& grid, BridgedPair bridged) {
     const double limit = 1.0 / grid.spacing();
-    std::vector<float> field(grid.node_count());
+    NodeField field(grid.node_count(), 0.0F);
     parallel_for(field.size(), kBlockNodes, [&](std::size_t n) {
         const double h = curvature_as_printed(surface.data(), grid.position(n), bridged);
         field[n] = static_cast<float>(h > -limit ? std::min(h, limit) : -limit);

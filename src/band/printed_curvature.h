@@ -7,6 +7,7 @@
 
 #include "grid/block_grid.h"
 #include "meniscus/accessible_surface.h"
+#include "meniscus/node_field.h"
 
 namespace meniscus {
 
@@ -22,7 +23,6 @@ enum class BridgedPair {
 ///
 /// cost     O(log n) per node, parallel
 /// source   Pan & Tai 2009, section 3
-std::vector<float> sample_printed_curvature(const AccessibleSurface& surface, const BlockGrid& grid,
-                                            BridgedPair bridged);
+NodeField sample_printed_curvature(const AccessibleSurface& surface, const BlockGrid& grid, BridgedPair bridged);
 
 }  // namespace meniscus

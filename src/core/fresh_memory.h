@@ -12,8 +12,8 @@
 namespace meniscus {
 
 /// As vector.reserve(size), with the pages of what is not used yet touched.
-template <class T>
-void reserve_touched(std::vector<T>& vector, std::size_t size) {
+template <class T, class Allocator>
+void reserve_touched(std::vector<T, Allocator>& vector, std::size_t size) {
     constexpr std::size_t kPage = 4096;
     constexpr std::size_t kPagesPerChunk = 64;
     vector.reserve(size);
@@ -23,8 +23,8 @@ void reserve_touched(std::vector<T>& vector, std::size_t size) {
 }
 
 /// As vector.resize(size).
-template <class T>
-void resize_touched(std::vector<T>& vector, std::size_t size) {
+template <class T, class Allocator>
+void resize_touched(std::vector<T, Allocator>& vector, std::size_t size) {
     reserve_touched(vector, size);
     vector.resize(size);
 }

@@ -33,8 +33,7 @@ public:
     ClosestPoints(const BlockGrid& grid, std::span<const float> values, std::span<const float> coefficients)
         : grid_(grid),
           values_(values),
-          level_set_(std::shared_ptr<const BlockGrid>(std::shared_ptr<void>(), &grid),
-                     std::vector<float>(coefficients.begin(), coefficients.end())),
+          level_set_(std::shared_ptr<const BlockGrid>(std::shared_ptr<void>(), &grid), coefficients),
           seed_of_(values.size(), kNoSeed),
           next_(values.size(), kNoSeed) {
         find_seeds();
@@ -46,8 +45,8 @@ public:
         std::swap(seed_of_, next_);
     }
 
-    std::vector<float> distances(double width) const {
-        std::vector<float> result(values_.size());
+    NodeField distances(double width) const {
+        NodeField result(values_.size(), 0.0F);
         parallel_for(values_.size(), kBlockNodes, [&](std::size_t n) {
             double distance = width;
             const Vec3 p = grid_.position(n);
@@ -137,8 +136,8 @@ private:
 
 }  // namespace
 
-std::vector<float> distance_by_closest_points(const BlockGrid& grid, std::span<const float> values,
-                                              std::span<const float> coefficients, double width) {
+NodeField distance_by_closest_points(const BlockGrid& grid, std::span<const float> values,
+                                     std::span<const float> coefficients, double width) {
     ClosestPoints points(grid, values, coefficients);
     const int rounds = static_cast<int>(std::ceil(width / grid.spacing()));
     for (int round = 0; round < rounds; ++round) points.spread();

@@ -4,9 +4,9 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "grid/block_grid.h"
+#include "meniscus/node_field.h"
 
 namespace meniscus {
 
@@ -15,7 +15,7 @@ namespace meniscus {
 /// values   of the spline at the nodes, whose signs stay
 /// returns  exact to about 1e-6 spacings where the closest point is unique and the band reaches two nodes beyond it
 /// cost     a few hundred ns per node
-std::vector<float> distance_by_closest_points(const BlockGrid& grid, std::span<const float> values,
-                                              std::span<const float> coefficients, double width);
+NodeField distance_by_closest_points(const BlockGrid& grid, std::span<const float> values,
+                                     std::span<const float> coefficients, double width);
 
 }  // namespace meniscus

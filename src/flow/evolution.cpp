@@ -48,8 +48,8 @@ MeanChange change_near(std::span<const float> before, std::span<const float> aft
 }
 
 // |∇Φ| by central differences.
-std::vector<float> computed_slope(const BlockGrid& grid, std::span<const float> values, const BlockFill& fill) {
-    std::vector<float> slope(values.size());
+NodeField computed_slope(const BlockGrid& grid, std::span<const float> values, const BlockFill& fill) {
+    NodeField slope(values.size(), 0.0F);
     parallel_for(grid.block_count(), 32, [&](std::size_t b) {
         std::array<float, kPaddedNodes> padded;
         gather_padded<float>(grid, values, static_cast<BlockId>(b), fill[b], padded);
@@ -96,8 +96,8 @@ public:
           width_((options.half_width + kBandRim) * grid_.spacing()),
           system_(grid_),
           mask_(grid_.node_count()),
-          outside_(grid_.node_count()),
-          rhs_(grid_.node_count()) {
+          outside_(grid_.node_count(), 0.0F),
+          rhs_(grid_.node_count(), 0.0F) {
         result_.state.values.assign(start.begin(), start.end());
         if (anchored()) hold_outside(fields_.distance, fields_.margin);
         result_.state.coefficients = options_.reinitialiser == Reinitialiser::ClosestPoint
@@ -188,7 +188,7 @@ private:
         const bool steady = std::isinf(tau_);
         const float keep = steady ? 0.0F : 1.0F;
         const float tau = steady ? 1.0F : static_cast<float>(tau_);
-        std::vector<float> slope;
+        NodeField slope;
         if (options_.slope == Slope::Computed) slope = computed_slope(grid_, result_.state.values, fill_);
         for_each_node(mask_.size(), [&](std::size_t n) {
             const float curving = slope.empty() ? fields_.curvature[n] : fields_.curvature[n] * slope[n];
@@ -217,8 +217,8 @@ private:
     SplineSystem system_;
     BlockFill fill_;
     NodeMask mask_;
-    std::vector<float> outside_;  // coefficients of the nodes that are no unknowns
-    std::vector<float> rhs_;
+    NodeField outside_;  // coefficients of the nodes that are no unknowns
+    NodeField rhs_;
     bool vanished_ = false;
     EvolutionResult result_;
 };
@@ -271,21 +271,21 @@ EvolutionResult evolve(const FlowFields& fields, std::span<const float> start, c
     return flow.take();
 }
 
-std::vector<float> interpolating_coefficients(const BlockGrid& grid, std::span<const float> values, double half_width) {
+NodeField interpolating_coefficients(const BlockGrid& grid, std::span<const float> values, double half_width) {
     const double near = half_width * grid.spacing();
     const BlockFill fill = fill_by_sign(grid, values, near);
     NodeMask mask(grid.node_count());
     for_each_node(mask.size(), [&](std::size_t n) { mask[n] = std::abs(values[n]) < near ? 1 : 0; });
-    std::vector<float> coefficients(grid.node_count());
+    NodeField coefficients(grid.node_count(), 0.0F);
     apply_everywhere(grid, spline_quasi_interpolant(), values, fill, coefficients);
     SplineSystem system(grid);
     system.solve(spline_value(), mask, fill, values, coefficients, {.tolerance = kSolverAccuracy * grid.spacing()});
     return coefficients;
 }
 
-std::vector<float> sharp_curvature(const BlockGrid& grid, const DistanceBand& band, double half_width) {
-    const std::vector<float> coefficients = interpolating_coefficients(grid, band.distance, half_width);
-    std::vector<float> field(grid.node_count());
+NodeField sharp_curvature(const BlockGrid& grid, const DistanceBand& band, double half_width) {
+    const NodeField coefficients = interpolating_coefficients(grid, band.distance, half_width);
+    NodeField field(grid.node_count(), 0.0F);
     apply_everywhere(grid, 0.5 * spline_laplacian(grid.spacing()), coefficients,
                      fill_by_sign(grid, band.distance, band.margin), field);
     const auto near = static_cast<float>(half_width * grid.spacing());

@@ -13,6 +13,7 @@
 #include "band/distance_band.h"
 #include "grid/block_grid.h"
 #include "meniscus/flow.h"
+#include "meniscus/node_field.h"
 
 namespace meniscus {
 
@@ -32,8 +33,8 @@ struct FlowFields {
 
 /// Coefficients of the spline and its values at the nodes; outside the unknowns, values of what holds it there.
 struct FlowState {
-    std::vector<float> coefficients;
-    std::vector<float> values;
+    NodeField coefficients;
+    NodeField values;
 };
 
 struct EvolutionResult {
@@ -58,10 +59,10 @@ EvolutionResult evolve(const FlowFields& fields, std::span<const float> start, c
                        const EvolutionObserver& observer);
 
 /// Coefficients of the spline that takes `values` at the nodes where |value| < half_width spacings.
-std::vector<float> interpolating_coefficients(const BlockGrid& grid, std::span<const float> values, double half_width);
+NodeField interpolating_coefficients(const BlockGrid& grid, std::span<const float> values, double half_width);
 
 /// Half the discrete Laplacian of the spline through the distance, where |s| < half_width spacings: what
 /// CurvatureField::Sharp is; `curvature` elsewhere.
-std::vector<float> sharp_curvature(const BlockGrid& grid, const DistanceBand& band, double half_width);
+NodeField sharp_curvature(const BlockGrid& grid, const DistanceBand& band, double half_width);
 
 }  // namespace meniscus

@@ -219,8 +219,8 @@ double GaussianDensity::largest_exponent(const BlockNodes& block, int node,
     return largest;
 }
 
-std::vector<float> GaussianDensity::sample(const BlockGrid& grid, double margin) const {
-    std::vector<float> values(grid.node_count());
+NodeField GaussianDensity::sample(const BlockGrid& grid, double margin) const {
+    NodeField values(grid.node_count(), 0.0F);
     parallel_chunks(grid.block_count(), kBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
         AtomsAround around(*this);
         for (std::size_t b = begin; b < end; ++b) {

@@ -11,6 +11,7 @@
 #include "band/surface_blocks.h"
 #include "geometry/accessible_surface_data.h"
 #include "grid/block_grid.h"
+#include "meniscus/node_field.h"
 
 namespace meniscus {
 
@@ -26,7 +27,7 @@ public:
     std::vector<BlockCoord> blocks_near_surface(const Lattice& lattice, double margin, std::size_t max_blocks) const;
 
     /// Φ0 at every node of the grid, clamped to ±margin.
-    std::vector<float> sample(const BlockGrid& grid, double margin) const;
+    NodeField sample(const BlockGrid& grid, double margin) const;
 
 private:
     enum class Where : std::uint8_t { Inside, Outside, Near };

@@ -25,7 +25,7 @@ std::size_t wide_entry(int x, int y, int z) {
 }
 
 // A block and two layers of nodes around it; where there is no block, the value of the nearest node of this one.
-void gather_wide(const BlockGrid& grid, const std::vector<float>& values, BlockId block, WideBlock& wide) {
+void gather_wide(const BlockGrid& grid, const NodeField& values, BlockId block, WideBlock& wide) {
     const auto& around = grid.neighbours(block);
     for (int z = -kRim; z < kBlockEdge + kRim; ++z)
         for (int y = -kRim; y < kBlockEdge + kRim; ++y)
@@ -66,8 +66,8 @@ double smoothed_sign(const float* phi, double spacing) {
 }
 
 // One iteration on one block; returns the sum of |ΔΦ|.
-double advance(const BlockGrid& grid, BlockId block, float limit, const UpwindScheme& scheme,
-               const std::vector<float>& values, std::vector<float>& next) {
+double advance(const BlockGrid& grid, BlockId block, float limit, const UpwindScheme& scheme, const NodeField& values,
+               NodeField& next) {
     WideBlock wide;
     gather_wide(grid, values, block, wide);
     double change = 0.0;
@@ -86,10 +86,10 @@ double advance(const BlockGrid& grid, BlockId block, float limit, const UpwindSc
 
 }  // namespace
 
-int reinitialise_upwind(const BlockGrid& grid, double width, const UpwindScheme& scheme, std::vector<float>& values) {
+int reinitialise_upwind(const BlockGrid& grid, double width, const UpwindScheme& scheme, NodeField& values) {
     const auto limit = static_cast<float>(width);
     for (float& v : values) v = std::clamp(v, -limit, limit);
-    std::vector<float> next(values.size());
+    NodeField next(values.size(), 0.0F);
     for (int iteration = 1; iteration <= scheme.most_iterations; ++iteration) {
         const double change = parallel_sum<double>(grid.block_count(), kGrain, [&](std::size_t begin, std::size_t end) {
             double sum = 0.0;

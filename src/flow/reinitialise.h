@@ -3,9 +3,8 @@
 // Turns a level-set function into a signed distance near its zero set by iterating an eikonal equation.
 #pragma once
 
-#include <vector>
-
 #include "grid/block_grid.h"
+#include "meniscus/node_field.h"
 
 namespace meniscus {
 
@@ -22,6 +21,6 @@ struct UpwindScheme {
 ///
 /// returns  the iterations done
 /// source   Pan & Tai 2009, eqs. 3.6 and 3.7
-int reinitialise_upwind(const BlockGrid& grid, double width, const UpwindScheme& scheme, std::vector<float>& values);
+int reinitialise_upwind(const BlockGrid& grid, double width, const UpwindScheme& scheme, NodeField& values);
 
 }  // namespace meniscus

@@ -43,7 +43,7 @@ EvolutionResult solve_steady_state(const BlockGrid& grid, DistanceBand band, con
     const Unknowns unknowns = nodes_near(grid, band.distance, static_cast<float>(options.half_width * h));
     const BlockFill fill = fill_by_sign(grid, band.distance, band.margin);
     EvolutionResult result;
-    std::vector<float>& coefficients = result.state.coefficients;
+    NodeField& coefficients = result.state.coefficients;
     resize_touched(coefficients, grid.node_count());
     apply_everywhere(grid, spline_quasi_interpolant(), band.distance, fill, coefficients);
     make_right_side(band.distance, static_cast<float>(lambda), band.curvature);

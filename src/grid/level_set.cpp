@@ -62,7 +62,7 @@ PrincipalCurvatures LevelSetSample::principal_curvatures() const {
 
 double LevelSetSample::shape_index() const { return principal_curvatures().shape_index(); }
 
-LevelSet::LevelSet(std::shared_ptr<const BlockGrid> grid, std::vector<float> coefficients)
+LevelSet::LevelSet(std::shared_ptr<const BlockGrid> grid, NodeField coefficients)
     : grid_(std::move(grid)), coefficients_(std::move(coefficients)) {
     if (grid_->block_count() == 0) return;
     BlockCoord low = grid_->coord(0);

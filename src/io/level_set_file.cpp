@@ -104,7 +104,7 @@ public:
         const Header header = read_header();
         std::vector<StoredBlock> stored(header.blocks);
         take(stored.data(), stored.size() * sizeof(StoredBlock));
-        std::vector<float> coefficients(header.blocks * kBlockNodes);
+        NodeField coefficients(header.blocks * kBlockNodes);
         take(coefficients.data(), coefficients.size() * sizeof(float));
         check_sum();
         auto grid = std::make_shared<const BlockGrid>(

@@ -20,8 +20,8 @@ namespace {
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kRoom = 3.0;  // Å that a flow without an anchor may go astray
 
-std::vector<float> curvature_field(const AccessibleSurface& accessible, const BlockGrid& grid,
-                                   const FlowOptions& options, DistanceBand& band) {
+NodeField curvature_field(const AccessibleSurface& accessible, const BlockGrid& grid, const FlowOptions& options,
+                          DistanceBand& band) {
     switch (options.curvature) {
         case CurvatureField::Parallel:
             break;
@@ -127,12 +127,12 @@ std::string describe_course(const EvolutionResult& result, const FlowRecord& rec
     return text;
 }
 
-void add_start(FlowRecord& record, const BlockGrid& grid, const std::vector<float>& start, double half_width) {
+void add_start(FlowRecord& record, const BlockGrid& grid, const NodeField& start, double half_width) {
     record.add({interpolating_coefficients(grid, start, half_width), start}, {});
 }
 
 // Uses up the band where it can; the start may be part of it.
-EvolutionResult run_evolution(const BlockGrid& grid, DistanceBand& band, const std::vector<float>& start,
+EvolutionResult run_evolution(const BlockGrid& grid, DistanceBand& band, const NodeField& start,
                               const FlowOptions& options, const EvolutionObserver& observer) {
     if (!is_one_solve(options))
         return evolve({&grid, band.distance, band.curvature, band.margin}, start, options, observer);
@@ -152,13 +152,13 @@ double flow_margin(const FlowOptions& options, double spacing) {
 }
 
 FlowOutcome run_flow(const AccessibleSurface& accessible, const std::shared_ptr<const BlockGrid>& grid,
-                     DistanceBand band, const std::vector<float>& given_start, const SurfaceOptions& options,
+                     DistanceBand band, const NodeField& given_start, const SurfaceOptions& options,
                      const Progress& progress, const FlowObserver& observer) {
     const FlowOptions& flow = options.flow;
     const bool may_stray = flow.anchor == 0.0;
     const bool recorded = may_stray || options.history || observer;
     band.curvature = curvature_field(accessible, *grid, flow, band);
-    const std::vector<float>& start = given_start.empty() ? band.distance : given_start;
+    const NodeField& start = given_start.empty() ? band.distance : given_start;
     FlowRecord record(accessible, grid, observer);
     FlowOutcome outcome;
     if (recorded) add_start(record, *grid, start, flow.half_width);

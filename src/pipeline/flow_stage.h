@@ -30,7 +30,7 @@ struct FlowOutcome {
 /// for the history where options ask for it, and for a flow without an anchor, of which the state nearest to the SES is
 /// the result.
 FlowOutcome run_flow(const AccessibleSurface& accessible, const std::shared_ptr<const BlockGrid>& grid,
-                     DistanceBand band, const std::vector<float>& start, const SurfaceOptions& options,
-                     const Progress& progress, const FlowObserver& observer);
+                     DistanceBand band, const NodeField& start, const SurfaceOptions& options, const Progress& progress,
+                     const FlowObserver& observer);
 
 }  // namespace meniscus

@@ -107,7 +107,7 @@ double area_of(const Mesh& mesh) {
 // What the methods hand on to meshing.
 struct Field {
     std::shared_ptr<const BlockGrid> grid;
-    std::vector<float> values;                  // at the nodes, negative inside
+    NodeField values;                           // at the nodes, negative inside
     std::shared_ptr<const LevelSet> level_set;  // absent for the exact distance
 };
 
@@ -201,7 +201,7 @@ private:
     void evolve_start(const GaussianDensity* density, Field& field) {
         DistanceBand band = sample_distance(*accessible_, *field.grid, margin_);
         report("band", 0.8);
-        std::vector<float> start;
+        NodeField start;
         if (density != nullptr) start = density->sample(*field.grid, margin_);
         surface_.seconds.band = clock_.lap();
         report("band", 1.0);
@@ -219,7 +219,7 @@ private:
     void make_mesh(Field field) {
         Mesh zero_set = extract_zero_set(*field.grid, field.values, kSpreadFraction);
         hold_against_exact_sides(zero_set, field.level_set.get());
-        std::vector<float>().swap(field.values);  // the mesh grows into their memory
+        NodeField().swap(field.values);  // the mesh grows into their memory
         const SurfaceProjector project = surface_projector(*accessible_, field.level_set.get(), options_.spacing);
         if (options_.fill_cavities > 0.0) fill_cavities(zero_set, project);
         if (options_.min_cavity > 0.0) surface_.dropped = drop_small_cavities(zero_set, options_.min_cavity, project);

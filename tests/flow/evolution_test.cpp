@@ -38,7 +38,7 @@ struct Difference {
 };
 
 // Of two fields over nodes with |s| below one spacing, in spacings.
-Difference difference(const FlowProblem& problem, const std::vector<float>& a, const std::vector<float>& b) {
+Difference difference(const FlowProblem& problem, const NodeField& a, const NodeField& b) {
     const double h = problem.grid->spacing();
     Difference total;
     double count = 0.0;
@@ -80,7 +80,7 @@ Ratios order_of(const Atoms& atoms, double h, const Counts& counts) {
             std::log2(errors[0].mean_curvature / errors[1].mean_curvature)};
 }
 
-float value_near(const FlowProblem& problem, const std::vector<float>& field, const Vec3& p) {
+float value_near(const FlowProblem& problem, const NodeField& field, const Vec3& p) {
     const double h = problem.grid->spacing();
     const Lattice lattice{.spacing = h, .origin = problem.grid->origin()};
     const BlockId block = problem.grid->find(lattice.block_of(p));
@@ -257,9 +257,9 @@ TEST(Evolution, StopsWhereNothingChangesAnyMore) {
 TEST(InterpolatingCoefficients, InterpolateNearTheSurface) {
     for (const double h : {0.5, 0.25}) {
         const FlowProblem problem(two_spheres(4.5, 2.0, 1.4), kProbe, h);
-        const std::vector<float> values = problem.start(-1.0);
-        const std::vector<float> coefficients = interpolating_coefficients(*problem.grid, values, 3.0);
-        std::vector<float> back(values.size());
+        const NodeField values = problem.start(-1.0);
+        const NodeField coefficients = interpolating_coefficients(*problem.grid, values, 3.0);
+        NodeField back(values.size(), 0.0F);
         apply_everywhere(*problem.grid, spline_value(), coefficients, BlockFill(problem.grid->block_count()), back);
         for (std::size_t n = 0; n < values.size(); ++n) {
             if (std::abs(values[n]) < 2.0 * h) {  // farther nodes may lie beside a missing block

@@ -35,8 +35,8 @@ public:
     std::span<const float> parallel_curvature() const { return band_.curvature; }
 
     // Signed distance from the sphere of another radius.
-    std::vector<float> start(double radius) const {
-        std::vector<float> values(grid().node_count());
+    NodeField start(double radius) const {
+        NodeField values(grid().node_count(), 0.0F);
         for (std::size_t n = 0; n < values.size(); ++n)
             values[n] = static_cast<float>(norm(grid().position(n) - kCentre) - radius);
         return values;
@@ -75,7 +75,7 @@ double excess_by_the_equation(double excess, double time) {
 
 TEST(Flows, ThePapersFieldDrivesASphereAwayFromItsSteadyState) {
     const SphereProblem problem(0.2);
-    const std::vector<float> field = sample_printed_curvature(problem.surface(), problem.grid(), BridgedPair::Torus);
+    const NodeField field = sample_printed_curvature(problem.surface(), problem.grid(), BridgedPair::Torus);
     const FlowOptions options{.curvature = CurvatureField::Paper,
                               .anchor = 0.0,
                               .reinitialiser = Reinitialiser::ClosestPoint,
@@ -118,7 +118,7 @@ TEST(Flows, TheAnchorTakesAwayTheExcessByTheSameFactorInEveryStep) {
 }
 
 // Largest difference of two fields near the surface, in spacings.
-double largest_difference(const FlowProblem& problem, const std::vector<float>& a, const std::vector<float>& b) {
+double largest_difference(const FlowProblem& problem, const NodeField& a, const NodeField& b) {
     double largest = 0.0;
     for (std::size_t n = 0; n < a.size(); ++n)
         if (std::abs(problem.band.distance[n]) < problem.grid->spacing())
@@ -150,7 +150,7 @@ TEST(Flows, OneSolveGivesTheSteadyState) {
 
 TEST(Flows, TheSharpFieldMakesTheDistanceItselfTheFixedPoint) {
     const FlowProblem problem(two_spheres(5.9), kProbe, 0.25);  // with a cusp, where the parallel field rounds
-    const std::vector<float> sharp = sharp_curvature(*problem.grid, problem.band, FlowOptions{}.half_width);
+    const NodeField sharp = sharp_curvature(*problem.grid, problem.band, FlowOptions{}.half_width);
     FlowFields fields = problem.fields();
     fields.curvature = sharp;
     const EvolutionResult result = evolve(fields, problem.start(-0.5), {.tolerance = 1e-6}, {});
@@ -161,7 +161,7 @@ TEST(Flows, TheSharpFieldMakesTheDistanceItselfTheFixedPoint) {
 }
 
 // Mean | |∇Φ| - 1 | within two spacings of the zero set.
-double slope_error(const BlockGrid& grid, const std::vector<float>& values, const std::vector<float>& before) {
+double slope_error(const BlockGrid& grid, const NodeField& values, const NodeField& before) {
     const LevelSet level_set(std::make_shared<const BlockGrid>(grid), interpolating_coefficients(grid, values, 4.0));
     double sum = 0.0;
     double count = 0.0;
@@ -175,10 +175,10 @@ double slope_error(const BlockGrid& grid, const std::vector<float>& values, cons
 
 TEST(Reinitialise, TheRepairedEquationEvensTheSlopeAndThePrintedOneDoesNot) {
     const FlowProblem problem(random_cluster(3, 30, 9.0), kProbe, 0.25);
-    const std::vector<float> before = problem.start(-0.5);
+    const NodeField before = problem.start(-0.5);
     const double width = 5.0 * problem.grid->spacing();
-    std::vector<float> repaired = before;
-    std::vector<float> printed = before;
+    NodeField repaired = before;
+    NodeField printed = before;
     EXPECT_EQ(reinitialise_upwind(*problem.grid, width, {}, repaired), 8);
     reinitialise_upwind(*problem.grid, width, {.repaired = false}, printed);
     const double error = slope_error(*problem.grid, before, before);
@@ -188,18 +188,18 @@ TEST(Reinitialise, TheRepairedEquationEvensTheSlopeAndThePrintedOneDoesNot) {
 
 TEST(Reinitialise, StopsWhereNothingChanges) {
     const SphereProblem problem(0.5);
-    std::vector<float> flat(problem.grid().node_count(), 1.0F);
+    NodeField flat(problem.grid().node_count(), 1.0F);
     EXPECT_EQ(reinitialise_upwind(problem.grid(), 1.0, {}, flat), 1);
 }
 
 TEST(ClosestPoints, GiveTheDistanceFromASphere) {
     const double h = 0.25;
     const SphereProblem problem(h);
-    std::vector<float> values = problem.start(2.0);
+    NodeField values = problem.start(2.0);
     for (float& v : values) v = v * (1.0F + 0.3F * v);  // no distance any more
-    const std::vector<float> coefficients = interpolating_coefficients(problem.grid(), values, 8.0);
-    const std::vector<float> found = distance_by_closest_points(problem.grid(), values, coefficients, 5.0 * h);
-    const std::vector<float> exact = problem.start(2.0);
+    const NodeField coefficients = interpolating_coefficients(problem.grid(), values, 8.0);
+    const NodeField found = distance_by_closest_points(problem.grid(), values, coefficients, 5.0 * h);
+    const NodeField exact = problem.start(2.0);
     for (std::size_t n = 0; n < found.size(); ++n) {
         const double expected = std::clamp(double{exact[n]}, -5.0 * h, 5.0 * h);
         ASSERT_NEAR(found[n], expected, 2e-3 * h);
@@ -208,7 +208,7 @@ TEST(ClosestPoints, GiveTheDistanceFromASphere) {
 
 // How far the zero set moves when its spline is replaced by the distance from it, Å, in the mean.
 double mean_displacement(const FlowProblem& problem, const FlowState& state) {
-    const std::vector<float> distance =
+    const NodeField distance =
         distance_by_closest_points(*problem.grid, state.values, state.coefficients, 5.0 * problem.grid->spacing());
     const LevelSet before(problem.grid, state.coefficients);
     const LevelSet after(problem.grid, interpolating_coefficients(*problem.grid, distance, 4.0));

@@ -57,7 +57,7 @@ struct Sampled {
     double margin;
     Lattice lattice;
     BlockGrid grid{1.0, {}, {}};
-    std::vector<float> values;
+    NodeField values;
 };
 
 // Against the definition wherever |Φ0| < near; clamped elsewhere.

@@ -30,7 +30,7 @@ struct FlowProblem {
           grid(std::make_shared<const BlockGrid>(h, origin(h), blocks(h))),
           band(sample_distance(surface, *grid, margin)) {}
 
-    std::vector<float> start(double c) const { return GaussianDensity(surface, c).sample(*grid, margin); }
+    NodeField start(double c) const { return GaussianDensity(surface, c).sample(*grid, margin); }
 
     EvolutionResult evolve(double c, const FlowOptions& options = {}) const {
         return meniscus::evolve(fields(), start(c), options, {});

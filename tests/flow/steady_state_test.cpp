@@ -33,7 +33,7 @@ TEST(SteadyState, SolvesItsEquationNearTheSurfaceAndKeepsTheDistanceElsewhere) {
     const double h = problem.grid->spacing();
     const double lambda = options.anchor / (h * h);
     const BlockFill fill = fill_by_sign(*problem.grid, problem.band.distance, problem.margin);
-    std::vector<float> image(problem.grid->node_count());
+    NodeField image(problem.grid->node_count(), 0.0F);
     apply_everywhere(*problem.grid, lambda * spline_value() - spline_laplacian(h), result.state.coefficients, fill,
                      image);
     double squares = 0.0;

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Numbers on the nodes of a grid, in memory that is not set to zero first.
+#pragma once
+
+#include <memory>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace meniscus {
+
+/// Leaves what a vector makes without a value as it is: for large arrays that are written in full anyway.
+template <class T>
+class UnsetAllocator : public std::allocator<T> {
+public:
+    template <class U>
+    struct rebind {
+        using other = UnsetAllocator<U>;
+    };
+
+    UnsetAllocator() = default;
+    template <class U>
+    UnsetAllocator(const UnsetAllocator<U>&) noexcept {
+    }  // NOLINT(google-explicit-constructor): as std::allocator has it
+
+    template <class U>
+    void construct(U* at) noexcept {
+        ::new (static_cast<void*>(at)) U;
+    }
+    template <class U, class... Values>
+    void construct(U* at, Values&&... values) {
+        ::new (static_cast<void*>(at)) U(std::forward<Values>(values)...);
+    }
+};
+
+/// One number per node. NodeField(n) holds n numbers of any value.
+using NodeField = std::vector<float, UnsetAllocator<float>>;
+
+}  // namespace meniscus
