@@ -40,7 +40,8 @@ class LevelSet {
 public:
     /// Takes the spline coefficients, one per node of the grid.
     LevelSet(std::shared_ptr<const BlockGrid> grid, NodeField coefficients);
-    LevelSet(std::shared_ptr<const BlockGrid> grid, std::span<const float> coefficients)
+    template <class Floats>
+    LevelSet(std::shared_ptr<const BlockGrid> grid, const Floats& coefficients)
         : LevelSet(std::move(grid), NodeField(coefficients.begin(), coefficients.end())) {}
 
     double spacing() const;

@@ -11,6 +11,8 @@
 #include <atomic>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -86,6 +88,27 @@ std::string temporary_name_beside(const std::string& target) {
     return folder + ".meniscus-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
 }
 
+// A number with at most three decimals, as coordinates have, in the same digits as any other but sooner; empty if it
+// has more, or none of the usual size. Doubles are so close to each other there that no shorter digits give the same
+// one.
+std::string_view digits_of_thousandths(double value, std::array<char, 32>& digits) {
+    constexpr double kLargest = 1e5;  // from there on powers of ten are shorter
+    constexpr double kLeast = 1e-2;
+    const double size = std::abs(value);
+    if (!(size >= kLeast && size < kLargest)) return {};
+    const auto thousandths = static_cast<std::uint32_t>(size * 1000.0 + 0.5);
+    if (static_cast<double>(thousandths) / 1000.0 != size) return {};
+    char* end = digits.data();
+    if (value < 0.0) *end++ = '-';
+    end = std::to_chars(end, digits.data() + digits.size(), thousandths / 1000).ptr;
+    if (std::uint32_t rest = thousandths % 1000; rest > 0) {
+        *end++ = '.';
+        for (std::uint32_t place = 100; rest > 0; rest %= place, place /= 10)
+            *end++ = static_cast<char>('0' + rest / place);
+    }
+    return {digits.data(), static_cast<std::size_t>(end - digits.data())};
+}
+
 template <class T>
 std::string_view digits_of(T value, std::array<char, 32>& digits) {
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
@@ -153,7 +176,8 @@ void AtomicFile::number(float value) {
 
 void AtomicFile::number(double value) {
     std::array<char, 32> digits;
-    write(digits_of(value, digits));
+    const std::string_view few = digits_of_thousandths(value, digits);
+    write(few.empty() ? digits_of(value, digits) : few);
 }
 
 void AtomicFile::number(std::uint64_t value) {

@@ -22,7 +22,7 @@ void expect_formulas(double distance, BridgedPair bridged, double waist_curvatur
     const AccessibleSurface surface(two_spheres(distance, r, r), kProbe);
     const auto zero = [](const Vec3&) { return 0.0; };
     const SampledField field = sample_box(kSpacing, {-4, -4, -4}, {distance + 4, 4, 4}, zero);
-    const std::vector<float> found = sample_printed_curvature(surface, field.grid, bridged);
+    const NodeField found = sample_printed_curvature(surface, field.grid, bridged);
     const double circle = std::sqrt((r + kProbe) * (r + kProbe) - 0.25 * distance * distance);
     int waists = 0;
     for (std::size_t n = 0; n < found.size(); ++n) {
@@ -56,7 +56,7 @@ TEST(PrintedCurvature, IsThatOfTheProbeOnReentrantPatches) {
     const AccessibleSurface surface(tetrahedral_spheres(3.0, 1.5), kProbe);
     const auto zero = [](const Vec3&) { return 0.0; };
     const SampledField field = sample_box(kSpacing, {-4, -4, -4}, {4, 4, 4}, zero);
-    const std::vector<float> found = sample_printed_curvature(surface, field.grid, BridgedPair::Torus);
+    const NodeField found = sample_printed_curvature(surface, field.grid, BridgedPair::Torus);
     int reentrant = 0;
     for (std::size_t n = 0; n < found.size(); ++n) {
         if (surface.nearest(field.grid.position(n)).patch != PatchKind::Reentrant) continue;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "support/arrangements.h"
 
@@ -35,10 +36,33 @@ void expect_side(Claim claim, double s, double margin) {
     }
 }
 
-void expect_same(const NearestBatch& batch, std::size_t i, const NearestFeature& exact, double margin) {
+// What is written for a point.
+struct Written {
+    float distance = 0.0F;
+    float curvature = 0.0F;
+};
+
+constexpr double kCurvatureLimit = 0.5;  // Å^-1
+
+// Of all points, written in reverse.
+std::vector<Written> written(NearestBatch& batch, std::size_t count) {
+    std::vector<std::uint32_t> places(count);
+    std::iota(places.rbegin(), places.rend(), 0U);
+    std::vector<float> distances(count);
+    std::vector<float> curvatures(count);
+    batch.write_distances(places, distances.data());
+    batch.write_curvatures(places, kCurvatureLimit, curvatures.data());
+    std::vector<Written> all;
+    for (std::size_t i = count; i-- > 0;) all.push_back({distances[i], curvatures[i]});
+    return all;
+}
+
+void expect_same(const NearestBatch& batch, std::size_t i, const Written& out, const NearestFeature& exact,
+                 double margin) {
     const double s = exact.signed_distance;
     if (!batch.found(i)) {
-        EXPECT_EQ(batch.clamped_distance(i), batch.claim(i) == Claim::Below ? -margin : margin);
+        EXPECT_EQ(out.distance, static_cast<float>(batch.claim(i) == Claim::Below ? -margin : margin));
+        EXPECT_EQ(out.curvature, 0.0F);
         return expect_side(batch.claim(i), s, margin);
     }
     EXPECT_LT(std::abs(s), margin + 1e-9);
@@ -47,7 +71,16 @@ void expect_same(const NearestBatch& batch, std::size_t i, const NearestFeature&
     if (std::abs(exact.mean_curvature) < 10.0) {  // elsewhere it is next to a cusp, and rounding decides
         EXPECT_NEAR(batch.mean_curvature(i), batch.feature(i).mean_curvature, 1e-6);
     }
-    EXPECT_EQ(batch.clamped_distance(i), std::clamp(batch.signed_distance(i), -margin, margin));
+    const double found = batch.signed_distance(i);
+    EXPECT_EQ(out.distance, static_cast<float>(std::clamp(found, -margin, margin)));
+    const double curvature = std::clamp(batch.mean_curvature(i), -kCurvatureLimit, kCurvatureLimit);
+    const bool is_clamped = std::abs(found) >= margin || std::isnan(curvature);
+    EXPECT_TRUE(is_clamped || out.curvature == static_cast<float>(curvature));
+    const FeatureLabel label = batch.label(i);
+    const NearestFeature feature = batch.feature(i);
+    EXPECT_EQ(label.signed_distance, found);
+    EXPECT_EQ(label.atom, feature.atom);
+    EXPECT_EQ(label.patch, feature.patch);
 }
 
 std::size_t expect_cube(const AccessibleSurface& surface, NearestBatch& batch, LocalFeatures& local,
@@ -61,13 +94,14 @@ std::size_t expect_cube(const AccessibleSurface& surface, NearestBatch& batch, L
         batch.find_curvatures();
     }
     std::size_t found = 0;
+    const std::vector<Written> out = all == Claim::Open ? written(batch, points.size()) : std::vector<Written>();
     for (std::size_t i = 0; i < points.size(); ++i) {
         const NearestFeature exact = surface.nearest(points[i]);
         if (all != Claim::Open) {
             expect_side(all, exact.signed_distance, margin);
             continue;
         }
-        expect_same(batch, i, exact, margin);
+        expect_same(batch, i, out[i], exact, margin);
         found += batch.found(i) ? 1 : 0;
     }
     return found;

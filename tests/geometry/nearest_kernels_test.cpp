@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/instructions.h"
+#include "geometry/nearest_feature.h"
+#include "geometry/parallel_curvature.h"
 #include "support/arrangements.h"
 
 namespace meniscus::testing {
@@ -23,8 +26,12 @@ struct Answers {
     std::vector<double> depths_in_middle;
     Depths depths;
     LaneArray<std::int32_t> groups;
-    Directions directions;
+    BallClaims claims;
     NearestTags nearest;
+    LaneArray<double> ball_curvatures;
+    LaneArray<double> edge_curvatures;
+    LaneArray<float> clamped;  // distances
+    LaneArray<float> within;   // curvatures of those within the margin
 };
 
 class NearestKernelsTest : public ::testing::Test {
@@ -64,8 +71,12 @@ protected:
         kernels.find_depths(small_, small_points_, kPoints, answers.depths);
         kernels.group_points(answers.depths, limits(), kPoints, answers.groups);
         const std::uint32_t atom = local_.balls().index(0);
-        kernels.find_directions(data.atoms.centres[atom], data.caps_of(atom), points_, {0, kPoints},
-                                answers.directions);
+        const BallOwner ball{data.atoms.centres[atom], data.rho[atom], data.exposed[atom] != 0, data.caps_of(atom)};
+        kernels.claim(ball, data.probe, points_, {0, kPoints}, answers.claims);
+        kernels.find_ball_curvatures(answers.claims, data.probe, kPoints, answers.ball_curvatures);
+        kernels.clamp(answers.claims.signed_distance, kMargin, kPoints, answers.clamped);
+        kernels.clamp(answers.ball_curvatures, kMargin, kPoints, answers.within);
+        kernels.clear_beyond(answers.claims.signed_distance, kMargin, kPoints, answers.within);
         std::fill_n(answers.nearest.squared_distance.at, kPoints, 1e300);
         std::vector<std::uint32_t> items(local_.vertices().size());
         std::iota(items.begin(), items.end(), 0U);
@@ -73,6 +84,7 @@ protected:
         items.clear();
         for (std::size_t a = 0; a < local_.arcs().size(); ++a) items.push_back(local_.arcs().index(a));
         kernels.offer_arcs(data.arcs, items, points_, kPoints, answers.nearest);
+        kernels.find_edge_curvatures(answers.nearest, data.probe, kPoints, answers.edge_curvatures);
         return answers;
     }
 
@@ -82,6 +94,7 @@ protected:
 
     static constexpr Box kBox{{1, 1, 1}, {3, 3, 3}};
     static constexpr Vec3 kMiddle{2, 2, 2};
+    static constexpr double kMargin = 1.0;
     Atoms atoms_ = random_cluster(8, 40, 8.0);
     AccessibleSurface surface_{atoms_, 1.4};
     LocalFeatures local_{surface_, 1.0};
@@ -107,10 +120,15 @@ TEST_F(NearestKernelsTest, GiveTheSameBitsOnEveryInstructionSet) {
         expect_equal(other.depths.second, plain.depths.second);
         expect_equal(other.depths.ball, plain.depths.ball);
         expect_equal(other.groups, plain.groups);
-        expect_equal(other.directions.distance, plain.directions.distance);
-        expect_equal(other.directions.excess, plain.directions.excess);
+        expect_equal(other.claims.signed_distance, plain.claims.signed_distance);
+        expect_equal(other.claims.owned, plain.claims.owned);
+        expect_equal(other.claims.rho, plain.claims.rho);
         expect_equal(other.nearest.squared_distance, plain.nearest.squared_distance);
         expect_equal(other.nearest.tag, plain.nearest.tag);
+        expect_equal(other.ball_curvatures, plain.ball_curvatures);
+        expect_equal(other.edge_curvatures, plain.edge_curvatures);
+        expect_equal(other.clamped, plain.clamped);
+        expect_equal(other.within, plain.within);
     }
 }
 
@@ -164,15 +182,35 @@ TEST_F(NearestKernelsTest, GroupPointsByWhatTheirDepthsTell) {
     }
 }
 
-TEST_F(NearestKernelsTest, TellExposedDirections) {
+TEST_F(NearestKernelsTest, ClaimWhatABallOwns) {
     const AccessibleSurface::Data& data = surface_.data();
     const std::uint32_t atom = local_.balls().index(0);
     const Answers answers = ask(nearest_kernels());
     for (std::size_t i = 0; i < kPoints; ++i) {
         const Vec3 q = point(i) - data.atoms.centres[atom];
-        EXPECT_EQ(answers.directions.distance[i], norm(q));
-        EXPECT_EQ(answers.directions.excess[i] <= 0.0, data.direction_exposed(atom, q, norm(q)));
+        const NearestBall ball{atom, data.rho[atom] - norm(q), norm(q)};
+        const double s = data.probe - ball.depth;
+        EXPECT_EQ(answers.claims.signed_distance[i], s);
+        EXPECT_EQ(answers.claims.rho[i], data.rho[atom]);
+        EXPECT_EQ(answers.claims.owned[i] != 0, owned_by_ball(data, ball, point(i)));
+        EXPECT_NEAR(answers.ball_curvatures[i], contact_curvature(norm(q)), 1e-12);
+        EXPECT_EQ(answers.clamped[i], static_cast<float>(std::clamp(s, -kMargin, kMargin)));
+        const bool within = std::abs(s) < kMargin;
+        EXPECT_EQ(answers.within[i],
+                  within ? static_cast<float>(std::clamp(answers.ball_curvatures[i], -kMargin, kMargin)) : 0.0F);
     }
+}
+
+TEST_F(NearestKernelsTest, ClampWhatIsNoNumberToTheLowerLimit) {
+    LaneArray<double> values;
+    values[0] = std::numeric_limits<double>::quiet_NaN();
+    values[1] = std::numeric_limits<double>::infinity();
+    values[2] = 0.25;
+    LaneArray<float> clamped;
+    nearest_kernels().clamp(values, 2.0, 3, clamped);
+    EXPECT_EQ(clamped[0], -2.0F);
+    EXPECT_EQ(clamped[1], 2.0F);
+    EXPECT_EQ(clamped[2], 0.25F);
 }
 
 TEST_F(NearestKernelsTest, FindTheNearestArcOrVertex) {
@@ -191,8 +229,15 @@ TEST_F(NearestKernelsTest, FindTheNearestArcOrVertex) {
         const double own = is_arc(tag) ? foot_on_arc(data.arcs[arc_of(tag)], point(i)).squared_distance
                                        : squared_norm(point(i) - data.vertices[static_cast<std::size_t>(tag)].position);
         EXPECT_EQ(own, best);
+        const double distance = std::sqrt(best);
         if (is_arc(tag)) {
-            EXPECT_EQ(answers.nearest.from_axis[i], foot_on_arc(data.arcs[arc_of(tag)], point(i)).from_axis);
+            const SasArc& arc = data.arcs[arc_of(tag)];
+            const double from_axis = foot_on_arc(arc, point(i)).from_axis;
+            EXPECT_EQ(answers.nearest.from_axis[i], from_axis);
+            EXPECT_EQ(answers.nearest.radius[i], arc.radius);
+            EXPECT_NEAR(answers.edge_curvatures[i], toroidal_curvature(arc.radius, from_axis, distance), 1e-9);
+        } else {
+            EXPECT_NEAR(answers.edge_curvatures[i], reentrant_curvature(distance), 1e-9);
         }
     }
 }
