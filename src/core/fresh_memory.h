@@ -4,7 +4,9 @@
 // which costs more than filling it: one thread alone takes memory at 2 GB/s.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "core/parallel.h"
@@ -27,6 +29,14 @@ template <class T, class Allocator>
 void resize_touched(std::vector<T, Allocator>& vector, std::size_t size) {
     reserve_touched(vector, size);
     vector.resize(size);
+}
+
+/// The same for several at once, which are set to zero side by side.
+template <class... Vectors>
+void resize_all_touched(std::size_t size, Vectors&... vectors) {
+    (reserve_touched(vectors, size), ...);
+    const std::array<std::function<void()>, sizeof...(Vectors)> resize{[&] { vectors.resize(size); }...};
+    parallel_for(resize.size(), 1, [&](std::size_t i) { resize[i](); });
 }
 
 }  // namespace meniscus

@@ -26,7 +26,8 @@ public:
     VertexId first(std::size_t stretch) const { return static_cast<VertexId>(stretch * kLength); }
     std::size_t count(std::size_t stretch) const { return std::min(kLength, vertex_count_ - stretch * kLength); }
 
-    /// Calls visit(triangle, its number) for all triangles that have a corner in a stretch, and for some others, in rising order.
+    /// Calls visit(triangle, its number) for all triangles that have a corner in a stretch, and for some others, in
+    /// rising order.
     template <class Visit>
     void visit_triangles(std::size_t stretch, const Visit& visit) const {
         for (std::size_t i = begins_[stretch]; i < begins_[stretch + 1]; ++i) {

@@ -264,14 +264,8 @@ class VertexFinisher {
 public:
     VertexFinisher(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing, Mesh& mesh)
         : accessible_(accessible), level_set_(level_set), spacing_(spacing), mesh_(mesh) {
-        const std::size_t n = mesh.vertices.size();
-        resize_touched(distances_, n);
-        resize_touched(mesh.normals, n);
-        resize_touched(mesh.atoms, n);
-        resize_touched(mesh.patches, n);
-        resize_touched(mesh.mean_curvatures, n);
-        resize_touched(mesh.gaussian_curvatures, n);
-        resize_touched(mesh.shape_indices, n);
+        resize_all_touched(mesh.vertices.size(), mesh.normals, distances_, mesh.atoms, mesh.patches,
+                           mesh.mean_curvatures, mesh.gaussian_curvatures, mesh.shape_indices);
     }
 
     // Returns the distances to the exact surface.
