@@ -14,11 +14,6 @@ namespace meniscus {
 template <class T>
 class UnsetAllocator : public std::allocator<T> {
 public:
-    template <class U>
-    struct rebind {
-        using other = UnsetAllocator<U>;
-    };
-
     UnsetAllocator() = default;
     template <class U>
     UnsetAllocator(const UnsetAllocator<U>&) noexcept {
