@@ -16,8 +16,7 @@ class UnsetAllocator : public std::allocator<T> {
 public:
     UnsetAllocator() = default;
     template <class U>
-    UnsetAllocator(const UnsetAllocator<U>&) noexcept {
-    }  // NOLINT(google-explicit-constructor): as std::allocator has it
+    UnsetAllocator(const UnsetAllocator<U>& /*other*/) noexcept {}
 
     template <class U>
     void construct(U* at) noexcept {
