@@ -55,20 +55,20 @@ struct Band {
                                                  blocks_near_surface(surface, lattice, kWidth, 1U << 20U));
         distance = sample_distance(surface, *grid, kWidth);
     }
-    LevelSet spline_through(const std::vector<float>& values) const {
+    LevelSet spline_through(const NodeField& values) const {
         return {grid, interpolating_coefficients(*grid, values, 4.0)};
     }
 };
 
-using Call = std::function<void(const Band&, std::vector<float>&)>;
+using Call = std::function<void(const Band&, NodeField&)>;
 
-void by_closest_points(const Band& band, std::vector<float>& values) {
+void by_closest_points(const Band& band, NodeField& values) {
     values =
         distance_by_closest_points(*band.grid, values, interpolating_coefficients(*band.grid, values, 4.0), kWidth);
 }
 
 Call upwind(const UpwindScheme& scheme) {
-    return [scheme](const Band& band, std::vector<float>& values) {
+    return [scheme](const Band& band, NodeField& values) {
         reinitialise_upwind(*band.grid, kWidth, scheme, values);
     };
 }
@@ -96,12 +96,12 @@ double slope_error(const LevelSet& level_set, const std::vector<Vec3>& points) {
     return sum / static_cast<double>(points.size());
 }
 
-void report(const char* name, const Band& band, const std::vector<float>& start, const Call& call) {
+void report(const char* name, const Band& band, const NodeField& start, const Call& call) {
     const Mesh before = extract_zero_set(*band.grid, start);
     const LevelSet spline = band.spline_through(start);
     std::vector<Vec3> points;
     for (const Vec3& v : before.vertices) points.push_back(spline.project(v));
-    std::vector<float> values = start;
+    NodeField values = start;
     std::string row = fmt::format("{:<16}", name);
     for (int done = 0; const int calls : {1, 10}) {
         for (; done < calls; ++done) call(band, values);
@@ -121,8 +121,8 @@ int main(int argc, char** argv) {
     if (argc != 2) return 2;
     const Band band(read_spheres(argv[1]));
     const FlowFields fields{band.grid.get(), band.distance.distance, band.distance.curvature, kWidth};
-    const std::vector<float> gaussian = GaussianDensity(band.surface, -0.5).sample(*band.grid, kWidth);
-    const std::vector<float> start = evolve(fields, gaussian, {}, {}).state.values;
+    const NodeField gaussian = GaussianDensity(band.surface, -0.5).sample(*band.grid, kWidth);
+    const NodeField start = evolve(fields, gaussian, {}, {}).state.values;
     fmt::print("{:<16}  {:^42}  {:^42}\n", "", "after one call", "after ten calls");
     fmt::print("{:<16}", "reinitialiser");
     for (int i = 0; i < 2; ++i)
