@@ -27,7 +27,7 @@ inline LevelSet rough_level_set(double spacing) {
     BlockGrid grid(spacing, {0.07, 0.03, -0.01}, box_of_blocks({.z = -1, .y = -1, .x = -1}, {.z = 1, .y = 1, .x = 1}));
     std::mt19937_64 random(4);
     std::uniform_real_distribution<float> value(-1.0F, 1.0F);
-    std::vector<float> coefficients(grid.node_count());
+    NodeField coefficients(grid.node_count());
     for (float& c : coefficients) c = value(random);
     return {std::make_shared<const BlockGrid>(std::move(grid)), std::move(coefficients)};
 }
@@ -39,7 +39,7 @@ LevelSet narrow_spline_of(double spacing, const Vec3& low, const Vec3& high, con
     const Vec3 rim = (half_width + 4.0 * spacing) * Vec3{1, 1, 1};
     const SampledField field = narrow_band(sample_box(spacing, low - rim, high + rim, f), half_width);
     const LevelSet whole = spline_of(spacing, low - rim, high + rim, f);
-    std::vector<float> coefficients;
+    NodeField coefficients;
     for (const BlockCoord& c : field.grid.coords()) {
         const auto first =
             whole.coefficients().begin() + static_cast<std::ptrdiff_t>(std::size_t{whole.grid().find(c)} * kBlockNodes);

@@ -30,8 +30,8 @@ template <class Function>
 LevelSet spline_of(double spacing, const Vec3& low, const Vec3& high, const Function& f, const Vec3& origin = {}) {
     const Vec3 rim = 4.0 * spacing * Vec3{1, 1, 1};  // where zeros beyond the samples reach
     SampledField field = sample_box(spacing, low - rim, high + rim, f, origin);
-    std::vector<float> coefficients = with_stencil(spline_quasi_interpolant(), field.grid, field.values);
-    return {std::make_shared<const BlockGrid>(std::move(field.grid)), std::move(coefficients)};
+    const std::vector<float> coefficients = with_stencil(spline_quasi_interpolant(), field.grid, field.values);
+    return {std::make_shared<const BlockGrid>(std::move(field.grid)), coefficients};
 }
 
 }  // namespace meniscus::testing
