@@ -68,9 +68,7 @@ void by_closest_points(const Band& band, NodeField& values) {
 }
 
 Call upwind(const UpwindScheme& scheme) {
-    return [scheme](const Band& band, NodeField& values) {
-        reinitialise_upwind(*band.grid, kWidth, scheme, values);
-    };
+    return [scheme](const Band& band, NodeField& values) { reinitialise_upwind(*band.grid, kWidth, scheme, values); };
 }
 
 struct Drift {

@@ -82,7 +82,7 @@ TEST(LevelSetFile, ReadsBackBitByBit) {
 
 TEST(LevelSetFile, NumbersThatAreNoneComeBackToo) {
     BlockGrid grid(0.1, {1e9, -1.0 / 3.0, 0.0}, {{.z = -5, .y = 1 << 30, .x = 7}});
-    std::vector<float> coefficients(kBlockNodes, std::numeric_limits<float>::quiet_NaN());
+    NodeField coefficients(kBlockNodes, std::numeric_limits<float>::quiet_NaN());
     coefficients[1] = -0.0F;
     coefficients[2] = std::numeric_limits<float>::denorm_min();
     const LevelSet odd(std::make_shared<const BlockGrid>(std::move(grid)), std::move(coefficients));
