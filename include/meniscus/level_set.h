@@ -38,7 +38,7 @@ struct LevelSetSample {
 /// run in parallel and give the same as one by one, in the order of the points.
 class LevelSet {
 public:
-    /// Takes the spline coefficients, one per node of the grid.
+    /// Takes the spline coefficients, one per node of the grid. Copies them where they are no NodeField.
     LevelSet(std::shared_ptr<const BlockGrid> grid, NodeField coefficients);
     template <class Floats>
     LevelSet(std::shared_ptr<const BlockGrid> grid, const Floats& coefficients)

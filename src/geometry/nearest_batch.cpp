@@ -207,14 +207,6 @@ void NearestBatch::claim_by_edges() {
     }
 }
 
-NearestBatch::Claim NearestBatch::claim(std::size_t point) const {
-    const std::size_t lane = lane_of_[point];
-    const double s = claims_.signed_distance[lane];
-    if (s >= margin_) return Claim::Above;
-    if (claims_.owned[lane] != 0) return Claim::Ball;
-    return s <= -margin_ ? Claim::Below : Claim::Edge;
-}
-
 // Each formula for all lanes, without asking whose they are: nobody could predict it.
 void NearestBatch::find_curvatures() {
     kernels_.find_ball_curvatures(claims_, data_->probe, points_.size(), curvatures_);

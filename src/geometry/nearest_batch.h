@@ -40,13 +40,14 @@ public:
     /// Then finds their mean curvatures.
     void find_curvatures();
 
-    Claim claim(std::size_t point) const;
-    /// Whether it is a ball, arc or vertex.
-    bool found(std::size_t point) const {
+    Claim claim(std::size_t point) const {
         const std::size_t lane = lane_of_[point];
         const double s = claims_.signed_distance[lane];
-        return s < margin_ && (s > -margin_ || claims_.owned[lane] != 0);
+        if (s >= margin_) return Claim::Above;
+        if (claims_.owned[lane] != 0) return Claim::Ball;
+        return s <= -margin_ ? Claim::Below : Claim::Edge;
     }
+    bool found(std::size_t point) const { return claim(point) == Claim::Ball || claim(point) == Claim::Edge; }
     /// Writes the signed distance of every point, clamped to ±margin, to the place given for it.
     void write_distances(std::span<const std::uint32_t> places, float* to);
     /// The same of mean curvatures, once they were found, clamped to ±limit, and 0 where the distance is clamped.

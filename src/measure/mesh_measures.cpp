@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/fetch_corners.h"
 #include "core/parallel.h"
 #include "measure/surface_measures.h"
 #include "measure/topology.h"
@@ -19,7 +20,6 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kAhead = 24;    // triangles: so far ahead their corners are fetched
 constexpr std::size_t kChunk = 8192;  // triangles or vertices per task: some tens of microseconds
 
 std::uint32_t largest_of(std::uint32_t i) { return i; }
@@ -132,19 +132,13 @@ private:
         return sums;
     }
 
-    // Starts to bring a triangle's corners into the cache.
-    void fetch(const Triangle& triangle) const {
-        for (const VertexId v : triangle) {
-            __builtin_prefetch(&mesh_.vertices[v]);
-            __builtin_prefetch(&mesh_.normals[v]);
-        }
-    }
-
     std::uint32_t piece_of(std::size_t t) const { return of_vertex_[mesh_.triangles[t][0]]; }
 
     void load(std::size_t first, std::size_t count, bool with_normals, TriangleLanes& lanes) const {
         for (std::size_t lane = 0; lane < count; ++lane) {
-            if (with_normals) fetch(mesh_.triangles[std::min(first + lane + kAhead, mesh_.triangles.size() - 1)]);
+            const Triangle& ahead = mesh_.triangles[std::min(first + lane + kFetchAhead, mesh_.triangles.size() - 1)];
+            fetch_corners(mesh_.vertices, ahead);
+            if (with_normals) fetch_corners(mesh_.normals, ahead);
             const Triangle& triangle = mesh_.triangles[first + lane];
             lanes.set_points(lane, mesh_, triangle, origins_[piece_of(first + lane)]);
             if (with_normals) lanes.set_normals(lane, mesh_, triangle);

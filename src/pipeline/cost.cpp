@@ -118,28 +118,26 @@ double surface_area(const Atoms& atoms, double probe) {
     struct Sums {
         double contact = 0.0;
         double exposed = 0.0;
-        double count = 0.0;
         Sums& operator+=(const Sums& b) {
             contact += b.contact;
             exposed += b.exposed;
-            count += b.count;
             return *this;
         }
     };
-    const Sums sums =
-        parallel_sum<Sums>((atoms.size() + step - 1) / step, kSamplesPerTask, [&](std::size_t begin, std::size_t end) {
-            Exposure exposure(atoms, probe);
-            Sums of_these;
-            for (std::size_t i = begin * step; i < std::min(end * step, atoms.size()); i += step) {
-                const double part = exposure.of(i);
-                const double r = atoms.radii[i];
-                of_these += {4.0 * std::numbers::pi * r * r * part, part, 1.0};
-            }
-            return of_these;
-        });
+    const std::size_t looked_at = (atoms.size() + step - 1) / step;
+    const Sums sums = parallel_sum<Sums>(looked_at, kSamplesPerTask, [&](std::size_t begin, std::size_t end) {
+        Exposure exposure(atoms, probe);
+        Sums of_these;
+        for (std::size_t k = begin; k < end; ++k) {
+            const double part = exposure.of(k * step);
+            const double r = atoms.radii[k * step];
+            of_these += {4.0 * std::numbers::pi * r * r * part, part};
+        }
+        return of_these;
+    });
     if (sums.exposed == 0.0) return 0.0;
-    return bridged_area(sums.contact * static_cast<double>(atoms.size()) / sums.count, sums.exposed / sums.count,
-                        probe);
+    const auto count = static_cast<double>(looked_at);
+    return bridged_area(sums.contact * static_cast<double>(atoms.size()) / count, sums.exposed / count, probe);
 }
 
 // Blocks of the grid within a margin of the surface: those with their centre within half a diagonal more. Layers that

@@ -12,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/fetch_corners.h"
 #include "core/parallel.h"
 #include "geometry/box_tree.h"
 #include "geometry/triangle_tree.h"
@@ -25,7 +26,6 @@ namespace {
 constexpr std::size_t kChunk = 256;  // triangles: neighbours, if the mesh comes from blocks
 
 constexpr std::size_t kRenumbered = 8192;  // triangles per task
-constexpr std::size_t kAhead = 24;         // triangles: so far ahead their corners are fetched
 
 constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding
 
@@ -97,12 +97,6 @@ private:
                shortest < kShortestEdge * kShortestEdge || dot(area, mesh_.normals[triangle[0]]) < 0.0;
     }
 
-    // Starts to bring a triangle's corners into the cache.
-    void fetch(const Triangle& triangle) const {
-        for (const VertexId v : triangle) __builtin_prefetch(&mesh_.vertices[v]);
-        __builtin_prefetch(&mesh_.normals[triangle[0]]);
-    }
-
     double goodness(const Triangle& triangle) const {
         const Patch alone{{point(triangle[0]), point(triangle[1]), point(triangle[2])}, {}};
         return alone.goodness({0, 1, 2}, kShortestEdge);
@@ -124,7 +118,9 @@ private:
             Chunk& chunk = chunks[begin / kChunk];
             double longest = 0.0;
             for (std::size_t t = begin; t < end; ++t) {
-                fetch(mesh_.triangles[std::min(t + kAhead, mesh_.triangles.size() - 1)]);
+                const Triangle& ahead = mesh_.triangles[std::min(t + kFetchAhead, mesh_.triangles.size() - 1)];
+                fetch_corners(mesh_.vertices, ahead);
+                __builtin_prefetch(&mesh_.normals[ahead[0]]);
                 if (may_be_bad(mesh_.triangles[t], longest) && is_bad(mesh_.triangles[t]))
                     chunk.bad.push_back(static_cast<std::uint32_t>(t));
             }
