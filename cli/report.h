@@ -30,7 +30,7 @@ struct RunFacts {
     int model = 1;                         ///< position in the file, from 1
     int threads = 1;                       ///< in use
     double read_seconds = 0.0;             ///< with the start of the program; with all models: counted with the first
-    double exact_seconds = 0.0;            ///< of the exact measures
+    double exact_seconds = 0.0;            ///< of exact measures beside those that the surface counts
     double picture_seconds = 0.0;          ///< of colours and pictures, without writing them
     double page_seconds = 0.0;             ///< of pages, without writing them
     double volume_seconds = 0.0;           ///< of volumes, without writing them

@@ -72,8 +72,6 @@ private:
         return found == outputs.end() ? nullptr : &*found;
     }
 
-    /// The exact measures, which only reports and pages show, come first: their memory is free again when the grid
-    /// needs it.
     void compute(const Job& job) override {
         const SurfaceOptions& options = request_.surface;
         std::vector<bool> selected;
@@ -83,21 +81,14 @@ private:
         Stopwatch estimating;
         const bool has_volume = has(job.outputs, OutputKind::Volume);
         VolumeGrid grid;
-        if (!request_.report.empty() || shows_progress() || has_volume) {
+        if (shows_progress() || has_volume) {
             const Cost expected = estimate_cost(job.structure.atoms, options);
             if (has_volume) grid = find_grid(request_.volume, job.structure.atoms, options, job.outputs, expected);
             refuse_what_would_not_fit(job.structure.atoms, options, expected);
             expect(expected.seconds);
         }
         const double estimate_seconds = estimating.lap();
-        measured_ = !request_.report.empty() || has(job.outputs, OutputKind::Page) || is_creased() || options.verify;
-        if (measured_) measure_exactly(job.structure.atoms);
-        FlowObserver observer;
-        if (request_.flow.snapshots > 0)
-            observer = [&](const FlowStep& step, const Mesh& mesh) { write_snapshot(job, step, mesh); };
-        surface_ = compute_surface(
-            job.structure.atoms, options, [this](std::string_view stage, double fraction) { show(stage, fraction); },
-            observer, measured_ ? &exact_ : nullptr);
+        make_surface(job);
         surface_.seconds.estimate += estimate_seconds;
         bring_values();
         Stopwatch watch;
@@ -110,6 +101,29 @@ private:
         volume_seconds_ = watch.lap();
         if (has(job.outputs, OutputKind::Page)) make_page(job.structure);
         page_seconds_ = watch.lap();
+    }
+
+    /// The exact measures, which only reports and pages show, come first: their memory is free again when the grid
+    /// needs it.
+    void make_surface(const Job& job) {
+        const Atoms& atoms = job.structure.atoms;
+        FlowObserver observer;
+        if (request_.flow.snapshots > 0)
+            observer = [&](const FlowStep& step, const Mesh& mesh) { write_snapshot(job, step, mesh); };
+        measured_ =
+            !request_.report.empty() || has(job.outputs, OutputKind::Page) || is_creased() || request_.surface.verify;
+        std::optional<ExactSurface> exact;
+        if (measured_) exact = measure_exactly(atoms, request_.surface);
+        if (exact) std::vector<PatchMeasure>().swap(exact->measures.patches);
+        if (exact) std::vector<AtomMeasure>().swap(exact->measures.atoms);
+        surface_ = compute_surface(
+            atoms, request_.surface, [this](std::string_view stage, double fraction) { show(stage, fraction); },
+            observer, exact ? &*exact : nullptr);
+        if (exact) exact_ = std::move(exact->measures);
+        Stopwatch watch;
+        if (request_.surface.surface == SurfaceKind::Sas && !request_.report.empty())
+            excluded_ = measure(atoms, {.probe = request_.surface.probe, .threads = request_.surface.threads});
+        excluded_seconds_ = watch.lap();
     }
 
     void bring_values() {
@@ -217,17 +231,6 @@ private:
     /// All over: the mesh cuts the creases between atoms off, and only the exact area is right.
     bool is_creased() const { return request_.surface.surface != SurfaceKind::Ses; }
 
-    void measure_exactly(const Atoms& atoms) {
-        Stopwatch watch;
-        const SesProblem problem = ses_problem(atoms, request_.surface);
-        exact_ = measure(problem.atoms, {.probe = problem.probe, .threads = request_.surface.threads});
-        std::vector<PatchMeasure>().swap(exact_.patches);
-        std::vector<AtomMeasure>().swap(exact_.atoms);
-        if (request_.surface.surface == SurfaceKind::Sas && !request_.report.empty())
-            excluded_ = measure(atoms, {.probe = request_.surface.probe, .threads = request_.surface.threads});
-        exact_seconds_ = watch.lap();
-    }
-
     void write(const Output& output, const Job& job) const override {
         switch (output.kind) {
             case OutputKind::Mesh:
@@ -260,7 +263,7 @@ private:
 
     ordered_json report(const Job& job, const RunFacts& facts) const override {
         RunFacts all = facts;
-        all.exact_seconds = exact_seconds_;
+        all.exact_seconds = excluded_seconds_;
         all.picture_seconds = picture_seconds_;
         all.page_seconds = page_seconds_;
         all.volume_seconds = volume_seconds_;
@@ -290,7 +293,7 @@ private:
     bool measured_ = false;
     Measures exact_;     // of the surface that is made, if measured
     Measures excluded_;  // of the SES, where another one is made and reports tell both by their names
-    double exact_seconds_ = 0.0;
+    double excluded_seconds_ = 0.0;
     double picture_seconds_ = 0.0;
     double page_seconds_ = 0.0;
     double volume_seconds_ = 0.0;

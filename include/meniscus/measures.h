@@ -14,6 +14,8 @@
 
 namespace meniscus {
 
+class AccessibleSurface;
+
 struct MeasureOptions {
     double probe = 1.4;    ///< probe radius, Å; 0 gives the van der Waals surface
     bool cavities = true;  ///< also nesting and inscribed spheres of the components
@@ -113,5 +115,8 @@ struct Measures {
 /// source   Gauss-Bonnet on spheres (Connolly 1983) with all self-intersections of reentrant patches trimmed;
 ///          docs/design/exact-measures.md
 Measures measure(const Atoms& atoms, const MeasureOptions& options = {});
+
+/// The same of a surface of these atoms that is there already; the options' probe radius does not matter.
+Measures measure(const AccessibleSurface& surface, const Atoms& atoms, const MeasureOptions& options = {});
 
 }  // namespace meniscus

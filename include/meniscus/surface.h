@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "meniscus/accessible_surface.h"
 #include "meniscus/atoms.h"
 #include "meniscus/cost.h"
 #include "meniscus/flow.h"
@@ -135,17 +136,30 @@ struct Surface {
     bool passed() const;  ///< every check passed
 };
 
+/// What the exact geometry says about a surface that is to be computed, for those who want more of it than the result.
+struct ExactSurface {
+    Cost expected;                 ///< of the computation
+    AccessibleSurface accessible;  ///< of the surface's ses_problem()
+    Measures measures;             ///< of the same, with cavities
+    StageTimes seconds;            ///< for this much
+};
+
+/// The first part of compute_surface(), and the exact measures.
+///
+/// throws   as compute_surface() and measure()
+ExactSurface measure_exactly(const Atoms& atoms, const SurfaceOptions& options = {});
+
 /// Computes the solvent-excluded surface of atoms.
 ///
 /// throws   UsageError for options out of range, std::invalid_argument for no atoms, a radius that is not
 ///          positive or a coordinate that is not finite, LimitError when it would not fit into memory
 /// cost     linear in the number of atoms; memory proportional to area / spacing²
 /// observer sees every step of a flow; where there is one, steps cost a mesh each
-/// exact    measures of the surface's ses_problem(), with cavities, where there are some already: the result is held
-///          against them. Without them what is needed is evaluated once.
+/// exact    measure_exactly() of the same atoms and options, where somebody has it: not done again, and the result is
+///          held against these measures. Without them what is needed is evaluated once.
 /// source   Pan & Tai 2009, with the anchored flow of docs/design/flow.md
 Surface compute_surface(const Atoms& atoms, const SurfaceOptions& options = {}, const Progress& progress = {},
-                        const FlowObserver& observer = {}, const Measures* exact = nullptr);
+                        const FlowObserver& observer = {}, const ExactSurface* exact = nullptr);
 
 /// Exact area and volume of those pieces that a mesh of these options keeps; in the volume cavities count negative.
 ///

@@ -335,19 +335,28 @@ Measures measure(const Atoms& atoms, const MeasureOptions& options) {
     if (!(options.probe >= 0.0) || !std::isfinite(options.probe))
         throw UsageError(fmt::format("probe {:g}: must be finite and not negative", options.probe));
     const ThreadLimit limit(options.threads);
-    auto own = std::make_unique<OwnEvaluation>(AccessibleSurface(atoms, options.probe), 0);
-    Check check(own->evaluation, 1);
-    while (!agree(own->evaluation.sums, check.sums) && check.seed + 1 < kMostSeeds) {
-        own = std::make_unique<OwnEvaluation>(own->surface.perturbed(check.seed), check.seed);
+    return measure(AccessibleSurface(atoms, options.probe), atoms, options);
+}
+
+Measures measure(const AccessibleSurface& surface, const Atoms& atoms, const MeasureOptions& options) {
+    const ThreadLimit limit(options.threads);
+    auto given = std::make_unique<const Evaluation>(surface, 0);
+    std::unique_ptr<const OwnEvaluation> own;  // in place of the given one, where others do not agree with it
+    Check check(*given, 1);
+    while (!agree(own ? own->evaluation.sums : given->sums, check.sums) && check.seed + 1 < kMostSeeds) {
+        own = std::make_unique<const OwnEvaluation>(surface.perturbed(check.seed), check.seed);
+        given.reset();
         check = Check(own->evaluation, check.seed + 1);
     }
-    const Evaluation& evaluation = own->evaluation;
-    Measures measures = describe(atoms, options, evaluation, &check);
+    const Evaluation& evaluation = own ? own->evaluation : *given;
+    MeasureOptions with_probe = options;
+    with_probe.probe = surface.probe();
+    Measures measures = describe(atoms, with_probe, evaluation, &check);
     measures.errors = estimate_errors(evaluation.sums.totals, check.sums.totals, perturbation_of(evaluation, check));
     measures.degenerate = evaluation.sums.degenerate || check.sums.degenerate;
     measures.agreed = agree(evaluation.sums, check.sums);
     if (!measures.agreed) {
-        const OwnEvaluation other(own->surface.perturbed(check.seed), check.seed);
+        const OwnEvaluation other(surface.perturbed(check.seed), check.seed);
         measures.disputed = name_disputed(evaluation, other.evaluation, atoms.size());
     }
     return measures;

@@ -99,16 +99,17 @@ ComparedSurface mesh_to_compare(Mesh mesh) {
 }
 
 ComparedSurface structure_to_compare(const Atoms& atoms, const StructureToCompare& options) {
-    Surface computed = compute_surface(
-        atoms,
-        {.method = Method::Direct, .probe = options.probe, .spacing = options.spacing, .threads = options.threads});
-    const Measures exact = measure(atoms, {.probe = options.probe, .cavities = false, .threads = options.threads});
+    const SurfaceOptions direct{
+        .method = Method::Direct, .probe = options.probe, .spacing = options.spacing, .threads = options.threads};
+    ExactSurface exact = measure_exactly(atoms, direct);
+    Surface computed = compute_surface(atoms, direct, {}, {}, &exact);
+    const Measures& measures = exact.measures;
     ComparedSurface surface{.mesh = std::move(computed.mesh),
-                            .exact = std::make_shared<const AccessibleSurface>(atoms, options.probe)};
-    surface.area = exact.totals.ses_area;
-    surface.volume = exact.totals.ses_volume;
-    surface.cavities = count_cavities(exact.components);
-    surface.outer_pieces = exact.components.size() - surface.cavities;
+                            .exact = std::make_shared<const AccessibleSurface>(std::move(exact.accessible))};
+    surface.area = measures.totals.ses_area;
+    surface.volume = measures.totals.ses_volume;
+    surface.cavities = count_cavities(measures.components);
+    surface.outer_pieces = measures.components.size() - surface.cavities;
     surface.closed = true;
     surface.manifold = true;
     return surface;

@@ -114,20 +114,21 @@ struct Field {
 // One computation in progress: the stages, in the order in which they run.
 class Pipeline {
 public:
-    /// exact   if there is one, of the surface's problem
     Pipeline(const Atoms& atoms, const SurfaceOptions& options, const Progress& progress, const FlowObserver& observer,
-             const Measures* exact)
+             const ExactSurface* exact)
         : options_(options), progress_(progress), observer_(observer), margin_(band_margin(options)) {
         surface_.options = options;
+        if (exact != nullptr) surface_.seconds = exact->seconds;
         report("geometry", 0.0);
         const SesProblem problem = ses_problem(atoms, options);
-        accessible_ = std::make_unique<AccessibleSurface>(problem.atoms, problem.probe);
-        surface_.seconds.geometry = clock_.lap();
+        if (exact == nullptr) own_ = std::make_unique<AccessibleSurface>(problem.atoms, problem.probe);
+        accessible_ = exact != nullptr ? &exact->accessible : own_.get();
+        surface_.seconds.geometry += clock_.lap();
         report("geometry", 1.0);
         if (options_.method == Method::Gaussian) return;  // nothing exact says what the envelope should be
-        yardstick_ = exact != nullptr ? yardstick_of(*exact, problem.atoms, options_)
+        yardstick_ = exact != nullptr ? yardstick_of(exact->measures, problem.atoms, options_)
                                       : make_yardstick(*accessible_, problem.atoms, options_);
-        surface_.seconds.exact = clock_.lap();
+        surface_.seconds.exact += clock_.lap();
     }
 
     Surface run() {
@@ -306,11 +307,19 @@ private:
     const FlowObserver& observer_;
     double margin_;
     StageClock clock_;
-    std::unique_ptr<AccessibleSurface> accessible_;
+    std::unique_ptr<const AccessibleSurface> own_;
+    const AccessibleSurface* accessible_ = nullptr;
     Yardstick yardstick_;
     std::vector<Check> sides_;
     Surface surface_;
 };
+
+// What the computation will take, unless it is refused.
+Cost estimate_what_fits(const Atoms& atoms, const SurfaceOptions& options) {
+    const Cost expected = estimate_cost(atoms, options);
+    refuse_what_would_not_fit(atoms, options, expected);
+    return expected;
+}
 
 }  // namespace
 
@@ -318,17 +327,31 @@ bool Surface::passed() const {
     return std::all_of(checks.begin(), checks.end(), [](const Check& check) { return check.passed; });
 }
 
+ExactSurface measure_exactly(const Atoms& atoms, const SurfaceOptions& options) {
+    check_options(options);
+    const ThreadLimit limit(options.threads);
+    StageTimes seconds;
+    StageClock clock;
+    const Cost expected = estimate_what_fits(atoms, options);
+    seconds.estimate = clock.lap();
+    const SesProblem problem = ses_problem(atoms, options);
+    AccessibleSurface accessible(problem.atoms, problem.probe);
+    seconds.geometry = clock.lap();
+    Measures measures = measure(accessible, problem.atoms);
+    seconds.exact = clock.lap();
+    return {expected, std::move(accessible), std::move(measures), seconds};
+}
+
 Surface compute_surface(const Atoms& atoms, const SurfaceOptions& options, const Progress& progress,
-                        const FlowObserver& observer, const Measures* exact) {
+                        const FlowObserver& observer, const ExactSurface* exact) {
     check_options(options);
     const ThreadLimit limit(options.threads);
     StageClock clock;
-    const Cost expected = estimate_cost(atoms, options);
-    refuse_what_would_not_fit(atoms, options, expected);
+    const Cost expected = exact != nullptr ? exact->expected : estimate_what_fits(atoms, options);
     const double estimate_seconds = clock.lap();
     Surface surface = Pipeline(atoms, options, progress, observer, exact).run();
     surface.expected = expected;
-    surface.seconds.estimate = estimate_seconds;
+    surface.seconds.estimate += estimate_seconds;
     return surface;
 }
 

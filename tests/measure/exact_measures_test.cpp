@@ -8,6 +8,7 @@
 #include <numeric>
 #include <random>
 
+#include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/measures.h"
 
@@ -44,6 +45,17 @@ Atoms shell(double radius, int count, const Vec3& centre = {}) {
 void append(Atoms& atoms, const Atoms& more) {
     atoms.centres.insert(atoms.centres.end(), more.centres.begin(), more.centres.end());
     atoms.radii.insert(atoms.radii.end(), more.radii.begin(), more.radii.end());
+}
+
+TEST(Measure, ASurfaceThatIsThereAlreadyGivesTheSame) {
+    const Atoms atoms = random_cluster(40, 9.0, 5);
+    const Measures alone = measure(atoms, {.probe = 1.1});
+    const Measures m = measure(AccessibleSurface(atoms, 1.1), atoms, {.probe = 7.0});
+    EXPECT_EQ(m.options.probe, 1.1) << "of the surface";
+    EXPECT_EQ(m.totals.ses_area, alone.totals.ses_area);
+    EXPECT_EQ(m.totals.ses_volume, alone.totals.ses_volume);
+    EXPECT_EQ(m.errors.ses_area, alone.errors.ses_area);
+    EXPECT_EQ(m.patches.size(), alone.patches.size());
 }
 
 TEST(Measure, OneSphereHasItsClosedForms) {

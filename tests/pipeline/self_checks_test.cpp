@@ -36,29 +36,33 @@ TEST(SelfChecks, EveryMethodPassesItsOwn) {
 }
 
 TEST(SelfChecks, MeasuresThatAreThereAlreadyGiveTheSame) {
-    const Measures measured = measure(shell());
+    const ExactSurface exact = measure_exactly(shell());
     const Surface without = compute_surface(shell());
-    const Surface with = compute_surface(shell(), {}, {}, {}, &measured);
+    const Surface with = compute_surface(shell(), {}, {}, {}, &exact);
     ASSERT_EQ(with.checks.size(), without.checks.size());
     EXPECT_NEAR(named(with.checks, "volume").value, named(without.checks, "volume").value, 1e-6);
+    EXPECT_EQ(with.mesh.triangles, without.mesh.triangles);
+    EXPECT_EQ(with.mesh.vertices, without.mesh.vertices);
+    EXPECT_EQ(with.expected.memory_mb, without.expected.memory_mb);
+    EXPECT_GE(with.seconds.geometry, exact.seconds.geometry) << "what was done before counts, too";
 }
 
 TEST(SelfChecks, AnotherVolumeThanTheExactOneFails) {
-    Measures measured = measure(shell());
-    measured.totals.ses_volume += 50.0;  // as if a small piece were missing from the mesh
+    ExactSurface exact = measure_exactly(shell());
+    exact.measures.totals.ses_volume += 50.0;  // as if a small piece were missing from the mesh
     for (const Method method : {Method::Flow, Method::Direct}) {
-        const Surface surface = compute_surface(shell(), {.method = method}, {}, {}, &measured);
+        const Surface surface = compute_surface(shell(), {.method = method}, {}, {}, &exact);
         EXPECT_FALSE(named(surface.checks, "volume").passed) << named(surface.checks, "volume").bound;
         EXPECT_FALSE(surface.passed());
     }
 }
 
 TEST(SelfChecks, ACavityThatIsFilledFailsPieces) {
-    Measures measured = measure(shell());
-    for (SurfaceComponent& piece : measured.components)  // a void where an atom is
+    ExactSurface exact = measure_exactly(shell());
+    for (SurfaceComponent& piece : exact.measures.components)  // a void where an atom is
         if (piece.kind == ComponentKind::Cavity) piece.inscribed_centre = shell().centres.front();
     for (const Method method : {Method::Flow, Method::Direct}) {
-        const Surface surface = compute_surface(shell(), {.method = method}, {}, {}, &measured);
+        const Surface surface = compute_surface(shell(), {.method = method}, {}, {}, &exact);
         EXPECT_EQ(named(surface.checks, "pieces").value, 1.0);
         EXPECT_FALSE(named(surface.checks, "pieces").passed);
     }
