@@ -33,28 +33,18 @@ std::vector<T> of_all(const LevelSet& level_set, std::span<const Vec3> points, c
     return results;
 }
 
+#include "grid/implicit_curvature.inc"
+
+ImplicitDerivatives<double> derivatives_of(const LevelSetSample& at) {
+    const auto& [xx, yy, zz, xy, xz, yz] = at.hessian;
+    return {at.gradient.x, at.gradient.y, at.gradient.z, xx, yy, zz, xy, xz, yz};
+}
+
 }  // namespace
 
-double LevelSetSample::mean_curvature() const {
-    const auto& [xx, yy, zz, xy, xz, yz] = hessian;
-    const Vec3& g = gradient;
-    const double g2 = squared_norm(g);
-    const double along =
-        g.x * g.x * xx + g.y * g.y * yy + g.z * g.z * zz + 2.0 * (g.x * g.y * xy + g.x * g.z * xz + g.y * g.z * yz);
-    return 0.5 * ((xx + yy + zz) - along / g2) / std::sqrt(g2);
-}
+double LevelSetSample::mean_curvature() const { return derivatives_of(*this).mean_curvature(norm(gradient)); }
 
-// gᵀ adj(Hessian) g / |g|⁴ (Goldman 2005, "Curvature formulas for implicit curves and surfaces", eq. 4.1).
-double LevelSetSample::gaussian_curvature() const {
-    const auto& [xx, yy, zz, xy, xz, yz] = hessian;
-    const Vec3& g = gradient;
-    const double g2 = squared_norm(g);
-    const double squares =
-        g.x * g.x * (yy * zz - yz * yz) + g.y * g.y * (xx * zz - xz * xz) + g.z * g.z * (xx * yy - xy * xy);
-    const double products =
-        g.x * g.y * (xz * yz - xy * zz) + g.x * g.z * (xy * yz - xz * yy) + g.y * g.z * (xy * xz - xx * yz);
-    return (squares + 2.0 * products) / (g2 * g2);
-}
+double LevelSetSample::gaussian_curvature() const { return derivatives_of(*this).gaussian_curvature(); }
 
 PrincipalCurvatures LevelSetSample::principal_curvatures() const {
     return meniscus::principal_curvatures(mean_curvature(), gaussian_curvature());

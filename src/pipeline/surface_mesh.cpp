@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
@@ -20,6 +20,7 @@
 #include "geometry/nearest_batch.h"
 #include "grid/spline_block.h"
 #include "mesh/components.h"
+#include "pipeline/shape_kernels.h"
 #include "pipeline/surface_projector.h"
 #include "remesh/mend_slivers.h"
 
@@ -234,31 +235,6 @@ DistanceSummary summarise(std::span<const double> distances) {
     return summary;
 }
 
-// Spheres and their insides have the same curvature in all directions.
-PrincipalCurvatures principal_curvatures_at(const NearestFeature& feature) {
-    const double mean = feature.mean_curvature;
-    return feature.patch == PatchKind::Toroidal ? principal_curvatures(mean, feature.gaussian_curvature)
-                                                : PrincipalCurvatures{mean, mean};
-}
-
-// As k.shape_index() within 2e-8, which is less than single precision keeps, without a call: the arc tangent is
-// Abramowitz & Stegun 4.4.49.
-float shape_index_of(const PrincipalCurvatures& k) {
-    constexpr double kFactors[] = {-0.3333314528, 0.1999355085, -0.1420889944, 0.1065626393,
-                                   -0.0752896400, 0.0429096138, -0.0161657367, 0.0028662257};
-    const double sum = k.largest + k.smallest;
-    const double difference = k.largest - k.smallest;
-    const bool steep = std::abs(sum) > difference;
-    const double longer = steep ? std::abs(sum) : difference;
-    if (!(longer > 0.0)) return 0.0F;
-    const double t = (steep ? difference : std::abs(sum)) / longer;
-    const double t2 = t * t;
-    double series = 0.0;
-    for (std::size_t i = std::size(kFactors); i-- > 0;) series = t2 * (series + kFactors[i]);
-    const double angle = 2.0 * std::numbers::inv_pi * t * (1.0 + series);
-    return static_cast<float>(std::copysign(steep ? 1.0 - angle : angle, sum));
-}
-
 // Moves the vertices to where they stay and gives them what is known of the surface there.
 class VertexFinisher {
 public:
@@ -273,6 +249,7 @@ public:
         const RunGroups groups(mesh_.vertices, kLongestRun * spacing_);
         parallel_chunks(groups.size(), kGroupsPerTask, [&](std::size_t begin, std::size_t end) {
             const auto projector = std::make_unique<ExactProjector>(accessible_, kLongestWay * spacing_);
+            const auto lanes = std::make_unique<Lanes>();
             std::optional<SplineBlock> spline;
             if (level_set_ != nullptr) spline.emplace(level_set_->grid(), level_set_->coefficients());
             for (std::size_t g = begin; g < end; ++g) {
@@ -280,7 +257,8 @@ public:
                 for (const VertexRun& run : groups.runs(g)) box.include(run.box);
                 projector->enter(box);
                 for (const VertexRun& run : groups.runs(g))
-                    spline ? finish_on_level_set(run, *spline, *projector) : finish_on_exact_surface(run, *projector);
+                    spline ? finish_on_level_set(run, *spline, *projector, *lanes)
+                           : finish_on_exact_surface(run, *projector, *lanes);
             }
         });
         return std::move(distances_);
@@ -291,41 +269,54 @@ private:
     static constexpr double kLongestRun = 12.0;  // spacings: a block and a half
     static constexpr double kLongestWay = 0.5;   // spacings: nearly all vertices move less
 
+    // Of a run's vertices, used again for the next run.
+    struct Lanes {
+        std::array<Landing, kBatchLanes> landings;
+        std::array<FeatureLabel, kBatchLanes> labels;
+        std::array<NearestFeature, kBatchLanes> features;
+        ShapeLanes shapes;
+    };
+
     std::span<Vec3> vertices(const VertexRun& run) const {
         return std::span(mesh_.vertices).subspan(run.begin, run.end - run.begin);
     }
 
-    void finish_on_level_set(const VertexRun& run, SplineBlock& spline, ExactProjector& projector) {
-        std::array<Landing, kBatchLanes> landings;
+    void finish_on_level_set(const VertexRun& run, SplineBlock& spline, ExactProjector& projector, Lanes& lanes) {
+        auto& [landings, labels, features, shapes] = lanes;
         spline.land(vertices(run), landings);
+        shape_kernels().of_landings(landings, run.end - run.begin, shapes);
         for (std::size_t v = run.begin; v < run.end; ++v) {
-            const auto& [point, at] = landings[v - run.begin];
-            mesh_.vertices[v] = point;
-            mesh_.normals[v] = squared_norm(at.gradient) > 0.0 ? normalised(at.gradient) : Vec3{0.0, 0.0, 1.0};
-            set_curvatures(v, at.principal_curvatures());
+            const std::size_t lane = v - run.begin;
+            mesh_.vertices[v] = landings[lane].point;
+            mesh_.normals[v] = {shapes.normals.x[lane], shapes.normals.y[lane], shapes.normals.z[lane]};
         }
-        std::array<FeatureLabel, kBatchLanes> labels;
+        set_curvatures(run, shapes);
         projector.label(vertices(run), labels);
         for (std::size_t v = run.begin; v < run.end; ++v) label(v, labels[v - run.begin]);
     }
 
-    void finish_on_exact_surface(const VertexRun& run, ExactProjector& projector) {
-        std::array<NearestFeature, kBatchLanes> features;
+    void finish_on_exact_surface(const VertexRun& run, ExactProjector& projector, Lanes& lanes) {
+        auto& [landings, labels, features, shapes] = lanes;
         projector.project(run.box, vertices(run), features);
         for (std::size_t v = run.begin; v < run.end; ++v) {
-            const NearestFeature& at = features[v - run.begin];
+            const std::size_t lane = v - run.begin;
+            const NearestFeature& at = features[lane];
+            const bool toroidal = at.patch == PatchKind::Toroidal;
             mesh_.normals[v] = at.normal;
-            set_curvatures(v, principal_curvatures_at(at));
+            shapes.mean[lane] = at.mean_curvature;
+            shapes.gaussian[lane] = toroidal ? at.gaussian_curvature : std::numeric_limits<double>::infinity();
             label(v, label_of(at));
         }
+        set_curvatures(run, shapes);
     }
 
     // A grid cannot tell more than 1/spacing, and at cusps of the exact surface there is no limit.
-    void set_curvatures(std::size_t v, const PrincipalCurvatures& k) {
-        const PrincipalCurvatures capped = k.capped(1.0 / spacing_);
-        mesh_.mean_curvatures[v] = static_cast<float>(capped.mean());
-        mesh_.gaussian_curvatures[v] = static_cast<float>(capped.gaussian());
-        mesh_.shape_indices[v] = shape_index_of(capped);
+    void set_curvatures(const VertexRun& run, ShapeLanes& shapes) {
+        const std::size_t count = run.end - run.begin;
+        shape_kernels().cap(1.0 / spacing_, count, shapes);
+        std::copy_n(shapes.capped_mean.at, count, &mesh_.mean_curvatures[run.begin]);
+        std::copy_n(shapes.capped_gaussian.at, count, &mesh_.gaussian_curvatures[run.begin]);
+        std::copy_n(shapes.shape_index.at, count, &mesh_.shape_indices[run.begin]);
     }
 
     void label(std::size_t v, const FeatureLabel& label) {

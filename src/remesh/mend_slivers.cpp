@@ -23,9 +23,15 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kChunk = 256;  // triangles: neighbours, if the mesh comes from blocks
+constexpr std::size_t kChunk = 256;   // triangles: neighbours, if the mesh comes from blocks
+constexpr std::size_t kStretch = 32;  // of these, nearer to each other still
 
 constexpr std::size_t kRenumbered = 8192;  // triangles per task
+
+// Of two triangles that pass through each other one at least leans over: with one of its corners' normals its own has a
+// smaller cosine than this.
+constexpr double kLeaning = 0.4;
+constexpr std::size_t kLeaningPerTask = 64;
 
 constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding
 
@@ -63,14 +69,12 @@ public:
           squared_tangent_(kAboveOne * wanted_ * wanted_) {}
 
     VertexChanges run() {
-        std::vector<std::uint32_t> pending = look_at_all();
-        if (options_.untangle) {
-            tangled_ = self_intersecting_triangles(mesh_);
-            was_tangled_ = !tangled_.empty();
-            std::vector<std::uint32_t> all;
-            std::set_union(pending.begin(), pending.end(), tangled_.begin(), tangled_.end(), std::back_inserter(all));
-            pending = std::move(all);
-        }
+        const Suspects suspects = look_at_all();
+        tangled_ = options_.search_everywhere ? self_intersecting_triangles(mesh_) : tangled_of(suspects.leaning);
+        was_tangled_ = !tangled_.empty();
+        std::vector<std::uint32_t> pending;
+        std::set_union(suspects.bad.begin(), suspects.bad.end(), tangled_.begin(), tangled_.end(),
+                       std::back_inserter(pending));
         if (!pending.empty()) moved_.resize(mesh_.vertices.size());
         mend(std::move(pending));
         reach_ = kWider;
@@ -79,10 +83,25 @@ public:
     }
 
 private:
+    // Triangles, in their order.
+    struct Suspects {
+        std::vector<std::uint32_t> bad;
+        std::vector<std::uint32_t> leaning;
+        Suspects& operator+=(const Suspects& more) {
+            bad.insert(bad.end(), more.bad.begin(), more.bad.end());
+            leaning.insert(leaning.end(), more.leaning.begin(), more.leaning.end());
+            return *this;
+        }
+    };
+    struct FirstLook {
+        bool may_be_bad = false;
+        bool leans = false;
+    };
+
     bool is_removed(const Triangle& t) const { return t[0] == t[1]; }
 
     // Whether a triangle is worth a closer look; also tells its longest side.
-    bool may_be_bad(const Triangle& triangle, double& longest) const {
+    FirstLook look_at(const Triangle& triangle, double& longest) const {
         const Vec3& a = mesh_.vertices[triangle[0]];
         const Vec3& b = mesh_.vertices[triangle[1]];
         const Vec3& c = mesh_.vertices[triangle[2]];
@@ -93,8 +112,13 @@ private:
         const double product = 0.5 * (ab + bc + ca) - shortest;
         longest = std::max(std::max(std::max(ab, bc), ca), longest);
         const Vec3 area = cross(b - a, c - a);
-        return squared_norm(area) < squared_tangent_ * (product * product) ||
-               shortest < kShortestEdge * kShortestEdge || dot(area, mesh_.normals[triangle[0]]) < 0.0;
+        const double squared_area = squared_norm(area);
+        const double facing = dot(area, mesh_.normals[triangle[0]]);
+        const double least =
+            std::min(std::min(facing, dot(area, mesh_.normals[triangle[1]])), dot(area, mesh_.normals[triangle[2]]));
+        return {.may_be_bad = squared_area < squared_tangent_ * (product * product) ||
+                              shortest < kShortestEdge * kShortestEdge || facing < 0.0,
+                .leans = least < 0.0 || least * least < kLeaning * kLeaning * squared_area};
     }
 
     double goodness(const Triangle& triangle) const {
@@ -107,34 +131,94 @@ private:
     }
     SurfacePoint point(VertexId v) const { return {mesh_.vertices[v], mesh_.normals[v], 0.0}; }
 
-    std::vector<std::uint32_t> look_at_all() {
+    Suspects look_at_all() {
         struct Chunk {
             Box box;
             double longest = 0.0;
-            std::vector<std::uint32_t> bad;
+            Suspects suspects;
         };
         std::vector<Chunk> chunks((mesh_.triangles.size() + kChunk - 1) / kChunk);
+        first_corners_.resize(chunks.size() * (kChunk / kStretch));
         parallel_chunks(mesh_.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
             Chunk& chunk = chunks[begin / kChunk];
             double longest = 0.0;
             for (std::size_t t = begin; t < end; ++t) {
                 const Triangle& ahead = mesh_.triangles[std::min(t + kFetchAhead, mesh_.triangles.size() - 1)];
                 fetch_corners(mesh_.vertices, ahead);
-                __builtin_prefetch(&mesh_.normals[ahead[0]]);
-                if (may_be_bad(mesh_.triangles[t], longest) && is_bad(mesh_.triangles[t]))
-                    chunk.bad.push_back(static_cast<std::uint32_t>(t));
+                fetch_corners(mesh_.normals, ahead);
+                const auto [may_be_bad, leans] = look_at(mesh_.triangles[t], longest);
+                if (may_be_bad && is_bad(mesh_.triangles[t]))
+                    chunk.suspects.bad.push_back(static_cast<std::uint32_t>(t));
+                if (leans) chunk.suspects.leaning.push_back(static_cast<std::uint32_t>(t));
             }
-            Box box;  // in a loop of its own, where it stays in registers
-            for (std::size_t t = begin; t < end; ++t) box.include(mesh_.vertices[mesh_.triangles[t][0]]);
-            chunk.box = box;
+            for (std::size_t first = begin; first < end; first += kStretch) {
+                Box box;  // in a loop of its own, where it stays in registers
+                for (std::size_t t = first; t < std::min(first + kStretch, end); ++t)
+                    box.include(mesh_.vertices[mesh_.triangles[t][0]]);
+                first_corners_[first / kStretch] = box;
+                chunk.box.include(box);
+            }
             chunk.longest = longest;
         });
-        std::vector<std::uint32_t> bad;
+        Suspects all;
         for (const Chunk& chunk : chunks) {
-            bad.insert(bad.end(), chunk.bad.begin(), chunk.bad.end());
-            boxes_.push_back(chunk.box.grown(std::sqrt(chunk.longest)));
+            all += chunk.suspects;
+            longest_.push_back(kAboveOne * std::sqrt(chunk.longest));
+            boxes_.push_back(chunk.box.grown(longest_.back()));
         }
-        return bad;
+        return all;
+    }
+
+    // Triangles that pass through each other, one of two at least a leaning one.
+    std::vector<std::uint32_t> tangled_of(const std::vector<std::uint32_t>& leaning) const {
+        struct Numbers {
+            std::vector<std::uint32_t> list;
+            Numbers& operator+=(const Numbers& more) {
+                list.insert(list.end(), more.list.begin(), more.list.end());
+                return *this;
+            }
+        };
+        if (leaning.empty()) return {};
+        const BoxTree chunks(boxes_);
+        std::vector<std::uint32_t> all =
+            parallel_sum<Numbers>(leaning.size(), kLeaningPerTask, [&](std::size_t begin, std::size_t end) {
+                Numbers numbers;
+                for (std::size_t i = begin; i < end; ++i) {
+                    const std::uint32_t t = leaning[i];
+                    for_each_near(chunks, box_of(mesh_, mesh_.triangles[t]), [&](std::uint32_t other) {
+                        if (other != t && cross_each_other(t, other))
+                            numbers.list.insert(numbers.list.end(), {t, other});
+                    });
+                }
+                return numbers;
+            }).list;
+        std::sort(all.begin(), all.end());
+        all.erase(std::unique(all.begin(), all.end()), all.end());
+        return all;
+    }
+
+    bool cross_each_other(std::uint32_t s, std::uint32_t t) const {
+        const auto corners_of = [this](const Triangle& triangle) -> std::array<Vec3, 3> {
+            return {mesh_.vertices[triangle[0]], mesh_.vertices[triangle[1]], mesh_.vertices[triangle[2]]};
+        };
+        const Triangle& of_s = mesh_.triangles[s];
+        const Triangle& of_t = mesh_.triangles[t];
+        return meeting(of_s, corners_of(of_s), of_t, corners_of(of_t)).has_value();
+    }
+
+    // Calls visit(triangle) for all whose boxes overlap one.
+    template <class Visit>
+    void for_each_near(const BoxTree& chunks, const Box& box, const Visit& visit) const {
+        chunks.for_each_overlapping(box, [&](std::uint32_t chunk) {
+            const std::size_t end = std::min((chunk + 1) * kChunk, mesh_.triangles.size());
+            const Box near = box.grown(longest_[chunk]);
+            for (std::size_t begin = chunk * kChunk; begin < end; begin += kStretch) {
+                if (!near.overlaps(first_corners_[begin / kStretch])) continue;
+                for (std::size_t t = begin; t < std::min(begin + kStretch, end); ++t)
+                    if (!is_removed(mesh_.triangles[t]) && box_of(mesh_, mesh_.triangles[t]).overlaps(box))
+                        visit(static_cast<std::uint32_t>(t));
+            }
+        });
     }
 
     // Mends in rounds; what it leaves below the needed angle is in left_ afterwards.
@@ -155,7 +239,8 @@ private:
             cuttings[i] = cut_out(chunks, places[i]);
             PatchMender mender(cuttings[i].patch, cuttings[i].free, cuttings[i].held, places[i].room, options_,
                                project_);
-            mender.run();
+            mender.mend();
+            if ((options_.search_everywhere || has_tangled(cuttings[i])) && mender.untangle()) mender.mend();
             mended[i] = mender.patch();
         });
         for (std::size_t i = 0; i < places.size(); ++i) {
@@ -165,6 +250,11 @@ private:
         }
         forget_tangled(places);
         return waiting;
+    }
+
+    bool has_tangled(const Cutting& cutting) const {
+        return std::any_of(cutting.triangles.begin(), cutting.triangles.end(),
+                           [this](std::uint32_t t) { return is_tangled(t); });
     }
 
     // Tangled triangles have their turn together.
@@ -212,12 +302,7 @@ private:
 
     Cutting cut_out(const BoxTree& chunks, const Place& place) const {
         Cutting cutting;
-        chunks.for_each_overlapping(place.room, [&](std::uint32_t chunk) {
-            const std::size_t end = std::min((chunk + 1) * kChunk, mesh_.triangles.size());
-            for (std::size_t t = chunk * kChunk; t < end; ++t)
-                if (!is_removed(mesh_.triangles[t]) && box_of(mesh_, mesh_.triangles[t]).overlaps(place.room))
-                    cutting.triangles.push_back(static_cast<std::uint32_t>(t));
-        });
+        for_each_near(chunks, place.room, [&](std::uint32_t t) { cutting.triangles.push_back(t); });
         for (const std::uint32_t t : cutting.triangles)
             cutting.vertices.insert(cutting.vertices.end(), mesh_.triangles[t].begin(), mesh_.triangles[t].end());
         std::sort(cutting.vertices.begin(), cutting.vertices.end());
@@ -266,7 +351,7 @@ private:
             if (is_removed(triangle))
                 removed_.push_back(number);
             else
-                boxes_[number / kChunk].include(box_of(mesh_, triangle));
+                include(number);
         }
         std::vector<bool> in_use(after.points.size());
         for (std::size_t t = 0; t < after.triangles.size(); ++t)
@@ -274,6 +359,15 @@ private:
                 for (const VertexId v : after.triangles[t]) in_use[v] = true;
         for (std::size_t v = 0; v < in_use.size(); ++v)
             if (!in_use[v]) holes_.push_back(cutting.vertices[v]);
+    }
+
+    // Makes the boxes hold a triangle that has changed.
+    void include(std::uint32_t triangle) {
+        const Box box = box_of(mesh_, mesh_.triangles[triangle]);
+        double& longest = longest_[triangle / kChunk];
+        boxes_[triangle / kChunk].include(box);
+        longest = std::max(longest, norm(box.high - box.low));
+        first_corners_[triangle / kStretch].include(mesh_.vertices[mesh_.triangles[triangle][0]]);
     }
 
     void add_new(Cutting& cutting, const Patch& after) {
@@ -288,6 +382,8 @@ private:
             cutting.triangles.push_back(static_cast<std::uint32_t>(mesh_.triangles.size()));
             mesh_.triangles.push_back({0, 0, 0});
             boxes_.resize(mesh_.triangles.size() / kChunk + 1);
+            longest_.resize(boxes_.size());
+            first_corners_.resize(boxes_.size() * (kChunk / kStretch));
         }
         if (!mesh_.components.empty()) label_new(cutting, after, known);
     }
@@ -358,6 +454,8 @@ private:
     double reach_ = 1.0;                  // of kFree and kRoom
     std::vector<std::uint32_t> left_;     // triangles below the needed angle near places that have been mended
     std::vector<Box> boxes_;              // per chunk of triangles
+    std::vector<double> longest_;         // per chunk: Å, no side is longer
+    std::vector<Box> first_corners_;      // per stretch of triangles: round these
     std::vector<std::uint32_t> tangled_;  // triangles, as they were found, that have not had their turn
     bool was_tangled_ = false;
     std::vector<bool> moved_;             // per vertex, if there is anything to mend

@@ -18,7 +18,7 @@ struct SliverOptions {
     double mended_angle_deg = 6.0;    ///< enough for a mended one
     double edge = 0.5;                ///< usual length of edges, Å
     double longest_edge = 1.0;        ///< of those that are made, Å
-    bool untangle = false;            ///< also mend where the mesh passes through itself
+    bool search_everywhere = false;   ///< for places where the mesh passes through itself; else beside folds alone
     std::vector<bool> held{};         ///< per vertex, or empty: stays, and edges to others of its kind
 };
 
@@ -28,7 +28,7 @@ struct VertexChanges {
     /// Where a vertex was removed, and the one from the end of the list that took its number.
     std::vector<std::pair<VertexId, VertexId>> refilled;
     std::size_t left = 0;         ///< vertices after that
-    bool was_tangled = false;     ///< and there was such a place, which may be left
+    bool was_tangled = false;     ///< the mesh passed through itself somewhere, and may do so still
     std::vector<VertexId> moved;  ///< with those that were added; by their new numbers, rising
 
     bool any() const { return !refilled.empty() || !moved.empty(); }
@@ -43,9 +43,10 @@ void renumber_entries(const VertexChanges& changes, std::vector<T>& entries) {
     entries.resize(changes.left);
 }
 
-/// Mends triangles with small angles, with edges shorter than kShortestEdge and such that face the wrong way: flips,
-/// collapses and splits edges and moves vertices on the surface, where that keeps the topology and passes the mesh
-/// through itself nowhere. What cannot be mended stays, after a second try with more round it.
+/// Mends triangles with small angles, with edges shorter than kShortestEdge, such that face the wrong way and such that
+/// pass through each other: flips, collapses and splits edges and moves vertices on the surface, where that keeps the
+/// topology and passes the mesh through itself nowhere else. What cannot be mended stays, after a second try with more
+/// round it.
 ///
 /// mesh      closed oriented 2-manifold with normals, its vertices on the surface. Positions, normals, components and
 ///           triangles are changed; other vertex arrays are the caller's to renumber

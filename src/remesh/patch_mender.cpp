@@ -51,24 +51,24 @@ PatchMender::PatchMender(Patch patch, std::vector<bool> free, std::vector<bool> 
       wanted_(tangent_of_degrees(options.smallest_angle_deg)),
       enough_(tangent_of_degrees(options.mended_angle_deg)) {}
 
-void PatchMender::run() {
-    if (options_.untangle) untangle();
+void PatchMender::mend() {
     std::vector<std::size_t> stuck;
     for (int i = 0; i < kMostChanges; ++i) {
         const std::optional<std::size_t> worst = worst_triangle(stuck);
         if (!worst) return;
-        if (mend(*worst))
+        if (mend_triangle(*worst))
             stuck.clear();
         else
             stuck.push_back(*worst);
     }
 }
 
-void PatchMender::untangle() {
+bool PatchMender::untangle() {
     for (int i = 0; i < kMostChanges; ++i) {
         const auto crossing = first_crossing(patch_, free_);
-        if (!crossing || !part(*crossing)) return;
+        if (!crossing || !part(*crossing)) return i > 0;
     }
+    return true;
 }
 
 // Of the flips, collapses and splits of both triangles' edges, with moves round them and without, the one that leaves
@@ -137,7 +137,7 @@ std::optional<std::size_t> PatchMender::worst_triangle(const std::vector<std::si
     return worst;
 }
 
-bool PatchMender::mend(std::size_t triangle) {
+bool PatchMender::mend_triangle(std::size_t triangle) {
     const Triangle corners = patch_.triangles[triangle];
     return try_flips(corners, triangle) || try_moves(corners, triangle) || try_collapses(corners, triangle) ||
            (patch_.goodness(corners, kShortestEdge) < needed_ &&

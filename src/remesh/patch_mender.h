@@ -21,7 +21,10 @@ public:
     PatchMender(Patch patch, std::vector<bool> free, std::vector<bool> held, const Box& room,
                 const SliverOptions& options, const SurfaceProjector& project);
 
-    void run();
+    /// Mends small angles, short edges and what faces the wrong way, worst first. Often that is all that is tangled.
+    void mend();
+    /// Parts triangles that pass through each other; what that leaves is to be mended again. False if there is nothing.
+    bool untangle();
     const Patch& patch() const { return patch_; }
 
 private:
@@ -32,8 +35,7 @@ private:
     };
 
     std::optional<std::size_t> worst_triangle(const std::vector<std::size_t>& stuck) const;
-    bool mend(std::size_t triangle);
-    void untangle();
+    bool mend_triangle(std::size_t triangle);
     bool part(const std::pair<std::size_t, std::size_t>& crossing);
     /// The corners, and those of all triangles that a candidate changes.
     std::vector<VertexId> touched_by(const Patch& candidate, std::vector<VertexId> corners) const;

@@ -364,7 +364,7 @@ private:
     bool mend(Mesh& mesh, const WorkingMesh& before) {
         SliverOptions slivers{.edge = options_.edge,
                               .longest_edge = kLongest * *std::max_element(mesh_.targets.begin(), mesh_.targets.end()),
-                              .untangle = true};
+                              .search_everywhere = true};
         want(options_.keep_ridges ? kWantedBesideRidges : kWanted, slivers);
         for (VertexId v = 0; v < mesh_.points.size(); ++v) {
             if (!is_present(v)) continue;

@@ -28,11 +28,22 @@ TEST(SelfChecks, EveryMethodPassesItsOwn) {
                 const Surface surface =
                     compute_surface(shell(), {.method = method, .surface = kind, .spacing = spacing, .verify = true});
                 for (const Check& check : surface.checks)
-                    EXPECT_TRUE(check.passed || check.name == "no_self_intersections")
+                    EXPECT_TRUE(check.passed)
                         << check.name << " " << check.value << " " << check.bound;
                 EXPECT_TRUE(named(surface.checks, "volume").passed);
                 EXPECT_TRUE(named(surface.checks, "sides").passed);
             }
+}
+
+TEST(SelfChecks, NoMeshPassesThroughItself) {
+    // One of these 120 does, and two in a hundred of larger ones, where meshes of the grid are not untangled.
+    for (std::uint64_t seed = 1; seed <= 40; ++seed)
+        for (const Method method : {Method::Flow, Method::Direct, Method::Gaussian}) {
+            const Surface surface =
+                compute_surface(random_cluster(seed, 40, 11.0), {.method = method, .spacing = 0.8, .verify = true});
+            EXPECT_EQ(surface.self_intersections, 0U) << seed;
+            EXPECT_TRUE(surface.measures.closed && surface.measures.manifold);
+        }
 }
 
 TEST(SelfChecks, MeasuresThatAreThereAlreadyGiveTheSame) {

@@ -171,7 +171,7 @@ TEST(MendSlivers, DoNotPassThinWallsThroughThemselves) {
     }
 }
 
-TEST(MendSlivers, PartWallsThatPassThroughEachOtherIfAsked) {
+TEST(MendSlivers, PartWallsThatPassThroughEachOtherIfEverywhereIsSearched) {
     // A wall thinner than the triangles are far from their sphere.
     const Vec3 centre{0.07, 0.11, -0.05};
     const std::vector<double> radii{2.0, 1.975};
@@ -183,7 +183,7 @@ TEST(MendSlivers, PartWallsThatPassThroughEachOtherIfAsked) {
     Mesh mesh = tangled;
     EXPECT_FALSE(mend_slivers(mesh, {.edge = 0.4}, onto_spheres(centre, radii)).was_tangled);
     mesh = tangled;
-    EXPECT_TRUE(mend_slivers(mesh, {.edge = 0.4, .untangle = true}, onto_spheres(centre, radii)).was_tangled);
+    EXPECT_TRUE(mend_slivers(mesh, {.edge = 0.4, .search_everywhere = true}, onto_spheres(centre, radii)).was_tangled);
     expect_mended(mesh);
     EXPECT_EQ(euler_characteristic_of(mesh), 4);
 }

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/shape_kernels.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <iterator>
+#include <limits>
+#include <numbers>
+
+#include "core/instructions.h"
+
+#define MENISCUS_KERNELS "pipeline/shape_kernels.inc"
+
+namespace meniscus {
+namespace {
+
+#include "core/kernel_sets.inc"
+
+}  // namespace
+
+std::vector<ShapeKernels> supported_shape_kernels() { return kernels_of_this_machine(); }
+
+const ShapeKernels& shape_kernels() {
+    static const std::vector<ShapeKernels> all = supported_shape_kernels();
+    static const ShapeKernels& chosen = choose_kernels(all, wanted_instructions());
+    return chosen;
+}
+
+}  // namespace meniscus
