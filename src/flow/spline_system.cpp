@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
 
+#include "core/count_bits.h"
 #include "core/parallel.h"
 
 namespace meniscus {
@@ -142,8 +143,9 @@ Unknowns nodes_near(const BlockGrid& grid, std::span<const float> field, float n
     std::vector<std::uint16_t> counts(grid.block_count());
     parallel_for(grid.block_count(), kBlocksPerChunk, [&](std::size_t b) {
         sets[b] = block_kernels().find_near(near, field.data() + b * kBlockNodes);
-        for (const std::uint8_t row : sets[b].rows)
-            counts[b] = static_cast<std::uint16_t>(counts[b] + std::popcount(row));
+        std::array<std::uint64_t, sizeof(NodeBits) / sizeof(std::uint64_t)> words;
+        std::memcpy(words.data(), sets[b].rows, sizeof(NodeBits));
+        for (const std::uint64_t word : words) counts[b] = static_cast<std::uint16_t>(counts[b] + count_bits(word));
     });
     Unknowns unknowns;
     for (std::size_t b = 0; b < sets.size(); ++b) {

@@ -201,8 +201,9 @@ void NearestBatch::drop_above() {
 }
 
 void NearestBatch::claim_by_edges() {
+    kernels_.find_edge_distances(nearest_, data_->probe, open_count_, edge_distances_);
     for (std::size_t k = 0; k < open_count_; ++k) {
-        claims_.signed_distance[open_[k]] = data_->probe - std::sqrt(nearest_.squared_distance[k]);
+        claims_.signed_distance[open_[k]] = edge_distances_[k];
         tags_[open_[k]] = nearest_.tag[k];
     }
 }

@@ -115,6 +115,7 @@ private:
     LaneArray<std::uint32_t> open_;  // lanes that no ball owns
     LanePoints<double> open_points_;
     NearestTags nearest_;
+    LaneArray<double> edge_distances_;
     LaneArray<double> edge_curvatures_;
 };
 

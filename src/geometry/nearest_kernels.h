@@ -119,6 +119,9 @@ struct NearestKernels {
     /// Only where the nearest point of an arc is none of its ends, as foot_on_arc has it.
     void (*offer_arcs)(std::span<const SasArc> arcs, std::span<const std::uint32_t> chosen,
                        const LanePoints<double>& points, std::size_t count, NearestTags& nearest);
+    /// Signed distances of points nearest to an arc or vertex.
+    void (*find_edge_distances)(const NearestTags& nearest, double probe, std::size_t count,
+                                LaneArray<double>& distances);
     /// Mean curvatures (parallel_curvature.h) of points that a ball owns, and of those nearest to an arc or vertex.
     void (*find_ball_curvatures)(const BallClaims& claims, double probe, std::size_t count,
                                  LaneArray<double>& curvatures);

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "core/count_bits.h"
 #include "core/parallel.h"
 
 namespace meniscus {
@@ -79,7 +80,7 @@ std::size_t find_cut_edges(const Rows& rows, CutEdges& edges) {
             for (std::size_t y = 0; y < kBlockEdge; ++y) word |= cut_in_row(rows, d, y, z) << (kBlockEdge * y);
             edges.bits[d][z] = word;
             edges.rank[d][z] = static_cast<std::uint16_t>(count);
-            count += static_cast<std::size_t>(std::popcount(word));
+            count += count_bits(word);
         }
     return count;
 }

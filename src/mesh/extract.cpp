@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/count_bits.h"
 #include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "meniscus/errors.h"
@@ -49,7 +50,7 @@ void enter_neighbour(const CutEdges& edges, std::size_t octant, LocalVertices& l
             const std::uint64_t word = edges.bits[d][w];
             const std::size_t first = edges.first_vertex + edges.rank[d][w];
             for_each_bit(word & keep, [&](std::size_t bit) {
-                const auto before = static_cast<std::size_t>(std::popcount(word & ((std::uint64_t{1} << bit) - 1)));
+                const auto before = count_bits(word & ((std::uint64_t{1} << bit) - 1));
                 local[d * kLocalNodes + shift + local_node(bit % kBlockEdge, bit / kBlockEdge, w)] =
                     static_cast<VertexId>(first + before);
             });

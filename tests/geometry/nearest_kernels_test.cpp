@@ -29,6 +29,7 @@ struct Answers {
     BallClaims claims;
     NearestTags nearest;
     LaneArray<double> ball_curvatures;
+    LaneArray<double> edge_distances;
     LaneArray<double> edge_curvatures;
     LaneArray<float> clamped;  // distances
     LaneArray<float> within;   // curvatures of those within the margin
@@ -84,6 +85,7 @@ protected:
         items.clear();
         for (std::size_t a = 0; a < local_.arcs().size(); ++a) items.push_back(local_.arcs().index(a));
         kernels.offer_arcs(data.arcs, items, points_, kPoints, answers.nearest);
+        kernels.find_edge_distances(answers.nearest, data.probe, kPoints, answers.edge_distances);
         kernels.find_edge_curvatures(answers.nearest, data.probe, kPoints, answers.edge_curvatures);
         return answers;
     }
@@ -126,6 +128,7 @@ TEST_F(NearestKernelsTest, GiveTheSameBitsOnEveryInstructionSet) {
         expect_equal(other.nearest.squared_distance, plain.nearest.squared_distance);
         expect_equal(other.nearest.tag, plain.nearest.tag);
         expect_equal(other.ball_curvatures, plain.ball_curvatures);
+        expect_equal(other.edge_distances, plain.edge_distances);
         expect_equal(other.edge_curvatures, plain.edge_curvatures);
         expect_equal(other.clamped, plain.clamped);
         expect_equal(other.within, plain.within);
