@@ -24,7 +24,7 @@ namespace meniscus {
 namespace {
 
 constexpr std::size_t kChunk = 256;   // triangles: neighbours, if the mesh comes from blocks
-constexpr std::size_t kStretch = 32;  // of these, nearer to each other still
+constexpr std::size_t kStretch = 16;  // of these, nearer to each other still
 
 constexpr std::size_t kRenumbered = 8192;  // triangles per task
 
@@ -214,9 +214,13 @@ private:
             const Box near = box.grown(longest_[chunk]);
             for (std::size_t begin = chunk * kChunk; begin < end; begin += kStretch) {
                 if (!near.overlaps(first_corners_[begin / kStretch])) continue;
-                for (std::size_t t = begin; t < std::min(begin + kStretch, end); ++t)
-                    if (!is_removed(mesh_.triangles[t]) && box_of(mesh_, mesh_.triangles[t]).overlaps(box))
+                for (std::size_t t = begin; t < std::min(begin + kStretch, end); ++t) {
+                    const Triangle& triangle = mesh_.triangles[t];
+                    const Vec3& corner = mesh_.vertices[triangle[0]];
+                    if (near.overlaps({corner, corner}) && !is_removed(triangle) &&
+                        box_of(mesh_, triangle).overlaps(box))
                         visit(static_cast<std::uint32_t>(t));
+                }
             }
         });
     }
