@@ -39,6 +39,8 @@ public:
         patch.degenerate = false;
         patch.triangle = gather_edges(v);
         gather_probes(v, patch);
+        whole_ = base_.size() == kEdges && is_wide(patch.triangle);
+        if (whole_) return take_whole(patch);
         for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
             patch.degenerate = patch.degenerate || attempt > 0;
             if (cut(v, attempt, patch)) return;
@@ -49,7 +51,7 @@ public:
     }
 
     /// Of the patch trimmed last.
-    std::uint32_t region_of(const Vec3& direction) const { return regions_.region_of(direction); }
+    std::uint32_t region_of(const Vec3& direction) const { return whole_ ? 0 : regions_.region_of(direction); }
 
 private:
     static constexpr std::uint32_t kEdges = 3;
@@ -57,7 +59,7 @@ private:
     // Hemispheres beyond the triangle's sides; returns its solid angle.
     double gather_edges(std::uint32_t v) {
         const SasVertex& vertex = data_.vertices[v];
-        std::array<Vec3, 3> d;
+        std::array<Vec3, 3>& d = corners_;
         for (std::size_t k = 0; k < 3; ++k) d[k] = normalised(data_.atoms.centres[vertex.atoms[k]] - vertex.position);
         base_.clear();
         for (std::uint32_t k = 0; k < kEdges; ++k)
@@ -71,10 +73,32 @@ private:
         return triangle_angle(d);
     }
 
-    // Whether a probe's cap lies wholly beyond the sides of the triangle.
+    // Whether a triangle that no other probe reaches is all there is, rounding or not: no sliver and no hemisphere.
+    bool is_wide(double solid_angle) const {
+        constexpr double kSliver = 1e-6;  // steradian
+        return may_miss_ && solid_angle > kSliver;
+    }
+
+    void take_whole(ReentrantPatch& patch) {
+        SphericalRegion region{patch.triangle, {}};
+        patch.arcs.clear();
+        for (std::uint32_t k = 0; k < kEdges; ++k) {
+            const Vec3& from = corners_[k];
+            const Vec3& to = corners_[(k + 1) % kEdges];
+            const double angle = std::atan2(norm(cross(from, to)), dot(from, to));
+            region.vector_area += -0.5 * angle * base_[k].axis;  // ½ ∮ n × dn along great circles
+            patch.arcs.push_back({.edge = k, .angle = angle, .axis = base_[k].axis, .middle = normalised(from + to)});
+        }
+        patch.regions.assign(1, region);
+    }
+
+    // Whether a probe's cap is known to lie beyond the sides of the triangle: wholly beyond one of them, as nearly all
+    // are that miss it, or far from its middle.
     bool misses_triangle(const Vec3& axis, double t) const {
         constexpr double kSlack = 1e-6;  // shifts of planes, rounding
-        return may_miss_ && dot(axis, middle_) < t * cosine_ - std::sqrt(1.0 - t * t) * sine_ - kSlack;
+        const double sine = std::sqrt(1.0 - t * t);
+        const double beyond = std::max({dot(axis, base_[0].axis), dot(axis, base_[1].axis), dot(axis, base_[2].axis)});
+        return beyond > sine + kSlack || (may_miss_ && dot(axis, middle_) < t * cosine_ - sine * sine_ - kSlack);
     }
 
     // Neighbouring vertices share a search: they are numbered in spatial order.
@@ -154,7 +178,9 @@ private:
     std::uint32_t searched_begin_ = 0;  // vertices that near_ is complete for
     std::uint32_t searched_end_ = 0;
     std::vector<std::uint32_t> near_;
-    Vec3 middle_;  // of a cap that holds the triangle, with the cosine and sine of its angle
+    std::array<Vec3, 3> corners_;  // of the triangle, directions from the probe
+    bool whole_ = false;           // the triangle trimmed last
+    Vec3 middle_;                  // of a cap that holds the triangle, with the cosine and sine of its angle
     double cosine_ = 1.0;
     double sine_ = 0.0;
     bool may_miss_ = false;
