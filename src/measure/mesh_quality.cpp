@@ -30,8 +30,8 @@ Percentiles percentiles(std::vector<double> values) {
     const auto middle = at(0.5);
     const auto high = at(0.95);
     std::nth_element(values.begin(), middle, values.end());
-    std::nth_element(values.begin(), low, middle);
-    std::nth_element(middle, high, values.end());
+    if (low < middle) std::nth_element(values.begin(), low, middle);
+    if (high > middle) std::nth_element(middle + 1, high, values.end());
     return {*std::min_element(values.begin(), low + 1), *low, *middle, *high, *std::max_element(high, values.end())};
 }
 

@@ -33,6 +33,24 @@ TEST(MeshQuality, KnowsARightTriangle) {
     EXPECT_EQ(std::accumulate(quality.angles.begin(), quality.angles.end(), std::size_t{0}), 3u);
 }
 
+TEST(MeshQuality, PercentilesAreThoseOfSortedValues) {
+    // Isosceles triangles with angles of 0, 0.5, 1 ... 50 degrees at their tips, in no order.
+    constexpr VertexId kCount = 101;
+    Mesh mesh;
+    for (VertexId i = 0; i < kCount; ++i) {
+        const double half = 0.25 * (i * 37 % kCount) * std::numbers::pi / 180.0;
+        mesh.vertices.insert(mesh.vertices.end(),
+                             {{0, 0, 0}, {std::cos(half), std::sin(half), 0}, {std::cos(half), -std::sin(half), 0}});
+        mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    const Percentiles angles = measure_quality(mesh).smallest_angles;
+    EXPECT_NEAR(angles.min, 0.0, 1e-5);
+    EXPECT_NEAR(angles.p5, 2.5, 1e-9);
+    EXPECT_NEAR(angles.p50, 25.0, 1e-9);
+    EXPECT_NEAR(angles.p95, 47.5, 1e-9);
+    EXPECT_NEAR(angles.max, 50.0, 1e-9);
+}
+
 TEST(MeshQuality, OfNothingIsNothing) {
     EXPECT_EQ(measure_quality({}).edges.max, 0.0);
     const AccessibleSurface surface({{{}}, {1.7}}, 1.4);
