@@ -28,8 +28,7 @@ TEST(SelfChecks, EveryMethodPassesItsOwn) {
                 const Surface surface =
                     compute_surface(shell(), {.method = method, .surface = kind, .spacing = spacing, .verify = true});
                 for (const Check& check : surface.checks)
-                    EXPECT_TRUE(check.passed)
-                        << check.name << " " << check.value << " " << check.bound;
+                    EXPECT_TRUE(check.passed) << check.name << " " << check.value << " " << check.bound;
                 EXPECT_TRUE(named(surface.checks, "volume").passed);
                 EXPECT_TRUE(named(surface.checks, "sides").passed);
             }
