@@ -113,9 +113,11 @@ private:
         measured_ =
             !request_.report.empty() || has(job.outputs, OutputKind::Page) || is_creased() || request_.surface.verify;
         std::optional<ExactSurface> exact;
-        if (measured_) exact = measure_exactly(atoms, request_.surface);
-        if (exact) std::vector<PatchMeasure>().swap(exact->measures.patches);
-        if (exact) std::vector<AtomMeasure>().swap(exact->measures.atoms);
+        if (measured_) {
+            exact = measure_exactly(atoms, request_.surface);
+            std::vector<PatchMeasure>().swap(exact->measures.patches);
+            std::vector<AtomMeasure>().swap(exact->measures.atoms);
+        }
         surface_ = compute_surface(
             atoms, request_.surface, [this](std::string_view stage, double fraction) { show(stage, fraction); },
             observer, exact ? &*exact : nullptr);

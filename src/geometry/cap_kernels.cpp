@@ -3,6 +3,7 @@
 #include "geometry/cap_kernels.h"
 
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 #include "core/instructions.h"

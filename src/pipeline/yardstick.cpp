@@ -84,7 +84,7 @@ Yardstick make_yardstick(const AccessibleSurface& accessible, const Atoms& atoms
         if (resolved && sums.unresolved.empty()) return yardstick;
     }
     const Measures once = measure_once(accessible, atoms);
-    return yardstick_of(once.agreed ? once : measure(atoms, {.probe = accessible.probe()}), atoms, options);
+    return yardstick_of(once.agreed ? once : measure(accessible, atoms), atoms, options);
 }
 
 std::vector<DeepPoint> scattered_points(const AccessibleSurface& accessible, const SurfaceOptions& options) {

@@ -186,7 +186,7 @@ private:
                 for (std::size_t i = begin; i < end; ++i) {
                     const std::uint32_t t = leaning[i];
                     for_each_near(chunks, box_of(mesh_, mesh_.triangles[t]), [&](std::uint32_t other) {
-                        if (other != t && cross_each_other(t, other))
+                        if (other != t && meeting(mesh_, mesh_.triangles[t], mesh_.triangles[other]))
                             numbers.list.insert(numbers.list.end(), {t, other});
                     });
                 }
@@ -195,15 +195,6 @@ private:
         std::sort(all.begin(), all.end());
         all.erase(std::unique(all.begin(), all.end()), all.end());
         return all;
-    }
-
-    bool cross_each_other(std::uint32_t s, std::uint32_t t) const {
-        const auto corners_of = [this](const Triangle& triangle) -> std::array<Vec3, 3> {
-            return {mesh_.vertices[triangle[0]], mesh_.vertices[triangle[1]], mesh_.vertices[triangle[2]]};
-        };
-        const Triangle& of_s = mesh_.triangles[s];
-        const Triangle& of_t = mesh_.triangles[t];
-        return meeting(of_s, corners_of(of_s), of_t, corners_of(of_t)).has_value();
     }
 
     // Calls visit(triangle) for all whose boxes overlap one.

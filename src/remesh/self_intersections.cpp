@@ -72,13 +72,9 @@ private:
         triangles_.tree.for_each_overlapping(box_of(mesh_, mine), [&](std::uint32_t j) {
             if (j <= i) return;
             const Triangle& other = mesh_.triangles[triangles_.order[j]];
-            if (const auto place = meeting(mine, corners_of(mine), other, corners_of(other)))
+            if (const auto place = meeting(mesh_, mine, other))
                 found.push_back({*place, {number, triangles_.order[j]}});
         });
-    }
-
-    std::array<Vec3, 3> corners_of(const Triangle& t) const {
-        return {mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]};
     }
 
     const Mesh& mesh_;
@@ -93,6 +89,13 @@ std::optional<Vec3> meeting(const Triangle& s, const std::array<Vec3, 3>& s_at, 
     if (shared >= 2) return std::nullopt;
     if (const auto place = sides_through(s, s_at, t, t_at)) return place;
     return sides_through(t, t_at, s, s_at);
+}
+
+std::optional<Vec3> meeting(const Mesh& mesh, const Triangle& s, const Triangle& t) {
+    const auto corners_of = [&mesh](const Triangle& triangle) -> std::array<Vec3, 3> {
+        return {mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]};
+    };
+    return meeting(s, corners_of(s), t, corners_of(t));
 }
 
 std::vector<Vec3> places_of_self_intersections(const Mesh& mesh) {

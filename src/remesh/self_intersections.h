@@ -16,6 +16,8 @@ namespace meniscus {
 /// shared vertex, or with one and beyond it. Triangles that only touch, that lie in one plane or share an edge do not.
 std::optional<Vec3> meeting(const Triangle& s, const std::array<Vec3, 3>& s_at, const Triangle& t,
                             const std::array<Vec3, 3>& t_at);
+/// The same of two triangles of a mesh.
+std::optional<Vec3> meeting(const Mesh& mesh, const Triangle& s, const Triangle& t);
 
 /// A point for every pair of triangles that meet where they should not.
 ///
