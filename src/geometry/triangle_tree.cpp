@@ -74,6 +74,11 @@ std::pair<Vec3, Part> nearest_in_triangle(const Vec3& p, const Vec3& a, const Ve
     return {a + (vb * scale) * ab + (vc * scale) * ac, Part::Inside};
 }
 
+double squared_distance(const Mesh& mesh, const Triangle& triangle, const Vec3& point) {
+    const auto& [a, b, c] = triangle;
+    return squared_norm(point - nearest_in_triangle(point, mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]).first);
+}
+
 double angle_of(Part part, const Vec3& a, const Vec3& b, const Vec3& c) {
     switch (part) {
         case Part::A:
@@ -132,11 +137,16 @@ double TriangleTree::distance(const Mesh& mesh, const Vec3& point) const {
     double least = std::numeric_limits<double>::infinity();
     tree.search_nearest(
         point, [&least] { return least; },
-        [&](std::uint32_t i) {
-            const auto& [a, b, c] = mesh.triangles[order[i]];
-            const Vec3 nearest = nearest_in_triangle(point, mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]).first;
-            least = std::min(least, squared_norm(point - nearest));
-        });
+        [&](std::uint32_t i) { least = std::min(least, squared_distance(mesh, mesh.triangles[order[i]], point)); });
+    return std::sqrt(least);
+}
+
+double TriangleTree::distance(const Mesh& mesh, const Vec3& point, std::uint32_t near) const {
+    double least = squared_distance(mesh, mesh.triangles[near], point);
+    const Box reached = Box{point, point}.grown(std::sqrt(tied(least)));
+    tree.for_each_overlapping(reached, [&](std::uint32_t i) {
+        least = std::min(least, squared_distance(mesh, mesh.triangles[order[i]], point));
+    });
     return std::sqrt(least);
 }
 

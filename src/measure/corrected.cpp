@@ -3,7 +3,6 @@
 #include "measure/corrected.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -37,21 +36,11 @@ struct Sum {
     }
 };
 
-// Sums over the triangles as they are and over the four parts of each.
+// Sums over triangles and over the four parts of each.
 struct Sums {
     Sum whole;
     Sum parts;
 
-    // middles[i] lies on the side from corners[i] to corners[i + 1].
-    void add_triangle(const std::array<Vec3, 3>& corners, const std::array<Vec3, 3>& middles) {
-        const auto& [a, b, c] = corners;
-        const auto& [ab, bc, ca] = middles;
-        whole.add(a, b, c);
-        parts.add(a, ab, ca);
-        parts.add(b, bc, ab);
-        parts.add(c, ca, bc);
-        parts.add(ab, bc, ca);
-    }
     Sums& operator+=(const Sums& b) {
         whole += b.whole;
         parts += b.parts;
@@ -95,26 +84,58 @@ private:
     std::vector<Side> sides_;
 };
 
-Sums projected_sums(const Mesh& mesh, const Projector& project, std::size_t begin, std::size_t end) {
-    SideNumbers numbers(end - begin);
-    std::vector<std::array<std::uint32_t, 3>> sides;
-    sides.reserve(end - begin);
-    for (std::size_t t = begin; t < end; ++t) {
-        const auto& [a, b, c] = mesh.triangles[t];
-        sides.push_back({numbers.number_of(a, b), numbers.number_of(b, c), numbers.number_of(c, a)});
-    }
-    std::vector<Vec3> middles;
-    middles.reserve(numbers.sides().size());
-    for (const auto& [a, b] : numbers.sides()) middles.push_back(0.5 * (mesh.vertices[a] + mesh.vertices[b]));
-    project(middles);
+// Some of a mesh's triangles, with vertices of their own.
+struct Batch {
+    std::vector<Vec3> points;
+    std::vector<Triangle> triangles;
 
-    const Vec3 origin = reference_point(mesh);
-    Sums sums;
-    for (std::size_t t = begin; t < end; ++t) {
-        const auto corner = [&](std::size_t i) { return mesh.vertices[mesh.triangles[t][i]] - origin; };
-        const auto middle = [&](std::size_t i) { return middles[sides[t - begin][i]] - origin; };
-        sums.add_triangle({corner(0), corner(1), corner(2)}, {middle(0), middle(1), middle(2)});
+    Batch(const Mesh& mesh, std::span<const Triangle> of) {
+        std::vector<VertexId> vertices;
+        vertices.reserve(3 * of.size());
+        for (const Triangle& t : of) vertices.insert(vertices.end(), t.begin(), t.end());
+        std::sort(vertices.begin(), vertices.end());
+        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+        points.reserve(vertices.size());
+        for (const VertexId v : vertices) points.push_back(mesh.vertices[v]);
+        const auto place = [&](VertexId v) {
+            return static_cast<VertexId>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
+        };
+        triangles.reserve(of.size());
+        for (const auto& [a, b, c] : of) triangles.push_back({place(a), place(b), place(c)});
     }
+
+    // Splits every triangle into four at the projected middles of its sides.
+    void divide(const Projector& project) {
+        SideNumbers numbers(triangles.size());
+        std::vector<Triangle> parts;
+        parts.reserve(4 * triangles.size());
+        const auto corners = static_cast<VertexId>(points.size());
+        for (const auto& [a, b, c] : triangles) {
+            const VertexId ab = corners + numbers.number_of(a, b);
+            const VertexId bc = corners + numbers.number_of(b, c);
+            const VertexId ca = corners + numbers.number_of(c, a);
+            parts.insert(parts.end(), {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
+        }
+        points.reserve(points.size() + numbers.sides().size());
+        for (const auto& [a, b] : numbers.sides()) points.push_back(0.5 * (points[a] + points[b]));
+        project(std::span(points).subspan(corners));
+        triangles = std::move(parts);
+    }
+
+    Sum sum(const Vec3& origin) const {
+        Sum sum;
+        for (const auto& [a, b, c] : triangles) sum.add(points[a] - origin, points[b] - origin, points[c] - origin);
+        return sum;
+    }
+};
+
+Sums projected_sums(const Mesh& mesh, const Projector& project, int divisions, std::span<const Triangle> triangles) {
+    const Vec3 origin = reference_point(mesh);
+    Batch batch(mesh, triangles);
+    for (int division = 1; division < divisions; ++division) batch.divide(project);
+    Sums sums{batch.sum(origin), {}};
+    batch.divide(project);
+    sums.parts = batch.sum(origin);
     return sums;
 }
 
@@ -143,9 +164,10 @@ CorrectedMeasures extrapolate(const CorrectedMeasures& whole, const CorrectedMea
             .volume = parts.volume + (parts.volume - whole.volume) / 3.0};
 }
 
-CorrectedMeasures corrected_measures(const Mesh& mesh, const Projector& project) {
-    return corrected_by(parallel_sum<Sums>(mesh.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-        return projected_sums(mesh, project, begin, end);
+CorrectedMeasures corrected_measures(const Mesh& mesh, const Projector& project, int divisions) {
+    const std::size_t chunk = std::max<std::size_t>(kChunk >> (2 * (divisions - 1)), 1);
+    return corrected_by(parallel_sum<Sums>(mesh.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+        return projected_sums(mesh, project, divisions, std::span(mesh.triangles).subspan(begin, end - begin));
     }));
 }
 

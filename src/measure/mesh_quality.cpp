@@ -3,9 +3,14 @@
 #include "meniscus/mesh_quality.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <tuple>
 #include <vector>
 
 #include "core/parallel.h"
@@ -19,28 +24,69 @@ namespace {
 
 constexpr std::size_t kChunk = 256;  // triangles per task
 
-// Values that so many parts of all are below. Changes the order.
-Percentiles percentiles(std::vector<double> values) {
-    if (values.empty()) return {};
-    const auto at = [&values](double part) {
-        const double place = part * static_cast<double>(values.size() - 1);
-        return values.begin() + static_cast<std::ptrdiff_t>(std::lround(place));
-    };
-    const auto low = at(0.05);
-    const auto middle = at(0.5);
-    const auto high = at(0.95);
-    std::nth_element(values.begin(), middle, values.end());
-    if (low < middle) std::nth_element(values.begin(), low, middle);
-    if (high > middle) std::nth_element(middle + 1, high, values.end());
-    return {*std::min_element(values.begin(), low + 1), *low, *middle, *high, *std::max_element(high, values.end())};
+// Values that are not negative by their leading bits, which have the order of the values: so that few need sorting.
+class LeadingBits {
+public:
+    static constexpr std::size_t kBins = 4096;  // 16 octaves from the least value; all beyond share the last one
+
+    explicit LeadingBits(double least) : first_(leading(least)) {}
+    std::size_t bin_of(double value) const { return std::min<std::uint64_t>(leading(value) - first_, kBins - 1); }
+
+private:
+    // Sign, exponent and eight bits of the fraction.
+    static std::uint64_t leading(double value) { return std::bit_cast<std::uint64_t>(value) >> 44U; }
+
+    std::uint64_t first_;
+};
+
+// The values that would stand at rising places if all were sorted.
+std::array<double, 3> values_at(std::array<std::size_t, 3> places, std::span<const double> values, double least) {
+    const LeadingBits bits(least);
+    std::array<std::size_t, LeadingBits::kBins> counts{};
+    for (const double v : values) ++counts[bits.bin_of(v)];
+    std::array<bool, LeadingBits::kBins> wanted{};
+    std::size_t bin = 0;
+    std::size_t below = 0;    // values of bins before
+    std::size_t skipped = 0;  // of these, not wanted
+    for (std::size_t& place : places) {
+        for (; below + counts[bin] <= place; ++bin) {
+            below += counts[bin];
+            if (!wanted[bin]) skipped += counts[bin];
+        }
+        wanted[bin] = true;
+        place -= skipped;
+    }
+    std::vector<double> some;
+    for (const double v : values)
+        if (wanted[bits.bin_of(v)]) some.push_back(v);
+    std::sort(some.begin(), some.end());
+    return {some[places[0]], some[places[1]], some[places[2]]};
 }
 
-// Between the sides a and b of a triangle, opposite c.
+// Values that so many parts of all are below; none may be negative.
+Percentiles percentiles(std::span<const double> values) {
+    if (values.empty()) return {};
+    const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+    const auto place = [&](double part) {
+        return static_cast<std::size_t>(std::lround(part * static_cast<double>(values.size() - 1)));
+    };
+    const auto [low, middle, high] = values_at({place(0.05), place(0.5), place(0.95)}, values, *least);
+    return {*least, low, middle, high, *largest};
+}
+
+// Between the sides a and b of a triangle, opposite c; of a side without length the angle is 0.
 double cosine_of_angle(double a, double b, double c) {
-    return std::clamp((a * a + b * b - c * c) / (2.0 * a * b), -1.0, 1.0);
+    const double product = a * b;
+    return product > 0.0 ? std::clamp((a * a + b * b - c * c) / (2.0 * product), -1.0, 1.0) : 1.0;
 }
 
 double degrees(double cosine) { return std::acos(cosine) * (180.0 / std::numbers::pi); }
+
+// Angles grow with 1 - cosine.
+Percentiles angles_of(const Percentiles& p) {
+    const auto angle = [](double one_less_cosine) { return degrees(1.0 - one_less_cosine); };
+    return {angle(p.min), angle(p.p5), angle(p.p50), angle(p.p95), angle(p.max)};
+}
 
 // R / 2 r of sides a, b, c: a b c / ((b + c - a) (c + a - b) (a + b - c)).
 double aspect_ratio(double a, double b, double c) {
@@ -60,11 +106,39 @@ struct AngleCounts {
     }
 };
 
+// Finds which of these counts an angle belongs to without the angle itself.
+class AngleBins {
+public:
+    AngleBins() {
+        const double width = std::numbers::pi / static_cast<double>(kCount);
+        for (std::size_t i = 0; i < kCount; ++i) ends_[i] = std::cos(static_cast<double>(i + 1) * width);
+        ends_.back() = -2.0;  // the last one ends with 180 degrees, which belong to it
+        for (std::size_t cell = 0; cell < kCells; ++cell) {
+            const double highest = (static_cast<double>(cell) + 1.0) / kPerUnit - 1.0;
+            while (highest <= ends_[first_[cell]]) ++first_[cell];
+        }
+    }
+    // An angle that a bin ends with belongs to the next one.
+    std::size_t of(double cosine) const {
+        const std::size_t bin = first_[static_cast<std::size_t>((cosine + 1.0) * kPerUnit)];
+        return bin + (cosine <= ends_[bin] ? 1 : 0);
+    }
+
+private:
+    static constexpr std::size_t kCount = std::tuple_size_v<decltype(MeshQuality::angles)>;
+    static constexpr double kPerUnit = 128.0;  // so that no more than one bin ends within a cell of cosines
+    static constexpr std::size_t kCells = 257;
+
+    std::array<double, kCount> ends_{};
+    std::array<std::uint8_t, kCells> first_{};  // per cell: the bin of its highest cosine
+};
+
 }  // namespace
 
 MeshQuality measure_quality(const Mesh& mesh) {
     const std::size_t count = mesh.triangles.size();
-    std::vector<double> smallest(count);
+    const AngleBins bins;
+    std::vector<double> smallest(count);  // angles, as 1 - cosine
     std::vector<double> ratios(count);
     std::vector<double> lengths(3 * count);  // of a closed mesh every edge is there twice
     const auto angles = parallel_sum<AngleCounts>(count, kChunk, [&](std::size_t begin, std::size_t end) {
@@ -74,12 +148,9 @@ MeshQuality measure_quality(const Mesh& mesh) {
             const double a = norm(mesh.vertices[k] - mesh.vertices[j]);
             const double b = norm(mesh.vertices[i] - mesh.vertices[k]);
             const double c = norm(mesh.vertices[j] - mesh.vertices[i]);
-            smallest[t] = 180.0;
-            for (const double cosine : {cosine_of_angle(b, c, a), cosine_of_angle(c, a, b), cosine_of_angle(a, b, c)}) {
-                const double angle = degrees(cosine);
-                smallest[t] = std::min(smallest[t], angle);
-                ++counts.of[std::min(counts.of.size() - 1, static_cast<std::size_t>(angle / 10.0))];
-            }
+            const double cosines[] = {cosine_of_angle(b, c, a), cosine_of_angle(c, a, b), cosine_of_angle(a, b, c)};
+            for (const double cosine : cosines) ++counts.of[bins.of(cosine)];
+            smallest[t] = 1.0 - std::max({cosines[0], cosines[1], cosines[2]});
             ratios[t] = aspect_ratio(a, b, c);
             lengths[3 * t] = a;
             lengths[3 * t + 1] = b;
@@ -89,10 +160,10 @@ MeshQuality measure_quality(const Mesh& mesh) {
     });
     MeshQuality quality;
     quality.angles = angles.of;
-    parallel_both([&] { quality.edges = percentiles(std::move(lengths)); },
+    parallel_both([&] { quality.edges = percentiles(lengths); },
                   [&] {
-                      quality.smallest_angles = percentiles(std::move(smallest));
-                      quality.aspect_ratios = percentiles(std::move(ratios));
+                      quality.smallest_angles = angles_of(percentiles(smallest));
+                      quality.aspect_ratios = percentiles(ratios);
                   });
     return quality;
 }
@@ -107,11 +178,13 @@ TwoSidedDistance measure_distance(const Mesh& mesh, const AccessibleSurface& sur
             for_each_part(mesh, mesh.triangles[t], kDivisions, [&](const Vec3& point) { points.push_back(point); });
         const std::vector<NearestFeature> features = nearest_features(surface, points);
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const double area = area_of(mesh, mesh.triangles[begin + i / kSamples]);
+            const std::size_t triangle = begin + i / kSamples;
+            const double area = area_of(mesh, mesh.triangles[triangle]);
             const std::size_t sample = kSamples * begin + i;
             const double distance = features[i].signed_distance;
+            const Vec3 foot = points[i] - distance * features[i].normal;
             to_exact.set(sample, std::abs(distance), area);
-            from_exact.set(sample, triangles.distance(mesh, points[i] - distance * features[i].normal), area);
+            from_exact.set(sample, triangles.distance(mesh, foot, static_cast<std::uint32_t>(triangle)), area);
         }
     });
     return {std::move(to_exact).summarise(), std::move(from_exact).summarise()};

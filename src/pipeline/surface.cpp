@@ -41,6 +41,8 @@ constexpr double kCutEdge = 1.01;  // spacings
 
 constexpr int kSimplifyingRounds = 3;  // none has needed more than two
 
+constexpr double kLongestPart = 0.5;  // Å: of the triangles that large ones are divided into to be measured
+
 constexpr std::size_t kTrianglesPerChunk = 4096;
 
 class StageClock {
@@ -294,12 +296,15 @@ private:
     // Normals tell the middle of short edges; those of large triangles are looked for.
     CorrectedMeasures corrected_on_surface() const {
         const SurfaceProjector project = surface_projector(*accessible_, surface_.level_set.get(), options_.spacing);
-        return corrected_measures(surface_.mesh, [&project](std::span<Vec3> places) {
+        const auto move = [&project](std::span<Vec3> places) {
             std::vector<SurfacePoint> points(places.size());
             for (std::size_t i = 0; i < points.size(); ++i) points[i].position = places[i];
             project(points);
             for (std::size_t i = 0; i < points.size(); ++i) places[i] = points[i].position;
-        });
+        };
+        int divisions = 1;
+        while (std::ldexp(options_.remesh.edge, -divisions) > kLongestPart) ++divisions;
+        return corrected_measures(surface_.mesh, move, divisions);
     }
 
     const SurfaceOptions& options_;

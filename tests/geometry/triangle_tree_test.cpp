@@ -51,6 +51,7 @@ TEST(TriangleTree, DistanceIsThatOfTheNearestTriangle) {
         const double distance = tree.distance(mesh, point);
         EXPECT_LE(distance, sampled + 1e-12);
         EXPECT_GT(distance, sampled - 0.1);
+        for (const std::uint32_t near : {0U, 17U, 59U}) EXPECT_EQ(tree.distance(mesh, point, near), distance);
     }
 }
 

@@ -59,6 +59,15 @@ TEST(Corrected, FourthOrderOnASphereByProjection) {
                         32.0 / 3.0 * kPi);
 }
 
+TEST(Corrected, OneMoreDivisionIsWorthHalfTheSpacing) {
+    for (const double spacing : {0.4, 0.2}) {
+        const CorrectedMeasures m =
+            corrected_measures(testing::projected_sphere(kSphere, spacing), project_to_sphere, 2);
+        EXPECT_NEAR(m.area / (16.0 * kPi), 1.0, 0.06 * std::pow(spacing / 2.0, 4));
+        EXPECT_NEAR(m.volume / (32.0 / 3.0 * kPi), 1.0, 0.06 * std::pow(spacing / 2.0, 4));
+    }
+}
+
 TEST(Corrected, FourthOrderOnASphereByNormals) {
     expect_fourth_order([](double h) { return testing::projected_sphere(kSphere, h); },
                         [](const Mesh& mesh) { return corrected_measures(mesh); }, 16.0 * kPi, 32.0 / 3.0 * kPi);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -49,6 +50,31 @@ TEST(MeshQuality, PercentilesAreThoseOfSortedValues) {
     EXPECT_NEAR(angles.p50, 25.0, 1e-9);
     EXPECT_NEAR(angles.p95, 47.5, 1e-9);
     EXPECT_NEAR(angles.max, 50.0, 1e-9);
+}
+
+TEST(MeshQuality, CornersAreCountedByTheirAngles) {
+    // A fan around the origin, with tips of 0.05, 0.15 ... 179.95 degrees.
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}};
+    std::array<std::size_t, 18> expected{};
+    for (VertexId i = 0; i < 1800; ++i) {
+        const double tip = 0.1 * i + 0.05;
+        const double angle = tip * std::numbers::pi / 180.0;
+        mesh.vertices.push_back({std::cos(angle), std::sin(angle), 0});
+        mesh.triangles.push_back({0, 1, i + 2});
+        ++expected[static_cast<std::size_t>(tip / 10.0)];
+        expected[static_cast<std::size_t>((90.0 - 0.5 * tip) / 10.0)] += 2;  // isosceles
+    }
+    EXPECT_EQ(measure_quality(mesh).angles, expected);
+}
+
+TEST(MeshQuality, DegenerateTrianglesHaveNoAngle) {
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    const MeshQuality quality = measure_quality(mesh);
+    EXPECT_EQ(quality.smallest_angles.max, 0.0);
+    EXPECT_EQ(quality.angles[0], 3u);
 }
 
 TEST(MeshQuality, OfNothingIsNothing) {

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "meniscus/errors.h"
+#include "meniscus/measures.h"
 #include "support/brute_force_ses.h"
 #include "support/mesh_checks.h"
 
@@ -171,6 +172,18 @@ TEST(Surface, TwoSpheresMatchTheirClosedForms) {
             EXPECT_GT(order, 1.8) << c.d;
         }
     }
+}
+
+// Triangles of an even mesh are divided until they are as small as those of the grid.
+TEST(Surface, EvenMeshesTellTheAreaWhateverTheSizeOfTheirTriangles) {
+    const Atoms atoms = random_cluster(150, 14.0, 5);
+    const double area = measure(atoms).totals.ses_area;
+    for (const Method method : {Method::Direct, Method::Flow})
+        for (const double edge : {0.6, 1.0, 2.0}) {
+            const Surface surface = compute_surface(atoms, {.method = method, .remesh = {.edge = edge}});
+            EXPECT_NEAR(surface.corrected_area / area, 1.0, 5e-3) << edge;
+            EXPECT_LT(surface.measures.area / area, 1.0 - 0.01 * edge * edge) << edge;
+        }
 }
 
 TEST(Surface, PatchesAndAtomsAreThoseOfTheNearestFeature) {
