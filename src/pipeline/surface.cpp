@@ -41,7 +41,7 @@ constexpr double kCutEdge = 1.01;  // spacings
 
 constexpr int kSimplifyingRounds = 3;  // none has needed more than two
 
-constexpr double kLongestPart = 0.5;  // Å: of the triangles that large ones are divided into to be measured
+constexpr double kLongestPart = 0.3;  // Å: of the triangles that large ones are divided into to be measured
 
 constexpr std::size_t kTrianglesPerChunk = 4096;
 
