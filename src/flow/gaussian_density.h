@@ -10,6 +10,7 @@
 
 #include "band/surface_blocks.h"
 #include "geometry/accessible_surface_data.h"
+#include "geometry/local_features.h"
 #include "grid/block_grid.h"
 #include "meniscus/node_field.h"
 
@@ -32,7 +33,6 @@ public:
 private:
     enum class Where : std::uint8_t { Inside, Outside, Near };
 
-    /// The atoms whose terms count in some box, gathered for a row of blocks at a time.
     class AtomsAround;
 
     /// The nodes of a block: the position of the first, and the spacing, Å.
@@ -40,16 +40,14 @@ private:
         Vec3 corner;
         double spacing;
     };
-    struct NodeSums;
 
-    Where classify(const Box& box, double margin, std::span<const std::uint32_t> atoms) const;
-    void evaluate(const BlockNodes& block, double margin, std::span<const std::uint32_t> atoms,
+    void evaluate(const BlockNodes& block, double margin, const SphereList& atoms,
                   std::span<float, kBlockNodes> values) const;
-    void add_terms(std::uint32_t atom, const NodeSums& to, std::span<double, kBlockNodes> sums) const;
-    double largest_exponent(const BlockNodes& block, int node, std::span<const std::uint32_t> atoms) const;
-    /// Of the term of atom i at squared distance d2 from its centre.
-    double exponent(std::uint32_t i, double d2) const {
-        return c_ * (d2 - data_->atoms.radii[i] * data_->atoms.radii[i]);
+    double largest_exponent(const BlockNodes& block, int node, const SphereList& atoms) const;
+    /// Of the term of an atom of a list at squared distance d2 from its centre.
+    double exponent(const SphereList& atoms, std::size_t i, double d2) const {
+        const double radius = atoms.column(3)[i];
+        return c_ * (d2 - radius * radius);
     }
 
     const AccessibleSurface::Data* data_;

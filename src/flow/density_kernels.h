@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Exponentials of the Gaussian density, many side by side, for several instruction sets: all give the same bits.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "geometry/local_features.h"
+#include "grid/block_kernels.h"
+
+namespace meniscus {
+
+/// Terms exp(C (d² - r²)) of the density; atoms are spheres with their radii.
+struct DensityKernels {
+    std::string_view instructions;  ///< "plain", "avx2" or "avx512"
+
+    /// Of every atom its largest and its least term in the box, and whether it is within `reach` of the box: if not,
+    /// both are 0. Arrays have room for atoms.padded_size() numbers.
+    void (*bound_terms)(const SphereList& atoms, const Box& box, double c, double reach, std::int64_t* within,
+                        double* largest, double* least);
+
+    /// The terms of one atom at the nodes of a block, divided by exp(unit). `from` leads from the atom's centre to the
+    /// first node. No table overflows where unit is at least the exponent at the nearest node.
+    void (*find_terms)(double c, double radius, const Vec3& from, double spacing, double unit, AxisProduct& terms);
+};
+
+/// Those that this machine can run, the plainest first.
+std::vector<DensityKernels> supported_density_kernels();
+
+/// The ones that are used, as in nearest_kernels().
+const DensityKernels& density_kernels();
+
+}  // namespace meniscus
