@@ -329,10 +329,10 @@ bool try_build(AccessibleSurface::Data& data, const CellList& cells, std::uint64
 }
 
 void build(AccessibleSurface::Data& data, std::uint64_t seed, const AccessibleSurface::Data* before) {
-    if (before != nullptr && before->perturbation > kPerturbation) before = nullptr;
     data.rho.resize(data.atoms.size());
     const CellList cells(data.atoms);
-    for (int attempt = 0; !try_build(data, cells, seed, attempt, attempt == 0 ? before : nullptr); ++attempt)
+    if (before != nullptr && before->perturbation <= kPerturbation && try_build(data, cells, seed, 0, before)) return;
+    for (int attempt = 0; !try_build(data, cells, seed, attempt, nullptr); ++attempt)
         if (attempt + 1 == kMaxAttempts)
             throw std::runtime_error("the arrangement of atoms could not be resolved by perturbing their radii");
 }

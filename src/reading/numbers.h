@@ -12,9 +12,10 @@ namespace meniscus::reading {
 
 /// The text without blanks and tabs at its ends.
 inline std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+    const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    return text;
 }
 
 /// The whole text (blanks at its ends aside) as a number; nothing if any of it is left over.

@@ -3,6 +3,7 @@
 #include "structure/pdb_screen.h"
 
 #include <optional>
+#include <utility>
 
 #include "radii/aliases.h"
 #include "reading/numbers.h"
@@ -19,7 +20,7 @@ constexpr std::size_t kCoordinatesEnd = 54;  // column 54 is the last of z
 class AtomLine {
 public:
     AtomLine(std::string_view line, std::size_t number, const std::string& file)
-        : line_(line.substr(0, line.find_last_not_of(" \t") + 1)), number_(number), file_(file) {}
+        : line_(without_blank_end(line)), number_(number), file_(file) {}
 
     std::string_view columns(std::size_t first, std::size_t last) const {
         if (first > line_.size()) return {};
@@ -72,6 +73,11 @@ public:
     }
 
 private:
+    static std::string_view without_blank_end(std::string_view line) {
+        while (!line.empty() && (line.back() == ' ' || line.back() == '\t')) line.remove_suffix(1);
+        return line;
+    }
+
     std::string_view line_;
     std::size_t number_;
     const std::string& file_;
@@ -116,11 +122,12 @@ int serial_columns(const AtomLine& line) {
     return integer(line.columns(first, 12)).value_or(integer(line.columns(7, 11)).value_or(0));
 }
 
-PdbAtomExtra read_extra(const AtomLine& line, const ResidueColumns& residue, CleanPdb& clean) {
+// `element` is that of its columns.
+PdbAtomExtra read_extra(const AtomLine& line, const ResidueColumns& residue, std::string element, CleanPdb& clean) {
     PdbAtomExtra extra;
     extra.residue = residue.name;
     extra.segment = printable(trimmed(line.columns(73, 76)));
-    extra.element = element_columns(line);
+    extra.element = std::move(element);
     if (extra.element.empty()) {
         extra.element = element_from_columns(line.padded(13, 16), residue.name);
         ++clean.guessed_elements;
@@ -134,24 +141,27 @@ PdbAtomExtra read_extra(const AtomLine& line, const ResidueColumns& residue, Cle
     return extra;
 }
 
-// The record as the parser gets it: full length, one-column chain layout, own serial, known element.
-std::string clean_record(const AtomLine& line, const ResidueColumns& residue, const PdbAtomExtra& extra,
-                         std::size_t serial) {
-    std::string record = line.padded(1, kRecordLength);
-    record.replace(0, 6, extra.hetatm ? "HETATM" : "ATOM  ");
-    record.replace(6, 6, hybrid36_serial(serial) + " ");
-    std::string name = residue.name.substr(0, 3);
-    name.insert(0, 3 - name.size(), ' ');
-    record.replace(17, 3, name);
-    record.replace(20, 2, residue.chain);
-    record.replace(27, 3, "   ");
-    record.replace(66, 10, 10, ' ');
-    const bool charged = !element_columns(line).empty();
-    if (!charged) record.replace(78, 2, "  ");
-    std::string element = extra.element.empty() ? "X" : extra.element;
-    element.insert(0, 2 - element.size(), ' ');
-    record.replace(76, 2, element);
-    return record + "\n";
+// Appends the record as the parser gets it: full length, one-column chain layout, own serial, known element.
+void append_record(const AtomLine& line, const ResidueColumns& residue, const PdbAtomExtra& extra, bool has_element,
+                   CleanPdb& clean) {
+    const std::size_t begin = clean.text.size();
+    clean.text += line.text().substr(0, kRecordLength);
+    clean.text.resize(begin + kRecordLength, ' ');
+    const auto put = [&](std::size_t column, std::string_view text) {
+        text.copy(&clean.text[begin + column - 1], text.size());
+    };
+    const auto put_to_the_right = [&](std::size_t last, std::string_view text) { put(last + 1 - text.size(), text); };
+    put(1, extra.hetatm ? "HETATM" : "ATOM  ");
+    put(7, hybrid36_serial(clean.atoms.size() + 1));
+    put(12, " ");
+    put(18, "   ");
+    put_to_the_right(20, std::string_view(residue.name).substr(0, 3));
+    put(21, residue.chain);
+    put(28, "   ");
+    put(67, "            ");
+    put_to_the_right(78, extra.element.empty() ? "X" : extra.element);
+    if (!has_element) put(79, "  ");
+    clean.text += '\n';
 }
 
 void screen_atom(const AtomLine& line, CleanPdb& clean) {
@@ -161,8 +171,10 @@ void screen_atom(const AtomLine& line, CleanPdb& clean) {
     line.coordinate(39, 'y');
     line.coordinate(47, 'z');
     const ResidueColumns residue = residue_columns(line);
-    PdbAtomExtra extra = read_extra(line, residue, clean);
-    clean.text += clean_record(line, residue, extra, clean.atoms.size() + 1);
+    std::string element = element_columns(line);
+    const bool has_element = !element.empty();
+    PdbAtomExtra extra = read_extra(line, residue, std::move(element), clean);
+    append_record(line, residue, extra, has_element, clean);
     clean.atoms.push_back(std::move(extra));
 }
 
