@@ -3,6 +3,7 @@
 #include "structure/hydrogens.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "radii/aliases.h"
 
@@ -14,14 +15,17 @@ HydrogenCount count_hydrogens(const RawModel& model, const std::vector<std::uint
     };
     const bool has_polymer = std::any_of(kept.begin(), kept.end(), in_polymer);
     HydrogenCount count;
+    const RawResidue* residue = nullptr;  // of the atom before
+    bool is_protein = false;
     for (const std::uint32_t i : kept) {
         const RawAtom& atom = model.atoms[i];
+        if (std::exchange(residue, &model.residue_of(atom)) != &model.residue_of(atom))
+            is_protein = has_polymer && !is_nucleotide(residue->name);
         const bool counts = in_polymer(i) || !has_polymer;
         if (is_hydrogen(atom)) {
             ++count.all;
             count.in_polymer += static_cast<std::size_t>(counts);
         } else if (counts) {
-            const bool is_protein = has_polymer && !is_nucleotide(model.residue_of(atom).name);
             ++(is_protein ? count.protein_heavy : count.other_heavy);
         }
     }
