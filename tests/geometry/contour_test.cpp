@@ -258,6 +258,7 @@ TEST(Contour, ConsideredCapsAreEnoughAfterASmallPerturbation) {
         ASSERT_TRUE(builder.build(caps));
         const auto expected = named_arcs(builder, caps);
         std::vector<Cap> enough;
+        enough.reserve(considered.size());
         for (const std::uint32_t k : considered) enough.push_back(caps[k]);
         ASSERT_TRUE(builder.build_in_order(enough));
         EXPECT_EQ(named_arcs(builder, enough), expected);
