@@ -15,6 +15,7 @@ namespace meniscus {
 namespace {
 
 constexpr std::size_t kChunk = 256;
+constexpr std::size_t kTogether = 8;  // neighbours that descend the tree as one
 
 double orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     return dot(cross(b - a, c - a), d - a);
@@ -52,12 +53,17 @@ struct Crossing {
 
 class Finder {
 public:
-    explicit Finder(const Mesh& mesh) : mesh_(mesh), triangles_(mesh) {}
+    explicit Finder(const Mesh& mesh) : mesh_(mesh), triangles_(mesh) {
+        boxes_.reserve(triangles_.order.size());
+        for (const std::uint32_t t : triangles_.order) boxes_.push_back(box_of(mesh, mesh.triangles[t]));
+    }
 
     std::vector<Crossing> run() const {
         std::vector<std::vector<Crossing>> found((triangles_.order.size() + kChunk - 1) / kChunk);
         parallel_chunks(triangles_.order.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) find_after(i, found[begin / kChunk]);
+            std::vector<std::uint32_t> near;
+            for (std::size_t i = begin; i < end; i += kTogether)
+                find_after(i, std::min(i + kTogether, end), near, found[begin / kChunk]);
         });
         std::vector<Crossing> all;
         for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
@@ -65,20 +71,29 @@ public:
     }
 
 private:
-    // Meetings of the i-th triangle with those that follow it.
-    void find_after(std::size_t i, std::vector<Crossing>& found) const {
-        const std::uint32_t number = triangles_.order[i];
-        const Triangle& mine = mesh_.triangles[number];
-        triangles_.tree.for_each_overlapping(box_of(mesh_, mine), [&](std::uint32_t j) {
-            if (j <= i) return;
-            const Triangle& other = mesh_.triangles[triangles_.order[j]];
-            if (const auto place = meeting(mesh_, mine, other))
-                found.push_back({*place, {number, triangles_.order[j]}});
+    // Meetings of some triangles, which are neighbours, with all that follow them. `near` is memory.
+    void find_after(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& near,
+                    std::vector<Crossing>& found) const {
+        Box box;
+        for (std::size_t i = begin; i < end; ++i) box.include(boxes_[i]);
+        near.clear();
+        triangles_.tree.for_each_overlapping(box, [&](std::uint32_t j) {
+            if (j > begin) near.push_back(j);
         });
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t number = triangles_.order[i];
+            for (const std::uint32_t j : near) {
+                if (j <= i || !boxes_[i].overlaps(boxes_[j])) continue;
+                const std::uint32_t other = triangles_.order[j];
+                if (const auto place = meeting(mesh_, mesh_.triangles[number], mesh_.triangles[other]))
+                    found.push_back({*place, {number, other}});
+            }
+        }
     }
 
     const Mesh& mesh_;
     TriangleTree triangles_;
+    std::vector<Box> boxes_;  // of the triangles in their order there
 };
 
 }  // namespace
