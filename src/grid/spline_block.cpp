@@ -4,10 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <utility>
-#include <vector>
 
 namespace meniscus {
 namespace {
@@ -55,20 +52,6 @@ void SplineBlock::land(std::span<const Vec3> points, std::span<Landing> landings
             if (block == kNoBlock || std::isnan(landings[i].sample.value)) one_by_one(i);
         begin = end;
     }
-}
-
-void SplineBlock::land_in_any_order(std::span<const Vec3> points, std::span<Landing> landings) {
-    std::vector<std::pair<BlockCoord, std::uint32_t>> order;
-    order.reserve(points.size());
-    for (const Vec3& point : points)
-        order.emplace_back(block_of(grid_, point), static_cast<std::uint32_t>(order.size()));
-    std::sort(order.begin(), order.end());
-    std::vector<Vec3> sorted;
-    sorted.reserve(points.size());
-    for (const auto& [block, i] : order) sorted.push_back(points[i]);
-    std::vector<Landing> landed(points.size());
-    land(sorted, landed);
-    for (std::size_t k = 0; k < order.size(); ++k) landings[order[k].second] = landed[k];
 }
 
 void SplineBlock::enter(BlockId block) {

@@ -22,9 +22,6 @@ public:
     /// cost     0.1 µs a point where many in a row are in the same block; else that of land_on_zero_set
     void land(std::span<const Vec3> points, std::span<Landing> landings);
 
-    /// The same, sooner where neighbours do not follow each other.
-    void land_in_any_order(std::span<const Vec3> points, std::span<Landing> landings);
-
 private:
     void enter(BlockId block);
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/local_features.h"
-#include "grid/spline_block.h"
+#include "grid/spline_cursor.h"
 
 namespace meniscus {
 namespace {
@@ -47,26 +47,19 @@ public:
         : accessible_(accessible), level_set_(level_set), spacing_(spacing) {}
 
     void operator()(std::span<SurfacePoint> points) const {
-        std::vector<Vec3> from;
-        from.reserve(points.size());
-        for (const SurfacePoint& point : points) from.push_back(point.position);
-        std::vector<Landing> landings(points.size());
-        SplineBlock spline(level_set_.grid(), level_set_.coefficients());
-        spline.land_in_any_order(from, landings);
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            if (take(landings[i], points[i])) continue;
-            const NearestFeature at = accessible_.nearest(from[i]);
-            const Vec3 near = from[i] - at.signed_distance * at.normal;
-            spline.land({&near, 1}, {&landings[i], 1});
-            take(landings[i], points[i]);
-        }
+        SplineCursor cursor(level_set_.grid(), level_set_.coefficients());
+        for (SurfacePoint& point : points)
+            if (!land(cursor, point, point.position)) {
+                const NearestFeature at = accessible_.nearest(point.position);
+                land(cursor, point, point.position - at.signed_distance * at.normal);
+            }
     }
 
 private:
-    bool take(const Landing& landing, SurfacePoint& point) const {
-        const LevelSetSample& at = landing.sample;
+    bool land(SplineCursor& cursor, SurfacePoint& point, const Vec3& from) const {
+        const auto [place, at] = land_on_zero_set(cursor, from, spacing_);
         if (!(std::abs(at.value) < kLanded * spacing_) || squared_norm(at.gradient) == 0.0) return false;
-        point = {landing.point, normalised(at.gradient), largest_curvature(at.principal_curvatures(), spacing_)};
+        point = {place, normalised(at.gradient), largest_curvature(at.principal_curvatures(), spacing_)};
         return true;
     }
 

@@ -39,6 +39,8 @@ constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding
 constexpr double kFree = 2.5;
 constexpr double kRoom = 5.0;
 
+constexpr double kCube = 4.0;  // see SliverOptions::most_tangled
+
 // What that leaves below the needed angle is mended with so many times as much round it.
 constexpr double kWider = 2.0;
 
@@ -72,6 +74,12 @@ public:
         const Suspects suspects = look_at_all();
         tangled_ = options_.search_everywhere ? self_intersecting_triangles(mesh_) : tangled_of(suspects.leaning);
         was_tangled_ = !tangled_.empty();
+        if (is_crumpled()) {
+            VertexChanges nothing;
+            nothing.with_new = nothing.left = mesh_.vertices.size();
+            nothing.was_tangled = nothing.crumpled = true;
+            return nothing;
+        }
         std::vector<std::uint32_t> pending;
         std::set_union(suspects.bad.begin(), suspects.bad.end(), tangled_.begin(), tangled_.end(),
                        std::back_inserter(pending));
@@ -119,6 +127,15 @@ private:
         return {.may_be_bad = squared_area < squared_tangent_ * (product * product) ||
                               shortest < kShortestEdge * kShortestEdge || facing < 0.0,
                 .leans = least < 0.0 || least * least < kLeaning * kLeaning * squared_area};
+    }
+
+    bool is_crumpled() const {
+        std::map<std::array<int, 3>, std::size_t> counts;
+        const auto number = [this](double x) { return static_cast<int>(std::floor(x / (kCube * options_.edge))); };
+        return std::any_of(tangled_.begin(), tangled_.end(), [&](std::uint32_t t) {
+            const Vec3& corner = mesh_.vertices[mesh_.triangles[t][0]];
+            return ++counts[{number(corner.z), number(corner.y), number(corner.x)}] > options_.most_tangled;
+        });
     }
 
     double goodness(const Triangle& triangle) const {

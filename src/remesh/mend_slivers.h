@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -19,7 +20,10 @@ struct SliverOptions {
     double edge = 0.5;                ///< usual length of edges, Å
     double longest_edge = 1.0;        ///< of those that are made, Å
     bool search_everywhere = false;   ///< for places where the mesh passes through itself; else beside folds alone
-    std::vector<bool> held{};         ///< per vertex, or empty: stays, and edges to others of its kind
+    /// Triangles of a cube of four usual edges that may pass through others: where there are more, the mesh is crumpled
+    /// there and nothing is mended at all.
+    std::size_t most_tangled = std::numeric_limits<std::size_t>::max();
+    std::vector<bool> held{};  ///< per vertex, or empty: stays, and edges to others of its kind
 };
 
 /// What changed about the vertices of a mesh.
@@ -29,6 +33,7 @@ struct VertexChanges {
     std::vector<std::pair<VertexId, VertexId>> refilled;
     std::size_t left = 0;         ///< vertices after that
     bool was_tangled = false;     ///< the mesh passed through itself somewhere, and may do so still
+    bool crumpled = false;        ///< it did so more than SliverOptions::most_tangled allow
     std::vector<VertexId> moved;  ///< with those that were added; by their new numbers, rising
 
     bool any() const { return !refilled.empty() || !moved.empty(); }

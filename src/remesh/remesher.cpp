@@ -50,6 +50,10 @@ constexpr double kLargestPart = 2.0;
 constexpr double kFrozen = 0.7;  // target lengths, times the number of attempts
 constexpr int kAttempts = 4;
 
+// Where edges are split that are too long for where the surface turns, what is projected lands anywhere, and the mesh
+// crumples. A fold elsewhere has some ten triangles that pass through others in a cube of four edges.
+constexpr std::size_t kMostTangled = 60;
+
 // Nothing is put in so near to where ridges would lead through something, Å, times the number of the try.
 constexpr double kWithoutRidges = 0.1;
 constexpr int kInsertions = 8;
@@ -92,7 +96,7 @@ public:
             for (int k = 0; k < kIterations; ++k) iterate();
             for (int k = 0; k < pushes; ++k) push_apart();
             Mesh mesh = result();
-            if (!mend(mesh, before) || i == kAttempts) return mesh;
+            if (!mend(mesh, before, i == kAttempts) || i == kAttempts) return mesh;
             const std::vector<Vec3> found = new_crossings(mesh, before);
             if (found.empty()) return mesh;
             places.insert(places.end(), found.begin(), found.end());
@@ -159,9 +163,12 @@ private:
     void split_long() {
         const std::size_t known = mesh_.points.size();
         std::vector<SplitRidge> ridges;
-        for (std::vector<LongEdge> found = long_edges(); !found.empty(); found = long_edges())
+        for (std::vector<LongEdge> found = long_edges(); !found.empty();) {
+            const std::size_t before = mesh_.points.size();
             for (const LongEdge& edge : found)
                 if (mesh_.squared_length(edge.half) == edge.squared_length) split(edge.half, ridges);
+            found = long_edges_round(before);
+        }
         std::vector<VertexId> added(mesh_.points.size() - known);
         std::iota(added.begin(), added.end(), static_cast<VertexId>(known));
         sort_by_cells(added);
@@ -201,10 +208,32 @@ private:
         });
         std::vector<LongEdge> found;
         for (const auto& part : parts) found.insert(found.end(), part.begin(), part.end());
-        std::sort(found.begin(), found.end(), [](const LongEdge& a, const LongEdge& b) {
+        sort_longest_first(found);
+        return found;
+    }
+
+    // Of the triangles round the vertices from `first` on: nowhere else splitting them has left any.
+    std::vector<LongEdge> long_edges_round(std::size_t first) const {
+        const HalfEdges& edges = mesh_.edges;
+        std::vector<LongEdge> found;
+        const auto look_at = [&](HalfEdge h) {
+            if (is_long(h)) found.push_back({mesh_.squared_length(h), std::min(h, edges.twin(h))});
+        };
+        for (auto v = static_cast<VertexId>(first); v < mesh_.points.size(); ++v)
+            edges.for_each_leaving(v, [&](HalfEdge h) {
+                look_at(h);
+                look_at(next(h));
+            });
+        sort_longest_first(found);
+        const auto same = [](const LongEdge& a, const LongEdge& b) { return a.half == b.half; };
+        found.erase(std::unique(found.begin(), found.end(), same), found.end());
+        return found;
+    }
+
+    static void sort_longest_first(std::vector<LongEdge>& edges) {
+        std::sort(edges.begin(), edges.end(), [](const LongEdge& a, const LongEdge& b) {
             return std::pair(-a.squared_length, a.half) < std::pair(-b.squared_length, b.half);
         });
-        return found;
     }
 
     bool is_long(HalfEdge h) const {
@@ -360,11 +389,13 @@ private:
 
     Mesh result() const { return mesh_of(mesh_); }
 
-    // Mends small angles and crossings, each with its neighbourhood. Returns whether there were crossings.
-    bool mend(Mesh& mesh, const WorkingMesh& before) {
+    // Mends small angles and crossings, each with its neighbourhood. Returns whether there were crossings. A mesh that
+    // is crumpled somewhere is mended only in the last attempt: that takes as long as all the others.
+    bool mend(Mesh& mesh, const WorkingMesh& before, bool is_last) {
         SliverOptions slivers{.edge = options_.edge,
                               .longest_edge = kLongest * *std::max_element(mesh_.targets.begin(), mesh_.targets.end()),
                               .search_everywhere = true};
+        if (!is_last) slivers.most_tangled = kMostTangled;
         want(options_.keep_ridges ? kWantedBesideRidges : kWanted, slivers);
         for (VertexId v = 0; v < mesh_.points.size(); ++v) {
             if (!is_present(v)) continue;
@@ -374,7 +405,8 @@ private:
         VertexChanges changes = mend_slivers(mesh, slivers, project_);
         const bool was_tangled = changes.was_tangled;
         want(kWantedWithoutRidges, slivers);
-        for (int i = 1; options_.keep_ridges && i <= kLettingGo; ++i) {
+        slivers.most_tangled = SliverOptions{}.most_tangled;
+        for (int i = 1; options_.keep_ridges && !changes.crumpled && i <= kLettingGo; ++i) {
             renumber_entries(changes, slivers.held);
             const std::vector<Vec3> places = bad_places(mesh, before);
             if (!let_go(mesh, {places, kLetGo * i * aim_}, slivers.held)) break;
