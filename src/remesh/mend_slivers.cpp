@@ -39,7 +39,7 @@ constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding
 constexpr double kFree = 2.5;
 constexpr double kRoom = 5.0;
 
-constexpr double kCube = 4.0;  // see SliverOptions::most_tangled
+constexpr double kCube = 4.0;  // see SliverOptions::most_bad
 
 // What that leaves below the needed angle is mended with so many times as much round it.
 constexpr double kWider = 2.0;
@@ -74,10 +74,12 @@ public:
         const Suspects suspects = look_at_all();
         tangled_ = options_.search_everywhere ? self_intersecting_triangles(mesh_) : tangled_of(suspects.leaning);
         was_tangled_ = !tangled_.empty();
-        if (is_crumpled()) {
-            VertexChanges nothing;
+        VertexChanges nothing;
+        nothing.crumpled = crowded(suspects.bad, options_.most_bad);
+        if (nothing.crumpled.empty()) nothing.crumpled = crowded(tangled_, options_.most_tangled);
+        if (!nothing.crumpled.empty()) {
             nothing.with_new = nothing.left = mesh_.vertices.size();
-            nothing.was_tangled = nothing.crumpled = true;
+            nothing.was_tangled = was_tangled_;
             return nothing;
         }
         std::vector<std::uint32_t> pending;
@@ -129,13 +131,19 @@ private:
                 .leans = least < 0.0 || least * least < kLeaning * kLeaning * squared_area};
     }
 
-    bool is_crumpled() const {
-        std::map<std::array<int, 3>, std::size_t> counts;
+    // Corners of those triangles that have more than `most` others in their cube.
+    std::vector<Vec3> crowded(const std::vector<std::uint32_t>& triangles, std::size_t most) const {
+        if (triangles.size() <= most) return {};
+        std::map<std::array<int, 3>, std::vector<Vec3>> cubes;
         const auto number = [this](double x) { return static_cast<int>(std::floor(x / (kCube * options_.edge))); };
-        return std::any_of(tangled_.begin(), tangled_.end(), [&](std::uint32_t t) {
+        for (const std::uint32_t t : triangles) {
             const Vec3& corner = mesh_.vertices[mesh_.triangles[t][0]];
-            return ++counts[{number(corner.z), number(corner.y), number(corner.x)}] > options_.most_tangled;
-        });
+            cubes[{number(corner.z), number(corner.y), number(corner.x)}].push_back(corner);
+        }
+        std::vector<Vec3> places;
+        for (const auto& [cube, corners] : cubes)
+            if (corners.size() > most) places.insert(places.end(), corners.begin(), corners.end());
+        return places;
     }
 
     double goodness(const Triangle& triangle) const {

@@ -20,8 +20,9 @@ struct SliverOptions {
     double edge = 0.5;                ///< usual length of edges, Å
     double longest_edge = 1.0;        ///< of those that are made, Å
     bool search_everywhere = false;   ///< for places where the mesh passes through itself; else beside folds alone
-    /// Triangles of a cube of four usual edges that may pass through others: where there are more, the mesh is crumpled
-    /// there and nothing is mended at all.
+    /// Triangles of a cube of four usual edges that may be bad, and that may pass through others: where there are more,
+    /// the mesh is crumpled there and nothing is mended at all.
+    std::size_t most_bad = std::numeric_limits<std::size_t>::max();
     std::size_t most_tangled = std::numeric_limits<std::size_t>::max();
     std::vector<bool> held{};  ///< per vertex, or empty: stays, and edges to others of its kind
 };
@@ -33,7 +34,7 @@ struct VertexChanges {
     std::vector<std::pair<VertexId, VertexId>> refilled;
     std::size_t left = 0;         ///< vertices after that
     bool was_tangled = false;     ///< the mesh passed through itself somewhere, and may do so still
-    bool crumpled = false;        ///< it did so more than SliverOptions::most_tangled allow
+    std::vector<Vec3> crumpled;   ///< where it was crumpled: on each of the triangles that SliverOptions count there
     std::vector<VertexId> moved;  ///< with those that were added; by their new numbers, rising
 
     bool any() const { return !refilled.empty() || !moved.empty(); }

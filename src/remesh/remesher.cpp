@@ -50,9 +50,10 @@ constexpr double kLargestPart = 2.0;
 constexpr double kFrozen = 0.7;  // target lengths, times the number of attempts
 constexpr int kAttempts = 4;
 
-// Where edges are split that are too long for where the surface turns, what is projected lands anywhere, and the mesh
-// crumples. A fold elsewhere has some ten triangles that pass through others in a cube of four edges.
-constexpr std::size_t kMostTangled = 60;
+// Where the surface turns so fast that the middles of edges land anywhere, the mesh crumples: there are more bad
+// triangles, or such that pass through others, in a cube of four edges. Elsewhere there are some ten. What is left
+// unchanged in later attempts is smaller than the rest, and angles are small all round it.
+constexpr std::size_t kMostInCube = 40;
 
 // Nothing is put in so near to where ridges would lead through something, Å, times the number of the try.
 constexpr double kWithoutRidges = 0.1;
@@ -96,8 +97,7 @@ public:
             for (int k = 0; k < kIterations; ++k) iterate();
             for (int k = 0; k < pushes; ++k) push_apart();
             Mesh mesh = result();
-            if (!mend(mesh, before, i == kAttempts) || i == kAttempts) return mesh;
-            const std::vector<Vec3> found = new_crossings(mesh, before);
+            const std::vector<Vec3> found = mend(mesh, before, i);
             if (found.empty()) return mesh;
             places.insert(places.end(), found.begin(), found.end());
             mesh_ = before;
@@ -389,13 +389,15 @@ private:
 
     Mesh result() const { return mesh_of(mesh_); }
 
-    // Mends small angles and crossings, each with its neighbourhood. Returns whether there were crossings. A mesh that
-    // is crumpled somewhere is mended only in the last attempt: that takes as long as all the others.
-    bool mend(Mesh& mesh, const WorkingMesh& before, bool is_last) {
+    // Mends small angles and crossings, each with its neighbourhood. Returns where the next attempt has to do without
+    // changes: where the mesh still passes through itself, or is crumpled. That would take longer to mend than all the
+    // other attempts.
+    std::vector<Vec3> mend(Mesh& mesh, const WorkingMesh& before, int attempt) {
         SliverOptions slivers{.edge = options_.edge,
                               .longest_edge = kLongest * *std::max_element(mesh_.targets.begin(), mesh_.targets.end()),
                               .search_everywhere = true};
-        if (!is_last) slivers.most_tangled = kMostTangled;
+        if (attempt == 1) slivers.most_bad = kMostInCube;
+        if (attempt < kAttempts) slivers.most_tangled = kMostInCube;
         want(options_.keep_ridges ? kWantedBesideRidges : kWanted, slivers);
         for (VertexId v = 0; v < mesh_.points.size(); ++v) {
             if (!is_present(v)) continue;
@@ -403,17 +405,20 @@ private:
             slivers.held.push_back(mesh_.holds[v] == Hold::Ridge);
         }
         VertexChanges changes = mend_slivers(mesh, slivers, project_);
+        std::vector<Vec3> crumpled = std::move(changes.crumpled);
         const bool was_tangled = changes.was_tangled;
         want(kWantedWithoutRidges, slivers);
-        slivers.most_tangled = SliverOptions{}.most_tangled;
-        for (int i = 1; options_.keep_ridges && !changes.crumpled && i <= kLettingGo; ++i) {
+        slivers.most_bad = slivers.most_tangled = SliverOptions{}.most_bad;
+        for (int i = 1; options_.keep_ridges && crumpled.empty() && i <= kLettingGo; ++i) {
             renumber_entries(changes, slivers.held);
             const std::vector<Vec3> places = bad_places(mesh, before);
             if (!let_go(mesh, {places, kLetGo * i * aim_}, slivers.held)) break;
             changes = mend_slivers(mesh, slivers, project_);
         }
         mesh.normals.clear();
-        return was_tangled;
+        if (attempt == kAttempts || !was_tangled) return crumpled;
+        const std::vector<Vec3> crossings = new_crossings(mesh, before);
+        return crossings.empty() ? crumpled : crossings;
     }
 
     static void want(const WantedAngles& angles, SliverOptions& slivers) {
