@@ -98,6 +98,32 @@ TEST(MendSlivers, WhatNeedsMoreRoomGetsIt) {
     expect_mended(mesh);
 }
 
+TEST(MendSlivers, LeaveACrumpledMeshAlone) {
+    Mesh mesh = projected_sphere(kSphere, kSpacing);
+    mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
+    // Vertices near the pole come close to it: needles all round.
+    const Vec3 pole = kSphere.centre + Vec3{0.0, 0.0, kSphere.radius};
+    std::size_t moved = 0;
+    for (Vec3& v : mesh.vertices)
+        if (norm(v - pole) < 1.0) {
+            v = kSphere.centre + kSphere.radius * normalised(v + 0.9 * (pole - v) - kSphere.centre);
+            ++moved;
+        }
+    ASSERT_GT(moved, 4U);
+    const Mesh before = mesh;
+    SliverOptions options{.edge = kSpacing, .longest_edge = 2.0};
+    options.most_bad = 3;
+    const VertexChanges left = mend_slivers(mesh, options, onto(kSphere));
+    EXPECT_FALSE(left.any());
+    EXPECT_GT(left.crumpled.size(), 3U);
+    for (const Vec3& place : left.crumpled) EXPECT_LT(norm(place - pole), 2.0);
+    EXPECT_EQ(mesh.vertices, before.vertices);
+    EXPECT_EQ(mesh.triangles, before.triangles);
+    options.most_bad = left.crumpled.size();
+    EXPECT_TRUE(mend_slivers(mesh, options, onto(kSphere)).crumpled.empty());
+    expect_mended(mesh);
+}
+
 TEST(MendSlivers, LeaveAGoodMeshAlone) {
     Mesh mesh = projected_sphere(kSphere, kSpacing);
     mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
