@@ -128,7 +128,7 @@ Landing land_on_zero_set(SplineCursor& cursor, const Vec3& point, double spacing
         if (!(slope2 > 0.0)) break;
         if (std::abs(here.value) <= close_enough) return {at, i < kUsuallyThere ? cursor.sample() : here};
         at = at - (here.value / slope2) * here.gradient;
-        if (i + 1 >= kUsuallyThere && !(norm(at - point) < spacing)) break;
+        if (!(norm(at - point) < spacing)) break;
         if (i + 1 == kMaxIterations) return {at, sample_at(at)};
     }
     return {point, sample_at(point)};
