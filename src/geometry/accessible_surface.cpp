@@ -55,28 +55,21 @@ struct ChunkResult {
 
 enum class Contour { Exposed, Buried, Inconsistent };
 
-// Builds the contour of atom i from all neighbours.
-Contour build_contour(NeighbourCaps& neighbours, std::uint32_t i, std::vector<Cap>& caps, ContourBuilder& builder) {
+// Builds the contour of atom i. `cover` names neighbours that buried most of it under another perturbation: an
+// atom that they bury again needs no look at the others, and on any other they leave little for these to cut.
+Contour build_contour(const AccessibleSurface::Data& data, NeighbourCaps& neighbours, std::uint32_t i,
+                      std::span<const std::uint32_t> cover, std::vector<Cap>& caps, ContourBuilder& builder) {
     caps.clear();
-    if (!neighbours.gather(i, caps)) return Contour::Buried;
-    if (!builder.build(caps)) return Contour::Inconsistent;
-    return builder.exposed() ? Contour::Exposed : Contour::Buried;
-}
-
-// The same from those alone that came near the contour `before`, with another perturbation of the same size. Others
-// could now reach it by no more than that, and where one atom's contour has such a neighbour and the other's has not,
-// the contours do not agree.
-Contour rebuild_contour(const AccessibleSurface::Data& data, const AccessibleSurface::Data& before,
-                        NeighbourCaps& neighbours, std::uint32_t i, std::vector<Cap>& caps, ContourBuilder& builder) {
-    caps.clear();
-    for (const std::uint32_t j : before.cover_of(i)) {
+    for (const std::uint32_t j : cover) {
         caps.push_back(cap_between(data, i, j));
-        if (!(std::abs(caps.back().t) < 1.0)) return build_contour(neighbours, i, caps, builder);
+        if (!(std::abs(caps.back().t) < 1.0)) return build_contour(data, neighbours, i, {}, caps, builder);
     }
     if (!builder.build_in_order(caps)) return Contour::Inconsistent;
     if (!builder.exposed()) return Contour::Buried;
-    // Of a buried atom only those neighbours are known that were enough for it.
-    return before.exposed[i] != 0 ? Contour::Exposed : build_contour(neighbours, i, caps, builder);
+    if (!neighbours.gather(i, cover, caps)) return Contour::Buried;
+    const bool consistent = cover.empty() ? builder.build(caps) : builder.extend(caps);
+    if (!consistent) return Contour::Inconsistent;
+    return builder.exposed() ? Contour::Exposed : Contour::Buried;
 }
 
 // `place` is memory: of the kept caps among themselves.
@@ -91,8 +84,7 @@ void append_contour(const ContourBuilder& builder, std::span<const Cap> caps, st
     for (const std::uint32_t k : kept) result.caps.push_back(caps[k]);
 }
 
-// Fills exposed, cover, caps and contours; false if the arrangement came out inconsistent on some sphere. `before`: the
-// same with another perturbation as small, if it is known.
+// Fills exposed, cover, caps and contours; false if the arrangement came out inconsistent on some sphere.
 bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const AccessibleSurface::Data* before) {
     const std::size_t n = data.atoms.size();
     std::vector<ChunkResult> chunks((n + kAtomsPerChunk - 1) / kAtomsPerChunk);
@@ -108,14 +100,14 @@ bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const 
         std::vector<std::uint32_t> place;
         for (std::size_t i = begin; i < end; ++i) {
             const auto atom = static_cast<std::uint32_t>(i);
-            const Contour contour = before == nullptr ? build_contour(neighbours, atom, caps, builder)
-                                                      : rebuild_contour(data, *before, neighbours, atom, caps, builder);
+            const auto cover = before == nullptr ? std::span<const std::uint32_t>{} : before->cover_of(atom);
+            const Contour contour = build_contour(data, neighbours, atom, cover, caps, builder);
             if (contour == Contour::Inconsistent) {
                 chunk.consistent = false;
                 return;
             }
-            for (const std::uint32_t k : builder.considered()) chunk.cover.push_back(caps[k].atom);
-            data.cover_begin[i + 1] = builder.considered().size();
+            for (const std::uint32_t k : builder.kept()) chunk.cover.push_back(caps[k].atom);
+            data.cover_begin[i + 1] = builder.kept().size();
             if (contour == Contour::Buried) continue;
             data.exposed[i] = 1;
             append_contour(builder, caps, place, chunk);
@@ -331,8 +323,7 @@ bool try_build(AccessibleSurface::Data& data, const CellList& cells, std::uint64
 void build(AccessibleSurface::Data& data, std::uint64_t seed, const AccessibleSurface::Data* before) {
     data.rho.resize(data.atoms.size());
     const CellList cells(data.atoms);
-    if (before != nullptr && before->perturbation <= kPerturbation && try_build(data, cells, seed, 0, before)) return;
-    for (int attempt = 0; !try_build(data, cells, seed, attempt, nullptr); ++attempt)
+    for (int attempt = 0; !try_build(data, cells, seed, attempt, before); ++attempt)
         if (attempt + 1 == kMaxAttempts)
             throw std::runtime_error("the arrangement of atoms could not be resolved by perturbing their radii");
 }

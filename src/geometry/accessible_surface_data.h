@@ -52,7 +52,7 @@ struct AccessibleSurface::Data {
 
     std::vector<std::uint8_t> exposed;         ///< per atom
     std::vector<std::uint64_t> cover_begin;    ///< per atom, and the end: its part of `cover`
-    std::vector<std::uint32_t> cover;          ///< neighbours whose caps bury what all bury, or all but do so
+    std::vector<std::uint32_t> cover;          ///< neighbours whose caps bury what all neighbours bury
     std::vector<std::uint64_t> cap_begin;      ///< per exposed atom, and the end: its caps in `caps`
     std::vector<Cap> caps;                     ///< whose union is what neighbours bury
     std::vector<std::uint64_t> contour_begin;  ///< per atom, and the end: its part of `contour`

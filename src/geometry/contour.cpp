@@ -69,10 +69,10 @@ void ContourBuilder::order_by_size() {
 
 void ContourBuilder::start(std::span<const Cap> caps) {
     caps_ = caps;
+    inserted_ = 0;
     arcs_.clear();
     ends_.clear();
     extents_.clear();
-    considered_.clear();
     kept_.clear();
     kept_caps_.clear();
     if (rims_.size() < caps.size()) rims_.resize(caps.size());
@@ -93,8 +93,19 @@ bool ContourBuilder::build(std::span<const Cap> caps) {
 
 bool ContourBuilder::build_in_order(std::span<const Cap> caps) {
     start(caps);
-    for (std::uint32_t k = 0; k < caps.size() && exposed(); ++k)
-        if (!insert(k)) return false;
+    for (; inserted_ < caps.size() && exposed(); ++inserted_)
+        if (!insert(static_cast<std::uint32_t>(inserted_))) return false;
+    return true;
+}
+
+bool ContourBuilder::extend(std::span<const Cap> caps) {
+    caps_ = caps;
+    if (rims_.size() < caps.size()) rims_.resize(caps.size());
+    order_.resize(caps.size() - inserted_);
+    std::iota(order_.begin(), order_.end(), static_cast<std::uint32_t>(inserted_));
+    drop_idle(0);
+    for (std::size_t i = 0; i < order_.size() && exposed(); ++i)
+        if (!insert(order_[i])) return false;
     return true;
 }
 
@@ -102,7 +113,6 @@ bool ContourBuilder::insert(std::uint32_t k) {
     const Cap& cap = caps_[k];
     find_near(cap);
     if (near_count_ == 0 && !is_exposed(cap.axis)) return true;
-    considered_.push_back(k);
     const Vec3 e1 = perpendicular(cap.axis);
     rims_[k] = {cap.axis, cap.t, e1, cross(e1, cap.axis)};
     cross_near(cap);

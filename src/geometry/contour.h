@@ -45,16 +45,15 @@ public:
     /// cost     O(caps · arcs), stops as soon as nothing is exposed
     bool build(std::span<const Cap> caps);
 
-    /// The same in the order of `caps`: for those that another builder considered.
+    /// The same in the order of `caps`: for caps known to bury most, and then for the rest behind them.
     bool build_in_order(std::span<const Cap> caps);
+    /// Goes on after build_in_order, whose caps `caps` begins with, while something is exposed.
+    bool extend(std::span<const Cap> caps);
 
     /// The contour; empty when nothing or the whole sphere is exposed.
     std::span<const ContourArc> arcs() const { return arcs_; }
     /// Positions of caps whose union is that of all caps, in order of insertion.
     std::span<const std::uint32_t> kept() const { return kept_; }
-    /// The same and those that came near an arc without changing anything. Of the rest each lay well within ground that
-    /// others had buried, or well apart from all arcs in such ground.
-    std::span<const std::uint32_t> considered() const { return considered_; }
     bool exposed() const { return kept_.empty() || !arcs_.empty(); }
 
 private:
@@ -88,7 +87,8 @@ private:
 
     const CapKernels* kernels_ = &cap_kernels();
     std::span<const Cap> caps_;
-    std::vector<std::uint32_t> order_;  // of insertion by build
+    std::size_t inserted_ = 0;          // by build_in_order
+    std::vector<std::uint32_t> order_;  // of insertion by build and extend
     std::vector<Rim> rims_;             // of caps that reached the contour
     std::vector<ContourArc> arcs_;
     std::vector<Ends> ends_;           // of arcs_
@@ -99,7 +99,6 @@ private:
     MeetingColumns meetings_;               // with those rims
     std::vector<Crossing> entries_;
     std::vector<Crossing> exits_;
-    std::vector<std::uint32_t> considered_;
     std::vector<std::uint32_t> kept_;
     std::vector<Cap> kept_caps_;
     CapColumns waiting_;  // of drop_idle

@@ -60,18 +60,18 @@ void NeighbourCaps::find_neighbours(std::uint32_t i) {
     }
 }
 
-bool NeighbourCaps::gather(std::uint32_t i, std::vector<Cap>& caps) {
+bool NeighbourCaps::gather(std::uint32_t i, std::span<const std::uint32_t> known, std::vector<Cap>& caps) {
     if (i < searched_begin_ || i >= searched_end_) search_around(i);
     find_neighbours(i);
     const Vec3& centre = data_.atoms.centres[i];
     const double rho = data_.rho[i];
     const double half_inverse = 0.5 / rho;
-    std::size_t count = 0;
-    caps.resize(neighbour_count_);
+    std::size_t count = caps.size();
+    caps.resize(count + neighbour_count_);
     for (std::size_t n = 0; n < neighbour_count_; ++n) {
         const std::uint32_t c = neighbours_[n];
         const std::uint32_t j = candidates_[c];
-        if (j == i) continue;
+        if (j == i || std::find(known.begin(), known.end(), j) != known.end()) continue;
         const Vec3 between = Vec3{balls_[0][c], balls_[1][c], balls_[2][c]} - centre;
         caps[count] = cap_towards(between, rho, half_inverse, balls_[3][c], j);
         if (caps[count].t <= -1.0) return false;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/accessible_surface_data.h"
@@ -22,11 +23,11 @@ public:
     /// Keeps references to both.
     NeighbourCaps(const AccessibleSurface::Data& data, const CellList& cells) : data_(data), cells_(cells) {}
 
-    /// The caps that neighbours bury on atom i.
+    /// Appends the caps that neighbours bury on atom i, but those of `known` atoms.
     ///
     /// returns  false if one neighbour covers all of the atom: then some caps are missing
     /// cost     O(atoms of the cells around)
-    bool gather(std::uint32_t i, std::vector<Cap>& caps);
+    bool gather(std::uint32_t i, std::span<const std::uint32_t> known, std::vector<Cap>& caps);
 
 private:
     void search_around(std::uint32_t i);

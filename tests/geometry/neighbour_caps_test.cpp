@@ -39,7 +39,7 @@ TEST(NeighbourCaps, FindsTheCapsOfAllNeighbours) {
     std::vector<Cap> caps;
     for (std::uint32_t i = 0; i < data.atoms.size(); ++i) {
         caps.clear();
-        if (!neighbours.gather(i, caps)) continue;
+        if (!neighbours.gather(i, {}, caps)) continue;
         EXPECT_EQ(atoms_of(caps), neighbours_of(data, i));
         for (const Cap& cap : caps) {
             const Cap expected = cap_between(data, i, cap.atom);
@@ -58,6 +58,22 @@ TEST(NeighbourCaps, RimsLieOnBothSpheres) {
     EXPECT_NEAR(norm(point - data.atoms.centres[1]), data.rho[1], 1e-14);
 }
 
+TEST(NeighbourCaps, LeavesOutAtomsThatAreKnown) {
+    const AccessibleSurface surface(random_cluster(2, 60, 8.0), kProbe);
+    const AccessibleSurface::Data& data = surface.data();
+    const CellList cells(data.atoms);
+    NeighbourCaps neighbours(data, cells);
+    for (std::uint32_t i = 0; i < data.atoms.size(); ++i) {
+        std::vector<Cap> all;
+        if (!neighbours.gather(i, {}, all) || all.size() < 3) continue;
+        const std::vector<std::uint32_t> known = {all[0].atom, all[2].atom};
+        std::vector<Cap> caps = {all[0], all[2]};
+        ASSERT_TRUE(neighbours.gather(i, known, caps));
+        EXPECT_EQ(caps.size(), all.size());
+        EXPECT_EQ(atoms_of(caps), atoms_of(all));
+    }
+}
+
 TEST(NeighbourCaps, TellsOfANeighbourThatCoversAll) {
     const AccessibleSurface surface(two_spheres(0.5, 1.0, 3.0), kProbe);
     const AccessibleSurface::Data& data = surface.data();
@@ -65,9 +81,9 @@ TEST(NeighbourCaps, TellsOfANeighbourThatCoversAll) {
     NeighbourCaps neighbours(data, cells);
     const std::uint32_t small = data.rho[0] < data.rho[1] ? 0 : 1;
     std::vector<Cap> caps;
-    EXPECT_FALSE(neighbours.gather(small, caps));
+    EXPECT_FALSE(neighbours.gather(small, {}, caps));
     caps.clear();
-    EXPECT_TRUE(neighbours.gather(1 - small, caps));
+    EXPECT_TRUE(neighbours.gather(1 - small, {}, caps));
     EXPECT_TRUE(caps.empty());
 }
 
