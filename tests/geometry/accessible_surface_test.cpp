@@ -242,6 +242,8 @@ TEST(AccessibleSurface, LipschitzConstantOfTheDistanceIsOne) {
 TEST(AccessibleSurface, PerturbedIsWhatTheConstructorFindsWithThatSeed) {
     std::vector<Atoms> arrangements = {
         two_spheres(3.0), cubic_lattice(4, 2.8, 1.6), {{{0, 0, 0}, {0.1, 0, 0}}, {3, 1}}};
+    // Which of these covers the other the perturbation decides.
+    arrangements.push_back({{{0.3, 0, 0}, {std::nextafter(0.3, 1.0), 0, 0}}, {1.7, 1.7}});
     for (std::uint64_t seed = 0; seed < 20; ++seed) arrangements.push_back(random_cluster(seed, 120, 12.0));
     for (const Atoms& atoms : arrangements) {
         const AccessibleSurface anew(atoms, kProbe, 1);
