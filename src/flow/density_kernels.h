@@ -3,6 +3,7 @@
 // Exponentials of the Gaussian density, many side by side, for several instruction sets: all give the same bits.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -11,7 +12,8 @@
 
 namespace meniscus {
 
-/// Terms exp(C (d² - r²)) of the density; atoms are spheres with their radii.
+/// Terms exp(C (d² - r²)) of the density (Pan & Tai 2009, eq. 3.1), C in Å^-2, lengths in Å; atoms are spheres with
+/// their radii. Within 3 units in the last place of the rounded exponent's exponential; 0 below e^-700, e^700 above it.
 struct DensityKernels {
     std::string_view instructions;  ///< "plain", "avx2" or "avx512"
 

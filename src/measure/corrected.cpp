@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/local_corners.h"
 #include "core/parallel.h"
 #include "measure/lanes.h"
 #include "measure/triangle_lanes.h"
@@ -90,18 +91,14 @@ struct Batch {
     std::vector<Triangle> triangles;
 
     Batch(const Mesh& mesh, std::span<const Triangle> of) {
-        std::vector<VertexId> vertices;
-        vertices.reserve(3 * of.size());
-        for (const Triangle& t : of) vertices.insert(vertices.end(), t.begin(), t.end());
-        std::sort(vertices.begin(), vertices.end());
-        vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-        points.reserve(vertices.size());
-        for (const VertexId v : vertices) points.push_back(mesh.vertices[v]);
-        const auto place = [&](VertexId v) {
-            return static_cast<VertexId>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
-        };
+        std::vector<VertexId> all;
+        all.reserve(3 * of.size());
+        for (const Triangle& t : of) all.insert(all.end(), t.begin(), t.end());
+        const LocalCorners corners(std::move(all));
+        points.reserve(corners.vertices().size());
+        for (const VertexId v : corners.vertices()) points.push_back(mesh.vertices[v]);
         triangles.reserve(of.size());
-        for (const auto& [a, b, c] : of) triangles.push_back({place(a), place(b), place(c)});
+        for (const Triangle& t : of) triangles.push_back(corners.local(t));
     }
 
     // Splits every triangle into four at the projected middles of its sides.
@@ -165,7 +162,7 @@ CorrectedMeasures extrapolate(const CorrectedMeasures& whole, const CorrectedMea
 }
 
 CorrectedMeasures corrected_measures(const Mesh& mesh, const Projector& project, int divisions) {
-    const std::size_t chunk = std::max<std::size_t>(kChunk >> (2 * (divisions - 1)), 1);
+    const std::size_t chunk = kChunk >> std::min(2 * (divisions - 1), std::countr_zero(kChunk));
     return corrected_by(parallel_sum<Sums>(mesh.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
         return projected_sums(mesh, project, divisions, std::span(mesh.triangles).subspan(begin, end - begin));
     }));

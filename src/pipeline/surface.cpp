@@ -45,6 +45,14 @@ constexpr double kLongestPart = 0.3;  // Å: of the triangles that large ones ar
 
 constexpr std::size_t kTrianglesPerChunk = 4096;
 
+double longest_edge_of(const Mesh& mesh) {
+    double squared = 0.0;
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+            squared = std::max(squared, squared_norm(mesh.vertices[t[(k + 1) % 3]] - mesh.vertices[t[k]]));
+    return std::sqrt(squared);
+}
+
 class StageClock {
 public:
     double lap() {
@@ -302,8 +310,10 @@ private:
             project(points);
             for (std::size_t i = 0; i < points.size(); ++i) places[i] = points[i].position;
         };
+        // Edges are as long as they are asked for only as far as the molecule has room for them.
+        const double edge = std::min(options_.remesh.edge, longest_edge_of(surface_.mesh));
         int divisions = 1;
-        while (std::ldexp(options_.remesh.edge, -divisions) > kLongestPart) ++divisions;
+        while (std::ldexp(edge, -divisions) > kLongestPart) ++divisions;
         return corrected_measures(surface_.mesh, move, divisions);
     }
 

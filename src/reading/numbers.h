@@ -10,12 +10,18 @@
 
 namespace meniscus::reading {
 
+inline bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+/// The text without blanks and tabs at its end.
+inline std::string_view without_blank_end(std::string_view text) {
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    return text;
+}
+
 /// The text without blanks and tabs at its ends.
 inline std::string_view trimmed(std::string_view text) {
-    const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
-    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
     while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-    return text;
+    return without_blank_end(text);
 }
 
 /// The whole text (blanks at its ends aside) as a number; nothing if any of it is left over.

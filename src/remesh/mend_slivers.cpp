@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/fetch_corners.h"
+#include "core/local_corners.h"
 #include "core/parallel.h"
 #include "geometry/box_tree.h"
 #include "geometry/triangle_tree.h"
@@ -131,7 +132,7 @@ private:
                 .leans = least < 0.0 || least * least < kLeaning * kLeaning * squared_area};
     }
 
-    // Corners of those triangles that have more than `most` others in their cube.
+    // A corner of each of those triangles of which there are more than `most` in a cube.
     std::vector<Vec3> crowded(const std::vector<std::uint32_t>& triangles, std::size_t most) const {
         if (triangles.size() <= most) return {};
         std::map<std::array<int, 3>, std::vector<Vec3>> cubes;
@@ -325,21 +326,15 @@ private:
         for_each_near(chunks, place.room, [&](std::uint32_t t) { cutting.triangles.push_back(t); });
         for (const std::uint32_t t : cutting.triangles)
             cutting.vertices.insert(cutting.vertices.end(), mesh_.triangles[t].begin(), mesh_.triangles[t].end());
-        std::sort(cutting.vertices.begin(), cutting.vertices.end());
-        cutting.vertices.erase(std::unique(cutting.vertices.begin(), cutting.vertices.end()), cutting.vertices.end());
-        const auto local = [&](VertexId v) {
-            return static_cast<VertexId>(std::lower_bound(cutting.vertices.begin(), cutting.vertices.end(), v) -
-                                         cutting.vertices.begin());
-        };
+        const LocalCorners corners(std::move(cutting.vertices));
+        cutting.vertices = corners.vertices();
         for (const VertexId v : cutting.vertices) {
             cutting.patch.points.push_back({mesh_.vertices[v], mesh_.normals[v], 0.0});
             cutting.free.push_back(place.free.squared_distance(mesh_.vertices[v]) == 0.0);
             cutting.held.push_back(v < options_.held.size() && options_.held[v]);
         }
-        for (const std::uint32_t t : cutting.triangles) {
-            const auto& [a, b, c] = mesh_.triangles[t];
-            cutting.patch.triangles.push_back({local(a), local(b), local(c)});
-        }
+        for (const std::uint32_t t : cutting.triangles)
+            cutting.patch.triangles.push_back(corners.local(mesh_.triangles[t]));
         hold_what_sticks_out(place.room, cutting);
         return cutting;
     }

@@ -3,7 +3,6 @@
 #include "structure/hydrogens.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "radii/aliases.h"
 
@@ -19,8 +18,10 @@ HydrogenCount count_hydrogens(const RawModel& model, const std::vector<std::uint
     bool is_protein = false;
     for (const std::uint32_t i : kept) {
         const RawAtom& atom = model.atoms[i];
-        if (std::exchange(residue, &model.residue_of(atom)) != &model.residue_of(atom))
+        if (residue != &model.residue_of(atom)) {
+            residue = &model.residue_of(atom);
             is_protein = has_polymer && !is_nucleotide(residue->name);
+        }
         const bool counts = in_polymer(i) || !has_polymer;
         if (is_hydrogen(atom)) {
             ++count.all;

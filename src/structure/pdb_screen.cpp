@@ -73,11 +73,6 @@ public:
     }
 
 private:
-    static std::string_view without_blank_end(std::string_view line) {
-        while (!line.empty() && (line.back() == ' ' || line.back() == '\t')) line.remove_suffix(1);
-        return line;
-    }
-
     std::string_view line_;
     std::size_t number_;
     const std::string& file_;
@@ -158,7 +153,8 @@ void append_record(const AtomLine& line, const ResidueColumns& residue, const Pd
     put_to_the_right(20, std::string_view(residue.name).substr(0, 3));
     put(21, residue.chain);
     put(28, "   ");
-    put(67, "            ");
+    put(67, "          ");
+    put(77, " ");
     put_to_the_right(78, extra.element.empty() ? "X" : extra.element);
     if (!has_element) put(79, "  ");
     clean.text += '\n';

@@ -186,6 +186,17 @@ TEST(Surface, EvenMeshesTellTheAreaWhateverTheSizeOfTheirTriangles) {
         }
 }
 
+// Otherwise triangles of a few Å would be divided into as many parts as if they were that large.
+TEST(Surface, EdgesLongerThanTheMoleculeAreThoseOfTheMolecule) {
+    const Atoms atoms = small_molecule();
+    const Surface large = compute_surface(atoms, {.remesh = {.edge = 100.0}});
+    const Surface huge = compute_surface(atoms, {.remesh = {.edge = 1e10}});
+    expect_closed_manifold(huge.mesh);
+    EXPECT_EQ(huge.mesh.vertices, large.mesh.vertices);
+    EXPECT_EQ(huge.corrected_area, large.corrected_area);
+    EXPECT_GT(huge.corrected_area, huge.measures.area);
+}
+
 TEST(Surface, PatchesAndAtomsAreThoseOfTheNearestFeature) {
     const Surface surface = compute_surface(small_molecule(), {.method = Method::Direct, .spacing = 0.3});
     const Atoms atoms = small_molecule();
