@@ -3,12 +3,14 @@
 #include "pipeline/winding.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 
+#include "core/fresh_memory.h"
 #include "core/parallel.h"
+#include "geometry/box_tree.h"
 
 namespace meniscus {
 namespace {
@@ -43,25 +45,61 @@ bool is_above(const Mesh& mesh, const Triangle& t, const Vec3& p) {
     return (dot(normal, a - p) > 0.0) == (normal.z > 0.0);
 }
 
-// How many of the sorted xs are left of each vertex. Most vertices have the rank of the one before.
-std::vector<std::uint32_t> ranks_of(std::span<const Vec3> vertices, std::span<const double> xs) {
-    std::vector<std::uint32_t> ranks(vertices.size());
-    parallel_chunks(vertices.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-        std::size_t rank = 0;
-        double low = -std::numeric_limits<double>::infinity();  // the rank is that of low < x <= high
-        double high = low;
-        for (std::size_t v = begin; v < end; ++v) {
-            const double x = vertices[v].x;
-            if (!(low < x && x <= high)) {
-                rank = static_cast<std::size_t>(std::lower_bound(xs.begin(), xs.end(), x) - xs.begin());
-                low = rank > 0 ? xs[rank - 1] : -std::numeric_limits<double>::infinity();
-                high = rank < xs.size() ? xs[rank] : std::numeric_limits<double>::infinity();
-            }
-            ranks[v] = static_cast<std::uint32_t>(rank);
+// Column and row of a cell.
+struct Cell {
+    std::uint16_t column = 0;
+    std::uint16_t row = 0;
+};
+
+// Points as seen from above, sorted into cells: so many that most are empty.
+class PointCells {
+public:
+    explicit PointCells(std::span<const Vec3> points)
+        : edge_(std::clamp<std::size_t>(static_cast<std::size_t>(8.0 * std::sqrt(static_cast<double>(points.size()))),
+                                        1, kMostPerEdge)),
+          begins_(edge_ * edge_ + 1, 0),
+          points_(points.size()) {
+        Box box;
+        for (const Vec3& p : points) box.include(p);
+        low_ = box.low;
+        const Vec3 size = box.high - box.low;
+        per_angstrom_ = {cells_per_angstrom(size.x), cells_per_angstrom(size.y), 0.0};
+        for (const Vec3& p : points) ++begins_[place_of(cell_of(p)) + 1];
+        std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+        std::vector<std::uint32_t> next = begins_;
+        for (std::uint32_t i = 0; i < points.size(); ++i) points_[next[place_of(cell_of(points[i]))]++] = i;
+    }
+
+    // The cell below which a place lies, or the one nearest to it: a place between two others is in a cell between
+    // theirs.
+    Cell cell_of(const Vec3& p) const {
+        return {number((p.x - low_.x) * per_angstrom_.x), number((p.y - low_.y) * per_angstrom_.y)};
+    }
+
+    // Calls visit(number of a point) for the points in the cells between two corners.
+    template <class Visit>
+    void for_each_within(Cell low, Cell high, const Visit& visit) const {
+        for (std::size_t row = low.row; row <= high.row; ++row) {
+            const std::uint32_t end = begins_[row * edge_ + high.column + 1];
+            for (std::uint32_t i = begins_[row * edge_ + low.column]; i < end; ++i) visit(points_[i]);
         }
-    });
-    return ranks;
-}
+    }
+
+private:
+    static constexpr std::size_t kMostPerEdge = 1024;
+
+    double cells_per_angstrom(double size) const { return size > 0.0 ? static_cast<double>(edge_) / size : 0.0; }
+    std::uint16_t number(double cells) const {
+        return static_cast<std::uint16_t>(std::min(std::max(cells, 0.0), static_cast<double>(edge_ - 1)));
+    }
+    std::size_t place_of(Cell cell) const { return cell.row * edge_ + cell.column; }
+
+    std::size_t edge_;
+    Vec3 low_;
+    Vec3 per_angstrom_;
+    std::vector<std::uint32_t> begins_;  // of each cell among the points, and the end
+    std::vector<std::uint32_t> points_;
+};
 
 struct Numbers {
     std::vector<int> of_point;
@@ -76,24 +114,23 @@ struct Numbers {
 }  // namespace
 
 std::vector<int> winding_numbers(const Mesh& mesh, std::span<const Vec3> points) {
-    std::vector<std::size_t> order(points.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return points[a].x < points[b].x; });
-    std::vector<double> xs;
-    xs.reserve(order.size());
-    for (const std::size_t i : order) xs.push_back(points[i].x);
-
-    const std::vector<std::uint32_t> ranks = ranks_of(mesh.vertices, xs);
+    const PointCells cells(points);
+    std::vector<Cell> cell_of_vertex;
+    resize_touched(cell_of_vertex, mesh.vertices.size());
+    parallel_for(mesh.vertices.size(), kChunk,
+                 [&](std::size_t v) { cell_of_vertex[v] = cells.cell_of(mesh.vertices[v]); });
     const auto count = [&](std::size_t begin, std::size_t end) {
         Numbers numbers{std::vector<int>(points.size(), 0)};
-        for (std::size_t n = begin; n < end; ++n) {
-            const Triangle& t = mesh.triangles[n];
-            const auto [low, high] = std::minmax({ranks[t[0]], ranks[t[1]], ranks[t[2]]});
-            for (std::uint32_t rank = low; rank < high; ++rank) {
-                const std::size_t i = order[rank];
+        for (const Triangle& t : std::span(mesh.triangles).subspan(begin, end - begin)) {
+            const Cell a = cell_of_vertex[t[0]];
+            const Cell b = cell_of_vertex[t[1]];
+            const Cell c = cell_of_vertex[t[2]];
+            const auto [left, right] = std::minmax({a.column, b.column, c.column});
+            const auto [front, back] = std::minmax({a.row, b.row, c.row});
+            cells.for_each_within({left, front}, {right, back}, [&](std::uint32_t i) {
                 const int turns = turns_round(mesh, t, points[i]);
                 if (turns != 0 && is_above(mesh, t, points[i])) numbers.of_point[i] += turns;
-            }
+            });
         }
         return numbers;
     };

@@ -14,7 +14,8 @@ namespace meniscus {
 ///
 /// A ray upwards from each point is followed through all triangles. Rays through an edge or a vertex are decided the
 /// same way by all triangles there, so none is counted twice or lost.
-/// cost     parallel over triangles; 4 bytes a vertex, and some ns per triangle and point whose x lies within it
+/// cost     parallel over triangles; 4 bytes a vertex and some ns a triangle, however many the points: seen from above
+///          they lie in cells, 64 for each
 std::vector<int> winding_numbers(const Mesh& mesh, std::span<const Vec3> points);
 
 }  // namespace meniscus

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace meniscus {
@@ -37,6 +39,22 @@ TEST(WindingNumbers, OfAWallWithinAWall) {
     add(hollow, cube(1.0), true);
     const std::vector<Vec3> points{{0, 0, 0}, {0, 0, 1.5}, {1.5, 1.5, 0}, {3, 0, 0}};
     EXPECT_EQ(winding_numbers(hollow, points), (std::vector<int>{0, 1, 1, 0}));
+}
+
+TEST(WindingNumbers, OfThousandsOfPoints) {
+    Mesh hollow = cube(2.0);
+    add(hollow, cube(1.0), true);
+    std::vector<Vec3> points;
+    std::vector<int> expected;
+    for (double z = -2.25; z < 2.5; z += 0.25)
+        for (double y = -2.25; y < 2.5; y += 0.25)
+            for (double x = -2.25; x < 2.5; x += 0.25) {
+                const double farthest = std::max({std::abs(x), std::abs(y), std::abs(z)});
+                if (farthest == 1.0 || farthest == 2.0) continue;  // on a wall
+                points.push_back({x, y, z});
+                expected.push_back(farthest > 1.0 && farthest < 2.0 ? 1 : 0);
+            }
+    EXPECT_EQ(winding_numbers(hollow, points), expected);
 }
 
 TEST(WindingNumbers, OfNothing) {
