@@ -6,10 +6,9 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <numeric>
-#include <utility>
 
 #include "core/fresh_memory.h"
+#include "core/group_by.h"
 #include "core/parallel.h"
 
 namespace meniscus {
@@ -58,26 +57,29 @@ Vec3 node_offset(int n) {
 // Blocks in cubes of a power of two on an edge, for which features are gathered together, and in halves of these cubes.
 class BlockGroups {
 public:
-    explicit BlockGroups(const BlockGrid& grid)
-        : grid_(grid), shift_(shift_of(grid.spacing())), blocks_(grid.block_count()) {
-        std::iota(blocks_.begin(), blocks_.end(), BlockId{0});
-        std::stable_sort(blocks_.begin(), blocks_.end(), [&](BlockId a, BlockId b) { return place(a) < place(b); });
-        for (std::size_t i = 0; i < blocks_.size(); ++i)
-            if (i == 0 || place(blocks_[i - 1]).first != place(blocks_[i]).first) begins_.push_back(i);
-        begins_.push_back(blocks_.size());
+    explicit BlockGroups(const BlockGrid& grid) : grid_(grid), shift_(shift_of(grid.spacing())) {
+        std::vector<BlockCoord> places;
+        places.reserve(grid.block_count());
+        for (const BlockCoord& c : grid.coords()) places.push_back(coarser(c, shift_));
+        groups_ = group_by<BlockCoordHash>(places);
+        for (std::size_t g = 0; g < size(); ++g) {
+            const auto first = groups_.items.begin();
+            std::stable_sort(first + static_cast<std::ptrdiff_t>(groups_.begins[g]),
+                             first + static_cast<std::ptrdiff_t>(groups_.begins[g + 1]),
+                             [&](BlockId a, BlockId b) { return part(a) < part(b); });
+        }
     }
 
-    std::size_t size() const { return begins_.size() - 1; }
-    std::span<const BlockId> blocks(std::size_t group) const {
-        return std::span(blocks_).subspan(begins_[group], begins_[group + 1] - begins_[group]);
-    }
+    std::size_t size() const { return groups_.size(); }
+    std::span<const BlockId> blocks(std::size_t group) const { return groups_[group]; }
     // Calls visit(blocks) for each part of a group.
     template <class Visit>
     void for_each_part(std::size_t group, const Visit& visit) const {
-        std::size_t begin = begins_[group];
-        for (std::size_t i = begin + 1; i <= begins_[group + 1]; ++i)
-            if (i == begins_[group + 1] || place(blocks_[i]) != place(blocks_[begin])) {
-                visit(std::span(blocks_).subspan(begin, i - begin));
+        const std::span<const BlockId> all = blocks(group);
+        std::size_t begin = 0;
+        for (std::size_t i = 1; i <= all.size(); ++i)
+            if (i == all.size() || part(all[i]) != part(all[begin])) {
+                visit(all.subspan(begin, i - begin));
                 begin = i;
             }
     }
@@ -85,11 +87,7 @@ public:
 private:
     static constexpr int kPartShift = 1;
 
-    // Of a block's group, and of its part.
-    std::pair<BlockCoord, BlockCoord> place(BlockId b) const {
-        const BlockCoord& c = grid_.coord(b);
-        return {coarser(c, shift_), coarser(c, std::max(0, shift_ - kPartShift))};
-    }
+    BlockCoord part(BlockId b) const { return coarser(grid_.coord(b), std::max(0, shift_ - kPartShift)); }
     static BlockCoord coarser(const BlockCoord& c, int shift) { return {c.z >> shift, c.y >> shift, c.x >> shift}; }
     static int shift_of(double spacing) {
         int shift = 0;
@@ -99,8 +97,7 @@ private:
 
     const BlockGrid& grid_;
     int shift_;
-    std::vector<BlockId> blocks_;
-    std::vector<std::size_t> begins_;
+    Groups groups_;
 };
 
 Box box_of_blocks(const BlockGrid& grid, std::span<const BlockId> blocks) {

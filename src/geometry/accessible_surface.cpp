@@ -20,7 +20,7 @@ namespace {
 // Far above the rounding of the predicates (1e-15 relative) and far below any length that matters.
 constexpr double kPerturbation = 1e-10;
 constexpr int kMaxAttempts = 6;  // each ten times the perturbation of the one before
-constexpr std::size_t kAtomsPerChunk = 256;
+constexpr std::size_t kAtomsPerChunk = 64;
 
 // One end of an arc on the contour of atom[0]: the contour passes from the circle with atom[1] to that with
 // atom[2]. The same vertex on the contours of the other two atoms is a cyclic permutation.
@@ -138,22 +138,39 @@ std::uint64_t hash_of(const VertexKey& key) {
     return h * 0xBF58476D1CE4E5B9ULL;
 }
 
-// Every vertex must be found by its three atoms and every arc by its two: compares order-free sums of hashes.
+// Order-free sums of hashes: of vertices by which of their atoms finds them, and of arcs.
+struct HashSums {
+    std::array<std::uint64_t, 3> vertices{};
+    std::array<std::uint64_t, 2> arcs{};
+
+    void add(std::uint32_t i, const ArcView& arc) {
+        const bool first = i < arc.other;
+        const VertexKey ends = first ? VertexKey{arc.from, arc.to, 0} : VertexKey{arc.to, arc.from, 0};
+        const VertexKey pair = {std::min(i, arc.other), std::max(i, arc.other), 1};
+        arcs[first ? 0 : 1] += hash_of(pair) * (hash_of(ends) | 1U);
+        if (arc.to == kWholeCircle) return;
+        const VertexKey key = smallest_first({i, arc.other, arc.to});
+        vertices[static_cast<std::size_t>(std::find(key.begin(), key.end(), i) - key.begin())] += hash_of(key);
+    }
+    HashSums& operator+=(const HashSums& b) {
+        for (std::size_t k = 0; k < vertices.size(); ++k) vertices[k] += b.vertices[k];
+        for (std::size_t k = 0; k < arcs.size(); ++k) arcs[k] += b.arcs[k];
+        return *this;
+    }
+    bool agree() const { return vertices[0] == vertices[1] && vertices[1] == vertices[2] && arcs[0] == arcs[1]; }
+};
+
+// Every vertex must be found by its three atoms and every arc by its two.
 bool contours_agree(const AccessibleSurface::Data& data) {
-    std::array<std::uint64_t, 3> vertex_sums{};
-    std::array<std::uint64_t, 2> arc_sums{};
-    for (std::uint32_t i = 0; i < data.atoms.size(); ++i)
-        for (const ContourArc& contour_arc : data.contour_of(i)) {
-            const ArcView arc = view_of(data, i, contour_arc);
-            const bool first = i < arc.other;
-            const VertexKey ends = first ? VertexKey{arc.from, arc.to, 0} : VertexKey{arc.to, arc.from, 0};
-            const VertexKey pair = {std::min(i, arc.other), std::max(i, arc.other), 1};
-            arc_sums[first ? 0 : 1] += hash_of(pair) * (hash_of(ends) | 1U);
-            if (arc.to == kWholeCircle) continue;
-            const VertexKey key = smallest_first({i, arc.other, arc.to});
-            vertex_sums[static_cast<std::size_t>(std::find(key.begin(), key.end(), i) - key.begin())] += hash_of(key);
+    const HashSums sums = parallel_sum<HashSums>(data.atoms.size(), 512, [&](std::size_t begin, std::size_t end) {
+        HashSums of_these;
+        for (std::size_t atom = begin; atom < end; ++atom) {
+            const auto i = static_cast<std::uint32_t>(atom);
+            for (const ContourArc& contour_arc : data.contour_of(i)) of_these.add(i, view_of(data, i, contour_arc));
         }
-    return vertex_sums[0] == vertex_sums[1] && vertex_sums[1] == vertex_sums[2] && arc_sums[0] == arc_sums[1];
+        return of_these;
+    });
+    return sums.agree();
 }
 
 // Numbers the vertices: each belongs to the smallest of its atoms.
@@ -298,10 +315,15 @@ void build_trees(AccessibleSurface::Data& data) {
     });
     std::vector<Box> vertices(data.vertices.size());
     for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v].include(data.vertices[v].position);
-    data.atom_tree = BoxTree(std::move(atoms));
-    data.arc_tree = BoxTree(std::move(arcs));
-    data.arc_cell_tree = BoxTree(data.arc_cells);
-    data.vertex_tree = BoxTree(std::move(vertices));
+    const auto first = [&] {
+        data.atom_tree = BoxTree(std::move(atoms));
+        data.arc_tree = BoxTree(std::move(arcs));
+    };
+    const auto second = [&] {
+        data.arc_cell_tree = BoxTree(data.arc_cells);
+        data.vertex_tree = BoxTree(std::move(vertices));
+    };
+    parallel_both(first, second);
 }
 
 bool try_build(AccessibleSurface::Data& data, const CellList& cells, std::uint64_t seed, int attempt,

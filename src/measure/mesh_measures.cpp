@@ -80,13 +80,10 @@ struct TriangleSums {
 class TrianglePass {
 public:
     TrianglePass(const Mesh& mesh, std::span<const std::uint32_t> of_vertex) : mesh_(mesh), of_vertex_(of_vertex) {
-        for (VertexId v = 0; v < of_vertex.size(); ++v) {
-            const std::size_t p = of_vertex[v];
-            if (p >= pieces_.size()) {
-                pieces_.resize(p + 1);
-                origins_.resize(p + 1);
-            }
-            if (pieces_[p].vertices++ == 0) origins_[p] = mesh.vertices[v];
+        const PieceVertices vertices = vertices_of_pieces(of_vertex);
+        for (std::size_t p = 0; p < vertices.counts.size(); ++p) {
+            pieces_.emplace_back().vertices = vertices.counts[p];
+            origins_.push_back(mesh.vertices[vertices.first[p]]);
         }
     }
 

@@ -45,14 +45,7 @@ private:
         std::uint32_t stretch = 0;
         std::size_t run = 0;
     };
-    struct Touches {
-        std::vector<Touch> list;
-        Touches& operator+=(const Touches& b) {
-            list.insert(list.end(), b.list.begin(), b.list.end());
-            return *this;
-        }
-    };
-    Touches touches_of(std::size_t first_run, std::size_t last_run) const;
+    void find_touches(std::size_t first_run, std::size_t last_run, std::vector<Touch>& touches) const;
 
     std::size_t vertex_count_;
     std::span<const Triangle> triangles_;

@@ -12,6 +12,7 @@
 
 #include "core/fresh_memory.h"
 #include "core/parallel.h"
+#include "core/parallel_list.h"
 
 namespace meniscus {
 namespace {
@@ -54,6 +55,13 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
+// Vertices of one piece in a row.
+struct PieceRun {
+    std::uint32_t piece = 0;
+    VertexId first = 0;
+    std::size_t vertices = 0;
+};
+
 }  // namespace
 
 std::vector<std::uint32_t> pieces_by_first_vertex(const Mesh& mesh) {
@@ -68,9 +76,48 @@ std::vector<std::uint32_t> pieces_by_first_vertex(const Mesh& mesh) {
     std::vector<std::uint32_t> piece;
     resize_touched(piece, mesh.vertices.size());
     parallel_for(piece.size(), kChunk, [&](std::size_t v) { piece[v] = sets.root(static_cast<std::uint32_t>(v)); });
-    std::uint32_t pieces = 0;
-    for (std::uint32_t v = 0; v < piece.size(); ++v) piece[v] = piece[v] == v ? pieces++ : piece[piece[v]];
+    const auto roots =  // in rising order
+        parallel_list<std::uint32_t>(piece.size(), kChunk, [&](std::size_t begin, std::size_t end, auto& list) {
+            for (std::size_t v = begin; v < end; ++v)
+                if (piece[v] == v) list.push_back(piece[v]);
+        });
+    const auto number_of = [&](std::uint32_t root) {
+        return static_cast<std::uint32_t>(std::lower_bound(roots.begin(), roots.end(), root) - roots.begin());
+    };
+    parallel_chunks(piece.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+        std::uint32_t root = piece[begin];
+        std::uint32_t number = number_of(root);
+        for (std::size_t v = begin; v < end; ++v) {
+            if (piece[v] != root) {
+                root = piece[v];
+                number = number_of(root);
+            }
+            piece[v] = number;
+        }
+    });
     return piece;
+}
+
+PieceVertices vertices_of_pieces(std::span<const std::uint32_t> of_vertex) {
+    const auto runs =
+        parallel_list<PieceRun>(of_vertex.size(), kChunk, [&](std::size_t begin, std::size_t end, auto& list) {
+            for (std::size_t v = begin; v < end; ++v) {
+                if (v == begin || of_vertex[v] != of_vertex[v - 1])
+                    list.push_back({of_vertex[v], static_cast<VertexId>(v), 0});
+                ++list.back().vertices;
+            }
+        });
+    PieceVertices pieces;
+    for (const PieceRun& run : runs) {
+        const std::size_t p = run.piece;
+        if (p >= pieces.counts.size()) {
+            pieces.counts.resize(p + 1);
+            pieces.first.resize(p + 1);
+        }
+        if (pieces.counts[p] == 0) pieces.first[p] = run.first;
+        pieces.counts[p] += run.vertices;
+    }
+    return pieces;
 }
 
 std::vector<std::uint32_t> final_order(const std::vector<MeshComponent>& pieces) {
@@ -86,20 +133,13 @@ std::vector<std::uint32_t> final_order(const std::vector<MeshComponent>& pieces)
 }
 
 std::vector<MeshComponent> measure_components(const Mesh& mesh, std::span<const std::uint32_t> of_vertex) {
-    std::vector<MeshComponent> pieces;
-    std::vector<Vec3> origins;  // first vertex of each piece
-    for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
-        const std::size_t p = of_vertex[v];
-        if (p >= pieces.size()) {
-            pieces.resize(p + 1);
-            origins.resize(p + 1);
-        }
-        if (pieces[p].vertices++ == 0) origins[p] = mesh.vertices[v];
-    }
+    const PieceVertices vertices = vertices_of_pieces(of_vertex);
+    std::vector<MeshComponent> pieces(vertices.counts.size());
+    for (std::size_t p = 0; p < pieces.size(); ++p) pieces[p].vertices = vertices.counts[p];
     for (std::size_t t = 0; t < mesh.triangles.size();) {
         // One run of triangles of the same piece at a time, summed in registers.
         const std::uint32_t p = of_vertex[mesh.triangles[t][0]];
-        const Vec3 origin = origins[p];
+        const Vec3 origin = mesh.vertices[vertices.first[p]];
         MeshComponent run;
         for (; t < mesh.triangles.size() && of_vertex[mesh.triangles[t][0]] == p; ++t) {
             const auto& [i, j, k] = mesh.triangles[t];

@@ -42,6 +42,13 @@ std::vector<MeshComponent> label_components(Mesh& mesh);
 /// vertex array yet; the pieces that stay are numbered anew.
 void keep_components(Mesh& mesh, const std::vector<bool>& keep);
 
+/// How many vertices each piece of a labelling has, and which comes first.
+struct PieceVertices {
+    std::vector<std::size_t> counts;
+    std::vector<VertexId> first;
+};
+PieceVertices vertices_of_pieces(std::span<const std::uint32_t> of_vertex);
+
 /// Size, area and signed volume of the pieces that a labelling of the vertices tells apart.
 /// Sums run in the order of the triangles; volumes are taken from a vertex of each piece, so that they do not lose
 /// digits far from the origin.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/count_bits.h"
+#include "core/fresh_memory.h"
 #include "core/parallel.h"
 
 namespace meniscus {
@@ -117,7 +118,8 @@ Rows rows_of(const BlockGrid& grid, std::span<const NodeBits> inside, std::size_
 }
 
 std::vector<CutEdges> find_cut_edges(const BlockGrid& grid, std::span<const NodeBits> inside) {
-    std::vector<CutEdges> edges(grid.block_count() + 1);
+    std::vector<CutEdges> edges;
+    resize_touched(edges, grid.block_count() + 1);
     parallel_for(grid.block_count(), kGrain, [&](std::size_t b) {
         const Rows rows = rows_of(grid, inside, b);
         if (!rows.mixed) return;

@@ -61,11 +61,6 @@ void enter_neighbour(const CutEdges& edges, std::size_t octant, LocalVertices& l
 struct MeshPart {
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
-
-    void append_to(Mesh& mesh) const {
-        mesh.vertices.insert(mesh.vertices.end(), vertices.begin(), vertices.end());
-        mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
-    }
 };
 
 // Makes the part of the mesh that belongs to one block.
@@ -171,7 +166,11 @@ Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values, doub
             for (std::size_t b = begin; b < std::min(begin + kGrain, grid.block_count()); ++b)
                 if (const Rows rows = rows_of(grid, inside, b); rows.mixed) filler.fill(b, rows, parts[task]);
         });
-        for (const MeshPart& part : parts) part.append_to(mesh);
+        const auto append = [&](auto& all, auto MeshPart::*list) {
+            for (const MeshPart& part : parts) all.insert(all.end(), (part.*list).begin(), (part.*list).end());
+        };
+        parallel_both([&] { append(mesh.vertices, &MeshPart::vertices); },
+                      [&] { append(mesh.triangles, &MeshPart::triangles); });
     }
     return mesh;
 }

@@ -30,7 +30,7 @@ constexpr double kMegabyte = 1024.0 * 1024.0;
 // Enough to know the area within some 15 %; small structures can afford more.
 constexpr std::size_t kLeastSamples = 100;
 constexpr std::size_t kPairs = 500'000;
-constexpr std::size_t kSamplesPerTask = 16;
+constexpr std::size_t kSamplesPerTask = 4;
 
 constexpr std::size_t kDirections = 16;
 

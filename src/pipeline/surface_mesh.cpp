@@ -15,7 +15,9 @@
 #include <vector>
 
 #include "core/fresh_memory.h"
+#include "core/group_by.h"
 #include "core/parallel.h"
+#include "core/parallel_list.h"
 #include "geometry/local_features.h"
 #include "geometry/nearest_batch.h"
 #include "grid/spline_block.h"
@@ -49,46 +51,27 @@ struct VertexRun {
 class RunGroups {
 public:
     explicit RunGroups(std::span<const Vec3> points, double longest) {
-        const Runs found = parallel_sum<Runs>(points.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-            Runs runs;
-            for (std::size_t v = begin; v < end; v = runs.list.back().end) {
-                runs.list.push_back(run_from(points.first(end), v, longest));
-                runs.groups.push_back(group_of(runs.list.back()));
-            }
-            return runs;
-        });
-        std::vector<std::pair<Group, std::size_t>> order;
-        order.reserve(found.list.size());
-        for (std::size_t i = 0; i < found.list.size(); ++i) order.emplace_back(found.groups[i], i);
-        std::sort(order.begin(), order.end());
-        runs_.reserve(order.size());
-        for (const auto& [group, i] : order) {
-            if (runs_.empty() || order[runs_.size() - 1].first != group) begins_.push_back(runs_.size());
-            runs_.push_back(found.list[i]);
-        }
-        begins_.push_back(runs_.size());
+        const auto found =
+            parallel_list<VertexRun>(points.size(), kChunk, [&](std::size_t begin, std::size_t end, auto& runs) {
+                for (std::size_t v = begin; v < end; v = runs.back().end)
+                    runs.push_back(run_from(points.first(end), v, longest));
+            });
+        std::vector<BlockCoord> places;
+        places.reserve(found.size());
+        for (const VertexRun& run : found) places.push_back(place_of(run));
+        groups_ = group_by<BlockCoordHash>(places);
+        runs_.reserve(found.size());
+        for (const std::uint32_t i : groups_.items) runs_.push_back(found[i]);
     }
 
-    std::size_t size() const { return begins_.size() - 1; }
+    std::size_t size() const { return groups_.size(); }
     std::span<const VertexRun> runs(std::size_t group) const {
-        return std::span(runs_).subspan(begins_[group], begins_[group + 1] - begins_[group]);
+        return std::span(runs_).subspan(groups_.begins[group], groups_[group].size());
     }
 
 private:
     static constexpr double kGroupEdge = 10.0;      // Å
     static constexpr std::size_t kChunk = 1 << 15;  // points per task
-
-    using Group = std::array<std::int32_t, 3>;
-
-    struct Runs {
-        std::vector<VertexRun> list;
-        std::vector<Group> groups;
-        Runs& operator+=(const Runs& b) {
-            list.insert(list.end(), b.list.begin(), b.list.end());
-            groups.insert(groups.end(), b.groups.begin(), b.groups.end());
-            return *this;
-        }
-    };
 
     static VertexRun run_from(std::span<const Vec3> points, std::size_t begin, double longest) {
         VertexRun run{begin, begin, {}};
@@ -102,13 +85,14 @@ private:
         }
         return run;
     }
-    static Group group_of(const VertexRun& run) {
+    // In units of kGroupEdge.
+    static BlockCoord place_of(const VertexRun& run) {
         const auto number = [](double x) { return static_cast<std::int32_t>(std::floor(x / kGroupEdge)); };
-        return {number(run.box.low.z), number(run.box.low.y), number(run.box.low.x)};
+        return {.z = number(run.box.low.z), .y = number(run.box.low.y), .x = number(run.box.low.x)};
     }
 
-    std::vector<VertexRun> runs_;
-    std::vector<std::size_t> begins_;
+    Groups groups_;
+    std::vector<VertexRun> runs_;  // group after group
 };
 
 // Finds nearest features of points next to each other, and moves them onto the exact surface. A step along the distance
@@ -191,6 +175,8 @@ private:
     std::array<Vec3, kBatchLanes> points_;
 };
 
+constexpr std::size_t kSummed = 1 << 14;  // distances per task
+
 // The element that would stand at a place near the end if the values were sorted. A sample tells below which value it
 // cannot be, and most values are below that.
 double value_near_the_end(std::span<const double> values, std::size_t place) {
@@ -204,14 +190,15 @@ double value_near_the_end(std::span<const double> values, std::size_t place) {
     std::vector<double> some;
     for (std::size_t i = 0; i < values.size(); i += kStride) some.push_back(values[i]);
     const double least = nth_from_the_end(some, 2 * beyond / kStride + kStride);
-    some.clear();
-    std::copy_if(values.begin(), values.end(), std::back_inserter(some), [&](double v) { return v >= least; });
-    if (some.size() < beyond) some.assign(values.begin(), values.end());
-    return nth_from_the_end(some, beyond);
+    auto high = parallel_list<double>(values.size(), kSummed, [&](std::size_t begin, std::size_t end, auto& list) {
+        const auto part = values.subspan(begin, end - begin);
+        std::copy_if(part.begin(), part.end(), std::back_inserter(list), [&](double v) { return v >= least; });
+    });
+    if (high.size() < beyond) high.assign(values.begin(), values.end());
+    return nth_from_the_end(high, beyond);
 }
 
 DistanceSummary summarise(std::span<const double> distances) {
-    constexpr std::size_t kSummed = 1 << 14;  // distances per task
     if (distances.empty()) return {};
     struct Sums {
         double sum = 0.0;

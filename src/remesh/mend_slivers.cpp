@@ -15,6 +15,7 @@
 #include "core/fetch_corners.h"
 #include "core/local_corners.h"
 #include "core/parallel.h"
+#include "core/parallel_list.h"
 #include "geometry/box_tree.h"
 #include "geometry/triangle_tree.h"
 #include "remesh/patch.h"
@@ -197,27 +198,18 @@ private:
 
     // Triangles that pass through each other, one of two at least a leaning one.
     std::vector<std::uint32_t> tangled_of(const std::vector<std::uint32_t>& leaning) const {
-        struct Numbers {
-            std::vector<std::uint32_t> list;
-            Numbers& operator+=(const Numbers& more) {
-                list.insert(list.end(), more.list.begin(), more.list.end());
-                return *this;
-            }
-        };
         if (leaning.empty()) return {};
         const BoxTree chunks(boxes_);
-        std::vector<std::uint32_t> all =
-            parallel_sum<Numbers>(leaning.size(), kLeaningPerTask, [&](std::size_t begin, std::size_t end) {
-                Numbers numbers;
+        auto all = parallel_list<std::uint32_t>(
+            leaning.size(), kLeaningPerTask, [&](std::size_t begin, std::size_t end, auto& numbers) {
                 for (std::size_t i = begin; i < end; ++i) {
                     const std::uint32_t t = leaning[i];
                     for_each_near(chunks, box_of(mesh_, mesh_.triangles[t]), [&](std::uint32_t other) {
                         if (other != t && meeting(mesh_, mesh_.triangles[t], mesh_.triangles[other]))
-                            numbers.list.insert(numbers.list.end(), {t, other});
+                            numbers.insert(numbers.end(), {t, other});
                     });
                 }
-                return numbers;
-            }).list;
+            });
         std::sort(all.begin(), all.end());
         all.erase(std::unique(all.begin(), all.end()), all.end());
         return all;

@@ -32,6 +32,15 @@ TEST(Components, OnePieceIsNumberZero) {
     EXPECT_NEAR(pieces[0].area, 8.0 * std::sqrt(3.0), 1e-14);
 }
 
+TEST(Components, VerticesOfPiecesAreCountedWhereTheyStandInTurns) {
+    std::vector<std::uint32_t> of_vertex(40000, 3);
+    std::fill_n(of_vertex.begin(), 5, 1);
+    for (std::size_t v = 100; v < of_vertex.size(); v += 2) of_vertex[v] = 0;
+    const PieceVertices pieces = vertices_of_pieces(of_vertex);
+    EXPECT_EQ(pieces.counts, (std::vector<std::size_t>{19950, 5, 0, 20045}));
+    EXPECT_EQ(pieces.first, (std::vector<VertexId>{100, 0, 0, 5}));
+}
+
 TEST(Components, FallingVolumeWithCavitiesInTheSameRow) {
     Mesh mesh;
     append(mesh, extracted_sphere({.centre = {9, 0, 0}, .radius = 1.0}, 0.25));                     // third
