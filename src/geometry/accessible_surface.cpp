@@ -20,7 +20,9 @@ namespace {
 // Far above the rounding of the predicates (1e-15 relative) and far below any length that matters.
 constexpr double kPerturbation = 1e-10;
 constexpr int kMaxAttempts = 6;  // each ten times the perturbation of the one before
-constexpr std::size_t kAtomsPerChunk = 64;
+// Atoms per task: small molecules have work for all threads to the end, and the lists of large ones' tasks, which come
+// and go, leave the memory in few pieces.
+std::size_t atoms_per_task(std::size_t atoms) { return std::clamp<std::size_t>(atoms / 64, 64, 256); }
 
 // One end of an arc on the contour of atom[0]: the contour passes from the circle with atom[1] to that with
 // atom[2]. The same vertex on the contours of the other two atoms is a cyclic permutation.
@@ -87,13 +89,14 @@ void append_contour(const ContourBuilder& builder, std::span<const Cap> caps, st
 // Fills exposed, cover, caps and contours; false if the arrangement came out inconsistent on some sphere.
 bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const AccessibleSurface::Data* before) {
     const std::size_t n = data.atoms.size();
-    std::vector<ChunkResult> chunks((n + kAtomsPerChunk - 1) / kAtomsPerChunk);
+    const std::size_t size = atoms_per_task(n);
+    std::vector<ChunkResult> chunks((n + size - 1) / size);
     data.contour_begin.assign(n + 1, 0);
     data.cap_begin.assign(n + 1, 0);
     data.cover_begin.assign(n + 1, 0);
     data.exposed.assign(n, 0);
-    parallel_chunks(n, kAtomsPerChunk, [&](std::size_t begin, std::size_t end) {
-        ChunkResult& chunk = chunks[begin / kAtomsPerChunk];
+    parallel_chunks(n, size, [&](std::size_t begin, std::size_t end) {
+        ChunkResult& chunk = chunks[begin / size];
         NeighbourCaps neighbours(data, cells);
         ContourBuilder builder;
         std::vector<Cap> caps;

@@ -70,8 +70,7 @@ public:
         for (std::uint32_t i = 0; i < points.size(); ++i) points_[next[place_of(cell_of(points[i]))]++] = i;
     }
 
-    // The cell below which a place lies, or the one nearest to it: a place between two others is in a cell between
-    // theirs.
+    // The cell that a place lies in, or the one nearest to it: a place between two others is in a cell between theirs.
     Cell cell_of(const Vec3& p) const {
         return {number((p.x - low_.x) * per_angstrom_.x), number((p.y - low_.y) * per_angstrom_.y)};
     }
@@ -89,8 +88,9 @@ private:
     static constexpr std::size_t kMostPerEdge = 1024;
 
     double cells_per_angstrom(double size) const { return size > 0.0 ? static_cast<double>(edge_) / size : 0.0; }
+    // 0 where there is no number: no points, no cells.
     std::uint16_t number(double cells) const {
-        return static_cast<std::uint16_t>(std::min(std::max(cells, 0.0), static_cast<double>(edge_ - 1)));
+        return static_cast<std::uint16_t>(std::min(std::max(0.0, cells), static_cast<double>(edge_ - 1)));
     }
     std::size_t place_of(Cell cell) const { return cell.row * edge_ + cell.column; }
 
