@@ -10,6 +10,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "core/count_bits.h"
 #include "core/parallel.h"
@@ -18,9 +19,15 @@ namespace meniscus {
 namespace {
 
 constexpr std::size_t kBlocksPerChunk = 32;
-constexpr std::size_t kRestart = 30;      // of GMRES
-constexpr int kCycle = 3;                 // step lengths of Richardson's iteration
-constexpr double kLeastGain = 0.2;        // of a cycle: flows have below 0.02
+constexpr std::size_t kRestart = 30;  // of GMRES
+constexpr int kCycle = 3;             // step lengths of Richardson's iteration
+constexpr double kLeastGain = 0.2;    // of a cycle: flows have below 0.005
+constexpr double kUsualGain = 0.1;    // of a step: a cycle's last ones have 0.05 to 0.01, others more than that
+
+// The part of the range of a product where errors of distances are, as fractions of it (docs/design/flow.md).
+constexpr double kFirstError = 0.28;
+constexpr double kLastError = 1.06;
+
 constexpr std::size_t kLeastLayer = 256;  // blocks: work for many threads
 constexpr std::size_t kLayersKept = 3;    // of the residual: those that the correction of one needs
 
@@ -335,8 +342,8 @@ double SplineSystem::sweep(const Stencil& stencil, const std::optional<Stencil>&
 }
 
 // Richardson 1910, with an approximate inverse of the stencil (27 coefficients, too) before the residual. Both are
-// multiples of the identity on waves, so the bounds of the product are known, and with them the step lengths of
-// Chebyshev's roots for cycles of kCycle steps (Young 1953). Works in place: a few layers of a residual are all its
+// multiples of the identity on waves, so the range of the product is known, and with it the step lengths of Chebyshev's
+// roots for cycles of kCycle steps (Young 1953). Works in place: a few layers of a residual are all its
 // memory. On sets of nodes where both stencils miss most of their neighbours the bounds do not hold; conjugate
 // gradients end what a cycle does not bring nearer.
 SolveResult SplineSystem::solve_richardson(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
@@ -344,23 +351,23 @@ SolveResult SplineSystem::solve_richardson(const Stencil& stencil, const BlockFi
     make_layers();
     const Stencil inverse = approximate_inverse(stencil);
     const Range range = range_of_product(stencil, inverse);
-    const double middle = 0.5 * (range.least + range.greatest);
-    const double radius = 0.5 * (range.greatest - range.least);
+    const double middle = std::lerp(range.least, range.greatest, 0.5 * (kFirstError + kLastError));
+    const double radius = 0.5 * (kLastError - kFirstError) * (range.greatest - range.least);
     const auto correction_of = [&](int step) {
         return (1.0 / (middle + radius * std::cos(std::numbers::pi * (step + 0.5) / kCycle))) * inverse;
     };
     SolveResult result;
-    double before = 0.0;  // residual at the start of a cycle
+    double before = std::numeric_limits<double>::infinity();  // residual at the start of a cycle
+    bool stalls = false;
     do {
         const int step = result.iterations % kCycle;
-        const double start = root_mean_square(sweep(stencil, correction_of(step), fill, b, x));
-        if (step == 0) before = start;
-        // The residual that is left costs half a step: it is not looked for before it can be small enough.
-        if (++result.iterations >= kCycle) result.residual = root_mean_square(sweep(stencil, {}, fill, b, x));
-        const bool stalls = result.iterations % kCycle == 0 && !(result.residual < kLeastGain * before);
-        if (stalls) break;
-    } while (result.iterations < kCycle ||
-             (result.residual > options.tolerance && result.iterations < options.max_iterations));
+        result.residual = root_mean_square(sweep(stencil, correction_of(step), fill, b, x));
+        if (step == 0) stalls = !(result.residual < kLeastGain * std::exchange(before, result.residual));
+        ++result.iterations;
+        // That was the residual before the step. To look for what is left costs half a step.
+        if (result.residual * kUsualGain <= options.tolerance || result.iterations == options.max_iterations)
+            result.residual = root_mean_square(sweep(stencil, {}, fill, b, x));
+    } while (!stalls && result.residual > options.tolerance && result.iterations < options.max_iterations);
     if (result.residual <= options.tolerance || result.iterations >= options.max_iterations) return result;
     const SolveResult rest =
         solve_cg(stencil, fill, b, x,

@@ -11,6 +11,7 @@ namespace meniscus {
 namespace {
 
 constexpr std::size_t kChains = 2;
+constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding
 
 template <class T>
 void set_point(LanePoints<T>& points, std::size_t lane, const Vec3& p) {
@@ -32,26 +33,43 @@ NearestBatch::Claim NearestBatch::start(const LocalFeatures& local, const Box& b
     beyond_ = std::max(0.0, margin - data_->probe);
     box_ = box;
     middle_ = 0.5 * (box.low + box.high);
-    half_diagonal_ = 0.5 * norm(box.high - box.low);
+    half_ = kAboveOne * 0.5 * (box.high - box.low);
+    half_diagonal_ = norm(half_);
     if (local.balls().empty()) return Claim::Above;
     if (depths_in_middle_.size() < local.balls().padded_size()) depths_in_middle_.resize(local.balls().padded_size());
-    kernels_.find_depths_of(middle_, local.balls(), depths_in_middle_.data());
-    const auto end = depths_in_middle_.begin() + static_cast<std::ptrdiff_t>(local.balls().size());
-    const double deepest = *std::max_element(depths_in_middle_.begin(), end);
-    if (deepest + half_diagonal_ < -beyond_) return Claim::Above;
-    if (deepest - half_diagonal_ > data_->probe + margin_) return Claim::Below;
+    const std::size_t deepest = kernels_.find_depths_of(middle_, local.balls(), depths_in_middle_.data());
+    const double depth = depths_in_middle_[deepest];
+    if (depth + half_diagonal_ < -beyond_) return Claim::Above;
+    if (depth - half_diagonal_ > data_->probe + margin_) return Claim::Below;
     choose_contenders(deepest);
     return Claim::Open;
 }
 
-// Depths change by at most 1 per Å: whoever is more than a diagonal less deep in the middle is nowhere the deepest.
-void NearestBatch::choose_contenders(double deepest) {
-    const double enough = deepest - 2.0 * half_diagonal_ * (1.0 + 1e-9);
+// Those that may be deeper than the deepest ball in the middle somewhere else.
+void NearestBatch::choose_contenders(std::size_t deepest) {
     const SphereList& balls = local_->balls();
-    marks_.resize(std::max(marks_.size(), balls.size()));
-    for (std::size_t b = 0; b < balls.size(); ++b) marks_[b] = depths_in_middle_[b] >= enough ? 1 : 0;
+    const Vec3 from_centre = middle_ - position_in(balls, deepest);
+    const double length = norm(from_centre);
+    DepthContest contest{.middle = middle_,
+                         .half = half_,
+                         .centre = position_in(balls, deepest),
+                         .rho = balls.column(3)[deepest],
+                         .length = length,
+                         .direction = {},
+                         .more = half_diagonal_,
+                         .less = half_diagonal_};
+    if (length > half_diagonal_) {
+        // Lengths are convex: nowhere below their tangent. And d from the middle at most d²/2 length above it: the
+        // geometric mean of two numbers is at most the arithmetic one.
+        contest.direction = (1.0 / length) * from_centre;
+        contest.more = half_diagonal_ * half_diagonal_ / (2.0 * length);
+        contest.less = 0.0;
+    }
+    marks_.resize(std::max(marks_.size(), balls.padded_size()));
+    kernels_.mark_contenders(balls, contest, marks_.data());
     contenders_.select(balls, marks_);
-    const double extent = half_diagonal_ + 2.0 * data_->rho_max - enough;
+    // In the middle contenders are less deep by two diagonals at most.
+    const double extent = 5.0 * half_diagonal_ + 2.0 * data_->rho_max - depths_in_middle_[deepest];
     // With coordinates up to m from the middle and u = 2^-24, differences are off by 2 u m each, their norm by
     // (2 √3 + 3) u m, the depth by less than 8 u (m + rho).
     depth_error_ = 8.0 * 0x1p-24 * extent;
@@ -175,6 +193,7 @@ void NearestBatch::choose_edges() {
     const BoxList& arcs = local_->arcs();
     marks_.resize(std::max({marks_.size(), vertices.padded_size(), arcs.padded_size()}));
     kernels_.mark_reaching(vertices, margin_, box_, marks_.data());
+    if (!vertices.empty()) kernels_.unmark_far(vertices, middle_, half_, marks_.data());
     vertices_.resize(vertices.size());
     vertices_.resize(marked_positions(std::span(marks_).first(vertices.size()), vertices_.data()));
     kernels_.mark_overlapping(arcs, box_, marks_.data());

@@ -63,7 +63,7 @@ public:
     SurfaceStep step_to_surface(std::size_t point) const;
 
 private:
-    void choose_contenders(double deepest);
+    void choose_contenders(std::size_t deepest);
     void load(std::span<const Vec3> points);
     void group_points();
     void sort_by_groups();
@@ -86,6 +86,7 @@ private:
     double beyond_ = 0.0;  // Å by which points within the margin may be outside of all balls
     Box box_;
     Vec3 middle_;
+    Vec3 half_;
     double half_diagonal_ = 0.0;
     double depth_error_ = 0.0;              // Å, of depths in single precision
     std::vector<double> depths_in_middle_;  // per ball of the lists

@@ -35,9 +35,10 @@ constexpr Vec3 kGridShift{0.3819660, 0.2360680, 0.1458980};
 
 constexpr double kWidestBand = 16.0;  // spacings
 
-// A distance changes by at most 1 per Å: both ends of an edge that the surface cuts are within the edge's length. Of
-// all other nodes marching cubes needs the sign alone.
-constexpr double kCutEdge = 1.01;  // spacings
+// Marching cubes needs the signs, and of distances where on its edge a vertex starts on its way to the surface: never
+// nearer to a node than kSpreadFraction. Distances up to 0.65 spacings would tell that exactly; these tell it within
+// 0.15.
+constexpr double kStartOfVertices = 0.3;  // spacings
 
 constexpr int kSimplifyingRounds = 3;  // none has needed more than two
 
@@ -196,7 +197,8 @@ private:
 
     void sample_exact(Field& field) {
         field.values =
-            sample_distance(*accessible_, *field.grid, kCutEdge * options_.spacing, BandFields::Distance).distance;
+            sample_distance(*accessible_, *field.grid, kStartOfVertices * options_.spacing, BandFields::Distance)
+                .distance;
         surface_.seconds.band = clock_.lap();
         report("band", 1.0);
     }

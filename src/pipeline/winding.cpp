@@ -50,6 +50,8 @@ struct Cell {
     std::uint16_t column = 0;
     std::uint16_t row = 0;
 };
+Cell lower(Cell a, Cell b) { return {std::min(a.column, b.column), std::min(a.row, b.row)}; }
+Cell higher(Cell a, Cell b) { return {std::max(a.column, b.column), std::max(a.row, b.row)}; }
 
 // Points as seen from above, sorted into cells: so many that most are empty.
 class PointCells {
@@ -58,6 +60,7 @@ public:
         : edge_(std::clamp<std::size_t>(static_cast<std::size_t>(8.0 * std::sqrt(static_cast<double>(points.size()))),
                                         1, kMostPerEdge)),
           begins_(edge_ * edge_ + 1, 0),
+          near_(edge_ * edge_, 0),
           points_(points.size()) {
         Box box;
         for (const Vec3& p : points) box.include(p);
@@ -65,6 +68,7 @@ public:
         const Vec3 size = box.high - box.low;
         per_angstrom_ = {cells_per_angstrom(size.x), cells_per_angstrom(size.y), 0.0};
         for (const Vec3& p : points) ++begins_[place_of(cell_of(p)) + 1];
+        for (const Vec3& p : points) mark_near(cell_of(p));
         std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
         std::vector<std::uint32_t> next = begins_;
         for (std::uint32_t i = 0; i < points.size(); ++i) points_[next[place_of(cell_of(points[i]))]++] = i;
@@ -75,6 +79,11 @@ public:
         return {number((p.x - low_.x) * per_angstrom_.x), number((p.y - low_.y) * per_angstrom_.y)};
     }
 
+    // Whether there may be points in the cells between two corners. Quick where these are next to each other.
+    bool any_within(Cell low, Cell high) const {
+        const bool small = (high.column <= low.column + 1) & (high.row <= low.row + 1);
+        return !small || near_[place_of(low)] != 0;
+    }
     // Calls visit(number of a point) for the points in the cells between two corners.
     template <class Visit>
     void for_each_within(Cell low, Cell high, const Visit& visit) const {
@@ -93,11 +102,18 @@ private:
         return static_cast<std::uint16_t>(std::min(std::max(0.0, cells), static_cast<double>(edge_ - 1)));
     }
     std::size_t place_of(Cell cell) const { return cell.row * edge_ + cell.column; }
+    void mark_near(Cell cell) {
+        for (int row = std::max(0, cell.row - 1); row <= cell.row; ++row)
+            for (int column = std::max(0, cell.column - 1); column <= cell.column; ++column)
+                near_[place_of({static_cast<std::uint16_t>(column), static_cast<std::uint16_t>(row)})] = 1;
+    }
 
     std::size_t edge_;
     Vec3 low_;
     Vec3 per_angstrom_;
     std::vector<std::uint32_t> begins_;  // of each cell among the points, and the end
+    std::vector<std::uint8_t>
+        near_;  // per cell: whether there are points in it or in those after it, beside and behind
     std::vector<std::uint32_t> points_;
 };
 
@@ -125,9 +141,10 @@ std::vector<int> winding_numbers(const Mesh& mesh, std::span<const Vec3> points)
             const Cell a = cell_of_vertex[t[0]];
             const Cell b = cell_of_vertex[t[1]];
             const Cell c = cell_of_vertex[t[2]];
-            const auto [left, right] = std::minmax({a.column, b.column, c.column});
-            const auto [front, back] = std::minmax({a.row, b.row, c.row});
-            cells.for_each_within({left, front}, {right, back}, [&](std::uint32_t i) {
+            const Cell low = lower(lower(a, b), c);
+            const Cell high = higher(higher(a, b), c);
+            if (!cells.any_within(low, high)) continue;
+            cells.for_each_within(low, high, [&](std::uint32_t i) {
                 const int turns = turns_round(mesh, t, points[i]);
                 if (turns != 0 && is_above(mesh, t, points[i])) numbers.of_point[i] += turns;
             });

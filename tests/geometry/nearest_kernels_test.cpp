@@ -24,6 +24,9 @@ struct Answers {
     std::vector<std::int64_t> reaching;
     std::vector<std::int64_t> overlapping;
     std::vector<double> depths_in_middle;
+    std::size_t deepest = 0;
+    std::vector<std::int64_t> contenders;
+    std::vector<std::int64_t> vertices;  // that may be the nearest
     Depths depths;
     LaneArray<std::int32_t> groups;
     BallClaims claims;
@@ -67,8 +70,14 @@ protected:
         kernels.mark_overlapping(local_.arcs(), kBox, answers.overlapping.data());
         answers.overlapping.resize(local_.arcs().size());
         answers.depths_in_middle.resize(local_.balls().padded_size());
-        kernels.find_depths_of(kMiddle, local_.balls(), answers.depths_in_middle.data());
+        answers.deepest = kernels.find_depths_of(kMiddle, local_.balls(), answers.depths_in_middle.data());
         answers.depths_in_middle.resize(local_.balls().size());
+        answers.contenders.resize(local_.balls().padded_size());
+        kernels.mark_contenders(local_.balls(), contest(answers.deepest), answers.contenders.data());
+        answers.contenders.resize(local_.balls().size());
+        answers.vertices.assign(local_.vertices().padded_size(), -1);
+        kernels.unmark_far(local_.vertices(), kMiddle, kHalf, answers.vertices.data());
+        answers.vertices.resize(local_.vertices().size());
         kernels.find_depths(small_, small_points_, kPoints, answers.depths);
         kernels.group_points(answers.depths, limits(), kPoints, answers.groups);
         const std::uint32_t atom = local_.balls().index(0);
@@ -94,8 +103,22 @@ protected:
         return {.above = 0.5F, .below = 2.0F, .lead = 0.01F, .balls = static_cast<std::int32_t>(small_.size())};
     }
 
+    DepthContest contest(std::size_t ball) const {
+        const Vec3 centre = position_in(local_.balls(), ball);
+        const double length = norm(kMiddle - centre);
+        return {.middle = kMiddle,
+                .half = kHalf,
+                .centre = centre,
+                .rho = local_.balls().column(3)[ball],
+                .length = length,
+                .direction = (1.0 / length) * (kMiddle - centre),
+                .more = squared_norm(kHalf) / (2.0 * length),
+                .less = 0.0};
+    }
+
     static constexpr Box kBox{{1, 1, 1}, {3, 3, 3}};
     static constexpr Vec3 kMiddle{2, 2, 2};
+    static constexpr Vec3 kHalf{1, 1, 1};
     static constexpr double kMargin = 1.0;
     Atoms atoms_ = random_cluster(8, 40, 8.0);
     AccessibleSurface surface_{atoms_, 1.4};
@@ -118,6 +141,9 @@ TEST_F(NearestKernelsTest, GiveTheSameBitsOnEveryInstructionSet) {
         EXPECT_EQ(other.reaching, plain.reaching);
         EXPECT_EQ(other.overlapping, plain.overlapping);
         EXPECT_EQ(other.depths_in_middle, plain.depths_in_middle);
+        EXPECT_EQ(other.deepest, plain.deepest);
+        EXPECT_EQ(other.contenders, plain.contenders);
+        EXPECT_EQ(other.vertices, plain.vertices);
         expect_equal(other.depths.first, plain.depths.first);
         expect_equal(other.depths.second, plain.depths.second);
         expect_equal(other.depths.ball, plain.depths.ball);
@@ -170,6 +196,39 @@ TEST_F(NearestKernelsTest, FindDepthsInAllBalls) {
     for (std::size_t b = 0; b < local_.balls().size(); ++b)
         EXPECT_EQ(answers.depths_in_middle[b],
                   local_.balls().column(3)[b] - norm(kMiddle - position_in(local_.balls(), b)));
+}
+
+// Nowhere in the box is one the deepest or the nearest that is not marked, and most are not.
+TEST_F(NearestKernelsTest, MarkWhatMayBeTheDeepestBallOrTheNearestVertex) {
+    const Answers answers = ask(nearest_kernels());
+    EXPECT_EQ(answers.deepest, static_cast<std::size_t>(std::ranges::max_element(answers.depths_in_middle) -
+                                                        answers.depths_in_middle.begin()));
+    const auto marked = [](const std::vector<std::int64_t>& marks) {
+        return marks.size() - static_cast<std::size_t>(std::ranges::count(marks, 0));
+    };
+    EXPECT_LT(marked(answers.contenders), local_.balls().size() / 2);
+    EXPECT_LT(marked(answers.vertices), local_.vertices().size() / 2);
+    constexpr int kSteps = 20;
+    for (int n = 0; n < kSteps * kSteps * kSteps; ++n) {
+        const Vec3 place{1.0 * (n % kSteps), 1.0 * (n / kSteps % kSteps), 1.0 * (n / kSteps / kSteps)};
+        const Vec3 x = kBox.low + (2.0 / (kSteps - 1)) * place;
+        std::size_t deepest = 0;
+        double depth = -1e300;
+        for (std::size_t b = 0; b < local_.balls().size(); ++b) {
+            const double here = local_.balls().column(3)[b] - norm(x - position_in(local_.balls(), b));
+            if (here > depth) deepest = b;
+            depth = std::max(depth, here);
+        }
+        ASSERT_NE(answers.contenders[deepest], 0);
+        std::size_t nearest = 0;
+        double distance = 1e300;
+        for (std::size_t v = 0; v < local_.vertices().size(); ++v) {
+            const double here = norm(x - position_in(local_.vertices(), v));
+            if (here < distance) nearest = v;
+            distance = std::min(distance, here);
+        }
+        ASSERT_NE(answers.vertices[nearest], 0);
+    }
 }
 
 TEST_F(NearestKernelsTest, GroupPointsByWhatTheirDepthsTell) {
