@@ -20,6 +20,9 @@ namespace {
 // Far above the rounding of the predicates (1e-15 relative) and far below any length that matters.
 constexpr double kPerturbation = 1e-10;
 constexpr int kMaxAttempts = 6;  // each ten times the perturbation of the one before
+
+constexpr std::size_t kChunk = 512;  // atoms, vertices or arcs per task, where each takes little
+
 // Atoms per task: small molecules have work for all threads to the end, and the lists of large ones' tasks, which come
 // and go, leave the memory in few pieces.
 std::size_t atoms_per_task(std::size_t atoms) { return std::clamp<std::size_t>(atoms / 64, 64, 256); }
@@ -89,14 +92,14 @@ void append_contour(const ContourBuilder& builder, std::span<const Cap> caps, st
 // Fills exposed, cover, caps and contours; false if the arrangement came out inconsistent on some sphere.
 bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const AccessibleSurface::Data* before) {
     const std::size_t n = data.atoms.size();
-    const std::size_t size = atoms_per_task(n);
-    std::vector<ChunkResult> chunks((n + size - 1) / size);
+    const std::size_t per_task = atoms_per_task(n);
+    std::vector<ChunkResult> chunks((n + per_task - 1) / per_task);
     data.contour_begin.assign(n + 1, 0);
     data.cap_begin.assign(n + 1, 0);
     data.cover_begin.assign(n + 1, 0);
     data.exposed.assign(n, 0);
-    parallel_chunks(n, size, [&](std::size_t begin, std::size_t end) {
-        ChunkResult& chunk = chunks[begin / size];
+    parallel_chunks(n, per_task, [&](std::size_t begin, std::size_t end) {
+        ChunkResult& chunk = chunks[begin / per_task];
         NeighbourCaps neighbours(data, cells);
         ContourBuilder builder;
         std::vector<Cap> caps;
@@ -165,7 +168,7 @@ struct HashSums {
 
 // Every vertex must be found by its three atoms and every arc by its two.
 bool contours_agree(const AccessibleSurface::Data& data) {
-    const HashSums sums = parallel_sum<HashSums>(data.atoms.size(), 512, [&](std::size_t begin, std::size_t end) {
+    const HashSums sums = parallel_sum<HashSums>(data.atoms.size(), kChunk, [&](std::size_t begin, std::size_t end) {
         HashSums of_these;
         for (std::size_t atom = begin; atom < end; ++atom) {
             const auto i = static_cast<std::uint32_t>(atom);
@@ -204,7 +207,7 @@ private:
 
 void place_vertices(AccessibleSurface::Data& data, const VertexTable& table) {
     data.vertices.resize(table.keys().size());
-    parallel_for(data.vertices.size(), 512, [&](std::size_t v) {
+    parallel_for(data.vertices.size(), kChunk, [&](std::size_t v) {
         const auto& [i, j, k] = table.keys()[v];
         const Vec3 n = rim_crossing(cap_between(data, i, j), cap_between(data, i, k));
         data.vertices[v] = {{i, j, k}, data.atoms.centres[i] + data.rho[i] * n};
@@ -267,12 +270,12 @@ void place_arcs(AccessibleSurface::Data& data, const VertexTable& table) {
         begin[i + 1] = owned.size();
     }
     data.arcs.resize(owned.size());
-    parallel_for(owned.size(), 512, [&](std::size_t a) {
+    parallel_for(owned.size(), kChunk, [&](std::size_t a) {
         data.arcs[a] =
             make_arc(data, table, owned[a].atom, view_of(data, owned[a].atom, data.contour[owned[a].contour]));
     });
     // The larger atom sees the same arc from its other end.
-    parallel_for(data.atoms.size(), 512, [&](std::size_t atom) {
+    parallel_for(data.atoms.size(), kChunk, [&](std::size_t atom) {
         const auto j = static_cast<std::uint32_t>(atom);
         for (std::size_t c = data.contour_begin[j]; c < data.contour_begin[j + 1]; ++c) {
             const ArcView view = view_of(data, j, data.contour[c]);
@@ -312,21 +315,21 @@ void build_trees(AccessibleSurface::Data& data) {
     for (std::size_t i = 0; i < atoms.size(); ++i) atoms[i].include(data.atoms.centres[i]);
     std::vector<Box> arcs(data.arcs.size());
     data.arc_cells.resize(data.arcs.size());
-    parallel_for(arcs.size(), 512, [&](std::size_t a) {
+    parallel_for(arcs.size(), kChunk, [&](std::size_t a) {
         data.arc_cells[a] = arcs[a] = box_of(data, data.arcs[a]);
         for (const std::uint32_t i : data.arcs[a].atoms) data.arc_cells[a].include(data.atoms.centres[i]);
     });
     std::vector<Box> vertices(data.vertices.size());
     for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v].include(data.vertices[v].position);
-    const auto first = [&] {
+    const auto of_atoms_and_arcs = [&] {
         data.atom_tree = BoxTree(std::move(atoms));
         data.arc_tree = BoxTree(std::move(arcs));
     };
-    const auto second = [&] {
+    const auto of_cells_and_vertices = [&] {
         data.arc_cell_tree = BoxTree(data.arc_cells);
         data.vertex_tree = BoxTree(std::move(vertices));
     };
-    parallel_both(first, second);
+    parallel_both(of_atoms_and_arcs, of_cells_and_vertices);
 }
 
 bool try_build(AccessibleSurface::Data& data, const CellList& cells, std::uint64_t seed, int attempt,

@@ -210,8 +210,9 @@ TEST_F(NearestKernelsTest, MarkWhatMayBeTheDeepestBallOrTheNearestVertex) {
     EXPECT_LT(marked(answers.vertices), local_.vertices().size() / 2);
     constexpr int kSteps = 20;
     for (int n = 0; n < kSteps * kSteps * kSteps; ++n) {
-        const Vec3 place{1.0 * (n % kSteps), 1.0 * (n / kSteps % kSteps), 1.0 * (n / kSteps / kSteps)};
-        const Vec3 x = kBox.low + (2.0 / (kSteps - 1)) * place;
+        const int y = n / kSteps % kSteps;
+        const int z = n / kSteps / kSteps;
+        const Vec3 x = kBox.low + (2.0 / (kSteps - 1)) * Vec3{1.0 * (n % kSteps), 1.0 * y, 1.0 * z};
         std::size_t deepest = 0;
         double depth = -1e300;
         for (std::size_t b = 0; b < local_.balls().size(); ++b) {
