@@ -37,8 +37,8 @@ constexpr double kWidestBand = 16.0;  // spacings
 
 // Marching cubes needs the signs, and of distances where on its edge a vertex starts on its way to the surface: never
 // nearer to a node than kSpreadFraction. Distances up to 0.65 spacings would tell that exactly; these tell it within
-// 0.15.
-constexpr double kStartOfVertices = 0.3;  // spacings
+// 0.12.
+constexpr double kStartOfVertices = 0.4;  // spacings
 
 constexpr int kSimplifyingRounds = 3;  // none has needed more than two
 
