@@ -22,7 +22,7 @@ constexpr std::size_t kBlocksPerChunk = 32;
 constexpr std::size_t kRestart = 30;  // of GMRES
 constexpr int kCycle = 3;             // step lengths of Richardson's iteration
 constexpr double kLeastGain = 0.2;    // of a cycle: flows have below 0.005
-constexpr double kUsualGain = 0.1;    // of a step: a cycle's last ones have 0.05 to 0.01, others more than that
+constexpr double kUsualGain = 0.1;    // of a step: a cycle's last one has 0.006 to 0.07, others more
 
 // The part of the range of a product where errors of distances are, as fractions of it (docs/design/flow.md).
 constexpr double kFirstError = 0.28;

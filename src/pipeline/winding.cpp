@@ -112,8 +112,7 @@ private:
     Vec3 low_;
     Vec3 per_angstrom_;
     std::vector<std::uint32_t> begins_;  // of each cell among the points, and the end
-    std::vector<std::uint8_t>
-        near_;  // per cell: whether there are points in it or in those after it, beside and behind
+    std::vector<std::uint8_t> near_;     // per cell: whether it, or the next in column or row or both, holds points
     std::vector<std::uint32_t> points_;
 };
 
