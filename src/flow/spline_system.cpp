@@ -343,9 +343,9 @@ double SplineSystem::sweep(const Stencil& stencil, const std::optional<Stencil>&
 
 // Richardson 1910, with an approximate inverse of the stencil (27 coefficients, too) before the residual. Both are
 // multiples of the identity on waves, so the range of the product is known, and with it the step lengths of Chebyshev's
-// roots for cycles of kCycle steps (Young 1953). Works in place: a few layers of a residual are all its
-// memory. On sets of nodes where both stencils miss most of their neighbours the bounds do not hold; conjugate
-// gradients end what a cycle does not bring nearer.
+// roots for cycles of kCycle steps (Young 1953). Works in place: a few layers of a residual are all its memory. On sets
+// of nodes where both stencils miss most of their neighbours the range is another; conjugate gradients end what a cycle
+// does not bring nearer.
 SolveResult SplineSystem::solve_richardson(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
                                            std::span<float> x, const SolveOptions& options) {
     make_layers();

@@ -11,7 +11,6 @@ namespace meniscus {
 namespace {
 
 constexpr std::size_t kChains = 2;
-constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding
 
 template <class T>
 void set_point(LanePoints<T>& points, std::size_t lane, const Vec3& p) {
@@ -33,8 +32,7 @@ NearestBatch::Claim NearestBatch::start(const LocalFeatures& local, const Box& b
     beyond_ = std::max(0.0, margin - data_->probe);
     box_ = box;
     middle_ = 0.5 * (box.low + box.high);
-    half_ = kAboveOne * 0.5 * (box.high - box.low);
-    half_diagonal_ = norm(half_);
+    half_diagonal_ = 0.5 * norm(box.high - box.low);
     if (local.balls().empty()) return Claim::Above;
     if (depths_in_middle_.size() < local.balls().padded_size()) depths_in_middle_.resize(local.balls().padded_size());
     const std::size_t deepest = kernels_.find_depths_of(middle_, local.balls(), depths_in_middle_.data());
@@ -45,30 +43,13 @@ NearestBatch::Claim NearestBatch::start(const LocalFeatures& local, const Box& b
     return Claim::Open;
 }
 
-// Those that may be deeper than the deepest ball in the middle somewhere else.
+// Balls that may be deeper somewhere than the one that is deepest in the middle.
 void NearestBatch::choose_contenders(std::size_t deepest) {
     const SphereList& balls = local_->balls();
-    const Vec3 from_centre = middle_ - position_in(balls, deepest);
-    const double length = norm(from_centre);
-    DepthContest contest{.middle = middle_,
-                         .half = half_,
-                         .centre = position_in(balls, deepest),
-                         .rho = balls.column(3)[deepest],
-                         .length = length,
-                         .direction = {},
-                         .more = half_diagonal_,
-                         .less = half_diagonal_};
-    if (length > half_diagonal_) {
-        // Lengths are convex: nowhere below their tangent. And d from the middle at most d²/2 length above it: the
-        // geometric mean of two numbers is at most the arithmetic one.
-        contest.direction = (1.0 / length) * from_centre;
-        contest.more = half_diagonal_ * half_diagonal_ / (2.0 * length);
-        contest.less = 0.0;
-    }
     marks_.resize(std::max(marks_.size(), balls.padded_size()));
-    kernels_.mark_contenders(balls, contest, marks_.data());
+    kernels_.mark_contenders(balls, deepest, box_, marks_.data());
     contenders_.select(balls, marks_);
-    // In the middle contenders are less deep by two diagonals at most.
+    // In the middle they are less deep by two diagonals at most.
     const double extent = 5.0 * half_diagonal_ + 2.0 * data_->rho_max - depths_in_middle_[deepest];
     // With coordinates up to m from the middle and u = 2^-24, differences are off by 2 u m each, their norm by
     // (2 √3 + 3) u m, the depth by less than 8 u (m + rho).
@@ -193,7 +174,7 @@ void NearestBatch::choose_edges() {
     const BoxList& arcs = local_->arcs();
     marks_.resize(std::max({marks_.size(), vertices.padded_size(), arcs.padded_size()}));
     kernels_.mark_reaching(vertices, margin_, box_, marks_.data());
-    if (!vertices.empty()) kernels_.unmark_far(vertices, middle_, half_, marks_.data());
+    kernels_.unmark_far(vertices, box_, marks_.data());
     vertices_.resize(vertices.size());
     vertices_.resize(marked_positions(std::span(marks_).first(vertices.size()), vertices_.data()));
     kernels_.mark_overlapping(arcs, box_, marks_.data());

@@ -86,7 +86,6 @@ private:
     double beyond_ = 0.0;  // Å by which points within the margin may be outside of all balls
     Box box_;
     Vec3 middle_;
-    Vec3 half_;
     double half_diagonal_ = 0.0;
     double depth_error_ = 0.0;              // Å, of depths in single precision
     std::vector<double> depths_in_middle_;  // per ball of the lists

@@ -56,19 +56,6 @@ struct Depths {
     LaneArray<std::int32_t> ball;
 };
 
-/// A ball that others have to be deeper than, somewhere in a box.
-struct DepthContest {
-    Vec3 middle;  ///< of the box
-    Vec3 half;    ///< its edges, halved
-    Vec3 centre;  ///< of the ball
-    double rho = 0.0;
-    // At d from the middle, within the box, the centre is length + direction·d away, up to so much more or less.
-    double length = 0.0;
-    Vec3 direction;
-    double more = 0.0;
-    double less = 0.0;
-};
-
 /// What depths tell about points: beyond which ones they are on one side of the margin, and by how much the deepest
 /// ball must lead.
 struct DepthLimits {
@@ -120,10 +107,10 @@ struct NearestKernels {
     void (*mark_overlapping)(const BoxList& boxes, const Box& box, std::int64_t* marks);
     /// How deep a point is in each ball; returns the position of one where it is deepest. There must be some.
     std::size_t (*find_depths_of)(const Vec3& point, const SphereList& balls, double* depths);
-    /// Marks the ball of a contest and those that may be deeper.
-    void (*mark_contenders)(const SphereList& balls, const DepthContest& contest, std::int64_t* marks);
-    /// Unmarks vertices that are nowhere in a box the nearest one. There must be some.
-    void (*unmark_far)(const SphereList& vertices, const Vec3& middle, const Vec3& half, std::int64_t* marks);
+    /// Marks a ball and those that may be deeper than it somewhere in a box.
+    void (*mark_contenders)(const SphereList& balls, std::size_t ball, const Box& box, std::int64_t* marks);
+    /// Unmarks vertices that are nowhere in a box the nearest one.
+    void (*unmark_far)(const SphereList& vertices, const Box& box, std::int64_t* marks);
     void (*find_depths)(std::span<const SmallBall> balls, const LanePoints<float>& points, std::size_t count,
                         Depths& depths);
     void (*group_points)(const Depths& depths, const DepthLimits& limits, std::size_t count,

@@ -38,7 +38,7 @@ constexpr double kWidestBand = 16.0;  // spacings
 // Marching cubes needs the signs, and of distances where on its edge a vertex starts on its way to the surface: never
 // nearer to a node than kSpreadFraction. Distances up to 0.65 spacings would tell that exactly; these tell it within
 // 0.12.
-constexpr double kStartOfVertices = 0.4;  // spacings
+constexpr double kDistancesThatMatter = 0.4;  // spacings
 
 constexpr int kSimplifyingRounds = 3;  // none has needed more than two
 
@@ -197,7 +197,7 @@ private:
 
     void sample_exact(Field& field) {
         field.values =
-            sample_distance(*accessible_, *field.grid, kStartOfVertices * options_.spacing, BandFields::Distance)
+            sample_distance(*accessible_, *field.grid, kDistancesThatMatter * options_.spacing, BandFields::Distance)
                 .distance;
         surface_.seconds.band = clock_.lap();
         report("band", 1.0);

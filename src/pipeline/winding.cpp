@@ -79,14 +79,12 @@ public:
         return {number((p.x - low_.x) * per_angstrom_.x), number((p.y - low_.y) * per_angstrom_.y)};
     }
 
-    // Whether there may be points in the cells between two corners. Quick where these are next to each other.
-    bool any_within(Cell low, Cell high) const {
-        const bool small = (high.column <= low.column + 1) & (high.row <= low.row + 1);
-        return !small || near_[place_of(low)] != 0;
-    }
-    // Calls visit(number of a point) for the points in the cells between two corners.
+    // Calls visit(number of a point) for the points in the cells between two corners. Quick where these are next to
+    // each other and no point is near.
     template <class Visit>
     void for_each_within(Cell low, Cell high, const Visit& visit) const {
+        const bool small = (high.column <= low.column + 1) & (high.row <= low.row + 1);
+        if (small && near_[place_of(low)] == 0) return;
         for (std::size_t row = low.row; row <= high.row; ++row) {
             const std::uint32_t end = begins_[row * edge_ + high.column + 1];
             for (std::uint32_t i = begins_[row * edge_ + low.column]; i < end; ++i) visit(points_[i]);
@@ -142,7 +140,6 @@ std::vector<int> winding_numbers(const Mesh& mesh, std::span<const Vec3> points)
             const Cell c = cell_of_vertex[t[2]];
             const Cell low = lower(lower(a, b), c);
             const Cell high = higher(higher(a, b), c);
-            if (!cells.any_within(low, high)) continue;
             cells.for_each_within(low, high, [&](std::uint32_t i) {
                 const int turns = turns_round(mesh, t, points[i]);
                 if (turns != 0 && is_above(mesh, t, points[i])) numbers.of_point[i] += turns;

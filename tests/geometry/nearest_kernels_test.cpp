@@ -73,10 +73,10 @@ protected:
         answers.deepest = kernels.find_depths_of(kMiddle, local_.balls(), answers.depths_in_middle.data());
         answers.depths_in_middle.resize(local_.balls().size());
         answers.contenders.resize(local_.balls().padded_size());
-        kernels.mark_contenders(local_.balls(), contest(answers.deepest), answers.contenders.data());
+        kernels.mark_contenders(local_.balls(), answers.deepest, kBox, answers.contenders.data());
         answers.contenders.resize(local_.balls().size());
         answers.vertices.assign(local_.vertices().padded_size(), -1);
-        kernels.unmark_far(local_.vertices(), kMiddle, kHalf, answers.vertices.data());
+        kernels.unmark_far(local_.vertices(), kBox, answers.vertices.data());
         answers.vertices.resize(local_.vertices().size());
         kernels.find_depths(small_, small_points_, kPoints, answers.depths);
         kernels.group_points(answers.depths, limits(), kPoints, answers.groups);
@@ -103,22 +103,8 @@ protected:
         return {.above = 0.5F, .below = 2.0F, .lead = 0.01F, .balls = static_cast<std::int32_t>(small_.size())};
     }
 
-    DepthContest contest(std::size_t ball) const {
-        const Vec3 centre = position_in(local_.balls(), ball);
-        const double length = norm(kMiddle - centre);
-        return {.middle = kMiddle,
-                .half = kHalf,
-                .centre = centre,
-                .rho = local_.balls().column(3)[ball],
-                .length = length,
-                .direction = (1.0 / length) * (kMiddle - centre),
-                .more = squared_norm(kHalf) / (2.0 * length),
-                .less = 0.0};
-    }
-
     static constexpr Box kBox{{1, 1, 1}, {3, 3, 3}};
     static constexpr Vec3 kMiddle{2, 2, 2};
-    static constexpr Vec3 kHalf{1, 1, 1};
     static constexpr double kMargin = 1.0;
     Atoms atoms_ = random_cluster(8, 40, 8.0);
     AccessibleSurface surface_{atoms_, 1.4};
