@@ -57,6 +57,11 @@ CorrectedMeasures corrected_by(const Sums& sums) {
 // Volumes are taken from a vertex of the mesh, so that they do not lose digits far from the origin.
 Vec3 reference_point(const Mesh& mesh) { return mesh.vertices.empty() ? Vec3{} : mesh.vertices.front(); }
 
+void need_normals(const Mesh& mesh) {
+    if (mesh.normals.size() != mesh.vertices.size())
+        throw UsageError("curvature-corrected measures need one normal per vertex");
+}
+
 // Numbers the sides of one batch of triangles in the order of their first appearance: an open-addressing hash table.
 class SideNumbers {
 public:
@@ -88,6 +93,7 @@ private:
 // Some of a mesh's triangles, with vertices of their own.
 struct Batch {
     std::vector<Vec3> points;
+    std::vector<Vec3> normals;
     std::vector<Triangle> triangles;
 
     Batch(const Mesh& mesh, std::span<const Triangle> of) {
@@ -96,7 +102,11 @@ struct Batch {
         for (const Triangle& t : of) all.insert(all.end(), t.begin(), t.end());
         const LocalCorners corners(std::move(all));
         points.reserve(corners.vertices().size());
-        for (const VertexId v : corners.vertices()) points.push_back(mesh.vertices[v]);
+        normals.reserve(corners.vertices().size());
+        for (const VertexId v : corners.vertices()) {
+            points.push_back(mesh.vertices[v]);
+            normals.push_back(mesh.normals[v]);
+        }
         triangles.reserve(of.size());
         for (const Triangle& t : of) triangles.push_back(corners.local(t));
     }
@@ -114,8 +124,10 @@ struct Batch {
             parts.insert(parts.end(), {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
         }
         points.reserve(points.size() + numbers.sides().size());
-        for (const auto& [a, b] : numbers.sides()) points.push_back(0.5 * (points[a] + points[b]));
-        project(std::span(points).subspan(corners));
+        for (const auto& [a, b] : numbers.sides())
+            points.push_back(arc_middle(points[a], normals[a], points[b], normals[b]));
+        normals.resize(points.size());
+        project(std::span(points).subspan(corners), std::span(normals).subspan(corners));
         triangles = std::move(parts);
     }
 
@@ -162,6 +174,7 @@ CorrectedMeasures extrapolate(const CorrectedMeasures& whole, const CorrectedMea
 }
 
 CorrectedMeasures corrected_measures(const Mesh& mesh, const Projector& project, int divisions) {
+    need_normals(mesh);
     const std::size_t chunk = kChunk >> std::min(2 * (divisions - 1), std::countr_zero(kChunk));
     return corrected_by(parallel_sum<Sums>(mesh.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
         return projected_sums(mesh, project, divisions, std::span(mesh.triangles).subspan(begin, end - begin));
@@ -169,8 +182,7 @@ CorrectedMeasures corrected_measures(const Mesh& mesh, const Projector& project,
 }
 
 CorrectedMeasures corrected_measures(const Mesh& mesh) {
-    if (mesh.normals.size() != mesh.vertices.size())
-        throw UsageError("curvature-corrected measures need one normal per vertex");
+    need_normals(mesh);
     return corrected_by(parallel_sum<Sums>(mesh.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
         return estimated_sums(mesh, begin, end);
     }));

@@ -306,11 +306,14 @@ private:
     // Normals tell the middle of short edges; those of large triangles are looked for.
     CorrectedMeasures corrected_on_surface() const {
         const SurfaceProjector project = surface_projector(*accessible_, surface_.level_set.get(), options_.spacing);
-        const auto move = [&project](std::span<Vec3> places) {
+        const auto move = [&project](std::span<Vec3> places, std::span<Vec3> normals) {
             std::vector<SurfacePoint> points(places.size());
             for (std::size_t i = 0; i < points.size(); ++i) points[i].position = places[i];
             project(points);
-            for (std::size_t i = 0; i < points.size(); ++i) places[i] = points[i].position;
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                places[i] = points[i].position;
+                normals[i] = points[i].normal;
+            }
         };
         // Edges are as long as they are asked for only as far as the molecule has room for them.
         const double edge = std::min(options_.remesh.edge, longest_edge_of(surface_.mesh));

@@ -21,8 +21,11 @@ constexpr double kPi = std::numbers::pi;
 const Sphere kSphere{.centre = {0.01, 0.02, 0.03}, .radius = 2.0};
 constexpr Torus kTorus{.major = 2.0, .minor = 0.8};
 
-void project_to_sphere(std::span<Vec3> points) {
-    for (Vec3& p : points) p = kSphere.centre + kSphere.radius * normalised(p - kSphere.centre);
+void project_to_sphere(std::span<Vec3> points, std::span<Vec3> normals) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        normals[i] = normalised(points[i] - kSphere.centre);
+        points[i] = kSphere.centre + kSphere.radius * normals[i];
+    }
 }
 
 Vec3 torus_centre_near(const Vec3& p) {
@@ -30,15 +33,19 @@ Vec3 torus_centre_near(const Vec3& p) {
     return {kTorus.major * p.x / r, kTorus.major * p.y / r, 0.0};
 }
 
-void project_to_torus(std::span<Vec3> points) {
-    for (Vec3& p : points) p = torus_centre_near(p) + kTorus.minor * normalised(p - torus_centre_near(p));
+void project_to_torus(std::span<Vec3> points, std::span<Vec3> normals) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec3 centre = torus_centre_near(points[i]);
+        normals[i] = normalised(points[i] - centre);
+        points[i] = centre + kTorus.minor * normals[i];
+    }
 }
 
 Mesh projected_torus(double spacing) {
     const auto field = testing::sample_box(spacing, {-3, -3, -1}, {3, 3, 1}, kTorus);
     Mesh mesh = extract_zero_set(field.grid, field.values);
-    project_to_torus(mesh.vertices);
-    for (const Vec3& v : mesh.vertices) mesh.normals.push_back(normalised(v - torus_centre_near(v)));
+    mesh.normals.resize(mesh.vertices.size());
+    project_to_torus(mesh.vertices, mesh.normals);
     return mesh;
 }
 
@@ -100,9 +107,21 @@ TEST(Corrected, ArcMiddleIsTheChordsWhereNormalsSayNothing) {
     EXPECT_EQ(arc_middle({0, 0, 0}, {0, 0, 1}, {2, 0, 0}, {0, 0, -1}), (Vec3{1, 0, 0}));
 }
 
+TEST(Corrected, TheProjectorIsGivenPlacesNearTheSurface) {
+    Mesh mesh = testing::tetrahedron();
+    mesh.normals.resize(mesh.vertices.size());
+    project_to_sphere(mesh.vertices, mesh.normals);
+    const auto project = [](std::span<Vec3> points, std::span<Vec3> normals) {
+        for (const Vec3& p : points) EXPECT_NEAR(norm(p - kSphere.centre), kSphere.radius, 0.3);  // the chord's: 0.85
+        project_to_sphere(points, normals);
+    };
+    EXPECT_NEAR(corrected_measures(mesh, project, 4).area, 16.0 * kPi, 1e-3 * 16.0 * kPi);
+}
+
 TEST(Corrected, FlatSurfacesStayAsTheyAre) {
-    const Mesh mesh = testing::tetrahedron();
-    const CorrectedMeasures m = corrected_measures(mesh, [](std::span<Vec3>) {});
+    Mesh mesh = testing::tetrahedron();
+    mesh.normals.resize(mesh.vertices.size());  // that say nothing
+    const CorrectedMeasures m = corrected_measures(mesh, [](std::span<Vec3>, std::span<Vec3>) {});
     EXPECT_NEAR(m.area, 8.0 * std::sqrt(3.0), 1e-13);
     EXPECT_NEAR(m.volume, 8.0 / 3.0, 1e-13);
 }
@@ -122,8 +141,9 @@ TEST(Corrected, SameBitsForAnyNumberOfThreads) {
     EXPECT_EQ(with_threads(1).volume, with_threads(4).volume);
 }
 
-TEST(Corrected, NormalsAreRequiredWithoutAProjector) {
+TEST(Corrected, NormalsAreRequired) {
     EXPECT_THROW(corrected_measures(testing::tetrahedron()), UsageError);
+    EXPECT_THROW(corrected_measures(testing::tetrahedron(), project_to_sphere), UsageError);
 }
 
 }  // namespace
