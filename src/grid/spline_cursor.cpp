@@ -109,29 +109,45 @@ LevelSetSample nowhere() {
     return {kNan, {kNan, kNan, kNan}, {kNan, kNan, kNan, kNan, kNan, kNan}};
 }
 
-Landing land_on_zero_set(SplineCursor& cursor, const Vec3& point, double spacing) {
+namespace {
+
+LevelSetSample first_order_sample(const SplineCursor& cursor) {
+    LevelSetSample sample = nowhere();
+    const ValueAndGradient here = cursor.value_and_gradient();
+    sample.value = here.value;
+    sample.gradient = here.gradient;
+    return sample;
+}
+
+template <bool kSecondOrder>
+Landing land(SplineCursor& cursor, const Vec3& point, double spacing) {
     constexpr int kMaxIterations = 6;
     constexpr int kUsuallyThere = 2;  // from this iteration on second derivatives are not in vain
     const double close_enough = 1e-7 * spacing;
-    const auto sample_at = [&](const Vec3& p) { return cursor.move_to(p) ? cursor.sample() : nowhere(); };
+    const auto sample = [&cursor] { return kSecondOrder ? cursor.sample() : first_order_sample(cursor); };
+    const auto sample_at = [&](const Vec3& p) { return cursor.move_to(p) ? sample() : nowhere(); };
     Vec3 at = point;
     for (int i = 0; i < kMaxIterations && cursor.move_to(at); ++i) {
-        LevelSetSample here;
-        if (i < kUsuallyThere) {
-            const ValueAndGradient first_order = cursor.value_and_gradient();
-            here.value = first_order.value;
-            here.gradient = first_order.gradient;
-        } else {
-            here = cursor.sample();
-        }
+        const bool is_last_order = !kSecondOrder || i >= kUsuallyThere;
+        const LevelSetSample here = is_last_order ? sample() : first_order_sample(cursor);
         const double slope2 = squared_norm(here.gradient);
         if (!(slope2 > 0.0)) break;
-        if (std::abs(here.value) <= close_enough) return {at, i < kUsuallyThere ? cursor.sample() : here};
+        if (std::abs(here.value) <= close_enough) return {at, is_last_order ? here : sample()};
         at = at - (here.value / slope2) * here.gradient;
         if (!(norm(at - point) < spacing)) break;
         if (i + 1 == kMaxIterations) return {at, sample_at(at)};
     }
     return {point, sample_at(point)};
+}
+
+}  // namespace
+
+Landing land_on_zero_set(SplineCursor& cursor, const Vec3& point, double spacing) {
+    return land<true>(cursor, point, spacing);
+}
+
+Landing land_on_zero_set_first_order(SplineCursor& cursor, const Vec3& point, double spacing) {
+    return land<false>(cursor, point, spacing);
 }
 
 }  // namespace meniscus

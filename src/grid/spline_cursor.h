@@ -64,6 +64,8 @@ private:
 
 /// LevelSet::project. All of the sample is NaN outside the band.
 Landing land_on_zero_set(SplineCursor& cursor, const Vec3& point, double spacing);
+/// The same without the second derivatives: NaN.
+Landing land_on_zero_set_first_order(SplineCursor& cursor, const Vec3& point, double spacing);
 
 /// What a query of a point outside the band returns: NaN throughout.
 LevelSetSample nowhere();

@@ -55,7 +55,7 @@ public:
 
     Mesh land(PointsOnMesh spread) const {
         if (surface_.options.remesh.is_on())
-            approach(surface_projector(accessible_, level_set_, spacing()), spread.points);
+            approach(surface_projector(accessible_, level_set_, spacing(), Curvatures::LeftOut), spread.points);
         Mesh result;
         result.vertices = spread.points;
         std::vector<double> distances = finish_vertices(accessible_, level_set_, spacing(), result);

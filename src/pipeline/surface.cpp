@@ -233,7 +233,9 @@ private:
         Mesh zero_set = extract_zero_set(*field.grid, field.values, kSpreadFraction);
         hold_against_exact_sides(zero_set, field.level_set.get());
         NodeField().swap(field.values);  // the mesh grows into their memory
-        const SurfaceProjector project = surface_projector(*accessible_, field.level_set.get(), options_.spacing);
+        const Curvatures curvatures = options_.remesh.adaptive ? Curvatures::FilledIn : Curvatures::LeftOut;
+        const SurfaceProjector project =
+            surface_projector(*accessible_, field.level_set.get(), options_.spacing, curvatures);
         if (options_.fill_cavities > 0.0) fill_cavities(zero_set, project);
         if (options_.min_cavity > 0.0) surface_.dropped = drop_small_cavities(zero_set, options_.min_cavity, project);
         if (options_.remesh.is_on()) zero_set = make_even(std::move(zero_set), project);
@@ -305,7 +307,8 @@ private:
 
     // Normals tell the middle of short edges; those of large triangles are looked for.
     CorrectedMeasures corrected_on_surface() const {
-        const SurfaceProjector project = surface_projector(*accessible_, surface_.level_set.get(), options_.spacing);
+        const SurfaceProjector project =
+            surface_projector(*accessible_, surface_.level_set.get(), options_.spacing, Curvatures::LeftOut);
         const auto move = [&project](std::span<Vec3> places, std::span<Vec3> normals) {
             std::vector<SurfacePoint> points(places.size());
             for (std::size_t i = 0; i < points.size(); ++i) points[i].position = places[i];

@@ -323,8 +323,9 @@ private:
 void mend(const AccessibleSurface& accessible, const LevelSet* level_set, const MeshingOptions& options, Mesh& mesh,
           std::vector<double>& distances) {
     const double edge = options.edge > 0.0 ? options.edge : options.spacing;
-    const VertexChanges changes = mend_slivers(mesh, {.edge = edge, .longest_edge = 2.0 * edge},
-                                               surface_projector(accessible, level_set, options.spacing));
+    const VertexChanges changes =
+        mend_slivers(mesh, {.edge = edge, .longest_edge = 2.0 * edge},
+                     surface_projector(accessible, level_set, options.spacing, Curvatures::LeftOut));
     if (!changes.any()) return;
     renumber_entries(changes, mesh.atoms);
     renumber_entries(changes, mesh.patches);

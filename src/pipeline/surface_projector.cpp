@@ -17,7 +17,8 @@ double largest_curvature(PrincipalCurvatures k, double spacing) {
     return std::max(std::abs(k.largest), std::abs(k.smallest));
 }
 
-void project_onto_exact(const AccessibleSurface& accessible, double spacing, std::span<SurfacePoint> points) {
+void project_onto_exact(const AccessibleSurface& accessible, double spacing, Curvatures curvatures,
+                        std::span<SurfacePoint> points) {
     std::vector<std::size_t> moving(points.size());
     for (std::size_t i = 0; i < moving.size(); ++i) moving[i] = i;
     std::vector<Vec3> places;
@@ -30,8 +31,9 @@ void project_onto_exact(const AccessibleSurface& accessible, double spacing, std
             SurfacePoint& point = points[moving[k]];
             const NearestFeature& at = features[k];
             point.normal = at.normal;
-            point.curvature =
-                largest_curvature(principal_curvatures(at.mean_curvature, at.gaussian_curvature), spacing);
+            if (curvatures == Curvatures::FilledIn)
+                point.curvature =
+                    largest_curvature(principal_curvatures(at.mean_curvature, at.gaussian_curvature), spacing);
             if (!(std::abs(at.signed_distance) > kOnSurface) || step == kStepsToSurface) continue;
             point.position = point.position - at.signed_distance * at.normal;
             left.push_back(moving[k]);
@@ -43,8 +45,9 @@ void project_onto_exact(const AccessibleSurface& accessible, double spacing, std
 // Newton's method leads to the zero set from within about a spacing; points farther off go near it first.
 class LevelSetProjector {
 public:
-    LevelSetProjector(const AccessibleSurface& accessible, const LevelSet& level_set, double spacing)
-        : accessible_(accessible), level_set_(level_set), spacing_(spacing) {}
+    LevelSetProjector(const AccessibleSurface& accessible, const LevelSet& level_set, double spacing,
+                      Curvatures curvatures)
+        : accessible_(accessible), level_set_(level_set), spacing_(spacing), curvatures_(curvatures) {}
 
     void operator()(std::span<SurfacePoint> points) const {
         SplineCursor cursor(level_set_.grid(), level_set_.coefficients());
@@ -57,9 +60,12 @@ public:
 
 private:
     bool land(SplineCursor& cursor, SurfacePoint& point, const Vec3& from) const {
-        const auto [place, at] = land_on_zero_set(cursor, from, spacing_);
+        const bool curved = curvatures_ == Curvatures::FilledIn;
+        const auto [place, at] =
+            curved ? land_on_zero_set(cursor, from, spacing_) : land_on_zero_set_first_order(cursor, from, spacing_);
         if (!(std::abs(at.value) < kLanded * spacing_) || squared_norm(at.gradient) == 0.0) return false;
-        point = {place, normalised(at.gradient), largest_curvature(at.principal_curvatures(), spacing_)};
+        point = {place, normalised(at.gradient),
+                 curved ? largest_curvature(at.principal_curvatures(), spacing_) : point.curvature};
         return true;
     }
 
@@ -68,13 +74,17 @@ private:
     const AccessibleSurface& accessible_;
     const LevelSet& level_set_;
     double spacing_;
+    Curvatures curvatures_;
 };
 
 }  // namespace
 
-SurfaceProjector surface_projector(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing) {
-    if (level_set != nullptr) return LevelSetProjector(accessible, *level_set, spacing);
-    return [&accessible, spacing](std::span<SurfacePoint> points) { project_onto_exact(accessible, spacing, points); };
+SurfaceProjector surface_projector(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
+                                   Curvatures curvatures) {
+    if (level_set != nullptr) return LevelSetProjector(accessible, *level_set, spacing, curvatures);
+    return [&accessible, spacing, curvatures](std::span<SurfacePoint> points) {
+        project_onto_exact(accessible, spacing, curvatures, points);
+    };
 }
 
 }  // namespace meniscus

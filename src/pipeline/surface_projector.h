@@ -3,6 +3,8 @@
 // Points near the surface to points on it, for whoever changes the mesh.
 #pragma once
 
+#include <cstdint>
+
 #include "meniscus/accessible_surface.h"
 #include "meniscus/level_set.h"
 #include "remesh/remesher.h"
@@ -16,9 +18,13 @@ inline constexpr double kOnSurface = 1e-9;
 /// Whoever projects takes as many: a point that another has left short would move once more.
 inline constexpr int kStepsToSurface = 60;
 
+/// Whether the projector tells curvatures. Those of a level set cost a third of its time.
+enum class Curvatures : std::uint8_t { FilledIn, LeftOut };
+
 /// Onto the zero set of a level set, or, where that is null, onto the exact SES. Both must outlive the projector.
 ///
 /// cost     0.3 to 0.5 µs per point, if neighbours come together
-SurfaceProjector surface_projector(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing);
+SurfaceProjector surface_projector(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
+                                   Curvatures curvatures);
 
 }  // namespace meniscus

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -13,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/group_by.h"
 #include "core/parallel.h"
 #include "geometry/box_tree.h"
 #include "remesh/mend_slivers.h"
@@ -358,15 +360,17 @@ private:
     void sort_by_cells(std::vector<VertexId>& vertices) const {
         Box box;
         for (const VertexId v : vertices) box.include(mesh_.at(v));
-        std::vector<std::pair<std::uint64_t, VertexId>> cells;
+        std::vector<std::uint64_t> cells;
         cells.reserve(vertices.size());
         for (const VertexId v : vertices) {
             const Vec3 place = (1.0 / kCell) * (mesh_.at(v) - box.low);
             const auto number = [](double x) { return static_cast<std::uint64_t>(std::min(x, kMostCells)); };
-            cells.emplace_back((number(place.z) << 42) + (number(place.y) << 21) + number(place.x), v);
+            cells.push_back((number(place.z) << 42) + (number(place.y) << 21) + number(place.x));
         }
-        std::sort(cells.begin(), cells.end());
-        for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = cells[i].second;
+        std::vector<VertexId> sorted;
+        sorted.reserve(vertices.size());
+        for (const std::uint32_t i : group_by<std::hash<std::uint64_t>>(cells).items) sorted.push_back(vertices[i]);
+        vertices = std::move(sorted);
     }
 
     template <class Body>

@@ -21,10 +21,14 @@ double orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     return dot(cross(b - a, c - a), d - a);
 }
 
-// Where the inside of a segment passes through the inside of a triangle.
-std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& t) {
-    const double from = orientation(t[0], t[1], t[2], p);
-    const double to = orientation(t[0], t[1], t[2], q);
+// On which side of a triangle's plane the corners of another are.
+std::array<double, 3> sides_of(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {
+    const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
+    return {dot(normal, s[0] - t[0]), dot(normal, s[1] - t[0]), dot(normal, s[2] - t[0])};
+}
+
+// Where the inside of a segment passes through the inside of a triangle, on whose sides its ends are.
+std::optional<Vec3> piercing(const Vec3& p, double from, const Vec3& q, double to, const std::array<Vec3, 3>& t) {
     if (from * to >= 0.0) return std::nullopt;
     const double u = orientation(p, q, t[0], t[1]);
     const double v = orientation(p, q, t[1], t[2]);
@@ -35,13 +39,26 @@ std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const std::array<Vec3
 
 bool contains(const Triangle& t, VertexId v) { return t[0] == v || t[1] == v || t[2] == v; }
 
+// One of two triangles that may meet. At most one corner is the other's, too.
+struct Meeting {
+    std::array<Vec3, 3> at;
+    std::array<bool, 3> shared;
+    std::array<double, 3> side;  // of the other's plane
+
+    // Whether all of it but a shared corner is on one side of the other's plane.
+    bool is_aside() const {
+        const auto above = [this](std::size_t k) { return shared[k] || side[k] > 0.0; };
+        const auto below = [this](std::size_t k) { return shared[k] || side[k] < 0.0; };
+        return (above(0) && above(1) && above(2)) || (below(0) && below(1) && below(2));
+    }
+};
+
 // Where a side of one triangle that has no corner of the other passes through the other.
-std::optional<Vec3> sides_through(const Triangle& s, const std::array<Vec3, 3>& s_at, const Triangle& t,
-                                  const std::array<Vec3, 3>& t_at) {
+std::optional<Vec3> sides_through(const Meeting& s, const std::array<Vec3, 3>& t) {
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3;
-        if (contains(t, s[k]) || contains(t, s[next])) continue;
-        if (const auto place = piercing(s_at[k], s_at[next], t_at)) return place;
+        if (s.shared[k] || s.shared[next]) continue;
+        if (const auto place = piercing(s.at[k], s.side[k], s.at[next], s.side[next], t)) return place;
     }
     return std::nullopt;
 }
@@ -100,10 +117,14 @@ private:
 
 std::optional<Vec3> meeting(const Triangle& s, const std::array<Vec3, 3>& s_at, const Triangle& t,
                             const std::array<Vec3, 3>& t_at) {
-    const auto shared = std::count_if(s.begin(), s.end(), [&](VertexId v) { return contains(t, v); });
-    if (shared >= 2) return std::nullopt;
-    if (const auto place = sides_through(s, s_at, t, t_at)) return place;
-    return sides_through(t, t_at, s, s_at);
+    Meeting first{s_at, {contains(t, s[0]), contains(t, s[1]), contains(t, s[2])}, {}};
+    if (std::count(first.shared.begin(), first.shared.end(), true) >= 2) return std::nullopt;
+    first.side = sides_of(s_at, t_at);
+    if (first.is_aside()) return std::nullopt;
+    const Meeting second{t_at, {contains(s, t[0]), contains(s, t[1]), contains(s, t[2])}, sides_of(t_at, s_at)};
+    if (second.is_aside()) return std::nullopt;
+    if (const auto place = sides_through(first, t_at)) return place;
+    return sides_through(second, s_at);
 }
 
 std::optional<Vec3> meeting(const Mesh& mesh, const Triangle& s, const Triangle& t) {

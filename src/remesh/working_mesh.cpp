@@ -45,22 +45,21 @@ double WorkingMesh::badness_after_collapse(HalfEdge h) const {
     if (holds[a] == Hold::Frozen || holds[b] == Hold::Frozen) return kRefused;
     int ridges = 0;
     bool refused = false;
-    double before = 0.0;
     double worst = 0.0;
     edges.for_each_leaving(a, [&](HalfEdge out) {
+        if (refused) return;
         const VertexId x = edges.target(out);
         const VertexId y = edges.opposite(out);
         ridges += holds[x] == Hold::Ridge ? 1 : 0;
-        before = std::max(before, badness(a, x, y));
         if (x == b || y == b) return;
         const double longest = kLong * target(b, x);
-        refused = refused || squared_norm(at(x) - at(b)) > longest * longest ||
-                  (!faces_out(b, x, y) && faces_out(a, x, y)) || (turns_away(b, x) && !turns_away(a, x));
+        refused = squared_norm(at(x) - at(b)) > longest * longest || (!faces_out(b, x, y) && faces_out(a, x, y)) ||
+                  (turns_away(b, x) && !turns_away(a, x));
         worst = std::max(worst, badness(b, x, y));
     });
     // A ridge may only become shorter along itself, and its ends and forks stay.
     if (holds[a] == Hold::Ridge) refused = refused || holds[b] != Hold::Ridge || ridges != 2;
-    return refused || worst > std::max(before, kSliver) ? kRefused : worst;
+    return refused || (worst > kSliver && worst > worst_round(a)) ? kRefused : worst;
 }
 
 bool WorkingMesh::collapse(HalfEdge h, double at_most) {

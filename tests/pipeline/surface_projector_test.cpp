@@ -16,7 +16,7 @@ const Atoms kTripod{{{0.61, 0.013, -0.8}, {-0.36, 0.48, -0.81}, {0.02, -0.6, -0.
 
 TEST(SurfaceProjector, NormalsAreUnitVectorsAlsoInCorners) {
     const AccessibleSurface exact(kTripod, 0.0);
-    const SurfaceProjector project = surface_projector(exact, nullptr, 0.5);
+    const SurfaceProjector project = surface_projector(exact, nullptr, 0.5, Curvatures::FilledIn);
     std::vector<SurfacePoint> points;
     for (int i = 0; i < 1000; ++i) {
         const double angle = 2.4 * i;
@@ -40,7 +40,7 @@ TEST(SurfaceProjector, NormalsAreUnitVectorsAlsoInCorners) {
 // Mended vertices are projected once more when all is known about them: what moved then would be bad again.
 TEST(SurfaceProjector, StepsThatFallShortNextToRidgesAreTakenUntilTheyDoNot) {
     const AccessibleSurface exact(Atoms{{{0.0, 0.0, 0.0}, {5.3, 0.0, 0.0}, {2.6, 4.7, 0.0}}, {1.7, 1.6, 1.5}}, 1.4);
-    const SurfaceProjector project = surface_projector(exact, nullptr, 0.5);
+    const SurfaceProjector project = surface_projector(exact, nullptr, 0.5, Curvatures::FilledIn);
     std::vector<SurfacePoint> points;
     for (int i = 0; i < 20000; ++i) {
         const Vec3 anywhere{std::fmod(0.7548776662 * i, 1.0), std::fmod(0.5698402910 * i, 1.0),
