@@ -160,17 +160,25 @@ void HalfEdges::collapse(HalfEdge h) {
 
 void HalfEdges::remove_triangle_of(HalfEdge h) { twin_[h] = twin_[next(h)] = twin_[previous(h)] = kNoHalfEdge; }
 
-HalfEdges::Compacted HalfEdges::compact() const {
-    Compacted result;
+std::vector<VertexId> HalfEdges::vertices() const {
+    std::vector<VertexId> left;
+    left.reserve(leaving_.size());
+    for (VertexId v = 0; v < leaving_.size(); ++v)
+        if (has_vertex(v)) left.push_back(v);
+    return left;
+}
+
+std::vector<Triangle> HalfEdges::triangles(std::span<const VertexId> order) const {
     std::vector<VertexId> number(leaving_.size());
-    for (VertexId v = 0; v < leaving_.size(); ++v) {
-        if (!has_vertex(v)) continue;
-        number[v] = static_cast<VertexId>(result.old_number.size());
-        result.old_number.push_back(v);
-    }
-    for (HalfEdge h = 0; h < origin_.size(); h += 3)
-        if (has(h)) result.triangles.push_back({number[origin_[h]], number[origin_[h + 1]], number[origin_[h + 2]]});
-    return result;
+    for (std::size_t i = 0; i < order.size(); ++i) number[order[i]] = static_cast<VertexId>(i);
+    std::vector<Triangle> triangles;
+    triangles.reserve(2 * order.size());
+    for (const VertexId v : order)
+        for_each_leaving(v, [&](HalfEdge h) {
+            const Triangle t{number[v], number[target(h)], number[opposite(h)]};
+            if (t[0] < t[1] && t[0] < t[2]) triangles.push_back(t);
+        });
+    return triangles;
 }
 
 }  // namespace meniscus

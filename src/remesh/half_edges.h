@@ -22,7 +22,7 @@ constexpr HalfEdge previous(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
 /// The connectivity of a closed oriented 2-manifold. flip, split and collapse keep it one, with the same topology.
 ///
-/// Removed vertices and triangles leave holes in the numbering, which compact() closes.
+/// Removed vertices and triangles leave holes in the numbering.
 class HalfEdges {
 public:
     /// throws   std::invalid_argument where an edge has not exactly two triangles that run along it in opposite
@@ -72,12 +72,11 @@ public:
     /// Removes the edge's origin and its two triangles.
     void collapse(HalfEdge h);
 
-    /// The triangles that are left, in the order of their numbers, and which vertex each new number stood for.
-    struct Compacted {
-        std::vector<Triangle> triangles;
-        std::vector<VertexId> old_number;
-    };
-    Compacted compact() const;
+    /// The vertices that are left, rising.
+    std::vector<VertexId> vertices() const;
+    /// The triangles that are left, with new numbers of their corners: their places in `order`, which has every vertex
+    /// that is left. Sorted by the least of them, which comes first.
+    std::vector<Triangle> triangles(std::span<const VertexId> order) const;
 
 private:
     void pair(HalfEdge a, HalfEdge b) {

@@ -17,6 +17,7 @@
 #include "core/group_by.h"
 #include "core/parallel.h"
 #include "geometry/box_tree.h"
+#include "geometry/triangle_tree.h"
 #include "remesh/mend_slivers.h"
 #include "remesh/ridges.h"
 #include "remesh/self_intersections.h"
@@ -96,9 +97,13 @@ public:
         for (int i = 1;; ++i) {
             freeze({places, kFrozen * (i - 1) * aim_});
             if (options_.keep_ridges && i < kAttempts) keep_ridges(before);
-            for (int k = 0; k < kIterations; ++k) iterate();
+            for (int k = 0; k < kIterations; ++k) {
+                iterate();
+                if (k == 0) bring_together();  // most of the changes are made
+            }
             for (int k = 0; k < pushes; ++k) push_apart();
-            Mesh mesh = result();
+            bring_together();
+            Mesh mesh = mesh_of(mesh_);
             const std::vector<Vec3> found = mend(mesh, before, i);
             if (found.empty()) return mesh;
             places.insert(places.end(), found.begin(), found.end());
@@ -111,10 +116,25 @@ private:
     std::vector<Vec3> new_crossings(const Mesh& mesh, const WorkingMesh& before) {
         std::vector<Vec3> found = places_of_self_intersections(mesh);
         if (found.empty()) return found;
-        if (!old_crossings_) old_crossings_ = places_of_self_intersections(mesh_of(before));
-        const Surroundings old{*old_crossings_, aim_};
+        const std::vector<Vec3> old_places = places_of_self_intersections(part_near(before, found, aim_));
+        const Surroundings old{old_places, aim_};
         std::erase_if(found, [&](const Vec3& place) { return old.contain(place); });
         return found;
+    }
+
+    // The triangles that come within a reach of some places, and maybe more.
+    static Mesh part_near(const WorkingMesh& working, std::span<const Vec3> places, double reach) {
+        std::vector<Box> boxes;
+        boxes.reserve(places.size());
+        for (const Vec3& place : places) boxes.push_back(Box{place, place}.grown(reach));
+        const BoxTree near(boxes);
+        Mesh part = mesh_of(working);
+        std::erase_if(part.triangles, [&](const Triangle& t) {
+            bool overlaps = false;
+            near.for_each_overlapping(box_of(part, t), [&](std::uint32_t) { overlaps = true; });
+            return !overlaps;
+        });
+        return part;
     }
 
     void freeze(const Surroundings& surroundings) {
@@ -373,6 +393,12 @@ private:
         vertices = std::move(sorted);
     }
 
+    void bring_together() {
+        std::vector<VertexId> order = mesh_.edges.vertices();
+        sort_by_cells(order);
+        mesh_ = mesh_.renumbered(order);
+    }
+
     template <class Body>
     static void for_chunks(std::span<const VertexId> vertices, const Body& body) {
         parallel_chunks(vertices.size(), kChunk,
@@ -391,8 +417,6 @@ private:
         for (std::size_t i = 0; i < moving.size(); ++i) points[vertices[i]] = moving[i];
     }
 
-    Mesh result() const { return mesh_of(mesh_); }
-
     // Mends small angles and crossings, each with its neighbourhood. Returns where the next attempt has to do without
     // changes: where the mesh still passes through itself, or is crumpled. That would take longer to mend than all the
     // other attempts.
@@ -403,11 +427,8 @@ private:
         if (attempt == 1) slivers.most_bad = kMostInCube;
         if (attempt < kAttempts) slivers.most_tangled = kMostInCube;
         want(options_.keep_ridges ? kWantedBesideRidges : kWanted, slivers);
-        for (VertexId v = 0; v < mesh_.points.size(); ++v) {
-            if (!is_present(v)) continue;
-            mesh.normals.push_back(mesh_.points[v].normal);
-            slivers.held.push_back(mesh_.holds[v] == Hold::Ridge);
-        }
+        for (const SurfacePoint& point : mesh_.points) mesh.normals.push_back(point.normal);
+        for (const Hold hold : mesh_.holds) slivers.held.push_back(hold == Hold::Ridge);
         VertexChanges changes = mend_slivers(mesh, slivers, project_);
         std::vector<Vec3> crumpled = std::move(changes.crumpled);
         const bool was_tangled = changes.was_tangled;
@@ -456,11 +477,11 @@ private:
     }
 
     static Mesh mesh_of(const WorkingMesh& working) {
-        HalfEdges::Compacted compacted = working.edges.compact();
+        const std::vector<VertexId> vertices = working.edges.vertices();
         Mesh mesh;
-        mesh.triangles = std::move(compacted.triangles);
-        mesh.vertices.reserve(compacted.old_number.size());
-        for (const VertexId v : compacted.old_number) mesh.vertices.push_back(working.at(v));
+        mesh.triangles = working.edges.triangles(vertices);
+        mesh.vertices.reserve(vertices.size());
+        for (const VertexId v : vertices) mesh.vertices.push_back(working.at(v));
         return mesh;
     }
 
@@ -468,7 +489,6 @@ private:
     const SurfaceProjector& project_;
     double aim_;  // length of edges, Å
     WorkingMesh mesh_;
-    std::optional<std::vector<Vec3>> old_crossings_;  // of the mesh of the grid, once they were looked for
 };
 
 }  // namespace

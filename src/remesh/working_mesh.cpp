@@ -19,6 +19,19 @@ WorkingMesh::WorkingMesh(const Mesh& mesh, double edge)
     for (std::size_t v = 0; v < points.size(); ++v) points[v].position = mesh.vertices[v];
 }
 
+WorkingMesh WorkingMesh::renumbered(std::span<const VertexId> order) const {
+    Mesh mesh;
+    mesh.triangles = edges.triangles(order);
+    mesh.vertices.resize(order.size());
+    WorkingMesh other(mesh, 0.0);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        other.points[i] = points[order[i]];
+        other.holds[i] = holds[order[i]];
+        other.targets[i] = targets[order[i]];
+    }
+    return other;
+}
+
 double WorkingMesh::worst_round(VertexId v) const {
     double worst = 0.0;
     edges.for_each_leaving(v, [&](HalfEdge h) { worst = std::max(worst, badness(h)); });

@@ -56,6 +56,9 @@ struct WorkingMesh {
 
     WorkingMesh(const Mesh& mesh, double edge);
 
+    /// The same without the room of what was removed, vertices in another order and triangles in theirs.
+    WorkingMesh renumbered(std::span<const VertexId> order) const;
+
     const Vec3& at(VertexId v) const { return points[v].position; }
     double squared_length(HalfEdge h) const { return squared_norm(at(edges.target(h)) - at(edges.origin(h))); }
     double target(VertexId a, VertexId b) const { return 0.5 * (targets[a] + targets[b]); }

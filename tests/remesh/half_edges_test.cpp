@@ -14,10 +14,10 @@ namespace meniscus::testing {
 namespace {
 
 Mesh mesh_of(const HalfEdges& edges) {
-    HalfEdges::Compacted compacted = edges.compact();
+    const std::vector<VertexId> vertices = edges.vertices();
     Mesh mesh;
-    mesh.triangles = compacted.triangles;
-    mesh.vertices.resize(compacted.old_number.size());
+    mesh.triangles = edges.triangles(vertices);
+    mesh.vertices.resize(vertices.size());
     return mesh;
 }
 
