@@ -73,7 +73,7 @@ struct WantedAngles {
     double smallest;
     double mended;
 };
-constexpr WantedAngles kWanted{22.0, 30.0, 31.0};
+constexpr WantedAngles kWanted{25.0, 30.0, 31.0};
 constexpr WantedAngles kWantedBesideRidges{5.0, 12.0, 14.0};
 constexpr WantedAngles kWantedWithoutRidges{20.0, 20.0, 21.0};
 constexpr double kLongest = 2.2;  // of the target lengths
@@ -99,12 +99,12 @@ public:
             if (options_.keep_ridges && i < kAttempts) keep_ridges(before);
             for (int k = 0; k < kIterations; ++k) {
                 iterate();
-                if (k == 0) bring_together();  // most of the changes are made
+                if (k == 0) mesh_ = mesh_.renumbered(order_of_space());  // most of the changes are made
             }
             for (int k = 0; k < pushes; ++k) push_apart();
-            bring_together();
-            Mesh mesh = mesh_of(mesh_);
-            const std::vector<Vec3> found = mend(mesh, before, i);
+            const std::vector<VertexId> order = order_of_space();
+            Mesh mesh = mesh_of(mesh_, order);
+            const std::vector<Vec3> found = mend(mesh, order, before, i);
             if (found.empty()) return mesh;
             places.insert(places.end(), found.begin(), found.end());
             mesh_ = before;
@@ -128,7 +128,7 @@ private:
         boxes.reserve(places.size());
         for (const Vec3& place : places) boxes.push_back(Box{place, place}.grown(reach));
         const BoxTree near(boxes);
-        Mesh part = mesh_of(working);
+        Mesh part = mesh_of(working, working.edges.vertices());
         std::erase_if(part.triangles, [&](const Triangle& t) {
             bool overlaps = false;
             near.for_each_overlapping(box_of(part, t), [&](std::uint32_t) { overlaps = true; });
@@ -148,7 +148,7 @@ private:
         std::vector<Vec3> places;
         for (int i = 1;; ++i) {
             insert_ridges(mesh_, project_, {places, kWithoutRidges * i});
-            const std::vector<Vec3> found = new_crossings(mesh_of(mesh_), before);
+            const std::vector<Vec3> found = new_crossings(mesh_of(mesh_, mesh_.edges.vertices()), before);
             if (found.empty()) return;
             mesh_ = without;
             if (i == kInsertions) return;
@@ -269,10 +269,8 @@ private:
     void flip_towards_six() {
         const HalfEdges& edges = mesh_.edges;
         std::vector<int> valences(edges.vertex_slots());
-        parallel_for(valences.size(), kChunk, [&](std::size_t v) {
-            if (is_present(static_cast<VertexId>(v)))
-                valences[v] = static_cast<int>(edges.valence(static_cast<VertexId>(v)));
-        });
+        for (HalfEdge h = 0; h < edges.half_edge_slots(); ++h)
+            if (edges.has(h)) ++valences[edges.origin(h)];
         const auto off = [&](VertexId v, int change) { return std::abs(valences[v] + change - 6); };
         mesh_.for_each_edge([&](HalfEdge h) {
             const VertexId a = edges.origin(h);
@@ -393,10 +391,10 @@ private:
         vertices = std::move(sorted);
     }
 
-    void bring_together() {
-        std::vector<VertexId> order = mesh_.edges.vertices();
-        sort_by_cells(order);
-        mesh_ = mesh_.renumbered(order);
+    std::vector<VertexId> order_of_space() const {
+        std::vector<VertexId> vertices = mesh_.edges.vertices();
+        sort_by_cells(vertices);
+        return vertices;
     }
 
     template <class Body>
@@ -420,15 +418,17 @@ private:
     // Mends small angles and crossings, each with its neighbourhood. Returns where the next attempt has to do without
     // changes: where the mesh still passes through itself, or is crumpled. That would take longer to mend than all the
     // other attempts.
-    std::vector<Vec3> mend(Mesh& mesh, const WorkingMesh& before, int attempt) {
+    std::vector<Vec3> mend(Mesh& mesh, std::span<const VertexId> order, const WorkingMesh& before, int attempt) {
         SliverOptions slivers{.edge = options_.edge,
                               .longest_edge = kLongest * *std::max_element(mesh_.targets.begin(), mesh_.targets.end()),
                               .search_everywhere = true};
         if (attempt == 1) slivers.most_bad = kMostInCube;
         if (attempt < kAttempts) slivers.most_tangled = kMostInCube;
         want(options_.keep_ridges ? kWantedBesideRidges : kWanted, slivers);
-        for (const SurfacePoint& point : mesh_.points) mesh.normals.push_back(point.normal);
-        for (const Hold hold : mesh_.holds) slivers.held.push_back(hold == Hold::Ridge);
+        for (const VertexId v : order) {
+            mesh.normals.push_back(mesh_.points[v].normal);
+            slivers.held.push_back(mesh_.holds[v] == Hold::Ridge);
+        }
         VertexChanges changes = mend_slivers(mesh, slivers, project_);
         std::vector<Vec3> crumpled = std::move(changes.crumpled);
         const bool was_tangled = changes.was_tangled;
@@ -476,12 +476,11 @@ private:
         return any;
     }
 
-    static Mesh mesh_of(const WorkingMesh& working) {
-        const std::vector<VertexId> vertices = working.edges.vertices();
+    static Mesh mesh_of(const WorkingMesh& working, std::span<const VertexId> order) {
         Mesh mesh;
-        mesh.triangles = working.edges.triangles(vertices);
-        mesh.vertices.reserve(vertices.size());
-        for (const VertexId v : vertices) mesh.vertices.push_back(working.at(v));
+        mesh.triangles = working.edges.triangles(order);
+        mesh.vertices.reserve(order.size());
+        for (const VertexId v : order) mesh.vertices.push_back(working.at(v));
         return mesh;
     }
 
