@@ -8,7 +8,6 @@
 
 #include "core/parallel.h"
 #include "geometry/nearest_batch.h"
-#include "geometry/nearest_feature.h"
 #include "geometry/nearest_kernels.h"
 
 namespace meniscus {
@@ -74,13 +73,31 @@ private:
     std::vector<Vec3> points_;
 };
 
+// What a search tells of a point: found with others near it, or alone.
+struct FeatureAnswer {
+    using Result = NearestFeature;
+    static Result of(const NearestBatch& batch, std::size_t i) { return batch.feature(i); }
+    static Result of(const AccessibleSurface& surface, const Vec3& point) { return surface.nearest(point); }
+};
+struct StepAnswer {
+    using Result = SurfaceStep;
+    static Result of(const NearestBatch& batch, std::size_t i) { return batch.step_to_surface(i); }
+    static Result of(const AccessibleSurface& surface, const Vec3& point) {
+        const NearestFeature at = surface.nearest(point);
+        return {point - at.signed_distance * at.normal, at, at.signed_distance == 0.0};
+    }
+};
+
+template <class Answer>
 class GroupSearch {
 public:
+    using Result = typename Answer::Result;
+
     explicit GroupSearch(const AccessibleSurface& surface) : surface_(surface), batch_(surface) {}
 
-    void find(std::span<const Vec3> points, std::span<NearestFeature> result) {
+    void find(std::span<const Vec3> points, std::span<Result> result) {
         if (points.size() <= kFewPoints)
-            return find_one_by_one(points, [&](std::size_t i) -> NearestFeature& { return result[i]; });
+            return find_one_by_one(points, [&](std::size_t i) -> Result& { return result[i]; });
         CellOrder cells;
         if (!cells.sort(points, box_of(points))) {
             const std::size_t half = points.size() / 2;
@@ -89,34 +106,44 @@ public:
         }
         LocalFeatures local(surface_, kMargin);
         cells.for_each_cell([&](std::span<const Vec3> group, std::span<const std::uint32_t> positions) {
-            const auto place = [&](std::size_t i) -> NearestFeature& { return result[positions[i]]; };
+            const auto place = [&](std::size_t i) -> Result& { return result[positions[i]]; };
             if (group.size() <= kFewPoints) return find_one_by_one(group, place);
             local.gather(box_of(group));
             find_within(local, group, place);
         });
     }
 
-    // Where result(i) is the place for that of points[i].
-    template <class Result>
-    void find_within(const LocalFeatures& local, std::span<const Vec3> points, const Result& result) {
+    // Where place(i) is the one for the answer to points[i].
+    template <class Place>
+    void find_within(const LocalFeatures& local, std::span<const Vec3> points, const Place& place) {
         for (std::size_t at = 0; at < points.size(); at += kBatchLanes) {
             const std::span<const Vec3> batch = points.subspan(at, std::min(kBatchLanes, points.size() - at));
             const bool open = batch_.start(local, box_of(batch), local.margin()) == NearestBatch::Claim::Open;
             if (open) batch_.find(batch);
             for (std::size_t i = 0; i < batch.size(); ++i)
-                result(at + i) = open && batch_.found(i) ? batch_.feature(i) : surface_.nearest(batch[i]);
+                place(at + i) = open && batch_.found(i) ? Answer::of(batch_, i) : Answer::of(surface_, batch[i]);
         }
     }
 
 private:
-    template <class Result>
-    void find_one_by_one(std::span<const Vec3> points, const Result& result) const {
-        for (std::size_t i = 0; i < points.size(); ++i) result(i) = surface_.nearest(points[i]);
+    template <class Place>
+    void find_one_by_one(std::span<const Vec3> points, const Place& place) const {
+        for (std::size_t i = 0; i < points.size(); ++i) place(i) = Answer::of(surface_, points[i]);
     }
 
     const AccessibleSurface& surface_;
     NearestBatch batch_;
 };
+
+template <class Answer>
+std::vector<typename Answer::Result> answers(const AccessibleSurface& surface, std::span<const Vec3> points) {
+    std::vector<typename Answer::Result> result(points.size());
+    parallel_chunks(points.size(), kPointsPerChunk, [&](std::size_t begin, std::size_t end) {
+        GroupSearch<Answer>(surface).find(points.subspan(begin, end - begin),
+                                          std::span(result).subspan(begin, end - begin));
+    });
+    return result;
+}
 
 }  // namespace
 
@@ -178,15 +205,15 @@ NearestFeature LocalFeatures::nearest(const Vec3& point) const {
 }
 
 std::vector<NearestFeature> nearest_features(const AccessibleSurface& surface, std::span<const Vec3> points) {
-    std::vector<NearestFeature> result(points.size());
-    parallel_chunks(points.size(), kPointsPerChunk, [&](std::size_t begin, std::size_t end) {
-        GroupSearch(surface).find(points.subspan(begin, end - begin), std::span(result).subspan(begin, end - begin));
-    });
-    return result;
+    return answers<FeatureAnswer>(surface, points);
+}
+
+std::vector<SurfaceStep> steps_to_surface(const AccessibleSurface& surface, std::span<const Vec3> points) {
+    return answers<StepAnswer>(surface, points);
 }
 
 void nearest_features(const LocalFeatures& gathered, std::span<const Vec3> points, std::span<NearestFeature> result) {
-    GroupSearch(gathered.surface()).find_within(gathered, points, [&](std::size_t i) -> NearestFeature& {
+    GroupSearch<FeatureAnswer>(gathered.surface()).find_within(gathered, points, [&](std::size_t i) -> NearestFeature& {
         return result[i];
     });
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/accessible_surface_data.h"
+#include "geometry/nearest_feature.h"
 
 namespace meniscus {
 
@@ -114,7 +115,12 @@ private:
 /// cost     parallel over points
 std::vector<NearestFeature> nearest_features(const AccessibleSurface& surface, std::span<const Vec3> points);
 
-/// The same for points of one box, through the lists gathered for it.
+/// A step of each point to the surface.
+///
+/// cost     that of nearest_features
+std::vector<SurfaceStep> steps_to_surface(const AccessibleSurface& surface, std::span<const Vec3> points);
+
+/// The nearest features of points of one box, through the lists gathered for it.
 ///
 /// cost     0.1 µs per point near the surface
 void nearest_features(const LocalFeatures& gathered, std::span<const Vec3> points, std::span<NearestFeature> result);

@@ -22,21 +22,22 @@ void project_onto_exact(const AccessibleSurface& accessible, double spacing, Cur
     std::vector<std::size_t> moving(points.size());
     for (std::size_t i = 0; i < moving.size(); ++i) moving[i] = i;
     std::vector<Vec3> places;
-    for (int step = 0; step <= kStepsToSurface && !moving.empty(); ++step) {
+    for (int taken = 0; taken <= kStepsToSurface && !moving.empty(); ++taken) {
         places.clear();
         for (const std::size_t i : moving) places.push_back(points[i].position);
-        const std::vector<NearestFeature> features = nearest_features(accessible, places);
+        const std::vector<SurfaceStep> steps = steps_to_surface(accessible, places);
         std::vector<std::size_t> left;
         for (std::size_t k = 0; k < moving.size(); ++k) {
             SurfacePoint& point = points[moving[k]];
-            const NearestFeature& at = features[k];
+            const NearestFeature& at = steps[k].feature;
             point.normal = at.normal;
             if (curvatures == Curvatures::FilledIn)
                 point.curvature =
                     largest_curvature(principal_curvatures(at.mean_curvature, at.gaussian_curvature), spacing);
-            if (!(std::abs(at.signed_distance) > kOnSurface) || step == kStepsToSurface) continue;
-            point.position = point.position - at.signed_distance * at.normal;
-            left.push_back(moving[k]);
+            const Vec3 move = steps[k].point - point.position;
+            if (!(squared_norm(move) > kOnSurface * kOnSurface) || taken == kStepsToSurface) continue;
+            point.position = steps[k].point;
+            if (!steps[k].settled) left.push_back(moving[k]);
         }
         moving = std::move(left);
     }

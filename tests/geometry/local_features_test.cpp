@@ -51,6 +51,25 @@ TEST(LocalFeatures, EqualTheGlobalSearchFarFromTheSurface) {
     expect_same_as_one_by_one(surface, random_points_around(atoms, 3000, 12.0));
 }
 
+TEST(LocalFeatures, StepsLeadToTheSurfaceOrSayThatTheyDoNot) {
+    const Atoms atoms = random_cluster(4, 120, 14.0);
+    const AccessibleSurface surface(atoms, 1.4);
+    std::vector<Vec3> points = random_points_around(atoms, 6000, 3.0);  // some alone, most in groups
+    std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.x < b.x; });
+    const std::vector<SurfaceStep> steps = steps_to_surface(surface, points);
+    ASSERT_EQ(steps.size(), points.size());
+    std::size_t settled = 0;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const NearestFeature before = surface.nearest(points[i]);
+        EXPECT_NEAR(norm(steps[i].point - (points[i] - before.signed_distance * before.normal)), 0.0, 1e-9);
+        if (!steps[i].settled) continue;
+        ++settled;
+        expect_same(steps[i].feature, surface.nearest(steps[i].point));
+        EXPECT_NEAR(steps[i].feature.signed_distance, 0.0, 1e-9);
+    }
+    EXPECT_GT(settled, 500U);
+}
+
 TEST(LocalFeatures, AnswerForPointsFarApartInOneBatch) {
     Atoms atoms = random_cluster(3, 30, 7.0);
     atoms.centres.push_back({1e7, 0, -1e7});
