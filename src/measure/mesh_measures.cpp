@@ -79,7 +79,11 @@ struct TriangleSums {
 // One pass over the triangles, in which every one is looked at while its corners are at hand.
 class TrianglePass {
 public:
-    TrianglePass(const Mesh& mesh, std::span<const std::uint32_t> of_vertex) : mesh_(mesh), of_vertex_(of_vertex) {
+    TrianglePass(const Mesh& mesh, std::span<const std::uint32_t> of_vertex)
+        : mesh_(mesh),
+          of_vertex_(of_vertex),
+          has_curvatures_(mesh.mean_curvatures.size() == mesh.vertices.size() &&
+                          mesh.gaussian_curvatures.size() == mesh.vertices.size()) {
         const PieceVertices vertices = vertices_of_pieces(of_vertex);
         for (std::size_t p = 0; p < vertices.counts.size(); ++p) {
             pieces_.emplace_back().vertices = vertices.counts[p];
@@ -114,6 +118,7 @@ public:
 private:
     TriangleSums sums_of(std::size_t begin, std::size_t end, std::span<float> thirds) const {
         TriangleLanes lanes;
+        if (!has_curvatures_) lanes.allow_any_curvature();
         TriangleSums sums;
         for (std::size_t first = begin; first < end; first += kLanes) {
             const std::size_t count = std::min(kLanes, end - first);
@@ -138,7 +143,9 @@ private:
             if (with_normals) fetch_corners(mesh_.normals, ahead);
             const Triangle& triangle = mesh_.triangles[first + lane];
             lanes.set_points(lane, mesh_, triangle, origins_[piece_of(first + lane)]);
-            if (with_normals) lanes.set_normals(lane, mesh_, triangle);
+            if (!with_normals) continue;
+            lanes.set_normals(lane, mesh_, triangle);
+            if (has_curvatures_) lanes.set_curvatures(lane, mesh_, triangle);
         }
     }
 
@@ -176,6 +183,7 @@ private:
     const Mesh& mesh_;
     std::span<const std::uint32_t> of_vertex_;
     std::vector<MeshComponent> pieces_;
+    bool has_curvatures_;
     std::vector<Vec3> origins_;  // first vertex of each piece: volumes taken from there keep their digits
     TriangleSums sums_;
 };

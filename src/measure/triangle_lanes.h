@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -18,14 +19,17 @@ namespace meniscus {
 /// kLanes triangles, and what a kernel finds out about each.
 struct TriangleLanes {
     std::array<VectorLanes, 3> points;   ///< corners, from an origin nearby
-    std::array<VectorLanes, 3> normals;  ///< of the surface there; only for measure_with_parts
+    std::array<VectorLanes, 3> normals;  ///< of the surface there; only for measure_with_parts, as are its curvatures
+    std::array<Lanes, 3> mean_curvatures{};
+    std::array<Lanes, 3> gaussian_curvatures{};
 
     Lanes two_areas{};
     Lanes six_volumes{};  ///< over the origin
     /// Square of the tangent of the smallest corner, as a fraction of two finite numbers; 0 for a point.
     Lanes opposite{};
     Lanes adjacent{};
-    /// Of the four parts of each, split at the middles of the arcs over its sides (measure/corrected.h).
+    /// Of the four parts of each, split at the middles of the arcs over its sides (measure/corrected.h). Of a triangle
+    /// over a crease, which its parts follow: such that extrapolate gives what they measure.
     Lanes parts_two_areas{};
     Lanes parts_six_volumes{};
 
@@ -35,6 +39,16 @@ struct TriangleLanes {
     }
     void set_normals(std::size_t lane, const Mesh& mesh, const Triangle& triangle) {
         for (std::size_t corner = 0; corner < 3; ++corner) normals[corner].set(lane, mesh.normals[triangle[corner]]);
+    }
+    void set_curvatures(std::size_t lane, const Mesh& mesh, const Triangle& triangle) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            mean_curvatures[corner][lane] = mesh.mean_curvatures[triangle[corner]];
+            gaussian_curvatures[corner][lane] = mesh.gaussian_curvatures[triangle[corner]];
+        }
+    }
+    /// The surface may turn as fast as it likes: no creases.
+    void allow_any_curvature() {
+        for (Lanes& of_corner : gaussian_curvatures) of_corner.fill(-std::numeric_limits<double>::infinity());
     }
 };
 
