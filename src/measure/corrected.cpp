@@ -151,7 +151,6 @@ Sums projected_sums(const Mesh& mesh, const Projector& project, int divisions, s
 Sums estimated_sums(const Mesh& mesh, std::size_t begin, std::size_t end) {
     const Vec3 origin = reference_point(mesh);
     TriangleLanes lanes;
-    lanes.allow_any_curvature();
     Sums sums;
     for (std::size_t first = begin; first < end; first += kLanes) {
         const std::size_t count = std::min(kLanes, end - first);

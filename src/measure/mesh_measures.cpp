@@ -118,7 +118,6 @@ public:
 private:
     TriangleSums sums_of(std::size_t begin, std::size_t end, std::span<float> thirds) const {
         TriangleLanes lanes;
-        if (!has_curvatures_) lanes.allow_any_curvature();
         TriangleSums sums;
         for (std::size_t first = begin; first < end; first += kLanes) {
             const std::size_t count = std::min(kLanes, end - first);

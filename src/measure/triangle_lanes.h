@@ -19,9 +19,10 @@ namespace meniscus {
 /// kLanes triangles, and what a kernel finds out about each.
 struct TriangleLanes {
     std::array<VectorLanes, 3> points;   ///< corners, from an origin nearby
-    std::array<VectorLanes, 3> normals;  ///< of the surface there; only for measure_with_parts, as are its curvatures
+    std::array<VectorLanes, 3> normals;  ///< of the surface there; only for measure_with_parts, as are its curvatures,
+                                         ///< without which it may turn as fast as it likes
     std::array<Lanes, 3> mean_curvatures{};
-    std::array<Lanes, 3> gaussian_curvatures{};
+    std::array<Lanes, 3> gaussian_curvatures = unbounded();
 
     Lanes two_areas{};
     Lanes six_volumes{};  ///< over the origin
@@ -46,9 +47,12 @@ struct TriangleLanes {
             gaussian_curvatures[corner][lane] = mesh.gaussian_curvatures[triangle[corner]];
         }
     }
-    /// The surface may turn as fast as it likes: no creases.
-    void allow_any_curvature() {
-        for (Lanes& of_corner : gaussian_curvatures) of_corner.fill(-std::numeric_limits<double>::infinity());
+
+private:
+    static std::array<Lanes, 3> unbounded() {
+        std::array<Lanes, 3> curvatures;
+        for (Lanes& of_corner : curvatures) of_corner.fill(-std::numeric_limits<double>::infinity());
+        return curvatures;
     }
 };
 

@@ -155,6 +155,37 @@ TEST(MeasureSurface, IsWhatTheSeparateMeasuresAre) {
     EXPECT_NEAR(sum, plain.area, 1e-6 * plain.area);
 }
 
+// Two caps that meet in a sharp circle, each of the height 1: they measure 4π · 3.
+Mesh lens(double spacing) {
+    const testing::Sphere upper{.centre = {0.01, 0.02, -1.97}, .radius = 3.0};
+    const testing::Sphere lower{.centre = {0.01, 0.02, 2.03}, .radius = 3.0};
+    const auto field = testing::sample_box(spacing, {-3, -3, -2}, {3, 3, 2},
+                                           [&](const Vec3& p) { return std::max(upper(p), lower(p)); });
+    Mesh mesh = extract_zero_set(field.grid, field.values);
+    for (Vec3& v : mesh.vertices) {
+        const testing::Sphere& cap = upper(v) >= lower(v) ? upper : lower;
+        mesh.normals.push_back(normalised(v - cap.centre));
+        v = cap.centre + cap.radius * mesh.normals.back();
+    }
+    label_components(mesh);
+    return mesh;
+}
+
+TEST(MeasureSurface, CorrectedMeasuresFollowCreasesWhereCurvaturesTellThem) {
+    const double area = 12.0 * std::numbers::pi;
+    const double volume = 2.0 * std::numbers::pi * (3.0 - 1.0 / 3.0);
+    for (const double spacing : {0.4, 0.2, 0.1}) {
+        Mesh mesh = lens(spacing);
+        const CorrectedMeasures rounded = measure_surface(mesh).corrected;
+        EXPECT_LT(rounded.area / area, 1.0 - 0.015 * spacing);
+        mesh.mean_curvatures.assign(mesh.vertices.size(), 1.0F / 3.0F);
+        mesh.gaussian_curvatures.assign(mesh.vertices.size(), 1.0F / 9.0F);
+        const CorrectedMeasures sharp = measure_surface(mesh).corrected;
+        EXPECT_NEAR(sharp.area / area, 1.0, 0.07 * spacing * spacing);
+        EXPECT_NEAR(sharp.volume / volume, 1.0, 0.07 * spacing * spacing);
+    }
+}
+
 TEST(MeasureSurface, PiecesAreThoseOfMeasureComponents) {
     Mesh mesh = two_spheres();
     const std::vector<MeshComponent> expected = label_components(mesh);

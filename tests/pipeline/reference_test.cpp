@@ -102,6 +102,21 @@ TEST(Reference, ExactMeasuresAgreeWithTheMeshOfTheExactField) {
     }
 }
 
+TEST(Reference, CorrectedMeasuresOfTheExactFieldFollowRidges) {
+    MENISCUS_NEED_TEST_DATA();
+    for (const Reference& row : references()) {
+        if (is_spheres(row) || row.atoms < 200 || row.atoms > 5000) continue;
+        SCOPED_TRACE(row.file);
+        const Atoms atoms = read_spheres(*test_data() / "reference" / row.file);
+        const SurfaceTotals exact = measure(atoms).totals;
+        for (const double spacing : {0.5, 0.25}) {
+            const Surface surface = compute_surface(atoms, {.method = Method::Direct, .spacing = spacing});
+            EXPECT_NEAR(surface.corrected_area / exact.ses_area, 1.0, spacing == 0.5 ? 1.5e-3 : 5e-4);
+            EXPECT_NEAR(surface.corrected_volume / exact.ses_volume, 1.0, 2e-4);
+        }
+    }
+}
+
 TEST(Reference, ExactMeasuresMatchTheTable) {
     MENISCUS_NEED_TEST_DATA();
     std::ifstream table(*test_data() / "reference/exact.tsv");
