@@ -13,6 +13,7 @@
 #include "core/parallel.h"
 #include "measure/lanes.h"
 #include "measure/triangle_lanes.h"
+#include "measure/triangle_sum.h"
 #include "meniscus/errors.h"
 
 namespace meniscus {
@@ -20,27 +21,10 @@ namespace {
 
 constexpr std::size_t kChunk = 4096;  // triangles per batch: some thousand middles, a few hundred kB
 
-// Twice the area and six times the volume over the origin.
-struct Sum {
-    double two_areas = 0.0;
-    double six_volumes = 0.0;
-
-    void add(const Vec3& a, const Vec3& b, const Vec3& c) {
-        const Vec3 normal = cross(b - a, c - a);
-        two_areas += norm(normal);
-        six_volumes += dot(a, normal);
-    }
-    Sum& operator+=(const Sum& b) {
-        two_areas += b.two_areas;
-        six_volumes += b.six_volumes;
-        return *this;
-    }
-};
-
 // Sums over triangles and over the four parts of each.
 struct Sums {
-    Sum whole;
-    Sum parts;
+    TriangleSum whole;
+    TriangleSum parts;
 
     Sums& operator+=(const Sums& b) {
         whole += b.whole;
@@ -131,8 +115,8 @@ struct Batch {
         triangles = std::move(parts);
     }
 
-    Sum sum(const Vec3& origin) const {
-        Sum sum;
+    TriangleSum sum(const Vec3& origin) const {
+        TriangleSum sum;
         for (const auto& [a, b, c] : triangles) sum.add(points[a] - origin, points[b] - origin, points[c] - origin);
         return sum;
     }

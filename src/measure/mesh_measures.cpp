@@ -10,6 +10,7 @@
 
 #include "core/fetch_corners.h"
 #include "core/parallel.h"
+#include "measure/creases.h"
 #include "measure/surface_measures.h"
 #include "measure/topology.h"
 #include "measure/triangle_lanes.h"
@@ -80,10 +81,7 @@ struct TriangleSums {
 class TrianglePass {
 public:
     TrianglePass(const Mesh& mesh, std::span<const std::uint32_t> of_vertex)
-        : mesh_(mesh),
-          of_vertex_(of_vertex),
-          has_curvatures_(mesh.mean_curvatures.size() == mesh.vertices.size() &&
-                          mesh.gaussian_curvatures.size() == mesh.vertices.size()) {
+        : mesh_(mesh), of_vertex_(of_vertex), knows_creases_(knows_creases(mesh)) {
         const PieceVertices vertices = vertices_of_pieces(of_vertex);
         for (std::size_t p = 0; p < vertices.counts.size(); ++p) {
             pieces_.emplace_back().vertices = vertices.counts[p];
@@ -126,6 +124,7 @@ private:
                 triangle_kernels().measure(lanes);
             } else {
                 triangle_kernels().measure_with_parts(lanes);
+                if (knows_creases_) follow_creases(first, count, lanes);
                 add_parts(lanes, thirds.subspan(first, count), sums);
             }
             add_to_runs(first, count, lanes, sums);
@@ -142,9 +141,19 @@ private:
             if (with_normals) fetch_corners(mesh_.normals, ahead);
             const Triangle& triangle = mesh_.triangles[first + lane];
             lanes.set_points(lane, mesh_, triangle, origins_[piece_of(first + lane)]);
-            if (!with_normals) continue;
-            lanes.set_normals(lane, mesh_, triangle);
-            if (has_curvatures_) lanes.set_curvatures(lane, mesh_, triangle);
+            if (with_normals) lanes.set_normals(lane, mesh_, triangle);
+        }
+    }
+
+    // The parts of triangles that a crease crosses become such that extrapolate gives what follows it.
+    void follow_creases(std::size_t first, std::size_t count, TriangleLanes& lanes) const {
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            if (!(lanes.creased[lane] > 0.0)) continue;
+            const Triangle& triangle = mesh_.triangles[first + lane];
+            const auto parts = parts_over_crease(mesh_, triangle, origins_[piece_of(first + lane)]);
+            if (!parts) continue;
+            lanes.parts_two_areas[lane] = 0.75 * parts->two_areas + 0.25 * lanes.two_areas[lane];
+            lanes.parts_six_volumes[lane] = 0.75 * parts->six_volumes + 0.25 * lanes.six_volumes[lane];
         }
     }
 
@@ -182,7 +191,7 @@ private:
     const Mesh& mesh_;
     std::span<const std::uint32_t> of_vertex_;
     std::vector<MeshComponent> pieces_;
-    bool has_curvatures_;
+    bool knows_creases_;
     std::vector<Vec3> origins_;  // first vertex of each piece: volumes taken from there keep their digits
     TriangleSums sums_;
 };

@@ -6,6 +6,7 @@
 
 #include "core/instructions.h"
 #include "measure/corrected.h"
+#include "measure/creases.h"
 
 #define MENISCUS_KERNELS "measure/triangle_kernels.inc"
 
