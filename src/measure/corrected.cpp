@@ -115,9 +115,15 @@ struct Batch {
         triangles = std::move(parts);
     }
 
+    // Triangles that face away from the surface lie over others twice, and are taken off once.
     TriangleSum sum(const Vec3& origin) const {
         TriangleSum sum;
-        for (const auto& [a, b, c] : triangles) sum.add(points[a] - origin, points[b] - origin, points[c] - origin);
+        for (const auto& [a, b, c] : triangles) {
+            const Vec3 area = cross(points[b] - points[a], points[c] - points[a]);
+            const bool is_folded = dot(area, normals[a] + normals[b] + normals[c]) < 0.0;
+            sum.two_areas += is_folded ? -norm(area) : norm(area);
+            sum.six_volumes += dot(points[a] - origin, area);
+        }
         return sum;
     }
 };

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -124,6 +125,20 @@ TEST(Corrected, FlatSurfacesStayAsTheyAre) {
     const CorrectedMeasures m = corrected_measures(mesh, [](std::span<Vec3>, std::span<Vec3>) {});
     EXPECT_NEAR(m.area, 8.0 * std::sqrt(3.0), 1e-13);
     EXPECT_NEAR(m.volume, 8.0 / 3.0, 1e-13);
+}
+
+// The middle of a square's diagonal lands beyond the square.
+TEST(Corrected, PartsThatFoldOverCancel) {
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    mesh.normals.assign(4, Vec3{0, 0, 1});
+    const auto project = [](std::span<Vec3> points, std::span<Vec3> normals) {
+        for (Vec3& p : points)
+            if (p.x == 0.5 && p.y == 0.5) p = {1.2, 1.3, 0};
+        std::fill(normals.begin(), normals.end(), Vec3{0, 0, 1});
+    };
+    EXPECT_NEAR(corrected_measures(mesh, project).area, 1.0, 1e-12);
 }
 
 TEST(Corrected, NothingMeasuresNothing) {
