@@ -11,6 +11,7 @@ import time
 
 
 RUNNING = set()  # leaders of the groups of processes that this module has started
+ENDING = threading.Event()
 
 
 @dataclasses.dataclass
@@ -45,6 +46,8 @@ def run_process(command, folder, environment=None, time_limit=None):
         watch.daemon = True
         watch.start()
         RUNNING.add(process.pid)
+        if ENDING.is_set():  # end_all may have come between the start and the line above
+            end_group(process.pid)
         try:
             _, status, usage = os.wait4(process.pid, 0)
         except BaseException:
@@ -67,7 +70,8 @@ def end_group(leader):
 
 
 def end_all():
-    """For who is interrupted while other threads wait for theirs."""
+    """For who is interrupted while other threads wait for theirs. What they start afterwards ends at once."""
+    ENDING.set()
     for leader in list(RUNNING):
         end_group(leader)
 

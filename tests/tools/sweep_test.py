@@ -143,6 +143,13 @@ class SweepTest(unittest.TestCase):
         self.assertEqual(process.wait(timeout=100), 143)
         self.assertFalse(pathlib.Path("/proc", started.read_text(encoding="ascii").strip()).exists())
 
+    def test_what_was_just_started_when_all_is_ended_ends_too(self):
+        code = ("import measured_process as m; m.end_all(); run = m.run_process(['sleep', '1000'], '.'); "
+                "print(run.code)")
+        done = subprocess.run([sys.executable, "-B", "-c", code], cwd=SOURCE / "tools", capture_output=True,
+                              encoding="utf-8", check=True, timeout=100)
+        self.assertEqual(done.stdout, "-9\n")
+
     def test_more_inputs_have_options_of_their_own(self):
         self.write("two.xyzr", "0 0 0 1.7\n9 0 0 1.7\n")
         rows, _ = self.sweep("--methods", "direct", "--spacings", "1", "--also", "two.xyzr --probe 0")
