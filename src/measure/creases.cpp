@@ -12,9 +12,8 @@
 namespace meniscus {
 namespace {
 
-constexpr double kLeastTurn = 0.2;  // of the normal over a crease
-constexpr double kFaster = 1.35;    // than curvatures tell
-constexpr double kNearby = 0.7;     // of a side's length from its middle: there planes have to meet
+constexpr double kFaster = 1.35;  // than curvatures tell
+constexpr double kNearby = 0.7;   // of a side's length from its middle: there planes have to meet
 
 struct Corner {
     Vec3 point;
@@ -34,7 +33,7 @@ std::optional<Vec3> to_crease(const Corner& a, const Corner& b) {
     const Vec3 chord = b.point - a.point;
     const Vec3 turn = b.normal - a.normal;
     const double expected = dot(turn, chord) > 0.0 ? std::max(a.away, b.away) : std::max(a.towards, b.towards);
-    const double least = std::max(kFaster * expected, kLeastCrease) * norm(chord);
+    const double least = std::max(kFaster * expected, kLeastTurnPerLength) * norm(chord);
     if (!(norm(turn) > std::max(least, kLeastTurn))) return std::nullopt;
     const double cosine = dot(a.normal, b.normal);
     const double a_above = -0.5 * dot(a.normal, chord);  // its tangent plane over the middle

@@ -10,8 +10,10 @@
 
 namespace meniscus {
 
-/// No crease is looked for over a side along which the normal turns by less than this per Å, as on a sphere of 1.1 Å.
-inline constexpr double kLeastCrease = 0.9;
+/// No crease is looked for over a side along which the normal turns by less than 14 degrees, or by less than this per
+/// Å, as on a sphere of 1.1 Å.
+inline constexpr double kLeastTurn = 0.25;
+inline constexpr double kLeastTurnPerLength = 0.9;
 
 /// Whether a mesh tells what parts_over_crease needs to know.
 bool knows_creases(const Mesh& mesh);

@@ -126,31 +126,26 @@ struct Part {
     }
 };
 
-// The triangles round every vertex of one stretch, and the sums there.
+// The triangles round every vertex of one stretch.
 class StretchStars {
 public:
-    StretchStars(VertexId first, std::size_t count, const CornerSums& sums)
+    StretchStars(VertexId first, std::size_t count)
         : first_(first),
           count_(static_cast<VertexId>(count)),
-          of_triangle_(sums.of_triangle),
           sizes_(std::make_unique<std::uint32_t[]>(count)),
           stars_(std::make_unique_for_overwrite<ShortStar[]>(count)) {
         for (std::size_t i = 0; i < count; ++i) {
             stars_[i].from.fill(vertex(i));
             stars_[i].to.fill(vertex(i));
         }
-        if (of_triangle_.empty()) return;
-        of_vertex_ = sums.of_vertex.subspan(first, count);
-        std::fill(of_vertex_.begin(), of_vertex_.end(), 0.0F);
     }
 
-    // Adds those corners of some triangles that lie within the stretch.
-    void add(std::span<const Triangle> triangles, std::size_t number_of_first) {
-        if (of_triangle_.empty())
-            add_steps(triangles, [](std::size_t, VertexId) {});
-        else
-            add_steps(triangles, [of_triangle = of_triangle_.subspan(number_of_first), of_vertex = of_vertex_](
-                                     std::size_t t, VertexId i) { of_vertex[i] += of_triangle[t]; });
+    // Adds those corners of a triangle that lie within the stretch.
+    void add(const Triangle& triangle) {
+        const auto [a, b, c] = triangle;
+        add_step(a, {b, c});
+        add_step(b, {c, a});
+        add_step(c, {a, b});
     }
 
     // After all triangles.
@@ -169,31 +164,15 @@ public:
 private:
     VertexId vertex(std::size_t i) const { return first_ + static_cast<VertexId>(i); }
 
-    // Also calls add_sum(place of the triangle, place of the vertex). What does not change is held in variables of its
-    // own: what is written may lie where the members do.
-    template <class AddSum>
-    void add_steps(std::span<const Triangle> triangles, const AddSum& add_sum) {
-        const VertexId first = first_;
-        const VertexId count = count_;
-        std::uint32_t* const sizes = sizes_.get();
-        ShortStar* const stars = stars_.get();
-        const auto add_step = [&, first, count, sizes, stars](std::size_t t, VertexId v, const Step& step) {
-            const VertexId i = v - first;  // beyond all others where it comes before the first
-            if (i >= count) return;
-            add_sum(t, i);
-            const std::uint32_t n = sizes[i]++;
-            if (n < kShortStar) {
-                stars[i].from[n] = step.from;
-                stars[i].to[n] = step.to;
-            } else {
-                more_.emplace_back(i, step);
-            }
-        };
-        for (std::size_t t = 0; t < triangles.size(); ++t) {
-            const auto [a, b, c] = triangles[t];
-            add_step(t, a, {b, c});
-            add_step(t, b, {c, a});
-            add_step(t, c, {a, b});
+    void add_step(VertexId v, const Step& step) {
+        const VertexId i = v - first_;  // beyond all others where it comes before the first
+        if (i >= count_) return;
+        const std::uint32_t n = sizes_[i]++;
+        if (n < kShortStar) {
+            stars_[i].from[n] = step.from;
+            stars_[i].to[n] = step.to;
+        } else {
+            more_.emplace_back(i, step);
         }
     }
 
@@ -217,11 +196,30 @@ private:
 
     VertexId first_;
     VertexId count_;
-    std::span<const float> of_triangle_;
-    std::span<float> of_vertex_;
     std::unique_ptr<std::uint32_t[]> sizes_;
     std::unique_ptr<ShortStar[]> stars_;
     std::vector<std::pair<std::size_t, Step>> more_;  // what the short stars had no room for, and whose
+};
+
+// The sums at the vertices of one stretch.
+class StretchSums {
+public:
+    StretchSums(const CornerSums& sums, VertexId first, std::size_t count)
+        : of_triangle_(sums.of_triangle), first_(first) {
+        if (of_triangle_.empty()) return;
+        of_vertex_ = sums.of_vertex.subspan(first, count);
+        std::fill(of_vertex_.begin(), of_vertex_.end(), 0.0F);
+    }
+
+    void add(const Triangle& triangle, std::size_t number) const {
+        for (const VertexId v : triangle)
+            if (const VertexId i = v - first_; i < of_vertex_.size()) of_vertex_[i] += of_triangle_[number];
+    }
+
+private:
+    std::span<const float> of_triangle_;
+    std::span<float> of_vertex_;
+    VertexId first_;
 };
 
 }  // namespace
@@ -229,9 +227,12 @@ private:
 MeshTopology examine_topology(std::size_t vertex_count, std::span<const Triangle> triangles, const CornerSums& sums) {
     const VertexStretches stretches(vertex_count, triangles);
     const auto examine = [&](std::size_t stretch, std::size_t) {
-        StretchStars stars(stretches.first(stretch), stretches.count(stretch), sums);
-        stretches.visit_runs(stretch,
-                             [&](std::span<const Triangle> run, std::size_t number) { stars.add(run, number); });
+        StretchStars stars(stretches.first(stretch), stretches.count(stretch));
+        const StretchSums at_corners(sums, stretches.first(stretch), stretches.count(stretch));
+        stretches.visit_triangles(stretch, [&](const Triangle& triangle, std::size_t number) {
+            stars.add(triangle);
+            at_corners.add(triangle, number);
+        });
         return Part{stars.examine()};
     };
     MeshTopology topology = parallel_sum<Part>(stretches.size(), 1, examine).seen;

@@ -26,13 +26,14 @@ public:
     VertexId first(std::size_t stretch) const { return static_cast<VertexId>(stretch * kLength); }
     std::size_t count(std::size_t stretch) const { return std::min(kLength, vertex_count_ - stretch * kLength); }
 
-    /// Calls visit(triangles, number of the first) for runs that hold all triangles with a corner in a stretch, and
-    /// some others, in rising order.
+    /// Calls visit(triangle, its number) for all triangles that have a corner in a stretch, and for some others, in
+    /// rising order.
     template <class Visit>
-    void visit_runs(std::size_t stretch, const Visit& visit) const {
+    void visit_triangles(std::size_t stretch, const Visit& visit) const {
         for (std::size_t i = begins_[stretch]; i < begins_[stretch + 1]; ++i) {
             const std::size_t begin = runs_[i] * kRun;
-            visit(triangles_.subspan(begin, std::min(kRun, triangles_.size() - begin)), begin);
+            const std::size_t end = std::min(begin + kRun, triangles_.size());
+            for (std::size_t t = begin; t < end; ++t) visit(triangles_[t], t);
         }
     }
 

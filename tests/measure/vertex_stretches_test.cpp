@@ -17,12 +17,10 @@ std::vector<std::size_t> corners_met(std::size_t vertex_count, std::span<const T
     std::vector<std::size_t> met(vertex_count);
     const VertexStretches stretches(vertex_count, triangles);
     for (std::size_t s = 0; s < stretches.size(); ++s)
-        stretches.visit_runs(s, [&](std::span<const Triangle> run, std::size_t number) {
-            for (const Triangle& triangle : run) {
-                EXPECT_EQ(triangle, triangles[number++]);
-                for (const VertexId v : triangle)
-                    if (v >= stretches.first(s) && v - stretches.first(s) < stretches.count(s)) ++met[v];
-            }
+        stretches.visit_triangles(s, [&](const Triangle& triangle, std::size_t number) {
+            EXPECT_EQ(triangle, triangles[number]);
+            for (const VertexId v : triangle)
+                if (v >= stretches.first(s) && v - stretches.first(s) < stretches.count(s)) ++met[v];
         });
     return met;
 }
