@@ -10,9 +10,9 @@
 
 namespace meniscus {
 
-/// No crease is looked for over a side along which the normal turns by less than 14 degrees, or by less than this per
-/// Å, as on a sphere of 1.1 Å.
+/// No crease is looked for over a side along which the normal turns by less than this (14 degrees).
 inline constexpr double kLeastTurn = 0.25;
+/// Nor where it turns by less than this per Å, as on a sphere of 1.1 Å.
 inline constexpr double kLeastTurnPerLength = 0.9;
 
 /// Whether a mesh tells what parts_over_crease needs to know.

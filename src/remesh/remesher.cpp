@@ -99,10 +99,10 @@ public:
             if (options_.keep_ridges && i < kAttempts) keep_ridges(before);
             for (int k = 0; k < kIterations; ++k) {
                 iterate();
-                if (k == 0) mesh_ = mesh_.renumbered(order_of_space());  // most of the changes are made
+                if (k == 0) mesh_ = mesh_.renumbered(vertices_by_cells());  // most of the changes are made
             }
             for (int k = 0; k < pushes; ++k) push_apart();
-            const std::vector<VertexId> order = order_of_space();
+            const std::vector<VertexId> order = vertices_by_cells();
             Mesh mesh = mesh_of(mesh_, order);
             const std::vector<Vec3> found = mend(mesh, order, before, i);
             if (found.empty()) return mesh;
@@ -193,7 +193,7 @@ private:
         }
         std::vector<VertexId> added(mesh_.points.size() - known);
         std::iota(added.begin(), added.end(), static_cast<VertexId>(known));
-        sort_by_cells(added);
+        bring_neighbours_together(added);
         parallel_for(ridges.size(), 1, [&](std::size_t i) {
             ridges[i].place = point_on_ridge(mesh_.at(ridges[i].vertex), ridges[i].corners, project_);
         });
@@ -294,7 +294,7 @@ private:
         std::vector<VertexId> free;
         for (VertexId v = 0; v < moved.size(); ++v)
             if (is_free(v)) free.push_back(v);
-        sort_by_cells(free);
+        bring_neighbours_together(free);
         for_chunks(free, [&](std::span<const VertexId> chunk) {
             for (const VertexId v : chunk) moved[v].position = relaxed(v);
             project_chunk(moved, chunk);
@@ -316,7 +316,7 @@ private:
             moved[v].position += steps[v];
             pushed.push_back(v);
         }
-        sort_by_cells(pushed);
+        bring_neighbours_together(pushed);
         project_points(moved, pushed);
         std::swap(mesh_.points, moved);
         undo_where_turned(moved);
@@ -375,7 +375,7 @@ private:
     }
 
     // Neighbours in space come together: those that edges were split into are in no order.
-    void sort_by_cells(std::vector<VertexId>& vertices) const {
+    void bring_neighbours_together(std::vector<VertexId>& vertices) const {
         Box box;
         for (const VertexId v : vertices) box.include(mesh_.at(v));
         std::vector<std::uint64_t> cells;
@@ -385,15 +385,15 @@ private:
             const auto number = [](double x) { return static_cast<std::uint64_t>(std::min(x, kMostCells)); };
             cells.push_back((number(place.z) << 42) + (number(place.y) << 21) + number(place.x));
         }
-        std::vector<VertexId> sorted;
-        sorted.reserve(vertices.size());
-        for (const std::uint32_t i : group_by<std::hash<std::uint64_t>>(cells).items) sorted.push_back(vertices[i]);
-        vertices = std::move(sorted);
+        std::vector<VertexId> together;
+        together.reserve(vertices.size());
+        for (const std::uint32_t i : group_by<std::hash<std::uint64_t>>(cells).items) together.push_back(vertices[i]);
+        vertices = std::move(together);
     }
 
-    std::vector<VertexId> order_of_space() const {
+    std::vector<VertexId> vertices_by_cells() const {
         std::vector<VertexId> vertices = mesh_.edges.vertices();
-        sort_by_cells(vertices);
+        bring_neighbours_together(vertices);
         return vertices;
     }
 
