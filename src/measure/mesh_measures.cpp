@@ -80,14 +80,16 @@ struct TriangleSums {
 // One pass over the triangles, in which every one is looked at while its corners are at hand.
 class TrianglePass {
 public:
-    TrianglePass(const Mesh& mesh, std::span<const std::uint32_t> of_vertex)
-        : mesh_(mesh), of_vertex_(of_vertex), knows_creases_(knows_creases(mesh)) {
+    TrianglePass(const Mesh& mesh, std::span<const std::uint32_t> of_vertex) : mesh_(mesh), of_vertex_(of_vertex) {
         const PieceVertices vertices = vertices_of_pieces(of_vertex);
         for (std::size_t p = 0; p < vertices.counts.size(); ++p) {
             pieces_.emplace_back().vertices = vertices.counts[p];
             origins_.push_back(mesh.vertices[vertices.first[p]]);
         }
     }
+
+    // From now on, for a mesh that knows them.
+    void follow_creases() { follows_creases_ = true; }
 
     // thirds: empty, or where a third of every triangle's area goes. Only then are the parts measured.
     MeshMeasures run(std::span<float> thirds) {
@@ -124,7 +126,7 @@ private:
                 triangle_kernels().measure(lanes);
             } else {
                 triangle_kernels().measure_with_parts(lanes);
-                if (knows_creases_) follow_creases(first, count, lanes);
+                if (follows_creases_) measure_over_creases(first, count, lanes);
                 add_parts(lanes, thirds.subspan(first, count), sums);
             }
             add_to_runs(first, count, lanes, sums);
@@ -146,7 +148,7 @@ private:
     }
 
     // The parts of triangles that a crease crosses become such that extrapolate gives what follows it.
-    void follow_creases(std::size_t first, std::size_t count, TriangleLanes& lanes) const {
+    void measure_over_creases(std::size_t first, std::size_t count, TriangleLanes& lanes) const {
         for (std::size_t lane = 0; lane < count; ++lane) {
             if (!(lanes.creased[lane] > 0.0)) continue;
             const Triangle& triangle = mesh_.triangles[first + lane];
@@ -191,7 +193,7 @@ private:
     const Mesh& mesh_;
     std::span<const std::uint32_t> of_vertex_;
     std::vector<MeshComponent> pieces_;
-    bool knows_creases_;
+    bool follows_creases_ = false;
     std::vector<Vec3> origins_;  // first vertex of each piece: volumes taken from there keep their digits
     TriangleSums sums_;
 };
@@ -216,13 +218,14 @@ MeshMeasures measure_mesh(const Mesh& mesh) {
     return measures;
 }
 
-SurfaceMeasures measure_surface(Mesh& mesh) {
+SurfaceMeasures measure_surface(Mesh& mesh, Creases creases) {
     check(mesh);
     if (mesh.normals.size() != mesh.vertices.size() || mesh.components.size() != mesh.vertices.size())
         throw UsageError("measures of a surface need one normal and one component number per vertex");
     const auto memory = std::make_unique_for_overwrite<float[]>(mesh.triangles.size());
     const std::span thirds(memory.get(), mesh.triangles.size());
     TrianglePass pass(mesh, mesh.components);
+    if (creases == Creases::Sharp && knows_creases(mesh)) pass.follow_creases();
     SurfaceMeasures measures{.mesh = pass.run(thirds), .corrected = {}, .areas = {}};
     measures.corrected = extrapolate({measures.mesh.area, measures.mesh.volume}, pass.parts());
     renumber(measures.mesh.components, mesh.components);

@@ -285,7 +285,9 @@ private:
     }
 
     void measure() {
-        SurfaceMeasures measures = measure_surface(surface_.mesh);
+        // A level set has rounded them.
+        const Creases creases = surface_.level_set ? Creases::Rounded : Creases::Sharp;
+        SurfaceMeasures measures = measure_surface(surface_.mesh, creases);
         surface_.measures = std::move(measures.mesh);
         surface_.mesh.areas = std::move(measures.areas);
         const CorrectedMeasures corrected = options_.remesh.is_on() ? corrected_on_surface() : measures.corrected;
