@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
+#include "core/tangent_planes.h"
 #include "measure/corrected.h"
+#include "meniscus/curvature.h"
 
 namespace meniscus {
 namespace {
@@ -18,31 +19,31 @@ constexpr double kNearby = 0.7;   // of a side's length from its middle: there p
 struct Corner {
     Vec3 point;
     Vec3 normal;
-    double away = 0.0;     // principal curvatures, Å^-1: how fast the surface turns away from its normal
-    double towards = 0.0;  // and towards it
+    PrincipalCurvatures curvatures;
 };
 
 Corner corner_of(const Mesh& mesh, VertexId v, const Vec3& origin) {
-    const double mean = mesh.mean_curvatures[v];
-    const double root = std::sqrt(std::max(mean * mean - mesh.gaussian_curvatures[v], 0.0));
-    return {mesh.vertices[v] - origin, mesh.normals[v], std::max(root + mean, 0.0), std::max(root - mean, 0.0)};
+    return {mesh.vertices[v] - origin, mesh.normals[v],
+            principal_curvatures(mesh.mean_curvatures[v], mesh.gaussian_curvatures[v])};
 }
 
-// From the middle of a side to where the tangent planes of its ends meet, if there is a crease.
-std::optional<Vec3> to_crease(const Corner& a, const Corner& b) {
+// How fast the surface turns at either end of a side, away from its normals or towards them, Å^-1.
+double expected_turn(const Corner& a, const Corner& b, bool away) {
+    const auto turn = [away](const PrincipalCurvatures& k) { return away ? k.largest : -k.smallest; };
+    return std::max({turn(a.curvatures), turn(b.curvatures), 0.0});
+}
+
+// Where the tangent planes of both ends of a side meet, if there is a crease.
+std::optional<Vec3> place_on_crease(const Corner& a, const Corner& b) {
     const Vec3 chord = b.point - a.point;
     const Vec3 turn = b.normal - a.normal;
-    const double expected = dot(turn, chord) > 0.0 ? std::max(a.away, b.away) : std::max(a.towards, b.towards);
+    const double expected = expected_turn(a, b, dot(turn, chord) > 0.0);
     const double least = std::max(kFaster * expected, kLeastTurnPerLength) * norm(chord);
     if (!(norm(turn) > std::max(least, kLeastTurn))) return std::nullopt;
-    const double cosine = dot(a.normal, b.normal);
-    const double a_above = -0.5 * dot(a.normal, chord);  // its tangent plane over the middle
-    const double b_above = 0.5 * dot(b.normal, chord);
-    const double scale = 1.0 / (1.0 - cosine * cosine);
-    const Vec3 way =
-        (scale * (a_above - cosine * b_above)) * a.normal + (scale * (b_above - cosine * a_above)) * b.normal;
-    if (!(squared_norm(way) < kNearby * kNearby * squared_norm(chord))) return std::nullopt;
-    return way;
+    const Vec3 middle = 0.5 * (a.point + b.point);
+    const Vec3 place = meeting_of_planes(a.point, a.normal, b.point, b.normal, middle);
+    if (!(squared_norm(place - middle) < kNearby * kNearby * squared_norm(chord))) return std::nullopt;
+    return place;
 }
 
 }  // namespace
@@ -60,9 +61,9 @@ std::optional<TriangleSum> parts_over_crease(const Mesh& mesh, const Triangle& t
     for (std::size_t k = 0; k < 3; ++k) {
         const Corner& a = corners[k];
         const Corner& b = corners[(k + 1) % 3];
-        const std::optional<Vec3> way = to_crease(a, b);
-        any = any || way;
-        middles[k] = way ? 0.5 * (a.point + b.point) + *way : arc_middle(a.point, a.normal, b.point, b.normal);
+        const std::optional<Vec3> place = place_on_crease(a, b);
+        any = any || place;
+        middles[k] = place ? *place : arc_middle(a.point, a.normal, b.point, b.normal);
     }
     if (!any) return std::nullopt;
     TriangleSum parts;

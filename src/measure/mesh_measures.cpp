@@ -80,16 +80,14 @@ struct TriangleSums {
 // One pass over the triangles, in which every one is looked at while its corners are at hand.
 class TrianglePass {
 public:
-    TrianglePass(const Mesh& mesh, std::span<const std::uint32_t> of_vertex) : mesh_(mesh), of_vertex_(of_vertex) {
+    TrianglePass(const Mesh& mesh, std::span<const std::uint32_t> of_vertex, Creases creases = Creases::Rounded)
+        : mesh_(mesh), of_vertex_(of_vertex), follows_creases_(creases == Creases::Sharp && knows_creases(mesh)) {
         const PieceVertices vertices = vertices_of_pieces(of_vertex);
         for (std::size_t p = 0; p < vertices.counts.size(); ++p) {
             pieces_.emplace_back().vertices = vertices.counts[p];
             origins_.push_back(mesh.vertices[vertices.first[p]]);
         }
     }
-
-    // From now on, for a mesh that knows them.
-    void follow_creases() { follows_creases_ = true; }
 
     // thirds: empty, or where a third of every triangle's area goes. Only then are the parts measured.
     MeshMeasures run(std::span<float> thirds) {
@@ -147,15 +145,15 @@ private:
         }
     }
 
-    // The parts of triangles that a crease crosses become such that extrapolate gives what follows it.
+    // What crosses a crease is measured by parts that follow it, and is not extrapolated.
     void measure_over_creases(std::size_t first, std::size_t count, TriangleLanes& lanes) const {
         for (std::size_t lane = 0; lane < count; ++lane) {
             if (!(lanes.creased[lane] > 0.0)) continue;
             const Triangle& triangle = mesh_.triangles[first + lane];
             const auto parts = parts_over_crease(mesh_, triangle, origins_[piece_of(first + lane)]);
             if (!parts) continue;
-            lanes.parts_two_areas[lane] = 0.75 * parts->two_areas + 0.25 * lanes.two_areas[lane];
-            lanes.parts_six_volumes[lane] = 0.75 * parts->six_volumes + 0.25 * lanes.six_volumes[lane];
+            lanes.parts_two_areas[lane] = parts_of(lanes.two_areas[lane], parts->two_areas);
+            lanes.parts_six_volumes[lane] = parts_of(lanes.six_volumes[lane], parts->six_volumes);
         }
     }
 
@@ -193,7 +191,7 @@ private:
     const Mesh& mesh_;
     std::span<const std::uint32_t> of_vertex_;
     std::vector<MeshComponent> pieces_;
-    bool follows_creases_ = false;
+    bool follows_creases_;
     std::vector<Vec3> origins_;  // first vertex of each piece: volumes taken from there keep their digits
     TriangleSums sums_;
 };
@@ -224,8 +222,7 @@ SurfaceMeasures measure_surface(Mesh& mesh, Creases creases) {
         throw UsageError("measures of a surface need one normal and one component number per vertex");
     const auto memory = std::make_unique_for_overwrite<float[]>(mesh.triangles.size());
     const std::span thirds(memory.get(), mesh.triangles.size());
-    TrianglePass pass(mesh, mesh.components);
-    if (creases == Creases::Sharp && knows_creases(mesh)) pass.follow_creases();
+    TrianglePass pass(mesh, mesh.components, creases);
     SurfaceMeasures measures{.mesh = pass.run(thirds), .corrected = {}, .areas = {}};
     measures.corrected = extrapolate({measures.mesh.area, measures.mesh.volume}, pass.parts());
     renumber(measures.mesh.components, mesh.components);

@@ -27,6 +27,6 @@ struct SurfaceMeasures {
 ///
 /// throws   UsageError for a mesh without normals or components, and as measure_mesh
 /// cost     O(n) for n triangles, 4 bytes of scratch memory each beside those of examine_topology
-SurfaceMeasures measure_surface(Mesh& mesh, Creases creases = Creases::Sharp);
+SurfaceMeasures measure_surface(Mesh& mesh, Creases creases);
 
 }  // namespace meniscus

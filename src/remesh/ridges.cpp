@@ -4,6 +4,8 @@
 
 #include <optional>
 
+#include "core/tangent_planes.h"
+
 namespace meniscus {
 namespace {
 
@@ -16,21 +18,12 @@ constexpr double kOffSurface = 0.05;
 
 constexpr double kAside = 0.25;  // of the way to a corner: there the sheets are looked at
 
-// The point nearest to `from` on the tangent planes of both a and b.
-Vec3 meeting_of_planes(const SurfacePoint& a, const SurfacePoint& b, const Vec3& from) {
-    const double cosine = dot(a.normal, b.normal);
-    const double off_a = dot(a.normal, a.position - from);
-    const double off_b = dot(b.normal, b.position - from);
-    const double scale = 1.0 / (1.0 - cosine * cosine);
-    return from + (scale * (off_a - cosine * off_b)) * a.normal + (scale * (off_b - cosine * off_a)) * b.normal;
-}
-
 // Where the sheets that two points lie on meet, near the middle between them.
 std::optional<Vec3> meeting_of_sheets(const SurfacePoint& a, const SurfacePoint& b, const SurfaceProjector& project) {
     const double cosine = dot(a.normal, b.normal);
     if (cosine > kCrease || cosine < -1.0 + 1e-6) return std::nullopt;
     const Vec3 middle = 0.5 * (a.position + b.position);
-    const Vec3 place = meeting_of_planes(a, b, middle);
+    const Vec3 place = meeting_of_planes(a.position, a.normal, b.position, b.normal, middle);
     if (squared_norm(place - middle) > kReach * kReach * squared_norm(b.position - a.position)) return std::nullopt;
     SurfacePoint on_surface{place, a.normal, 0.0};
     project({&on_surface, 1});

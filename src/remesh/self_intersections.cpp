@@ -39,8 +39,12 @@ std::optional<Vec3> piercing(const Vec3& p, double from, const Vec3& q, double t
 
 bool contains(const Triangle& t, VertexId v) { return t[0] == v || t[1] == v || t[2] == v; }
 
+std::array<bool, 3> shared_corners(const Triangle& s, const Triangle& t) {
+    return {contains(t, s[0]), contains(t, s[1]), contains(t, s[2])};
+}
+
 // One of two triangles that may meet. At most one corner is the other's, too.
-struct Meeting {
+struct Candidate {
     std::array<Vec3, 3> at;
     std::array<bool, 3> shared;
     std::array<double, 3> side;  // of the other's plane
@@ -54,7 +58,7 @@ struct Meeting {
 };
 
 // Where a side of one triangle that has no corner of the other passes through the other.
-std::optional<Vec3> sides_through(const Meeting& s, const std::array<Vec3, 3>& t) {
+std::optional<Vec3> sides_through(const Candidate& s, const std::array<Vec3, 3>& t) {
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3;
         if (s.shared[k] || s.shared[next]) continue;
@@ -117,11 +121,11 @@ private:
 
 std::optional<Vec3> meeting(const Triangle& s, const std::array<Vec3, 3>& s_at, const Triangle& t,
                             const std::array<Vec3, 3>& t_at) {
-    Meeting first{s_at, {contains(t, s[0]), contains(t, s[1]), contains(t, s[2])}, {}};
-    if (std::count(first.shared.begin(), first.shared.end(), true) >= 2) return std::nullopt;
-    first.side = sides_of(s_at, t_at);
+    const std::array<bool, 3> shared = shared_corners(s, t);
+    if (std::count(shared.begin(), shared.end(), true) >= 2) return std::nullopt;
+    const Candidate first{s_at, shared, sides_of(s_at, t_at)};
     if (first.is_aside()) return std::nullopt;
-    const Meeting second{t_at, {contains(s, t[0]), contains(s, t[1]), contains(s, t[2])}, sides_of(t_at, s_at)};
+    const Candidate second{t_at, shared_corners(t, s), sides_of(t_at, s_at)};
     if (second.is_aside()) return std::nullopt;
     if (const auto place = sides_through(first, t_at)) return place;
     return sides_through(second, s_at);
