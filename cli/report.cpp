@@ -53,9 +53,9 @@ bool has(const std::vector<std::string>& outputs, OutputKind kind) {
                        [kind](const std::string& path) { return kind_of(path) == kind; });
 }
 
-ordered_json surface_options_block(const SurfaceRequest& request, const Structure& structure, const Mesh& mesh,
+ordered_json surface_options_block(const SurfaceRequest& request, const Structure& structure, const Surface& surface,
                                    const RunFacts& facts) {
-    const SurfaceOptions& o = request.surface;
+    const SurfaceOptions& o = surface.options;
     const bool flow = o.method == Method::Flow;
     ordered_json block{{"method", name_of(o.method)},
                        {"flow", if_used(flow, name_of(request.flow.name))},
@@ -85,7 +85,7 @@ ordered_json surface_options_block(const SurfaceRequest& request, const Structur
                        {"threads", facts.threads},
                        {"verify", o.verify},
                        {"memory_mb", if_used(o.memory_limit_mb > 0, o.memory_limit_mb)}};
-    report_picture(request.picture, structure, mesh, has(request.outputs, OutputKind::Picture), block);
+    report_picture(request.picture, structure, surface.mesh, has(request.outputs, OutputKind::Picture), block);
     report_volumes(request.volume, has(request.outputs, OutputKind::Volume), block);
     report_values(request.values, block);
     return block;
@@ -252,7 +252,7 @@ ordered_json make_report(const SurfaceRequest& request, const Structure& structu
     return {{"meniscus", kVersion},
             {"schema", 1},
             {"input", input_block(structure, surface.options.probe, facts)},
-            {"options", options_block(surface_options_block(request, structure, surface.mesh, facts), request)},
+            {"options", options_block(surface_options_block(request, structure, surface, facts), request)},
             {"exact", exact_json(exact)},
             {"components", components_json(exact)},
             {"mesh", mesh_block(surface, exact_counterpart(exact, surface.options), facts.shown)},

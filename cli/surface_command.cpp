@@ -26,16 +26,17 @@ using nlohmann::ordered_json;
 
 namespace {
 
-void write_surface_mesh(const std::string& path, const SurfaceRequest& request, const Structure& structure,
-                        const Mesh& mesh, std::span<const Colour> colours, bool open = false) {
+void write_surface_mesh(const std::string& path, Encoding encoding, const SurfaceOptions& computed_with,
+                        const Structure& structure, const Mesh& mesh, std::span<const Colour> colours,
+                        bool open = false) {
     write_mesh(path, mesh,
-               {.encoding = request.encoding,
+               {.encoding = encoding,
                 .colours = colours,
                 .structure = &structure,
-                .computed_with = &request.surface,
-                .probe = request.surface.probe,
+                .computed_with = &computed_with,
+                .probe = computed_with.probe,
                 .open = open,
-                .threads = request.surface.threads});
+                .threads = computed_with.threads});
 }
 
 class SurfaceRun : public StructureRun {
@@ -89,6 +90,9 @@ private:
         }
         const double estimate_seconds = estimating.lap();
         make_surface(job);
+        const SurfaceOptions& made = surface_.options;
+        if (has_volume && made.spacing != options.spacing)
+            grid = find_grid(request_.volume, job.structure.atoms, made, job.outputs, surface_.expected);
         surface_.seconds.estimate += estimate_seconds;
         bring_values();
         Stopwatch watch;
@@ -171,7 +175,8 @@ private:
     void write_cavities(const Job& job) const {
         for (const auto& [component, output] : cavities_) {
             const MeshPart part = part_of_component(surface_.mesh, component);
-            write_surface_mesh(output.path, request_, job.structure, part.mesh, colours_of(part));
+            write_surface_mesh(output.path, request_.encoding, surface_.options, job.structure, part.mesh,
+                               colours_of(part));
         }
     }
 
@@ -224,8 +229,9 @@ private:
             const WritingSection section;
             Mesh complete = mesh;
             complete.values = values_.at_vertices(mesh);
-            write_surface_mesh(snapshot_path(first_mesh(job.outputs)->path, step.step), request_, job.structure,
-                               complete, colour_vertices(complete, job.structure, request_.picture.colours));
+            write_surface_mesh(snapshot_path(first_mesh(job.outputs)->path, step.step), request_.encoding,
+                               request_.surface, job.structure, complete,
+                               colour_vertices(complete, job.structure, request_.picture.colours));
         }
         throw_if_interrupted();
     }
@@ -236,8 +242,8 @@ private:
     void write(const Output& output, const Job& job) const override {
         switch (output.kind) {
             case OutputKind::Mesh:
-                write_surface_mesh(output.path, request_, job.structure, written_mesh(), written_colours(),
-                                   shown_ && shown_->open);
+                write_surface_mesh(output.path, request_.encoding, surface_.options, job.structure, written_mesh(),
+                                   written_colours(), shown_ && shown_->open);
                 if (&output == first_mesh(job.outputs)) write_cavities(job);
                 return;
             case OutputKind::Picture:

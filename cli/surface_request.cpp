@@ -125,7 +125,10 @@ void add_surface_options(CLI::App& command, SurfaceRequest& request) {
     add_shape_options(command, request);
     command.option_defaults()->group("Flow");
     add_flow_options(command, request.flow);
-    command.parse_complete_callback([&request] { complete(request); });
+    command.parse_complete_callback([&command, &request] {
+        request.surface.remesh.finer_grid = command.count("--spacing") == 0;
+        complete(request);
+    });
     command.option_defaults()->group("Triangles");
     add_remesh_options(command, request);
     command.option_defaults()->group("Output");

@@ -22,8 +22,10 @@ struct Cost {
 /// cost     a millisecond, for large structures 0.2 µs per atom
 Cost estimate_cost(const Atoms& atoms, const SurfaceOptions& options);
 
-/// Throws LimitError with the numbers, and the options that would help, where a computation is expected to take more
-/// memory than SurfaceOptions::memory_limit_mb, or than the machine has.
+/// Whether it is expected to take no more memory than SurfaceOptions::memory_limit_mb, or than the machine has.
+bool fits(const SurfaceOptions& options, const Cost& cost);
+
+/// Throws LimitError with the numbers, and the options that would help, where a computation does not fit.
 void refuse_what_would_not_fit(const Atoms& atoms, const SurfaceOptions& options, const Cost& cost);
 
 }  // namespace meniscus

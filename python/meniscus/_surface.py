@@ -328,7 +328,7 @@ def surface(
     atoms: Structure | npt.ArrayLike,
     radii: npt.ArrayLike | None = None,
     probe: float = 1.4,
-    spacing: float = 0.5,
+    spacing: float | None = None,
     method: str = "flow",
     *,
     surface: str = "ses",
@@ -365,7 +365,8 @@ def surface(
     atoms    a Structure, or centres (n, 3), Å; lists and arrays of any real type
     radii    (n,), Å, with centres
     probe    radius, Å; 0 gives the van der Waals surface
-    spacing  of the grid, Å
+    spacing  of the grid, Å; None: 0.5, and with edge or vertex_density half or a quarter of that for small surfaces
+             whose area would be off by more than 0.5 %
     method   flow (smooth level set), direct (exact distance, sharp ridges) or gaussian (only the start of the flow)
 
     What else there is has the names and defaults of the command line (``meniscus surface --help``):
@@ -400,7 +401,7 @@ def surface(
     structure = as_structure(atoms, radii)
     options: dict[str, Any] = {
         "probe": _options.number("probe", probe),
-        "spacing": _options.number("spacing", spacing),
+        "finer_grid": spacing is None,
         "method": _options.word("method", method),
         "surface": _options.word("surface", surface),
         "components": _options.word("components", components),
@@ -421,7 +422,7 @@ def surface(
     for name, text in (("curvature", curvature), ("reinitialise", reinitialise), ("solver", solver), ("slope", slope)):
         if text is not None:
             options[name] = _options.word(name, text)
-    for name, value in (("anchor", anchor), ("half_width", half_width), ("tolerance", tolerance)):
+    for name, value in (("spacing", spacing), ("anchor", anchor), ("half_width", half_width), ("tolerance", tolerance)):
         if value is not None:
             options[name] = _options.number(name, value)
     for name, value in (("edge", edge), ("vertex_density", vertex_density)):

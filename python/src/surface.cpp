@@ -47,6 +47,7 @@ RemeshOptions remesh_options(const Options& options) {
     options.read("adaptive", remesh.adaptive);
     options.read("keep_ridges", remesh.keep_ridges);
     options.read("simplify_topology", remesh.simplify_topology);
+    options.read("finer_grid", remesh.finer_grid);
     return remesh;
 }
 

@@ -231,4 +231,15 @@ SurfaceMeasures measure_surface(Mesh& mesh, Creases creases) {
     return measures;
 }
 
+double flat_area(const Mesh& mesh) {
+    return parallel_sum<double>(mesh.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+        double sum = 0.0;
+        for (std::size_t t = begin; t < end; ++t) {
+            const auto [a, b, c] = mesh.triangles[t];
+            sum += 0.5 * norm(cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
+        }
+        return sum;
+    });
+}
+
 }  // namespace meniscus

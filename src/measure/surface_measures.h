@@ -29,4 +29,7 @@ struct SurfaceMeasures {
 /// cost     O(n) for n triangles, 4 bytes of scratch memory each beside those of examine_topology
 SurfaceMeasures measure_surface(Mesh& mesh, Creases creases);
 
+/// Sum of the areas of the triangles, Å²: positions and triangles are all that is needed.
+double flat_area(const Mesh& mesh);
+
 }  // namespace meniscus

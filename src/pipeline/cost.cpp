@@ -218,7 +218,7 @@ public:
                           [](SurfaceOptions& options, double value) { options.remesh.edge = value; });
         SurfaceOptions direct = options_;
         direct.method = Method::Direct;
-        if (fits(direct)) text += fmt::format("--method direct ({}), ", amount(memory(direct)));
+        if (would_fit(direct)) text += fmt::format("--method direct ({}), ", amount(cost(direct).memory_mb));
         return text + (options_.memory_limit_mb > 0 ? "a larger --memory, or fewer atoms" : "or fewer atoms");
     }
 
@@ -226,8 +226,8 @@ private:
     static constexpr double kWidest = 5.0;   // Å: wider grids show no surface
     static constexpr double kLongest = 5.0;  // Å: nor do longer edges
 
-    double memory(const SurfaceOptions& options) const { return cost_of(atoms_, area_, options).memory_mb; }
-    bool fits(const SurfaceOptions& options) const { return memory(options) <= limit_mb(options); }
+    Cost cost(const SurfaceOptions& options) const { return cost_of(atoms_, area_, options); }
+    bool would_fit(const SurfaceOptions& options) const { return fits(options, cost(options)); }
 
     // The least value that fits, in steps of 0.01 Å; nothing where none does.
     template <class Set>
@@ -235,7 +235,7 @@ private:
         SurfaceOptions other = options_;
         for (value = std::ceil(100.0 * value) / 100.0; value <= most; value += 0.01) {
             set(other, value);
-            if (fits(other)) return fmt::format("{} {:.2f} or more, ", name, value);
+            if (would_fit(other)) return fmt::format("{} {:.2f} or more, ", name, value);
         }
         return "";
     }
@@ -252,8 +252,12 @@ Cost estimate_cost(const Atoms& atoms, const SurfaceOptions& options) {
     return cost_of(static_cast<double>(atoms.size()), surface_area(problem.atoms, problem.probe), options);
 }
 
+bool fits(const SurfaceOptions& options, const Cost& cost) {
+    return !std::isfinite(cost.memory_mb) || cost.memory_mb <= limit_mb(options);
+}
+
 void refuse_what_would_not_fit(const Atoms& atoms, const SurfaceOptions& options, const Cost& cost) {
-    if (!std::isfinite(cost.memory_mb) || cost.memory_mb <= limit_mb(options)) return;
+    if (fits(options, cost)) return;
     throw LimitError(fmt::format("the surface needs about {} of memory ({:.3g} million vertices), and {} {}; choose {}",
                                  amount(cost.memory_mb), 1e-6 * cost.vertices, amount(limit_mb(options)),
                                  options.memory_limit_mb > 0 ? "are allowed" : "are free",

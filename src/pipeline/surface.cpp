@@ -18,12 +18,12 @@
 #include "mesh/extract.h"
 #include "pipeline/band_size.h"
 #include "pipeline/choose_pieces.h"
+#include "pipeline/even_mesh.h"
 #include "pipeline/flow_stage.h"
 #include "pipeline/self_checks.h"
 #include "pipeline/surface_mesh.h"
 #include "pipeline/surface_projector.h"
 #include "pipeline/yardstick.h"
-#include "remesh/narrow_handles.h"
 #include "remesh/self_intersections.h"
 
 namespace meniscus {
@@ -40,19 +40,11 @@ constexpr double kWidestBand = 16.0;  // spacings
 // 0.12.
 constexpr double kDistancesThatMatter = 0.4;  // spacings
 
-constexpr int kSimplifyingRounds = 3;  // none has needed more than two
-
-constexpr double kLongestPart = 0.3;  // Å: of the triangles that large ones are divided into to be measured
-
-constexpr std::size_t kTrianglesPerChunk = 4096;
-
-double longest_edge_of(const Mesh& mesh) {
-    double squared = 0.0;
-    for (const Triangle& t : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k)
-            squared = std::max(squared, squared_norm(mesh.vertices[t[(k + 1) % 3]] - mesh.vertices[t[k]]));
-    return std::sqrt(squared);
-}
+// Even meshes: areas farther from the exact one than this part of it ask for a finer grid, as long as the surface
+// covers no more of its squares than that.
+constexpr double kWantedArea = 0.005;
+constexpr double kMostForFiner = 1.5e5;
+constexpr int kFinerGrids = 2;
 
 class StageClock {
 public:
@@ -104,17 +96,6 @@ void check_options(const SurfaceOptions& options) {
     require(options.threads >= 0, "threads", options.threads, "0 (all cores) or more");
 }
 
-double area_of(const Mesh& mesh) {
-    return parallel_sum<double>(mesh.triangles.size(), kTrianglesPerChunk, [&](std::size_t begin, std::size_t end) {
-        double sum = 0.0;
-        for (std::size_t t = begin; t < end; ++t) {
-            const auto [a, b, c] = mesh.triangles[t];
-            sum += 0.5 * norm(cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
-        }
-        return sum;
-    });
-}
-
 // What the methods hand on to meshing.
 struct Field {
     std::shared_ptr<const BlockGrid> grid;
@@ -126,9 +107,9 @@ struct Field {
 class Pipeline {
 public:
     Pipeline(const Atoms& atoms, const SurfaceOptions& options, const Progress& progress, const FlowObserver& observer,
-             const ExactSurface* exact)
-        : options_(options), progress_(progress), observer_(observer), margin_(band_margin(options)) {
-        surface_.options = options;
+             const ExactSurface* exact, const Cost& expected)
+        : atoms_(atoms), options_(options), progress_(progress), observer_(observer), exact_(exact) {
+        surface_.expected = expected;
         if (exact != nullptr) surface_.seconds = exact->seconds;
         report("geometry", 0.0);
         const SesProblem problem = ses_problem(atoms, options);
@@ -136,22 +117,58 @@ public:
         accessible_ = exact != nullptr ? &exact->accessible : own_.get();
         surface_.seconds.geometry += clock_.lap();
         report("geometry", 1.0);
-        if (options_.method == Method::Gaussian) return;  // nothing exact says what the envelope should be
-        yardstick_ = exact != nullptr ? yardstick_of(exact->measures, problem.atoms, options_)
-                                      : make_yardstick(*accessible_, problem.atoms, options_);
-        surface_.seconds.exact += clock_.lap();
+        choose_yardstick(problem);
     }
 
     Surface run() {
-        make_mesh(make_field());
-        surface_.seconds.mesh = clock_.lap();
-        report("mesh", 1.0);
-        measure();
-        surface_.seconds.mesh += clock_.lap();
+        compute();
+        for (int i = 0; i < kFinerGrids && wants_finer_grid() && refine_grid(); ++i) compute();
         return std::move(surface_);
     }
 
 private:
+    // Nothing exact says what the Gaussian envelope should be.
+    void choose_yardstick(const SesProblem& problem) {
+        if (options_.method == Method::Gaussian) return;
+        yardstick_ = exact_ != nullptr ? yardstick_of(exact_->measures, problem.atoms, options_)
+                                       : make_yardstick(*accessible_, problem.atoms, options_);
+        surface_.seconds.exact += clock_.lap();
+    }
+
+    void compute() {
+        surface_.options = options_;
+        margin_ = band_margin(options_);
+        make_mesh(make_field());
+        surface_.seconds.mesh += clock_.lap();
+        report("mesh", 1.0);
+        measure();
+        surface_.seconds.mesh += clock_.lap();
+    }
+
+    bool wants_finer_grid() const {
+        const RemeshOptions& remesh = options_.remesh;
+        if (!remesh.is_on() || !remesh.finer_grid || remesh.simplify_topology) return false;
+        if (options_.method == Method::Gaussian || observer_) return false;
+        return std::abs(surface_.corrected_area / yardstick_.kept.ses_area - 1.0) > kWantedArea;
+    }
+
+    // Returns whether there is room for half the spacing.
+    bool refine_grid() {
+        SurfaceOptions finer = options_;
+        finer.spacing *= 0.5;
+        const Cost expected = estimate_cost(atoms_, finer);
+        if (expected.area / (finer.spacing * finer.spacing) > kMostForFiner || !fits(finer, expected)) return false;
+        Surface next;
+        next.expected = expected;
+        next.seconds = surface_.seconds;
+        next.seconds.estimate += clock_.lap();
+        surface_ = std::move(next);
+        options_ = finer;
+        sides_.clear();
+        choose_yardstick(ses_problem(atoms_, options_));
+        return true;
+    }
+
     void report(std::string_view stage, double fraction) const {
         if (progress_) progress_(stage, fraction);
     }
@@ -191,7 +208,7 @@ private:
     void measure_start(const GaussianDensity& density) {
         const double margin = kCutCell * options_.spacing;
         const auto grid = make_grid(false, &density, margin);
-        surface_.flow.initial_area = area_of(extract_zero_set(*grid, density.sample(*grid, margin)));
+        surface_.flow.initial_area = flat_area(extract_zero_set(*grid, density.sample(*grid, margin)));
         surface_.seconds.flow += clock_.lap();
     }
 
@@ -199,7 +216,7 @@ private:
         field.values =
             sample_distance(*accessible_, *field.grid, kDistancesThatMatter * options_.spacing, BandFields::Distance)
                 .distance;
-        surface_.seconds.band = clock_.lap();
+        surface_.seconds.band += clock_.lap();
         report("band", 1.0);
     }
 
@@ -207,7 +224,7 @@ private:
         field.values = density.sample(*field.grid, margin_);
         field.level_set = std::make_shared<const LevelSet>(
             field.grid, interpolating_coefficients(*field.grid, field.values, FlowOptions{}.half_width));
-        surface_.seconds.band = clock_.lap();
+        surface_.seconds.band += clock_.lap();
         report("band", 1.0);
     }
 
@@ -216,7 +233,7 @@ private:
         report("band", 0.8);
         NodeField start;
         if (density != nullptr) start = density->sample(*field.grid, margin_);
-        surface_.seconds.band = clock_.lap();
+        surface_.seconds.band += clock_.lap();
         report("band", 1.0);
 
         FlowOutcome outcome =
@@ -225,7 +242,7 @@ private:
         surface_.history = std::move(outcome.history);
         field.values = std::move(outcome.state.values);
         field.level_set = std::make_shared<const LevelSet>(field.grid, std::move(outcome.state.coefficients));
-        surface_.seconds.flow = clock_.lap();
+        surface_.seconds.flow += clock_.lap();
         report("flow", 1.0);
     }
 
@@ -238,7 +255,11 @@ private:
             surface_projector(*accessible_, field.level_set.get(), options_.spacing, curvatures);
         if (options_.fill_cavities > 0.0) fill_cavities(zero_set, project);
         if (options_.min_cavity > 0.0) surface_.dropped = drop_small_cavities(zero_set, options_.min_cavity, project);
-        if (options_.remesh.is_on()) zero_set = make_even(std::move(zero_set), project);
+        if (options_.remesh.is_on()) {
+            EvenMesh even = make_even(std::move(zero_set), options_.remesh, project);
+            surface_.simplified = {even.handles_cut, even.pieces_vanished};
+            zero_set = std::move(even.mesh);
+        }
         SurfaceMesh meshed =
             mesh_surface(*accessible_, std::move(zero_set), field.level_set.get(),
                          {.spacing = options_.spacing, .edge = options_.remesh.edge, .pieces = options_.pieces});
@@ -270,27 +291,13 @@ private:
         filled.rest = zero_set;
     }
 
-    // Handles are too narrow for the triangles only where these are even; their ends are made even afterwards.
-    Mesh make_even(Mesh zero_set, const SurfaceProjector& project) {
-        const RemeshOptions& wanted = options_.remesh;
-        if (wanted.simplify_topology) surface_.simplified.pieces = drop_tiny_pieces(zero_set, wanted.edge);
-        Mesh even = remesh(zero_set, wanted, project);
-        for (int round = 0; wanted.simplify_topology && round < kSimplifyingRounds; ++round) {
-            const CutMesh cut = cut_narrow_handles(even, wanted.edge, project);
-            if (cut.handles == 0) break;
-            surface_.simplified.handles += cut.handles;
-            even = remesh(cut.mesh, wanted, project);
-        }
-        return even;
-    }
-
     void measure() {
         // A level set has rounded them.
         const Creases creases = surface_.level_set ? Creases::Rounded : Creases::Sharp;
         SurfaceMeasures measures = measure_surface(surface_.mesh, creases);
         surface_.measures = std::move(measures.mesh);
         surface_.mesh.areas = std::move(measures.areas);
-        const CorrectedMeasures corrected = options_.remesh.is_on() ? corrected_on_surface() : measures.corrected;
+        const CorrectedMeasures corrected = options_.remesh.is_on() ? corrected_on_zero_set() : measures.corrected;
         surface_.corrected_area = corrected.area;
         surface_.corrected_volume = corrected.volume;
         if (options_.quality) surface_.quality = measure_quality(surface_.mesh);
@@ -308,29 +315,18 @@ private:
     }
 
     // Normals tell the middle of short edges; those of large triangles are looked for.
-    CorrectedMeasures corrected_on_surface() const {
-        const SurfaceProjector project =
-            surface_projector(*accessible_, surface_.level_set.get(), options_.spacing, Curvatures::LeftOut);
-        const auto move = [&project](std::span<Vec3> places, std::span<Vec3> normals) {
-            std::vector<SurfacePoint> points(places.size());
-            for (std::size_t i = 0; i < points.size(); ++i) points[i].position = places[i];
-            project(points);
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                places[i] = points[i].position;
-                normals[i] = points[i].normal;
-            }
-        };
-        // Edges are as long as they are asked for only as far as the molecule has room for them.
-        const double edge = std::min(options_.remesh.edge, longest_edge_of(surface_.mesh));
-        int divisions = 1;
-        while (std::ldexp(edge, -divisions) > kLongestPart) ++divisions;
-        return corrected_measures(surface_.mesh, move, divisions);
+    CorrectedMeasures corrected_on_zero_set() const {
+        return corrected_on_surface(
+            surface_.mesh, options_.remesh.edge,
+            surface_projector(*accessible_, surface_.level_set.get(), options_.spacing, Curvatures::LeftOut));
     }
 
-    const SurfaceOptions& options_;
+    const Atoms& atoms_;
+    SurfaceOptions options_;
     const Progress& progress_;
     const FlowObserver& observer_;
-    double margin_;
+    const ExactSurface* exact_;
+    double margin_ = 0.0;
     StageClock clock_;
     std::unique_ptr<const AccessibleSurface> own_;
     const AccessibleSurface* accessible_ = nullptr;
@@ -374,8 +370,7 @@ Surface compute_surface(const Atoms& atoms, const SurfaceOptions& options, const
     StageClock clock;
     const Cost expected = exact != nullptr ? exact->expected : estimate_what_fits(atoms, options);
     const double estimate_seconds = clock.lap();
-    Surface surface = Pipeline(atoms, options, progress, observer, exact).run();
-    surface.expected = expected;
+    Surface surface = Pipeline(atoms, options, progress, observer, exact, expected).run();
     surface.seconds.estimate += estimate_seconds;
     return surface;
 }

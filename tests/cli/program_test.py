@@ -391,7 +391,23 @@ class EvenTriangles(ProgramTest):
             self.assertTrue(0.6 * edge < edges["p5"] and edges["p95"] < 1.5 * edge, edges)
             for way in mesh["two_sided_distance"].values():
                 self.assertLess(way["mean"], 0.045 * edge * edge)
-            self.assertLess(abs(mesh["corrected_area_deviation"]), 0.005 * edge * edge)
+            self.assertLess(abs(mesh["corrected_area_deviation"]), 0.005)
+
+    def test_few_triangles_round_narrow_necks_are_good_ones_on_a_grid_that_is_fine_enough(self):
+        spheres = self.folder / "ring.xyzr"
+        spheres.write_text("0 -1.9 0 1.2\n0 1.9 0 1.2\n3.1 0 0 1.2\n")
+        for method in ("flow", "direct"):
+            for edge in (0.6, 1.0, 2.0):
+                result = self.run_program("surface", spheres, "--edge", str(edge), "--method", method, "--report", "-")
+                report = json.loads(result.stdout)
+                mesh = report["mesh"]
+                self.assertEqual(report["options"]["spacing"], 0.25 if method == "flow" else 0.5)
+                self.assertLess(abs(mesh["corrected_area_deviation"]), 0.005, (method, edge))
+                self.assertGreater(mesh["smallest_triangle_angle_deg"], 20.0)
+                self.assertGreater(mesh["quality"]["smallest_angles_deg"]["p50"], 45.0)
+                edges = mesh["quality"]["edges"]
+                self.assertTrue(0.6 * edge < edges["p5"] and edges["p95"] < 1.5 * edge, edges)
+        self.assertEqual(self.report(spheres, "--edge", "1", "--spacing", "0.5")["options"]["spacing"], 0.5)
 
     def test_the_topology_is_that_of_the_grid_mesh(self):
         self.assertEqual(self.mesh("--edge", "1")["euler_characteristic"], self.mesh()["euler_characteristic"])

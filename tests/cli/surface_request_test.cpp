@@ -119,6 +119,11 @@ TEST(SurfaceRequest, TakesWhatLeavesPiecesOut) {
     EXPECT_EQ(parse({"a.pdb", "--min-cavity", "0"}).surface.min_cavity, 0.0);
 }
 
+TEST(SurfaceRequest, AGridThatIsAskedForStays) {
+    EXPECT_TRUE(parse({"a.pdb", "--edge", "1"}).surface.remesh.finer_grid);
+    EXPECT_FALSE(parse({"a.pdb", "--edge", "1", "--spacing", "0.5"}).surface.remesh.finer_grid);
+}
+
 TEST(SurfaceRequest, RefusesValuesThatMakeNoSense) {
     EXPECT_THROW(parse({"a.pdb", "--chains", "A,,B"}), UsageError);
     EXPECT_THROW(parse({"a.pdb", "--altloc", "AB"}), UsageError);

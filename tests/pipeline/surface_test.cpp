@@ -12,6 +12,7 @@
 
 #include "meniscus/errors.h"
 #include "meniscus/measures.h"
+#include "support/arrangements.h"
 #include "support/brute_force_ses.h"
 #include "support/mesh_checks.h"
 
@@ -184,6 +185,29 @@ TEST(Surface, EvenMeshesTellTheAreaWhateverTheSizeOfTheirTriangles) {
             EXPECT_NEAR(surface.corrected_area / area, 1.0, 5e-3) << edge;
             EXPECT_LT(surface.measures.area / area, 1.0 - 0.01 * edge * edge) << edge;
         }
+}
+
+TEST(Surface, AnAreaThatIsOffAsksForAFinerGrid) {
+    const Atoms atoms = narrow_ring_of_spheres();
+    const double area = measure(atoms).totals.ses_area;
+    SurfaceOptions options{.remesh = {.edge = 1.0}};
+    const Surface coarse = compute_surface(atoms, options);
+    EXPECT_GT(std::abs(coarse.corrected_area / area - 1.0), 5e-3);
+    options.remesh.finer_grid = true;
+    const Surface fine = compute_surface(atoms, options);
+    EXPECT_EQ(fine.options.spacing, 0.25);
+    EXPECT_NEAR(fine.corrected_area / area, 1.0, 5e-3);
+    EXPECT_TRUE(fine.passed());
+    EXPECT_EQ(fine.checks.size(), coarse.checks.size());
+    const ExactSurface exact = measure_exactly(atoms, options);
+    expect_same_bits(compute_surface(atoms, options, {}, {}, &exact), fine);
+    options.remesh.edge = 0.0;
+    EXPECT_EQ(compute_surface(atoms, options).options.spacing, 0.5);
+}
+
+TEST(Surface, AnAreaThatIsRightNeedsNoFinerGrid) {
+    const SurfaceOptions options{.remesh = {.edge = 1.0, .finer_grid = true}};
+    EXPECT_EQ(compute_surface(small_molecule(), options).options.spacing, 0.5);
 }
 
 // Otherwise triangles of a few Å would be divided into as many parts as if they were that large.

@@ -157,6 +157,9 @@ class Options(unittest.TestCase):
         self.assertLess(len(surface(edge=1.0).vertices), len(surface().vertices))
         self.assertAlmostEqual(len(surface(vertex_density=3.0).vertices) / surface().mesh["area"], 3.0, delta=0.6)
         self.assertNotEqual(len(surface(edge=0.8, adaptive=True).vertices), len(surface(edge=0.8).vertices))
+        narrow = [[0, -1.9, 0], [0, 1.9, 0], [3.1, 0, 0]], [1.2] * 3
+        self.assertNotEqual(len(meniscus.surface(*narrow, edge=1.0).vertices),
+                            len(meniscus.surface(*narrow, edge=1.0, spacing=0.5).vertices))
         creased = {"probe": 0.0, "edge": 0.8, "method": "direct"}
         self.assertNotEqual(surface(keep_ridges=True, **creased).mesh["area"], surface(**creased).mesh["area"])
         self.assertEqual(surface(edge=0.8, simplify_topology=True).mesh["simplified"], {"handles": 0, "pieces": 0})
