@@ -208,7 +208,7 @@ class Options(unittest.TestCase):
                 meniscus.surface(CENTRES, RADII, **options)
 
     def test_what_is_no_number_is_a_type_error(self):
-        for options in ({"probe": "1.4"}, {"spacing": None}, {"threads": 1.5}, {"probe": True}, {"method": 1}):
+        for options in ({"probe": None}, {"spacing": "0.5"}, {"threads": 1.5}, {"probe": True}, {"method": 1}):
             with self.assertRaises(TypeError):
                 meniscus.surface(CENTRES, RADII, **options)
 
