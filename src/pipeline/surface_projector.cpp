@@ -17,31 +17,58 @@ double largest_curvature(PrincipalCurvatures k, double spacing) {
     return std::max(std::abs(k.largest), std::abs(k.smallest));
 }
 
-void project_onto_exact(const AccessibleSurface& accessible, double spacing, Curvatures curvatures,
-                        std::span<SurfacePoint> points) {
-    std::vector<std::size_t> moving(points.size());
-    for (std::size_t i = 0; i < moving.size(); ++i) moving[i] = i;
-    std::vector<Vec3> places;
-    for (int taken = 0; taken <= kStepsToSurface && !moving.empty(); ++taken) {
-        places.clear();
-        for (const std::size_t i : moving) places.push_back(points[i].position);
-        const std::vector<SurfaceStep> steps = steps_to_surface(accessible, places);
-        std::vector<std::size_t> left;
-        for (std::size_t k = 0; k < moving.size(); ++k) {
-            SurfacePoint& point = points[moving[k]];
-            const NearestFeature& at = steps[k].feature;
-            point.normal = at.normal;
-            if (curvatures == Curvatures::FilledIn)
-                point.curvature =
-                    largest_curvature(principal_curvatures(at.mean_curvature, at.gaussian_curvature), spacing);
-            const Vec3 move = steps[k].point - point.position;
-            if (!(squared_norm(move) > kOnSurface * kOnSurface) || taken == kStepsToSurface) continue;
-            point.position = steps[k].point;
-            if (!steps[k].settled) left.push_back(moving[k]);
+// Steps towards the exact surface end on it, but beside ridges the distance is a lower bound and they fall short: there
+// many are taken, all in one place.
+class ExactSurfaceProjector {
+public:
+    ExactSurfaceProjector(const AccessibleSurface& accessible, double spacing, Curvatures curvatures)
+        : accessible_(accessible), spacing_(spacing), curvatures_(curvatures) {}
+
+    void operator()(std::span<SurfacePoint> points) const {
+        std::vector<Vec3> places;
+        places.reserve(points.size());
+        for (const SurfacePoint& point : points) places.push_back(point.position);
+        const std::vector<SurfaceStep> steps = steps_to_surface(accessible_, places);
+        LocalFeatures near(accessible_, kMargin);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (!take(steps[i], points[i]) || steps[i].settled) continue;
+            near.gather(Box{points[i].position, points[i].position}.grown(kRoom));
+            walk_on(near, points[i]);
         }
-        moving = std::move(left);
     }
-}
+
+private:
+    // Returns whether the step led anywhere.
+    bool take(const SurfaceStep& step, SurfacePoint& point) const {
+        fill_in(step.feature, point);
+        if (!(squared_norm(step.point - point.position) > kOnSurface * kOnSurface)) return false;
+        point.position = step.point;
+        return true;
+    }
+
+    void walk_on(const LocalFeatures& near, SurfacePoint& point) const {
+        NearestFeature at = near.nearest(point.position);
+        for (int taken = 1; taken < kStepsToSurface; ++taken) {
+            if (!take({point.position - at.signed_distance * at.normal, at, false}, point)) return;
+            at = near.nearest(point.position);
+        }
+        fill_in(at, point);
+    }
+
+    void fill_in(const NearestFeature& at, SurfacePoint& point) const {
+        point.normal = at.normal;
+        if (curvatures_ == Curvatures::FilledIn)
+            point.curvature =
+                largest_curvature(principal_curvatures(at.mean_curvature, at.gaussian_curvature), spacing_);
+    }
+
+    static constexpr double kMargin = 0.5;  // Å from the surface: one step later points are nearer
+    static constexpr double kRoom = 0.3;    // Å that most points walk at most
+
+    const AccessibleSurface& accessible_;
+    double spacing_;
+    Curvatures curvatures_;
+};
 
 // Newton's method leads to the zero set from within about a spacing; points farther off go near it first.
 class LevelSetProjector {
@@ -83,9 +110,7 @@ private:
 SurfaceProjector surface_projector(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
                                    Curvatures curvatures) {
     if (level_set != nullptr) return LevelSetProjector(accessible, *level_set, spacing, curvatures);
-    return [&accessible, spacing, curvatures](std::span<SurfacePoint> points) {
-        project_onto_exact(accessible, spacing, curvatures, points);
-    };
+    return ExactSurfaceProjector(accessible, spacing, curvatures);
 }
 
 }  // namespace meniscus
