@@ -49,7 +49,8 @@ bool SplineCursor::move_to(const Vec3& point) {
 
 bool SplineCursor::move_to_cell(const std::array<std::int64_t, 3>& node) {
     place_ = {};
-    if (node == node_) return true;
+    // One by one: memcmp would wait for what has just been written.
+    if (node[0] == node_[0] && node[1] == node_[1] && node[2] == node_[2]) return true;
     const bool inside = load(node);
     node_ = inside ? node : std::array<std::int64_t, 3>{kNowhere, kNowhere, kNowhere};
     return inside;
