@@ -160,24 +160,38 @@ struct Prices {
     Rates bytes;
     Rates nanoseconds;
 };
-constexpr double kBytesOfProgram = 10.5 * kMegabyte;
+constexpr double kBytesOfProgram = 12.0 * kMegabyte;
 
 // As measured (docs/design/performance.md). A Gaussian start that is only looked at costs time as well.
 constexpr Prices prices_of(const SurfaceOptions& options) {
-    if (options.method == Method::Direct) return {{1800.0, 1000.0, 95.0}, {6500.0, 8800.0, 370.0}};
-    return {{1800.0, 3800.0, 85.0}, {6500.0, options.initial_area ? 35000.0 : 14000.0, 450.0}};
+    if (options.method == Method::Direct) return {{1800.0, 1000.0, 105.0}, {10500.0, 16000.0, 440.0}};
+    return {{1800.0, 3800.0, 95.0}, {10500.0, options.initial_area ? 57000.0 : 36000.0, 460.0}};
 }
 
-// Even triangles: both meshes go through the remesher, where the larger one decides what memory it takes.
-constexpr double kBytesPerRemeshed = 370.0;
-constexpr double kNanosecondsPerEven = 12000.0;
-constexpr double kNanosecondsPerReplaced = 1000.0;
+// Even triangles: both meshes go through the remesher, where one or the other decides what memory it takes.
+constexpr double kBytesPerReplaced = 300.0;
+constexpr double kBytesPerEven = 1000.0;
+constexpr double kNanosecondsPerReplaced = 1850.0;
+constexpr double kNanosecondsPerEven = 8500.0;
 
 void add_remeshing(Cost& cost, double edge) {
     const double even = kVerticesPerSquareEdge * cost.area / (edge * edge);
-    cost.memory_mb += kBytesPerRemeshed * std::max(cost.vertices, even) / kMegabyte;
-    cost.seconds += 1e-9 * (kNanosecondsPerEven * even + kNanosecondsPerReplaced * cost.vertices);
+    cost.memory_mb += std::max(kBytesPerReplaced * cost.vertices, kBytesPerEven * even) / kMegabyte;
+    cost.seconds += 1e-9 * (kNanosecondsPerReplaced * cost.vertices + kNanosecondsPerEven * even);
     cost.vertices = even;
+}
+
+// What is looked at for reports, per vertex.
+constexpr double kBytesOfQuality = 80.0;
+constexpr double kNanosecondsOfQuality = 115.0;
+constexpr double kNanosecondsOfDistance = 7000.0;
+
+void add_quality(Cost& cost, const SurfaceOptions& options) {
+    if (options.quality) {
+        cost.memory_mb += kBytesOfQuality * cost.vertices / kMegabyte;
+        cost.seconds += 1e-9 * kNanosecondsOfQuality * cost.vertices;
+    }
+    if (options.two_sided_distance) cost.seconds += 1e-9 * kNanosecondsOfDistance * cost.vertices;
 }
 
 Cost cost_of(double atoms, double area, const SurfaceOptions& options) {
@@ -192,6 +206,7 @@ Cost cost_of(double atoms, double area, const SurfaceOptions& options) {
     cost.memory_mb = (kBytesOfProgram + sum(prices_of(options).bytes)) / kMegabyte;
     cost.seconds = 1e-9 * sum(prices_of(options).nanoseconds);
     if (options.remesh.is_on()) add_remeshing(cost, options.remesh.edge);
+    add_quality(cost, options);
     return cost;
 }
 
