@@ -23,7 +23,7 @@ struct Cost {
 Cost estimate_cost(const Atoms& atoms, const SurfaceOptions& options);
 
 /// Whether it is expected to take no more memory than SurfaceOptions::memory_limit_mb, or than the machine has.
-bool fits(const SurfaceOptions& options, const Cost& cost);
+bool fits_into_memory(const SurfaceOptions& options, const Cost& cost);
 
 /// Throws LimitError with the numbers, and the options that would help, where a computation does not fit.
 void refuse_what_would_not_fit(const Atoms& atoms, const SurfaceOptions& options, const Cost& cost);

@@ -153,6 +153,7 @@ double LocalFeatures::beyond_balls() const { return std::max(0.0, margin_ - surf
 void LocalFeatures::gather(const Box& box) {
     const AccessibleSurface::Data& data = surface_->data();
     const double beyond = beyond_balls();
+    box_ = box;
     balls_.clear();
     data.atom_tree.for_each_overlapping(box.grown(data.rho_max + beyond), [&](std::uint32_t i) {
         const double reach = data.rho[i] + beyond;
@@ -175,6 +176,7 @@ void LocalFeatures::gather(const Box& box) {
 
 void LocalFeatures::gather_from(const LocalFeatures& wider, const Box& box) {
     const NearestKernels& kernels = nearest_kernels();
+    box_ = box;
     marks_.resize(std::max(
         {marks_.size(), wider.balls_.padded_size(), wider.arcs_.padded_size(), wider.vertices_.padded_size()}));
     kernels.mark_reaching(wider.balls_, beyond_balls(), box, marks_.data());
@@ -186,6 +188,7 @@ void LocalFeatures::gather_from(const LocalFeatures& wider, const Box& box) {
 }
 
 NearestFeature LocalFeatures::nearest(const Vec3& point) const {
+    if (!(box_.squared_distance(point) == 0.0)) return surface_->nearest(point);
     const AccessibleSurface::Data& data = surface_->data();
     NearestBall ball;
     for (std::size_t b = 0; b < balls_.size(); ++b) {

@@ -104,6 +104,7 @@ public:
 private:
     const AccessibleSurface* surface_;
     double margin_;
+    Box box_;  // that was gathered for
     SphereList balls_;
     BoxList arcs_;
     SphereList vertices_;

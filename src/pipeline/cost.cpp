@@ -242,7 +242,7 @@ private:
     static constexpr double kLongest = 5.0;  // Å: nor do longer edges
 
     Cost cost(const SurfaceOptions& options) const { return cost_of(atoms_, area_, options); }
-    bool would_fit(const SurfaceOptions& options) const { return fits(options, cost(options)); }
+    bool would_fit(const SurfaceOptions& options) const { return fits_into_memory(options, cost(options)); }
 
     // The least value that fits, in steps of 0.01 Å; nothing where none does.
     template <class Set>
@@ -267,12 +267,12 @@ Cost estimate_cost(const Atoms& atoms, const SurfaceOptions& options) {
     return cost_of(static_cast<double>(atoms.size()), surface_area(problem.atoms, problem.probe), options);
 }
 
-bool fits(const SurfaceOptions& options, const Cost& cost) {
+bool fits_into_memory(const SurfaceOptions& options, const Cost& cost) {
     return !std::isfinite(cost.memory_mb) || cost.memory_mb <= limit_mb(options);
 }
 
 void refuse_what_would_not_fit(const Atoms& atoms, const SurfaceOptions& options, const Cost& cost) {
-    if (fits(options, cost)) return;
+    if (fits_into_memory(options, cost)) return;
     throw LimitError(fmt::format("the surface needs about {} of memory ({:.3g} million vertices), and {} {}; choose {}",
                                  amount(cost.memory_mb), 1e-6 * cost.vertices, amount(limit_mb(options)),
                                  options.memory_limit_mb > 0 ? "are allowed" : "are free",

@@ -114,12 +114,12 @@ EvenMesh make_even(Mesh zero_set, const RemeshOptions& wanted, const SurfaceProj
         return even;
     }
     // Handles are too narrow for the triangles only where these are even; their ends are made even afterwards.
-    even.pieces_vanished = drop_tiny_pieces(zero_set, wanted.edge);
+    even.simplified.pieces = drop_tiny_pieces(zero_set, wanted.edge);
     even.mesh = remesh(zero_set, wanted, project);
     for (int round = 0; round < kSimplifyingRounds; ++round) {
         const CutMesh cut = cut_narrow_handles(even.mesh, wanted.edge, project);
         if (cut.handles == 0) break;
-        even.handles_cut += cut.handles;
+        even.simplified.handles += cut.handles;
         even.mesh = remesh(cut.mesh, wanted, project);
     }
     return even;

@@ -6,14 +6,14 @@
 #include "measure/corrected.h"
 #include "meniscus/mesh.h"
 #include "meniscus/remesh.h"
+#include "meniscus/surface.h"
 #include "remesh/remesher.h"
 
 namespace meniscus {
 
 struct EvenMesh {
     Mesh mesh;
-    std::size_t handles_cut = 0;      ///< by RemeshOptions::simplify_topology
-    std::size_t pieces_vanished = 0;  ///< the same
+    SimplifiedTopology simplified;
 };
 
 /// Makes the triangles of a mesh even, and simplifies the topology if that is asked for.

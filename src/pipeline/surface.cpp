@@ -157,7 +157,8 @@ private:
         SurfaceOptions finer = options_;
         finer.spacing *= 0.5;
         const Cost expected = estimate_cost(atoms_, finer);
-        if (expected.area / (finer.spacing * finer.spacing) > kMostForFiner || !fits(finer, expected)) return false;
+        if (expected.area / (finer.spacing * finer.spacing) > kMostForFiner || !fits_into_memory(finer, expected))
+            return false;
         Surface next;
         next.expected = expected;
         next.seconds = surface_.seconds;
@@ -257,7 +258,7 @@ private:
         if (options_.min_cavity > 0.0) surface_.dropped = drop_small_cavities(zero_set, options_.min_cavity, project);
         if (options_.remesh.is_on()) {
             EvenMesh even = make_even(std::move(zero_set), options_.remesh, project);
-            surface_.simplified = {even.handles_cut, even.pieces_vanished};
+            surface_.simplified = even.simplified;
             zero_set = std::move(even.mesh);
         }
         SurfaceMesh meshed =

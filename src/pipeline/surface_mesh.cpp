@@ -115,23 +115,22 @@ public:
 
     // What at most kBatchLanes points are labelled with.
     void label(std::span<const Vec3> points, std::span<FeatureLabel> labels) {
-        box_ = {};
-        for (const Vec3& p : points) box_.include(p);
-        if (!entered_.contains(box_)) {
+        Box box;
+        for (const Vec3& p : points) box.include(p);
+        if (!entered_.contains(box)) {
             for (std::size_t i = 0; i < points.size(); ++i) labels[i] = label_of(surface_.nearest(points[i]));
             return;
         }
-        local_.gather_from(around_, box_);
-        const bool open = batch_.start(local_, box_, kMargin) == NearestBatch::Claim::Open;
+        local_.gather_from(around_, box);
+        const bool open = batch_.start(local_, box, kMargin) == NearestBatch::Claim::Open;
         if (open) batch_.find(points);
         for (std::size_t i = 0; i < points.size(); ++i)
-            labels[i] = open && batch_.found(i) ? batch_.label(i) : label_of(nearest(points[i]));
+            labels[i] = open && batch_.found(i) ? batch_.label(i) : label_of(local_.nearest(points[i]));
     }
 
     // Moves at most kBatchLanes points of a box and fills in their nearest features where they have come to lie.
     void project(const Box& box, std::span<Vec3> points, std::span<NearestFeature> features) {
-        box_ = box.grown(kRoom);
-        local_.gather_from(around_, box_);
+        local_.gather_from(around_, box.grown(kRoom));
         const bool open = batch_.start(local_, box, kMargin) == NearestBatch::Claim::Open;
         if (open) batch_.find(points);
         for (std::size_t i = 0; i < points.size(); ++i) {
@@ -139,10 +138,10 @@ public:
                 const SurfaceStep step = batch_.step_to_surface(i);
                 features[i] = step.feature;
                 points_[i] = step.point;
-                if (!step.settled) features[i] = step_on(points_[i], kStepsToSurface - 1);
+                if (!step.settled) features[i] = walk_to_surface(local_, points_[i], 1);
             } else {
                 points_[i] = points[i];
-                features[i] = step_on(points_[i], kStepsToSurface);
+                features[i] = walk_to_surface(local_, points_[i], 0);
             }
         }
         std::copy_n(points_.begin(), points.size(), points.begin());
@@ -152,26 +151,12 @@ private:
     static constexpr double kRoom = 0.1;    // Å: most points move less
     static constexpr double kMargin = 0.5;  // Å: points of a mesh are far nearer to the surface than this
 
-    NearestFeature step_on(Vec3& point, int steps) const {
-        NearestFeature feature = nearest(point);
-        for (; steps > 0 && std::abs(feature.signed_distance) > kOnSurface; --steps) {
-            point = point - feature.signed_distance * feature.normal;
-            feature = nearest(point);
-        }
-        return feature;
-    }
-
-    NearestFeature nearest(const Vec3& point) const {
-        return box_.squared_distance(point) == 0.0 ? local_.nearest(point) : surface_.nearest(point);
-    }
-
     const AccessibleSurface& surface_;
     double room_;
     LocalFeatures around_;  // of many runs
     LocalFeatures local_;
     NearestBatch batch_;
     Box entered_;
-    Box box_;  // of local_
     std::array<Vec3, kBatchLanes> points_;
 };
 

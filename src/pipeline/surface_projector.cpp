@@ -6,7 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "geometry/local_features.h"
 #include "grid/spline_cursor.h"
 
 namespace meniscus {
@@ -31,30 +30,18 @@ public:
         const std::vector<SurfaceStep> steps = steps_to_surface(accessible_, places);
         LocalFeatures near(accessible_, kMargin);
         for (std::size_t i = 0; i < points.size(); ++i) {
-            if (!take(steps[i], points[i]) || steps[i].settled) continue;
-            near.gather(Box{points[i].position, points[i].position}.grown(kRoom));
-            walk_on(near, points[i]);
+            const SurfaceStep& step = steps[i];
+            Vec3& place = points[i].position;
+            fill_in(step.feature, points[i]);
+            if (!(squared_norm(step.point - place) > kOnSurface * kOnSurface)) continue;
+            place = step.point;
+            if (step.settled) continue;
+            near.gather(Box{place, place}.grown(kRoom));
+            fill_in(walk_to_surface(near, place, 1), points[i]);
         }
     }
 
 private:
-    // Returns whether the step led anywhere.
-    bool take(const SurfaceStep& step, SurfacePoint& point) const {
-        fill_in(step.feature, point);
-        if (!(squared_norm(step.point - point.position) > kOnSurface * kOnSurface)) return false;
-        point.position = step.point;
-        return true;
-    }
-
-    void walk_on(const LocalFeatures& near, SurfacePoint& point) const {
-        NearestFeature at = near.nearest(point.position);
-        for (int taken = 1; taken < kStepsToSurface; ++taken) {
-            if (!take({point.position - at.signed_distance * at.normal, at, false}, point)) return;
-            at = near.nearest(point.position);
-        }
-        fill_in(at, point);
-    }
-
     void fill_in(const NearestFeature& at, SurfacePoint& point) const {
         point.normal = at.normal;
         if (curvatures_ == Curvatures::FilledIn)
@@ -106,6 +93,15 @@ private:
 };
 
 }  // namespace
+
+NearestFeature walk_to_surface(const LocalFeatures& near, Vec3& point, int taken) {
+    NearestFeature at = near.nearest(point);
+    for (; taken < kStepsToSurface && std::abs(at.signed_distance) > kOnSurface; ++taken) {
+        point = point - at.signed_distance * at.normal;
+        at = near.nearest(point);
+    }
+    return at;
+}
 
 SurfaceProjector surface_projector(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
                                    Curvatures curvatures) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "geometry/local_features.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/level_set.h"
 #include "remesh/remesher.h"
@@ -17,6 +18,12 @@ inline constexpr double kOnSurface = 1e-9;
 /// As many steps along the distance lead there. One is enough but next to ridges, where the distance is a lower bound.
 /// Whoever projects takes as many: a point that another has left short would move once more.
 inline constexpr int kStepsToSurface = 60;
+
+/// Takes steps to the exact surface until the point lies on it, kStepsToSurface less those taken before at most.
+/// Returns what is nearest to where it ends.
+///
+/// near    gathered round the point: quick as long as it stays there
+NearestFeature walk_to_surface(const LocalFeatures& near, Vec3& point, int taken);
 
 /// Whether the projector tells curvatures. Those of a level set cost a third of its time.
 enum class Curvatures : std::uint8_t { FilledIn, LeftOut };

@@ -104,6 +104,19 @@ TEST(LocalFeatures, ListsHoldWhateverIsNearestInTheBox) {
     }
 }
 
+// A ball that does not reach into the box may be the nearest beside it.
+TEST(LocalFeatures, AnswerForPointsOutsideTheBoxToo) {
+    const Atoms atoms = random_cluster(6, 100, 12.0);
+    const AccessibleSurface surface(atoms, 1.4);
+    LocalFeatures local(surface, 0.5);
+    expect_same(local.nearest({6, 6, 6}), surface.nearest({6, 6, 6}));
+    for (const Vec3& corner : random_points_around(atoms, 40, 3.0)) {
+        local.gather({corner, corner + Vec3{0.6, 0.6, 0.6}});
+        const Atoms beside{{corner}, {1.0}};
+        for (const Vec3& p : random_points_around(beside, 40, 4.0)) expect_same(local.nearest(p), surface.nearest(p));
+    }
+}
+
 TEST(LocalFeatures, ListsAreShort) {
     const Atoms atoms = random_cluster(5, 1000, 26.0);
     const AccessibleSurface surface(atoms, 1.4);

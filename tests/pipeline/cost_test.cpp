@@ -99,9 +99,9 @@ TEST(Cost, EdgesThatWouldNotFitAreRefusedWithThoseThatWould) {
     EXPECT_EQ(text.find("--spacing"), std::string::npos) << text;
     options.remesh.edge = std::stod(found[1]);
     EXPECT_EQ(refusal(atoms, options), "");
-    EXPECT_TRUE(fits(options, estimate_cost(atoms, options)));
+    EXPECT_TRUE(fits_into_memory(options, estimate_cost(atoms, options)));
     options.memory_limit_mb /= 2;
-    EXPECT_FALSE(fits(options, estimate_cost(atoms, options)));
+    EXPECT_FALSE(fits_into_memory(options, estimate_cost(atoms, options)));
 }
 
 }  // namespace

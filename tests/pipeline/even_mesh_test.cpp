@@ -20,7 +20,7 @@ namespace {
 
 // Necks narrower than half an edge: left to itself, the remesher gives up whole balls behind them.
 TEST(EvenMesh, KeepsBulgesBehindNarrowNecks) {
-    const Atoms atoms = narrow_ring_of_spheres();
+    const Atoms atoms = spheres_with_narrow_necks();
     const AccessibleSurface accessible(atoms, 1.4);
     const double area = measure(atoms).totals.ses_area;
     const SurfaceProjector project = surface_projector(accessible, nullptr, 0.25, Curvatures::LeftOut);

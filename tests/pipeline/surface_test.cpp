@@ -188,7 +188,7 @@ TEST(Surface, EvenMeshesTellTheAreaWhateverTheSizeOfTheirTriangles) {
 }
 
 TEST(Surface, AnAreaThatIsOffAsksForAFinerGrid) {
-    const Atoms atoms = narrow_ring_of_spheres();
+    const Atoms atoms = spheres_with_narrow_necks();
     const double area = measure(atoms).totals.ses_area;
     SurfaceOptions options{.remesh = {.edge = 1.0}};
     const Surface coarse = compute_surface(atoms, options);

@@ -42,8 +42,8 @@ inline Atoms octahedron(double from_centre, double radius) {
     return equal_spheres({{d, 0, 0}, {-d, 0, 0}, {0, d, 0}, {0, -d, 0}, {0, 0, d}, {0, 0, -d}}, radius);
 }
 
-/// Three spheres in a triangle whose SES is a ring: with a probe of 1.4 Å the necks between them are 0.8 Å wide.
-inline Atoms narrow_ring_of_spheres() { return equal_spheres({{0, -1.9, 0}, {0, 1.9, 0}, {3.1, 0, 0}}, 1.2); }
+/// Three spheres in a triangle: with a probe of 1.4 Å necks of 0.8 Å join them, and a web of 0.2 Å in the middle.
+inline Atoms spheres_with_narrow_necks() { return equal_spheres({{0, -1.9, 0}, {0, 1.9, 0}, {3.1, 0, 0}}, 1.2); }
 
 inline Atoms line(int count, double step, double radius) {
     std::vector<Vec3> centres;
