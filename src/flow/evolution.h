@@ -19,6 +19,9 @@ namespace meniscus {
 
 /// How wide the sampled band must be around the unknowns, in spacings: the spline's stencils reach two nodes.
 inline constexpr double kBandRim = 2.0;
+/// The same for a single solve with the usual half width at least, which damps what is wrong beyond
+/// (docs/design/flow.md).
+inline constexpr double kThinRim = 1.25;
 
 /// Root mean square error of Φ that a solve leaves, in spacings.
 inline constexpr double kSolverAccuracy = 2e-5;

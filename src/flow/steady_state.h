@@ -18,7 +18,7 @@ bool is_one_solve(const FlowOptions& options);
 /// for such a flow, without copies: the band's fields become the values and the right side.
 ///
 /// options    with is_one_solve()
-/// band       with a margin of half_width + kBandRim spacings at least
+/// band       with a margin of half_width + kThinRim spacings at least
 EvolutionResult solve_steady_state(const BlockGrid& grid, DistanceBand band, const FlowOptions& options);
 
 }  // namespace meniscus

@@ -148,7 +148,9 @@ bool needs_start(const SurfaceOptions& options, const FlowObserver& observer) {
 }
 
 double flow_margin(const FlowOptions& options, double spacing) {
-    return (options.half_width + kBandRim) * spacing + (options.anchor > 0.0 ? 0.0 : kRoom);
+    const bool thin = is_one_solve(options) && options.curvature != CurvatureField::Sharp &&
+                      options.half_width >= FlowOptions{}.half_width;
+    return (options.half_width + (thin ? kThinRim : kBandRim)) * spacing + (options.anchor > 0.0 ? 0.0 : kRoom);
 }
 
 FlowOutcome run_flow(const AccessibleSurface& accessible, const std::shared_ptr<const BlockGrid>& grid,

@@ -29,6 +29,8 @@
 namespace meniscus {
 namespace {
 
+constexpr std::size_t kLargestCrumb = 8;  // triangles: those round a node
+
 void label_and_choose(Mesh& mesh, Pieces pieces) {
     if (pieces == Pieces::All) {
         mesh.components = pieces_by_first_vertex(mesh);
@@ -309,7 +311,7 @@ void mend(const AccessibleSurface& accessible, const LevelSet* level_set, const 
           std::vector<double>& distances) {
     const double edge = options.edge > 0.0 ? options.edge : options.spacing;
     const VertexChanges changes =
-        mend_slivers(mesh, {.edge = edge, .longest_edge = 2.0 * edge},
+        mend_slivers(mesh, {.edge = edge, .longest_edge = 2.0 * edge, .largest_crumb = kLargestCrumb},
                      surface_projector(accessible, level_set, options.spacing, Curvatures::LeftOut));
     if (!changes.any()) return;
     renumber_entries(changes, mesh.atoms);

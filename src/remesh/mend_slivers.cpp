@@ -9,6 +9,7 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -62,6 +63,18 @@ struct Cutting {
     std::vector<std::uint32_t> triangles;
 };
 
+// Numbers anew what some numbers have no part in any more, in their order.
+void close_gaps(std::vector<std::uint32_t>& numbers) {
+    std::vector<std::uint32_t> taken;
+    for (const std::uint32_t n : numbers) {
+        if (n >= taken.size()) taken.resize(std::size_t{n} + 1);
+        taken[n] = 1;
+    }
+    if (std::ranges::count(taken, 0U) == 0) return;
+    std::exclusive_scan(taken.begin(), taken.end(), taken.begin(), 0U);
+    for (std::uint32_t& n : numbers) n = taken[n];
+}
+
 class SliverMender {
 public:
     SliverMender(Mesh& mesh, const SliverOptions& options, const SurfaceProjector& project)
@@ -91,6 +104,7 @@ public:
         mend(std::move(pending));
         reach_ = kWider;
         mend(std::exchange(left_, {}));
+        drop_crumbs();
         return close_holes();
     }
 
@@ -239,6 +253,43 @@ private:
         while (!pending.empty()) pending = round(pending);
         std::sort(left_.begin(), left_.end());
         left_.erase(std::unique(left_.begin(), left_.end()), left_.end());
+    }
+
+    void drop_crumbs() {
+        if (left_.empty() || options_.largest_crumb == 0) return;
+        const BoxTree chunks(boxes_);
+        for (const std::uint32_t t : left_) {
+            if (is_removed(mesh_.triangles[t]) || !is_bad(mesh_.triangles[t])) continue;
+            const std::vector<std::uint32_t> crumb = crumb_around(t, chunks);
+            if (crumb.empty() || crumb.size() + removed_.size() == mesh_.triangles.size()) continue;
+            std::vector<VertexId> corners;
+            for (const std::uint32_t of_crumb : crumb) {
+                Triangle& triangle = mesh_.triangles[of_crumb];
+                corners.insert(corners.end(), triangle.begin(), triangle.end());
+                triangle = {};
+                removed_.push_back(of_crumb);
+            }
+            const std::vector<VertexId> vertices = LocalCorners(std::move(corners)).vertices();
+            holes_.insert(holes_.end(), vertices.begin(), vertices.end());
+            dropped_crumbs_ = true;
+        }
+    }
+
+    // The triangles of a whole piece if it is a crumb, else nothing. On a sphere there are four less than twice as many
+    // triangles as vertices, and on a part of one still fewer.
+    std::vector<std::uint32_t> crumb_around(std::uint32_t triangle, const BoxTree& chunks) const {
+        std::vector<std::uint32_t> crumb{triangle};
+        std::vector<VertexId> corners(mesh_.triangles[triangle].begin(), mesh_.triangles[triangle].end());
+        for (std::size_t i = 0; i < crumb.size() && crumb.size() <= options_.largest_crumb; ++i)
+            for_each_near(chunks, box_of(mesh_, mesh_.triangles[crumb[i]]), [&](std::uint32_t t) {
+                const auto is_corner = [&](VertexId v) { return std::ranges::count(corners, v) > 0; };
+                if (std::ranges::count(crumb, t) > 0 || std::ranges::none_of(mesh_.triangles[t], is_corner)) return;
+                crumb.push_back(t);
+                for (const VertexId v : mesh_.triangles[t])
+                    if (!is_corner(v)) corners.push_back(v);
+            });
+        const bool whole = crumb.size() <= options_.largest_crumb && crumb.size() + 4 == 2 * corners.size();
+        return whole ? crumb : std::vector<std::uint32_t>();
     }
 
     // Mends places far enough from each other side by side; returns the triangles that have to wait.
@@ -425,6 +476,7 @@ private:
             mesh_.triangles.pop_back();
         }
         if (!holes_.empty()) close_vertex_holes(changes);
+        if (dropped_crumbs_) close_gaps(mesh_.components);
         for (VertexId v = 0; v < std::min(moved_.size(), changes.left); ++v)
             if (moved_[v]) changes.moved.push_back(v);
         return changes;
@@ -465,6 +517,7 @@ private:
     std::vector<Box> first_corners_;      // per stretch of triangles: round these
     std::vector<std::uint32_t> tangled_;  // triangles, as they were found, that have not had their turn
     bool was_tangled_ = false;
+    bool dropped_crumbs_ = false;
     std::vector<bool> moved_;             // per vertex, if there is anything to mend
     std::vector<VertexId> holes_;         // numbers of removed vertices
     std::vector<std::uint32_t> removed_;  // triangles

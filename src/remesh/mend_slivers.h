@@ -24,6 +24,9 @@ struct SliverOptions {
     /// the mesh is crumpled there and nothing is mended at all.
     std::size_t most_bad = std::numeric_limits<std::size_t>::max();
     std::size_t most_tangled = std::numeric_limits<std::size_t>::max();
+    /// Closed pieces of so many triangles at most are dropped where one of them cannot be mended: the grid makes such
+    /// crumbs where two sheets all but touch.
+    std::size_t largest_crumb = 0;
     std::vector<bool> held{};  ///< per vertex, or empty: stays, and edges to others of its kind
 };
 
@@ -37,7 +40,7 @@ struct VertexChanges {
     std::vector<Vec3> crumpled;   ///< where it was crumpled: on each of the triangles that SliverOptions count there
     std::vector<VertexId> moved;  ///< with those that were added; by their new numbers, rising
 
-    bool any() const { return !refilled.empty() || !moved.empty(); }
+    bool any() const { return left != with_new || !moved.empty(); }
 };
 
 /// Applies the renumbering to an array with one entry per vertex. Entries of added ones are still to be set.
@@ -52,7 +55,7 @@ void renumber_entries(const VertexChanges& changes, std::vector<T>& entries) {
 /// Mends triangles with small angles, with edges shorter than kShortestEdge, such that face the wrong way and such that
 /// pass through each other: flips, collapses and splits edges and moves vertices on the surface, where that keeps the
 /// topology and passes the mesh through itself nowhere else. What cannot be mended stays, after a second try with more
-/// round it.
+/// round it, or is dropped with its piece if that is a crumb; the pieces that are left keep their order.
 ///
 /// mesh      closed oriented 2-manifold with normals, its vertices on the surface. Positions, normals, components and
 ///           triangles are changed; other vertex arrays are the caller's to renumber

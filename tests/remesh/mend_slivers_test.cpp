@@ -168,6 +168,79 @@ TEST(MendSlivers, KeepTheSmallestPieces) {
     }
 }
 
+// A needle of four triangles whose corners have nowhere else to go, among pieces that are whole.
+Mesh spheres_and_a_needle() {
+    Mesh mesh;
+    for (const double x : {-6.0, 0.0, 6.0}) {
+        const auto first = static_cast<VertexId>(mesh.vertices.size());
+        const auto number = static_cast<std::uint32_t>(x / 6.0 + 1.0);
+        const bool is_needle = number == 1;
+        const std::vector<Vec3> needle{{0, 0, 0}, {0.3, 0.01, 0.01}, {0.3, -0.01, 0.01}, {0.3, 0.0, -0.01}};
+        const Patch whole = octahedron();
+        for (std::size_t v = 0; v < (is_needle ? 4U : 6U); ++v) {
+            mesh.vertices.push_back(is_needle ? needle[v] : whole.at(static_cast<VertexId>(v)) + Vec3{x, 0, 0});
+            mesh.normals.push_back(is_needle ? Vec3{1, 0, 0} : whole.at(static_cast<VertexId>(v)));
+            mesh.components.push_back(number);
+        }
+        const std::vector<Triangle> of_needle{{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}};
+        for (const auto& [a, b, c] : is_needle ? of_needle : whole.triangles)
+            mesh.triangles.push_back({first + a, first + b, first + c});
+    }
+    return mesh;
+}
+
+const SurfaceProjector kNowhereElse = [](std::span<SurfacePoint>) {};
+
+TEST(MendSlivers, DropCrumbsThatCannotBeMended) {
+    Mesh mesh = spheres_and_a_needle();
+    expect_closed_manifold(mesh);
+    ASSERT_LT(smallest_angle_of(mesh), 5.0);
+    const VertexChanges changes = mend_slivers(mesh, {.edge = 0.5, .largest_crumb = 8}, kNowhereElse);
+    EXPECT_EQ(changes.left, 12U);
+    expect_closed_manifold(mesh);
+    EXPECT_GE(smallest_angle_of(mesh), 5.0);
+    EXPECT_EQ(euler_characteristic_of(mesh), 4);
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+        EXPECT_EQ(mesh.components[v], mesh.vertices[v].x < 0 ? 0U : 1U);
+}
+
+TEST(MendSlivers, TellOfACrumbAtTheEnd) {
+    Mesh mesh = spheres_and_a_needle();
+    mesh.vertices.resize(10);
+    mesh.normals.resize(10);
+    mesh.components.resize(10);
+    mesh.triangles.resize(12);
+    const VertexChanges changes = mend_slivers(mesh, {.edge = 0.5, .largest_crumb = 8}, kNowhereElse);
+    EXPECT_TRUE(changes.any());
+    EXPECT_EQ(changes.left, 6U);
+    EXPECT_TRUE(changes.refilled.empty());
+    expect_closed_manifold(mesh);
+}
+
+TEST(MendSlivers, KeepCrumbsUnlessAsked) {
+    Mesh mesh = spheres_and_a_needle();
+    mend_slivers(mesh, {.edge = 0.5}, kNowhereElse);
+    EXPECT_EQ(euler_characteristic_of(mesh), 6);
+    Mesh with_three = spheres_and_a_needle();
+    mend_slivers(with_three, {.edge = 0.5, .largest_crumb = 3}, kNowhereElse);
+    EXPECT_EQ(euler_characteristic_of(with_three), 6);
+}
+
+// A mesh that is nothing but a crumb is what there is of the molecule.
+TEST(MendSlivers, KeepTheLastCrumb) {
+    Mesh mesh;
+    const Mesh three = spheres_and_a_needle();
+    mesh.vertices.assign(three.vertices.begin() + 6, three.vertices.begin() + 10);
+    mesh.normals.assign(three.normals.begin() + 6, three.normals.begin() + 10);
+    for (std::size_t t = 8; t < 12; ++t) {
+        const auto& [a, b, c] = three.triangles[t];
+        mesh.triangles.push_back({a - 6, b - 6, c - 6});
+    }
+    expect_closed_manifold(mesh);
+    mend_slivers(mesh, {.edge = 0.5, .largest_crumb = 8}, kNowhereElse);
+    EXPECT_EQ(mesh.triangles.size(), 4U);
+}
+
 TEST(MendSlivers, UnfoldWhatFacesTheWrongWay) {
     Mesh mesh = projected_sphere(kSphere, kSpacing);
     mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
