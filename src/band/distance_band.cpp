@@ -18,6 +18,7 @@ constexpr std::size_t kGroupsPerChunk = 2;
 constexpr double kLargestGroup = 16.0;  // Å: blocks within this share one descent of the trees
 constexpr int kLongestShift = 2;
 constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding
+constexpr double kSingleSlack = 1e-5;     // the same in single precision, of the largest length
 
 // Of a unit's middle from its first node, in spacings.
 constexpr double kHalfEdge = 0.5 * (BlockDistance::kUnitEdge - 1);
@@ -118,19 +119,24 @@ BlockDistance::BlockDistance(const AccessibleSurface& surface, double spacing, d
     : spacing_(spacing),
       margin_(margin),
       half_unit_(kAboveOne * 0.5 * std::numbers::sqrt3 * (kUnitEdge - 1) * spacing),
+      slack_(kSingleSlack * (2.0 * half_unit_ + margin + surface.probe())),
       around_(surface, margin + half_unit_),
       part_(surface, margin + half_unit_),
       block_(surface, margin + half_unit_),
       batch_(surface) {
-    const double near_foot = (surface.probe() - margin) / kAboveOne;
+    const double near_foot = surface.probe() - margin - slack_;
     if (near_foot > 0.0) near_foot2_ = near_foot * near_foot;
     for (int n = 0; n < kUnitNodes; ++n) {
-        offsets_[n] = spacing * node_offset(n);
+        const auto i = static_cast<std::size_t>(n);
+        const Vec3 offset = spacing * node_offset(n);
         const Vec3 step = spacing * (node_offset(n) - kToMiddle);
-        from_middle_[n] = kAboveOne * norm(step);
-        steps_.x[n] = step.x;
-        steps_.y[n] = step.y;
-        steps_.z[n] = step.z;
+        offsets_.x[i] = offset.x;
+        offsets_.y[i] = offset.y;
+        offsets_.z[i] = offset.z;
+        steps_.x[i] = static_cast<float>(step.x);
+        steps_.y[i] = static_cast<float>(step.y);
+        steps_.z[i] = static_cast<float>(step.z);
+        from_middle_[i] = static_cast<float>(norm(step));
     }
 }
 
@@ -180,31 +186,35 @@ void BlockDistance::fill_unit(int unit, Claim side, const BlockSamples& samples)
 
 // By the change of at most 1 per Å from the middle, and by the middle's foot, which is a point of K.
 void BlockDistance::screen_nodes(const Middle& middle) {
-    const double beyond = std::abs(middle.distance) - margin_;
-    const Vec3 foot = middle.to_foot;
     const bool below = middle.distance <= -margin_;
-    const double near = below ? kNever : near_foot2_;
-    for (std::size_t n = 0; n < kUnitNodes; ++n) {
-        const double x = steps_.x[n] - foot.x;
-        const double y = steps_.y[n] - foot.y;
-        const double z = steps_.z[n] - foot.z;
-        const double over_near = x * x + y * y + z * z - near;
-        const double over_beyond = from_middle_[n] - beyond;
-        const double over = over_near < over_beyond ? over_near : over_beyond;  // the latter if the foot is not finite
-        within_[n] = over > 0.0 ? -1 : 0;
-    }
+    PointScreen screen;
+    screen.foot[0] = static_cast<float>(middle.to_foot.x);
+    screen.foot[1] = static_cast<float>(middle.to_foot.y);
+    screen.foot[2] = static_cast<float>(middle.to_foot.z);
+    screen.near = static_cast<float>(below ? kNever : near_foot2_);
+    screen.beyond = static_cast<float>(std::abs(middle.distance) - margin_ - slack_);
+    kernels_.screen(screen, steps_, from_middle_, within_);
     std::fill_n(distances_, kUnitNodes, static_cast<float>(below ? -margin_ : margin_));
     if (curved_) std::fill_n(curvatures_, kUnitNodes, 0.0F);
 }
 
 void BlockDistance::choose_points(const Vec3& corner) {
-    count_ = marked_positions(within_, nodes_);
-    for (std::size_t i = 0; i < count_; ++i) points_[i] = corner + offsets_[nodes_[i]];
+    const std::size_t count = marked_positions(std::span(within_.at).first(kUnitNodes), nodes_);
+    const auto choose = [&](double from, const LaneArray<double>& offsets, LaneArray<double>& chosen) {
+        if (count == kUnitNodes)
+            for (std::size_t n = 0; n < kUnitNodes; ++n) chosen[n] = from + offsets[n];
+        else
+            for (std::size_t i = 0; i < count; ++i) chosen[i] = from + offsets[nodes_[i]];
+    };
+    choose(corner.x, offsets_.x, points_.x);
+    choose(corner.y, offsets_.y, points_.y);
+    choose(corner.z, offsets_.z, points_.z);
+    count_ = count;
 }
 
 void BlockDistance::sample_points() {
     if (count_ == 0) return;
-    batch_.find(std::span(points_).first(count_));
+    batch_.find(points_, count_);
     batch_.write_distances(nodes_, distances_);
     if (!curved_) return;
     batch_.find_curvatures();

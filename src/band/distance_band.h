@@ -9,6 +9,7 @@
 
 #include "geometry/local_features.h"
 #include "geometry/nearest_batch.h"
+#include "geometry/nearest_kernels.h"
 #include "grid/block_grid.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/node_field.h"
@@ -78,23 +79,25 @@ private:
     double spacing_;
     double margin_;
     double half_unit_;            // Å: half a unit's diagonal
+    double slack_;                // Å: more than all that single precision gets wrong
     double near_foot2_ = kNever;  // Å²: of nodes so near to a point of K that they are above the margin
     bool curved_ = false;         // whether the curvature is asked for
     LocalFeatures around_;        // of many blocks
     LocalFeatures part_;          // of fewer of them
     LocalFeatures block_;
     NearestBatch batch_;
+    const NearestKernels& kernels_ = nearest_kernels();
     Middle middles_[kUnits];
 
-    Vec3 offsets_[kUnitNodes];        // of the unit's nodes from its first
-    double from_middle_[kUnitNodes];  // Å: of the same from the unit's middle, rounded up
-    LanePoints<double> steps_;        // the same, as vectors
-    float distances_[kUnitNodes];     // of the unit's nodes
+    LanePoints<double> offsets_;    // of the unit's nodes from its first
+    LanePoints<float> steps_;       // of the same from the unit's middle
+    LaneArray<float> from_middle_;  // Å: how long these are
+    float distances_[kUnitNodes];   // of the unit's nodes
     float curvatures_[kUnitNodes];
-    std::int64_t within_[kUnitNodes];  // whether a node may be within the margin
+    LaneArray<std::int32_t> within_;   // whether a node may be within the margin
     std::uint32_t nodes_[kUnitNodes];  // those that may
     std::size_t count_ = 0;            // how many they are
-    Vec3 points_[kUnitNodes];          // where they are
+    LanePoints<double> points_;        // where they are
 };
 
 }  // namespace meniscus

@@ -169,7 +169,8 @@ BlockFill fill_by_sign(const BlockGrid& grid, std::span<const float> field, doub
     parallel_for(grid.block_count(), kBlocksPerChunk, [&](std::size_t b) {
         float sums[kBlockEdge] = {};  // by place in a row: vectors add them
         const float* block = field.data() + b * kBlockNodes;
-        for (std::size_t n = 0; n < kBlockNodes; ++n) sums[n % kBlockEdge] += block[n];
+        for (const float* row = block; row != block + kBlockNodes; row += kBlockEdge)
+            for (std::size_t x = 0; x < kBlockEdge; ++x) sums[x] += row[x];
         const float sum = std::accumulate(std::begin(sums), std::end(sums), 0.0F);
         fill[b] = static_cast<float>(sum < 0.0F ? -margin : margin);
     });

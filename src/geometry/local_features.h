@@ -16,7 +16,8 @@ namespace meniscus {
 
 /// Writes the positions of marks that are set and returns how many they are; there must be room for all. Without a
 /// branch, for nobody could predict it.
-inline std::size_t marked_positions(std::span<const std::int64_t> marks, std::uint32_t* positions) {
+template <class Mark>
+std::size_t marked_positions(std::span<Mark> marks, std::uint32_t* positions) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < marks.size(); ++i) {
         positions[count] = static_cast<std::uint32_t>(i);

@@ -57,9 +57,15 @@ void NearestBatch::choose_contenders(std::size_t deepest) {
 }
 
 void NearestBatch::find(std::span<const Vec3> points) {
-    points_ = points;
-    load(points);
-    kernels_.find_depths(small_, small_points_, points.size(), depths_);
+    for (std::size_t i = 0; i < points.size(); ++i) set_point(given_, i, points[i]);
+    find(given_, points.size());
+}
+
+void NearestBatch::find(const LanePoints<double>& points, std::size_t count) {
+    points_ = &points;
+    count_ = count;
+    load();
+    kernels_.find_depths(small_, small_points_, count, depths_);
     group_points();
     sort_by_groups();
     claim_by_groups();
@@ -68,14 +74,14 @@ void NearestBatch::find(std::span<const Vec3> points) {
     claim_by_edges();
 }
 
-void NearestBatch::load(std::span<const Vec3> points) {
+void NearestBatch::load() {
     small_.resize(contenders_.size());
     for (std::size_t b = 0; b < contenders_.size(); ++b) {
         const Vec3 from = position_in(contenders_, b) - middle_;
         small_[b] = {static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z),
                      static_cast<float>(contenders_.column(3)[b])};
     }
-    for (std::size_t i = 0; i < points.size(); ++i) set_point(small_points_, i, points[i] - middle_);
+    kernels_.make_small(*points_, middle_, count_, small_points_);
 }
 
 // Settles what single precision can settle: which points are beyond the margin, and whose the others may be.
@@ -88,7 +94,7 @@ void NearestBatch::group_points() {
                              .below = std::nextafter(below, kInfinity),
                              .lead = std::nextafter(lead, kInfinity),
                              .balls = static_cast<std::int32_t>(contenders_.size())};
-    kernels_.group_points(depths_, limits, points_.size(), groups_);
+    kernels_.group_points(depths_, limits, count_, groups_);
 }
 
 std::size_t NearestBatch::deepest_exactly(const Vec3& point) const {
@@ -109,13 +115,15 @@ void NearestBatch::sort_by_groups() {
     const auto end_of = [&](std::size_t i) -> std::uint32_t& {
         return ends_[kChains * static_cast<std::size_t>(groups_[i]) + i % kChains];
     };
-    for (std::size_t i = 0; i < points_.size(); ++i) ++end_of(i);
+    const LanePoints<double>& points = *points_;
+    const std::size_t count = count_;
+    for (std::size_t i = 0; i < count; ++i) ++end_of(i);
     std::exclusive_scan(ends_.begin(), ends_.end(), ends_.begin(), std::uint32_t{0});
-    for (std::size_t i = 0; i < points_.size(); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t lane = end_of(i)++;
         sorted_[lane] = static_cast<std::uint32_t>(i);
         lane_of_[i] = lane;
-        set_point(lanes_, lane, points_[i]);
+        set_point(lanes_, lane, get_point(points, i));
     }
 }
 
@@ -210,24 +218,24 @@ void NearestBatch::claim_by_edges() {
 
 // Each formula for all lanes, without asking whose they are: nobody could predict it.
 void NearestBatch::find_curvatures() {
-    kernels_.find_ball_curvatures(claims_, data_->probe, points_.size(), curvatures_);
+    kernels_.find_ball_curvatures(claims_, data_->probe, count_, curvatures_);
     kernels_.find_edge_curvatures(nearest_, data_->probe, open_count_, edge_curvatures_);
     for (std::size_t k = 0; k < open_count_; ++k) curvatures_[open_[k]] = edge_curvatures_[k];
 }
 
 void NearestBatch::write_distances(std::span<const std::uint32_t> places, float* to) {
-    kernels_.clamp(claims_.signed_distance, margin_, points_.size(), clamped_);
-    for (std::size_t lane = 0; lane < points_.size(); ++lane) to[places[sorted_[lane]]] = clamped_[lane];
+    kernels_.clamp(claims_.signed_distance, margin_, count_, clamped_);
+    for (std::size_t lane = 0; lane < count_; ++lane) to[places[sorted_[lane]]] = clamped_[lane];
 }
 
 void NearestBatch::write_curvatures(std::span<const std::uint32_t> places, double limit, float* to) {
-    kernels_.clamp(curvatures_, limit, points_.size(), clamped_);
-    kernels_.clear_beyond(claims_.signed_distance, margin_, points_.size(), clamped_);
-    for (std::size_t lane = 0; lane < points_.size(); ++lane) to[places[sorted_[lane]]] = clamped_[lane];
+    kernels_.clamp(curvatures_, limit, count_, clamped_);
+    kernels_.clear_beyond(claims_.signed_distance, margin_, count_, clamped_);
+    for (std::size_t lane = 0; lane < count_; ++lane) to[places[sorted_[lane]]] = clamped_[lane];
 }
 
 Vec3 NearestBatch::foot(std::size_t point) const {
-    const Vec3& p = points_[point];
+    const Vec3 p = get_point(*points_, point);
     const std::size_t lane = lane_of_[point];
     if (claims_.owned[lane] != 0) {
         const Vec3& centre = data_->atoms.centres[atoms_[lane]];
@@ -240,7 +248,7 @@ Vec3 NearestBatch::foot(std::size_t point) const {
 }
 
 SurfaceStep NearestBatch::step_to_surface(std::size_t point) const {
-    const Vec3& p = points_[point];
+    const Vec3 p = get_point(*points_, point);
     const std::size_t lane = lane_of_[point];
     if (claims_.owned[lane] != 0) return step_from_ball(*data_, p, atoms_[lane]);
     const std::int64_t tag = tags_[lane];
@@ -253,14 +261,14 @@ FeatureLabel NearestBatch::label(std::size_t point) const {
     const double s = claims_.signed_distance[lane];
     if (claims_.owned[lane] != 0) return {s, data_->atoms.original[atoms_[lane]], PatchKind::Contact};
     const std::int64_t tag = tags_[lane];
-    const Vec3& p = points_[point];
+    const Vec3 p = get_point(*points_, point);
     return is_arc(tag)
                ? FeatureLabel{s, atom_of_arc(*data_, arc_of(tag), p), PatchKind::Toroidal}
                : FeatureLabel{s, atom_of_vertex(*data_, static_cast<std::uint32_t>(tag), p), PatchKind::Reentrant};
 }
 
 NearestFeature NearestBatch::feature(std::size_t point) const {
-    const Vec3& p = points_[point];
+    const Vec3 p = get_point(*points_, point);
     const std::size_t lane = lane_of_[point];
     if (claims_.owned[lane] != 0) {
         const std::uint32_t atom = atoms_[lane];

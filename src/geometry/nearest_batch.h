@@ -30,13 +30,16 @@ public:
 
     explicit NearestBatch(const AccessibleSurface& surface, const NearestKernels& kernels = nearest_kernels())
         : data_(&surface.data()), kernels_(kernels) {}
+    NearestBatch(const NearestBatch&) = delete;  // it may point to its own points
+    NearestBatch& operator=(const NearestBatch&) = delete;
 
     /// Begins with a box that `local` answers for, and a margin up to that of `local`. Below or Above if that holds for
     /// all its points: then there is nothing to find. Open otherwise.
     Claim start(const LocalFeatures& local, const Box& box, double margin);
 
-    /// Finds what is nearest to points of that box, at most kBatchLanes.
+    /// Finds what is nearest to points of that box, at most kBatchLanes. They must outlive what is asked of them.
     void find(std::span<const Vec3> points);
+    void find(const LanePoints<double>& points, std::size_t count);
     /// Then finds their mean curvatures.
     void find_curvatures();
 
@@ -64,7 +67,7 @@ public:
 
 private:
     void choose_contenders(std::size_t deepest);
-    void load(std::span<const Vec3> points);
+    void load();
     void group_points();
     void sort_by_groups();
     LaneRange lanes_of(std::size_t group) const;
@@ -95,7 +98,9 @@ private:
     std::vector<std::uint32_t> vertices_;   // positions in the lists' vertices
     std::vector<std::uint32_t> arcs_;
 
-    std::span<const Vec3> points_;
+    const LanePoints<double>* points_ = &given_;
+    std::size_t count_ = 0;
+    LanePoints<double> given_;  // points that came one by one
     LanePoints<float> small_points_;
     Depths depths_;
     LaneArray<std::int32_t> groups_;    // per point

@@ -40,6 +40,14 @@ struct LaneRange {
     std::size_t end = 0;
 };
 
+/// What is known about points from a point in their middle, in single precision and relative to it: whether they are so
+/// near to its foot, or so near to itself, that the distance there settles theirs.
+struct PointScreen {
+    float foot[3]{};
+    float near = 0.0F;    ///< squared distance of those near enough to the foot
+    float beyond = 0.0F;  ///< distance of those near enough to the middle
+};
+
 /// A ball in single precision, relative to a point nearby.
 struct SmallBall {
     float x;
@@ -111,6 +119,12 @@ struct NearestKernels {
     void (*mark_contenders)(const SphereList& balls, std::size_t ball, const Box& box, std::int64_t* marks);
     /// Unmarks vertices that are nowhere in a box the nearest one.
     void (*unmark_far)(const SphereList& vertices, const Box& box, std::int64_t* marks);
+    /// Marks those of kBatchLanes points that the screen lets through. from_middle: their distances from it.
+    void (*screen)(const PointScreen& screen, const LanePoints<float>& points, const LaneArray<float>& from_middle,
+                   LaneArray<std::int32_t>& marks);
+    /// Points relative to one nearby, in single precision.
+    void (*make_small)(const LanePoints<double>& points, const Vec3& origin, std::size_t count,
+                       LanePoints<float>& small);
     void (*find_depths)(std::span<const SmallBall> balls, const LanePoints<float>& points, std::size_t count,
                         Depths& depths);
     void (*group_points)(const Depths& depths, const DepthLimits& limits, std::size_t count,

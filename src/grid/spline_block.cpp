@@ -3,11 +3,21 @@
 #include "grid/spline_block.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace meniscus {
 namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+// The values of a block that there is not.
+const auto kNothing = [] {
+    std::array<float, kBlockNodes> values;
+    values.fill(kNan);
+    return values;
+}();
 
 constexpr std::size_t kFewPoints = 8;  // cheaper one by one
 
@@ -33,7 +43,7 @@ SplineBlock::SplineBlock(const BlockGrid& grid, std::span<const float> coefficie
     : grid_(grid), coefficients_(coefficients), kernels_(kernels), cursor_(grid, coefficients) {
     around_.origin = grid.origin();
     around_.spacing = grid.spacing();
-    around_.values.fill(std::numeric_limits<float>::quiet_NaN());
+    around_.values.fill(kNan);
 }
 
 void SplineBlock::land(std::span<const Vec3> points, std::span<Landing> landings) {
@@ -57,27 +67,25 @@ void SplineBlock::land(std::span<const Vec3> points, std::span<Landing> landings
 void SplineBlock::enter(BlockId block) {
     constexpr int kBefore = SplineCoefficients::kBefore;
     constexpr int kEdge = SplineCoefficients::kEdge;
+    constexpr int kAfter = kEdge - kBefore - kBlockEdge;
     if (block == block_) return;
     block_ = block;
     const BlockCoord& at = grid_.coord(block);
     const auto first_node = [](std::int32_t coord) { return std::int64_t{kBlockEdge} * coord - kBefore; };
     around_.first = {first_node(at.x), first_node(at.y), first_node(at.z)};
-    const auto& neighbours = grid_.neighbours(block);
+    std::array<const float*, 27> blocks;
+    for (std::size_t slot = 0; slot < blocks.size(); ++slot) {
+        const BlockId from = grid_.neighbours(block)[slot];
+        blocks[slot] = from == kNoBlock ? kNothing.data() : &coefficients_[std::size_t{from} * kBlockNodes];
+    }
     float* to = around_.values.data();
     for (int z = -kBefore; z < kEdge - kBefore; ++z)
-        for (int y = -kBefore; y < kEdge - kBefore; ++y) {
+        for (int y = -kBefore; y < kEdge - kBefore; ++y, to += kEdge) {
             const int row = node_in_block(0, y & (kBlockEdge - 1), z & (kBlockEdge - 1));
-            const auto copy = [&](int side, int first, int count) {
-                const BlockId from = neighbours[static_cast<std::size_t>(neighbour_slot(side, side_of(y), side_of(z)))];
-                if (from == kNoBlock)
-                    std::fill_n(to, count, std::numeric_limits<float>::quiet_NaN());
-                else
-                    std::copy_n(coefficients_.data() + std::size_t{from} * kBlockNodes + row + first, count, to);
-                to += count;
-            };
-            copy(-1, kBlockEdge - kBefore, kBefore);
-            copy(0, 0, kBlockEdge);
-            copy(1, 0, kEdge - kBefore - kBlockEdge);
+            const float* const* along_x = &blocks[static_cast<std::size_t>(neighbour_slot(-1, side_of(y), side_of(z)))];
+            std::copy_n(along_x[0] + row + kBlockEdge - kBefore, kBefore, to);
+            std::copy_n(along_x[1] + row, kBlockEdge, to + kBefore);
+            std::copy_n(along_x[2] + row, kAfter, to + kBefore + kBlockEdge);
         }
 }
 

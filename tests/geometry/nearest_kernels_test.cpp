@@ -36,6 +36,8 @@ struct Answers {
     LaneArray<double> edge_curvatures;
     LaneArray<float> clamped;  // distances
     LaneArray<float> within;   // curvatures of those within the margin
+    LanePoints<float> small;
+    LaneArray<std::int32_t> let_through;
 };
 
 class NearestKernelsTest : public ::testing::Test {
@@ -52,6 +54,7 @@ protected:
             points_.x[i] = points[i].x;
             points_.y[i] = points[i].y;
             points_.z[i] = points[i].z;
+            lengths_[i] = static_cast<float>(norm(points[i] - kMiddle));
             small_points_.x[i] = static_cast<float>(points[i].x);
             small_points_.y[i] = static_cast<float>(points[i].y);
             small_points_.z[i] = static_cast<float>(points[i].z);
@@ -78,6 +81,8 @@ protected:
         answers.vertices.assign(local_.vertices().padded_size(), -1);
         kernels.unmark_far(local_.vertices(), kBox, answers.vertices.data());
         answers.vertices.resize(local_.vertices().size());
+        kernels.make_small(points_, kMiddle, kPoints, answers.small);
+        kernels.screen(screen(), answers.small, lengths_, answers.let_through);
         kernels.find_depths(small_, small_points_, kPoints, answers.depths);
         kernels.group_points(answers.depths, limits(), kPoints, answers.groups);
         const std::uint32_t atom = local_.balls().index(0);
@@ -99,6 +104,8 @@ protected:
         return answers;
     }
 
+    static PointScreen screen() { return {.foot = {1.0F, 2.0F, -1.0F}, .near = 9.0F, .beyond = 2.0F}; }
+
     DepthLimits limits() const {
         return {.above = 0.5F, .below = 2.0F, .lead = 0.01F, .balls = static_cast<std::int32_t>(small_.size())};
     }
@@ -112,6 +119,7 @@ protected:
     std::vector<SmallBall> small_;
     LanePoints<double> points_;
     LanePoints<float> small_points_;
+    LaneArray<float> lengths_;  // from kMiddle
 };
 
 template <class T>
@@ -130,6 +138,10 @@ TEST_F(NearestKernelsTest, GiveTheSameBitsOnEveryInstructionSet) {
         EXPECT_EQ(other.deepest, plain.deepest);
         EXPECT_EQ(other.contenders, plain.contenders);
         EXPECT_EQ(other.vertices, plain.vertices);
+        expect_equal(other.small.x, plain.small.x);
+        expect_equal(other.small.y, plain.small.y);
+        expect_equal(other.small.z, plain.small.z);
+        expect_equal(other.let_through, plain.let_through);
         expect_equal(other.depths.first, plain.depths.first);
         expect_equal(other.depths.second, plain.depths.second);
         expect_equal(other.depths.ball, plain.depths.ball);
@@ -165,6 +177,29 @@ TEST_F(NearestKernelsTest, MarkWhatIsNearABox) {
         const Box cell = surface_.data().arc_cells[local_.arcs().index(a)].grown(1e-6);
         EXPECT_EQ(answers.overlapping[a] != 0, cell.overlaps(kBox));
     }
+}
+
+TEST_F(NearestKernelsTest, LetThroughWhatIsFarFromTheFootAndFromTheMiddle) {
+    const Answers answers = ask(nearest_kernels());
+    std::size_t stopped = 0;
+    for (std::size_t i = 0; i < kPoints; ++i) {
+        const Vec3 from = point(i) - kMiddle;
+        EXPECT_FLOAT_EQ(answers.small.y[i], static_cast<float>(from.y));
+        const bool stops = norm(from - Vec3{1, 2, -1}) <= 3.0 || norm(from) <= 2.0;
+        EXPECT_EQ(answers.let_through[i] == 0, stops) << i;
+        stopped += stops ? 1 : 0;
+    }
+    EXPECT_GT(stopped, 5U);
+    EXPECT_LT(stopped, kPoints - 5);
+}
+
+// The foot of a point in the centre of a ball, or on the axis of an arc, is no number.
+TEST_F(NearestKernelsTest, LetThroughByTheMiddleAloneWhereTheFootIsNoNumber) {
+    PointScreen no_foot = screen();
+    no_foot.foot[0] = std::numeric_limits<float>::quiet_NaN();
+    LaneArray<std::int32_t> marks;
+    nearest_kernels().screen(no_foot, small_points_, lengths_, marks);
+    for (std::size_t i = 0; i < kPoints; ++i) EXPECT_EQ(marks[i] == 0, lengths_[i] <= 2.0F);
 }
 
 TEST_F(NearestKernelsTest, FindDepthsInAllBalls) {
