@@ -52,10 +52,7 @@ auto with_blocks_around(const BlockGrid& grid, std::span<const float> field, Blo
     BlockValues missing;
     missing.fill(fill);
     BlocksAround around;
-    for (std::size_t slot = 0; slot < std::size(around); ++slot) {
-        const BlockId b = grid.neighbours(block)[slot];
-        around[slot] = b == kNoBlock ? missing.data() : field.data() + std::size_t{b} * kBlockNodes;
-    }
+    find_blocks_around(grid, field, block, missing.data(), around);
     return body(around);
 }
 

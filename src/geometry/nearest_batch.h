@@ -37,8 +37,9 @@ public:
     /// all its points: then there is nothing to find. Open otherwise.
     Claim start(const LocalFeatures& local, const Box& box, double margin);
 
-    /// Finds what is nearest to points of that box, at most kBatchLanes. They must outlive what is asked of them.
+    /// Finds what is nearest to points of that box, at most kBatchLanes.
     void find(std::span<const Vec3> points);
+    /// The same without a copy of the points, which must stay until the next ones come.
     void find(const LanePoints<double>& points, std::size_t count);
     /// Then finds their mean curvatures.
     void find_curvatures();

@@ -120,7 +120,7 @@ struct NearestKernels {
     /// Unmarks vertices that are nowhere in a box the nearest one.
     void (*unmark_far)(const SphereList& vertices, const Box& box, std::int64_t* marks);
     /// Marks those of kBatchLanes points that the screen lets through. from_middle: their distances from it.
-    void (*screen)(const PointScreen& screen, const LanePoints<float>& points, const LaneArray<float>& from_middle,
+    void (*screen)(const PointScreen& known, const LanePoints<float>& points, const LaneArray<float>& from_middle,
                    LaneArray<std::int32_t>& marks);
     /// Points relative to one nearby, in single precision.
     void (*make_small)(const LanePoints<double>& points, const Vec3& origin, std::size_t count,

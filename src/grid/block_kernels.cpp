@@ -12,6 +12,15 @@ extern const BlockKernels kPlainKernels;
 extern const BlockKernels kAvx2Kernels;
 #endif
 
+void find_blocks_around(const BlockGrid& grid, std::span<const float> field, BlockId block, const float* missing,
+                        BlocksAround& around) {
+    const auto& neighbours = grid.neighbours(block);
+    for (std::size_t slot = 0; slot < neighbours.size(); ++slot) {
+        const BlockId b = neighbours[slot];
+        around[slot] = b == kNoBlock ? missing : field.data() + std::size_t{b} * kBlockNodes;
+    }
+}
+
 std::vector<const BlockKernels*> all_block_kernels() {
     std::vector<const BlockKernels*> all{&kPlainKernels};
 #ifdef MENISCUS_AVX2_KERNELS

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +31,10 @@ constexpr StencilWeights weights_of(const Stencil& s) {
 
 /// The nodes of the 27 blocks around and including one (see neighbour_slot); of a stand-in where there is no block.
 using BlocksAround = const float* [27];
+
+/// Sets them for a field of the grid, `missing` where there is no block.
+void find_blocks_around(const BlockGrid& grid, std::span<const float> field, BlockId block, const float* missing,
+                        BlocksAround& around);
 
 /// A set of a block's nodes: node (x, y, z) is bit x of rows[y + 8 z].
 struct NodeBits {

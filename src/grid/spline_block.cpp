@@ -7,14 +7,16 @@
 #include <cmath>
 #include <limits>
 
+#include "grid/block_kernels.h"
+
 namespace meniscus {
 namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 // The values of a block that there is not.
-const auto kNothing = [] {
-    std::array<float, kBlockNodes> values;
+constexpr auto kNothing = [] {
+    std::array<float, kBlockNodes> values{};
     values.fill(kNan);
     return values;
 }();
@@ -73,11 +75,8 @@ void SplineBlock::enter(BlockId block) {
     const BlockCoord& at = grid_.coord(block);
     const auto first_node = [](std::int32_t coord) { return std::int64_t{kBlockEdge} * coord - kBefore; };
     around_.first = {first_node(at.x), first_node(at.y), first_node(at.z)};
-    std::array<const float*, 27> blocks;
-    for (std::size_t slot = 0; slot < blocks.size(); ++slot) {
-        const BlockId from = grid_.neighbours(block)[slot];
-        blocks[slot] = from == kNoBlock ? kNothing.data() : &coefficients_[std::size_t{from} * kBlockNodes];
-    }
+    BlocksAround blocks;
+    find_blocks_around(grid_, coefficients_, block, kNothing.data(), blocks);
     float* to = around_.values.data();
     for (int z = -kBefore; z < kEdge - kBefore; ++z)
         for (int y = -kBefore; y < kEdge - kBefore; ++y, to += kEdge) {
