@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
 // The program `meniscus`: parses the command line and turns what went wrong into exit codes.
-#include <malloc.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <new>
 #include <string>
@@ -14,6 +11,7 @@
 
 #include "batch/command.h"
 #include "compare_command.h"
+#include "heap.h"
 #include "help.h"
 #include "interrupt.h"
 #include "measure_command.h"
@@ -100,20 +98,10 @@ int run(int argc, char** argv) {
     return outcome == Outcome::Done ? kDone : kChecksFailed;
 }
 
-/// The stages take and give back arrays of many megabytes. By default each comes fresh from the kernel, which clears it
-/// page by page; kept on the heap, the next stage gets the same pages (docs/design/performance.md).
-void keep_freed_memory() {
-#ifdef __GLIBC__
-    mallopt(M_MMAP_MAX, 0);
-    mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-    mallopt(M_TOP_PAD, 1 << 24);
-#endif
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-    keep_freed_memory();
+    meniscus::cli::prepare_heap();
     meniscus::cli::hold_standard_streams();
     meniscus::cli::install_signal_handlers();
     meniscus::cli::install_last_resort("meniscus");

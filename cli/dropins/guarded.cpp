@@ -6,6 +6,7 @@
 #include <iostream>
 #include <new>
 
+#include "heap.h"
 #include "interrupt.h"
 #include "meniscus/errors.h"
 #include "messages.h"
@@ -23,6 +24,7 @@ int fail(const std::string& name, int code, const std::string& what) {
 
 int run_guarded(const std::string& name, int argc, char** argv,
                 const std::function<void(const std::vector<std::string>&)>& body) {
+    cli::prepare_heap();
     cli::hold_standard_streams();
     cli::install_signal_handlers();
     cli::install_last_resort(name.c_str());

@@ -68,6 +68,15 @@ class Memory(FaultTest):
             self.sweep(least, MENISCUS, "measure", UBIQUITIN, "-o", "a.csv", "--quiet", "--threads", threads)
         self.sweep(least, MENISCUS, "compare", UBIQUITIN, "three.xyzr")
 
+    def test_large_pages_change_nothing(self):
+        """They are used, if at all, where no limit is set to the addresses of the program."""
+        meshes = []
+        for keywords in ({}, {"preexec_fn": limit(1 << 40)}):
+            result = self.run_program(MENISCUS, "surface", UBIQUITIN, "-o", "a.ply", "--quiet", **keywords)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            meshes.append((self.folder / "a.ply").read_bytes())
+        self.assertEqual(*meshes)
+
     def test_drop_ins(self):
         self.sweep(self.least(MSMS, "-h"), MSMS, "-if", "three.xyzr", "-of", "a", "-density", "10")
         self.sweep(self.least(TO_XYZR, "--help"), NANOSHAPER)
