@@ -7,6 +7,7 @@
 #include <set>
 
 #include "interrupt.h"
+#include "meniscus/threads.h"
 #include "messages.h"
 
 namespace meniscus::cli {
@@ -38,6 +39,7 @@ void print_warnings(const std::vector<Job>& jobs) {
 }  // namespace
 
 Outcome StructureRun::operator()() {
+    const ThreadLimit limit(threads_);
     check_asked_paths();
     progress_.update("read", 0.0);
     const std::vector<Job> jobs = read_jobs();

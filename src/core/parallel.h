@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// The only file that names the thread library: loops and sums whose results do not depend on the threads.
+// Loops and sums whose results do not depend on the threads. This file and thread_limit.cpp alone name the thread
+// library.
 #pragma once
 
 #include <tbb/blocked_range.h>
@@ -10,8 +11,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <vector>
+
+#include "meniscus/threads.h"
 
 #if defined(__SANITIZE_THREAD__)
 #include "core/plain_threads.h"
@@ -19,22 +21,22 @@
 
 namespace meniscus {
 
-/// Limits the threads of everything below while it lives; 0 leaves all cores.
-class ThreadLimit {
-public:
-    explicit ThreadLimit(int threads) {
-        if (threads > 0)
-            control_ = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                             static_cast<std::size_t>(threads));
-    }
+/// Whether a ThreadLimit of this thread allows no other. It then does everything itself: the thread library would load
+/// three more and start a second thread before its first loop, which takes longer than many a small surface.
+bool is_alone();
 
-private:
-    std::unique_ptr<tbb::global_control> control_;
+/// Limits what else runs on the thread library to one thread while it lives.
+class LibraryOnOneThread {
+    tbb::global_control control_{tbb::global_control::max_allowed_parallelism, 1};
 };
 
 /// Calls body(i) for i in [0, n), in any order, in chunks of at least `grain`.
 template <class Body>
 void parallel_for(std::size_t n, std::size_t grain, const Body& body) {
+    if (is_alone()) {
+        for (std::size_t i = 0; i < n; ++i) body(i);
+        return;
+    }
 #if defined(__SANITIZE_THREAD__)
     plain::for_each(n, grain, body);
 #else
@@ -53,6 +55,11 @@ void parallel_chunks(std::size_t n, std::size_t chunk, const Body& body) {
 /// Calls both, in any order or at once.
 template <class First, class Second>
 void parallel_both(const First& first, const Second& second) {
+    if (is_alone()) {
+        first();
+        second();
+        return;
+    }
 #if defined(__SANITIZE_THREAD__)
     plain::invoke(first, second);
 #else

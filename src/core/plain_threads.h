@@ -4,8 +4,6 @@
 // how a TBB that was built without it hands work from one thread to another, and would take all of that for races.
 #pragma once
 
-#include <tbb/global_control.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -13,14 +11,9 @@
 
 namespace meniscus::plain {
 
-/// Calls both, at once unless one thread is all that is allowed.
+/// Calls both at once.
 template <class First, class Second>
 void invoke(const First& first, const Second& second) {
-    if (tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) == 1) {
-        first();
-        second();
-        return;
-    }
     auto other = std::async(std::launch::async, second);
     first();
     other.get();

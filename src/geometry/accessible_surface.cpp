@@ -214,10 +214,16 @@ void place_vertices(AccessibleSurface::Data& data, const VertexTable& table) {
     });
 }
 
-// Angle swept from `start` to `end` around the circle; `pseudo` (of period 4) tells 0 from a full turn.
-double swept_angle(double start, double end, double pseudo) {
+struct InPlane {
+    double x;
+    double y;
+};
+
+// Angle swept from `start` to `end` around the circle that both lie on; `pseudo` (of period 4) tells 0 from a full
+// turn.
+double swept_angle(const InPlane& start, const InPlane& end, double pseudo) {
     constexpr double kTurn = 2.0 * std::numbers::pi;
-    double sweep = end - start;
+    double sweep = std::atan2(start.x * end.y - start.y * end.x, start.x * end.x + start.y * end.y);
     if (sweep < 0.0) sweep += kTurn;
     if (pseudo < 1.0 && sweep > 0.75 * kTurn) return 0.0;
     if (pseudo > 3.0 && sweep < 0.25 * kTurn) return kTurn;
@@ -241,15 +247,20 @@ SasArc make_arc(const AccessibleSurface::Data& data, const VertexTable& table, s
     if (view.from == kWholeCircle) return arc;
     arc.start = table.find({i, view.from, view.other});
     arc.end = table.find({i, view.other, view.to});
-    const auto angle = [&](std::uint32_t vertex) {
+    const auto in_plane = [&](std::uint32_t vertex) {
         const Vec3 q = data.vertices[vertex].position - arc.centre;
-        return std::atan2(dot(q, e2), dot(q, e1));
+        return InPlane{dot(q, e1), dot(q, e2)};
     };
-    const double start = angle(arc.start);
-    arc.angle = swept_angle(start, angle(arc.end), view.sweep);
+    const InPlane start = in_plane(arc.start);
+    arc.angle = swept_angle(start, in_plane(arc.end), view.sweep);
     const double half = 0.5 * arc.angle;
-    arc.middle = std::cos(start + half) * e1 + std::sin(start + half) * e2;
     arc.cos_half = std::cos(half);
+    const double length = std::sqrt(start.x * start.x + start.y * start.y);
+    if (length > 0.0) {
+        const double sine = std::sin(half) / length;
+        const double cosine = arc.cos_half / length;
+        arc.middle = (cosine * start.x - sine * start.y) * e1 + (sine * start.x + cosine * start.y) * e2;
+    }
     return arc;
 }
 

@@ -41,28 +41,30 @@ void SphericalRegions::measure(std::span<const Cap> caps, std::span<const Contou
 void SphericalRegions::measure_arcs() {
     for (const ContourArc& arc : contour_) {
         const Cap& cap = caps_[arc.cap];
-        const Vec3 e1 = perpendicular(cap.axis);
-        const Vec3 e2 = cross(e1, cap.axis);  // clockwise around the cap
-        const double s = rim_sine(cap);
-        const auto at = [&](double angle) {
-            return cap.t * cap.axis + s * (std::cos(angle) * e1 + std::sin(angle) * e2);
-        };
         MeasuredArc result;
         if (arc.from == kWholeCircle) {
-            result = {2.0 * kPi, at(0.0), at(kPi), at(0.0), 0};
+            const Vec3 start = cap.t * cap.axis + rim_sine(cap) * perpendicular(cap.axis);
+            result = {2.0 * kPi, start, start, 0};
         } else {
             result.start = rim_crossing(caps_[arc.from], cap);
             result.end = rim_crossing(cap, caps_[arc.to]);
-            const double start = std::atan2(dot(result.start, e2), dot(result.start, e1));
-            const double end = std::atan2(dot(result.end, e2), dot(result.end, e1));
-            result.angle = wrapped_turn(end - start);
+            const Vec3 beside = cross(result.start, cap.axis);  // clockwise around the cap
+            const Vec3 outward = result.start - cap.t * cap.axis;
+            result.angle = wrapped_turn(std::atan2(dot(result.end, beside), dot(result.end, outward)));
             // The pseudo-angle, of period 4, tells a sweep of nothing from a whole turn.
             if (arc.sweep < 1.0 && result.angle > 1.5 * kPi) result.angle = 0.0;
             if (arc.sweep > 3.0 && result.angle < 0.5 * kPi) result.angle = 2.0 * kPi;
-            result.middle = at(start + 0.5 * result.angle);
         }
         measured_.push_back(result);
     }
+}
+
+// A direction on an arc, that part of it after its start.
+Vec3 SphericalRegions::point_on(std::size_t arc, double part) const {
+    const Cap& cap = caps_[contour_[arc].cap];
+    const Vec3 e1 = measured_[arc].start - cap.t * cap.axis;
+    const double angle = part * measured_[arc].angle;
+    return normalised(cap.t * cap.axis + std::cos(angle) * e1 + std::sin(angle) * cross(e1, cap.axis));
 }
 
 void SphericalRegions::link_loops() {
@@ -143,14 +145,8 @@ std::vector<SphericalRegions::Stand> SphericalRegions::stands_on(std::uint32_t l
     std::vector<Stand> stands;
     for (std::uint32_t a = 0; a < contour_.size() && stands.size() < kMost; ++a) {
         if (loop_[a] != loop) continue;
-        if (!many) return {{measured_[a].middle, a}};
-        const Cap& cap = caps_[contour_[a].cap];
-        const Vec3 e1 = measured_[a].start - cap.t * cap.axis;
-        const Vec3 e2 = cross(e1, cap.axis);
-        for (const double part : {0.125, 0.375, 0.625, 0.875}) {
-            const double angle = part * measured_[a].angle;
-            stands.push_back({normalised(cap.t * cap.axis + std::cos(angle) * e1 + std::sin(angle) * e2), a});
-        }
+        if (!many) return {{middle(a), a}};
+        for (const double part : {0.125, 0.375, 0.625, 0.875}) stands.push_back({point_on(a, part), a});
     }
     return stands;
 }
@@ -228,8 +224,9 @@ std::uint32_t SphericalRegions::region_of(const Vec3& direction) const {
     if (regions_.size() <= 1) return 0;
     // The first crossing on the way to any loop bounds the region that the way starts in.
     for (std::size_t a = 0; a < measured_.size(); ++a) {
-        if (norm(cross(direction, measured_[a].middle)) < 1e-9) return measured_[a].region;
-        walk(direction, measured_[a].middle);
+        const Vec3 there = middle(a);
+        if (norm(cross(direction, there)) < 1e-9) return measured_[a].region;
+        walk(direction, there);
         return crossings_.empty() ? measured_[a].region : measured_[crossings_.front().arc].region;
     }
     return 0;

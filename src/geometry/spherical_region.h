@@ -24,7 +24,6 @@ struct SphericalRegion {
 struct MeasuredArc {
     double angle = 0.0;  ///< swept along the rim, radian
     Vec3 start;          ///< directions of its ends; equal for a whole rim
-    Vec3 middle;
     Vec3 end;
     std::uint32_t region = 0;  ///< the region on its exposed side
 };
@@ -41,6 +40,8 @@ public:
     std::span<const SphericalRegion> regions() const { return regions_; }
     /// In the order of the contour's arcs.
     std::span<const MeasuredArc> arcs() const { return measured_; }
+    /// Direction of the middle of an arc.
+    Vec3 middle(std::size_t arc) const { return point_on(arc, 0.5); }
 
     /// The region that holds an exposed direction. Precondition: there is one.
     std::uint32_t region_of(const Vec3& direction) const;
@@ -58,6 +59,7 @@ private:
     };
 
     void measure_arcs();
+    Vec3 point_on(std::size_t arc, double part) const;
     void link_loops();
     std::uint32_t count_cap_clusters() const;
     void group_loops();

@@ -128,9 +128,9 @@ PatchAtoms atoms_of(const AccessibleSurface::Data& data, const SesPatch& patch) 
 // A torus is divided at the plane of its circle (ψ = 0); a piece on one side of it belongs to that side's atom.
 double torus_area_at_first(const AccessibleSurface::Data& data, const SesPatch& patch) {
     const SasArc& arc = data.arcs[patch.feature];
-    const auto range = toroidal_patch(arc, data.probe).pieces[patch.part];
-    const double middle = std::clamp(0.0, range.begin, range.end);
-    return toroidal_piece(arc, data.probe, {range.begin, middle}, {}).area;
+    const auto [begin, end] = toroidal_patch(arc, data.probe).pieces[patch.part];
+    if (begin.psi > 0.0) return 0.0;
+    return toroidal_piece(arc, data.probe, {begin, end.psi < 0.0 ? end : ToroidalPatch::Angle{}}, {}).area;
 }
 
 // What the first of a patch's atoms has of its area.

@@ -6,6 +6,18 @@
 #include <numeric>
 
 namespace meniscus {
+namespace {
+
+// Of the direction from a circle's rim to a point of its axis.
+ToroidalPatch::Angle angle_at(double height, double radius) {
+    const double length = std::sqrt(height * height + radius * radius);
+    if (length == 0.0) return {};
+    return {std::atan2(height, radius), height / length, radius / length};
+}
+
+ToroidalPatch::Angle mirrored(const ToroidalPatch::Angle& angle) { return {-angle.psi, -angle.sine, angle.cosine}; }
+
+}  // namespace
 
 void measure_exposed_regions(const AccessibleSurface::Data& data, std::uint32_t atom, SphericalRegions& regions) {
     const std::span<const Cap> caps = data.caps_of(atom);
@@ -23,29 +35,31 @@ PatchIntegrals sphere_patch(const Vec3& centre, double radius, const SphericalRe
     return patch;
 }
 
+bool meets_its_axis(const SasArc& arc, double probe) {
+    return arc.radius < probe && arc.height0 > 0.0 && arc.height1 > 0.0;
+}
+
 ToroidalPatch toroidal_patch(const SasArc& arc, double probe) {
-    const double first = -std::atan2(arc.height0, arc.radius);
-    const double last = std::atan2(arc.height1, arc.radius);
-    ToroidalPatch patch;
-    if (arc.radius < probe && first < 0.0 && last > 0.0) {
-        const double cusp = std::acos(arc.radius / probe);  // where the probe circle meets the axis
-        patch.pieces = {{{first, -cusp}, {cusp, last}}};
-        patch.count = 2;
-    } else {
-        patch.pieces[0] = {first, last};
-        patch.count = 1;
-    }
+    const ToroidalPatch::Angle last = angle_at(arc.height1, arc.radius);
+    const ToroidalPatch::Angle first = mirrored(angle_at(arc.height0, arc.radius));
+    ToroidalPatch patch{.pieces = {{{first, last}}}, .count = 1};
+    if (!meets_its_axis(arc, probe)) return patch;
+    const double cosine = arc.radius / probe;
+    const ToroidalPatch::Angle cusp{std::acos(cosine), std::sqrt(1.0 - cosine * cosine), cosine};
+    patch.pieces = {{{first, mirrored(cusp)}, {cusp, last}}};
+    patch.count = 2;
     return patch;
 }
 
 // x = p - R n with p = centre + a e(θ), n = cos ψ e - sin ψ k, dA = (a - R cos ψ) R dψ dθ.
 PatchIntegrals toroidal_piece(const SasArc& arc, double probe, const ToroidalPatch::Range& range, const Vec3& centre) {
     const double a = arc.radius;
-    const double turn = range.end - range.begin;
-    const double sine = std::sin(range.end) - std::sin(range.begin);
-    const double cosine = std::cos(range.end) - std::cos(range.begin);
-    const double cos2 = 0.5 * turn + 0.25 * (std::sin(2.0 * range.end) - std::sin(2.0 * range.begin));  // ∫ cos²
-    const double sin_cos = 0.5 * (std::pow(std::sin(range.end), 2) - std::pow(std::sin(range.begin), 2));
+    const auto& [begin, end] = range;
+    const double turn = end.psi - begin.psi;
+    const double sine = end.sine - begin.sine;
+    const double cosine = end.cosine - begin.cosine;
+    const double cos2 = 0.5 * (turn + end.sine * end.cosine - begin.sine * begin.cosine);  // ∫ cos²
+    const double sin_cos = 0.5 * (end.sine * end.sine - begin.sine * begin.sine);
     const double i0 = a * turn - probe * sine;
     const double i1 = a * sine - probe * cos2;
     const double i2 = -a * cosine - probe * sin_cos;

@@ -37,18 +37,26 @@ PatchIntegrals sphere_patch(const Vec3& centre, double radius, const SphericalRe
 /// ψ turns about the probe centre from the inward radial direction, negative towards atoms[0]. A torus that meets
 /// its own axis (circle radius below the probe radius) is cut there and falls into two pieces, one per atom.
 struct ToroidalPatch {
-    /// Limits of ψ of the pieces: [0] at atoms[0], [1] at atoms[1]; one piece alone is [0].
+    struct Angle {
+        double psi = 0.0;  ///< radian
+        double sine = 0.0;
+        double cosine = 1.0;
+    };
+    /// Limits of the pieces: [0] at atoms[0], [1] at atoms[1]; one piece alone is [0].
     struct Range {
-        double begin = 0.0;
-        double end = 0.0;
+        Angle begin;
+        Angle end;
     };
     std::array<Range, 2> pieces{};
     int count = 0;
 };
 
+/// Whether the torus of an arc meets its own axis between the atoms.
+bool meets_its_axis(const SasArc& arc, double probe);
+
 ToroidalPatch toroidal_patch(const SasArc& arc, double probe);
 
-/// Integrals over ψ in [begin, end]; centre: of the arc's circle, relative to the origin of the volume integral.
+/// Integrals over a range of ψ; centre: of the arc's circle, relative to the origin of the volume integral.
 PatchIntegrals toroidal_piece(const SasArc& arc, double probe, const ToroidalPatch::Range& range, const Vec3& centre);
 
 }  // namespace meniscus

@@ -28,7 +28,7 @@ void add_probe_positions(const AccessibleSurface::Data& data, std::vector<DeepPo
 void add_atoms(const AccessibleSurface::Data& data, std::vector<DeepPoint>& points) {
     DisjointSets clusters(data.atoms.size());
     for (const SasArc& arc : data.arcs)
-        if (toroidal_patch(arc, data.probe).count == 1) clusters.join(arc.atoms[0], arc.atoms[1]);
+        if (!meets_its_axis(arc, data.probe)) clusters.join(arc.atoms[0], arc.atoms[1]);
     std::map<std::uint32_t, std::uint32_t> largest;  // of each root
     for (std::uint32_t i = 0; i < data.atoms.size(); ++i) {
         if (data.exposed[i] == 0) continue;

@@ -29,10 +29,13 @@ double triangle_angle(const std::array<Vec3, 3>& d) {
     return 2.0 * std::atan2(volume, 1.0 + dot(d[0], d[1]) + dot(d[1], d[2]) + dot(d[2], d[0]));
 }
 
+enum class Arcs : std::uint8_t { FilledIn, LeftOut };
+
 // Trims one patch after the other, reusing its memory.
 class Trimmer {
 public:
-    Trimmer(const AccessibleSurface& surface, std::uint64_t seed) : data_(surface.data()), seed_(seed) {}
+    Trimmer(const AccessibleSurface& surface, std::uint64_t seed, Arcs arcs)
+        : data_(surface.data()), seed_(seed), fills_arcs_in_(arcs == Arcs::FilledIn) {}
 
     void trim(std::uint32_t v, ReentrantPatch& patch) {
         patch.consistent = true;
@@ -87,6 +90,7 @@ private:
             const Vec3& to = corners_[(k + 1) % kEdges];
             const double angle = std::atan2(norm(cross(from, to)), dot(from, to));
             region.vector_area += -0.5 * angle * base_[k].axis;  // ½ ∮ n × dn along great circles
+            if (!fills_arcs_in_) continue;
             patch.arcs.push_back({.edge = k, .angle = angle, .axis = base_[k].axis, .middle = normalised(from + to)});
         }
         patch.regions.assign(1, region);
@@ -160,21 +164,27 @@ private:
         if (!(sum < patch.triangle + kTolerance)) return false;
         patch.regions.assign(regions_.regions().begin(), regions_.regions().end());
         patch.arcs.clear();
+        if (fills_arcs_in_) fill_in_arcs(patch);
+        return true;
+    }
+
+    void fill_in_arcs(ReentrantPatch& patch) const {
         for (std::size_t a = 0; a < regions_.arcs().size(); ++a) {
             const MeasuredArc& arc = regions_.arcs()[a];
             const std::uint32_t k = builder_.arcs()[a].cap;
-            TrimmedArc trimmed{.region = arc.region, .angle = arc.angle, .axis = caps_[k].axis, .middle = arc.middle};
+            TrimmedArc trimmed{
+                .region = arc.region, .angle = arc.angle, .axis = caps_[k].axis, .middle = regions_.middle(a)};
             if (k < kEdges)
                 trimmed.edge = k;
             else
                 trimmed.probe = caps_[k].atom;
             patch.arcs.push_back(trimmed);
         }
-        return true;
     }
 
     const AccessibleSurface::Data& data_;
     std::uint64_t seed_;
+    bool fills_arcs_in_;
     std::uint32_t searched_begin_ = 0;  // vertices that near_ is complete for
     std::uint32_t searched_end_ = 0;
     std::vector<std::uint32_t> near_;
@@ -190,13 +200,11 @@ private:
     SphericalRegions regions_;
 };
 
-}  // namespace
-
-void for_each_reentrant_patch(const AccessibleSurface& surface, std::uint64_t seed,
-                              const std::function<void(std::uint32_t, ReentrantPatch&)>& visit) {
+template <class Visit>
+void trim_each(const AccessibleSurface& surface, std::uint64_t seed, Arcs arcs, const Visit& visit) {
     if (surface.probe() == 0.0) return;
     parallel_chunks(surface.vertex_count(), 128, [&](std::size_t begin, std::size_t end) {
-        Trimmer trimmer(surface, seed);
+        Trimmer trimmer(surface, seed, arcs);
         ReentrantPatch patch;
         for (std::size_t v = begin; v < end; ++v) {
             trimmer.trim(static_cast<std::uint32_t>(v), patch);
@@ -205,15 +213,22 @@ void for_each_reentrant_patch(const AccessibleSurface& surface, std::uint64_t se
     });
 }
 
+}  // namespace
+
+void for_each_reentrant_patch(const AccessibleSurface& surface, std::uint64_t seed,
+                              const std::function<void(std::uint32_t, const ReentrantPatch&)>& visit) {
+    trim_each(surface, seed, Arcs::LeftOut, visit);
+}
+
 std::vector<ReentrantPatch> trim_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed) {
     std::vector<ReentrantPatch> patches(surface.vertex_count());
-    for_each_reentrant_patch(surface, seed, [&](std::uint32_t v, ReentrantPatch& patch) { patches[v] = patch; });
+    trim_each(surface, seed, Arcs::FilledIn, [&](std::uint32_t v, const ReentrantPatch& patch) { patches[v] = patch; });
     return patches;
 }
 
 std::uint32_t reentrant_region_of(const AccessibleSurface& surface, std::uint64_t seed, std::uint32_t vertex,
                                   const Vec3& direction) {
-    Trimmer trimmer(surface, seed);
+    Trimmer trimmer(surface, seed, Arcs::LeftOut);
     ReentrantPatch patch;
     trimmer.trim(vertex, patch);
     return trimmer.region_of(direction);

@@ -42,9 +42,10 @@ struct ReentrantPatch {
 /// cost     linear at protein density; parallel over vertices
 std::vector<ReentrantPatch> trim_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed);
 
-/// The same patches one after the other: calls visit(vertex, patch), from several threads, each vertex once.
+/// The same patches one after the other, without their arcs: calls visit(vertex, patch), from several threads, each
+/// vertex once.
 void for_each_reentrant_patch(const AccessibleSurface& surface, std::uint64_t seed,
-                              const std::function<void(std::uint32_t, ReentrantPatch&)>& visit);
+                              const std::function<void(std::uint32_t, const ReentrantPatch&)>& visit);
 
 /// The region of a trimmed patch that holds a direction; trims the patch again, with the same result.
 std::uint32_t reentrant_region_of(const AccessibleSurface& surface, std::uint64_t seed, std::uint32_t vertex,

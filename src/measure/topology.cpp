@@ -22,29 +22,51 @@ struct Step {
     VertexId to = 0;
 };
 
-// Stars of fewer steps than this are examined without a branch; longer ones are rare and sorted instead.
-constexpr std::uint32_t kShortStar = 16;
+// Stars of fewer steps than this are examined quickly; longer ones are rare.
+constexpr std::uint32_t kHalfStar = 8;
+constexpr std::uint32_t kShortStar = 2 * kHalfStar;
 
-// The first steps round a vertex; where there are fewer, its own number stands in the rest.
-struct ShortStar {
-    std::array<VertexId, kShortStar> from;
-    std::array<VertexId, kShortStar> to;
+// Some steps round a vertex; where there are fewer, its own number stands in the rest.
+struct HalfStar {
+    std::array<VertexId, kHalfStar> from;
+    std::array<VertexId, kHalfStar> to;
 };
 
-// The usual case, quickly: the steps form one ring. Which step begins where another ends is found by comparing all with
-// all; the number of the only one is known from the sum over those found. Taking every step once and coming back only
-// with the last proves that no neighbour is visited twice. kWidth: more than there are steps.
-template <std::uint32_t kWidth>
-bool is_single_ring(const ShortStar& star, std::size_t size) {
-    std::array<std::uint32_t, kWidth> next;
-    for (std::uint32_t k = 0; k < kWidth; ++k) {
-        std::uint32_t sum = 0;
-        for (std::uint32_t j = 0; j < kWidth; ++j) sum += star.from[j] == star.to[k] ? kWidth + j : 0;
-        next[k] = sum - kWidth;
+// The usual case, quickly: fewer than kHalfStar steps that form one ring. Which step begins where another ends is found
+// by comparing all with all; the number of the only one is known from the sum over those found. Nothing branches until
+// all is known: how many steps there are cannot be foreseen.
+bool is_single_ring(const HalfStar& star, std::uint32_t size) {
+    std::array<std::uint32_t, kHalfStar> sums{};
+    for (std::uint32_t j = 0; j < kHalfStar; ++j)
+        for (std::uint32_t k = 0; k < kHalfStar; ++k) sums[k] += star.from[j] == star.to[k] ? kHalfStar + j : 0;
+    std::uint32_t wrong = 0;  // ends where none begins or several, or at the vertex itself
+    std::uint64_t next = 0;   // a byte each
+    for (std::uint32_t k = 0; k < kHalfStar; ++k) {
+        const std::uint32_t found = sums[k] - kHalfStar;
+        wrong |= static_cast<std::uint32_t>(k < size) & static_cast<std::uint32_t>(found >= size);
+        next |= std::uint64_t{found % kHalfStar} << (8 * k);
     }
+    // The way from the first step: it takes every one, and comes back.
+    std::uint32_t taken = 0;
+    std::uint32_t back = 0;
+    std::uint64_t at = 0;
+    for (std::uint32_t i = 0; i < kHalfStar; ++i) {
+        taken |= 1U << at;
+        at = next >> (8 * at) & 0xFFU;
+        back |= static_cast<std::uint32_t>(at == 0);
+    }
+    return wrong == 0 && back != 0 && taken == (1U << size) - 1;
+}
+
+// The same for fewer than kShortStar steps, in two halves.
+bool is_single_ring(const HalfStar& first, const HalfStar& second, std::uint32_t size) {
+    const auto from = [&](std::uint32_t j) { return (j < kHalfStar ? first : second).from[j % kHalfStar]; };
     std::uint32_t at = 0;
-    for (std::size_t taken = 1; taken <= size; ++taken) {
-        at = next[at];
+    for (std::uint32_t taken = 1; taken <= size; ++taken) {
+        const VertexId end = (at < kHalfStar ? first : second).to[at % kHalfStar];
+        std::uint32_t sum = 0;
+        for (std::uint32_t j = 0; j < kShortStar; ++j) sum += from(j) == end ? kShortStar + j : 0;
+        at = sum - kShortStar;
         if (at >= size) return false;  // none, several, or the vertex itself
         if (at == 0) return taken == size;
     }
@@ -133,11 +155,9 @@ public:
         : first_(first),
           count_(static_cast<VertexId>(count)),
           sizes_(std::make_unique<std::uint32_t[]>(count)),
-          stars_(std::make_unique_for_overwrite<ShortStar[]>(count)) {
-        for (std::size_t i = 0; i < count; ++i) {
-            stars_[i].from.fill(vertex(i));
-            stars_[i].to.fill(vertex(i));
-        }
+          stars_(std::make_unique_for_overwrite<HalfStar[]>(count)),
+          second_halves_(std::make_unique_for_overwrite<HalfStar[]>(count)) {
+        for (std::size_t i = 0; i < count; ++i) clear(stars_[i], i);
     }
 
     // Adds those corners of a triangle that lie within the stretch.
@@ -164,30 +184,50 @@ public:
 private:
     VertexId vertex(std::size_t i) const { return first_ + static_cast<VertexId>(i); }
 
+    void clear(HalfStar& star, std::size_t i) const {
+        star.from.fill(vertex(i));
+        star.to.fill(vertex(i));
+    }
+
     void add_step(VertexId v, const Step& step) {
         const VertexId i = v - first_;  // beyond all others where it comes before the first
         if (i >= count_) return;
         const std::uint32_t n = sizes_[i]++;
-        if (n < kShortStar) {
-            stars_[i].from[n] = step.from;
-            stars_[i].to[n] = step.to;
-        } else {
+        if (n + 1 < kHalfStar)
+            put(step, n, stars_[i]);
+        else
+            add_to_long_star(i, n, step);
+    }
+
+    static void put(const Step& step, std::uint32_t n, HalfStar& star) {
+        star.from[n] = step.from;
+        star.to[n] = step.to;
+    }
+
+    void add_to_long_star(VertexId i, std::uint32_t n, const Step& step) {
+        if (n + 1 == kHalfStar) clear(second_halves_[i], i);
+        if (n < kHalfStar)
+            put(step, n, stars_[i]);
+        else if (n < kShortStar)
+            put(step, n - kHalfStar, second_halves_[i]);
+        else
             more_.emplace_back(i, step);
-        }
     }
 
     bool forms_a_ring(std::size_t i) const {
-        constexpr std::uint32_t kHalf = kShortStar / 2;
-        const std::size_t size = sizes_[i];
+        const std::uint32_t size = sizes_[i];
         if (size < 3 || size >= kShortStar) return false;
-        return size < kHalf ? is_single_ring<kHalf>(stars_[i], size) : is_single_ring<kShortStar>(stars_[i], size);
+        if (size < kHalfStar) return is_single_ring(stars_[i], size);
+        return is_single_ring(stars_[i], second_halves_[i], size);
     }
 
     std::vector<Step> steps(std::size_t i) const {
         std::vector<Step> steps;
         steps.reserve(sizes_[i]);
-        for (std::size_t n = 0; n < std::min(sizes_[i], kShortStar); ++n)
-            steps.push_back({stars_[i].from[n], stars_[i].to[n]});
+        for (std::size_t n = 0; n < std::min(sizes_[i], kShortStar); ++n) {
+            const HalfStar& half = n < kHalfStar ? stars_[i] : second_halves_[i];
+            steps.push_back({half.from[n % kHalfStar], half.to[n % kHalfStar]});
+        }
         const auto first = std::lower_bound(more_.begin(), more_.end(), i,
                                             [](const auto& entry, std::size_t number) { return entry.first < number; });
         for (auto at = first; steps.size() < sizes_[i]; ++at) steps.push_back(at->second);
@@ -197,7 +237,8 @@ private:
     VertexId first_;
     VertexId count_;
     std::unique_ptr<std::uint32_t[]> sizes_;
-    std::unique_ptr<ShortStar[]> stars_;
+    std::unique_ptr<HalfStar[]> stars_;
+    std::unique_ptr<HalfStar[]> second_halves_;       // cleared where the first is full
     std::vector<std::pair<std::size_t, Step>> more_;  // what the short stars had no room for, and whose
 };
 

@@ -43,6 +43,10 @@ public:
         if (load(a) == load(b)) return;
         for (a = root(a), b = root(b); a != b; a = root(a), b = root(b)) {
             if (a < b) std::swap(a, b);
+            if (alone_) {
+                at(a).store(b, std::memory_order_relaxed);
+                return;
+            }
             std::uint32_t itself = a;
             if (at(a).compare_exchange_strong(itself, b, std::memory_order_relaxed)) return;
         }
@@ -53,6 +57,7 @@ private:
     std::uint32_t load(std::uint32_t i) { return at(i).load(std::memory_order_relaxed); }
 
     std::vector<std::uint32_t> parent_;
+    bool alone_ = is_alone();  // a compare-and-swap takes as long as all the rest
 };
 
 // Vertices of one piece in a row.

@@ -63,7 +63,7 @@ struct RayScene::Handles {
 
 RayScene::RayScene(const Mesh& mesh, const std::optional<HalfSpace>& kept)
     : centre_(centre_of(mesh.vertices)), kept_(kept) {
-    const ThreadLimit one_thread(1);  // builds the tree, so that ties between triangles are always decided alike
+    const LibraryOnOneThread one_thread;  // builds the tree, so that ties between triangles are always decided alike
     const auto handles = std::make_shared<Handles>();
     RTCGeometry geometry = rtcNewGeometry(handles->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     set_vertices(geometry, mesh, centre_);

@@ -33,13 +33,13 @@ PatchIntegrals by_quadrature(const SasArc& arc, double probe, const ToroidalPatc
     constexpr int kSteps = 600;
     const Vec3 beside = cross(arc.axis, arc.middle);
     const double dt = arc.angle / kSteps;
-    const double dp = (range.end - range.begin) / kSteps;
+    const double dp = (range.end.psi - range.begin.psi) / kSteps;
     PatchIntegrals sum;
     for (int i = 0; i < kSteps; ++i) {
         const double theta = -0.5 * arc.angle + (i + 0.5) * dt;
         const Vec3 e = std::cos(theta) * arc.middle + std::sin(theta) * beside;
         for (int j = 0; j < kSteps; ++j) {
-            const double psi = range.begin + (j + 0.5) * dp;
+            const double psi = range.begin.psi + (j + 0.5) * dp;
             const Vec3 n = std::cos(psi) * e - std::sin(psi) * arc.axis;
             const Vec3 x = arc.centre + arc.radius * e - probe * n;
             const double da = (arc.radius - probe * std::cos(psi)) * probe * dt * dp;
