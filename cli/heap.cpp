@@ -75,8 +75,12 @@ void reserve_huge_pages() {
     if (memory == nullptr) return;
     const auto begin = reinterpret_cast<std::uintptr_t>(memory);
     const std::uintptr_t first = (begin + kHugePage - 1) / kHugePage * kHugePage;
-    if (first < begin + size) madvise(reinterpret_cast<void*>(first), begin + size - first, MADV_HUGEPAGE);
+    if (first >= begin + size) return std::free(memory);
+    madvise(reinterpret_cast<void*>(first), begin + size - first, MADV_HUGEPAGE);
     std::free(memory);
+    // What lies before the first huge page is taken away, so that nothing lands there on small ones. Nobody frees it.
+    [[maybe_unused]] static void* volatile before;  // volatile: what is never used need not be taken
+    before = std::malloc(first - begin);
 }
 
 }  // namespace

@@ -13,15 +13,20 @@
 
 namespace meniscus {
 
-/// As vector.reserve(size), with the pages of what is not used yet touched.
+/// As vector.reserve(size), with the pages of what is not used yet touched. Where pages are huge ones, so many threads
+/// must not meet on the same: the first of each is touched before all the others.
 template <class T, class Allocator>
 void reserve_touched(std::vector<T, Allocator>& vector, std::size_t size) {
     constexpr std::size_t kPage = 4096;
+    constexpr std::size_t kPagesPerHugePage = 512;
     constexpr std::size_t kPagesPerChunk = 64;
     vector.reserve(size);
     auto* const begin = reinterpret_cast<volatile std::byte*>(vector.data() + vector.size());
-    const std::size_t bytes = (vector.capacity() - vector.size()) * sizeof(T);
-    parallel_for(bytes / kPage, kPagesPerChunk, [&](std::size_t page) { begin[page * kPage] = std::byte{}; });
+    const std::size_t pages = (vector.capacity() - vector.size()) * sizeof(T) / kPage;
+    const auto touch = [&](std::size_t page) { begin[page * kPage] = std::byte{}; };
+    parallel_for((pages + kPagesPerHugePage - 1) / kPagesPerHugePage, 1,
+                 [&](std::size_t huge_page) { touch(huge_page * kPagesPerHugePage); });
+    parallel_for(pages, kPagesPerChunk, touch);
 }
 
 /// As vector.resize(size).
