@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "band/distance_band.h"
 #include "band/surface_blocks.h"
@@ -24,6 +25,7 @@
 #include "pipeline/surface_mesh.h"
 #include "pipeline/surface_projector.h"
 #include "pipeline/yardstick.h"
+#include "remesh/balance.h"
 #include "remesh/self_intersections.h"
 
 namespace meniscus {
@@ -87,6 +89,7 @@ void check_options(const SurfaceOptions& options) {
     require(remesh.edge == 0.0 || positive(remesh.edge), "edge", remesh.edge, "finite and positive");
     require(!remesh.is_on() || options.spacing <= kCoarsestForRemeshing, "spacing", options.spacing,
             fmt::format("at most {:g} where triangles are made even", kCoarsestForRemeshing));
+    require(!remesh.balanced || remesh.is_on(), "edge", remesh.edge, "positive where triangles are balanced");
     require(!remesh.simplify_topology || remesh.is_on(), "edge", remesh.edge,
             "positive where the topology is simplified");
     require(std::isfinite(options.min_cavity) && options.min_cavity >= 0.0, "min cavity", options.min_cavity,
@@ -293,17 +296,21 @@ private:
     }
 
     void measure() {
+        const std::optional<CorrectedMeasures> on_zero_set =
+            options_.remesh.is_on() ? std::optional(corrected_on_zero_set()) : std::nullopt;
+        if (options_.remesh.balanced) balance_triangles(surface_.mesh, options_.remesh.edge, projector());
         // A level set has rounded them.
         const Creases creases = surface_.level_set ? Creases::Rounded : Creases::Sharp;
         SurfaceMeasures measures = measure_surface(surface_.mesh, creases);
         surface_.measures = std::move(measures.mesh);
         surface_.mesh.areas = std::move(measures.areas);
-        const CorrectedMeasures corrected = options_.remesh.is_on() ? corrected_on_zero_set() : measures.corrected;
+        const CorrectedMeasures corrected = on_zero_set.value_or(measures.corrected);
         surface_.corrected_area = corrected.area;
         surface_.corrected_volume = corrected.volume;
         if (options_.quality) surface_.quality = measure_quality(surface_.mesh);
         if (options_.two_sided_distance) surface_.two_sided = measure_distance(surface_.mesh, *accessible_);
-        surface_.checks = mesh_checks(surface_);
+        surface_.checks = mesh_checks(surface_);  // of distances before vertices were moved off the surface
+        if (options_.remesh.balanced) surface_.distance = distance_of_vertices(*accessible_, surface_.mesh);
         if (options_.method != Method::Gaussian) surface_.checks.push_back(volume_check(surface_, yardstick_));
         surface_.checks.insert(surface_.checks.end(), sides_.begin(), sides_.end());
         if (options_.verify) verify();
@@ -317,9 +324,12 @@ private:
 
     // Normals tell the middle of short edges; those of large triangles are looked for.
     CorrectedMeasures corrected_on_zero_set() const {
-        return corrected_on_surface(
-            surface_.mesh, options_.remesh.edge,
-            surface_projector(*accessible_, surface_.level_set.get(), options_.spacing, Curvatures::LeftOut));
+        return corrected_on_surface(surface_.mesh, options_.remesh.edge, projector());
+    }
+
+    // Of what was meshed.
+    SurfaceProjector projector() const {
+        return surface_projector(*accessible_, surface_.level_set.get(), options_.spacing, Curvatures::LeftOut);
     }
 
     const Atoms& atoms_;

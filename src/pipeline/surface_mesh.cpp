@@ -334,6 +334,14 @@ std::vector<double> finish_vertices(const AccessibleSurface& accessible, const L
     return VertexFinisher(accessible, level_set, spacing, mesh).run();
 }
 
+DistanceSummary distance_of_vertices(const AccessibleSurface& accessible, const Mesh& mesh) {
+    std::vector<double> distances;
+    distances.reserve(mesh.vertices.size());
+    for (const NearestFeature& at : nearest_features(accessible, mesh.vertices))
+        distances.push_back(std::abs(at.signed_distance));
+    return summarise(distances);
+}
+
 void replace_vertices(Mesh& mesh, std::span<const VertexId> places, const Mesh& with) {
     for (std::size_t i = 0; i < places.size(); ++i) {
         const VertexId v = places[i];

@@ -39,6 +39,9 @@ SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, con
 std::vector<double> finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
                                     Mesh& mesh);
 
+/// How far the vertices of a mesh are from the exact SES.
+DistanceSummary distance_of_vertices(const AccessibleSurface& accessible, const Mesh& mesh);
+
 /// Gives some vertices of a mesh what another one, with a vertex for each of them, holds after finish_vertices().
 void replace_vertices(Mesh& mesh, std::span<const VertexId> places, const Mesh& with);
 

@@ -99,9 +99,23 @@ class EvenTriangles(ProgramTest):
             self.assertEqual(mesh["quality"]["self_intersections"], 0, (method, edge))
             self.assertGreater(mesh["smallest_triangle_angle_deg"], 15.0, (method, edge))
 
+    def test_balanced_triangles_are_nearer_to_the_surface(self):
+        def mean(mesh):
+            return mesh["two_sided_distance"]["to_exact"]["mean"]
+        for method in ("flow", "direct"):
+            plain = self.mesh("--edge", "1", "--method", method)
+            mesh = self.mesh("--edge", "1", "--method", method, "--balanced", "--verify")
+            self.assertTrue(mesh["closed"] and mesh["manifold"])
+            self.assertEqual(mesh["triangles"], plain["triangles"])
+            self.assertEqual(mesh["quality"]["self_intersections"], 0)
+            self.assertGreater(mesh["smallest_triangle_angle_deg"], 20.0)
+            self.assertAlmostEqual(mesh["corrected_area"], plain["corrected_area"])
+            self.assertGreater(mesh["mean_distance"], plain["mean_distance"])
+            self.assertLess(mean(mesh), 0.7 * mean(plain))
+
     def test_same_bits_for_any_number_of_threads(self):
         for options in (["--edge", "1"], ["--edge", "0.6", "--method", "direct", "--keep-ridges"],
-                        ["--edge", "2", "--simplify-topology", "--min-cavity", "20"]):
+                        ["--edge", "2", "--simplify-topology", "--min-cavity", "20"], ["--edge", "1", "--balanced"]):
             for threads in ("1", "2"):
                 self.surface(UBIQUITIN, "--threads", threads, *options, "-o", f"e{threads}.ply", "--quiet")
             self.assertEqual((self.folder / "e1.ply").read_bytes(), (self.folder / "e2.ply").read_bytes(), options)
@@ -111,6 +125,7 @@ class EvenTriangles(ProgramTest):
         self.assertIn("--edge", self.refused(UBIQUITIN, "--edge", "0"))
         self.assertIn("--edge", self.refused(UBIQUITIN, "--adaptive"))
         self.assertIn("--edge", self.refused(UBIQUITIN, "--simplify-topology"))
+        self.assertIn("--edge", self.refused(UBIQUITIN, "--balanced"))
         self.refused(UBIQUITIN, "--edge", "1", "--vertex-density", "2")
 
 
