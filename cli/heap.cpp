@@ -16,10 +16,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <fstream>
+#include <latch>
 #include <limits>
+#include <system_error>
+#include <thread>
+#include <vector>
 #endif
 
 namespace meniscus::cli {
@@ -67,30 +72,54 @@ bool are_addresses_limited() {
     return !(std::ifstream("/proc/sys/vm/overcommit_memory") >> policy) || policy == kNeverOvercommit;
 }
 
-// Addresses for half of the machine's memory, which nothing is behind until it is used. glibc has no other way to ask
-// for huge pages from within (its tunable hugetlb is read before main()).
-void reserve_huge_pages() {
-    const std::size_t size = page_size() * static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) / 2;
+// Addresses for so much on the heap of this thread, which nothing is behind until it is used. glibc has no other way to
+// ask for huge pages from within (its tunable hugetlb is read before main()).
+void reserve_huge_pages(std::size_t size) {
     void* const memory = std::malloc(size);
-    if (memory == nullptr) return;
     const auto begin = reinterpret_cast<std::uintptr_t>(memory);
     const std::uintptr_t first = (begin + kHugePage - 1) / kHugePage * kHugePage;
-    if (first >= begin + size) return std::free(memory);
+    if (memory == nullptr || first >= begin + size) return std::free(memory);
     madvise(reinterpret_cast<void*>(first), begin + size - first, MADV_HUGEPAGE);
     std::free(memory);
-    // What lies before the first huge page is taken away, so that nothing lands there on small ones. Nobody frees it.
-    [[maybe_unused]] static void* volatile before;  // volatile: what is never used need not be taken
-    before = std::malloc(first - begin);
+    // What lies before the first huge page is taken away for good, so that nothing lands there on small ones.
+    static std::atomic<void*> taken;  // the compiler may not leave it out
+    taken = std::malloc(first - begin);
 }
+
+bool pages_are_dear = false;
 
 }  // namespace
 
 void prepare_heap() {
     keep_freed_memory();
-    if (seconds_per_page() > kDearPage && !are_addresses_limited()) reserve_huge_pages();
+    pages_are_dear = seconds_per_page() > kDearPage && !are_addresses_limited();
+    if (!pages_are_dear) return;
+    const std::size_t memory = page_size() * static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES));
+    reserve_huge_pages(memory / 2);
+}
+
+// Heaps outlive their threads and are taken over by later ones.
+void prepare_heaps_of_threads(int threads) {
+    constexpr std::size_t kMostOfHeap = std::size_t{48} << 20U;  // glibc gives them 64 MiB at first
+    if (!pages_are_dear) return;
+    const auto cores = static_cast<int>(std::thread::hardware_concurrency());
+    const int others = (threads > 0 ? std::min(threads, cores) : cores) - 1;
+    if (others < 1) return;
+    std::latch all_have_one(others);
+    std::vector<std::jthread> started;
+    try {
+        while (static_cast<int>(started.size()) < others)
+            started.emplace_back([&] {
+                reserve_huge_pages(kMostOfHeap);
+                all_have_one.arrive_and_wait();
+            });
+    } catch (const std::system_error&) {  // no more threads; whether some are needed others will tell
+        all_have_one.count_down(others - static_cast<int>(started.size()));
+    }
 }
 #else
 void prepare_heap() {}
+void prepare_heaps_of_threads(int /*threads*/) {}
 #endif
 
 }  // namespace meniscus::cli

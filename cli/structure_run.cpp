@@ -6,6 +6,7 @@
 
 #include <set>
 
+#include "heap.h"
 #include "interrupt.h"
 #include "meniscus/threads.h"
 #include "messages.h"
@@ -40,6 +41,7 @@ void print_warnings(const std::vector<Job>& jobs) {
 
 Outcome StructureRun::operator()() {
     const ThreadLimit limit(threads_);
+    prepare_heaps_of_threads(threads_);
     check_asked_paths();
     progress_.update("read", 0.0);
     const std::vector<Job> jobs = read_jobs();

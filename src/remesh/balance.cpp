@@ -3,6 +3,9 @@
 #include "remesh/balance.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
 #include <vector>
 
 #include "core/parallel.h"
@@ -21,7 +24,11 @@ constexpr double kMeanOfHighest = 0.75;
 // Of an edge: more than the mean height over triangles on a sphere of an edge's radius.
 constexpr double kFarthest = 0.125;
 
-// Vertices stay so near to where the mesh would pass through itself, in edges, times the number of the try.
+// Triangles have no smaller angles than this (degrees) that they did not have before.
+constexpr double kSmallAngle = 25.0;
+
+// Vertices stay so near to where the mesh would pass through itself or get a small angle, in edges, times the number of
+// the try.
 constexpr double kReach = 1.0;
 constexpr int kTries = 4;
 
@@ -51,7 +58,7 @@ std::vector<double> offsets(const Mesh& mesh, const std::vector<double>& heights
     std::vector<double> areas(mesh.vertices.size());
     for (std::size_t t = 0; t < heights.size(); ++t) {
         const auto& [a, b, c] = mesh.triangles[t];
-        const double area = norm(cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
+        const double area = norm(area_vector(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]));
         for (const VertexId v : mesh.triangles[t]) {
             sums[v] += area * heights[t];
             areas[v] += area;
@@ -59,6 +66,16 @@ std::vector<double> offsets(const Mesh& mesh, const std::vector<double>& heights
     }
     for (std::size_t v = 0; v < sums.size(); ++v) sums[v] = areas[v] > 0.0 ? sums[v] / areas[v] : 0.0;
     return sums;
+}
+
+// Where a triangle has got a small angle.
+void add_narrowed(const Mesh& mesh, std::span<const Vec3> before, std::vector<Vec3>& places) {
+    const double narrow = std::cos(kSmallAngle * std::numbers::pi / 180.0);
+    const auto is_narrow = [&](std::span<const Vec3> vertices, const Triangle& t) {
+        return cosine_of_smallest_angle(vertices[t[0]], vertices[t[1]], vertices[t[2]]) > narrow;
+    };
+    for (const Triangle& t : mesh.triangles)
+        if (is_narrow(mesh.vertices, t) && !is_narrow(before, t)) places.push_back(before[t[0]]);
 }
 
 }  // namespace
@@ -69,13 +86,14 @@ void balance_triangles(Mesh& mesh, double edge, const SurfaceProjector& project)
     const std::vector<Vec3> places = places_of_self_intersections(mesh);
     const Surroundings old{places, edge};
     for (std::size_t v = 0; v < by.size(); ++v) mesh.vertices[v] += by[v] * mesh.normals[v];
-    std::vector<Vec3> crossings;
+    std::vector<Vec3> spoiled;
     for (int i = 1; i <= kTries; ++i) {
         std::vector<Vec3> found = places_of_self_intersections(mesh);
         std::erase_if(found, [&](const Vec3& place) { return old.contain(place); });
+        add_narrowed(mesh, before, found);
         if (found.empty()) return;
-        crossings.insert(crossings.end(), found.begin(), found.end());
-        const Surroundings near{crossings, i * kReach * edge};
+        spoiled.insert(spoiled.end(), found.begin(), found.end());
+        const Surroundings near{spoiled, i * kReach * edge};
         for (std::size_t v = 0; v < by.size(); ++v)
             if (near.contain(before[v])) mesh.vertices[v] = before[v];
     }

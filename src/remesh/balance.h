@@ -9,7 +9,8 @@ namespace meniscus {
 
 /// Moves vertices that lie on a surface off it along their normals, as far as the triangles round them lie below it in
 /// the mean: out of what is convex, into what is concave. The triangles then lie on both sides, half as far away, and
-/// enclose the volume that the surface does. Where the mesh would pass through itself anywhere new, vertices stay.
+/// enclose the volume that the surface does. Vertices stay where the mesh would pass through itself anywhere new, or
+/// get an angle below 25 degrees.
 ///
 /// mesh   even triangles with edges near `edge` Å and the surface's normals; nothing but the vertices changes
 /// cost   one projection per triangle
