@@ -76,14 +76,13 @@ bool are_addresses_limited() {
 // ask for huge pages from within (its tunable hugetlb is read before main()).
 void reserve_huge_pages(std::size_t size) {
     void* const memory = std::malloc(size);
-    const auto begin = reinterpret_cast<std::uintptr_t>(memory);
-    const std::uintptr_t first = (begin + kHugePage - 1) / kHugePage * kHugePage;
-    if (memory == nullptr || first >= begin + size) return std::free(memory);
-    madvise(reinterpret_cast<void*>(first), begin + size - first, MADV_HUGEPAGE);
+    const std::size_t before = -reinterpret_cast<std::uintptr_t>(memory) % kHugePage;  // the first huge page
+    if (memory == nullptr || before >= size) return std::free(memory);
+    madvise(static_cast<char*>(memory) + before, size - before, MADV_HUGEPAGE);
     std::free(memory);
     // What lies before the first huge page is taken away for good, so that nothing lands there on small ones.
     static std::atomic<void*> taken;  // the compiler may not leave it out
-    taken = std::malloc(first - begin);
+    taken = std::malloc(before);
 }
 
 bool pages_are_dear = false;

@@ -14,8 +14,8 @@ namespace meniscus::cli {
 /// (docs/design/performance.md). Takes a tenth of a millisecond.
 void prepare_heap();
 
-/// The same for the heaps of the threads that will be started, this one included; 0 means all cores. To be called before
-/// they are. Does nothing where pages are not dear, else it takes a tenth of a millisecond for each.
+/// The same for the heaps of the threads that will be started, this one included; 0 means all cores. To be called
+/// before they are. Does nothing where pages are not dear, else it takes a tenth of a millisecond for each.
 void prepare_heaps_of_threads(int threads);
 
 }  // namespace meniscus::cli

@@ -61,7 +61,7 @@ void add_remesh_options(CLI::App& command, SurfaceRequest& request) {
     command.add_flag(
         "--balanced", remesh.balanced,
         rarely("With --edge: vertices off the surface, so that the triangles lie on both sides of it, half as "
-               "far away, and have its volume"));
+               "far away"));
     command.add_flag("--simplify-topology", remesh.simplify_topology,
                      rarely("With --edge: cut handles, close tunnels and drop pieces narrower than an edge"));
 }

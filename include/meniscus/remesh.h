@@ -14,8 +14,8 @@ struct RemeshOptions {
     double edge = 0.0;
     bool adaptive = false;     ///< shorter where the surface bends more, longer where it is flat
     bool keep_ridges = false;  ///< edges of the mesh run along creases of the surface
-    /// Vertices lie off the surface so that triangles lie on both sides of it: half as far from it as else, with its
-    /// volume. Normals, curvatures and labels are those of the surface next to a vertex.
+    /// Vertices lie off the surface so that triangles lie on both sides of it, half as far away, and sum up to its
+    /// area. Normals, curvatures and labels are those of the surface next to a vertex.
     bool balanced = false;
     /// Handles and tunnels narrower than an edge are cut and capped, pieces smaller than one vanish, but never the
     /// largest outer one. Without this the topology is that of the mesh of the grid.

@@ -13,8 +13,8 @@
 
 namespace meniscus {
 
-/// As vector.reserve(size), with the pages of what is not used yet touched. Where pages are huge ones, so many threads
-/// must not meet on the same: the first of each is touched before all the others.
+/// As vector.reserve(size), with the pages of what is not used yet touched. Threads that
+/// come to the same huge page would each have it cleared: the beginning of each is touched before all the rest.
 template <class T, class Allocator>
 void reserve_touched(std::vector<T, Allocator>& vector, std::size_t size) {
     constexpr std::size_t kPage = 4096;

@@ -45,7 +45,7 @@ class WhileComputing(SignalTest):
 
     def test_measure_and_compare(self):
         atoms = UBIQUITIN.read_text()
-        shifted = "".join(line[:30] + f"{float(line[30:38]) + 60 * i:8.3f}" + line[38:] for i in range(40)
+        shifted = "".join(line[:30] + f"{float(line[30:38]) + 60 * i:8.3f}" + line[38:] for i in range(120)
                           for line in atoms.splitlines(keepends=True) if line.startswith("ATOM"))
         (self.folder / "large.pdb").write_text(shifted)
         for number in SIGNALS:
@@ -56,7 +56,7 @@ class WhileComputing(SignalTest):
                 self.assertEqual(self.files(), ["large.pdb", "three.xyzr"])
 
     def test_drop_ins(self):
-        spheres = "".join(f"{3 * (i % 40)} {3 * (i // 40 % 40)} {3 * (i // 1600)} 1.8\n" for i in range(64000))
+        spheres = "".join(f"{3 * (i % 40)} {3 * (i // 40 % 40)} {3 * (i // 1600)} 1.8\n" for i in range(256000))
         (self.folder / "three.xyzr").write_text(spheres)
         (self.folder / "surfaceConfiguration.prm").write_text(PRM)
         for number in SIGNALS:
