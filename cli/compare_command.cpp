@@ -10,9 +10,11 @@
 #include <memory>
 
 #include "compare_report.h"
+#include "heap.h"
 #include "interrupt.h"
 #include "meniscus/errors.h"
 #include "meniscus/read_mesh.h"
+#include "meniscus/threads.h"
 #include "meniscus/write.h"
 #include "messages.h"
 
@@ -28,6 +30,8 @@ public:
     }
 
     Outcome operator()() {
+        const ThreadLimit limit(request_.compare.threads);
+        prepare_heaps_of_threads(request_.compare.threads);
         check_all_paths();
         read(request_.input, facts_.a);
         read(request_.second, facts_.b);

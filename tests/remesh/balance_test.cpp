@@ -30,6 +30,14 @@ Mesh even_sphere(const Sphere& sphere, double edge) {
     return even;
 }
 
+Mesh both(Mesh mesh, const Mesh& second) {
+    const auto first = static_cast<VertexId>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), second.vertices.begin(), second.vertices.end());
+    mesh.normals.insert(mesh.normals.end(), second.normals.begin(), second.normals.end());
+    for (const auto& [a, b, c] : second.triangles) mesh.triangles.push_back({a + first, b + first, c + first});
+    return mesh;
+}
+
 // Over the triangles, by the middles of a subdivision of each.
 double mean_distance(const Mesh& mesh, const Sphere& sphere) {
     constexpr int kParts = 12;
@@ -70,13 +78,13 @@ TEST(Balance, LeavesWhatWouldPassThroughSomething) {
     // The inner of two spheres has large triangles and would grow through the outer one, which has small ones.
     const Sphere outer{{0.0, 0.0, 0.0}, 1.53};
     const Sphere inner{{0.0, 0.0, 0.0}, 1.47};
-    Mesh mesh = even_sphere(outer, 0.4);
-    const Mesh second = even_sphere(inner, 1.2);
-    const auto first = static_cast<VertexId>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), second.vertices.begin(), second.vertices.end());
-    mesh.normals.insert(mesh.normals.end(), second.normals.begin(), second.normals.end());
-    for (const auto& [a, b, c] : second.triangles) mesh.triangles.push_back({a + first, b + first, c + first});
+    Mesh outside = even_sphere(outer, 0.4);
+    Mesh inside = even_sphere(inner, 1.2);
+    Mesh mesh = both(outside, inside);
     ASSERT_TRUE(places_of_self_intersections(mesh).empty());
+    balance_triangles(outside, 0.4, onto(outer));
+    balance_triangles(inside, 1.2, onto(inner));
+    ASSERT_FALSE(places_of_self_intersections(both(outside, inside)).empty());
     balance_triangles(mesh, 1.2, [&](std::span<SurfacePoint> points) {
         for (SurfacePoint& point : points) {
             const std::span<SurfacePoint> one(&point, 1);
