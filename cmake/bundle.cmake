@@ -1,13 +1,15 @@
 # SPDX-FileCopyrightText: 2026 The Meniscus authors
 # SPDX-License-Identifier: Apache-2.0
-# Run at installation of the component `bundle`: the shared libraries that `program` needs, all but the C library's own,
-# with their licences as Debian's packages bring them.
+# Run at installation of the component `bundle`: the shared libraries that `program` needs, and `loaded`, which it loads
+# while running; all but the C library's own, with their licences as Debian's packages bring them.
 set(root "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}")
-file(GET_RUNTIME_DEPENDENCIES EXECUTABLES "${program}"
+file(GET_RUNTIME_DEPENDENCIES EXECUTABLES "${program}" LIBRARIES "${loaded}"
   RESOLVED_DEPENDENCIES_VAR libraries
   PRE_EXCLUDE_REGEXES "^ld-linux" "^lib(c|m|dl|rt|pthread)\\.so")
 
-# Loaded while running, if it is there: memory is handed out faster with it.
+list(APPEND libraries "${loaded}")
+
+# The thread library's, if it is there: memory is handed out faster with it.
 foreach(library IN LISTS libraries)
   string(REPLACE "libtbb.so.12" "libtbbmalloc.so.2" companion "${library}")
   if(NOT companion STREQUAL library)

@@ -8,7 +8,6 @@ set(libraries
   ZLIB::ZLIB          "ZLIB"        zlib        zlib1g-dev
   PNG::PNG            "PNG"         libpng      libpng-dev
   Nettle::nettle      "Nettle"      nettle      nettle-dev
-  embree              "embree 3"    -lembree3   libembree-dev
   Freetype::Freetype  "Freetype"    freetype2   libfreetype-dev
   fmt::fmt            "fmt"         fmt         libfmt-dev)
 

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/ray_scene.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <new>
 #include <stdexcept>
 
 #include "core/parallel.h"
+#include "render/embree.h"
 
 namespace meniscus {
 namespace {
@@ -23,8 +22,8 @@ float single(double value) { return static_cast<float>(value); }
 
 /// Coordinates about `centre`, where single precision is fine even for molecules far from the origin.
 void set_vertices(RTCGeometry geometry, const Mesh& mesh, const Vec3& centre) {
-    auto* xyz = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                            3 * sizeof(float), mesh.vertices.size()));
+    auto* xyz = static_cast<float*>(embree().set_new_geometry_buffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
     if (xyz == nullptr) throw std::bad_alloc();
     for (const Vec3& vertex : mesh.vertices) {
         const Vec3 p = vertex - centre;
@@ -35,8 +34,8 @@ void set_vertices(RTCGeometry geometry, const Mesh& mesh, const Vec3& centre) {
 }
 
 void set_triangles(RTCGeometry geometry, const Mesh& mesh) {
-    auto* corners = static_cast<VertexId*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                                   sizeof(Triangle), mesh.triangles.size()));
+    auto* corners = static_cast<VertexId*>(embree().set_new_geometry_buffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Triangle), mesh.triangles.size()));
     if (corners == nullptr) throw std::bad_alloc();
     for (const Triangle& triangle : mesh.triangles)
         for (const VertexId corner : triangle) *corners++ = corner;
@@ -45,14 +44,15 @@ void set_triangles(RTCGeometry geometry, const Mesh& mesh) {
 }  // namespace
 
 struct RayScene::Handles {
-    Handles() : device(rtcNewDevice(nullptr)), scene(device == nullptr ? nullptr : rtcNewScene(device)) {
+    Handles() : device(embree().new_device(nullptr)), scene(device == nullptr ? nullptr : embree().new_scene(device)) {
         if (scene != nullptr) return;
-        if (rtcGetDeviceError(device) != RTC_ERROR_UNSUPPORTED_CPU) throw std::bad_alloc();  // memory, or for threads
+        if (embree().get_device_error(device) != RTC_ERROR_UNSUPPORTED_CPU)
+            throw std::bad_alloc();  // memory, or for threads
         throw std::runtime_error("pictures cannot be drawn here: Embree does not start");
     }
     ~Handles() {
-        rtcReleaseScene(scene);
-        rtcReleaseDevice(device);
+        embree().release_scene(scene);
+        embree().release_device(device);
     }
     Handles(const Handles&) = delete;
     Handles& operator=(const Handles&) = delete;
@@ -65,14 +65,14 @@ RayScene::RayScene(const Mesh& mesh, const std::optional<HalfSpace>& kept)
     : centre_(centre_of(mesh.vertices)), kept_(kept) {
     const LibraryOnOneThread one_thread;  // builds the tree, so that ties between triangles are always decided alike
     const auto handles = std::make_shared<Handles>();
-    RTCGeometry geometry = rtcNewGeometry(handles->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    RTCGeometry geometry = embree().new_geometry(handles->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     set_vertices(geometry, mesh, centre_);
     set_triangles(geometry, mesh);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(handles->scene, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcSetSceneFlags(handles->scene, RTC_SCENE_FLAG_ROBUST);  // no holes along edges
-    rtcCommitScene(handles->scene);
+    embree().commit_geometry(geometry);
+    embree().attach_geometry(handles->scene, geometry);
+    embree().release_geometry(geometry);
+    embree().set_scene_flags(handles->scene, RTC_SCENE_FLAG_ROBUST);  // no holes along edges
+    embree().commit_scene(handles->scene);
     handles_ = handles;
 }
 
@@ -94,7 +94,7 @@ std::optional<RayHit> RayScene::first_hit(const Ray& ray, double reach) const {
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    rtcIntersect1(handles_->scene, &context, &query);
+    embree().intersect_1(handles_->scene, &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return RayHit{query.ray.tfar, query.hit.primID, query.hit.u, query.hit.v};
 }
