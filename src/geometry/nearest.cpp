@@ -32,9 +32,14 @@ NearestBall deepest_ball(const Data& data, const Vec3& p) {
 // Of some atoms, the one whose van der Waals sphere is nearest to p.
 template <std::size_t N>
 std::uint32_t nearest_atom(const Data& data, const std::array<std::uint32_t, N>& atoms, const Vec3& p) {
-    const auto gap = [&](std::uint32_t i) { return norm(p - data.atoms.centres[i]) - data.atoms.radii[i]; };
-    return *std::min_element(atoms.begin(), atoms.end(),
-                             [&](std::uint32_t a, std::uint32_t b) { return gap(a) < gap(b); });
+    std::uint32_t nearest = atoms[0];
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t i : atoms) {
+        const double gap = norm(p - data.atoms.centres[i]) - data.atoms.radii[i];
+        nearest = gap < least ? i : nearest;
+        least = gap < least ? gap : least;
+    }
+    return nearest;
 }
 
 NearestEdge nearest_edge(const Data& data, const Vec3& p) {
@@ -86,20 +91,6 @@ NearestFeature arc_feature(const Data& data, const Vec3& p, std::uint32_t a, con
     return feature;
 }
 
-// Whether p lies in the hull of a vertex and its three atoms.
-bool in_vertex_cell(const Data& data, const SasVertex& vertex, const Vec3& p) {
-    const Vec3 a = data.atoms.centres[vertex.atoms[0]] - vertex.position;
-    const Vec3 b = data.atoms.centres[vertex.atoms[1]] - vertex.position;
-    const Vec3 c = data.atoms.centres[vertex.atoms[2]] - vertex.position;
-    const Vec3 q = p - vertex.position;
-    const double whole = dot(a, cross(b, c));
-    const double turn = whole < 0.0 ? -1.0 : 1.0;
-    const double of_a = turn * dot(q, cross(b, c));
-    const double of_b = turn * dot(q, cross(c, a));
-    const double of_c = turn * dot(q, cross(a, b));
-    return of_a >= 0.0 && of_b >= 0.0 && of_c >= 0.0 && of_a + of_b + of_c <= turn * whole;
-}
-
 }  // namespace
 
 std::uint32_t atom_of_arc(const Data& data, std::uint32_t arc, const Vec3& p) {
@@ -129,15 +120,23 @@ NearestFeature edge_feature(const Data& data, const Vec3& p, const NearestEdge& 
     return arc_feature(data, p, edge.arc, foot_on_arc(data.arcs[edge.arc], p), distance);
 }
 
+// Where a step is settled, the feature's foot and the direction to it are those of p, and the distance from it is the
+// probe's radius.
 SurfaceStep step_from_ball(const Data& data, const Vec3& p, std::uint32_t atom) {
     const Vec3& centre = data.atoms.centres[atom];
     const double l = norm(p - centre);
-    const double s = data.probe - (data.rho[atom] - l);
+    if (!(l > 0.0)) return {p, contact_feature(data, p, {atom, data.rho[atom] - l, l}), false};
+    const Vec3 direction = (1.0 / l) * (p - centre);
+    const double radius = data.rho[atom] - data.probe;
     SurfaceStep step;
-    step.settled = l > 0.0;
-    step.point = step.settled ? p - s * ((1.0 / l) * (p - centre)) : p;
-    const double after = norm(step.point - centre);
-    step.feature = contact_feature(data, step.point, {atom, data.rho[atom] - after, after});
+    step.settled = true;
+    step.point = p - (l - radius) * direction;
+    step.feature.patch = PatchKind::Contact;
+    step.feature.atom = data.atoms.original[atom];
+    step.feature.mean_curvature = contact_curvature(radius);
+    step.feature.gaussian_curvature = contact_gaussian_curvature(radius);
+    step.feature.foot = centre + data.rho[atom] * direction;
+    step.feature.normal = direction;
     return step;
 }
 
@@ -145,17 +144,28 @@ SurfaceStep step_from_arc(const Data& data, const Vec3& p, std::uint32_t a) {
     const SasArc& arc = data.arcs[a];
     const ArcFoot before = foot_on_arc(arc, p);
     const double distance = std::sqrt(before.squared_distance);
+    const double probe = data.probe;
     SurfaceStep step;
     step.point = p;
     const bool steps = before.from_axis > 0.0 && distance > 0.0;
     if (steps) {
-        const Vec3 x = arc.centre + (arc.radius / before.from_axis) * before.radial;
-        step.point = p - (data.probe - distance) * ((1.0 / distance) * (x - p));
+        step.feature.foot = arc.centre + (arc.radius / before.from_axis) * before.radial;
+        step.feature.normal = (1.0 / distance) * (step.feature.foot - p);
+        step.point = p - (probe - distance) * step.feature.normal;
     }
-    const ArcFoot foot = foot_on_arc(arc, step.point);
-    step.feature = arc_feature(data, step.point, a, foot, std::sqrt(foot.squared_distance));
-    const bool crosses_axis = arc.radius * distance <= data.probe * (arc.radius - before.from_axis);
-    step.settled = steps && (distance >= data.probe || (!crosses_axis && in_arc_cell(arc, foot)));
+    const bool crosses_axis = arc.radius * distance <= probe * (arc.radius - before.from_axis);
+    // The cell is a wedge with its edge in the foot: the step neither enters nor leaves it but through the axis.
+    step.settled = steps && (distance >= probe || (!crosses_axis && in_arc_cell(arc, before)));
+    if (!step.settled || !(probe > 0.0)) {
+        const ArcFoot foot = foot_on_arc(arc, step.point);
+        step.feature = arc_feature(data, step.point, a, foot, std::sqrt(foot.squared_distance));
+        return step;
+    }
+    const double from_axis = arc.radius - probe / distance * (arc.radius - before.from_axis);
+    step.feature.patch = PatchKind::Toroidal;
+    step.feature.atom = atom_of_arc(data, a, step.point);
+    step.feature.mean_curvature = toroidal_curvature(arc.radius, from_axis, probe);
+    step.feature.gaussian_curvature = toroidal_gaussian_curvature(arc.radius, from_axis, probe);
     return step;
 }
 
@@ -163,11 +173,34 @@ SurfaceStep step_from_vertex(const Data& data, const Vec3& p, std::uint32_t v) {
     const SasVertex& vertex = data.vertices[v];
     const Vec3 to_foot = vertex.position - p;
     const double distance = norm(to_foot);
+    const double probe = data.probe;
     SurfaceStep step;
-    step.point = distance > 0.0 ? p - (data.probe - distance) * ((1.0 / distance) * to_foot) : p;
-    step.feature = vertex_feature(data, step.point, v, norm(vertex.position - step.point));
-    step.settled = distance > 0.0 && (distance >= data.probe || in_vertex_cell(data, vertex, step.point));
+    step.feature.normal = distance > 0.0 ? (1.0 / distance) * to_foot : Vec3{};
+    step.point = p - (probe - distance) * step.feature.normal;
+    step.settled = distance > 0.0 && (distance >= probe || in_vertex_cell(data, vertex, step.point));
+    if (!step.settled || !(probe > 0.0)) {
+        step.feature = vertex_feature(data, step.point, v, norm(vertex.position - step.point));
+        return step;
+    }
+    step.feature.patch = PatchKind::Reentrant;
+    step.feature.atom = atom_of_vertex(data, v, step.point);
+    step.feature.mean_curvature = reentrant_curvature(probe);
+    step.feature.gaussian_curvature = reentrant_gaussian_curvature(probe);
+    step.feature.foot = vertex.position;
     return step;
+}
+
+bool in_vertex_cell(const Data& data, const SasVertex& vertex, const Vec3& p) {
+    const Vec3 a = data.atoms.centres[vertex.atoms[0]] - vertex.position;
+    const Vec3 b = data.atoms.centres[vertex.atoms[1]] - vertex.position;
+    const Vec3 c = data.atoms.centres[vertex.atoms[2]] - vertex.position;
+    const Vec3 q = p - vertex.position;
+    const double whole = dot(a, cross(b, c));
+    const double turn = whole < 0.0 ? -1.0 : 1.0;
+    const double of_a = turn * dot(q, cross(b, c));
+    const double of_b = turn * dot(q, cross(c, a));
+    const double of_c = turn * dot(q, cross(a, b));
+    return of_a >= 0.0 && of_b >= 0.0 && of_c >= 0.0 && of_a + of_b + of_c <= turn * whole;
 }
 
 NearestHit nearest_hit(const AccessibleSurface::Data& data, const Vec3& p) {

@@ -89,4 +89,7 @@ SurfaceStep step_from_ball(const AccessibleSurface::Data& data, const Vec3& p, s
 SurfaceStep step_from_arc(const AccessibleSurface::Data& data, const Vec3& p, std::uint32_t arc);
 SurfaceStep step_from_vertex(const AccessibleSurface::Data& data, const Vec3& p, std::uint32_t vertex);
 
+/// Whether p lies in the hull of a vertex and its three atoms.
+bool in_vertex_cell(const AccessibleSurface::Data& data, const SasVertex& vertex, const Vec3& p);
+
 }  // namespace meniscus

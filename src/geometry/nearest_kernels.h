@@ -106,6 +106,26 @@ inline std::int64_t arc_tag(std::uint32_t arc) { return -1 - std::int64_t{arc}; 
 inline bool is_arc(std::int64_t tag) { return tag < 0; }
 inline std::uint32_t arc_of(std::int64_t tag) { return static_cast<std::uint32_t>(-1 - tag); }
 
+/// Where steps lead from points to the surface, and what is known of it there (SurfaceStep).
+struct StepLanes {
+    LanePoints<double> points;
+    LanePoints<double> normals;
+    LaneArray<double> mean;
+    LaneArray<double> gaussian;       ///< +inf where both principal curvatures are the mean
+    LaneArray<std::int64_t> settled;  ///< 0, or all bits set
+};
+
+/// One arc for each point.
+struct ArcLanes {
+    LanePoints<double> centre;
+    LanePoints<double> axis;
+    LaneArray<double> radius;
+    LaneArray<double> height0;
+    LaneArray<double> height1;
+    LaneArray<double> radius0;  ///< of its atoms
+    LaneArray<double> radius1;
+};
+
 struct NearestKernels {
     std::string_view instructions;  ///< "plain", "avx2" or "avx512"
 
@@ -145,6 +165,16 @@ struct NearestKernels {
                                  LaneArray<double>& curvatures);
     void (*find_edge_curvatures)(const NearestTags& nearest, double probe, std::size_t count,
                                  LaneArray<double>& curvatures);
+    /// Steps from points that a ball owns, as step_from_ball() takes them. radius: of the ball without the probe.
+    void (*step_from_ball)(const Vec3& centre, double radius, const LanePoints<double>& points, const LaneRange& lanes,
+                           StepLanes& steps);
+    /// As step_from_arc(); also tells where the second atom is the nearer one. Curvatures of steps that are not
+    /// settled mean nothing.
+    void (*step_from_arcs)(double probe, const LanePoints<double>& points, const ArcLanes& arcs, std::size_t count,
+                           StepLanes& steps, LaneArray<std::int64_t>& second);
+    /// As step_from_vertex(), but settled only where the step leads towards the vertex, and not there already.
+    void (*step_from_vertices)(double probe, const LanePoints<double>& points, const LanePoints<double>& vertices,
+                               std::size_t count, StepLanes& steps);
     /// Clamps to ±limit; a NaN (0/0 on the SAS itself) becomes -limit.
     void (*clamp)(const LaneArray<double>& values, double limit, std::size_t count, LaneArray<float>& clamped);
     /// Sets those to 0 whose distance is not within ±margin.

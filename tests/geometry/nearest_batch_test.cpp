@@ -174,6 +174,85 @@ TEST(NearestBatch, SettledStepsLeadToTheSurface) {
     }
 }
 
+// Of points that were found, beside the same steps one by one; how many were settled is added to.
+void expect_the_same_steps(NearestBatch& batch, const std::vector<Vec3>& points, std::size_t& settled) {
+    BatchSteps steps;
+    batch.steps_to_surface(steps);
+    std::vector<bool> seen(points.size());
+    for (std::size_t lane = 0; lane < points.size(); ++lane) {
+        const std::uint32_t i = steps.point[lane];
+        ASSERT_FALSE(seen.at(i));
+        seen[i] = true;
+        if (!batch.found(i)) {
+            EXPECT_EQ(steps.lanes.settled[lane], 0);
+            continue;
+        }
+        const SurfaceStep alone = batch.step_to_surface(i);
+        ASSERT_EQ(steps.lanes.settled[lane] != 0, alone.settled);
+        const auto at = [lane](const LanePoints<double>& p) { return Vec3{p.x[lane], p.y[lane], p.z[lane]}; };
+        EXPECT_NEAR(norm(at(steps.lanes.points) - alone.point), 0.0, 1e-12);
+        if (!alone.settled) continue;
+        ++settled;
+        EXPECT_NEAR(norm(at(steps.lanes.normals) - alone.feature.normal), 0.0, 1e-9);
+        EXPECT_NEAR(steps.signed_distance[lane], 0.0, 1e-12);
+        EXPECT_EQ(steps.patch[lane], alone.feature.patch);
+        const double mean = alone.feature.mean_curvature;
+        if (!std::isfinite(mean)) continue;  // without a probe, on an arc
+        EXPECT_NEAR(steps.lanes.mean[lane], mean, 1e-6 * std::max(1.0, std::abs(mean)));
+        if (alone.feature.patch == PatchKind::Toroidal) {
+            const double gaussian = alone.feature.gaussian_curvature;
+            EXPECT_NEAR(steps.lanes.gaussian[lane], gaussian, 1e-6 * std::max(1.0, std::abs(gaussian)));
+        } else {
+            EXPECT_TRUE(std::isinf(steps.lanes.gaussian[lane]));
+        }
+    }
+}
+
+TEST(NearestBatch, StepsOfAllPointsAreThoseOfEach) {
+    for (const NearestKernels& kernels : supported_nearest_kernels())
+        for (const Arrangement& a : awkward_arrangements()) {
+            SCOPED_TRACE(a.name);
+            const AccessibleSurface surface(a.atoms, a.probe);
+            NearestBatch batch(surface, kernels);
+            LocalFeatures local(surface, 0.9);
+            std::size_t settled = 0;
+            for (const Vec3& corner : random_points_around(a.atoms, 60, 2.0)) {
+                const std::vector<Vec3> points = points_in_cube(corner, 0.4, 61);
+                Box box;
+                for (const Vec3& p : points) box.include(p);
+                local.gather(box);
+                if (batch.start(local, box, local.margin()) != Claim::Open) continue;
+                batch.find(points);
+                expect_the_same_steps(batch, points, settled);
+            }
+            EXPECT_GT(settled, 50U);
+        }
+}
+
+TEST(NearestBatch, TheNearestAtomOfAStepIsThatOfEachStep) {
+    const Atoms atoms = random_cluster(4, 60, 9.0);  // nothing ties
+    const AccessibleSurface surface(atoms, 1.4);
+    NearestBatch batch(surface);
+    LocalFeatures local(surface, 0.9);
+    std::size_t settled = 0;
+    for (const Vec3& corner : random_points_around(atoms, 60, 2.0)) {
+        const std::vector<Vec3> points = points_in_cube(corner, 0.4, 64);
+        Box box;
+        for (const Vec3& p : points) box.include(p);
+        local.gather(box);
+        if (batch.start(local, box, local.margin()) != Claim::Open) continue;
+        batch.find(points);
+        BatchSteps steps;
+        batch.steps_to_surface(steps);
+        for (std::size_t lane = 0; lane < points.size(); ++lane) {
+            if (steps.lanes.settled[lane] == 0) continue;
+            ++settled;
+            EXPECT_EQ(steps.atom[lane], batch.step_to_surface(steps.point[lane]).feature.atom);
+        }
+    }
+    EXPECT_GT(settled, 500U);
+}
+
 TEST(NearestBatch, StepsAcrossTheAxisOfACircleAreNotSettled) {
     const AccessibleSurface surface(two_spheres(5.0), 1.4);  // the probe rolls around with a hole in the middle
     NearestBatch batch(surface);
