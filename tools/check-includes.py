@@ -17,7 +17,7 @@ ROOMS = {
     "band": ("geometry", "grid"),
     "flow": ("geometry", "grid", "band"),
     "mesh": ("grid",),
-    "remesh": ("geometry",),
+    "remesh": ("geometry", "measure"),
     "measure": ("geometry", "mesh"),
     "tables": ("radii",),
     "colours": ("radii",),

@@ -10,11 +10,14 @@
 #include <utility>
 #include <vector>
 
+#include "core/mix_bits.h"
 #include "core/parallel.h"
 #include "measure/vertex_stretches.h"
 
 namespace meniscus {
 namespace {
+
+constexpr std::size_t kChunk = 8192;  // triangles per task: some tens of microseconds
 
 // A triangle (v, from, to) seen from its corner v: one step round v, counter-clockwise.
 struct Step {
@@ -242,43 +245,44 @@ private:
     std::vector<std::pair<std::size_t, Step>> more_;  // what the short stars had no room for, and whose
 };
 
-// The sums at the vertices of one stretch.
-class StretchSums {
-public:
-    StretchSums(const CornerSums& sums, VertexId first, std::size_t count)
-        : of_triangle_(sums.of_triangle), first_(first) {
-        if (of_triangle_.empty()) return;
-        of_vertex_ = sums.of_vertex.subspan(first, count);
-        std::fill(of_vertex_.begin(), of_vertex_.end(), 0.0F);
-    }
-
-    void add(const Triangle& triangle, std::size_t number) const {
-        for (const VertexId v : triangle)
-            if (const VertexId i = v - first_; i < of_vertex_.size()) of_vertex_[i] += of_triangle_[number];
-    }
-
-private:
-    std::span<const float> of_triangle_;
-    std::span<float> of_vertex_;
-    VertexId first_;
-};
+// Twice the signed area of a triangle whose corners are sent to any places of the parabola y = x², modulo 2^64.
+std::uint64_t two_signed_areas(const Triangle& triangle) {
+    const auto x_of = [](VertexId v) {
+        const std::uint64_t mixed = (v + kMixIncrement) * 0xBF58476D1CE4E5B9ULL;
+        return mixed ^ (mixed >> 32U);
+    };
+    const std::uint64_t a = x_of(triangle[0]);
+    const std::uint64_t b = x_of(triangle[1]);
+    const std::uint64_t c = x_of(triangle[2]);
+    return (b - a) * (c - a) * (c - b);
+}
 
 }  // namespace
 
-MeshTopology examine_topology(std::size_t vertex_count, std::span<const Triangle> triangles, const CornerSums& sums) {
+MeshTopology examine_topology(std::size_t vertex_count, std::span<const Triangle> triangles) {
     const VertexStretches stretches(vertex_count, triangles);
     const auto examine = [&](std::size_t stretch, std::size_t) {
         StretchStars stars(stretches.first(stretch), stretches.count(stretch));
-        const StretchSums at_corners(sums, stretches.first(stretch), stretches.count(stretch));
-        stretches.visit_triangles(stretch, [&](const Triangle& triangle, std::size_t number) {
-            stars.add(triangle);
-            at_corners.add(triangle, number);
-        });
+        stretches.visit_triangles(stretch, [&](const Triangle& triangle, std::size_t) { stars.add(triangle); });
         return Part{stars.examine()};
     };
     MeshTopology topology = parallel_sum<Part>(stretches.size(), 1, examine).seen;
     topology.edges /= 2;
     return topology;
+}
+
+bool is_balanced(std::span<const Triangle> triangles) {
+    const auto sum_of = [&](std::size_t begin, std::size_t end) {
+        std::uint64_t sum = 0;
+        for (const Triangle& triangle : triangles.subspan(begin, end - begin)) sum += two_signed_areas(triangle);
+        return sum;
+    };
+    return parallel_sum<std::uint64_t>(triangles.size(), kChunk, sum_of) == 0;
+}
+
+MeshTopology topology_of_manifold(std::size_t vertex_count, std::span<const Triangle> triangles) {
+    if (!is_balanced(triangles)) return examine_topology(vertex_count, triangles);
+    return {.closed = true, .manifold = true, .edges = triangles.size() / 2 * 3};
 }
 
 }  // namespace meniscus

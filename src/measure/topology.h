@@ -17,19 +17,23 @@ struct MeshTopology {
     std::size_t edges = 0;  ///< pairs of different vertices with at least one triangle
 };
 
-/// Numbers of triangles to be summed at their corners.
-struct CornerSums {
-    std::span<const float> of_triangle;
-    std::span<float> of_vertex;  ///< in the order of the triangles
-};
-
-/// Examines the triangles round every vertex, and takes sums there on the way unless they are empty. A triangle with a
-/// repeated vertex is neither closed nor manifold; a vertex without triangles is not manifold. A mesh of nothing is
-/// both.
+/// Examines the triangles round every vertex. A triangle with a repeated vertex is neither closed nor manifold; a
+/// vertex without triangles is not manifold. A mesh of nothing is both.
 ///
 /// Precondition: every corner is below vertex_count.
 /// cost     O(n) for a mesh of bounded vertex degree, O(n log n) else; a byte of scratch memory per triangle
-MeshTopology examine_topology(std::size_t vertex_count, std::span<const Triangle> triangles,
-                              const CornerSums& sums = {});
+MeshTopology examine_topology(std::size_t vertex_count, std::span<const Triangle> triangles);
+
+/// Whether as many triangles run along every edge in one direction as in the other. A surface for which that holds
+/// covers every place of a plane as often with one side as with the other, wherever its vertices are sent; so the
+/// signed areas there sum to nothing. Vertices are sent by a hash, and the sum is taken modulo 2^64: it does not vanish
+/// by chance in the life of the program.
+///
+/// cost     O(n), a twentieth of examine_topology
+bool is_balanced(std::span<const Triangle> triangles);
+
+/// The same as examine_topology of what is a manifold by the way it was made, open or closed, with every vertex in use:
+/// where such a mesh is balanced nothing else is left to examine.
+MeshTopology topology_of_manifold(std::size_t vertex_count, std::span<const Triangle> triangles);
 
 }  // namespace meniscus

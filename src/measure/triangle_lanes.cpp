@@ -3,6 +3,7 @@
 #include "measure/triangle_lanes.h"
 
 #include <cmath>
+#include <cstring>
 
 #include "core/instructions.h"
 #include "measure/corrected.h"

@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -18,13 +20,18 @@ namespace meniscus {
 /// kLanes triangles, and what a kernel finds out about each.
 struct TriangleLanes {
     std::array<VectorLanes, 3> points;   ///< corners, from an origin nearby
-    std::array<VectorLanes, 3> normals;  ///< of the surface there; only for measure_with_parts
+    std::array<VectorLanes, 3> normals;  ///< of the surface there
 
     Lanes two_areas{};
     Lanes six_volumes{};  ///< over the origin
     /// Square of the tangent of the smallest corner, as a fraction of two finite numbers; 0 for a point.
     Lanes opposite{};
     Lanes adjacent{};
+    Lanes shortest{};  ///< side, squared
+    Lanes longest{};   ///< side, squared
+    /// Scalar products of the triangle's normal, twice its area long, with that of the surface.
+    Lanes facing{};        ///< at the first corner
+    Lanes least_facing{};  ///< the smallest of the three
     /// Of the four parts of each, split at the middles of the arcs over its sides (measure/corrected.h).
     Lanes parts_two_areas{};
     Lanes parts_six_volumes{};
@@ -40,12 +47,50 @@ struct TriangleLanes {
     }
 };
 
+/// Square of the tangent of an angle below 90 degrees, as a fraction: compared without dividing.
+struct SquaredTangent {
+    double opposite = 3.0;  // of 60 degrees: no triangle has a larger smallest corner
+    double adjacent = 1.0;
+
+    bool operator<(const SquaredTangent& b) const { return opposite * b.adjacent < b.opposite * adjacent; }
+    /// The smaller of both.
+    SquaredTangent& operator+=(const SquaredTangent& b) { return *this = b < *this ? b : *this; }
+};
+
+/// What triangles measure together.
+struct LaneSums {
+    double two_areas = 0.0;
+    double six_volumes = 0.0;
+    double parts_two_areas = 0.0;
+    double parts_six_volumes = 0.0;
+    SquaredTangent smallest;
+};
+
+/// What makes a triangle suspect.
+struct SuspectLimits {
+    double squared_tangent = 0.0;  ///< of the smallest angle that is good enough
+    double squared_edge = 0.0;     ///< of the shortest side that is
+    double squared_cosine = 0.0;   ///< of the angle with a corner's normal from which on a triangle leans
+};
+inline constexpr std::int64_t kMayBeBad = 1;  ///< too small an angle or side, or the surface looks the other way
+inline constexpr std::int64_t kLeans = 2;
+using SuspectMarks = std::array<std::int64_t, kLanes>;
+
 struct TriangleKernels {
     std::string_view instructions;  ///< "plain", "avx2" or "avx512"
 
-    /// All but the parts.
+    /// What the vertices hold at the corners of at most kLanes triangles, from an origin.
+    void (*gather)(const Vec3* of_vertex, std::span<const Triangle> triangles, const Vec3& origin,
+                   std::array<VectorLanes, 3>& corners);
+    /// All that needs no normals.
     void (*measure)(TriangleLanes& lanes);
+    /// All but the parts and creases.
+    void (*measure_with_normals)(TriangleLanes& lanes);
     void (*measure_with_parts)(TriangleLanes& lanes);
+    /// Sums over all lanes; those of the parts mean nothing where they were not measured.
+    void (*add_up)(const TriangleLanes& lanes, LaneSums& sums);
+    /// After measure_with_normals.
+    void (*mark)(const TriangleLanes& lanes, const SuspectLimits& limits, SuspectMarks& marks);
 };
 
 /// Those that this machine can run, the plainest first.

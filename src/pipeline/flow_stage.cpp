@@ -49,7 +49,7 @@ public:
         const LevelSet level_set(grid_, state.coefficients);
         SurfaceMesh surface = mesh_surface(accessible_, extract_zero_set(*grid_, state.values, kSpreadFraction),
                                            &level_set, {.spacing = grid_->spacing()});
-        SurfaceMeasures measured = measure_surface(surface.mesh, Creases::Rounded);
+        SurfaceMeasures measured = measure_surface(surface.mesh, surface.survey, Stars::Examined);
         surface.mesh.areas = std::move(measured.areas);
         const MeshMeasures& measures = measured.mesh;
         step.area = measures.area;

@@ -18,6 +18,9 @@ constexpr double kMeanDistanceBound = 0.1;  // in spacings
 constexpr double kVolumeBound = 0.1;         // Å^-1
 constexpr double kCreasedVolumeBound = 0.3;  // Å^-1
 
+constexpr int kBlockShift = 3;
+static_assert(kBlockEdge == 1 << kBlockShift);
+
 bool is_inside(const LevelSet& level_set, const Vec3& point) {
     const double value = level_set.value(point);
     if (!std::isnan(value)) return value < 0.0;
@@ -26,6 +29,24 @@ bool is_inside(const LevelSet& level_set, const Vec3& point) {
     if (std::isinf(distance)) return false;
     const Vec3 crossing = point + (distance / norm(direction)) * direction;
     return dot(level_set.sample(crossing).gradient, direction) > 0.0;
+}
+
+bool is_inside(const BlockGrid& grid, std::span<const float> values, const Vec3& point) {
+    const Vec3 steps = (1.0 / grid.spacing()) * (point - grid.origin());
+    const auto nearest = [](double x) { return static_cast<std::int32_t>(std::lround(x)); };
+    const auto block_of = [](std::int32_t node) { return node >> kBlockShift; };
+    const std::int32_t x = nearest(steps.x);
+    const std::int32_t y = nearest(steps.y);
+    std::int32_t z = nearest(steps.z);
+    const std::int32_t top = grid.coords().empty() ? block_of(z) - 1 : grid.coords().back().z;
+    for (; block_of(z) <= top; z = (block_of(z) + 1) * kBlockEdge) {
+        const BlockId block = grid.find({.z = block_of(z), .y = block_of(y), .x = block_of(x)});
+        if (block == kNoBlock) continue;
+        constexpr int kLast = kBlockEdge - 1;
+        const int node = node_in_block(x & kLast, y & kLast, z & kLast);
+        return values[std::size_t{block} * kBlockNodes + static_cast<std::size_t>(node)] < 0.0F;
+    }
+    return false;
 }
 
 // Creases between atoms, or between atoms and a probe that is too small to round them at this spacing.
@@ -45,6 +66,12 @@ double volume_error_bound(const SurfaceOptions& options, double area) {
 std::size_t count_wrong(std::span<const DeepPoint> points, const LevelSet& level_set) {
     return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](const DeepPoint& point) {
         return is_inside(level_set, point.position) != point.inside;
+    }));
+}
+
+std::size_t count_wrong(std::span<const DeepPoint> points, const BlockGrid& grid, std::span<const float> values) {
+    return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](const DeepPoint& point) {
+        return is_inside(grid, values, point.position) != point.inside;
     }));
 }
 

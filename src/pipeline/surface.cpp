@@ -252,7 +252,7 @@ private:
 
     void make_mesh(Field field) {
         Mesh zero_set = extract_zero_set(*field.grid, field.values, kSpreadFraction);
-        hold_against_exact_sides(zero_set, field.level_set.get());
+        hold_against_exact_sides(zero_set, field);
         NodeField().swap(field.values);  // the mesh grows into their memory
         const Curvatures curvatures = options_.remesh.adaptive ? Curvatures::FilledIn : Curvatures::LeftOut;
         const SurfaceProjector project =
@@ -269,6 +269,7 @@ private:
                          {.spacing = options_.spacing, .edge = options_.remesh.edge, .pieces = options_.pieces});
         surface_.level_set = std::move(field.level_set);
         surface_.mesh = std::move(meshed.mesh);
+        survey_ = std::move(meshed.survey);
         surface_.distance = meshed.distance;
         if (options_.method != Method::Flow) return;
         surface_.flow.mean_distance = surface_.distance.mean;
@@ -276,13 +277,15 @@ private:
     }
 
     // Of everything that was computed, before pieces are left out.
-    void hold_against_exact_sides(const Mesh& zero_set, const LevelSet* level_set) {
-        const auto wrong = [&](std::span<const DeepPoint> points) {
-            return level_set != nullptr ? count_wrong(points, *level_set) : count_wrong(points, zero_set);
-        };
+    void hold_against_exact_sides(const Mesh& zero_set, const Field& field) {
         if (options_.method == Method::Gaussian) return;
-        sides_.push_back(pieces_check(wrong(yardstick_.points)));
-        if (options_.verify) sides_.push_back(sides_check(wrong(scattered_points(*accessible_, options_))));
+        const std::vector<DeepPoint>& points = yardstick_.points;
+        sides_.push_back(pieces_check(field.level_set ? count_wrong(points, *field.level_set)
+                                                      : count_wrong(points, *field.grid, field.values)));
+        if (!options_.verify) return;
+        const std::vector<DeepPoint> scattered = scattered_points(*accessible_, options_);
+        sides_.push_back(
+            sides_check(field.level_set ? count_wrong(scattered, *field.level_set) : count_wrong(scattered, zero_set)));
     }
 
     void fill_cavities(Mesh& zero_set, const SurfaceProjector& project) {
@@ -298,10 +301,14 @@ private:
     void measure() {
         const std::optional<CorrectedMeasures> on_zero_set =
             options_.remesh.is_on() ? std::optional(corrected_on_zero_set()) : std::nullopt;
-        if (options_.remesh.balanced) balance_triangles(surface_.mesh, options_.remesh.edge, projector());
-        // A level set has rounded them.
-        const Creases creases = surface_.level_set ? Creases::Rounded : Creases::Sharp;
-        SurfaceMeasures measures = measure_surface(surface_.mesh, creases);
+        if (options_.remesh.balanced) {
+            balance_triangles(surface_.mesh, options_.remesh.edge, projector());
+            survey_ = survey_of(surface_.mesh, surface_.level_set.get());
+        }
+        const bool examined = options_.verify || options_.quality || options_.remesh.is_on();
+        SurfaceMeasures measures =
+            measure_surface(surface_.mesh, *survey_, examined ? Stars::Examined : Stars::Trusted);
+        survey_.reset();
         surface_.measures = std::move(measures.mesh);
         surface_.mesh.areas = std::move(measures.areas);
         const CorrectedMeasures corrected = on_zero_set.value_or(measures.corrected);
@@ -342,6 +349,7 @@ private:
     std::unique_ptr<const AccessibleSurface> own_;
     const AccessibleSurface* accessible_ = nullptr;
     Yardstick yardstick_;
+    std::optional<TriangleSurvey> survey_;  // of the mesh, until it has been measured
     std::vector<Check> sides_;
     Surface surface_;
 };

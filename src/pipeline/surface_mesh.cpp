@@ -21,9 +21,11 @@
 #include "geometry/local_features.h"
 #include "geometry/nearest_batch.h"
 #include "grid/spline_block.h"
+#include "measure/surface_measures.h"
 #include "mesh/components.h"
 #include "pipeline/shape_kernels.h"
 #include "pipeline/surface_projector.h"
+#include "remesh/first_look.h"
 #include "remesh/mend_slivers.h"
 
 namespace meniscus {
@@ -130,23 +132,24 @@ public:
             labels[i] = open && batch_.found(i) ? batch_.label(i) : label_of(local_.nearest(points[i]));
     }
 
-    // Moves at most kBatchLanes points of a box and fills in their nearest features where they have come to lie.
-    void project(const Box& box, std::span<Vec3> points, std::span<NearestFeature> features) {
+    // Moves at most kBatchLanes points of a box to where they stay.
+    void project(const Box& box, std::span<const Vec3> points, BatchSteps& steps) {
         local_.gather_from(around_, box.grown(kRoom));
         const bool open = batch_.start(local_, box, kMargin) == NearestBatch::Claim::Open;
-        if (open) batch_.find(points);
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            if (open && batch_.found(i)) {
-                const SurfaceStep step = batch_.step_to_surface(i);
-                features[i] = step.feature;
-                points_[i] = step.point;
-                if (!step.settled) features[i] = walk_to_surface(local_, points_[i], 1);
-            } else {
-                points_[i] = points[i];
-                features[i] = walk_to_surface(local_, points_[i], 0);
-            }
+        if (open) {
+            batch_.find(points);
+            batch_.steps_to_surface(steps);
         }
-        std::copy_n(points_.begin(), points.size(), points.begin());
+        for (std::uint32_t lane = 0; lane < points.size(); ++lane) {
+            if (!open) steps.point[lane] = lane;
+            if (open && steps.lanes.settled[lane] != 0) continue;
+            const std::uint32_t i = steps.point[lane];
+            const bool stepped = open && batch_.found(i);
+            Vec3 place = points[i];
+            if (stepped) place = {steps.lanes.points.x[lane], steps.lanes.points.y[lane], steps.lanes.points.z[lane]};
+            const NearestFeature at = walk_to_surface(local_, place, stepped ? 1 : 0);
+            steps.set(lane, place, at);
+        }
     }
 
 private:
@@ -159,13 +162,12 @@ private:
     LocalFeatures local_;
     NearestBatch batch_;
     Box entered_;
-    std::array<Vec3, kBatchLanes> points_;
 };
 
 constexpr std::size_t kSummed = 1 << 14;  // distances per task
 
 // The element that would stand at a place near the end if the values were sorted. A sample tells below which value it
-// cannot be, and most values are below that.
+// cannot be, and most values are below that, or are that value: of vertices that lie on the exact surface all are 0.
 double value_near_the_end(std::span<const double> values, std::size_t place) {
     constexpr std::size_t kStride = 64;
     const std::size_t beyond = values.size() - place;  // it is so manieth from the end
@@ -179,9 +181,13 @@ double value_near_the_end(std::span<const double> values, std::size_t place) {
     const double least = nth_from_the_end(some, 2 * beyond / kStride + kStride);
     auto high = parallel_list<double>(values.size(), kSummed, [&](std::size_t begin, std::size_t end, auto& list) {
         const auto part = values.subspan(begin, end - begin);
-        std::copy_if(part.begin(), part.end(), std::back_inserter(list), [&](double v) { return v >= least; });
+        std::copy_if(part.begin(), part.end(), std::back_inserter(list), [&](double v) { return v > least; });
     });
-    if (high.size() < beyond) high.assign(values.begin(), values.end());
+    if (high.size() < beyond) {
+        const auto equal = static_cast<std::size_t>(std::count(values.begin(), values.end(), least));
+        if (high.size() + equal >= beyond) return least;
+        high.assign(values.begin(), values.end());
+    }
     return nth_from_the_end(high, beyond);
 }
 
@@ -247,7 +253,7 @@ private:
     struct Lanes {
         std::array<Landing, kBatchLanes> landings;
         std::array<FeatureLabel, kBatchLanes> labels;
-        std::array<NearestFeature, kBatchLanes> features;
+        BatchSteps steps;
         ShapeLanes shapes;
     };
 
@@ -256,7 +262,7 @@ private:
     }
 
     void finish_on_level_set(const VertexRun& run, SplineBlock& spline, ExactProjector& projector, Lanes& lanes) {
-        auto& [landings, labels, features, shapes] = lanes;
+        auto& [landings, labels, steps, shapes] = lanes;
         spline.land(vertices(run), landings);
         shape_kernels().of_landings(landings, run.end - run.begin, shapes);
         for (std::size_t v = run.begin; v < run.end; ++v) {
@@ -270,18 +276,22 @@ private:
     }
 
     void finish_on_exact_surface(const VertexRun& run, ExactProjector& projector, Lanes& lanes) {
-        auto& [landings, labels, features, shapes] = lanes;
-        projector.project(run.box, vertices(run), features);
-        for (std::size_t v = run.begin; v < run.end; ++v) {
-            const std::size_t lane = v - run.begin;
-            const NearestFeature& at = features[lane];
-            const bool toroidal = at.patch == PatchKind::Toroidal;
-            mesh_.normals[v] = at.normal;
-            shapes.mean[lane] = at.mean_curvature;
-            shapes.gaussian[lane] = toroidal ? at.gaussian_curvature : std::numeric_limits<double>::infinity();
-            label(v, label_of(at));
+        auto& [landings, labels, steps, shapes] = lanes;
+        projector.project(run.box, vertices(run), steps);
+        const std::size_t count = run.end - run.begin;
+        shapes.mean = steps.lanes.mean;
+        shapes.gaussian = steps.lanes.gaussian;
+        shape_kernels().cap(1.0 / spacing_, count, shapes);
+        const auto& [points, normals, mean, gaussian, settled] = steps.lanes;
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            const std::size_t v = run.begin + steps.point[lane];
+            mesh_.vertices[v] = {points.x[lane], points.y[lane], points.z[lane]};
+            mesh_.normals[v] = {normals.x[lane], normals.y[lane], normals.z[lane]};
+            mesh_.mean_curvatures[v] = shapes.capped_mean[lane];
+            mesh_.gaussian_curvatures[v] = shapes.capped_gaussian[lane];
+            mesh_.shape_indices[v] = shapes.shape_index[lane];
+            label(v, {steps.signed_distance[lane], steps.atom[lane], steps.patch[lane]});
         }
-        set_curvatures(run, shapes);
     }
 
     // A grid cannot tell more than 1/spacing, and at cusps of the exact surface there is no limit.
@@ -307,13 +317,11 @@ private:
 };
 
 // Mends the bad triangles and fills in what is known of the surface at vertices that moved.
-void mend(const AccessibleSurface& accessible, const LevelSet* level_set, const MeshingOptions& options, Mesh& mesh,
-          std::vector<double>& distances) {
-    const double edge = options.edge > 0.0 ? options.edge : options.spacing;
-    const VertexChanges changes =
-        mend_slivers(mesh, {.edge = edge, .longest_edge = 2.0 * edge, .largest_crumb = kLargestCrumb},
-                     surface_projector(accessible, level_set, options.spacing, Curvatures::LeftOut));
-    if (!changes.any()) return;
+MeshChanges mend(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
+                 const SliverOptions& slivers, FirstLook look, Mesh& mesh, std::vector<double>& distances) {
+    MeshChanges changes = mend_slivers(
+        mesh, slivers, surface_projector(accessible, level_set, spacing, Curvatures::LeftOut), std::move(look));
+    if (!changes.any()) return changes;
     renumber_entries(changes, mesh.atoms);
     renumber_entries(changes, mesh.patches);
     renumber_entries(changes, mesh.mean_curvatures);
@@ -322,10 +330,14 @@ void mend(const AccessibleSurface& accessible, const LevelSet* level_set, const 
     renumber_entries(changes, distances);
     Mesh moved;
     for (const VertexId v : changes.moved) moved.vertices.push_back(mesh.vertices[v]);
-    const std::vector<double> moved_distances = finish_vertices(accessible, level_set, options.spacing, moved);
+    const std::vector<double> moved_distances = finish_vertices(accessible, level_set, spacing, moved);
     replace_vertices(mesh, changes.moved, moved);
     for (std::size_t i = 0; i < changes.moved.size(); ++i) distances[changes.moved[i]] = moved_distances[i];
+    return changes;
 }
+
+// A level set has rounded them.
+Creases creases_of(const LevelSet* level_set) { return level_set != nullptr ? Creases::Rounded : Creases::Sharp; }
 
 }  // namespace
 
@@ -355,14 +367,27 @@ void replace_vertices(Mesh& mesh, std::span<const VertexId> places, const Mesh& 
     }
 }
 
+TriangleSurvey survey_of(const Mesh& mesh, const LevelSet* level_set) {
+    return survey_surface(mesh, creases_of(level_set));
+}
+
 SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, const LevelSet* level_set,
                          const MeshingOptions& options) {
-    SurfaceMesh result{std::move(zero_set), {}};
-    label_and_choose(result.mesh, options.pieces);
-    std::vector<double> distances = finish_vertices(accessible, level_set, options.spacing, result.mesh);
-    mend(accessible, level_set, options, result.mesh, distances);
-    result.distance = summarise(distances);
-    return result;
+    Mesh mesh = std::move(zero_set);
+    label_and_choose(mesh, options.pieces);
+    std::vector<double> distances = finish_vertices(accessible, level_set, options.spacing, mesh);
+    const double edge = options.edge > 0.0 ? options.edge : options.spacing;
+    const SliverOptions slivers{.edge = edge, .longest_edge = 2.0 * edge, .largest_crumb = kLargestCrumb};
+    FirstLook look(mesh, slivers.smallest_angle_deg);
+    TriangleSurvey survey = survey_surface(mesh, creases_of(level_set),
+                                           [&look](std::size_t first, std::span<const Triangle> triangles,
+                                                   const TriangleLanes& lanes) { look.look(first, triangles, lanes); });
+    const MeshChanges changes = mend(accessible, level_set, options.spacing, slivers, std::move(look), mesh, distances);
+    if (changes.dropped_crumbs)
+        survey = survey_of(mesh, level_set);
+    else
+        survey.update(mesh, mesh.components, changes.triangles);
+    return {std::move(mesh), std::move(survey), summarise(distances)};
 }
 
 }  // namespace meniscus

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "measure/triangle_survey.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/level_set.h"
 #include "meniscus/mesh.h"
@@ -16,6 +17,7 @@ namespace meniscus {
 
 struct SurfaceMesh {
     Mesh mesh;
+    TriangleSurvey survey;  ///< of the mesh as it is
     DistanceSummary distance;
 };
 
@@ -30,6 +32,10 @@ struct MeshingOptions {
 /// returns     all vertex arrays but the areas; measure_surface gives those and the pieces their final order
 SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, const LevelSet* level_set,
                          const MeshingOptions& options);
+
+/// The survey that measures of a mesh are made of, for one whose vertices lie on the zero set of a level set, or near
+/// it.
+TriangleSurvey survey_of(const Mesh& mesh, const LevelSet* level_set);
 
 /// Puts the vertices of a mesh, which are within a spacing of the surface and next to their neighbours in the array,
 /// onto it and fills in their normals, atoms, patches and curvatures; triangles are not looked at.

@@ -13,12 +13,12 @@
 #include <optional>
 #include <utility>
 
-#include "core/fetch_corners.h"
 #include "core/local_corners.h"
 #include "core/parallel.h"
 #include "core/parallel_list.h"
 #include "geometry/box_tree.h"
 #include "geometry/triangle_tree.h"
+#include "remesh/first_look.h"
 #include "remesh/patch.h"
 #include "remesh/patch_mender.h"
 #include "remesh/self_intersections.h"
@@ -26,17 +26,12 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kChunk = 256;   // triangles: neighbours, if the mesh comes from blocks
-constexpr std::size_t kStretch = 16;  // of these, nearer to each other still
+constexpr std::size_t kChunk = TriangleBoxes::kChunk;
+constexpr std::size_t kStretch = TriangleBoxes::kStretch;
 
 constexpr std::size_t kRenumbered = 8192;  // triangles per task
 
-// Of two triangles that pass through each other one at least leans over: with one of its corners' normals its own has a
-// smaller cosine than this.
-constexpr double kLeaning = 0.4;
 constexpr std::size_t kLeaningPerTask = 64;
-
-constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding
 
 // In usual lengths of edges: how far from a bad triangle things change, and how far all is known.
 constexpr double kFree = 2.5;
@@ -82,14 +77,14 @@ public:
           options_(options),
           project_(project),
           needed_(tangent_of_degrees(options.needed_angle_deg)),
-          wanted_(tangent_of_degrees(options.smallest_angle_deg)),
-          squared_tangent_(kAboveOne * wanted_ * wanted_) {}
+          wanted_(tangent_of_degrees(options.smallest_angle_deg)) {}
 
-    VertexChanges run() {
-        const Suspects suspects = look_at_all();
+    MeshChanges run(FirstLook::Suspects suspects) {
+        std::erase_if(suspects.bad, [this](std::uint32_t t) { return !is_bad(mesh_.triangles[t]); });
+        boxes_ = std::move(suspects.boxes);
         tangled_ = options_.search_everywhere ? self_intersecting_triangles(mesh_) : tangled_of(suspects.leaning);
         was_tangled_ = !tangled_.empty();
-        VertexChanges nothing;
+        MeshChanges nothing;
         nothing.crumpled = crowded(suspects.bad, options_.most_bad);
         if (nothing.crumpled.empty()) nothing.crumpled = crowded(tangled_, options_.most_tangled);
         if (!nothing.crumpled.empty()) {
@@ -109,43 +104,7 @@ public:
     }
 
 private:
-    // Triangles, in their order.
-    struct Suspects {
-        std::vector<std::uint32_t> bad;
-        std::vector<std::uint32_t> leaning;
-        Suspects& operator+=(const Suspects& more) {
-            bad.insert(bad.end(), more.bad.begin(), more.bad.end());
-            leaning.insert(leaning.end(), more.leaning.begin(), more.leaning.end());
-            return *this;
-        }
-    };
-    struct FirstLook {
-        bool may_be_bad = false;
-        bool leans = false;
-    };
-
     bool is_removed(const Triangle& t) const { return t[0] == t[1]; }
-
-    // Whether a triangle is worth a closer look; also tells its longest side.
-    FirstLook look_at(const Triangle& triangle, double& longest) const {
-        const Vec3& a = mesh_.vertices[triangle[0]];
-        const Vec3& b = mesh_.vertices[triangle[1]];
-        const Vec3& c = mesh_.vertices[triangle[2]];
-        const double ab = squared_norm(b - a);
-        const double bc = squared_norm(c - b);
-        const double ca = squared_norm(a - c);
-        const double shortest = std::min(std::min(ab, bc), ca);
-        const double product = 0.5 * (ab + bc + ca) - shortest;
-        longest = std::max(std::max(std::max(ab, bc), ca), longest);
-        const Vec3 area = cross(b - a, c - a);
-        const double squared_area = squared_norm(area);
-        const double facing = dot(area, mesh_.normals[triangle[0]]);
-        const double least =
-            std::min(std::min(facing, dot(area, mesh_.normals[triangle[1]])), dot(area, mesh_.normals[triangle[2]]));
-        return {.may_be_bad = squared_area < squared_tangent_ * (product * product) ||
-                              shortest < kShortestEdge * kShortestEdge || facing < 0.0,
-                .leans = least < 0.0 || least * least < kLeaning * kLeaning * squared_area};
-    }
 
     // A corner of each of those triangles of which there are more than `most` in a cube.
     std::vector<Vec3> crowded(const std::vector<std::uint32_t>& triangles, std::size_t most) const {
@@ -172,48 +131,10 @@ private:
     }
     SurfacePoint point(VertexId v) const { return {mesh_.vertices[v], mesh_.normals[v], 0.0}; }
 
-    Suspects look_at_all() {
-        struct Chunk {
-            Box box;
-            double longest = 0.0;
-            Suspects suspects;
-        };
-        std::vector<Chunk> chunks((mesh_.triangles.size() + kChunk - 1) / kChunk);
-        first_corners_.resize(chunks.size() * (kChunk / kStretch));
-        parallel_chunks(mesh_.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-            Chunk& chunk = chunks[begin / kChunk];
-            double longest = 0.0;
-            for (std::size_t t = begin; t < end; ++t) {
-                const Triangle& ahead = mesh_.triangles[std::min(t + kFetchAhead, mesh_.triangles.size() - 1)];
-                fetch_corners(mesh_.vertices, ahead);
-                fetch_corners(mesh_.normals, ahead);
-                const auto [may_be_bad, leans] = look_at(mesh_.triangles[t], longest);
-                if (may_be_bad && is_bad(mesh_.triangles[t]))
-                    chunk.suspects.bad.push_back(static_cast<std::uint32_t>(t));
-                if (leans) chunk.suspects.leaning.push_back(static_cast<std::uint32_t>(t));
-            }
-            for (std::size_t first = begin; first < end; first += kStretch) {
-                Box box;  // in a loop of its own, where it stays in registers
-                for (std::size_t t = first; t < std::min(first + kStretch, end); ++t)
-                    box.include(mesh_.vertices[mesh_.triangles[t][0]]);
-                first_corners_[first / kStretch] = box;
-                chunk.box.include(box);
-            }
-            chunk.longest = longest;
-        });
-        Suspects all;
-        for (const Chunk& chunk : chunks) {
-            all += chunk.suspects;
-            longest_.push_back(kAboveOne * std::sqrt(chunk.longest));
-            boxes_.push_back(chunk.box.grown(longest_.back()));
-        }
-        return all;
-    }
-
     // Triangles that pass through each other, one of two at least a leaning one.
     std::vector<std::uint32_t> tangled_of(const std::vector<std::uint32_t>& leaning) const {
         if (leaning.empty()) return {};
-        const BoxTree chunks(boxes_);
+        const BoxTree chunks(boxes_.boxes);
         auto all = parallel_list<std::uint32_t>(
             leaning.size(), kLeaningPerTask, [&](std::size_t begin, std::size_t end, auto& numbers) {
                 for (std::size_t i = begin; i < end; ++i) {
@@ -234,9 +155,9 @@ private:
     void for_each_near(const BoxTree& chunks, const Box& box, const Visit& visit) const {
         chunks.for_each_overlapping(box, [&](std::uint32_t chunk) {
             const std::size_t end = std::min((chunk + 1) * kChunk, mesh_.triangles.size());
-            const Box near = box.grown(longest_[chunk]);
+            const Box near = box.grown(boxes_.longest[chunk]);
             for (std::size_t begin = chunk * kChunk; begin < end; begin += kStretch) {
-                if (!near.overlaps(first_corners_[begin / kStretch])) continue;
+                if (!near.overlaps(boxes_.first_corners[begin / kStretch])) continue;
                 for (std::size_t t = begin; t < std::min(begin + kStretch, end); ++t) {
                     const Triangle& triangle = mesh_.triangles[t];
                     const Vec3& corner = mesh_.vertices[triangle[0]];
@@ -257,7 +178,7 @@ private:
 
     void drop_crumbs() {
         if (left_.empty() || options_.largest_crumb == 0) return;
-        const BoxTree chunks(boxes_);
+        const BoxTree chunks(boxes_.boxes);
         for (const std::uint32_t t : left_) {
             if (is_removed(mesh_.triangles[t]) || !is_bad(mesh_.triangles[t])) continue;
             const std::vector<std::uint32_t> crumb = crumb_around(t, chunks);
@@ -296,7 +217,7 @@ private:
     std::vector<std::uint32_t> round(const std::vector<std::uint32_t>& pending) {
         std::vector<std::uint32_t> waiting;
         const std::vector<Place> places = choose_places(pending, waiting);
-        const BoxTree chunks(boxes_);
+        const BoxTree chunks(boxes_.boxes);
         std::vector<Cutting> cuttings(places.size());
         std::vector<Patch> mended(places.size());
         parallel_for(places.size(), 1, [&](std::size_t i) {
@@ -406,10 +327,11 @@ private:
             const std::uint32_t number = cutting.triangles[t];
             const Triangle triangle{cutting.vertices[a], cutting.vertices[b], cutting.vertices[c]};
             mesh_.triangles[number] = triangle;
+            changed_.push_back(number);
             if (is_removed(triangle))
                 removed_.push_back(number);
             else
-                include(number);
+                boxes_.include(mesh_, number);
         }
         std::vector<bool> in_use(after.points.size());
         for (std::size_t t = 0; t < after.triangles.size(); ++t)
@@ -417,15 +339,6 @@ private:
                 for (const VertexId v : after.triangles[t]) in_use[v] = true;
         for (std::size_t v = 0; v < in_use.size(); ++v)
             if (!in_use[v]) holes_.push_back(cutting.vertices[v]);
-    }
-
-    // Makes the boxes hold a triangle that has changed.
-    void include(std::uint32_t triangle) {
-        const Box box = box_of(mesh_, mesh_.triangles[triangle]);
-        double& longest = longest_[triangle / kChunk];
-        boxes_[triangle / kChunk].include(box);
-        longest = std::max(longest, norm(box.high - box.low));
-        first_corners_[triangle / kStretch].include(mesh_.vertices[mesh_.triangles[triangle][0]]);
     }
 
     void add_new(Cutting& cutting, const Patch& after) {
@@ -439,9 +352,7 @@ private:
         for (std::size_t t = cutting.triangles.size(); t < after.triangles.size(); ++t) {
             cutting.triangles.push_back(static_cast<std::uint32_t>(mesh_.triangles.size()));
             mesh_.triangles.push_back({0, 0, 0});
-            boxes_.resize(mesh_.triangles.size() / kChunk + 1);
-            longest_.resize(boxes_.size());
-            first_corners_.resize(boxes_.size() * (kChunk / kStretch));
+            boxes_.resize(mesh_.triangles.size());
         }
         if (!mesh_.components.empty()) label_new(cutting, after, known);
     }
@@ -465,8 +376,8 @@ private:
     }
 
     // Vertices and triangles from the end take the places of removed ones.
-    VertexChanges close_holes() {
-        VertexChanges changes;
+    MeshChanges close_holes() {
+        MeshChanges changes;
         changes.was_tangled = was_tangled_;
         changes.with_new = mesh_.vertices.size();
         changes.left = changes.with_new - holes_.size();
@@ -475,6 +386,12 @@ private:
             mesh_.triangles[t] = mesh_.triangles.back();
             mesh_.triangles.pop_back();
         }
+        changed_.insert(changed_.end(), removed_.begin(), removed_.end());
+        std::erase_if(changed_, [this](std::uint32_t t) { return t >= mesh_.triangles.size(); });
+        std::sort(changed_.begin(), changed_.end());
+        changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+        changes.triangles = std::move(changed_);
+        changes.dropped_crumbs = dropped_crumbs_;
         if (!holes_.empty()) close_vertex_holes(changes);
         if (dropped_crumbs_) close_gaps(mesh_.components);
         for (VertexId v = 0; v < std::min(moved_.size(), changes.left); ++v)
@@ -482,7 +399,7 @@ private:
         return changes;
     }
 
-    void close_vertex_holes(VertexChanges& changes) {
+    void close_vertex_holes(MeshChanges& changes) {
         std::sort(holes_.begin(), holes_.end());
         auto last = static_cast<VertexId>(mesh_.vertices.size());
         std::vector<VertexId> number(holes_.size());  // new ones, of the vertices from `left` on
@@ -509,24 +426,28 @@ private:
     const SurfaceProjector& project_;
     double needed_;  // tangents
     double wanted_;
-    double squared_tangent_;
-    double reach_ = 1.0;                  // of kFree and kRoom
-    std::vector<std::uint32_t> left_;     // triangles below the needed angle near places that have been mended
-    std::vector<Box> boxes_;              // per chunk of triangles
-    std::vector<double> longest_;         // per chunk: Å, no side is longer
-    std::vector<Box> first_corners_;      // per stretch of triangles: round these
+    double reach_ = 1.0;               // of kFree and kRoom
+    std::vector<std::uint32_t> left_;  // triangles below the needed angle near places that have been mended
+    TriangleBoxes boxes_;
     std::vector<std::uint32_t> tangled_;  // triangles, as they were found, that have not had their turn
     bool was_tangled_ = false;
     bool dropped_crumbs_ = false;
     std::vector<bool> moved_;             // per vertex, if there is anything to mend
     std::vector<VertexId> holes_;         // numbers of removed vertices
     std::vector<std::uint32_t> removed_;  // triangles
+    std::vector<std::uint32_t> changed_;  // triangles that have changed, or vertices of theirs
 };
 
 }  // namespace
 
-VertexChanges mend_slivers(Mesh& mesh, const SliverOptions& options, const SurfaceProjector& project) {
-    return SliverMender(mesh, options, project).run();
+MeshChanges mend_slivers(Mesh& mesh, const SliverOptions& options, const SurfaceProjector& project) {
+    FirstLook look(mesh, options.smallest_angle_deg);
+    look.look_at_all();
+    return mend_slivers(mesh, options, project, std::move(look));
+}
+
+MeshChanges mend_slivers(Mesh& mesh, const SliverOptions& options, const SurfaceProjector& project, FirstLook look) {
+    return SliverMender(mesh, options, project).run(std::move(look).suspects());
 }
 
 }  // namespace meniscus

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "meniscus/mesh.h"
+#include "remesh/first_look.h"
 #include "remesh/remesher.h"
 
 namespace meniscus {
@@ -30,8 +32,8 @@ struct SliverOptions {
     std::vector<bool> held{};  ///< per vertex, or empty: stays, and edges to others of its kind
 };
 
-/// What changed about the vertices of a mesh.
-struct VertexChanges {
+/// What changed about a mesh.
+struct MeshChanges {
     std::size_t with_new = 0;  ///< vertices with those that were added at the end of the list
     /// Where a vertex was removed, and the one from the end of the list that took its number.
     std::vector<std::pair<VertexId, VertexId>> refilled;
@@ -39,13 +41,16 @@ struct VertexChanges {
     bool was_tangled = false;     ///< the mesh passed through itself somewhere, and may do so still
     std::vector<Vec3> crumpled;   ///< where it was crumpled: on each of the triangles that SliverOptions count there
     std::vector<VertexId> moved;  ///< with those that were added; by their new numbers, rising
+    /// Triangles that are others now, or whose vertices moved; rising.
+    std::vector<std::uint32_t> triangles;
+    bool dropped_crumbs = false;  ///< pieces were dropped, and others have new numbers
 
     bool any() const { return left != with_new || !moved.empty(); }
 };
 
 /// Applies the renumbering to an array with one entry per vertex. Entries of added ones are still to be set.
 template <class T>
-void renumber_entries(const VertexChanges& changes, std::vector<T>& entries) {
+void renumber_entries(const MeshChanges& changes, std::vector<T>& entries) {
     if (entries.empty()) return;
     entries.resize(changes.with_new);
     for (const auto& [hole, from] : changes.refilled) entries[hole] = entries[from];
@@ -60,6 +65,11 @@ void renumber_entries(const VertexChanges& changes, std::vector<T>& entries) {
 /// mesh      closed oriented 2-manifold with normals, its vertices on the surface. Positions, normals, components and
 ///           triangles are changed; other vertex arrays are the caller's to renumber
 /// cost      a pass over the triangles, and about a millisecond for every triangle mended
-VertexChanges mend_slivers(Mesh& mesh, const SliverOptions& options, const SurfaceProjector& project);
+MeshChanges mend_slivers(Mesh& mesh, const SliverOptions& options, const SurfaceProjector& project);
+
+/// The same, where somebody has looked at all triangles before.
+///
+/// look   for options.smallest_angle_deg
+MeshChanges mend_slivers(Mesh& mesh, const SliverOptions& options, const SurfaceProjector& project, FirstLook look);
 
 }  // namespace meniscus

@@ -429,7 +429,7 @@ private:
             mesh.normals.push_back(mesh_.points[v].normal);
             slivers.held.push_back(mesh_.holds[v] == Hold::Ridge);
         }
-        VertexChanges changes = mend_slivers(mesh, slivers, project_);
+        MeshChanges changes = mend_slivers(mesh, slivers, project_);
         std::vector<Vec3> crumpled = std::move(changes.crumpled);
         const bool was_tangled = changes.was_tangled;
         want(kWantedWithoutRidges, slivers);

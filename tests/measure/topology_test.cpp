@@ -153,29 +153,41 @@ TEST(Topology, AgreesWithThePlainCheckerOnDamagedMeshes) {
     }
 }
 
-// A third of the triangles' areas, and what came out at the vertices.
-std::vector<float> areas_at_vertices(const Mesh& mesh) {
-    std::vector<float> thirds;
-    for (const auto& [a, b, c] : mesh.triangles) {
-        const Vec3 normal = cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
-        thirds.push_back(static_cast<float>(norm(normal) / 6.0));
+TEST(Balance, HoldsForClosedSurfacesAlone) {
+    EXPECT_TRUE(is_balanced({}));
+    EXPECT_TRUE(is_balanced(testing::tetrahedron().triangles));
+    EXPECT_TRUE(is_balanced(spindle(1000).triangles));
+    Mesh mesh = testing::extracted_sphere({.centre = {0.1, 0.2, 0.3}, .radius = 2.0}, 0.25);
+    EXPECT_TRUE(is_balanced(mesh.triangles));
+    std::reverse(mesh.triangles.begin(), mesh.triangles.end());
+    for (Triangle& t : mesh.triangles) t = {t[1], t[2], t[0]};
+    EXPECT_TRUE(is_balanced(mesh.triangles));
+    std::mt19937 random(5);
+    for (int i = 0; i < 300; ++i) {
+        const auto t = static_cast<std::ptrdiff_t>(random() % mesh.triangles.size());
+        Mesh turned = mesh;
+        std::swap(turned.triangles[static_cast<std::size_t>(t)][0], turned.triangles[static_cast<std::size_t>(t)][1]);
+        EXPECT_FALSE(is_balanced(turned.triangles));
+        Mesh twice = mesh;
+        twice.triangles.push_back(mesh.triangles[static_cast<std::size_t>(t)]);
+        EXPECT_FALSE(is_balanced(twice.triangles));
+        mesh.triangles.erase(mesh.triangles.begin() + t);  // more holes every time
+        EXPECT_FALSE(is_balanced(mesh.triangles));
     }
-    std::vector<float> areas(mesh.vertices.size(), -1.0F);
-    examine_topology(mesh.vertices.size(), mesh.triangles, {thirds, areas});
-    return areas;
 }
 
-TEST(CornerSums, OfATetrahedronAreEqual) {
-    for (const float area : areas_at_vertices(testing::tetrahedron()))
-        EXPECT_FLOAT_EQ(area, static_cast<float>(2.0 * std::sqrt(3.0)));
-}
-
-TEST(CornerSums, OfAreasSumToTheAreaOfTheMesh) {
-    Mesh mesh = testing::projected_sphere({.centre = {1, 2, 3}, .radius = 2.0}, 0.1);  // of several stretches
-    mesh.vertices.push_back({0, 0, 0});                                                // of no triangle
-    const std::vector<float> areas = areas_at_vertices(mesh);
-    EXPECT_EQ(areas.back(), 0.0F);
-    EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0) / testing::area_of(mesh), 1.0, 1e-7);
+TEST(Balance, TellsTheTopologyOfManifolds) {
+    Mesh mesh = testing::extracted_sphere({.centre = {0.1, 0.2, 0.3}, .radius = 2.0}, 0.25);
+    const auto expect_same = [&] {
+        const MeshTopology known = topology_of_manifold(mesh.vertices.size(), mesh.triangles);
+        const MeshTopology examined = examine(mesh);
+        EXPECT_EQ(known.closed, examined.closed);
+        EXPECT_EQ(known.manifold, examined.manifold);
+        EXPECT_EQ(known.edges, examined.edges);
+    };
+    expect_same();
+    mesh.triangles.pop_back();
+    expect_same();
 }
 
 }  // namespace

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <random>
 
 #include "core/instructions.h"
@@ -77,6 +79,74 @@ TEST(TriangleLanes, MeasureThePartsOfEveryTriangle) {
     }
 }
 
+TEST(TriangleLanes, GatherWhatIsAtTheCorners) {
+    const Mesh mesh = projected_sphere({.centre = {1, 2, 3}, .radius = 2.0}, 0.5);
+    const Vec3 origin{0.5, 0.25, -3.0};
+    for (const TriangleKernels& kernels : supported_triangle_kernels())
+        for (const std::size_t count : {0U, 1U, 3U, 4U, 63U, 64U}) {
+            TriangleLanes lanes;
+            const auto triangles = std::span(mesh.triangles).subspan(5, count);
+            kernels.gather(mesh.vertices.data(), triangles, origin, lanes.points);
+            for (std::size_t i = 0; i < count; ++i)
+                for (std::size_t corner = 0; corner < 3; ++corner)
+                    EXPECT_EQ(lanes.points[corner].at(i), mesh.vertices[triangles[i][corner]] - origin);
+        }
+}
+
+TEST(TriangleLanes, KnowSidesAndWhereTheSurfaceLooks) {
+    TriangleLanes lanes = random_triangles();
+    triangle_kernels().measure_with_normals(lanes);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        std::array<Vec3, 3> p;
+        for (std::size_t k = 0; k < 3; ++k) p[k] = lanes.points[k].at(i);
+        const Vec3 normal = cross(p[1] - p[0], p[2] - p[0]);
+        const std::array sides{squared_norm(p[1] - p[0]), squared_norm(p[2] - p[1]), squared_norm(p[0] - p[2])};
+        EXPECT_EQ(lanes.shortest[i], *std::min_element(sides.begin(), sides.end()));
+        EXPECT_EQ(lanes.longest[i], *std::max_element(sides.begin(), sides.end()));
+        const std::array facing{dot(normal, lanes.normals[0].at(i)), dot(normal, lanes.normals[1].at(i)),
+                                dot(normal, lanes.normals[2].at(i))};
+        EXPECT_EQ(lanes.facing[i], facing[0]);
+        EXPECT_EQ(lanes.least_facing[i], *std::min_element(facing.begin(), facing.end()));
+    }
+}
+
+TEST(TriangleLanes, AddUp) {
+    TriangleLanes lanes = random_triangles();
+    triangle_kernels().measure_with_parts(lanes);
+    LaneSums sums;
+    triangle_kernels().add_up(lanes, sums);
+    const auto total = [](const Lanes& values) { return std::accumulate(values.begin(), values.end(), 0.0); };
+    EXPECT_NEAR(sums.two_areas, total(lanes.two_areas), 1e-12);
+    EXPECT_NEAR(sums.six_volumes, total(lanes.six_volumes), 1e-12);
+    EXPECT_NEAR(sums.parts_two_areas, total(lanes.parts_two_areas), 1e-12);
+    EXPECT_NEAR(sums.parts_six_volumes, total(lanes.parts_six_volumes), 1e-12);
+    EXPECT_EQ(sums.smallest.opposite, 0.0);  // of the one that is a point
+    lanes.opposite[7] = 3.0 * lanes.adjacent[7];
+    LaneSums others;
+    triangle_kernels().add_up(lanes, others);
+    double smallest = 3.0;
+    for (std::size_t i = 0; i < kLanes; ++i) smallest = std::min(smallest, lanes.opposite[i] / lanes.adjacent[i]);
+    EXPECT_DOUBLE_EQ(others.smallest.opposite / others.smallest.adjacent, smallest);
+}
+
+TEST(TriangleLanes, MarkWhatIsSuspect) {
+    TriangleLanes lanes = random_triangles();
+    triangle_kernels().measure_with_normals(lanes);
+    const SuspectLimits limits{.squared_tangent = 0.05, .squared_edge = 0.1, .squared_cosine = 0.16};
+    SuspectMarks marks;
+    triangle_kernels().mark(lanes, limits, marks);
+    std::array<std::size_t, 4> of_kind{};
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const bool bad =
+            lanes.opposite[i] < 0.05 * lanes.adjacent[i] || lanes.shortest[i] < 0.1 || lanes.facing[i] < 0.0;
+        const double least = lanes.least_facing[i];
+        const bool leans = least < 0.0 || least * least < 0.16 * lanes.opposite[i];
+        EXPECT_EQ(marks[i], (bad ? kMayBeBad : 0) | (leans ? kLeans : 0)) << i;
+        ++of_kind.at(static_cast<std::size_t>(marks[i]));
+    }
+    for (const std::size_t kind : {0U, 2U, 3U}) EXPECT_GT(of_kind.at(kind), 0U) << kind;
+}
+
 TEST(TriangleLanes, HaveTheSameBitsOnEveryInstructionSet) {
     const std::vector<TriangleKernels> all = supported_triangle_kernels();
     TriangleLanes plain = random_triangles();
@@ -91,6 +161,26 @@ TEST(TriangleLanes, HaveTheSameBitsOnEveryInstructionSet) {
         EXPECT_EQ(lanes.parts_two_areas, plain.parts_two_areas);
         EXPECT_EQ(lanes.parts_six_volumes, plain.parts_six_volumes);
         EXPECT_EQ(lanes.creased, plain.creased);
+        EXPECT_EQ(lanes.shortest, plain.shortest);
+        EXPECT_EQ(lanes.longest, plain.longest);
+        EXPECT_EQ(lanes.facing, plain.facing);
+        EXPECT_EQ(lanes.least_facing, plain.least_facing);
+        LaneSums sums;
+        LaneSums plain_sums;
+        kernels.add_up(lanes, sums);
+        all.front().add_up(plain, plain_sums);
+        EXPECT_EQ(sums.two_areas, plain_sums.two_areas);
+        EXPECT_EQ(sums.six_volumes, plain_sums.six_volumes);
+        EXPECT_EQ(sums.parts_two_areas, plain_sums.parts_two_areas);
+        EXPECT_EQ(sums.parts_six_volumes, plain_sums.parts_six_volumes);
+        EXPECT_EQ(sums.smallest.opposite, plain_sums.smallest.opposite);
+        EXPECT_EQ(sums.smallest.adjacent, plain_sums.smallest.adjacent);
+        const SuspectLimits limits{.squared_tangent = 0.05, .squared_edge = 0.1, .squared_cosine = 0.16};
+        SuspectMarks marks;
+        SuspectMarks plain_marks;
+        kernels.mark(lanes, limits, marks);
+        all.front().mark(plain, limits, plain_marks);
+        EXPECT_EQ(marks, plain_marks);
     }
 }
 

@@ -123,7 +123,7 @@ TEST(Surface, VerticesLieOnTheSesByBruteForce) {
         worst_report = std::abs(mean - surface.distance.mean);
         EXPECT_LT(worst_report, 1e-7) << "the report's distance is the true one";
         EXPECT_LT(mean, method == Method::Direct ? 1e-5 : 0.004);
-        EXPECT_LE(surface.distance.mean, surface.distance.p99);
+        EXPECT_LE(surface.distance.mean, surface.distance.p99 + 1e-12);  // of direct nearly all are 0
         EXPECT_LE(surface.distance.p99, surface.distance.max);
     }
 }

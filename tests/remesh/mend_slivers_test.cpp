@@ -83,7 +83,7 @@ TEST(MendSlivers, LeaveNoneOnASphereThatIsFullOfThem) {
     const double area = area_of(mesh);
     ASSERT_LT(smallest_angle_of(mesh), 2.0);
     ASSERT_LT(shortest_edge_of(mesh), kShortestEdge);
-    const VertexChanges changes = mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
+    const MeshChanges changes = mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
     EXPECT_TRUE(changes.any());
     expect_mended(mesh);
     EXPECT_EQ(euler_characteristic_of(mesh), 2);
@@ -96,6 +96,28 @@ TEST(MendSlivers, WhatNeedsMoreRoomGetsIt) {
     Mesh mesh = projected_sphere(kSphere, kSpacing);
     mend_slivers(mesh, {.edge = kSpacing / 5.0, .longest_edge = 2.0 * kSpacing}, onto(kSphere));
     expect_mended(mesh);
+}
+
+TEST(MendSlivers, TellWhichTrianglesHaveChanged) {
+    Mesh mesh = projected_sphere(kSphere, kSpacing);
+    mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
+    const Triangle& one = mesh.triangles[mesh.triangles.size() / 2];  // becomes a sliver
+    mesh.vertices[one[0]] = kSphere.centre + kSphere.radius * normalised(0.03 * mesh.vertices[one[0]] +
+                                                                         0.97 * mesh.vertices[one[1]] - kSphere.centre);
+    const Mesh before = mesh;
+    const MeshChanges changes = mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
+    EXPECT_TRUE(changes.any());
+    EXPECT_FALSE(changes.dropped_crumbs);
+    EXPECT_TRUE(std::is_sorted(changes.triangles.begin(), changes.triangles.end()));
+    std::size_t same = 0;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (std::binary_search(changes.triangles.begin(), changes.triangles.end(), t)) continue;
+        ++same;
+        ASSERT_LT(t, before.triangles.size());
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_EQ(mesh.vertices[mesh.triangles[t][k]], before.vertices[before.triangles[t][k]]);
+    }
+    EXPECT_GT(same, 100U);
 }
 
 TEST(MendSlivers, LeaveACrumpledMeshAlone) {
@@ -113,7 +135,7 @@ TEST(MendSlivers, LeaveACrumpledMeshAlone) {
     const Mesh before = mesh;
     SliverOptions options{.edge = kSpacing, .longest_edge = 2.0};
     options.most_bad = 3;
-    const VertexChanges left = mend_slivers(mesh, options, onto(kSphere));
+    const MeshChanges left = mend_slivers(mesh, options, onto(kSphere));
     EXPECT_FALSE(left.any());
     EXPECT_GT(left.crumpled.size(), 3U);
     for (const Vec3& place : left.crumpled) EXPECT_LT(norm(place - pole), 2.0);
@@ -136,7 +158,7 @@ TEST(MendSlivers, LeaveAGoodMeshAlone) {
 TEST(MendSlivers, TellWhatBecameOfEveryVertex) {
     Mesh mesh = projected_sphere(kSphere, kSpacing);
     std::vector<Vec3> places = mesh.vertices;
-    const VertexChanges changes = mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
+    const MeshChanges changes = mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
     EXPECT_FALSE(changes.refilled.empty());
     EXPECT_LT(changes.left, places.size());
     renumber_entries(changes, places);
@@ -195,7 +217,7 @@ TEST(MendSlivers, DropCrumbsThatCannotBeMended) {
     Mesh mesh = spheres_and_a_needle();
     expect_closed_manifold(mesh);
     ASSERT_LT(smallest_angle_of(mesh), 5.0);
-    const VertexChanges changes = mend_slivers(mesh, {.edge = 0.5, .largest_crumb = 8}, kNowhereElse);
+    const MeshChanges changes = mend_slivers(mesh, {.edge = 0.5, .largest_crumb = 8}, kNowhereElse);
     EXPECT_EQ(changes.left, 12U);
     expect_closed_manifold(mesh);
     EXPECT_GE(smallest_angle_of(mesh), 5.0);
@@ -210,7 +232,7 @@ TEST(MendSlivers, TellOfACrumbAtTheEnd) {
     mesh.normals.resize(10);
     mesh.components.resize(10);
     mesh.triangles.resize(12);
-    const VertexChanges changes = mend_slivers(mesh, {.edge = 0.5, .largest_crumb = 8}, kNowhereElse);
+    const MeshChanges changes = mend_slivers(mesh, {.edge = 0.5, .largest_crumb = 8}, kNowhereElse);
     EXPECT_TRUE(changes.any());
     EXPECT_EQ(changes.left, 6U);
     EXPECT_TRUE(changes.refilled.empty());
@@ -313,7 +335,7 @@ TEST(MendSlivers, HeldVerticesStay) {
     const std::vector<Vec3> before = mesh.vertices;
     std::vector<bool> held(before.size());
     for (std::size_t v = 0; v < held.size(); ++v) held[v] = before[v].z > kSphere.centre.z;
-    const VertexChanges changes = mend_slivers(mesh, {.edge = kSpacing, .held = held}, onto(kSphere));
+    const MeshChanges changes = mend_slivers(mesh, {.edge = kSpacing, .held = held}, onto(kSphere));
     EXPECT_TRUE(changes.any());
     for (std::size_t v = 0; v < before.size(); ++v) {
         const bool stays = std::find(mesh.vertices.begin(), mesh.vertices.end(), before[v]) != mesh.vertices.end();

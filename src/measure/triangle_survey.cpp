@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/triangle_survey.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/fetch_corners.h"
+#include "core/fresh_memory.h"
+#include "core/parallel.h"
+#include "mesh/components.h"
+
+namespace meniscus {
+namespace {
+
+static_assert(kSurveyChunk % kLanes == 0);
+constexpr std::size_t kChunksPerTask = 32;  // some tens of microseconds
+
+std::size_t chunks_of(std::size_t triangles) { return (triangles + kSurveyChunk - 1) / kSurveyChunk; }
+
+bool is_one_piece(std::span<const std::uint32_t> pieces) {
+    std::uint32_t others = 0;
+    for (const std::uint32_t piece : pieces) others |= piece ^ pieces[0];
+    return others == 0;
+}
+
+// Starts to bring the next triangles' corners into the cache.
+void fetch(const Mesh& mesh, std::size_t begin, std::size_t end, bool with_normals) {
+    for (std::size_t t = begin; t < std::min(end, mesh.triangles.size()); ++t) {
+        fetch_corners(mesh.vertices, mesh.triangles[t]);
+        if (with_normals) fetch_corners(mesh.normals, mesh.triangles[t]);
+    }
+}
+
+}  // namespace
+
+TriangleSurvey::TriangleSurvey(const Mesh& mesh, std::span<const std::uint32_t> of_vertex, Parts parts,
+                               const TriangleLook& look)
+    : parts_(parts == Parts::Creased && !knows_creases(mesh) ? Parts::Smooth : parts),
+      triangles_(mesh.triangles.size()),
+      chunks_(chunks_of(triangles_)) {
+    for (const VertexId first : vertices_of_pieces(of_vertex).first) origins_.push_back(mesh.vertices[first]);
+    if (parts_ != Parts::LeftOut) resize_touched(thirds_, triangles_);
+    parallel_chunks(chunks_.size(), kChunksPerTask, [&](std::size_t begin, std::size_t end) {
+        TriangleLanes lanes;
+        for (std::size_t chunk = begin; chunk < end; ++chunk) survey(chunk, mesh, of_vertex, look, lanes);
+    });
+}
+
+void TriangleSurvey::update(const Mesh& mesh, std::span<const std::uint32_t> of_vertex,
+                            std::span<const std::uint32_t> changed) {
+    std::vector<std::size_t> again;
+    for (const std::uint32_t t : changed)
+        if (again.empty() || again.back() != t / kSurveyChunk) again.push_back(t / kSurveyChunk);
+    const std::size_t kept = std::min(triangles_, mesh.triangles.size()) / kSurveyChunk;
+    if (triangles_ != mesh.triangles.size()) {
+        while (!again.empty() && again.back() >= kept) again.pop_back();
+        for (std::size_t chunk = kept; chunk < chunks_of(mesh.triangles.size()); ++chunk) again.push_back(chunk);
+    }
+    triangles_ = mesh.triangles.size();
+    chunks_.resize(chunks_of(triangles_));
+    if (parts_ != Parts::LeftOut) thirds_.resize(triangles_);
+    parallel_chunks(again.size(), kChunksPerTask, [&](std::size_t begin, std::size_t end) {
+        TriangleLanes lanes;
+        for (std::size_t i = begin; i < end; ++i) survey(again[i], mesh, of_vertex, {}, lanes);
+    });
+}
+
+void TriangleSurvey::survey(std::size_t chunk, const Mesh& mesh, std::span<const std::uint32_t> of_vertex,
+                            const TriangleLook& look, TriangleLanes& lanes) {
+    const std::size_t begin = chunk * kSurveyChunk;
+    const std::size_t end = std::min(begin + kSurveyChunk, mesh.triangles.size());
+    ChunkSums sums;
+    PieceLanes pieces;
+    for (std::size_t first = begin; first < end; first += kLanes) {
+        fetch(mesh, first + kLanes, first + 2 * kLanes, parts_ != Parts::LeftOut);
+        const auto triangles = std::span(mesh.triangles).subspan(first, std::min(kLanes, end - first));
+        for (std::size_t lane = 0; lane < triangles.size(); ++lane) pieces[lane] = of_vertex[triangles[lane][0]];
+        load(mesh, triangles, pieces, lanes);
+        measure(mesh, triangles, pieces, lanes);
+        if (look) look(first, triangles, lanes);
+        for (std::size_t lane = 0; lane < std::min(triangles.size(), thirds_.size()); ++lane)
+            thirds_[first + lane] = static_cast<float>(lanes.two_areas[lane] / 6.0);
+        add(std::span(pieces).first(triangles.size()), lanes, sums);
+    }
+    chunks_[chunk] = std::move(sums);
+}
+
+void TriangleSurvey::load(const Mesh& mesh, std::span<const Triangle> triangles, const PieceLanes& pieces,
+                          TriangleLanes& lanes) const {
+    if (parts_ != Parts::LeftOut) triangle_kernels().gather(mesh.normals.data(), triangles, {}, lanes.normals);
+    if (is_one_piece(std::span(pieces).first(triangles.size()))) {
+        triangle_kernels().gather(mesh.vertices.data(), triangles, origins_[pieces[0]], lanes.points);
+        return;
+    }
+    for (std::size_t lane = 0; lane < triangles.size(); ++lane)
+        lanes.set_points(lane, mesh, triangles[lane], origins_[pieces[lane]]);
+}
+
+void TriangleSurvey::measure(const Mesh& mesh, std::span<const Triangle> triangles, const PieceLanes& pieces,
+                             TriangleLanes& lanes) const {
+    if (parts_ == Parts::LeftOut) return triangle_kernels().measure(lanes);
+    triangle_kernels().measure_with_parts(lanes);
+    if (parts_ == Parts::Creased) measure_over_creases(mesh, triangles, pieces, lanes);
+}
+
+// What crosses a crease is measured by parts that follow it, and is not extrapolated.
+void TriangleSurvey::measure_over_creases(const Mesh& mesh, std::span<const Triangle> triangles,
+                                          const PieceLanes& pieces, TriangleLanes& lanes) const {
+    for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
+        if (!(lanes.creased[lane] > 0.0)) continue;
+        const auto parts = parts_over_crease(mesh, triangles[lane], origins_[pieces[lane]]);
+        if (!parts) continue;
+        lanes.parts_two_areas[lane] = parts_of(lanes.two_areas[lane], parts->two_areas);
+        lanes.parts_six_volumes[lane] = parts_of(lanes.six_volumes[lane], parts->six_volumes);
+    }
+}
+
+TriangleSurvey::RunSums& TriangleSurvey::run_of(std::uint32_t piece, ChunkSums& sums) {
+    if (sums.runs.empty() || sums.runs.back().piece != piece) sums.runs.push_back({.piece = piece});
+    return sums.runs.back();
+}
+
+void TriangleSurvey::add(std::span<const std::uint32_t> pieces, const TriangleLanes& lanes, ChunkSums& sums) {
+    if (pieces.size() == kLanes && is_one_piece(pieces)) {
+        LaneSums all;
+        triangle_kernels().add_up(lanes, all);
+        RunSums& run = run_of(pieces[0], sums);
+        run.triangles += kLanes;
+        run.two_areas += all.two_areas;
+        run.six_volumes += all.six_volumes;
+        sums.parts_two_areas += all.parts_two_areas;
+        sums.parts_six_volumes += all.parts_six_volumes;
+        sums.smallest += all.smallest;
+        return;
+    }
+    for (std::size_t lane = 0; lane < pieces.size(); ++lane) {
+        RunSums& run = run_of(pieces[lane], sums);
+        ++run.triangles;
+        run.two_areas += lanes.two_areas[lane];
+        run.six_volumes += lanes.six_volumes[lane];
+        sums.parts_two_areas += lanes.parts_two_areas[lane];
+        sums.parts_six_volumes += lanes.parts_six_volumes[lane];
+        sums.smallest += {lanes.opposite[lane], lanes.adjacent[lane]};
+    }
+}
+
+MeshMeasures TriangleSurvey::measures(std::span<const std::uint32_t> of_vertex) const {
+    MeshMeasures measures;
+    for (const std::size_t count : vertices_of_pieces(of_vertex).counts)
+        measures.components.emplace_back().vertices = count;
+    SquaredTangent smallest;
+    for (const ChunkSums& chunk : chunks_) {
+        smallest += chunk.smallest;
+        for (const RunSums& run : chunk.runs) {
+            MeshComponent& piece = measures.components[run.piece];
+            piece.triangles += run.triangles;
+            piece.area += run.two_areas / 2.0;
+            piece.volume += run.six_volumes / 6.0;
+        }
+    }
+    for (const MeshComponent& piece : measures.components) {
+        measures.area += piece.area;
+        measures.volume += piece.volume;
+    }
+    const double tangent = std::sqrt(smallest.opposite / smallest.adjacent);
+    if (!chunks_.empty()) measures.smallest_angle_deg = std::atan(tangent) * 180.0 / std::numbers::pi;
+    return measures;
+}
+
+CorrectedMeasures TriangleSurvey::parts() const {
+    double two_areas = 0.0;
+    double six_volumes = 0.0;
+    for (const ChunkSums& chunk : chunks_) {
+        two_areas += chunk.parts_two_areas;
+        six_volumes += chunk.parts_six_volumes;
+    }
+    return {two_areas / 2.0, six_volumes / 6.0};
+}
+
+}  // namespace meniscus

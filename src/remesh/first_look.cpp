@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "remesh/first_look.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/parallel.h"
+#include "geometry/triangle_tree.h"
+#include "remesh/patch.h"
+#include "remesh/remesher.h"
+
+namespace meniscus {
+namespace {
+
+// Of two triangles that pass through each other one at least leans over: with one of its corners' normals its own has a
+// smaller cosine than this.
+constexpr double kLeaning = 0.4;
+
+constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding
+
+constexpr std::size_t kChunk = TriangleBoxes::kChunk;
+constexpr std::size_t kStretch = TriangleBoxes::kStretch;
+static_assert(kChunk % kLanes == 0 && kLanes % kStretch == 0);
+
+std::size_t chunks_of(std::size_t triangles) { return (triangles + kChunk - 1) / kChunk; }
+
+}  // namespace
+
+void TriangleBoxes::resize(std::size_t triangles) {
+    boxes.resize(chunks_of(triangles));
+    longest.resize(boxes.size());
+    first_corners.resize(boxes.size() * (kChunk / kStretch));
+}
+
+void TriangleBoxes::include(const Mesh& mesh, std::uint32_t triangle) {
+    const Box box = box_of(mesh, mesh.triangles[triangle]);
+    double& longest_side = longest[triangle / kChunk];
+    boxes[triangle / kChunk].include(box);
+    longest_side = std::max(longest_side, norm(box.high - box.low));
+    first_corners[triangle / kStretch].include(mesh.vertices[mesh.triangles[triangle][0]]);
+}
+
+FirstLook::FirstLook(const Mesh& mesh, double smallest_angle_deg)
+    : mesh_(mesh), chunks_(chunks_of(mesh.triangles.size())), first_corners_(chunks_.size() * (kChunk / kStretch)) {
+    const double tangent = tangent_of_degrees(smallest_angle_deg);
+    limits_ = {.squared_tangent = kAboveOne * tangent * tangent,
+               .squared_edge = kShortestEdge * kShortestEdge,
+               .squared_cosine = kLeaning * kLeaning};
+}
+
+void FirstLook::look(std::size_t first, std::span<const Triangle> triangles, const TriangleLanes& lanes) {
+    Chunk& chunk = chunks_[first / kChunk];
+    SuspectMarks marks;
+    triangle_kernels().mark(lanes, limits_, marks);
+    double longest = chunk.longest;
+    for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
+        longest = std::max(longest, lanes.longest[lane]);
+        if (marks[lane] == 0) continue;
+        const auto number = static_cast<std::uint32_t>(first + lane);
+        if ((marks[lane] & kMayBeBad) != 0) chunk.bad.push_back(number);
+        if ((marks[lane] & kLeans) != 0) chunk.leaning.push_back(number);
+    }
+    chunk.longest = longest;
+    for (std::size_t lane = 0; lane < triangles.size(); lane += kStretch) {
+        Box box;  // in a loop of its own, where it stays in registers
+        for (const Triangle& triangle : triangles.subspan(lane, std::min(kStretch, triangles.size() - lane)))
+            box.include(mesh_.vertices[triangle[0]]);
+        first_corners_[(first + lane) / kStretch] = box;
+    }
+}
+
+void FirstLook::look_at_all() {
+    constexpr std::size_t kChunksPerTask = 32;
+    parallel_chunks(mesh_.triangles.size(), kChunksPerTask * kChunk, [&](std::size_t begin, std::size_t end) {
+        TriangleLanes lanes;
+        for (std::size_t first = begin; first < end; first += kLanes) {
+            const auto triangles = std::span(mesh_.triangles).subspan(first, std::min(kLanes, end - first));
+            triangle_kernels().gather(mesh_.vertices.data(), triangles, {}, lanes.points);
+            triangle_kernels().gather(mesh_.normals.data(), triangles, {}, lanes.normals);
+            triangle_kernels().measure_with_normals(lanes);
+            look(first, triangles, lanes);
+        }
+    });
+}
+
+FirstLook::Suspects FirstLook::suspects() && {
+    Suspects all;
+    all.boxes.first_corners = std::move(first_corners_);
+    const std::vector<Chunk> chunks = std::move(chunks_);
+    for (std::size_t c = 0; c < chunks.size(); ++c) {
+        const Chunk& chunk = chunks[c];
+        all.bad.insert(all.bad.end(), chunk.bad.begin(), chunk.bad.end());
+        all.leaning.insert(all.leaning.end(), chunk.leaning.begin(), chunk.leaning.end());
+        all.boxes.longest.push_back(kAboveOne * std::sqrt(chunk.longest));
+        Box box;
+        for (std::size_t s = 0; s < kChunk / kStretch; ++s)
+            box.include(all.boxes.first_corners[c * (kChunk / kStretch) + s]);
+        all.boxes.boxes.push_back(box.grown(all.boxes.longest.back()));
+    }
+    return all;
+}
+
+}  // namespace meniscus

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/corner_sums.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "support/mesh_checks.h"
+#include "support/shapes.h"
+
+namespace meniscus::testing {
+namespace {
+
+// A third of the triangles' areas, summed at the vertices.
+std::vector<float> areas_at_vertices(const Mesh& mesh) {
+    std::vector<float> thirds;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const Vec3 normal = cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
+        thirds.push_back(static_cast<float>(norm(normal) / 6.0));
+    }
+    return sums_at_corners(mesh.vertices.size(), mesh.triangles, thirds);
+}
+
+TEST(CornerSums, OfATetrahedronAreEqual) {
+    for (const float area : areas_at_vertices(tetrahedron()))
+        EXPECT_FLOAT_EQ(area, static_cast<float>(2.0 * std::sqrt(3.0)));
+}
+
+TEST(CornerSums, OfAreasSumToTheAreaOfTheMesh) {
+    Mesh mesh = projected_sphere({.centre = {1, 2, 3}, .radius = 2.0}, 0.1);
+    mesh.vertices.push_back({0, 0, 0});  // of no triangle
+    const std::vector<float> areas = areas_at_vertices(mesh);
+    EXPECT_EQ(areas.back(), 0.0F);
+    EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0) / area_of(mesh), 1.0, 1e-7);
+}
+
+}  // namespace
+}  // namespace meniscus::testing
