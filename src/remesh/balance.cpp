@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/parallel.h"
@@ -68,6 +69,29 @@ std::vector<double> offsets(const Mesh& mesh, const std::vector<double>& heights
     return sums;
 }
 
+double longest_edge(const Mesh& mesh) {
+    double squared = 0.0;
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+            squared = std::max(squared, squared_norm(mesh.vertices[t[(k + 1) % 3]] - mesh.vertices[t[k]]));
+    return std::sqrt(squared);
+}
+
+// Where a mesh passes through itself within reach of some places, and some other such places: one triangle of two that
+// meet there has a corner within an edge more, the other within two.
+std::vector<Vec3> crossings_near(Mesh& mesh, std::span<const Vec3> places, double reach) {
+    const Surroundings near{places, reach + 2.0 * longest_edge(mesh)};
+    std::vector<bool> is_near;
+    for (const Vec3& v : mesh.vertices) is_near.push_back(near.contain(v));
+    std::vector<Triangle> some;
+    for (const Triangle& t : mesh.triangles)
+        if (std::ranges::any_of(t, [&](VertexId v) { return is_near[v]; })) some.push_back(t);
+    mesh.triangles.swap(some);
+    std::vector<Vec3> found = places_of_self_intersections(mesh);
+    mesh.triangles.swap(some);
+    return found;
+}
+
 // Where a triangle has got a small angle.
 void add_narrowed(const Mesh& mesh, std::span<const Vec3> before, std::vector<Vec3>& places) {
     const double narrow = std::cos(kSmallAngle * std::numbers::pi / 180.0);
@@ -82,20 +106,28 @@ void add_narrowed(const Mesh& mesh, std::span<const Vec3> before, std::vector<Ve
 
 void balance_triangles(Mesh& mesh, double edge, const SurfaceProjector& project) {
     const std::vector<double> by = offsets(mesh, heights(mesh, edge, project));
-    const std::vector<Vec3> before = mesh.vertices;
-    const std::vector<Vec3> places = places_of_self_intersections(mesh);
-    const Surroundings old{places, edge};
-    for (std::size_t v = 0; v < by.size(); ++v) mesh.vertices[v] += by[v] * mesh.normals[v];
+    std::vector<Vec3> balanced = mesh.vertices;
+    for (std::size_t v = 0; v < by.size(); ++v) balanced[v] += by[v] * mesh.normals[v];
+    const std::vector<Vec3> before = std::exchange(mesh.vertices, std::move(balanced));
+    std::vector<Vec3> found = places_of_self_intersections(mesh);
     std::vector<Vec3> spoiled;
-    for (int i = 1; i <= kTries; ++i) {
-        std::vector<Vec3> found = places_of_self_intersections(mesh);
-        std::erase_if(found, [&](const Vec3& place) { return old.contain(place); });
+    for (int i = 1;; ++i) {
+        if (!found.empty()) {  // not those that were there before
+            std::vector<Vec3> moved = std::exchange(mesh.vertices, before);
+            const std::vector<Vec3> places = crossings_near(mesh, found, edge);
+            mesh.vertices = std::move(moved);
+            const Surroundings old{places, edge};
+            std::erase_if(found, [&](const Vec3& place) { return old.contain(place); });
+        }
         add_narrowed(mesh, before, found);
         if (found.empty()) return;
+        if (i > kTries) break;
         spoiled.insert(spoiled.end(), found.begin(), found.end());
-        const Surroundings near{spoiled, i * kReach * edge};
+        const double reach = i * kReach * edge;
+        const Surroundings near{spoiled, reach};
         for (std::size_t v = 0; v < by.size(); ++v)
             if (near.contain(before[v])) mesh.vertices[v] = before[v];
+        found = crossings_near(mesh, spoiled, reach);
     }
     mesh.vertices = before;
 }
