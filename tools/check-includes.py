@@ -29,9 +29,9 @@ ROOMS = {
     "page": ("colours", "render", "io"),
     "pipeline": ("geometry", "grid", "band", "flow", "mesh", "remesh", "measure"),
 }
-# What clients may use beside the public headers: how to write a file of their own whole or not at all, and how foreign
-# words stand in messages.
-FOR_CLIENTS = ("src/io/atomic_file.h", "src/reading/text.h")
+# What clients may use beside the public headers: how to write a file of their own whole or not at all, how foreign
+# words stand in messages, and how to load a library.
+FOR_CLIENTS = ("src/io/atomic_file.h", "src/reading/text.h", "src/core/loaded_library.h")
 # Public headers that numerical rooms must not see, and words that only some folders may include.
 FILE_HEADERS = ("include/meniscus/structure.h", "include/meniscus/write.h", "include/meniscus/level_set_file.h",
                 "include/meniscus/volume.h", "include/meniscus/read_mesh.h")

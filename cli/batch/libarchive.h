@@ -45,7 +45,7 @@ struct Libarchive {
     decltype(&::archive_entry_set_mtime) entry_set_mtime;
 };
 
-/// throws   InputError where the library is not installed
+/// throws   InputError where the library is not installed, and as LoadedLibrary
 const Libarchive& libarchive();
 
 }  // namespace meniscus::cli::batch

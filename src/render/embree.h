@@ -26,7 +26,7 @@ struct Embree {
     decltype(&::rtcIntersect1) intersect_1;
 };
 
-/// throws   std::runtime_error where the library is not installed, std::bad_alloc where there is no memory for it
+/// throws   std::runtime_error where the library is not installed, and as LoadedLibrary
 const Embree& embree();
 
 }  // namespace meniscus

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Libraries that are loaded when they are first needed, not with the program, and for good.
+#pragma once
+
+#include <optional>
+
+namespace meniscus {
+
+class LoadedLibrary {
+public:
+    /// name     of a file, or one for the loader to look for
+    /// returns  nothing where it, or a library that it needs, is not there
+    /// throws   std::bad_alloc without the memory for it; std::runtime_error with the loader's words for any other
+    /// reason
+    static std::optional<LoadedLibrary> load(const char* name);
+
+    /// throws   std::runtime_error where the library has no such function
+    template <class Function>
+    Function* function(const char* name) const {
+        return reinterpret_cast<Function*>(symbol(name));
+    }
+
+private:
+    explicit LoadedLibrary(void* handle) : handle_(handle) {}
+    void* symbol(const char* name) const;
+
+    void* handle_;
+};
+
+}  // namespace meniscus
