@@ -47,6 +47,14 @@ struct BlockCoordHash {
 /// Number of a node within its block.
 constexpr int node_in_block(int x, int y, int z) { return x + kBlockEdge * (y + kBlockEdge * z); }
 
+/// Along one axis: the block that holds a node, counted from that of block 0, and where in the block it is.
+constexpr std::int32_t block_of_node(std::int64_t node) {
+    constexpr int kShift = 3;
+    static_assert(kBlockEdge == 1 << kShift);
+    return static_cast<std::int32_t>(node >> kShift);
+}
+constexpr int place_in_block(std::int64_t node) { return static_cast<int>(node & (kBlockEdge - 1)); }
+
 /// Number of a neighbour in BlockGrid::neighbours; dx, dy, dz in {-1, 0, 1}.
 constexpr int neighbour_slot(int dx, int dy, int dz) { return (dx + 1) + 3 * (dy + 1) + 9 * (dz + 1); }
 

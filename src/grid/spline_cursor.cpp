@@ -63,10 +63,10 @@ BlockId SplineCursor::find_block(const BlockCoord& at) {
 }
 
 bool SplineCursor::load(const std::array<std::int64_t, 3>& node) {
-    const auto block = [&](std::size_t axis) { return static_cast<std::int32_t>(node[axis] >> 3); };
-    const auto within = [&](std::size_t axis) { return static_cast<int>(node[axis] & (kBlockEdge - 1)); };
-    const BlockId found = find_block({.z = block(2), .y = block(1), .x = block(0)});
-    return found != kNoBlock && copy_coefficients(found, {within(0), within(1), within(2)});
+    const BlockId found =
+        find_block({.z = block_of_node(node[2]), .y = block_of_node(node[1]), .x = block_of_node(node[0])});
+    return found != kNoBlock &&
+           copy_coefficients(found, {place_in_block(node[0]), place_in_block(node[1]), place_in_block(node[2])});
 }
 
 bool SplineCursor::copy_coefficients(BlockId block, const std::array<int, 3>& node) {

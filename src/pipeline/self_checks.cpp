@@ -18,9 +18,6 @@ constexpr double kMeanDistanceBound = 0.1;  // in spacings
 constexpr double kVolumeBound = 0.1;         // Å^-1
 constexpr double kCreasedVolumeBound = 0.3;  // Å^-1
 
-constexpr int kBlockShift = 3;
-static_assert(kBlockEdge == 1 << kBlockShift);
-
 bool is_inside(const LevelSet& level_set, const Vec3& point) {
     const double value = level_set.value(point);
     if (!std::isnan(value)) return value < 0.0;
@@ -32,19 +29,18 @@ bool is_inside(const LevelSet& level_set, const Vec3& point) {
 }
 
 bool is_inside(const BlockGrid& grid, std::span<const float> values, const Vec3& point) {
+    if (grid.coords().empty()) return false;
     const Vec3 steps = (1.0 / grid.spacing()) * (point - grid.origin());
-    const auto nearest = [](double x) { return static_cast<std::int32_t>(std::lround(x)); };
-    const auto block_of = [](std::int32_t node) { return node >> kBlockShift; };
-    const std::int32_t x = nearest(steps.x);
-    const std::int32_t y = nearest(steps.y);
-    std::int32_t z = nearest(steps.z);
-    const std::int32_t top = grid.coords().empty() ? block_of(z) - 1 : grid.coords().back().z;
-    for (; block_of(z) <= top; z = (block_of(z) + 1) * kBlockEdge) {
-        const BlockId block = grid.find({.z = block_of(z), .y = block_of(y), .x = block_of(x)});
-        if (block == kNoBlock) continue;
-        constexpr int kLast = kBlockEdge - 1;
-        const int node = node_in_block(x & kLast, y & kLast, z & kLast);
-        return values[std::size_t{block} * kBlockNodes + static_cast<std::size_t>(node)] < 0.0F;
+    const std::int64_t x = std::llround(steps.x);
+    const std::int64_t y = std::llround(steps.y);
+    std::int64_t z = std::llround(steps.z);
+    BlockCoord at{.z = block_of_node(z), .y = block_of_node(y), .x = block_of_node(x)};
+    for (const std::int32_t top = grid.coords().back().z; at.z <= top; ++at.z) {
+        if (const BlockId block = grid.find(at); block != kNoBlock) {
+            const int node = node_in_block(place_in_block(x), place_in_block(y), place_in_block(z));
+            return values[std::size_t{block} * kBlockNodes + static_cast<std::size_t>(node)] < 0.0F;
+        }
+        z = 0;  // of a block above the first
     }
     return false;
 }
