@@ -3,15 +3,11 @@
 // The corners of triangles, asked for before they are needed: where they lie no processor foresees.
 #pragma once
 
-#include <cstddef>
 #include <span>
 
 #include "meniscus/mesh.h"
 
 namespace meniscus {
-
-/// So many triangles ahead, where one takes some nanoseconds.
-inline constexpr std::size_t kFetchAhead = 24;
 
 /// Starts to bring the values of a triangle's corners into the cache.
 inline void fetch_corners(std::span<const Vec3> of_vertex, const Triangle& triangle) {

@@ -143,13 +143,11 @@ Sums estimated_sums(const Mesh& mesh, std::size_t begin, std::size_t end) {
     TriangleLanes lanes;
     Sums sums;
     for (std::size_t first = begin; first < end; first += kLanes) {
-        const std::size_t count = std::min(kLanes, end - first);
-        for (std::size_t lane = 0; lane < count; ++lane) {
-            lanes.set_points(lane, mesh, mesh.triangles[first + lane], origin);
-            lanes.set_normals(lane, mesh, mesh.triangles[first + lane]);
-        }
+        const auto triangles = std::span(mesh.triangles).subspan(first, std::min(kLanes, end - first));
+        triangle_kernels().gather(mesh.vertices.data(), triangles, origin, lanes.points);
+        triangle_kernels().gather(mesh.normals.data(), triangles, {}, lanes.normals);
         triangle_kernels().measure_with_parts(lanes);
-        for (std::size_t lane = 0; lane < count; ++lane)
+        for (std::size_t lane = 0; lane < triangles.size(); ++lane)
             sums += Sums{{lanes.two_areas[lane], lanes.six_volumes[lane]},
                          {lanes.parts_two_areas[lane], lanes.parts_six_volumes[lane]}};
     }

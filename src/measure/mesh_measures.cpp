@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -60,11 +61,15 @@ MeshMeasures measure_mesh(const Mesh& mesh) {
 }
 
 TriangleSurvey survey_surface(const Mesh& mesh, Creases creases, const TriangleLook& look) {
+    check(mesh);
+    if (mesh.normals.size() != mesh.vertices.size() || mesh.components.size() != mesh.vertices.size())
+        throw UsageError("measures of a surface need one normal and one component number per vertex");
     using Parts = TriangleSurvey::Parts;
     return {mesh, mesh.components, creases == Creases::Sharp ? Parts::Creased : Parts::Smooth, look};
 }
 
 SurfaceMeasures measure_surface(Mesh& mesh, const TriangleSurvey& survey, Stars stars) {
+    check(mesh);
     SurfaceMeasures measures{.mesh = survey.measures(mesh.components), .corrected = {}, .areas = {}};
     measures.corrected = extrapolate({measures.mesh.area, measures.mesh.volume}, survey.parts());
     renumber(measures.mesh.components, mesh.components);
@@ -72,13 +77,6 @@ SurfaceMeasures measure_surface(Mesh& mesh, const TriangleSurvey& survey, Stars 
     parallel_both([&] { measures.areas = sums_at_corners(mesh.vertices.size(), mesh.triangles, survey.thirds()); },
                   [&] { add_topology(mesh, topology(mesh.vertices.size(), mesh.triangles), measures.mesh); });
     return measures;
-}
-
-SurfaceMeasures measure_surface(Mesh& mesh, Creases creases) {
-    check(mesh);
-    if (mesh.normals.size() != mesh.vertices.size() || mesh.components.size() != mesh.vertices.size())
-        throw UsageError("measures of a surface need one normal and one component number per vertex");
-    return measure_surface(mesh, survey_surface(mesh, creases), Stars::Examined);
 }
 
 double flat_area(const Mesh& mesh) {
@@ -90,6 +88,14 @@ double flat_area(const Mesh& mesh) {
         }
         return sum;
     });
+}
+
+double longest_edge_of(const Mesh& mesh) {
+    double squared = 0.0;
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+            squared = std::max(squared, squared_norm(mesh.vertices[t[(k + 1) % 3]] - mesh.vertices[t[k]]));
+    return std::sqrt(squared);
 }
 
 }  // namespace meniscus

@@ -31,20 +31,21 @@ struct SurfaceMeasures {
 };
 
 /// The pass over the triangles of a surface with normals and components, for measure_surface.
+///
+/// throws   UsageError for a mesh without normals or components, and as measure_mesh
 TriangleSurvey survey_surface(const Mesh& mesh, Creases creases, const TriangleLook& look = {});
 
 /// Numbers the pieces in mesh.components anew, in the final order of what they measure (mesh/components.h).
 ///
 /// survey   of the mesh as it is, with parts
+/// throws   as measure_mesh
 /// cost     O(n) for n triangles, beside examine_topology
 SurfaceMeasures measure_surface(Mesh& mesh, const TriangleSurvey& survey, Stars stars);
 
-/// The same with a survey of its own, of any mesh.
-///
-/// throws   UsageError for a mesh without normals or components, and as measure_mesh
-SurfaceMeasures measure_surface(Mesh& mesh, Creases creases);
-
 /// Sum of the areas of the triangles, Å²: positions and triangles are all that is needed.
 double flat_area(const Mesh& mesh);
+
+/// Length of the longest edge, Å; 0 of a mesh without triangles.
+double longest_edge_of(const Mesh& mesh);
 
 }  // namespace meniscus

@@ -37,19 +37,11 @@ struct TriangleLanes {
     Lanes parts_six_volumes{};
     /// Positive where the surface turns so fast along a side that it may have a crease there (measure/creases.h).
     Lanes creased{};
-
-    void set_points(std::size_t lane, const Mesh& mesh, const Triangle& triangle, const Vec3& origin) {
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            points[corner].set(lane, mesh.vertices[triangle[corner]] - origin);
-    }
-    void set_normals(std::size_t lane, const Mesh& mesh, const Triangle& triangle) {
-        for (std::size_t corner = 0; corner < 3; ++corner) normals[corner].set(lane, mesh.normals[triangle[corner]]);
-    }
 };
 
 /// Square of the tangent of an angle below 90 degrees, as a fraction: compared without dividing.
 struct SquaredTangent {
-    double opposite = 3.0;  // of 60 degrees: no triangle has a larger smallest corner
+    double opposite = 3.0;  ///< of 60 degrees: no triangle has a larger smallest corner
     double adjacent = 1.0;
 
     bool operator<(const SquaredTangent& b) const { return opposite * b.adjacent < b.opposite * adjacent; }
@@ -57,7 +49,7 @@ struct SquaredTangent {
     SquaredTangent& operator+=(const SquaredTangent& b) { return *this = b < *this ? b : *this; }
 };
 
-/// What triangles measure together.
+/// What triangles measure together: Å² and Å³, as in TriangleLanes.
 struct LaneSums {
     double two_areas = 0.0;
     double six_volumes = 0.0;
@@ -69,7 +61,7 @@ struct LaneSums {
 /// What makes a triangle suspect.
 struct SuspectLimits {
     double squared_tangent = 0.0;  ///< of the smallest angle that is good enough
-    double squared_edge = 0.0;     ///< of the shortest side that is
+    double squared_edge = 0.0;     ///< of the shortest side that is, Å²
     double squared_cosine = 0.0;   ///< of the angle with a corner's normal from which on a triangle leans
 };
 inline constexpr std::int64_t kMayBeBad = 1;  ///< too small an angle or side, or the surface looks the other way

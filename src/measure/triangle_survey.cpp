@@ -95,7 +95,8 @@ void TriangleSurvey::load(const Mesh& mesh, std::span<const Triangle> triangles,
         return;
     }
     for (std::size_t lane = 0; lane < triangles.size(); ++lane)
-        lanes.set_points(lane, mesh, triangles[lane], origins_[pieces[lane]]);
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            lanes.points[corner].set(lane, mesh.vertices[triangles[lane][corner]] - origins_[pieces[lane]]);
 }
 
 void TriangleSurvey::measure(const Mesh& mesh, std::span<const Triangle> triangles, const PieceLanes& pieces,

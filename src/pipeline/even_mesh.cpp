@@ -36,14 +36,6 @@ constexpr double kWantedMedian = 45.0;  // of the smallest angles, degrees
 constexpr double kWantedAngle = 20.0;
 constexpr double kWantedArea = 0.003;  // relative
 
-double longest_edge_of(const Mesh& mesh) {
-    double squared = 0.0;
-    for (const Triangle& t : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k)
-            squared = std::max(squared, squared_norm(mesh.vertices[t[(k + 1) % 3]] - mesh.vertices[t[k]]));
-    return std::sqrt(squared);
-}
-
 void project_vertices(const SurfaceProjector& project, std::span<Vec3> places, std::span<Vec3> normals) {
     std::vector<SurfacePoint> points(places.size());
     for (std::size_t i = 0; i < points.size(); ++i) points[i].position = places[i];

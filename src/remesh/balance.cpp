@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "measure/surface_measures.h"
 #include "remesh/self_intersections.h"
 #include "remesh/working_mesh.h"
 
@@ -69,18 +70,10 @@ std::vector<double> offsets(const Mesh& mesh, const std::vector<double>& heights
     return sums;
 }
 
-double longest_edge(const Mesh& mesh) {
-    double squared = 0.0;
-    for (const Triangle& t : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k)
-            squared = std::max(squared, squared_norm(mesh.vertices[t[(k + 1) % 3]] - mesh.vertices[t[k]]));
-    return std::sqrt(squared);
-}
-
 // Where a mesh passes through itself within reach of some places, and some other such places: one triangle of two that
 // meet there has a corner within an edge more, the other within two.
 std::vector<Vec3> crossings_near(Mesh& mesh, std::span<const Vec3> places, double reach) {
-    const Surroundings near{places, reach + 2.0 * longest_edge(mesh)};
+    const Surroundings near{places, reach + 2.0 * longest_edge_of(mesh)};
     std::vector<bool> is_near;
     for (const Vec3& v : mesh.vertices) is_near.push_back(near.contain(v));
     std::vector<Triangle> some;

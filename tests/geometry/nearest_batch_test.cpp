@@ -141,14 +141,20 @@ TEST(NearestBatch, TakesAnyNumberOfPoints) {
         expect_cube(surface, batch, local, points_in_cube({0.2, 0.3, 0.1}, 0.5, count), 1.0);
 }
 
-// Of settled steps from points near the surface; how many there were is added to.
-void expect_steps_to_lead_to_the_surface(const AccessibleSurface& surface, NearestBatch& batch, LocalFeatures& local,
-                                         const std::vector<Vec3>& points, std::size_t& settled) {
+// Whether there is something to find among points next to each other, which then is found.
+bool finds(NearestBatch& batch, LocalFeatures& local, const std::vector<Vec3>& points) {
     Box box;
     for (const Vec3& p : points) box.include(p);
     local.gather(box);
-    if (batch.start(local, box, local.margin()) != Claim::Open) return;
+    if (batch.start(local, box, local.margin()) != Claim::Open) return false;
     batch.find(points);
+    return true;
+}
+
+// Of settled steps from points near the surface; how many there were is added to.
+void expect_steps_to_lead_to_the_surface(const AccessibleSurface& surface, NearestBatch& batch, LocalFeatures& local,
+                                         const std::vector<Vec3>& points, std::size_t& settled) {
+    if (!finds(batch, local, points)) return;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!batch.found(i)) continue;
         const SurfaceStep step = batch.step_to_surface(i);
@@ -218,12 +224,7 @@ TEST(NearestBatch, StepsOfAllPointsAreThoseOfEach) {
             std::size_t settled = 0;
             for (const Vec3& corner : random_points_around(a.atoms, 60, 2.0)) {
                 const std::vector<Vec3> points = points_in_cube(corner, 0.4, 61);
-                Box box;
-                for (const Vec3& p : points) box.include(p);
-                local.gather(box);
-                if (batch.start(local, box, local.margin()) != Claim::Open) continue;
-                batch.find(points);
-                expect_the_same_steps(batch, points, settled);
+                if (finds(batch, local, points)) expect_the_same_steps(batch, points, settled);
             }
             EXPECT_GT(settled, 50U);
         }
@@ -237,11 +238,7 @@ TEST(NearestBatch, TheNearestAtomOfAStepIsThatOfEachStep) {
     std::size_t settled = 0;
     for (const Vec3& corner : random_points_around(atoms, 60, 2.0)) {
         const std::vector<Vec3> points = points_in_cube(corner, 0.4, 64);
-        Box box;
-        for (const Vec3& p : points) box.include(p);
-        local.gather(box);
-        if (batch.start(local, box, local.margin()) != Claim::Open) continue;
-        batch.find(points);
+        if (!finds(batch, local, points)) continue;
         BatchSteps steps;
         batch.steps_to_surface(steps);
         for (std::size_t lane = 0; lane < points.size(); ++lane) {

@@ -138,10 +138,14 @@ Mesh two_spheres() {
     return mesh;
 }
 
+SurfaceMeasures measured(Mesh& mesh, Creases creases) {
+    return measure_surface(mesh, survey_surface(mesh, creases), Stars::Examined);
+}
+
 TEST(MeasureSurface, IsWhatTheSeparateMeasuresAre) {
     Mesh mesh = two_spheres();
     label_components(mesh);
-    const SurfaceMeasures surface = measure_surface(mesh, Creases::Sharp);
+    const SurfaceMeasures surface = measured(mesh, Creases::Sharp);
     const MeshMeasures plain = measure_mesh(mesh);
     EXPECT_EQ(surface.mesh.area, plain.area);
     EXPECT_EQ(surface.mesh.volume, plain.volume);
@@ -176,21 +180,21 @@ TEST(MeasureSurface, CorrectedMeasuresFollowCreasesWhereCurvaturesTellThem) {
     const double volume = 2.0 * std::numbers::pi * (3.0 - 1.0 / 3.0);
     for (const double spacing : {0.4, 0.2, 0.1}) {
         Mesh mesh = lens(spacing);
-        const CorrectedMeasures rounded = measure_surface(mesh, Creases::Sharp).corrected;  // nothing tells them
+        const CorrectedMeasures rounded = measured(mesh, Creases::Sharp).corrected;  // nothing tells them
         EXPECT_LT(rounded.area / area, 1.0 - 0.015 * spacing);
         mesh.mean_curvatures.assign(mesh.vertices.size(), 1.0F / 3.0F);
         mesh.gaussian_curvatures.assign(mesh.vertices.size(), 1.0F / 9.0F);
-        const CorrectedMeasures sharp = measure_surface(mesh, Creases::Sharp).corrected;
+        const CorrectedMeasures sharp = measured(mesh, Creases::Sharp).corrected;
         EXPECT_NEAR(sharp.area / area, 1.0, 0.07 * spacing * spacing);
         EXPECT_NEAR(sharp.volume / volume, 1.0, 0.07 * spacing * spacing);
-        EXPECT_EQ(measure_surface(mesh, Creases::Rounded).corrected.area, rounded.area);
+        EXPECT_EQ(measured(mesh, Creases::Rounded).corrected.area, rounded.area);
     }
 }
 
 TEST(MeasureSurface, PiecesAreThoseOfMeasureComponents) {
     Mesh mesh = two_spheres();
     const std::vector<MeshComponent> expected = label_components(mesh);
-    const std::vector<MeshComponent> pieces = measure_surface(mesh, Creases::Sharp).mesh.components;
+    const std::vector<MeshComponent> pieces = measured(mesh, Creases::Sharp).mesh.components;
     ASSERT_EQ(pieces.size(), expected.size());
     for (std::size_t p = 0; p < pieces.size(); ++p) {
         EXPECT_EQ(pieces[p].vertices, expected[p].vertices);
@@ -205,7 +209,7 @@ TEST(MeasureSurface, SameBitsForAnyNumberOfThreads) {
     label_components(mesh);
     const auto with_threads = [&](int threads) {
         const ThreadLimit limit(threads);
-        return measure_surface(mesh, Creases::Sharp);
+        return measured(mesh, Creases::Sharp);
     };
     const SurfaceMeasures one = with_threads(1);
     const SurfaceMeasures four = with_threads(4);
@@ -215,13 +219,18 @@ TEST(MeasureSurface, SameBitsForAnyNumberOfThreads) {
     EXPECT_EQ(one.areas, four.areas);
 }
 
-TEST(MeasureSurface, NeedsNormalsAndComponents) {
+TEST(MeasureSurface, NeedsNormalsComponentsAndCornersThatExist) {
     Mesh mesh = tetrahedron();
     label_components(mesh);
-    EXPECT_THROW(measure_surface(mesh, Creases::Sharp), UsageError);
+    EXPECT_THROW(survey_surface(mesh, Creases::Sharp), UsageError);
     mesh.normals = mesh.vertices;
     mesh.components.clear();
-    EXPECT_THROW(measure_surface(mesh, Creases::Sharp), UsageError);
+    EXPECT_THROW(survey_surface(mesh, Creases::Sharp), UsageError);
+    label_components(mesh);
+    const TriangleSurvey survey = survey_surface(mesh, Creases::Sharp);
+    mesh.triangles[2][1] = 4;
+    EXPECT_THROW(survey_surface(mesh, Creases::Sharp), UsageError);
+    EXPECT_THROW(measure_surface(mesh, survey, Stars::Trusted), UsageError);
 }
 
 }  // namespace
