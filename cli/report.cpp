@@ -76,7 +76,7 @@ ordered_json surface_options_block(const SurfaceRequest& request, const Structur
                        {"edge", if_used(o.remesh.is_on(), o.remesh.edge)},
                        {"adaptive", if_used(o.remesh.is_on(), o.remesh.adaptive)},
                        {"keep_ridges", if_used(o.remesh.is_on(), o.remesh.keep_ridges)},
-                       {"balanced", if_used(o.remesh.is_on(), o.remesh.balanced)},
+                       {"corners", if_used(o.remesh.is_on(), word_for(kCornersWords, o.remesh.corners))},
                        {"simplify_topology", if_used(o.remesh.is_on(), o.remesh.simplify_topology)},
                        {"density", if_used(o.method != Method::Direct, o.density)},
                        {"time_step", if_used(flow, time_step_json(o.flow.time_step))},

@@ -58,10 +58,11 @@ void add_remesh_options(CLI::App& command, SurfaceRequest& request) {
         ->excludes(by_edge);
     command.add_flag("--adaptive", remesh.adaptive, "With --edge: shorter where the surface bends");
     command.add_flag("--keep-ridges", remesh.keep_ridges, "With --edge: edges run along the creases");
-    command.add_flag(
-        "--balanced", remesh.balanced,
-        rarely("With --edge: vertices off the surface, so that the triangles lie on both sides of it, half as "
-               "far away"));
+    add_choice(
+        command, "--corners", remesh.corners, kCornersWords,
+        rarely("With --edge, where vertices lie. near: as near to the surface as keeps the triangles within 0.03 "
+               "L² of it in the mean; on-surface: on it; balanced: so that the triangles lie on both sides of it, "
+               "half as far away as by on-surface"));
     command.add_flag("--simplify-topology", remesh.simplify_topology,
                      rarely("With --edge: cut handles, close tunnels and drop pieces narrower than an edge"));
 }
@@ -100,11 +101,12 @@ void complete(SurfaceRequest& request) {
     if (recorded && request.surface.method != Method::Flow)
         throw UsageError("--history and --snapshots show the steps of a flow; use --method flow");
     const RemeshOptions& remesh = request.surface.remesh;
-    const bool is_shaped = remesh.adaptive || remesh.keep_ridges || remesh.balanced || remesh.simplify_topology;
+    const bool is_shaped =
+        remesh.adaptive || remesh.keep_ridges || remesh.corners != Corners::Near || remesh.simplify_topology;
     if (is_shaped && !remesh.is_on())
         throw UsageError(
-            "--adaptive, --keep-ridges, --balanced and --simplify-topology shape even triangles; ask for them with "
-            "--edge");
+            "--adaptive, --keep-ridges, --corners and --simplify-topology shape even triangles; ask for "
+            "them with --edge");
     check_picture(request.picture);
     check_values(request.values, request.picture.colours);
     if (request.surface.method == Method::Gaussian && request.surface.surface != SurfaceKind::Ses)

@@ -13,6 +13,7 @@
 #include "meniscus/errors.h"
 #include "meniscus/field.h"
 #include "meniscus/flow.h"
+#include "meniscus/remesh.h"
 #include "meniscus/structure.h"
 #include "meniscus/surface.h"
 #include "meniscus/tables.h"
@@ -66,6 +67,8 @@ inline constexpr Words<SurfaceKind, 3> kSurfaceWords{
     {{"ses", SurfaceKind::Ses}, {"sas", SurfaceKind::Sas}, {"vdw", SurfaceKind::Vdw}}};
 inline constexpr Words<Pieces, 3> kPiecesWords{
     {{"all", Pieces::All}, {"outer", Pieces::Outer}, {"cavities", Pieces::Cavities}}};
+inline constexpr Words<Corners, 3> kCornersWords{
+    {{"near", Corners::Near}, {"on-surface", Corners::OnSurface}, {"balanced", Corners::Balanced}}};
 inline constexpr Words<CurvatureField, 4> kCurvatureWords{{{"parallel", CurvatureField::Parallel},
                                                            {"sharp", CurvatureField::Sharp},
                                                            {"paper", CurvatureField::Paper},

@@ -339,7 +339,7 @@ def surface(
     vertex_density: float | None = None,
     adaptive: bool = False,
     keep_ridges: bool = False,
-    balanced: bool = False,
+    corners: str = "near",
     simplify_topology: bool = False,
     density: float = -0.5,
     flow: str = "anchored",
@@ -376,7 +376,8 @@ def surface(
     components, min_cavity        all, outer or cavities: pieces that the mesh keeps; least volume of a cavity, Å³
     fill_cavities                 Å³: the same, and the space of smaller cavities is inside in volumes
     edge, vertex_density          even triangles of this size, Å, or so many vertices per Å²; then also adaptive,
-                                  keep_ridges, balanced, simplify_topology
+                                  keep_ridges, corners (near, on-surface, balanced),
+                                  simplify_topology
     flow                          anchored, parallel or paper, and its pieces one by one: curvature, anchor,
                                   reinitialise, solver, slope, time_step, half_width, max_steps, tolerance; density is
                                   the constant of the Gaussian start, Å⁻²
@@ -413,7 +414,7 @@ def surface(
         "threads": _options.count("threads", threads),
         "adaptive": bool(adaptive),
         "keep_ridges": bool(keep_ridges),
-        "balanced": bool(balanced),
+        "corners": _options.word("corners", corners),
         "simplify_topology": bool(simplify_topology),
         "history": bool(history),
         "initial_area": bool(initial_area),
@@ -451,8 +452,10 @@ def _check_together(options: dict[str, Any]) -> None:
     if "edge" in options and "vertex_density" in options:
         raise UsageError("edge and vertex_density say the same; give one of them")
     even = "edge" in options or "vertex_density" in options
-    if not even and any(options[name] for name in ("adaptive", "keep_ridges", "balanced", "simplify_topology")):
-        raise UsageError("adaptive, keep_ridges, balanced and simplify_topology shape even triangles; ask for them with "
+    shaped = options["corners"] != "near" or any(
+        options[name] for name in ("adaptive", "keep_ridges", "simplify_topology"))
+    if shaped and not even:
+        raise UsageError("adaptive, keep_ridges, corners and simplify_topology shape even triangles; ask for them with "
                          "edge")
     if options["history"] and options["method"] != "flow":
         raise UsageError("history shows the steps of a flow; use method='flow'")

@@ -46,7 +46,7 @@ RemeshOptions remesh_options(const Options& options) {
     if (density > 0.0) remesh.edge = edge_of_density(density);
     options.read("adaptive", remesh.adaptive);
     options.read("keep_ridges", remesh.keep_ridges);
-    options.read("balanced", remesh.balanced);
+    options.read_word("corners", remesh.corners, kCornersWords);
     options.read("simplify_topology", remesh.simplify_topology);
     options.read("finer_grid", remesh.finer_grid);
     return remesh;

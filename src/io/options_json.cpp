@@ -36,7 +36,7 @@ ordered_json options_block(const SurfaceOptions& o) {
             {"edge", if_used(even, o.remesh.edge)},
             {"adaptive", if_used(even, o.remesh.adaptive)},
             {"keep_ridges", if_used(even, o.remesh.keep_ridges)},
-            {"balanced", if_used(even, o.remesh.balanced)},
+            {"corners", if_used(even, word_for(kCornersWords, o.remesh.corners))},
             {"simplify_topology", if_used(even, o.remesh.simplify_topology)},
             {"density", if_used(o.method != Method::Direct, o.density)},
             {"time_step", std::isinf(f.time_step) ? if_used(flows, "inf") : if_used(flows, f.time_step)},

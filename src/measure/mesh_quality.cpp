@@ -94,9 +94,6 @@ double aspect_ratio(double a, double b, double c) {
     return product > 0.0 ? a * b * c / product : std::numeric_limits<double>::infinity();
 }
 
-constexpr std::size_t kDivisions = 2;
-constexpr std::size_t kSamples = kDivisions * kDivisions;  // points that stand for equal parts of a triangle
-
 // Corners by their angles, see MeshQuality.
 struct AngleCounts {
     decltype(MeshQuality::angles) of{};

@@ -172,7 +172,7 @@ constexpr Prices prices_of(const SurfaceOptions& options) {
 constexpr double kBytesPerReplaced = 300.0;
 constexpr double kBytesPerEven = 1000.0;
 constexpr double kNanosecondsPerReplaced = 1850.0;
-constexpr double kNanosecondsPerEven = 8500.0;
+constexpr double kNanosecondsPerEven = 11000.0;
 
 void add_remeshing(Cost& cost, double edge) {
     const double even = kVerticesPerSquareEdge * cost.area / (edge * edge);

@@ -21,11 +21,11 @@
 #include "pipeline/choose_pieces.h"
 #include "pipeline/even_mesh.h"
 #include "pipeline/flow_stage.h"
+#include "pipeline/move_corners.h"
 #include "pipeline/self_checks.h"
 #include "pipeline/surface_mesh.h"
 #include "pipeline/surface_projector.h"
 #include "pipeline/yardstick.h"
-#include "remesh/balance.h"
 #include "remesh/self_intersections.h"
 
 namespace meniscus {
@@ -89,7 +89,8 @@ void check_options(const SurfaceOptions& options) {
     require(remesh.edge == 0.0 || positive(remesh.edge), "edge", remesh.edge, "finite and positive");
     require(!remesh.is_on() || options.spacing <= kCoarsestForRemeshing, "spacing", options.spacing,
             fmt::format("at most {:g} where triangles are made even", kCoarsestForRemeshing));
-    require(!remesh.balanced || remesh.is_on(), "edge", remesh.edge, "positive where triangles are balanced");
+    require(remesh.corners == Corners::Near || remesh.is_on(), "edge", remesh.edge,
+            "positive where corners are to lie elsewhere than those of the grid's mesh");
     require(!remesh.simplify_topology || remesh.is_on(), "edge", remesh.edge,
             "positive where the topology is simplified");
     require(std::isfinite(options.min_cavity) && options.min_cavity >= 0.0, "min cavity", options.min_cavity,
@@ -112,6 +113,7 @@ public:
     Pipeline(const Atoms& atoms, const SurfaceOptions& options, const Progress& progress, const FlowObserver& observer,
              const ExactSurface* exact, const Cost& expected)
         : atoms_(atoms), options_(options), progress_(progress), observer_(observer), exact_(exact) {
+        options_.remesh.corners = corners_of(options);
         surface_.expected = expected;
         if (exact != nullptr) surface_.seconds = exact->seconds;
         report("geometry", 0.0);
@@ -301,10 +303,8 @@ private:
     void measure() {
         const std::optional<CorrectedMeasures> on_zero_set =
             options_.remesh.is_on() ? std::optional(corrected_on_zero_set()) : std::nullopt;
-        if (options_.remesh.balanced) {
-            balance_triangles(surface_.mesh, options_.remesh.edge, projector());
-            survey_ = survey_of(surface_.mesh, surface_.level_set.get());
-        }
+        const bool moved = move_corners(surface_.mesh, options_.remesh, *accessible_, projector());
+        if (moved) survey_ = survey_of(surface_.mesh, surface_.level_set.get());
         const bool examined = options_.verify || options_.quality || options_.remesh.is_on();
         SurfaceMeasures measures =
             measure_surface(surface_.mesh, *survey_, examined ? Stars::Examined : Stars::Trusted);
@@ -317,7 +317,7 @@ private:
         if (options_.quality) surface_.quality = measure_quality(surface_.mesh);
         if (options_.two_sided_distance) surface_.two_sided = measure_distance(surface_.mesh, *accessible_);
         surface_.checks = mesh_checks(surface_);  // of distances before vertices were moved off the surface
-        if (options_.remesh.balanced) surface_.distance = distance_of_vertices(*accessible_, surface_.mesh);
+        if (moved) surface_.distance = distance_of_vertices(*accessible_, surface_.mesh);
         if (options_.method != Method::Gaussian) surface_.checks.push_back(volume_check(surface_, yardstick_));
         surface_.checks.insert(surface_.checks.end(), sides_.begin(), sides_.end());
         if (options_.verify) verify();

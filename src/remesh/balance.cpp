@@ -35,7 +35,7 @@ constexpr double kReach = 1.0;
 constexpr int kTries = 4;
 
 // Mean height of the surface over each triangle, Å.
-std::vector<double> heights(const Mesh& mesh, double edge, const SurfaceProjector& project) {
+std::vector<double> heights_over(const Mesh& mesh, double edge, const SurfaceProjector& project) {
     std::vector<double> heights(mesh.triangles.size());
     parallel_chunks(heights.size(), kChunk, [&](std::size_t begin, std::size_t end) {
         std::vector<Vec3> centroids;
@@ -52,22 +52,6 @@ std::vector<double> heights(const Mesh& mesh, double edge, const SurfaceProjecto
         }
     });
     return heights;
-}
-
-// The mean of the heights round each vertex, by area.
-std::vector<double> offsets(const Mesh& mesh, const std::vector<double>& heights) {
-    std::vector<double> sums(mesh.vertices.size());
-    std::vector<double> areas(mesh.vertices.size());
-    for (std::size_t t = 0; t < heights.size(); ++t) {
-        const auto& [a, b, c] = mesh.triangles[t];
-        const double area = norm(area_vector(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]));
-        for (const VertexId v : mesh.triangles[t]) {
-            sums[v] += area * heights[t];
-            areas[v] += area;
-        }
-    }
-    for (std::size_t v = 0; v < sums.size(); ++v) sums[v] = areas[v] > 0.0 ? sums[v] / areas[v] : 0.0;
-    return sums;
 }
 
 // Where a mesh passes through itself within reach of some places, and some other such places: one triangle of two that
@@ -97,11 +81,31 @@ void add_narrowed(const Mesh& mesh, std::span<const Vec3> before, std::vector<Ve
 
 }  // namespace
 
-void balance_triangles(Mesh& mesh, double edge, const SurfaceProjector& project) {
-    const std::vector<double> by = offsets(mesh, heights(mesh, edge, project));
-    std::vector<Vec3> balanced = mesh.vertices;
-    for (std::size_t v = 0; v < by.size(); ++v) balanced[v] += by[v] * mesh.normals[v];
-    const std::vector<Vec3> before = std::exchange(mesh.vertices, std::move(balanced));
+// The mean of the heights round each vertex, by area.
+std::vector<double> balancing_offsets(const Mesh& mesh, double edge, const SurfaceProjector& project) {
+    const std::vector<double> heights = heights_over(mesh, edge, project);
+    std::vector<double> sums(mesh.vertices.size());
+    std::vector<double> areas(mesh.vertices.size());
+    for (std::size_t t = 0; t < heights.size(); ++t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        const double area = norm(area_vector(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]));
+        for (const VertexId v : mesh.triangles[t]) {
+            sums[v] += area * heights[t];
+            areas[v] += area;
+        }
+    }
+    for (std::size_t v = 0; v < sums.size(); ++v) sums[v] = areas[v] > 0.0 ? sums[v] / areas[v] : 0.0;
+    return sums;
+}
+
+std::vector<Vec3> vertices_moved(const Mesh& mesh, std::span<const double> offsets, double share) {
+    std::vector<Vec3> moved = mesh.vertices;
+    for (std::size_t v = 0; v < moved.size(); ++v) moved[v] += (share * offsets[v]) * mesh.normals[v];
+    return moved;
+}
+
+void move_vertices(Mesh& mesh, std::vector<Vec3> wanted, double edge) {
+    const std::vector<Vec3> before = std::exchange(mesh.vertices, std::move(wanted));
     std::vector<Vec3> found = places_of_self_intersections(mesh);
     std::vector<Vec3> spoiled;
     for (int i = 1;; ++i) {
@@ -118,7 +122,7 @@ void balance_triangles(Mesh& mesh, double edge, const SurfaceProjector& project)
         spoiled.insert(spoiled.end(), found.begin(), found.end());
         const double reach = i * kReach * edge;
         const Surroundings near{spoiled, reach};
-        for (std::size_t v = 0; v < by.size(); ++v)
+        for (std::size_t v = 0; v < before.size(); ++v)
             if (near.contain(before[v])) mesh.vertices[v] = before[v];
         found = crossings_near(mesh, spoiled, reach);
     }

@@ -104,7 +104,7 @@ class Help(ProgramTest):
                        "--strict-radii --report --threads --quiet --progress --method --flow --spacing --density "
                        "--curvature --anchor --reinitialise --solver --slope --time-step --half-width --max-steps "
                        "--tolerance --history --snapshots --components --min-cavity --edge --vertex-density --adaptive "
-                       "--keep-ridges --balanced --simplify-topology --verify -o --memory --ascii --color --view --size "
+                       "--keep-ridges --corners --simplify-topology --verify -o --memory --ascii --color --view --size "
                        "--background --depth-cue --perspective --outline").split():
             self.assertIn(f"  {option} ", text)
         text = self.run_program("measure", "--help-all").stdout

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "measure/mean_distance.h"
 #include "support/shapes.h"
 
 namespace meniscus::testing {
@@ -81,6 +82,7 @@ TEST(MeshQuality, OfNothingIsNothing) {
     EXPECT_EQ(measure_quality({}).edges.max, 0.0);
     const AccessibleSurface surface({{{}}, {1.7}}, 1.4);
     EXPECT_EQ(measure_distance({}, surface).to_exact.max, 0.0);
+    EXPECT_EQ(mean_distance_to_exact({}, surface, 1), 0.0);
 }
 
 TEST(MeshDistance, OfASphereIsThatOfItsChords) {
@@ -96,6 +98,15 @@ TEST(MeshDistance, OfASphereIsThatOfItsChords) {
         }
         last = distance.to_exact.mean;
     }
+}
+
+TEST(MeshDistance, MeanIsToldBySomeTriangles) {
+    const AccessibleSurface surface({{{}}, {3.0}}, 1.4);
+    const Mesh mesh = projected_sphere({{}, 3.0}, 0.2);
+    const double mean = measure_distance(mesh, surface).to_exact.mean;
+    EXPECT_NEAR(mean_distance_to_exact(mesh, surface, 1), mean, 1e-12 * mean);
+    EXPECT_NEAR(mean_distance_to_exact(mesh, surface, 3), mean, 0.05 * mean);
+    EXPECT_NE(mean_distance_to_exact(mesh, surface, 3), mean);
 }
 
 TEST(MeshDistance, OfAShiftedSphereIsTheShift) {

@@ -162,7 +162,8 @@ class Options(unittest.TestCase):
                             len(meniscus.surface(*narrow, edge=1.0, spacing=0.5).vertices))
         creased = {"probe": 0.0, "edge": 0.8, "method": "direct"}
         self.assertNotEqual(surface(keep_ridges=True, **creased).mesh["area"], surface(**creased).mesh["area"])
-        self.assertGreater(surface(edge=0.8, balanced=True).mesh["area"], surface(edge=0.8).mesh["area"])
+        self.assertGreater(surface(edge=0.8, corners="balanced").mesh["area"],
+                           surface(edge=0.8, corners="on-surface").mesh["area"])
         self.assertEqual(surface(edge=0.8, simplify_topology=True).mesh["simplified"], {"handles": 0, "pieces": 0})
         self.assertEqual(len(surface(components="cavities").vertices), 0)
         self.assertIsNone(surface(method="direct").flow)

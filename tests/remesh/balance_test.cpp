@@ -30,6 +30,10 @@ Mesh even_sphere(const Sphere& sphere, double edge) {
     return even;
 }
 
+void balance(Mesh& mesh, double edge, const SurfaceProjector& project) {
+    move_vertices(mesh, vertices_moved(mesh, balancing_offsets(mesh, edge, project), 1.0), edge);
+}
+
 Mesh both(Mesh mesh, const Mesh& second) {
     const auto first = static_cast<VertexId>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), second.vertices.begin(), second.vertices.end());
@@ -64,7 +68,7 @@ TEST(Balance, PutsTrianglesOnBothSidesOfASphere) {
     for (const double edge : {0.6, 1.0, 1.5}) {
         const Mesh before = even_sphere(sphere, edge);
         Mesh mesh = before;
-        balance_triangles(mesh, edge, onto(sphere));
+        balance(mesh, edge, onto(sphere));
         expect_closed_manifold(mesh);
         EXPECT_LT(mean_distance(mesh, sphere), 0.6 * mean_distance(before, sphere)) << edge;
         const double missing = volume - measure_mesh(before).volume;
@@ -82,10 +86,10 @@ TEST(Balance, LeavesWhatWouldPassThroughSomething) {
     Mesh inside = even_sphere(inner, 1.2);
     Mesh mesh = both(outside, inside);
     ASSERT_TRUE(places_of_self_intersections(mesh).empty());
-    balance_triangles(outside, 0.4, onto(outer));
-    balance_triangles(inside, 1.2, onto(inner));
+    balance(outside, 0.4, onto(outer));
+    balance(inside, 1.2, onto(inner));
     ASSERT_FALSE(places_of_self_intersections(both(outside, inside)).empty());
-    balance_triangles(mesh, 1.2, [&](std::span<SurfacePoint> points) {
+    balance(mesh, 1.2, [&](std::span<SurfacePoint> points) {
         for (SurfacePoint& point : points) {
             const std::span<SurfacePoint> one(&point, 1);
             norm(point.position) > 1.5 - 1e-2 ? onto(outer)(one) : onto(inner)(one);

@@ -24,6 +24,7 @@ TEST(Words, EveryValueHasOneWord) {
     expect_one_word_per_value(kHeteroWords);
     expect_one_word_per_value(kMethodWords);
     expect_one_word_per_value(kPiecesWords);
+    expect_one_word_per_value(kCornersWords);
     expect_one_word_per_value(kCurvatureWords);
     expect_one_word_per_value(kReinitialiserWords);
     expect_one_word_per_value(kSolverWords);
