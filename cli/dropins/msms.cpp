@@ -40,6 +40,7 @@ Surface make_surface(const Atoms& atoms, const MsmsRequest& request) {
     options.method = Method::Direct;
     options.probe = request.probe;
     options.remesh.edge = edge_of_density(request.density);
+    options.remesh.corners = Corners::OnSurface;  // as MSMS has them: readers take vertices for points of the surface
     options.spacing = std::min(options.spacing, options.remesh.edge);
     return compute_surface(atoms, options);
 }

@@ -45,10 +45,12 @@ SurfaceOptions surface_options(const NanoShaperRequest& request) {
     options.threads = request.threads;
     options.min_cavity = request.fill_cavities ? request.fill_below : 0.0;
     const double spacing = 1.0 / request.grid_scale;
-    if (spacing > kCoarsestForRemeshing)
+    if (spacing > kCoarsestForRemeshing) {
         options.remesh.edge = edge_of_density(kVerticesPerCellFace / (spacing * spacing));
-    else
+        options.remesh.corners = Corners::OnSurface;  // as NanoShaper has them
+    } else {
         options.spacing = spacing;
+    }
     return options;
 }
 
