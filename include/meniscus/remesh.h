@@ -8,19 +8,21 @@
 
 namespace meniscus {
 
-/// Even triangles of a chosen size instead of those that marching cubes cuts out of the grid.
 /// Where the corners of even triangles lie. Normals, curvatures and labels are those of the surface next to a corner.
 enum class Corners : std::uint8_t {
-    /// Off the surface by as little as keeps the triangles within kMeanDistance edge² of the exact surface, by area:
-    /// on molecules a fifth of what Balanced takes, or nothing. On the surface with keep_ridges and Method::Gaussian.
+    /// Off the surface by as little as keeps the triangles within kDistancePerSquareEdge edge² of the exact surface, by
+    /// area: on molecules a third of what Balanced takes, and all of it where less does not do. Creases of the SAS and
+    /// of
+    /// van der Waals surfaces may still be farther. With keep_ridges and Method::Gaussian it becomes OnSurface.
     Near,
     OnSurface,  ///< all of them: on molecules triangles are 0.036 edge² from the surface in the mean (Å, edge in Å)
     Balanced,   ///< so far off the surface that triangles lie on both sides of it, half as far away as by OnSurface
 };
 
 /// What Corners::Near keeps to, Å⁻¹.
-inline constexpr double kMeanDistance = 0.03;
+inline constexpr double kDistancePerSquareEdge = 0.03;
 
+/// Even triangles of a chosen size instead of those that marching cubes cuts out of the grid.
 struct RemeshOptions {
     /// Length to be kept to, Å; 0 leaves the mesh of the grid. Nearly all edges are from 0.6 to 1.5 times as long, 0.8
     /// times on average.

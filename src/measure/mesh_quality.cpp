@@ -14,10 +14,6 @@
 #include <vector>
 
 #include "core/parallel.h"
-#include "geometry/local_features.h"
-#include "geometry/triangle_tree.h"
-#include "measure/triangle_parts.h"
-#include "measure/weighted_distances.h"
 
 namespace meniscus {
 namespace {
@@ -163,28 +159,6 @@ MeshQuality measure_quality(const Mesh& mesh) {
                       quality.aspect_ratios = percentiles(ratios);
                   });
     return quality;
-}
-
-TwoSidedDistance measure_distance(const Mesh& mesh, const AccessibleSurface& surface) {
-    const TriangleTree triangles(mesh);
-    WeightedDistances to_exact(kSamples * mesh.triangles.size());
-    WeightedDistances from_exact(kSamples * mesh.triangles.size());
-    parallel_chunks(mesh.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-        std::vector<Vec3> points;
-        for (std::size_t t = begin; t < end; ++t)
-            for_each_part(mesh, mesh.triangles[t], kDivisions, [&](const Vec3& point) { points.push_back(point); });
-        const std::vector<NearestFeature> features = nearest_features(surface, points);
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const std::size_t triangle = begin + i / kSamples;
-            const double area = area_of(mesh, mesh.triangles[triangle]);
-            const std::size_t sample = kSamples * begin + i;
-            const double distance = features[i].signed_distance;
-            const Vec3 foot = points[i] - distance * features[i].normal;
-            to_exact.set(sample, std::abs(distance), area);
-            from_exact.set(sample, triangles.distance(mesh, foot, static_cast<std::uint32_t>(triangle)), area);
-        }
-    });
-    return {std::move(to_exact).summarise(), std::move(from_exact).summarise()};
 }
 
 }  // namespace meniscus

@@ -9,11 +9,6 @@
 
 namespace meniscus {
 
-/// Into how many parts the sides of a triangle are divided to find its distance from something, and how many points
-/// then stand for it.
-inline constexpr std::size_t kDivisions = 2;
-inline constexpr std::size_t kSamples = kDivisions * kDivisions;
-
 /// Divides a triangle into n² equal ones, similar to it, and calls visit(centroid) for each.
 template <class Visit>
 void for_each_part(const Mesh& mesh, const Triangle& triangle, std::size_t n, const Visit& visit) {

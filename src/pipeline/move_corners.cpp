@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "measure/mean_distance.h"
+#include "measure/mesh_distance.h"
 #include "remesh/balance.h"
 
 namespace meniscus {
@@ -44,7 +44,7 @@ bool move_corners(Mesh& mesh, const RemeshOptions& even, const AccessibleSurface
                   const SurfaceProjector& project) {
     if (!even.is_on() || even.corners == Corners::OnSurface) return false;
     const bool whole = even.corners == Corners::Balanced;
-    const double near = kCertainty * kMeanDistance * even.edge * even.edge;
+    const double near = kCertainty * kDistancePerSquareEdge * even.edge * even.edge;
     const std::size_t step = std::max<std::size_t>(1, mesh.triangles.size() / kMostLookedAt);
     if (!whole && mean_distance_to_exact(mesh, surface, step) <= near) return false;
     const std::vector<double> offsets = balancing_offsets(mesh, even.edge, project);

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "measure/mean_distance.h"
+#include "measure/mesh_distance.h"
 #include "support/shapes.h"
 
 namespace meniscus::testing {

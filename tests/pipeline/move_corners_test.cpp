@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "measure/mean_distance.h"
+#include "measure/mesh_distance.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/mesh_quality.h"
@@ -46,7 +46,7 @@ TEST_F(MovedCorners, AreAsNearAsTheMeanDistanceAllows) {
         EXPECT_LT(distance_of_vertices(on_surface), 1e-6);
         EXPECT_GT(distance_of_vertices(near), 1e-3);
         EXPECT_LT(distance_of_vertices(near), distance_of_vertices(balanced));
-        const double wanted = kMeanDistance * edge * edge;
+        const double wanted = kDistancePerSquareEdge * edge * edge;
         EXPECT_GT(mean_distance_to_exact(on_surface, exact_, 1), 1.3 * wanted) << edge;
         EXPECT_LE(mean_distance_to_exact(near, exact_, 1), wanted) << edge;
         EXPECT_GT(mean_distance_to_exact(near, exact_, 1), 0.9 * wanted) << edge;
