@@ -17,8 +17,8 @@ public:
 
     /// throws   std::runtime_error where the library has no such function
     template <class Function>
-    Function* function(const char* name) const {
-        return reinterpret_cast<Function*>(symbol(name));
+    void find(const char* name, Function*& function) const {
+        function = reinterpret_cast<Function*>(symbol(name));
     }
 
 private:

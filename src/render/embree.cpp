@@ -13,21 +13,21 @@ namespace {
 Embree load() {
     const std::optional<LoadedLibrary> library = LoadedLibrary::load("libembree3.so.3");
     if (!library) throw std::runtime_error("pictures need Embree 3 (Debian package libembree3-3); install it");
-    return {
-        .new_device = library->function<decltype(::rtcNewDevice)>("rtcNewDevice"),
-        .get_device_error = library->function<decltype(::rtcGetDeviceError)>("rtcGetDeviceError"),
-        .release_device = library->function<decltype(::rtcReleaseDevice)>("rtcReleaseDevice"),
-        .new_scene = library->function<decltype(::rtcNewScene)>("rtcNewScene"),
-        .set_scene_flags = library->function<decltype(::rtcSetSceneFlags)>("rtcSetSceneFlags"),
-        .commit_scene = library->function<decltype(::rtcCommitScene)>("rtcCommitScene"),
-        .release_scene = library->function<decltype(::rtcReleaseScene)>("rtcReleaseScene"),
-        .new_geometry = library->function<decltype(::rtcNewGeometry)>("rtcNewGeometry"),
-        .set_new_geometry_buffer = library->function<decltype(::rtcSetNewGeometryBuffer)>("rtcSetNewGeometryBuffer"),
-        .commit_geometry = library->function<decltype(::rtcCommitGeometry)>("rtcCommitGeometry"),
-        .attach_geometry = library->function<decltype(::rtcAttachGeometry)>("rtcAttachGeometry"),
-        .release_geometry = library->function<decltype(::rtcReleaseGeometry)>("rtcReleaseGeometry"),
-        .intersect_1 = library->function<decltype(::rtcIntersect1)>("rtcIntersect1"),
-    };
+    Embree found{};
+    library->find("rtcNewDevice", found.new_device);
+    library->find("rtcGetDeviceError", found.get_device_error);
+    library->find("rtcReleaseDevice", found.release_device);
+    library->find("rtcNewScene", found.new_scene);
+    library->find("rtcSetSceneFlags", found.set_scene_flags);
+    library->find("rtcCommitScene", found.commit_scene);
+    library->find("rtcReleaseScene", found.release_scene);
+    library->find("rtcNewGeometry", found.new_geometry);
+    library->find("rtcSetNewGeometryBuffer", found.set_new_geometry_buffer);
+    library->find("rtcCommitGeometry", found.commit_geometry);
+    library->find("rtcAttachGeometry", found.attach_geometry);
+    library->find("rtcReleaseGeometry", found.release_geometry);
+    library->find("rtcIntersect1", found.intersect_1);
+    return found;
 }
 
 }  // namespace

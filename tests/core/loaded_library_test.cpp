@@ -16,8 +16,10 @@ namespace {
 TEST(LoadedLibrary, GivesItsFunctions) {
     const auto library = LoadedLibrary::load("libm.so.6");
     ASSERT_TRUE(library);
-    EXPECT_EQ(library->function<double(double)>("fabs")(-2.5), 2.5);
-    EXPECT_THROW(library->function<void()>("no_function_of_this_name"), std::runtime_error);
+    double (*magnitude)(double) = nullptr;
+    library->find("fabs", magnitude);
+    EXPECT_EQ(magnitude(-2.5), 2.5);
+    EXPECT_THROW(library->find("no_function_of_this_name", magnitude), std::runtime_error);
 }
 
 TEST(LoadedLibrary, IsNothingWhereItIsNotInstalled) { EXPECT_FALSE(LoadedLibrary::load("libnowhere.so.7")); }
