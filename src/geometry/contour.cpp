@@ -18,6 +18,8 @@ double diamond_angle(double x, double y) {
     return wrapped(x < 0.0 ? 2.0 - p : p);
 }
 
+constexpr double kNoCap = 4.0;  // in the place of t: no direction lies so deep
+
 // For rims that do not cross: whether the rim of `a` lies in cap `b`.
 bool rim_is_inside(const Cap& a, const Cap& b) { return dot(a.axis, b.axis) * a.t > b.t; }
 
@@ -56,17 +58,6 @@ double ContourBuilder::pseudo_angle(std::uint32_t cap, const Vec3& n) const {
     return diamond_angle(dot(n, at.e1), dot(n, at.e2));
 }
 
-// Counting sort by coarse size: the exact order of caps of about one size saves nothing.
-void ContourBuilder::order_by_size() {
-    constexpr std::size_t kSizes = 32;
-    const auto size_of = [](const Cap& cap) { return static_cast<std::size_t>((cap.t + 1.0) * (0.5 * kSizes)); };
-    std::array<std::uint32_t, kSizes + 2> place{};
-    for (const Cap& cap : caps_) ++place[size_of(cap) + 1];
-    std::partial_sum(place.begin(), place.end(), place.begin());
-    order_.resize(caps_.size());
-    for (std::uint32_t k = 0; k < caps_.size(); ++k) order_[place[size_of(caps_[k])]++] = k;
-}
-
 void ContourBuilder::start(std::span<const Cap> caps) {
     caps_ = caps;
     inserted_ = 0;
@@ -79,16 +70,11 @@ void ContourBuilder::start(std::span<const Cap> caps) {
 }
 
 bool ContourBuilder::build(std::span<const Cap> caps) {
-    // Most caps change nothing, but to find that out one by one costs a wrong guess of the processor each.
-    constexpr std::size_t kFirstLook = 6;
-    constexpr std::size_t kSecondLook = 12;
     start(caps);
-    order_by_size();
-    for (std::size_t i = 0; i < order_.size() && exposed(); ++i) {
-        if (i == kFirstLook || i == kSecondLook) drop_idle(i);
-        if (i < order_.size() && !insert(order_[i])) return false;
-    }
-    return true;
+    if (caps.empty()) return true;
+    wait_from(0);
+    const auto largest = std::min_element(caps.begin(), caps.end(), [](const Cap& a, const Cap& b) { return a.t < b.t; });
+    return insert_waiting(static_cast<std::size_t>(largest - caps.begin())) && bury_ends() && insert_rest();
 }
 
 bool ContourBuilder::build_in_order(std::span<const Cap> caps) {
@@ -101,9 +87,50 @@ bool ContourBuilder::build_in_order(std::span<const Cap> caps) {
 bool ContourBuilder::extend(std::span<const Cap> caps) {
     caps_ = caps;
     if (rims_.size() < caps.size()) rims_.resize(caps.size());
-    order_.resize(caps.size() - inserted_);
-    std::iota(order_.begin(), order_.end(), static_cast<std::uint32_t>(inserted_));
-    drop_idle(0);
+    wait_from(inserted_);
+    return insert_rest();
+}
+
+// Has all caps from one on wait for insertion.
+void ContourBuilder::wait_from(std::size_t first) {
+    constexpr std::size_t kWidest = 8;
+    order_.resize(caps_.size() - first);
+    std::iota(order_.begin(), order_.end(), static_cast<std::uint32_t>(first));
+    waiting_.resize(order_.size());
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+        const Cap& cap = caps_[first + i];
+        waiting_[0][i] = cap.axis.x;
+        waiting_[1][i] = cap.axis.y;
+        waiting_[2][i] = cap.axis.z;
+        waiting_[3][i] = cap.t;
+    }
+    for (std::size_t i = order_.size(); i % kWidest != 0; ++i) waiting_[3][i] = kNoCap;
+}
+
+bool ContourBuilder::insert_waiting(std::size_t i) {
+    waiting_[3][i] = kNoCap;
+    return insert(order_[i]);
+}
+
+// Inserts caps that bury ends of arcs, so that each changes the contour, and few that are inserted are buried later on.
+bool ContourBuilder::bury_ends() {
+    for (std::size_t a = 0; a < arcs_.size();) {
+        const std::size_t i = ends_[a].settled ? waiting_.size() : kernels_->find_deepest(waiting_, ends_[a].end);
+        if (i == waiting_.size()) {
+            ends_[a++].settled = true;
+            continue;
+        }
+        if (!insert_waiting(i)) return false;
+        a = 0;
+    }
+    return true;
+}
+
+// Most change nothing, but to find that out one by one costs a wrong guess of the processor each. Large ones bury others.
+bool ContourBuilder::insert_rest() {
+    if (!exposed()) return true;
+    drop_idle();
+    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) { return caps_[a].t < caps_[b].t; });
     for (std::size_t i = 0; i < order_.size() && exposed(); ++i)
         if (!insert(order_[i])) return false;
     return true;
@@ -123,8 +150,8 @@ bool ContourBuilder::insert(std::uint32_t k) {
     for (std::size_t i = near_count_; i-- > 0;) changed = cut(i, k) || changed;
     if (!entries_.empty() || !exits_.empty()) {
         if (!close_rim(k)) return false;
-    } else if (near_count_ == 0 || is_exposed(point_on_rim(k))) {  // it crosses nothing: all of it or none
-        append({.cap = k}, {});
+    } else if (const Vec3 anywhere = point_on_rim(k); near_count_ == 0 || is_exposed(anywhere)) {
+        append({.cap = k}, {anywhere, anywhere});  // it crosses nothing: all of it or none
         changed = true;
     }
     if (!changed) return true;
@@ -133,23 +160,19 @@ bool ContourBuilder::insert(std::uint32_t k) {
     return true;
 }
 
-// Drops those caps to come that lie wholly in buried ground: what is inserted in between only buries more.
-void ContourBuilder::drop_idle(std::size_t from) {
-    waiting_.resize(order_.size() - from);
+// Drops those caps to come that were inserted or lie wholly in buried ground: what is inserted in between only buries
+// more.
+void ContourBuilder::drop_idle() {
     idle_.resize(waiting_.size() + 7);
     for (std::size_t i = 0; i < waiting_.size(); ++i) {
-        const Cap& cap = caps_[order_[from + i]];
-        waiting_[0][i] = cap.axis.x;
-        waiting_[1][i] = cap.axis.y;
-        waiting_[2][i] = cap.axis.z;
-        waiting_[3][i] = cap.t;
-        waiting_[4][i] = std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t));
+        const double t = waiting_[3][i];
+        waiting_[4][i] = std::sqrt(std::max(0.0, 1.0 - t * t));
     }
     kernels_->find_idle(waiting_, extents_, kept_caps_, idle_.data());
-    std::size_t kept = from;
+    std::size_t kept = 0;
     for (std::size_t i = 0; i < waiting_.size(); ++i) {
-        order_[kept] = order_[from + i];
-        kept += idle_[i] > 0.0 ? 0 : 1;
+        order_[kept] = order_[i];
+        kept += idle_[i] > 0.0 || waiting_[3][i] == kNoCap ? 0 : 1;
     }
     order_.resize(kept);
 }
@@ -211,7 +234,7 @@ bool ContourBuilder::cut_at(std::size_t i, std::uint32_t k) {
     const double to_in = wrapped(in - arc.start);
     const double to_out = wrapped(out - arc.start);
     const Ends before{ends.start, crossing.onto};
-    const Ends behind{crossing.back, ends.end};
+    const Ends behind{crossing.back, ends.end, ends.settled};
     if (to_in < to_out) {  // the arc starts outside the cap
         if (to_in >= arc.sweep) return false;
         replace(a, k, {arc.cap, arc.from, k, arc.start, to_in}, before);

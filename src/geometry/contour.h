@@ -39,7 +39,8 @@ RimCrossing cross_rims(const Cap& a, const Cap& b);
 /// Builds the contours of spheres one after the other, reusing its memory.
 class ContourBuilder {
 public:
-    /// Inserts the caps about largest first, whatever their order.
+    /// Inserts the largest cap, then always one that buries an end of an arc, the deepest there, and at last those
+    /// that only cross arcs or lie between them, whatever their order.
     ///
     /// returns  false if rounding made the arrangement inconsistent: perturb and try again
     /// cost     O(caps · arcs), stops as soon as nothing is exposed
@@ -65,11 +66,15 @@ private:
     struct Ends {
         Vec3 start;
         Vec3 end;
+        bool settled = false;  // no cap to come buries the end
     };
     void start(std::span<const Cap> caps);
-    void order_by_size();
     bool insert(std::uint32_t k);
-    void drop_idle(std::size_t from);
+    void wait_from(std::size_t first);
+    bool insert_waiting(std::size_t i);
+    bool bury_ends();
+    bool insert_rest();
+    void drop_idle();
     void find_near(const Cap& cap);
     void cross_near(const Cap& cap);
     RimCrossing crossing_of(std::size_t i) const;
@@ -101,7 +106,7 @@ private:
     std::vector<Crossing> exits_;
     std::vector<std::uint32_t> kept_;
     std::vector<Cap> kept_caps_;
-    CapColumns waiting_;  // of drop_idle
+    CapColumns waiting_;  // those of order_
     std::vector<double> idle_;
 };
 

@@ -32,6 +32,7 @@ double sine_of(const Cap& cap) { return std::sqrt(1.0 - cap.t * cap.t); }
 // What a kernel set answers; only the items asked for.
 struct Answers {
     std::vector<double> excess;
+    std::vector<std::size_t> deepest;
     std::vector<double> idle;
     std::vector<double> meetings;
     bool operator==(const Answers&) const = default;
@@ -41,6 +42,8 @@ class CapKernelsTest : public ::testing::Test {
 protected:
     CapKernelsTest() : list_(kItems) {
         balls_.resize(kItems);
+        columns_.resize(kItems + 7);
+        std::fill_n(columns_[3] + kItems, 7, 4.0);
         columns_.resize(kItems);
         for (std::size_t i = 0; i < kItems; ++i) {
             const Vec3 c = atoms_.centres[i];
@@ -65,6 +68,7 @@ protected:
         answers.excess.resize(kItems + 7);
         kernels.find_excess(balls_, kCentre, kRadius, answers.excess.data());
         answers.excess.resize(kItems);
+        for (const Cap& cap : buried_) answers.deepest.push_back(kernels.find_deepest(columns_, cap.axis));
         answers.idle.resize(kItems + 7);
         kernels.find_idle(columns_, extents_, buried_, answers.idle.data());
         answers.idle.resize(kItems);
@@ -100,6 +104,30 @@ TEST_F(CapKernelsTest, ExcessIsNegativeForBallsThatMeet) {
     const Answers answers = ask(cap_kernels());
     for (std::size_t i = 0; i < kItems; ++i)
         EXPECT_EQ(answers.excess[i] < 0.0, norm(atoms_.centres[i] - kCentre) < kRadius + atoms_.radii[i]);
+}
+
+TEST_F(CapKernelsTest, DeepestCapHoldsADirectionMostOrNoneDoes) {
+    const auto depth_in = [](const Cap& cap, const Vec3& n) { return dot(cap.axis, n) - cap.t; };
+    for (std::size_t i = 0; i < kItems; ++i) columns_[3][i] = caps_[i].t = 0.7 + 0.3 * caps_[i].t;  // gaps between them
+    std::size_t outside = 0;
+    for (const Cap& at : random_caps(4, 200)) {
+        std::size_t expected = kItems;
+        double depth = 0.0;
+        for (std::size_t i = 0; i < kItems; ++i)
+            if (depth_in(caps_[i], at.axis) > depth) depth = depth_in(caps_[expected = i], at.axis);
+        EXPECT_EQ(cap_kernels().find_deepest(columns_, at.axis), expected);
+        outside += expected == kItems ? 1 : 0;
+    }
+    EXPECT_GT(outside, 0U);
+    EXPECT_LT(outside, 200U);
+}
+
+TEST_F(CapKernelsTest, OfCapsThatAreEquallyDeepTheFirstIsTaken) {
+    for (const CapKernels& kernels : supported_cap_kernels())
+        for (const std::size_t twin : {1U, 7U, 8U, 40U}) {
+            for (std::size_t column = 0; column < 5; ++column) columns_[column][twin] = columns_[column][0];
+            EXPECT_EQ(kernels.find_deepest(columns_, caps_[0].axis), 0U);
+        }
 }
 
 TEST_F(CapKernelsTest, IdleCapsAreApartFromAllArcsAndBuried) {
