@@ -13,20 +13,15 @@
 
 namespace meniscus {
 
-/// As vector.reserve(size), with the pages of what is not used yet touched. Threads that
-/// come to the same huge page would each have it cleared: the beginning of each is touched before all the rest.
+/// Touches the whole pages of memory that holds nothing yet: what they hold afterwards is not said.
+void touch_pages(std::byte* begin, std::size_t size);
+
+/// As vector.reserve(size), with the pages of what is not used yet touched.
 template <class T, class Allocator>
 void reserve_touched(std::vector<T, Allocator>& vector, std::size_t size) {
-    constexpr std::size_t kPage = 4096;
-    constexpr std::size_t kPagesPerHugePage = 512;
-    constexpr std::size_t kPagesPerChunk = 64;
     vector.reserve(size);
-    auto* const begin = reinterpret_cast<volatile std::byte*>(vector.data() + vector.size());
-    const std::size_t pages = (vector.capacity() - vector.size()) * sizeof(T) / kPage;
-    const auto touch = [&](std::size_t page) { begin[page * kPage] = std::byte{}; };
-    parallel_for((pages + kPagesPerHugePage - 1) / kPagesPerHugePage, 1,
-                 [&](std::size_t huge_page) { touch(huge_page * kPagesPerHugePage); });
-    parallel_for(pages, kPagesPerChunk, touch);
+    touch_pages(reinterpret_cast<std::byte*>(vector.data() + vector.size()),
+                (vector.capacity() - vector.size()) * sizeof(T));
 }
 
 /// As vector.resize(size).

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/fresh_memory.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <span>
+#include <vector>
+
+namespace meniscus::testing {
+namespace {
+
+constexpr std::byte kMark{0xAB};
+
+TEST(FreshMemory, WhatAVectorHoldsStays) {
+    std::vector<int> numbers(1000);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    const std::vector<int> before = numbers;
+    reserve_touched(numbers, 3'000'000);
+    EXPECT_GE(numbers.capacity(), 3'000'000U);
+    EXPECT_EQ(numbers, before);
+    resize_touched(numbers, 2'000'000);
+    ASSERT_EQ(numbers.size(), 2'000'000U);
+    EXPECT_TRUE(std::equal(before.begin(), before.end(), numbers.begin()));
+    EXPECT_EQ(std::count(numbers.begin() + 1000, numbers.end(), 0), 1'999'000);
+}
+
+TEST(FreshMemory, NothingBesideItIsWritten) {
+    std::vector<std::byte> memory(std::size_t{5} << 20U, kMark);
+    const auto is_marked = [](std::byte b) { return b == kMark; };
+    for (const std::size_t begin : {0U, 1U, 4095U, 100'000U})
+        for (const std::size_t size : {0U, 1U, 4096U, 8191U, 12'345U, 4'500'000U}) {
+            touch_pages(memory.data() + begin, size);
+            const std::span all(memory);
+            EXPECT_TRUE(std::ranges::all_of(all.first(begin), is_marked));
+            EXPECT_TRUE(std::ranges::all_of(all.subspan(begin + size), is_marked));
+            std::fill(memory.begin(), memory.end(), kMark);
+        }
+}
+
+TEST(FreshMemory, SeveralArraysAtOnce) {
+    std::vector<double> a;
+    std::vector<char> b(3, 'x');
+    resize_all_touched(100'000, a, b);
+    EXPECT_EQ(a.size(), 100'000U);
+    EXPECT_EQ(b.size(), 100'000U);
+    EXPECT_EQ(std::count(b.begin(), b.end(), 'x'), 3);
+}
+
+}  // namespace
+}  // namespace meniscus::testing
