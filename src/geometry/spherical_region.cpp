@@ -32,22 +32,28 @@ void SphericalRegions::measure(std::span<const Cap> caps, std::span<const Contou
     regions_.clear();
     if (kept.empty()) regions_.push_back({4.0 * kPi, {}});
     if (arcs.empty()) return;
-    measure_arcs();
     link_loops();
+    measure_arcs();
     group_loops();
     add_up();
 }
 
+// Every arc ends where the next one starts.
 void SphericalRegions::measure_arcs() {
-    for (const ContourArc& arc : contour_) {
+    measured_.resize(contour_.size());
+    for (std::size_t a = 0; a < contour_.size(); ++a) {
+        const ContourArc& arc = contour_[a];
         const Cap& cap = caps_[arc.cap];
-        MeasuredArc result;
-        if (arc.from == kWholeCircle) {
-            const Vec3 start = cap.t * cap.axis + rim_sine(cap) * perpendicular(cap.axis);
-            result = {2.0 * kPi, start, start, 0};
-        } else {
-            result.start = rim_crossing(caps_[arc.from], cap);
-            result.end = rim_crossing(cap, caps_[arc.to]);
+        measured_[a].start = arc.from == kWholeCircle ? cap.t * cap.axis + rim_sine(cap) * perpendicular(cap.axis)
+                                                      : rim_crossing(caps_[arc.from], cap);
+    }
+    for (std::size_t a = 0; a < contour_.size(); ++a) {
+        const ContourArc& arc = contour_[a];
+        const Cap& cap = caps_[arc.cap];
+        MeasuredArc& result = measured_[a];
+        result.end = measured_[next_[a]].start;
+        result.angle = 2.0 * kPi;
+        if (arc.from != kWholeCircle) {
             const Vec3 beside = cross(result.start, cap.axis);  // clockwise around the cap
             const Vec3 outward = result.start - cap.t * cap.axis;
             result.angle = wrapped_turn(std::atan2(dot(result.end, beside), dot(result.end, outward)));
@@ -55,7 +61,6 @@ void SphericalRegions::measure_arcs() {
             if (arc.sweep < 1.0 && result.angle > 1.5 * kPi) result.angle = 0.0;
             if (arc.sweep > 3.0 && result.angle < 0.5 * kPi) result.angle = 2.0 * kPi;
         }
-        measured_.push_back(result);
     }
 }
 

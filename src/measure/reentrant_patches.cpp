@@ -97,12 +97,33 @@ private:
     }
 
     // Whether a probe's cap is known to lie beyond the sides of the triangle: wholly beyond one of them, as nearly all
-    // are that miss it, or far from its middle.
+    // are that miss it, or far from its middle, or off everything between the corners.
     bool misses_triangle(const Vec3& axis, double t) const {
         constexpr double kSlack = 1e-6;  // shifts of planes, rounding
         const double sine = std::sqrt(1.0 - t * t);
-        const double beyond = std::max({dot(axis, base_[0].axis), dot(axis, base_[1].axis), dot(axis, base_[2].axis)});
-        return beyond > sine + kSlack || (may_miss_ && dot(axis, middle_) < t * cosine_ - sine * sine_ - kSlack);
+        const std::array<double, kEdges> beyond{dot(axis, base_[0].axis), dot(axis, base_[1].axis),
+                                                dot(axis, base_[2].axis)};
+        if (std::max({beyond[0], beyond[1], beyond[2]}) > sine + kSlack) return true;
+        if (!may_miss_) return false;
+        return dot(axis, middle_) < t * cosine_ - sine * sine_ - kSlack ||
+               nearest_in_triangle(axis, beyond) < t - kSlack;
+    }
+
+    // Cosine of the angle from a direction to the nearest one of the triangle: itself, or on a side that it lies beyond.
+    double nearest_in_triangle(const Vec3& axis, const std::array<double, kEdges>& beyond) const {
+        double nearest = -1.0;
+        bool inside = true;
+        for (std::size_t k = 0; k < kEdges; ++k) {
+            if (beyond[k] <= 0.0) continue;
+            inside = false;
+            const Vec3& from = corners_[k];
+            const Vec3& to = corners_[(k + 1) % kEdges];
+            const Vec3 perpendicular = cross(axis, base_[k].axis);
+            const bool faces_side = dot(perpendicular, from) >= 0.0 && dot(perpendicular, to) <= 0.0;
+            nearest = std::max(nearest, faces_side ? std::sqrt(std::max(0.0, 1.0 - beyond[k] * beyond[k]))
+                                                   : std::max(dot(axis, from), dot(axis, to)));
+        }
+        return inside ? 1.0 : nearest;
     }
 
     // Neighbouring vertices share a search: they are numbered in spatial order.
