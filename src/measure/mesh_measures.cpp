@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,17 +20,14 @@ namespace {
 
 constexpr std::size_t kChunk = 8192;  // triangles or vertices per task: some tens of microseconds
 
-std::uint32_t largest_of(std::uint32_t i) { return i; }
-std::uint32_t largest_of(const Triangle& t) { return std::max({t[0], t[1], t[2]}); }
-
-template <class T>
-bool all_below(const std::vector<T>& indices, std::size_t limit) {
-    const auto count_others = [&](std::size_t begin, std::size_t end) {
-        std::size_t others = 0;
-        for (std::size_t i = begin; i < end; ++i) others += largest_of(indices[i]) < limit ? 0 : 1;
-        return others;
-    };
-    return parallel_sum<std::size_t>(indices.size(), kChunk, count_others) == 0;
+bool all_below(std::span<const std::uint32_t> indices, std::size_t limit) {
+    if (limit > std::numeric_limits<std::uint32_t>::max()) return true;
+    const auto below = static_cast<std::uint32_t>(limit);
+    return parallel_sum<std::size_t>(indices.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+               std::uint32_t others = 0;  // of one width with the indices: many side by side
+               for (const std::uint32_t i : indices.subspan(begin, end - begin)) others += i < below ? 0 : 1;
+               return std::size_t{others};
+           }) == 0;
 }
 
 void check(const Mesh& mesh) {
@@ -37,7 +35,8 @@ void check(const Mesh& mesh) {
     if (!mesh.components.empty() && mesh.components.size() != n)
         throw UsageError("a mesh needs one component number per vertex, or none at all");
     if (!all_below(mesh.components, n)) throw UsageError("a component number is larger than the mesh has vertices");
-    if (!all_below(mesh.triangles, n)) throw UsageError("a triangle names a vertex that the mesh does not have");
+    const std::span corners(mesh.triangles.empty() ? nullptr : mesh.triangles.front().data(), 3 * mesh.triangles.size());
+    if (!all_below(corners, n)) throw UsageError("a triangle names a vertex that the mesh does not have");
 }
 
 void add_topology(const Mesh& mesh, const MeshTopology& topology, MeshMeasures& measures) {

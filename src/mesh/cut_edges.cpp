@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh/cut_edges.h"
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include <utility>
 
 #include "core/count_bits.h"
@@ -13,15 +17,18 @@ namespace {
 
 constexpr std::size_t kGrain = 32;  // blocks per task: some tens of microseconds
 
-// Eight values -> eight bits. The multiplication gathers the lowest bit of every byte in the highest byte.
+// Eight values -> eight bits.
 std::uint64_t negative_bits(const float* values) {
-    std::array<std::uint8_t, kBlockEdge> negative{};
-    for (std::size_t i = 0; i < kBlockEdge; ++i) negative[i] = values[i] < 0.0F ? 1 : 0;
-    if constexpr (std::endian::native == std::endian::little)
-        return std::bit_cast<std::uint64_t>(negative) * 0x0102040810204080ULL >> 56U;
+#ifdef __SSE2__
+    const auto of_four = [](const float* at) {
+        return static_cast<unsigned>(_mm_movemask_ps(_mm_cmplt_ps(_mm_loadu_ps(at), _mm_setzero_ps())));
+    };
+    return of_four(values) | of_four(values + 4) << 4U;
+#else
     std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < kBlockEdge; ++i) bits |= std::uint64_t{negative[i]} << i;
+    for (std::size_t i = 0; i < kBlockEdge; ++i) bits |= std::uint64_t{values[i] < 0.0F} << i;
     return bits;
+#endif
 }
 
 NodeBits inside_bits_of_block(const float* values) {
@@ -61,28 +68,46 @@ std::uint8_t complete_cells(const std::array<bool, 8>& exists, std::size_t row_c
     return static_cast<std::uint8_t>((inner ? 0x7FU : 0U) | (last ? 0x80U : 0U));
 }
 
-// Bit x: the edge from node x of this row to its neighbour along the direction is cut.
-std::uint64_t cut_in_row(const Rows& rows, std::size_t direction, std::size_t y, std::size_t z) {
-    constexpr std::array<std::size_t, 3> kStep{0, 1, kRowNodes};
-    const std::size_t row = y + kRowNodes * z;
-    const unsigned here = rows.inside[row];
-    if (direction == 0) return (here ^ here >> 1U) & (rows.exists[1] ? 0xFFU : 0x7FU);
-    const bool leaves_block = (direction == 1 ? y : z) == kBlockEdge - 1;
-    if (leaves_block && !rows.exists[std::size_t{1} << direction]) return 0;
-    return (here ^ rows.inside[row + kStep[direction]]) & 0xFFU;
+// Inside bits of the nodes after those of a block along a direction, and which of these nodes there are.
+struct NextNodes {
+    NodeBits inside;
+    NodeBits exist;
+};
+NextNodes next_along(std::size_t direction, const NodeBits& block, const NodeBits* beyond) {
+    static_assert(kBlockEdge == 8);
+    constexpr std::uint64_t kFirstColumn = 0x0101010101010101U;
+    constexpr std::uint64_t kFirstRow = 0xFF;
+    const NodeBits other = beyond != nullptr ? *beyond : NodeBits{};
+    const std::uint64_t last = beyond != nullptr ? ~std::uint64_t{0} : 0;  // whether the last nodes have one after them
+    NextNodes next;
+    for (std::size_t z = 0; z < kBlockEdge; ++z) {
+        if (direction == 0) {
+            next.inside[z] = (block[z] >> 1U & ~(kFirstColumn << 7U)) | (other[z] & kFirstColumn) << 7U;
+            next.exist[z] = ~(kFirstColumn << 7U) | last;
+        } else if (direction == 1) {
+            next.inside[z] = block[z] >> 8U | (other[z] & kFirstRow) << 56U;
+            next.exist[z] = ~(kFirstRow << 56U) | last;
+        } else {
+            next.inside[z] = z + 1 < kBlockEdge ? block[z + 1] : other[0];
+            next.exist[z] = z + 1 < kBlockEdge ? ~std::uint64_t{0} : last;
+        }
+    }
+    return next;
 }
 
 // Fills in the bits and ranks of a block and returns how many vertices it has.
-std::size_t find_cut_edges(const Rows& rows, CutEdges& edges) {
+std::size_t find_cut_edges(const BlockGrid& grid, std::span<const NodeBits> inside, std::size_t block,
+                           CutEdges& edges) {
     std::size_t count = 0;
-    for (std::size_t d = 0; d < 3; ++d)
+    for (std::size_t d = 0; d < 3; ++d) {
+        const BlockId beyond = upper_neighbour(grid.neighbours(static_cast<BlockId>(block)), std::size_t{1} << d);
+        const NextNodes next = next_along(d, inside[block], beyond != kNoBlock ? &inside[beyond] : nullptr);
         for (std::size_t z = 0; z < kBlockEdge; ++z) {
-            std::uint64_t word = 0;
-            for (std::size_t y = 0; y < kBlockEdge; ++y) word |= cut_in_row(rows, d, y, z) << (kBlockEdge * y);
-            edges.bits[d][z] = word;
+            edges.bits[d][z] = (inside[block][z] ^ next.inside[z]) & next.exist[z];
             edges.rank[d][z] = static_cast<std::uint16_t>(count);
-            count += count_bits(word);
+            count += count_bits(edges.bits[d][z]);
         }
+    }
     return count;
 }
 
@@ -121,9 +146,7 @@ std::vector<CutEdges> find_cut_edges(const BlockGrid& grid, std::span<const Node
     std::vector<CutEdges> edges;
     resize_touched(edges, grid.block_count() + 1);
     parallel_for(grid.block_count(), kGrain, [&](std::size_t b) {
-        const Rows rows = rows_of(grid, inside, b);
-        if (!rows.mixed) return;
-        edges[b].first_vertex = find_cut_edges(rows, edges[b]);  // counts for now
+        edges[b].first_vertex = find_cut_edges(grid, inside, b, edges[b]);  // counts for now
     });
     std::size_t vertices = 0;
     for (CutEdges& e : edges) vertices += std::exchange(e.first_vertex, vertices);
