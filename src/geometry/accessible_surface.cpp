@@ -325,10 +325,10 @@ void build_trees(AccessibleSurface::Data& data) {
     std::vector<Box> atoms(data.atoms.size());
     for (std::size_t i = 0; i < atoms.size(); ++i) atoms[i].include(data.atoms.centres[i]);
     std::vector<Box> arcs(data.arcs.size());
-    data.arc_cells.resize(data.arcs.size());
+    std::vector<Box> cells(data.arcs.size());
     parallel_for(arcs.size(), kChunk, [&](std::size_t a) {
-        data.arc_cells[a] = arcs[a] = box_of(data, data.arcs[a]);
-        for (const std::uint32_t i : data.arcs[a].atoms) data.arc_cells[a].include(data.atoms.centres[i]);
+        cells[a] = arcs[a] = box_of(data, data.arcs[a]);
+        for (const std::uint32_t i : data.arcs[a].atoms) cells[a].include(data.atoms.centres[i]);
     });
     std::vector<Box> vertices(data.vertices.size());
     for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v].include(data.vertices[v].position);
@@ -337,7 +337,7 @@ void build_trees(AccessibleSurface::Data& data) {
         data.arc_tree = BoxTree(std::move(arcs));
     };
     const auto of_cells_and_vertices = [&] {
-        data.arc_cell_tree = BoxTree(data.arc_cells);
+        data.arc_cell_tree = BoxTree(std::move(cells));
         data.vertex_tree = BoxTree(std::move(vertices));
     };
     parallel_both(of_atoms_and_arcs, of_cells_and_vertices);
@@ -381,9 +381,10 @@ AccessibleSurface::AccessibleSurface(const Atoms& atoms, double probe, std::uint
     data_ = std::move(data);
 }
 
-AccessibleSurface::AccessibleSurface(std::unique_ptr<const Data> data) : data_(std::move(data)) {}
+AccessibleSurface::AccessibleSurface(std::unique_ptr<Data> data) : data_(std::move(data)) {}
 
 AccessibleSurface AccessibleSurface::perturbed(std::uint64_t seed) const {
+    data_->require_contours();
     auto data = std::make_unique<Data>();
     data->probe = data_->probe;
     data->rho_max = data_->rho_max;
@@ -395,6 +396,15 @@ AccessibleSurface AccessibleSurface::perturbed(std::uint64_t seed) const {
 AccessibleSurface::~AccessibleSurface() = default;
 AccessibleSurface::AccessibleSurface(AccessibleSurface&&) noexcept = default;
 AccessibleSurface& AccessibleSurface::operator=(AccessibleSurface&&) noexcept = default;
+
+void AccessibleSurface::forget_contours() {
+    const auto free = []<class T>(std::vector<T>& list) { std::vector<T>().swap(list); };
+    free(data_->cover_begin);
+    free(data_->cover);
+    free(data_->contour_begin);
+    free(data_->contour);
+    free(data_->contour_arc);
+}
 
 double AccessibleSurface::probe() const { return data_->probe; }
 std::size_t AccessibleSurface::atom_count() const { return data_->atoms.size(); }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "geometry/box_tree.h"
@@ -59,12 +60,11 @@ struct AccessibleSurface::Data {
     std::vector<ContourArc> contour;           ///< caps are numbered as in caps_of(atom)
     std::vector<std::uint32_t> contour_arc;    ///< of each: its position in `arcs`
     std::vector<SasArc> arcs;
-    std::vector<Box> arc_cells;  ///< per arc: box of its cell, the hull of the arc and both atoms
     std::vector<SasVertex> vertices;
 
     BoxTree atom_tree;      ///< centres
     BoxTree arc_tree;       ///< points of the arcs
-    BoxTree arc_cell_tree;  ///< arc_cells
+    BoxTree arc_cell_tree;  ///< the arcs' cells, the hulls of an arc and both atoms
     BoxTree vertex_tree;    ///< positions
 
     std::span<const Cap> caps_of(std::uint32_t atom) const {
@@ -75,6 +75,9 @@ struct AccessibleSurface::Data {
     }
     std::span<const ContourArc> contour_of(std::uint32_t atom) const {
         return std::span(contour).subspan(contour_begin[atom], contour_begin[atom + 1] - contour_begin[atom]);
+    }
+    void require_contours() const {
+        if (contour_begin.empty()) throw std::logic_error("the contours of an accessible surface have been forgotten");
     }
     /// Whether the point of the enlarged sphere of `atom` in direction q (any length l = |q|) is exposed.
     bool direction_exposed(std::uint32_t atom, const Vec3& q, double l) const {

@@ -55,21 +55,43 @@ struct Box {
     }
 };
 
-/// Eight boxes in single precision, side by side in vectors, none smaller than the box it stands for.
+/// A box in single precision, no smaller than the one it stands for.
+class SmallBox {
+public:
+    SmallBox() = default;
+    explicit SmallBox(const Box& box)
+        : low{below(box.low.x), below(box.low.y), below(box.low.z)},
+          high{above(box.high.x), above(box.high.y), above(box.high.z)} {}
+
+    void include(const SmallBox& b) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], b.low[axis]);
+            high[axis] = std::max(high[axis], b.high[axis]);
+        }
+    }
+    bool overlaps(const SmallBox& b) const {
+        const auto along = [&](std::size_t axis) { return (low[axis] <= b.high[axis]) & (b.low[axis] <= high[axis]); };
+        return along(0) & along(1) & along(2);
+    }
+    Box box() const { return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}; }
+
+    static constexpr float kLargest = std::numeric_limits<float>::max();
+    std::array<float, 3> low{kLargest, kLargest, kLargest};
+    std::array<float, 3> high{-kLargest, -kLargest, -kLargest};
+
+private:
+    static float rounded(double x) { return static_cast<float>(std::clamp<double>(x, -kLargest, kLargest)); }
+    static float slack(float x) { return 0x1p-22F * std::abs(x) + std::numeric_limits<float>::min(); }
+    static float below(double x) { return rounded(x) - slack(rounded(x)); }
+    static float above(double x) { return rounded(x) + slack(rounded(x)); }
+};
+
+/// Eight small boxes side by side in vectors.
 class EightBoxes {
 public:
     static constexpr std::size_t kCount = 8;
 
-    /// Bounds in single precision, moved outwards.
-    struct Bounds {
-        std::array<float, 3> low;
-        std::array<float, 3> high;
-        explicit Bounds(const Box& box)
-            : low{below(box.low.x), below(box.low.y), below(box.low.z)},
-              high{above(box.high.x), above(box.high.y), above(box.high.z)} {}
-    };
-
-    void set(std::size_t i, const Bounds& box) {
+    void set(std::size_t i, const SmallBox& box) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             low_[axis][i / 4][i % 4] = box.low[axis];
             high_[axis][i / 4][i % 4] = box.high[axis];
@@ -77,7 +99,7 @@ public:
     }
 
     /// Bit i is set if box i may overlap; those that were never set do not.
-    unsigned may_overlap(const Bounds& query) const {
+    unsigned may_overlap(const SmallBox& query) const {
         const Bits bits = (overlaps(0, query) & Bits{1, 2, 4, 8}) | (overlaps(1, query) & Bits{16, 32, 64, 128});
         return static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3]));
     }
@@ -87,20 +109,14 @@ private:
     using Bits = std::int32_t __attribute__((vector_size(16)));
     using Columns = std::array<std::array<Floats, 2>, 3>;
 
-    static constexpr float kLargest = std::numeric_limits<float>::max();
-    static float rounded(double x) { return static_cast<float>(std::clamp<double>(x, -kLargest, kLargest)); }
-    static float slack(float x) { return 0x1p-22F * std::abs(x) + std::numeric_limits<float>::min(); }
-    static float below(double x) { return rounded(x) - slack(rounded(x)); }
-    static float above(double x) { return rounded(x) + slack(rounded(x)); }
-
-    Bits overlaps(std::size_t half, const Bounds& query) const {
+    Bits overlaps(std::size_t half, const SmallBox& query) const {
         Bits bits = ~Bits{};
         for (std::size_t axis = 0; axis < 3; ++axis)
             bits &= (low_[axis][half] <= query.high[axis]) & (high_[axis][half] >= query.low[axis]);
         return bits;
     }
 
-    static constexpr Floats kNone = Floats{} + kLargest;
+    static constexpr Floats kNone = Floats{} + SmallBox::kLargest;
     Columns low_{{{kNone, kNone}, {kNone, kNone}, {kNone, kNone}}};
     Columns high_{{{-kNone, -kNone}, {-kNone, -kNone}, {-kNone, -kNone}}};
 };
@@ -119,15 +135,17 @@ public:
         for (const std::vector<Box>& level : levels_) {
             std::vector<EightBoxes>& eights = eights_.emplace_back((level.size() + kFanOut - 1) / kFanOut);
             for (std::size_t i = 0; i < level.size(); ++i)
-                eights[i / kFanOut].set(i % kFanOut, EightBoxes::Bounds(level[i]));
+                eights[i / kFanOut].set(i % kFanOut, SmallBox(level[i]));
         }
     }
+
+    const Box& box(std::size_t item) const { return levels_[0][item]; }
 
     /// Calls visit(item) for every item whose box overlaps `box`, in the items' order.
     template <class Visit>
     void for_each_overlapping(const Box& box, const Visit& visit) const {
         if (!eights_.empty() && !eights_.back().empty())
-            descend_overlapping(levels_.size() - 1, 0, box, EightBoxes::Bounds(box), visit);
+            descend_overlapping(levels_.size() - 1, 0, box, SmallBox(box), visit);
     }
 
     /// Branch and bound: calls visit(item) near to far for items whose squared box distance from `point` is
@@ -141,7 +159,7 @@ private:
     static constexpr std::size_t kFanOut = EightBoxes::kCount;
 
     template <class Visit>
-    void descend_overlapping(std::size_t level, std::size_t eight, const Box& box, const EightBoxes::Bounds& query,
+    void descend_overlapping(std::size_t level, std::size_t eight, const Box& box, const SmallBox& query,
                              const Visit& visit) const {
         for (unsigned bits = eights_[level][eight].may_overlap(query); bits != 0; bits &= bits - 1) {
             const std::size_t i = eight * kFanOut + static_cast<std::size_t>(std::countr_zero(bits));

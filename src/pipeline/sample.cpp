@@ -58,7 +58,7 @@ public:
             approach(surface_projector(accessible_, level_set_, spacing(), Curvatures::LeftOut), spread.points);
         Mesh result;
         result.vertices = spread.points;
-        std::vector<double> distances = finish_vertices(accessible_, level_set_, spacing(), result);
+        std::vector<float> distances = finish_vertices(accessible_, level_set_, spacing(), result);
         bring_home(spread, distances, result);
         return result;
     }
@@ -67,9 +67,11 @@ private:
     double spacing() const { return surface_.options.spacing; }
 
     // Points that did not come to lie on the surface, as one in some 100,000 does between sheets that nearly touch.
-    std::vector<VertexId> strays(const Mesh& points, const std::vector<double>& distances) const {
+    std::vector<VertexId> strays(const Mesh& points, const std::vector<float>& distances) const {
         constexpr double kOnSurface = 1e-6;  // spacings
-        const std::vector<double> values = level_set_ != nullptr ? level_set_->values(points.vertices) : distances;
+        const std::vector<double> values = level_set_ != nullptr
+                                               ? level_set_->values(points.vertices)
+                                               : std::vector<double>(distances.begin(), distances.end());
         std::vector<VertexId> result;
         for (VertexId i = 0; i < values.size(); ++i)
             if (!(std::abs(values[i]) < kOnSurface * spacing())) result.push_back(i);
@@ -77,7 +79,7 @@ private:
     }
 
     // Strays start again from nearer to a corner of their triangle, which is on the surface, and at last from there.
-    void bring_home(const PointsOnMesh& spread, std::vector<double>& distances, Mesh& points) const {
+    void bring_home(const PointsOnMesh& spread, std::vector<float>& distances, Mesh& points) const {
         constexpr int kTries = 4;
         for (int attempt = 1; attempt <= kTries; ++attempt) {
             const std::vector<VertexId> lost = strays(points, distances);
@@ -88,7 +90,7 @@ private:
                 again.vertices.push_back(spread.points[i] +
                                          (static_cast<double>(attempt) / kTries) * (corner - spread.points[i]));
             }
-            const std::vector<double> found = finish_vertices(accessible_, level_set_, spacing(), again);
+            const std::vector<float> found = finish_vertices(accessible_, level_set_, spacing(), again);
             replace_vertices(points, lost, again);
             for (std::size_t k = 0; k < lost.size(); ++k) distances[lost[k]] = found[k];
         }

@@ -123,6 +123,7 @@ public:
         surface_.seconds.geometry += clock_.lap();
         report("geometry", 1.0);
         choose_yardstick(problem);
+        if (own_ != nullptr && !may_be_measured_again()) own_->forget_contours();
     }
 
     Surface run() {
@@ -132,6 +133,8 @@ public:
     }
 
 private:
+    bool may_be_measured_again() const { return options_.remesh.is_on() || options_.two_sided_distance; }
+
     // Nothing exact says what the Gaussian envelope should be.
     void choose_yardstick(const SesProblem& problem) {
         if (options_.method == Method::Gaussian) return;
@@ -256,6 +259,7 @@ private:
         Mesh zero_set = extract_zero_set(*field.grid, field.values, kSpreadFraction);
         hold_against_exact_sides(zero_set, field);
         NodeField().swap(field.values);  // the mesh grows into their memory
+        field.grid.reset();
         const Curvatures curvatures = options_.remesh.adaptive ? Curvatures::FilledIn : Curvatures::LeftOut;
         const SurfaceProjector project =
             surface_projector(*accessible_, field.level_set.get(), options_.spacing, curvatures);
@@ -346,7 +350,7 @@ private:
     const ExactSurface* exact_;
     double margin_ = 0.0;
     StageClock clock_;
-    std::unique_ptr<const AccessibleSurface> own_;
+    std::unique_ptr<AccessibleSurface> own_;
     const AccessibleSurface* accessible_ = nullptr;
     Yardstick yardstick_;
     std::optional<TriangleSurvey> survey_;  // of the mesh, until it has been measured

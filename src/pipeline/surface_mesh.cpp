@@ -168,20 +168,20 @@ constexpr std::size_t kSummed = 1 << 14;  // distances per task
 
 // The element that would stand at a place near the end if the values were sorted. A sample tells below which value it
 // cannot be, and most values are below that, or are that value: of vertices that lie on the exact surface all are 0.
-double value_near_the_end(std::span<const double> values, std::size_t place) {
+float value_near_the_end(std::span<const float> values, std::size_t place) {
     constexpr std::size_t kStride = 64;
     const std::size_t beyond = values.size() - place;  // it is so manieth from the end
-    const auto nth_from_the_end = [](std::vector<double>& list, std::size_t count) {
+    const auto nth_from_the_end = [](std::vector<float>& list, std::size_t count) {
         const auto at = list.end() - static_cast<std::ptrdiff_t>(std::min(count, list.size()));
         std::nth_element(list.begin(), at, list.end());
         return *at;
     };
-    std::vector<double> some;
+    std::vector<float> some;
     for (std::size_t i = 0; i < values.size(); i += kStride) some.push_back(values[i]);
-    const double least = nth_from_the_end(some, 2 * beyond / kStride + kStride);
-    auto high = parallel_list<double>(values.size(), kSummed, [&](std::size_t begin, std::size_t end, auto& list) {
+    const float least = nth_from_the_end(some, 2 * beyond / kStride + kStride);
+    auto high = parallel_list<float>(values.size(), kSummed, [&](std::size_t begin, std::size_t end, auto& list) {
         const auto part = values.subspan(begin, end - begin);
-        std::copy_if(part.begin(), part.end(), std::back_inserter(list), [&](double v) { return v > least; });
+        std::copy_if(part.begin(), part.end(), std::back_inserter(list), [&](float v) { return v > least; });
     });
     if (high.size() < beyond) {
         const auto equal = static_cast<std::size_t>(std::count(values.begin(), values.end(), least));
@@ -191,7 +191,7 @@ double value_near_the_end(std::span<const double> values, std::size_t place) {
     return nth_from_the_end(high, beyond);
 }
 
-DistanceSummary summarise(std::span<const double> distances) {
+DistanceSummary summarise(std::span<const float> distances) {
     if (distances.empty()) return {};
     struct Sums {
         double sum = 0.0;
@@ -225,7 +225,7 @@ public:
     }
 
     // Returns the distances to the exact surface.
-    std::vector<double> run() {
+    std::vector<float> run() {
         const RunGroups groups(mesh_.vertices, kLongestRun * spacing_);
         parallel_chunks(groups.size(), kGroupsPerTask, [&](std::size_t begin, std::size_t end) {
             const auto projector = std::make_unique<ExactProjector>(accessible_, kLongestWay * spacing_);
@@ -306,19 +306,19 @@ private:
     void label(std::size_t v, const FeatureLabel& label) {
         mesh_.atoms[v] = label.atom;
         mesh_.patches[v] = label.patch;
-        distances_[v] = std::abs(label.signed_distance);
+        distances_[v] = static_cast<float>(std::abs(label.signed_distance));
     }
 
     const AccessibleSurface& accessible_;
     const LevelSet* level_set_;
     double spacing_;
     Mesh& mesh_;
-    std::vector<double> distances_;
+    std::vector<float> distances_;
 };
 
 // Mends the bad triangles and fills in what is known of the surface at vertices that moved.
 MeshChanges mend(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
-                 const SliverOptions& slivers, FirstLook look, Mesh& mesh, std::vector<double>& distances) {
+                 const SliverOptions& slivers, FirstLook look, Mesh& mesh, std::vector<float>& distances) {
     MeshChanges changes = mend_slivers(
         mesh, slivers, surface_projector(accessible, level_set, spacing, Curvatures::LeftOut), std::move(look));
     if (!changes.any()) return changes;
@@ -330,7 +330,7 @@ MeshChanges mend(const AccessibleSurface& accessible, const LevelSet* level_set,
     renumber_entries(changes, distances);
     Mesh moved;
     for (const VertexId v : changes.moved) moved.vertices.push_back(mesh.vertices[v]);
-    const std::vector<double> moved_distances = finish_vertices(accessible, level_set, spacing, moved);
+    const std::vector<float> moved_distances = finish_vertices(accessible, level_set, spacing, moved);
     replace_vertices(mesh, changes.moved, moved);
     for (std::size_t i = 0; i < changes.moved.size(); ++i) distances[changes.moved[i]] = moved_distances[i];
     return changes;
@@ -341,16 +341,16 @@ Creases creases_of(const LevelSet* level_set) { return level_set != nullptr ? Cr
 
 }  // namespace
 
-std::vector<double> finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
+std::vector<float> finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
                                     Mesh& mesh) {
     return VertexFinisher(accessible, level_set, spacing, mesh).run();
 }
 
 DistanceSummary distance_of_vertices(const AccessibleSurface& accessible, const Mesh& mesh) {
-    std::vector<double> distances;
+    std::vector<float> distances;
     distances.reserve(mesh.vertices.size());
     for (const NearestFeature& at : nearest_features(accessible, mesh.vertices))
-        distances.push_back(std::abs(at.signed_distance));
+        distances.push_back(static_cast<float>(std::abs(at.signed_distance)));
     return summarise(distances);
 }
 
@@ -375,7 +375,7 @@ SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, con
                          const MeshingOptions& options) {
     Mesh mesh = std::move(zero_set);
     label_and_choose(mesh, options.pieces);
-    std::vector<double> distances = finish_vertices(accessible, level_set, options.spacing, mesh);
+    std::vector<float> distances = finish_vertices(accessible, level_set, options.spacing, mesh);
     const double edge = options.edge > 0.0 ? options.edge : options.spacing;
     const SliverOptions slivers{.edge = edge, .longest_edge = 2.0 * edge, .largest_crumb = kLargestCrumb};
     FirstLook look(mesh, slivers.smallest_angle_deg);

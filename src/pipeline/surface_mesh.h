@@ -42,8 +42,8 @@ TriangleSurvey survey_of(const Mesh& mesh, const LevelSet* level_set);
 ///
 /// level_set, spacing   as for mesh_surface
 /// returns              distances to the exact SES, Å, absolute values
-std::vector<double> finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
-                                    Mesh& mesh);
+std::vector<float> finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
+                                   Mesh& mesh);
 
 /// How far the vertices of a mesh are from the exact SES.
 DistanceSummary distance_of_vertices(const AccessibleSurface& accessible, const Mesh& mesh);

@@ -39,7 +39,8 @@ void TriangleBoxes::include(const Mesh& mesh, std::uint32_t triangle) {
     double& longest_side = longest[triangle / kChunk];
     boxes[triangle / kChunk].include(box);
     longest_side = std::max(longest_side, norm(box.high - box.low));
-    first_corners[triangle / kStretch].include(mesh.vertices[mesh.triangles[triangle][0]]);
+    const Vec3& corner = mesh.vertices[mesh.triangles[triangle][0]];
+    first_corners[triangle / kStretch].include(SmallBox({corner, corner}));
 }
 
 FirstLook::FirstLook(const Mesh& mesh, double smallest_angle_deg)
@@ -67,7 +68,7 @@ void FirstLook::look(std::size_t first, std::span<const Triangle> triangles, con
         Box box;  // in a loop of its own, where it stays in registers
         for (const Triangle& triangle : triangles.subspan(lane, std::min(kStretch, triangles.size() - lane)))
             box.include(mesh_.vertices[triangle[0]]);
-        first_corners_[(first + lane) / kStretch] = box;
+        first_corners_[(first + lane) / kStretch] = SmallBox(box);
     }
 }
 
@@ -94,10 +95,10 @@ FirstLook::Suspects FirstLook::suspects() && {
         all.bad.insert(all.bad.end(), chunk.bad.begin(), chunk.bad.end());
         all.leaning.insert(all.leaning.end(), chunk.leaning.begin(), chunk.leaning.end());
         all.boxes.longest.push_back(kAboveOne * std::sqrt(chunk.longest));
-        Box box;
+        SmallBox box;
         for (std::size_t s = 0; s < kChunk / kStretch; ++s)
             box.include(all.boxes.first_corners[c * (kChunk / kStretch) + s]);
-        all.boxes.boxes.push_back(box.grown(all.boxes.longest.back()));
+        all.boxes.boxes.push_back(box.box().grown(all.boxes.longest.back()));
     }
     return all;
 }

@@ -19,9 +19,9 @@ struct TriangleBoxes {
     static constexpr std::size_t kChunk = 256;   // triangles
     static constexpr std::size_t kStretch = 16;  // of these, nearer to each other still
 
-    std::vector<Box> boxes;          ///< per chunk: round its triangles
-    std::vector<double> longest;     ///< per chunk: Å, no side is longer
-    std::vector<Box> first_corners;  ///< per stretch: round the first corners of its triangles
+    std::vector<Box> boxes;               ///< per chunk: round its triangles
+    std::vector<double> longest;          ///< per chunk: Å, no side is longer
+    std::vector<SmallBox> first_corners;  ///< per stretch: round the first corners of its triangles
 
     /// Makes room for so many triangles.
     void resize(std::size_t triangles);
@@ -57,7 +57,7 @@ private:
     const Mesh& mesh_;
     SuspectLimits limits_;
     std::vector<Chunk> chunks_;
-    std::vector<Box> first_corners_;
+    std::vector<SmallBox> first_corners_;
 };
 
 }  // namespace meniscus

@@ -11,6 +11,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "core/local_corners.h"
@@ -36,6 +37,8 @@ constexpr std::size_t kLeaningPerTask = 64;
 // In usual lengths of edges: how far from a bad triangle things change, and how far all is known.
 constexpr double kFree = 2.5;
 constexpr double kRoom = 5.0;
+
+constexpr std::size_t kTogether = 64;  // places: what is cut out of the mesh for them takes memory
 
 constexpr double kCube = 4.0;  // see SliverOptions::most_bad
 
@@ -156,8 +159,9 @@ private:
         chunks.for_each_overlapping(box, [&](std::uint32_t chunk) {
             const std::size_t end = std::min((chunk + 1) * kChunk, mesh_.triangles.size());
             const Box near = box.grown(boxes_.longest[chunk]);
+            const SmallBox near_stretch(near);
             for (std::size_t begin = chunk * kChunk; begin < end; begin += kStretch) {
-                if (!near.overlaps(boxes_.first_corners[begin / kStretch])) continue;
+                if (!near_stretch.overlaps(boxes_.first_corners[begin / kStretch])) continue;
                 for (std::size_t t = begin; t < std::min(begin + kStretch, end); ++t) {
                     const Triangle& triangle = mesh_.triangles[t];
                     const Vec3& corner = mesh_.vertices[triangle[0]];
@@ -218,6 +222,13 @@ private:
         std::vector<std::uint32_t> waiting;
         const std::vector<Place> places = choose_places(pending, waiting);
         const BoxTree chunks(boxes_.boxes);
+        for (std::size_t begin = 0; begin < places.size(); begin += kTogether)
+            mend(chunks, std::span(places).subspan(begin, std::min(kTogether, places.size() - begin)));
+        forget_tangled(places);
+        return waiting;
+    }
+
+    void mend(const BoxTree& chunks, std::span<const Place> places) {
         std::vector<Cutting> cuttings(places.size());
         std::vector<Patch> mended(places.size());
         parallel_for(places.size(), 1, [&](std::size_t i) {
@@ -233,8 +244,6 @@ private:
             for (const std::uint32_t t : cuttings[i].triangles)
                 if (!is_removed(mesh_.triangles[t]) && goodness(mesh_.triangles[t]) < needed_) left_.push_back(t);
         }
-        forget_tangled(places);
-        return waiting;
     }
 
     bool has_tangled(const Cutting& cutting) const {

@@ -254,6 +254,17 @@ TEST(AccessibleSurface, PerturbedIsWhatTheConstructorFindsWithThatSeed) {
     }
 }
 
+TEST(AccessibleSurface, FindsTheSameWithoutContours) {
+    const Atoms atoms = random_cluster(5, 80, 10.0);
+    AccessibleSurface surface(atoms, kProbe);
+    const std::vector<double> before = signed_distance(surface, atoms.centres);
+    const Counts counts = counts_of(surface);
+    surface.forget_contours();
+    EXPECT_EQ(signed_distance(surface, atoms.centres), before);
+    EXPECT_EQ(counts_of(surface), counts);
+    EXPECT_THROW(surface.perturbed(1), std::logic_error);
+}
+
 TEST(AccessibleSurface, RefusesInvalidInput) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -41,6 +41,28 @@ double nearest_squared_distance(const BoxTree& tree, const std::vector<Box>& box
     return best;
 }
 
+TEST(SmallBox, HoldsTheBoxAndHardlyMore) {
+    for (const Box& box : random_boxes(7, 200, 3.0)) {
+        const SmallBox small(box);
+        EXPECT_TRUE(small.box().contains(box));
+        EXPECT_TRUE(box.grown(1e-5).contains(small.box()));
+        const double x = box.high.x + 1e-4;
+        EXPECT_TRUE(small.overlaps(SmallBox(Box{box.high, box.high})));
+        EXPECT_FALSE(small.overlaps(SmallBox(Box{{x, box.low.y, box.low.z}, {x, box.high.y, box.high.z}})));
+    }
+}
+
+TEST(SmallBox, GrowsFromNothing) {
+    SmallBox all;
+    EXPECT_FALSE(all.overlaps(SmallBox({{-1e30, -1e30, -1e30}, {1e30, 1e30, 1e30}})));
+    for (const Box& box : random_boxes(8, 20, 1.0)) {
+        all.include(SmallBox(box));
+        EXPECT_TRUE(all.box().contains(box));
+    }
+    const double far = std::numeric_limits<double>::max();
+    EXPECT_TRUE(SmallBox({{-far, 0, 0}, {far, 1, 1}}).overlaps(SmallBox({{1e38, 0.5, 0.5}, {1e39, 0.6, 0.6}})));
+}
+
 TEST(BoxTree, FindsWhatOverlapsInTheItemsOrder) {
     for (const std::size_t count : {1U, 7U, 8U, 9U, 64U, 65U, 700U}) {
         const std::vector<Box> boxes = random_boxes(count, count, 2.0);

@@ -174,7 +174,7 @@ TEST_F(NearestKernelsTest, MarkWhatIsNearABox) {
         EXPECT_EQ(answers.reaching[v] != 0, squared < 1.8 * 1.8);
     }
     for (std::size_t a = 0; a < local_.arcs().size(); ++a) {
-        const Box cell = surface_.data().arc_cells[local_.arcs().index(a)].grown(1e-6);
+        const Box cell = surface_.data().arc_cell_tree.box(local_.arcs().index(a)).grown(1e-6);
         EXPECT_EQ(answers.overlapping[a] != 0, cell.overlaps(kBox));
     }
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <stdexcept>
 
 #include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
@@ -347,6 +348,13 @@ TEST(Measure, ClustersFarApartAreMeasuredAsTheyAreAlone) {
     EXPECT_NEAR(both.totals.ses_volume / alone.totals.ses_volume, 2.0, 1e-8);
     EXPECT_NEAR(both.totals.sas_volume / alone.totals.sas_volume, 2.0, 1e-8);
     EXPECT_NEAR(norm(both.components[0].centre - both.components[1].centre), norm(Vec3{1e6, 7e5, -3e5}), 1e-3);
+}
+
+TEST(Measure, IsRefusedWithoutContours) {
+    const Atoms atoms = random_cluster(40, 8.0, 1);
+    AccessibleSurface surface(atoms, 1.4);
+    surface.forget_contours();
+    EXPECT_THROW(measure(surface, atoms), std::logic_error);
 }
 
 TEST(Measure, ProbeOutOfRangeIsAUsageError) {

@@ -67,7 +67,7 @@ TEST(FirstLook, BoxesHoldTheirTriangles) {
             const std::size_t chunk = t / TriangleBoxes::kChunk;
             EXPECT_TRUE(boxes.boxes[chunk].contains(box));
             const Vec3& corner = mesh.vertices[mesh.triangles[t][0]];
-            EXPECT_TRUE(boxes.first_corners[t / TriangleBoxes::kStretch].contains({corner, corner}));
+            EXPECT_TRUE(boxes.first_corners[t / TriangleBoxes::kStretch].box().contains({corner, corner}));
             EXPECT_TRUE((Box{corner, corner}.grown(boxes.longest[chunk]).contains(box)));
         }
     };
