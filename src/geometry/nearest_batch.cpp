@@ -202,7 +202,8 @@ void NearestBatch::choose_edges() {
 // Every vertex is a point of K: where one is near enough, no arc can bring the point back within the margin.
 void NearestBatch::drop_above() {
     const double near = data_->probe - margin_;
-    if (near <= 0.0) return;
+    const std::span distances(nearest_.squared_distance.at, open_count_);
+    if (near <= 0.0 || std::ranges::none_of(distances, [&](double d2) { return d2 <= near * near; })) return;
     std::size_t kept = 0;
     for (std::size_t k = 0; k < open_count_; ++k) {
         const bool above = nearest_.squared_distance[k] <= near * near;
