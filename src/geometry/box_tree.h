@@ -70,8 +70,10 @@ public:
         }
     }
     bool overlaps(const SmallBox& b) const {
-        const auto along = [&](std::size_t axis) { return (low[axis] <= b.high[axis]) & (b.low[axis] <= high[axis]); };
-        return along(0) & along(1) & along(2);
+        unsigned apart = 0;  // all axes always, as for Box
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            apart |= static_cast<unsigned>(low[axis] > b.high[axis]) | static_cast<unsigned>(b.low[axis] > high[axis]);
+        return apart == 0;
     }
     Box box() const { return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}; }
 
