@@ -55,9 +55,12 @@ struct Box {
     }
 };
 
-/// A box in single precision, no smaller than the one it stands for.
-class SmallBox {
-public:
+/// A box in single precision, no smaller than the one it stands for; the default one is empty.
+struct SmallBox {
+    static constexpr float kLargest = std::numeric_limits<float>::max();
+    std::array<float, 3> low{kLargest, kLargest, kLargest};
+    std::array<float, 3> high{-kLargest, -kLargest, -kLargest};
+
     SmallBox() = default;
     explicit SmallBox(const Box& box)
         : low{below(box.low.x), below(box.low.y), below(box.low.z)},
@@ -76,10 +79,6 @@ public:
         return apart == 0;
     }
     Box box() const { return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}; }
-
-    static constexpr float kLargest = std::numeric_limits<float>::max();
-    std::array<float, 3> low{kLargest, kLargest, kLargest};
-    std::array<float, 3> high{-kLargest, -kLargest, -kLargest};
 
 private:
     static float rounded(double x) { return static_cast<float>(std::clamp<double>(x, -kLargest, kLargest)); }
