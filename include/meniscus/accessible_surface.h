@@ -62,8 +62,8 @@ public:
     AccessibleSurface(AccessibleSurface&&) noexcept;
     AccessibleSurface& operator=(AccessibleSurface&&) noexcept;
 
-    /// Frees what only measures (measures.h) and other perturbations need, a sixth of all; what is nearest to a point is
-    /// found as before. Those throw std::logic_error afterwards.
+    /// Frees what only measures (measures.h) and other perturbations need, a sixth of all; what is nearest to a point
+    /// is found as before. Those throw std::logic_error afterwards.
     void forget_contours();
 
     double probe() const;

@@ -135,8 +135,7 @@ public:
         }
         for (const std::vector<Box>& level : levels_) {
             std::vector<EightBoxes>& eights = eights_.emplace_back((level.size() + kFanOut - 1) / kFanOut);
-            for (std::size_t i = 0; i < level.size(); ++i)
-                eights[i / kFanOut].set(i % kFanOut, SmallBox(level[i]));
+            for (std::size_t i = 0; i < level.size(); ++i) eights[i / kFanOut].set(i % kFanOut, SmallBox(level[i]));
         }
     }
 

@@ -63,8 +63,8 @@ struct CapKernels {
     /// excess[k]: squared distance of a ball's centre from `centre` less the square of both radii's sum; negative for
     /// balls that meet.
     void (*find_excess)(const BallColumns& balls, const Vec3& centre, double rho, double* excess);
-    /// The cap, the first of equals, that a direction is deepest in; caps.size() if it is in none. Columns are read up to
-    /// the next multiple of eight: there t must be such that nothing is inside.
+    /// The cap, the first of equals, that a direction is deepest in; caps.size() if it is in none. Columns are read up
+    /// to the next multiple of eight: there t must be such that nothing is inside.
     std::size_t (*find_deepest)(const CapColumns& caps, const Vec3& direction);
     /// idle[k] > 0: the cap is apart from all arcs and its middle is buried by one of `buried`, so it changes nothing.
     void (*find_idle)(const CapColumns& caps, std::span<const ArcExtent> arcs, std::span<const Cap> buried,

@@ -73,7 +73,8 @@ bool ContourBuilder::build(std::span<const Cap> caps) {
     start(caps);
     if (caps.empty()) return true;
     wait_from(0);
-    const auto largest = std::min_element(caps.begin(), caps.end(), [](const Cap& a, const Cap& b) { return a.t < b.t; });
+    const auto largest =
+        std::min_element(caps.begin(), caps.end(), [](const Cap& a, const Cap& b) { return a.t < b.t; });
     return insert_waiting(static_cast<std::size_t>(largest - caps.begin())) && bury_ends() && insert_rest();
 }
 
@@ -126,7 +127,8 @@ bool ContourBuilder::bury_ends() {
     return true;
 }
 
-// Most change nothing, but to find that out one by one costs a wrong guess of the processor each. Large ones bury others.
+// Most change nothing, but to find that out one by one costs a wrong guess of the processor each. Large ones bury
+// others.
 bool ContourBuilder::insert_rest() {
     if (!exposed()) return true;
     drop_idle();

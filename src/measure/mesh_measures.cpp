@@ -35,7 +35,8 @@ void check(const Mesh& mesh) {
     if (!mesh.components.empty() && mesh.components.size() != n)
         throw UsageError("a mesh needs one component number per vertex, or none at all");
     if (!all_below(mesh.components, n)) throw UsageError("a component number is larger than the mesh has vertices");
-    const std::span corners(mesh.triangles.empty() ? nullptr : mesh.triangles.front().data(), 3 * mesh.triangles.size());
+    const std::span corners(mesh.triangles.empty() ? nullptr : mesh.triangles.front().data(),
+                            3 * mesh.triangles.size());
     if (!all_below(corners, n)) throw UsageError("a triangle names a vertex that the mesh does not have");
 }
 

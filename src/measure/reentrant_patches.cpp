@@ -109,7 +109,8 @@ private:
                nearest_in_triangle(axis, beyond) < t - kSlack;
     }
 
-    // Cosine of the angle from a direction to the nearest one of the triangle: itself, or on a side that it lies beyond.
+    // Cosine of the angle from a direction to the nearest one of the triangle: itself, or on a side that it lies
+    // beyond.
     double nearest_in_triangle(const Vec3& axis, const std::array<double, kEdges>& beyond) const {
         double nearest = -1.0;
         bool inside = true;

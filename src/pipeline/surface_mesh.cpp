@@ -342,7 +342,7 @@ Creases creases_of(const LevelSet* level_set) { return level_set != nullptr ? Cr
 }  // namespace
 
 std::vector<float> finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
-                                    Mesh& mesh) {
+                                   Mesh& mesh) {
     return VertexFinisher(accessible, level_set, spacing, mesh).run();
 }
 
