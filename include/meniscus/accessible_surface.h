@@ -52,18 +52,22 @@ public:
     /// Of atoms with exactly the same centre the largest is kept, which holds the others. Degenerate arrangements (four
     /// spheres through a point, tangent and concentric spheres, lattices) are decided by a perturbation of the radii of
     /// order 1e-10 Å that depends only on the atoms themselves, not on their order. Another seed gives another
-    /// perturbation: what both give is not an accident of either. throws   std::invalid_argument for no atoms, a radius
-    /// <= 0 or a coordinate that is not finite cost     linear at protein density; parallel over atoms
+    /// perturbation: what both give is not an accident of either.
+    ///
+    /// throws   std::invalid_argument for no atoms, a radius <= 0 or a coordinate that is not finite
+    /// cost     linear at protein density; parallel over atoms
     AccessibleSurface(const Atoms& atoms, double probe, std::uint64_t seed = 0);
     /// The same atoms and probe radius under the perturbation of another seed. What is exposed is found anew, sooner
     /// than by the constructor: neighbours that buried most are looked at first.
+    ///
+    /// throws   std::logic_error after forget_contours()
     AccessibleSurface perturbed(std::uint64_t seed) const;
     ~AccessibleSurface();
     AccessibleSurface(AccessibleSurface&&) noexcept;
     AccessibleSurface& operator=(AccessibleSurface&&) noexcept;
 
-    /// Frees what only measures (measures.h) and other perturbations need, a sixth of all; what is nearest to a point
-    /// is found as before. Those throw std::logic_error afterwards.
+    /// Frees a sixth of the memory, which only measure() (measures.h) and perturbed() need: both throw std::logic_error
+    /// afterwards. What is nearest to a point is found as before.
     void forget_contours();
 
     double probe() const;

@@ -117,6 +117,8 @@ struct Measures {
 Measures measure(const Atoms& atoms, const MeasureOptions& options = {});
 
 /// The same of a surface of these atoms that is there already; the options' probe radius does not matter.
+///
+/// throws   std::logic_error where the surface has forgotten its contours
 Measures measure(const AccessibleSurface& surface, const Atoms& atoms, const MeasureOptions& options = {});
 
 }  // namespace meniscus

@@ -139,6 +139,7 @@ public:
         }
     }
 
+    /// As it was given.
     const Box& box(std::size_t item) const { return levels_[0][item]; }
 
     /// Calls visit(item) for every item whose box overlaps `box`, in the items' order.

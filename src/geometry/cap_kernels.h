@@ -21,15 +21,16 @@ namespace meniscus {
 template <std::size_t kCount>
 class Columns {
 public:
+    static constexpr std::size_t kStep = 8;  // columns are readable up to the next multiple
+
     /// Keeps nothing that was in it.
     void resize(std::size_t items) {
-        constexpr std::size_t kWidest = 8;
-        const std::size_t rounded = (items + kWidest - 1) / kWidest * kWidest;
-        for (std::vector<double>& column : columns_)
-            if (column.size() < rounded) column.resize(rounded);
         size_ = items;
+        for (std::vector<double>& column : columns_)
+            if (column.size() < padded_size()) column.resize(padded_size());
     }
     std::size_t size() const { return size_; }
+    std::size_t padded_size() const { return (size_ + kStep - 1) / kStep * kStep; }
     double* operator[](std::size_t column) { return columns_[column].data(); }
     const double* operator[](std::size_t column) const { return columns_[column].data(); }
 
@@ -63,8 +64,8 @@ struct CapKernels {
     /// excess[k]: squared distance of a ball's centre from `centre` less the square of both radii's sum; negative for
     /// balls that meet.
     void (*find_excess)(const BallColumns& balls, const Vec3& centre, double rho, double* excess);
-    /// The cap, the first of equals, that a direction is deepest in; caps.size() if it is in none. Columns are read up
-    /// to the next multiple of eight: there t must be such that nothing is inside.
+    /// The cap, the first of equals, that a direction is deepest in; caps.size() if it is in none. Behind the last cap
+    /// t must be such that nothing is inside.
     std::size_t (*find_deepest)(const CapColumns& caps, const Vec3& direction);
     /// idle[k] > 0: the cap is apart from all arcs and its middle is buried by one of `buried`, so it changes nothing.
     void (*find_idle)(const CapColumns& caps, std::span<const ArcExtent> arcs, std::span<const Cap> buried,

@@ -94,7 +94,6 @@ bool ContourBuilder::extend(std::span<const Cap> caps) {
 
 // Has all caps from one on wait for insertion.
 void ContourBuilder::wait_from(std::size_t first) {
-    constexpr std::size_t kWidest = 8;
     order_.resize(caps_.size() - first);
     std::iota(order_.begin(), order_.end(), static_cast<std::uint32_t>(first));
     waiting_.resize(order_.size());
@@ -105,7 +104,7 @@ void ContourBuilder::wait_from(std::size_t first) {
         waiting_[2][i] = cap.axis.z;
         waiting_[3][i] = cap.t;
     }
-    for (std::size_t i = order_.size(); i % kWidest != 0; ++i) waiting_[3][i] = kNoCap;
+    std::fill(waiting_[3] + waiting_.size(), waiting_[3] + waiting_.padded_size(), kNoCap);
 }
 
 bool ContourBuilder::insert_waiting(std::size_t i) {
@@ -122,7 +121,7 @@ bool ContourBuilder::bury_ends() {
             continue;
         }
         if (!insert_waiting(i)) return false;
-        a = 0;
+        a = 0;  // arcs have changed their places
     }
     return true;
 }

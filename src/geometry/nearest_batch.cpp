@@ -202,11 +202,12 @@ void NearestBatch::choose_edges() {
 // Every vertex is a point of K: where one is near enough, no arc can bring the point back within the margin.
 void NearestBatch::drop_above() {
     const double near = data_->probe - margin_;
-    const std::span distances(nearest_.squared_distance.at, open_count_);
-    if (near <= 0.0 || std::ranges::none_of(distances, [&](double d2) { return d2 <= near * near; })) return;
+    const auto is_above = [near](double squared_distance) { return squared_distance <= near * near; };
+    if (near <= 0.0 || std::none_of(nearest_.squared_distance.at, nearest_.squared_distance.at + open_count_, is_above))
+        return;
     std::size_t kept = 0;
     for (std::size_t k = 0; k < open_count_; ++k) {
-        const bool above = nearest_.squared_distance[k] <= near * near;
+        const bool above = is_above(nearest_.squared_distance[k]);
         claims_.signed_distance[open_[k]] = margin_;  // the last word only if it is above
         open_[kept] = open_[k];
         set_point(open_points_, kept, get_point(open_points_, k));

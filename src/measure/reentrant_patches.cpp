@@ -67,12 +67,9 @@ private:
         base_.clear();
         for (std::uint32_t k = 0; k < kEdges; ++k)
             base_.push_back({normalised(cross(d[k], d[(k + 1) % 3])), 0.0, k});  // away from the third: see SasVertex
-        // The triangle of three directions within a hemisphere lies in the cap around their mean.
         const Vec3 sum = d[0] + d[1] + d[2];
-        middle_ = (1.0 / std::max(norm(sum), 1e-3)) * sum;
-        cosine_ = std::max(0.0, std::min({dot(middle_, d[0]), dot(middle_, d[1]), dot(middle_, d[2])}));
-        sine_ = std::sqrt(std::max(0.0, 1.0 - cosine_ * cosine_));
-        may_miss_ = cosine_ > 1e-3;
+        const Vec3 middle = (1.0 / std::max(norm(sum), 1e-3)) * sum;
+        may_miss_ = std::min({dot(middle, d[0]), dot(middle, d[1]), dot(middle, d[2])}) > 1e-3;
         return triangle_angle(d);
     }
 
@@ -97,16 +94,14 @@ private:
     }
 
     // Whether a probe's cap is known to lie beyond the sides of the triangle: wholly beyond one of them, as nearly all
-    // are that miss it, or far from its middle, or off everything between the corners.
+    // are that miss it, or off the nearest direction of the triangle.
     bool misses_triangle(const Vec3& axis, double t) const {
         constexpr double kSlack = 1e-6;  // shifts of planes, rounding
         const double sine = std::sqrt(1.0 - t * t);
         const std::array<double, kEdges> beyond{dot(axis, base_[0].axis), dot(axis, base_[1].axis),
                                                 dot(axis, base_[2].axis)};
         if (std::max({beyond[0], beyond[1], beyond[2]}) > sine + kSlack) return true;
-        if (!may_miss_) return false;
-        return dot(axis, middle_) < t * cosine_ - sine * sine_ - kSlack ||
-               nearest_in_triangle(axis, beyond) < t - kSlack;
+        return may_miss_ && nearest_in_triangle(axis, beyond) < t - kSlack;
     }
 
     // Cosine of the angle from a direction to the nearest one of the triangle: itself, or on a side that it lies
@@ -119,8 +114,8 @@ private:
             inside = false;
             const Vec3& from = corners_[k];
             const Vec3& to = corners_[(k + 1) % kEdges];
-            const Vec3 perpendicular = cross(axis, base_[k].axis);
-            const bool faces_side = dot(perpendicular, from) >= 0.0 && dot(perpendicular, to) <= 0.0;
+            const Vec3 across = cross(axis, base_[k].axis);
+            const bool faces_side = dot(across, from) >= 0.0 && dot(across, to) <= 0.0;
             nearest = std::max(nearest, faces_side ? std::sqrt(std::max(0.0, 1.0 - beyond[k] * beyond[k]))
                                                    : std::max(dot(axis, from), dot(axis, to)));
         }
@@ -212,10 +207,7 @@ private:
     std::vector<std::uint32_t> near_;
     std::array<Vec3, 3> corners_;  // of the triangle, directions from the probe
     bool whole_ = false;           // the triangle trimmed last
-    Vec3 middle_;                  // of a cap that holds the triangle, with the cosine and sine of its angle
-    double cosine_ = 1.0;
-    double sine_ = 0.0;
-    bool may_miss_ = false;
+    bool may_miss_ = false;        // its corners lie within a hemisphere round their mean, not at its rim
     std::vector<Cap> base_;
     std::vector<Cap> caps_;
     ContourBuilder builder_;

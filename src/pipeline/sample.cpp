@@ -69,12 +69,13 @@ private:
     // Points that did not come to lie on the surface, as one in some 100,000 does between sheets that nearly touch.
     std::vector<VertexId> strays(const Mesh& points, const std::vector<float>& distances) const {
         constexpr double kOnSurface = 1e-6;  // spacings
-        const std::vector<double> values = level_set_ != nullptr
-                                               ? level_set_->values(points.vertices)
-                                               : std::vector<double>(distances.begin(), distances.end());
+        std::vector<double> values;
+        if (level_set_ != nullptr) values = level_set_->values(points.vertices);
         std::vector<VertexId> result;
-        for (VertexId i = 0; i < values.size(); ++i)
-            if (!(std::abs(values[i]) < kOnSurface * spacing())) result.push_back(i);
+        for (VertexId i = 0; i < points.vertices.size(); ++i) {
+            const double off = level_set_ != nullptr ? std::abs(values[i]) : distances[i];
+            if (!(off < kOnSurface * spacing())) result.push_back(i);
+        }
         return result;
     }
 

@@ -159,9 +159,9 @@ private:
         chunks.for_each_overlapping(box, [&](std::uint32_t chunk) {
             const std::size_t end = std::min((chunk + 1) * kChunk, mesh_.triangles.size());
             const Box near = box.grown(boxes_.longest[chunk]);
-            const SmallBox near_stretch(near);
+            const SmallBox small_near(near);
             for (std::size_t begin = chunk * kChunk; begin < end; begin += kStretch) {
-                if (!near_stretch.overlaps(boxes_.first_corners[begin / kStretch])) continue;
+                if (!small_near.overlaps(boxes_.first_corners[begin / kStretch])) continue;
                 for (std::size_t t = begin; t < std::min(begin + kStretch, end); ++t) {
                     const Triangle& triangle = mesh_.triangles[t];
                     const Vec3& corner = mesh_.vertices[triangle[0]];
@@ -223,12 +223,13 @@ private:
         const std::vector<Place> places = choose_places(pending, waiting);
         const BoxTree chunks(boxes_.boxes);
         for (std::size_t begin = 0; begin < places.size(); begin += kTogether)
-            mend(chunks, std::span(places).subspan(begin, std::min(kTogether, places.size() - begin)));
+            mend_places(chunks, std::span(places).subspan(begin, std::min(kTogether, places.size() - begin)));
         forget_tangled(places);
         return waiting;
     }
 
-    void mend(const BoxTree& chunks, std::span<const Place> places) {
+    // Of those of a round, side by side.
+    void mend_places(const BoxTree& chunks, std::span<const Place> places) {
         std::vector<Cutting> cuttings(places.size());
         std::vector<Patch> mended(places.size());
         parallel_for(places.size(), 1, [&](std::size_t i) {

@@ -42,9 +42,8 @@ class CapKernelsTest : public ::testing::Test {
 protected:
     CapKernelsTest() : list_(kItems) {
         balls_.resize(kItems);
-        columns_.resize(kItems + 7);
-        std::fill_n(columns_[3] + kItems, 7, 4.0);
         columns_.resize(kItems);
+        std::fill(columns_[3] + kItems, columns_[3] + columns_.padded_size(), 4.0);
         for (std::size_t i = 0; i < kItems; ++i) {
             const Vec3 c = atoms_.centres[i];
             for (const auto& [column, value] : {std::pair{0, c.x}, {1, c.y}, {2, c.z}, {3, atoms_.radii[i]}})
