@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string_view>
@@ -88,6 +89,18 @@ double nanoseconds_per_root() {
     return 1e9 * time / (kRounds * static_cast<double>(kNumbers));
 }
 
+// Steps of two operations that each wait for the one before: two cycles.
+double cycles_per_second() {
+    constexpr std::size_t kSteps = 200'000'000;
+    volatile std::uint64_t sink = 1;
+    const double time = least_seconds([&] {
+        std::uint64_t x = sink;
+        for (std::size_t i = 0; i < kSteps; ++i) x ^= x << 1U;
+        sink = x;
+    });
+    return 2.0 * static_cast<double>(kSteps) / time;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -95,6 +108,7 @@ int main(int argc, char** argv) {
         fmt::print("{:.3f}\n", gain_of_two_threads());
         return 0;
     }
+    fmt::print("clock                        {:6.2f} GHz\n", 1e-9 * cycles_per_second());
     fmt::print("stream, one thread           {:6.1f} GB/s\n", 1e-9 * stream_bytes_per_second());
     const double touch = first_touch_bytes_per_second();
     fmt::print("first touch                  {:6.1f} GB/s, {:.2f} µs per page of 4 KiB\n", 1e-9 * touch,
