@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/count_bits.h"
+#include "core/bits.h"
 #include "meniscus/mesh.h"
 
 namespace meniscus {

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flow/density_kernels.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 #include "core/instructions.h"
+#include "core/sign_bits.h"
 
 #define MENISCUS_KERNELS "flow/density_kernels.inc"
 

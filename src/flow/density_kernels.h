@@ -18,8 +18,8 @@ struct DensityKernels {
     std::string_view instructions;  ///< "plain", "avx2" or "avx512"
 
     /// Of every atom its largest and its least term in the box, and whether it is within `reach` of the box: if not,
-    /// both are 0. Arrays have room for atoms.padded_size() numbers.
-    void (*bound_terms)(const SphereList& atoms, const Box& box, double c, double reach, std::int64_t* within,
+    /// both are 0. within: a bit for each (core/bits.h); the others have room for atoms.padded_size() numbers.
+    void (*bound_terms)(const SphereList& atoms, const Box& box, double c, double reach, std::uint64_t* within,
                         double* largest, double* least);
 
     /// The terms of one atom at the nodes of a block, divided by exp(unit). `from` leads from the atom's centre to the

@@ -73,7 +73,7 @@ public:
 
     // Those of the box gone to.
     const SphereList& atoms() {
-        atoms_.select(row_, within_);
+        atoms_.select(row_, within_.data());
         return atoms_;
     }
 
@@ -90,9 +90,9 @@ private:
             const Vec3& c = atoms.centres[i];
             if (row_box_.squared_distance(c) < reach * reach) row_.add({c.x, c.y, c.z, atoms.radii[i]}, i);
         });
-        within_.resize(std::max(within_.size(), row_.padded_size()));
-        largest_.resize(within_.size());
-        least_.resize(within_.size());
+        within_.resize(std::max(within_.size(), words_for(row_.size())));
+        largest_.resize(std::max(largest_.size(), row_.padded_size()));
+        least_.resize(largest_.size());
     }
 
     double sum_of(const std::vector<double>& terms) const {
@@ -102,7 +102,7 @@ private:
     const GaussianDensity& density_;
     Box row_box_;
     SphereList row_;
-    std::vector<std::int64_t> within_;  // of row_
+    std::vector<std::uint64_t> within_;  // of row_, a bit for each atom
     std::vector<double> largest_;
     std::vector<double> least_;
     SphereList atoms_;

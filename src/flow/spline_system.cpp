@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/count_bits.h"
+#include "core/bits.h"
 #include "core/parallel.h"
 
 namespace meniscus {

@@ -177,14 +177,14 @@ void LocalFeatures::gather(const Box& box) {
 void LocalFeatures::gather_from(const LocalFeatures& wider, const Box& box) {
     const NearestKernels& kernels = nearest_kernels();
     box_ = box;
-    marks_.resize(std::max(
-        {marks_.size(), wider.balls_.padded_size(), wider.arcs_.padded_size(), wider.vertices_.padded_size()}));
+    marks_.resize(std::max({marks_.size(), words_for(wider.balls_.size()), words_for(wider.arcs_.size()),
+                            words_for(wider.vertices_.size())}));
     kernels.mark_reaching(wider.balls_, beyond_balls(), box, marks_.data());
-    balls_.select(wider.balls_, marks_);
+    balls_.select(wider.balls_, marks_.data());
     kernels.mark_overlapping(wider.arcs_, box, marks_.data());
-    arcs_.select(wider.arcs_, marks_);
+    arcs_.select(wider.arcs_, marks_.data());
     kernels.mark_reaching(wider.vertices_, margin_, box, marks_.data());
-    vertices_.select(wider.vertices_, marks_);
+    vertices_.select(wider.vertices_, marks_.data());
 }
 
 NearestFeature LocalFeatures::nearest(const Vec3& point) const {

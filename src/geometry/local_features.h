@@ -9,22 +9,11 @@
 #include <span>
 #include <vector>
 
+#include "core/bits.h"
 #include "geometry/accessible_surface_data.h"
 #include "geometry/nearest_feature.h"
 
 namespace meniscus {
-
-/// Writes the positions of marks that are set and returns how many they are; there must be room for all. Without a
-/// branch, for nobody could predict it.
-template <class Mark>
-std::size_t marked_positions(std::span<Mark> marks, std::uint32_t* positions) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < marks.size(); ++i) {
-        positions[count] = static_cast<std::uint32_t>(i);
-        count += marks[i] != 0 ? 1 : 0;
-    }
-    return count;
-}
 
 /// A list of features, each a few numbers and its index: one array per number, which vectors can read. Refilled again
 /// and again without setting its memory.
@@ -46,10 +35,10 @@ public:
         for (std::size_t c = 0; c < kColumns; ++c) columns_[c][size_] = row[c];
         indices_[size_++] = index;
     }
-    /// Becomes the marked items of a list, in order.
-    void select(const FeatureList& from, std::span<const std::int64_t> marks) {
+    /// Becomes the marked items of a list, in order. marks: a bit for each.
+    void select(const FeatureList& from, const std::uint64_t* marks) {
         reserve(from.size());
-        size_ = marked_positions(marks.first(from.size()), indices_.data());
+        size_ = list_items(marks, from.size(), indices_.data());
         for (std::size_t c = 0; c < kColumns; ++c)
             for (std::size_t i = 0; i < size_; ++i) columns_[c][i] = from.columns_[c][indices_[i]];
         for (std::size_t i = 0; i < size_; ++i) indices_[i] = from.indices_[indices_[i]];
@@ -109,7 +98,7 @@ private:
     SphereList balls_;
     BoxList arcs_;
     SphereList vertices_;
-    std::vector<std::int64_t> marks_;
+    std::vector<std::uint64_t> marks_;
 };
 
 /// The nearest feature of each point; quick for points near the surface in spatial order.

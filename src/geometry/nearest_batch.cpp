@@ -54,14 +54,25 @@ NearestBatch::Claim NearestBatch::start(const LocalFeatures& local, const Box& b
 // Balls that may be deeper somewhere than the one that is deepest in the middle.
 void NearestBatch::choose_contenders(std::size_t deepest) {
     const SphereList& balls = local_->balls();
-    marks_.resize(std::max(marks_.size(), balls.padded_size()));
+    marks_.resize(std::max(marks_.size(), words_for(balls.size())));
     kernels_.mark_contenders(balls, deepest, box_, marks_.data());
-    contenders_.select(balls, marks_);
+    contenders_.select(balls, marks_.data());
     // In the middle they are less deep by two diagonals at most.
     const double extent = 5.0 * half_diagonal_ + 2.0 * data_->rho_max - depths_in_middle_[deepest];
     // With coordinates up to m from the middle and u = 2^-24, differences are off by 2 u m each, their norm by
     // (2 √3 + 3) u m, the depth by less than 8 u (m + rho).
     depth_error_ = 8.0 * 0x1p-24 * extent;
+}
+
+void NearestBatch::list_insides(double slack, std::vector<InsideBall>& balls) const {
+    balls.clear();
+    for (std::size_t b = 0; b < contenders_.size(); ++b) {
+        const double radius = contenders_.column(3)[b] - data_->probe - slack;
+        if (radius <= 0.0) continue;
+        const Vec3 from = position_in(contenders_, b) - middle_;
+        balls.push_back({static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z),
+                         static_cast<float>(radius * radius)});
+    }
 }
 
 void NearestBatch::find(std::span<const Vec3> points) {
@@ -188,14 +199,14 @@ void NearestBatch::offer_edges() {
 void NearestBatch::choose_edges() {
     const SphereList& vertices = local_->vertices();
     const BoxList& arcs = local_->arcs();
-    marks_.resize(std::max({marks_.size(), vertices.padded_size(), arcs.padded_size()}));
+    marks_.resize(std::max({marks_.size(), words_for(vertices.size()), words_for(arcs.size())}));
     kernels_.mark_reaching(vertices, margin_, box_, marks_.data());
     kernels_.unmark_far(vertices, box_, marks_.data());
     vertices_.resize(vertices.size());
-    vertices_.resize(marked_positions(std::span(marks_).first(vertices.size()), vertices_.data()));
+    vertices_.resize(list_items(marks_.data(), vertices.size(), vertices_.data()));
     kernels_.mark_overlapping(arcs, box_, marks_.data());
     arcs_.resize(arcs.size());
-    arcs_.resize(marked_positions(std::span(marks_).first(arcs.size()), arcs_.data()));
+    arcs_.resize(list_items(marks_.data(), arcs.size(), arcs_.data()));
     for (std::uint32_t& a : arcs_) a = arcs.index(a);
 }
 

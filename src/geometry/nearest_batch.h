@@ -49,6 +49,10 @@ public:
     /// all its points: then there is nothing to find. Open otherwise.
     Claim start(const LocalFeatures& local, const Box& box, double margin);
 
+    /// After that, what of that box lies in atoms without doubt, relative to its middle. slack: Å by which the atoms
+    /// are made smaller.
+    void list_insides(double slack, std::vector<InsideBall>& balls) const;
+
     /// Finds what is nearest to points of that box, at most kBatchLanes.
     void find(std::span<const Vec3> points);
     /// The same without a copy of the points, which must stay until the next ones come.
@@ -63,6 +67,8 @@ public:
         if (claims_.owned[lane] != 0) return Claim::Ball;
         return s <= -margin_ ? Claim::Below : Claim::Edge;
     }
+    /// Which side a point is on, unless it is nearer to the surface than the margin and that is less than rounding.
+    bool is_inside(std::size_t point) const { return claims_.signed_distance[lane_of_[point]] < 0.0; }
     bool found(std::size_t point) const { return claim(point) == Claim::Ball || claim(point) == Claim::Edge; }
     /// Writes the signed distance of every point, clamped to ±margin, to the place given for it.
     void write_distances(std::span<const std::uint32_t> places, float* to);
@@ -111,7 +117,7 @@ private:
     double half_diagonal_ = 0.0;
     double depth_error_ = 0.0;              // Å, of depths in single precision
     std::vector<double> depths_in_middle_;  // per ball of the lists
-    std::vector<std::int64_t> marks_;       // per feature of a list: whether it may matter to the box
+    std::vector<std::uint64_t> marks_;      // of a list: the features that may matter to the box
     SphereList contenders_;                 // balls that may be the deepest somewhere in the box
     std::vector<SmallBall> small_;          // the same
     std::vector<std::uint32_t> vertices_;   // positions in the lists' vertices

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/nearest_kernels.h"
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include "core/instructions.h"
+#include "core/sign_bits.h"
 
 #define MENISCUS_KERNELS "geometry/nearest_kernels.inc"
 

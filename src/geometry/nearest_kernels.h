@@ -48,6 +48,28 @@ struct PointScreen {
     float beyond = 0.0F;  ///< distance of those near enough to the middle
 };
 
+/// The same for sides alone. Points near enough to the foot are outside, those near enough to the middle on its side.
+struct SideScreen {
+    float foot[3]{};
+    float near_foot = 0.0F;    ///< squared distance
+    float near_middle = 0.0F;  ///< distance
+    bool middle_inside = false;
+};
+
+/// Of kBatchLanes points, bit by bit: which are known to be inside, and of which it is known where they are.
+struct KnownSides {
+    std::uint64_t inside = 0;
+    std::uint64_t settled = 0;
+};
+
+/// A ball whose points are inside, in single precision, relative to a point nearby.
+struct InsideBall {
+    float x;
+    float y;
+    float z;
+    float squared_radius;
+};
+
 /// A ball in single precision, relative to a point nearby.
 struct SmallBall {
     float x;
@@ -126,22 +148,26 @@ struct ArcLanes {
     LaneArray<double> radius1;
 };
 
+/// Marks are sets of items of a list, one bit for each (core/bits.h).
 struct NearestKernels {
     std::string_view instructions;  ///< "plain", "avx2" or "avx512"
 
     /// Marks the spheres that, with radii enlarged by `beyond`, reach into a box.
-    void (*mark_reaching)(const SphereList& spheres, double beyond, const Box& box, std::int64_t* marks);
+    void (*mark_reaching)(const SphereList& spheres, double beyond, const Box& box, std::uint64_t* marks);
     /// Marks the boxes that overlap one.
-    void (*mark_overlapping)(const BoxList& boxes, const Box& box, std::int64_t* marks);
+    void (*mark_overlapping)(const BoxList& boxes, const Box& box, std::uint64_t* marks);
     /// How deep a point is in each ball; returns the position of one where it is deepest. There must be some.
     std::size_t (*find_depths_of)(const Vec3& point, const SphereList& balls, double* depths);
     /// Marks a ball and those that may be deeper than it somewhere in a box.
-    void (*mark_contenders)(const SphereList& balls, std::size_t ball, const Box& box, std::int64_t* marks);
+    void (*mark_contenders)(const SphereList& balls, std::size_t ball, const Box& box, std::uint64_t* marks);
     /// Unmarks vertices that are nowhere in a box the nearest one.
-    void (*unmark_far)(const SphereList& vertices, const Box& box, std::int64_t* marks);
+    void (*unmark_far)(const SphereList& vertices, const Box& box, std::uint64_t* marks);
     /// Marks those of kBatchLanes points that the screen lets through. from_middle: their distances from it.
-    void (*screen)(const PointScreen& known, const LanePoints<float>& points, const LaneArray<float>& from_middle,
-                   LaneArray<std::int32_t>& marks);
+    std::uint64_t (*screen)(const PointScreen& known, const LanePoints<float>& points,
+                            const LaneArray<float>& from_middle);
+    /// What is known of kBatchLanes points. from_middle: their distances from it.
+    KnownSides (*screen_sides)(const SideScreen& known, std::span<const InsideBall> balls,
+                               const LanePoints<float>& points, const LaneArray<float>& from_middle);
     /// Points relative to one nearby, in single precision.
     void (*make_small)(const LanePoints<double>& points, const Vec3& origin, std::size_t count,
                        LanePoints<float>& small);

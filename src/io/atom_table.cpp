@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
+#include <string_view>
 
 #include "io/atomic_file.h"
 #include "io/csv.h"
@@ -10,16 +11,27 @@
 namespace meniscus {
 namespace {
 
+void write_field(AtomicFile& file, std::string_view text) {
+    file.write(',');
+    write_csv_field(file, text);
+}
+
 // One-letter fields are empty where there is nothing to tell.
-std::string letter_of(char c) { return c == ' ' || c == '\0' ? "" : csv_field({&c, 1}); }
+void write_letter(AtomicFile& file, char c) { write_field(file, c == ' ' || c == '\0' ? "" : std::string_view(&c, 1)); }
 
 void write_row(AtomicFile& file, const Structure& structure, std::size_t i) {
     const AtomLabel& label = structure.labels[i];
     const Residue& residue = residue_of(structure, i);
     const Vec3& centre = structure.atoms.centres[i];
-    file.write(std::to_string(i) + ',' + csv_field(residue.chain) + ',' + csv_field(residue.name) + ',' +
-               std::to_string(residue.number) + ',' + letter_of(residue.insertion_code) + ',' + csv_field(label.name) +
-               ',' + csv_field(label.element) + ',' + letter_of(label.altloc) + ',' + std::to_string(label.serial));
+    file.number(i);
+    write_field(file, residue.chain);
+    write_field(file, residue.name);
+    write_field(file, std::to_string(residue.number));
+    write_letter(file, residue.insertion_code);
+    write_field(file, label.name);
+    write_field(file, label.element);
+    write_letter(file, label.altloc);
+    write_field(file, std::to_string(label.serial));
     for (const double value :
          {centre.x, centre.y, centre.z, structure.atoms.radii[i], label.b_factor, label.occupancy, label.charge}) {
         file.write(',');

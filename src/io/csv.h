@@ -3,21 +3,21 @@
 // Text in comma-separated files.
 #pragma once
 
-#include <string>
 #include <string_view>
+
+#include "io/atomic_file.h"
 
 namespace meniscus {
 
 /// A field as RFC 4180 wants it: in quotes if it holds a comma, a quote or a line end.
-inline std::string csv_field(std::string_view text) {
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-    std::string quoted(1, '"');
+inline void write_csv_field(AtomicFile& file, std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return file.write(text);
+    file.write('"');
     for (const char c : text) {
-        if (c == '"') quoted += '"';
-        quoted += c;
+        if (c == '"') file.write('"');
+        file.write(c);
     }
-    quoted += '"';
-    return quoted;
+    file.write('"');
 }
 
 }  // namespace meniscus

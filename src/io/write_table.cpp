@@ -23,7 +23,7 @@ struct CsvCell {
     void operator()(double value) const {
         if (std::isfinite(value)) file.number(value);
     }
-    void operator()(const std::string& text) const { file.write(csv_field(text)); }
+    void operator()(const std::string& text) const { write_csv_field(file, text); }
 };
 
 std::string json_text(std::string_view text) {
@@ -58,7 +58,10 @@ struct JsonCell {
 };
 
 void write_csv(AtomicFile& file, const Table& table) {
-    for (std::size_t i = 0; i < table.columns.size(); ++i) file.write((i > 0 ? "," : "") + csv_field(table.columns[i]));
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        if (i > 0) file.write(',');
+        write_csv_field(file, table.columns[i]);
+    }
     file.write('\n');
     for (const auto& row : table.rows) {
         for (std::size_t i = 0; i < row.size(); ++i) {

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/triangle_lanes.h"
 
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <type_traits>
 
 #include "core/instructions.h"
+#include "core/sign_bits.h"
 #include "measure/corrected.h"
 #include "measure/creases.h"
 

@@ -8,10 +8,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "geometry/box_tree.h"
 #include "measure/lanes.h"
 #include "meniscus/mesh.h"
 
@@ -20,6 +22,7 @@ namespace meniscus {
 /// kLanes triangles, and what a kernel finds out about each.
 struct TriangleLanes {
     std::array<VectorLanes, 3> points;   ///< corners, from an origin nearby
+    std::optional<Vec3> origin{Vec3{}};  ///< if it is the same for all
     std::array<VectorLanes, 3> normals;  ///< of the surface there
 
     Lanes two_areas{};
@@ -64,9 +67,16 @@ struct SuspectLimits {
     double squared_edge = 0.0;     ///< of the shortest side that is, Å²
     double squared_cosine = 0.0;   ///< of the angle with a corner's normal from which on a triangle leans
 };
-inline constexpr std::int64_t kMayBeBad = 1;  ///< too small an angle or side, or the surface looks the other way
-inline constexpr std::int64_t kLeans = 2;
-using SuspectMarks = std::array<std::int64_t, kLanes>;
+/// A bit for each of kLanes triangles.
+struct SuspectMarks {
+    std::uint64_t may_be_bad = 0;  ///< too small an angle or side, or the surface looks the other way
+    std::uint64_t leaning = 0;
+};
+static_assert(kLanes == 64);
+
+/// Boxes round kStretchLanes points each.
+inline constexpr std::size_t kStretchLanes = 16;
+using StretchBoxes = std::array<Box, kLanes / kStretchLanes>;
 
 struct TriangleKernels {
     std::string_view instructions;  ///< "plain", "avx2" or "avx512"
@@ -82,7 +92,10 @@ struct TriangleKernels {
     /// Sums over all lanes; those of the parts mean nothing where they were not measured.
     void (*add_up)(const TriangleLanes& lanes, LaneSums& sums);
     /// After measure_with_normals.
-    void (*mark)(const TriangleLanes& lanes, const SuspectLimits& limits, SuspectMarks& marks);
+    SuspectMarks (*mark)(const TriangleLanes& lanes, const SuspectLimits& limits);
+    /// The largest of all lanes.
+    double (*find_largest)(const Lanes& lanes);
+    void (*bound)(const VectorLanes& points, StretchBoxes& boxes);
 };
 
 /// Those that this machine can run, the plainest first.

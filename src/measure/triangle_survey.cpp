@@ -91,9 +91,11 @@ void TriangleSurvey::load(const Mesh& mesh, std::span<const Triangle> triangles,
                           TriangleLanes& lanes) const {
     if (parts_ != Parts::LeftOut) triangle_kernels().gather(mesh.normals.data(), triangles, {}, lanes.normals);
     if (is_one_piece(std::span(pieces).first(triangles.size()))) {
-        triangle_kernels().gather(mesh.vertices.data(), triangles, origins_[pieces[0]], lanes.points);
+        lanes.origin = origins_[pieces[0]];
+        triangle_kernels().gather(mesh.vertices.data(), triangles, *lanes.origin, lanes.points);
         return;
     }
+    lanes.origin.reset();
     for (std::size_t lane = 0; lane < triangles.size(); ++lane)
         for (std::size_t corner = 0; corner < 3; ++corner)
             lanes.points[corner].set(lane, mesh.vertices[triangles[lane][corner]] - origins_[pieces[lane]]);

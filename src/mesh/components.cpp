@@ -106,10 +106,10 @@ std::vector<std::uint32_t> pieces_by_first_vertex(const Mesh& mesh) {
 PieceVertices vertices_of_pieces(std::span<const std::uint32_t> of_vertex) {
     const auto runs =
         parallel_list<PieceRun>(of_vertex.size(), kChunk, [&](std::size_t begin, std::size_t end, auto& list) {
-            for (std::size_t v = begin; v < end; ++v) {
-                if (v == begin || of_vertex[v] != of_vertex[v - 1])
-                    list.push_back({of_vertex[v], static_cast<VertexId>(v), 0});
-                ++list.back().vertices;
+            for (std::size_t v = begin; v < end;) {
+                const std::size_t first = v;
+                while (v < end && of_vertex[v] == of_vertex[first]) ++v;
+                list.push_back({of_vertex[first], static_cast<VertexId>(first), v - first});
             }
         });
     PieceVertices pieces;

@@ -7,18 +7,16 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/bits.h"
 #include "grid/block_grid.h"
+#include "grid/inside_bits.h"
 
 namespace meniscus {
-
-/// One bit per node of a block: bit x + 8 y of word z.
-using NodeBits = std::array<std::uint64_t, kBlockEdge>;
 
 /// Nodes along each edge of a block, with the first ones of its upper neighbours.
 inline constexpr std::size_t kRowNodes = kBlockEdge + 1;
@@ -35,55 +33,74 @@ constexpr BlockId upper_neighbour(const std::array<BlockId, 27>& around, std::si
     return around[static_cast<std::size_t>(neighbour_slot(i & 1, (i >> 1) & 1, i >> 2))];
 }
 
-/// Inside bits of a block and of the nodes next to it on its upper sides. A missing block has no bits set.
-struct Rows {
-    std::array<std::uint16_t, kRowNodes * kRowNodes> inside{};  ///< bit x of row y + 9 z
-    std::array<bool, 8> exists{};                               ///< by octant, see upper_neighbour
-    std::array<std::uint8_t, 4> complete{};  ///< cells with eight nodes: bit x, by (y is 7) + 2 (z is 7)
-    bool mixed = false;                      ///< some node differs from the others; else the rest is not filled in
+/// Inside bits of a block's units and of those next to it on its upper sides. A missing block has no bits set.
+struct UnitsAround {
+    static constexpr std::size_t kEdge = 3;                ///< units along each axis
+    std::array<UnitBits, kEdge * kEdge * kEdge> inside{};  ///< number x + 3 y + 9 z
+    std::array<bool, 8> exists{};                          ///< whether a block does, by octant, see upper_neighbour
+    bool mixed = false;  ///< some node differs from the others; else the rest is not filled in
 };
+
+/// One bit per node of a block, layer by layer: bit x + 8 y of word z.
+using LayerBits = std::array<std::uint64_t, kBlockEdge>;
 
 /// Cut edges of a block, and how many vertices come before each word within the block.
 struct CutEdges {
-    std::array<NodeBits, 3> bits{};                               ///< by direction and the node nearer to the corner
+    std::array<LayerBits, 3> bits{};                              ///< by direction and the node nearer to the corner
     std::array<std::array<std::uint16_t, kBlockEdge>, 3> rank{};  ///< vertices before each word
     std::size_t first_vertex = 0;                                 ///< number of the block's first vertex
 };
 
-/// Calls visit(bit) for every bit that is set, in rising order.
-template <class Visit>
-void for_each_bit(std::uint64_t word, const Visit& visit) {
-    for (; word != 0; word &= word - 1) visit(static_cast<std::size_t>(std::countr_zero(word)));
+/// The cells of a unit: for each of their corners (number x + 2 y + 4 z) whether it is inside, bit by bit, and which of
+/// them have all their nodes and both signs.
+struct UnitCells {
+    std::array<UnitBits, 8> corners;
+    UnitBits cut;
+};
+UnitCells cells_of(const UnitsAround& units, std::size_t unit);
+
+/// The inside corners of eight cells in a row of bits, a byte for each.
+constexpr std::uint64_t cases_of(const UnitCells& cells, std::size_t first) {
+    std::uint64_t corners = 0;
+    for (std::size_t k = 0; k < 8; ++k) corners |= (cells.corners[k] >> first & 0xFFU) << (8 * k);
+    return transposed(corners);
 }
 
-/// Calls visit(cell, case) for every cell of the block that has all its nodes and both signs: cell as local_node, case
-/// the set of inside corners (mesh/cell_cases.h).
+/// Calls visit(cell, case) for every cell of the block that has all its nodes and both signs, row by row: cell as
+/// local_node, case the set of inside corners (mesh/cell_cases.h).
 template <class Visit>
-void for_each_cut_cell(const Rows& rows, const Visit& visit) {
+void for_each_cut_cell(const UnitsAround& units, const Visit& visit) {
+    static_assert(kUnitEdge == 4);  // two halves of rows are a byte
+    constexpr std::uint64_t kFirstHalf = 0xFFFFFFFFU;
+    std::array<UnitCells, kUnits> cells;
+    for (std::size_t unit = 0; unit < kUnits; ++unit) cells[unit] = cells_of(units, unit);
     for (std::size_t z = 0; z < kBlockEdge; ++z)
-        for (std::size_t y = 0; y < kBlockEdge; ++y) {
-            const std::size_t row = y + kRowNodes * z;
-            const unsigned a = rows.inside[row];
-            const unsigned b = rows.inside[row + 1];
-            const unsigned c = rows.inside[row + kRowNodes];
-            const unsigned d = rows.inside[row + kRowNodes + 1];
-            const unsigned any = a | b | c | d;
-            const unsigned all = a & b & c & d;
-            const std::size_t last = (y == kBlockEdge - 1 ? 1U : 0U) + (z == kBlockEdge - 1 ? 2U : 0U);
-            for_each_bit((any | any >> 1U) & ~(all & all >> 1U) & rows.complete[last], [&](std::size_t x) {
-                visit(local_node(x, y, z),
-                      (a >> x & 3U) | (b >> x & 3U) << 2U | (c >> x & 3U) << 4U | (d >> x & 3U) << 6U);
-            });
+        for (std::size_t y = 0; y < kBlockEdge; y += 2) {
+            const std::size_t byte = 16 * (z % kUnitEdge) + 4 * (y % kUnitEdge);
+            const UnitCells& left = cells[2 * (y / kUnitEdge) + 4 * (z / kUnitEdge)];
+            const UnitCells& right = cells[2 * (y / kUnitEdge) + 4 * (z / kUnitEdge) + 1];
+            const UnitBits left_cut = left.cut >> byte & 0xFFU;
+            const UnitBits right_cut = right.cut >> byte & 0xFFU;
+            if ((left_cut | right_cut) == 0) continue;
+            const std::uint64_t left_cases = cases_of(left, byte);
+            const std::uint64_t right_cases = cases_of(right, byte);
+            const auto visit_row = [&](std::size_t row, UnitBits cut, std::uint64_t cases) {
+                for_each_bit(cut, [&](std::size_t x) {
+                    visit(local_node(x, row, z), static_cast<unsigned>(cases >> (8 * x) & 0xFFU));
+                });
+            };
+            visit_row(y, (left_cut & 0xFU) | (right_cut & 0xFU) << 4U, (left_cases & kFirstHalf) | right_cases << 32U);
+            visit_row(y + 1, left_cut >> 4U | (right_cut & 0xF0U), left_cases >> 32U | (right_cases & ~kFirstHalf));
         }
 }
 
 /// Inside bits of all blocks: values below 0.
-std::vector<NodeBits> inside_bits(const BlockGrid& grid, std::span<const float> values);
+std::vector<InsideBits> inside_bits(const BlockGrid& grid, std::span<const float> values);
 
-/// The rows of one block, given the inside bits of all.
-Rows rows_of(const BlockGrid& grid, std::span<const NodeBits> inside, std::size_t block);
+/// The units in and around one block, given the inside bits of all.
+UnitsAround units_around(const BlockGrid& grid, std::span<const InsideBits> inside, std::size_t block);
 
 /// Cut edges of all blocks. One entry more than blocks: the last one's first_vertex is the total.
-std::vector<CutEdges> find_cut_edges(const BlockGrid& grid, std::span<const NodeBits> inside);
+std::vector<CutEdges> find_cut_edges(const BlockGrid& grid, std::span<const InsideBits> inside);
 
 }  // namespace meniscus

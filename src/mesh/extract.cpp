@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "core/count_bits.h"
 #include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "meniscus/errors.h"
@@ -63,47 +62,18 @@ struct MeshPart {
     std::vector<Triangle> triangles;
 };
 
-// Makes the part of the mesh that belongs to one block.
-class BlockFiller {
+// Where an edge is cut: halfway.
+class Halfway {
 public:
-    BlockFiller(const BlockGrid& grid, std::span<const float> values, std::span<const CutEdges> edges, double nearest)
-        : grid_(grid), values_(values), edges_(edges), nearest_(nearest) {}
+    static double root_fraction(std::size_t /*block*/, std::size_t /*direction*/, std::size_t /*node*/) { return 0.5; }
+    static void fetch(std::size_t /*block*/) {}
+};
 
-    void fill(std::size_t block, const Rows& rows, MeshPart& part) const {
-        fetch_values(block + 1);
-        LocalVertices local;
-        const std::size_t before = part.vertices.size();
-        part.vertices.resize(before + edges_[block + 1].first_vertex - edges_[block].first_vertex);
-        place_vertices(block, local, part.vertices.data() + before);
-        const auto& around = grid_.neighbours(static_cast<BlockId>(block));
-        for (std::size_t octant = 1; octant < 8; ++octant)
-            if (rows.exists[octant]) enter_neighbour(edges_[upper_neighbour(around, octant)], octant, local);
-        connect(rows, local, part.triangles);
-    }
-
-private:
-    // Starts to bring a block into the cache: edges are cut here and there, which no processor foresees.
-    void fetch_values(std::size_t block) const {
-        constexpr std::size_t kLine = 16;  // values
-        const std::size_t end = std::min((block + 1) * kBlockNodes, values_.size());
-        for (std::size_t i = block * kBlockNodes; i < end; i += kLine) __builtin_prefetch(values_.data() + i);
-    }
-
-    // Numbers the block's own vertices and sets their positions.
-    void place_vertices(std::size_t block, LocalVertices& local, Vec3* out) const {
-        const Vec3 corner = grid_.corner(static_cast<BlockId>(block));
-        std::size_t vertex = edges_[block].first_vertex;
-        for (std::size_t d = 0; d < 3; ++d)
-            for (std::size_t z = 0; z < kBlockEdge; ++z)
-                for_each_bit(edges_[block].bits[d][z], [&](std::size_t bit) {
-                    const std::size_t x = bit % kBlockEdge;
-                    const std::size_t y = bit / kBlockEdge;
-                    local[d * kLocalNodes + local_node(x, y, z)] = static_cast<VertexId>(vertex++);
-                    std::array<double, 3> at{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-                    at[d] += root_fraction(block, d, bit + z * kBlockEdge * kBlockEdge);
-                    *out++ = corner + grid_.spacing() * Vec3{at[0], at[1], at[2]};
-                });
-    }
+// Where linear interpolation vanishes, but not near to nodes.
+class Interpolated {
+public:
+    Interpolated(const BlockGrid& grid, std::span<const float> values, double nearest)
+        : grid_(grid), values_(values), nearest_(nearest) {}
 
     // Where the edge from a node along a direction is cut, as a fraction of its length.
     double root_fraction(std::size_t block, std::size_t direction, std::size_t node) const {
@@ -112,6 +82,14 @@ private:
         return std::min(std::max(nearest_, a / (a - b)), 1.0 - nearest_);
     }
 
+    // Starts to bring a block into the cache: edges are cut here and there, which no processor foresees.
+    void fetch(std::size_t block) const {
+        constexpr std::size_t kLine = 16;  // values
+        const std::size_t end = std::min((block + 1) * kBlockNodes, values_.size());
+        for (std::size_t i = block * kBlockNodes; i < end; i += kLine) __builtin_prefetch(values_.data() + i);
+    }
+
+private:
     // Value at the far end of the edge from a node along a direction; the node must exist.
     double value_beyond(std::size_t block, std::size_t direction, std::size_t node) const {
         const std::size_t step = std::size_t{1} << (3 * direction);
@@ -122,10 +100,52 @@ private:
         return values_[next * kBlockNodes + (node & ~last)];
     }
 
-    static void connect(const Rows& rows, const LocalVertices& local, std::vector<Triangle>& triangles) {
+    const BlockGrid& grid_;
+    std::span<const float> values_;
+    double nearest_;
+};
+
+// Makes the part of the mesh that belongs to one block.
+template <class Roots>
+class BlockFiller {
+public:
+    BlockFiller(const BlockGrid& grid, std::span<const CutEdges> edges, const Roots& roots)
+        : grid_(grid), edges_(edges), roots_(roots) {}
+
+    void fill(std::size_t block, const UnitsAround& units, MeshPart& part) const {
+        roots_.fetch(block + 1);
+        LocalVertices local;
+        const std::size_t before = part.vertices.size();
+        part.vertices.resize(before + edges_[block + 1].first_vertex - edges_[block].first_vertex);
+        place_vertices(block, local, part.vertices.data() + before);
+        const auto& around = grid_.neighbours(static_cast<BlockId>(block));
+        for (std::size_t octant = 1; octant < 8; ++octant)
+            if (units.exists[octant]) enter_neighbour(edges_[upper_neighbour(around, octant)], octant, local);
+        connect(units, local, part.triangles);
+    }
+
+private:
+    // Numbers the block's own vertices and sets their positions.
+    void place_vertices(std::size_t block, LocalVertices& local, Vec3* out) const {
+        constexpr std::array<Vec3, 3> kDirections{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+        const Vec3 corner = grid_.corner(static_cast<BlockId>(block));
+        std::size_t vertex = edges_[block].first_vertex;
+        for (std::size_t d = 0; d < 3; ++d)
+            for (std::size_t z = 0; z < kBlockEdge; ++z)
+                for_each_bit(edges_[block].bits[d][z], [&](std::size_t bit) {
+                    const std::size_t x = bit % kBlockEdge;
+                    const std::size_t y = bit / kBlockEdge;
+                    local[d * kLocalNodes + local_node(x, y, z)] = static_cast<VertexId>(vertex++);
+                    const double fraction = roots_.root_fraction(block, d, bit + z * kBlockEdge * kBlockEdge);
+                    const Vec3 node{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+                    *out++ = corner + grid_.spacing() * (node + fraction * kDirections[d]);
+                });
+    }
+
+    static void connect(const UnitsAround& units, const LocalVertices& local, std::vector<Triangle>& triangles) {
         std::array<Triangle, std::size_t{kMaxCellTriangles} * kBlockNodes> buffer;
         Triangle* out = buffer.data();
-        for_each_cut_cell(rows, [&](std::size_t cell, unsigned c) {
+        for_each_cut_cell(units, [&](std::size_t cell, unsigned c) {
             const CellCase& cut = kCellCases[c];
             for (std::size_t t = 0; t < cut.count; ++t) {
                 const auto& [e, f, g] = cut.triangles[t];
@@ -136,18 +156,15 @@ private:
     }
 
     const BlockGrid& grid_;
-    std::span<const float> values_;
     std::span<const CutEdges> edges_;
-    double nearest_;
+    const Roots& roots_;
 };
 
 // Of a closed surface, whose genus is small against its size; else memory is found anew.
 std::size_t likely_triangles(std::size_t vertices) { return 2 * vertices + vertices / 16; }
 
-}  // namespace
-
-Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values, double nearest) {
-    const std::vector<NodeBits> inside = inside_bits(grid, values);
+template <class Roots>
+Mesh extract(const BlockGrid& grid, std::span<const InsideBits> inside, const Roots& roots) {
     const std::vector<CutEdges> edges = find_cut_edges(grid, inside);
     const CutEdges& totals = edges.back();
     if (totals.first_vertex > std::numeric_limits<VertexId>::max())
@@ -156,7 +173,7 @@ Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values, doub
     Mesh mesh;
     reserve_touched(mesh.vertices, totals.first_vertex);
     reserve_touched(mesh.triangles, likely_triangles(totals.first_vertex));
-    const BlockFiller filler(grid, values, edges, nearest);
+    const BlockFiller<Roots> filler(grid, edges, roots);
     std::vector<MeshPart> parts(kTasks);
     for (std::size_t first = 0; first < grid.block_count(); first += kTasks * kGrain) {
         parallel_for(kTasks, 1, [&](std::size_t task) {
@@ -164,7 +181,8 @@ Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values, doub
             parts[task].triangles.clear();
             const std::size_t begin = first + task * kGrain;
             for (std::size_t b = begin; b < std::min(begin + kGrain, grid.block_count()); ++b)
-                if (const Rows rows = rows_of(grid, inside, b); rows.mixed) filler.fill(b, rows, parts[task]);
+                if (const UnitsAround units = units_around(grid, inside, b); units.mixed)
+                    filler.fill(b, units, parts[task]);
         });
         const auto append = [&](auto& all, auto MeshPart::*list) {
             for (const MeshPart& part : parts) all.insert(all.end(), (part.*list).begin(), (part.*list).end());
@@ -173,6 +191,16 @@ Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values, doub
                       [&] { append(mesh.triangles, &MeshPart::triangles); });
     }
     return mesh;
+}
+
+}  // namespace
+
+Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values, double nearest) {
+    return extract(grid, inside_bits(grid, values), Interpolated(grid, values, nearest));
+}
+
+Mesh extract_between(const BlockGrid& grid, std::span<const InsideBits> inside) {
+    return extract(grid, inside, Halfway());
 }
 
 }  // namespace meniscus

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "grid/block_grid.h"
+#include "grid/inside_bits.h"
 #include "meniscus/mesh.h"
 
 namespace meniscus {
@@ -34,5 +35,11 @@ inline constexpr double kSpreadFraction = 0.35;
 /// cost     O(nodes), with about 2.5 bytes of scratch memory per node
 /// source   Lorensen & Cline 1987, with the cases of mesh/cell_cases.h
 Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values, double nearest = kMinEdgeFraction);
+
+/// The same where nothing but the sides of the nodes is known: vertices in the middle of the edges, for whoever puts
+/// them onto the surface.
+///
+/// inside   of each block of the grid
+Mesh extract_between(const BlockGrid& grid, std::span<const InsideBits> inside);
 
 }  // namespace meniscus

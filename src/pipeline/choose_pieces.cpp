@@ -9,28 +9,26 @@
 #include <utility>
 #include <vector>
 
-#include "core/parallel.h"
 #include "geometry/box_tree.h"
 #include "mesh/components.h"
+#include "pipeline/surface_projector.h"
 
 namespace meniscus {
 namespace {
-
-constexpr std::size_t kChunk = 512;  // vertices projected at once
 
 // Puts the vertices of all cavities onto the surface for as long as it lives.
 class CavitiesOnSurface {
 public:
     CavitiesOnSurface(Mesh& mesh, const std::vector<MeshComponent>& pieces, const SurfaceProjector& project)
         : mesh_(mesh) {
-        for (VertexId v = 0; v < mesh.vertices.size(); ++v)
-            if (pieces[mesh.components[v]].volume < 0.0) moved_.emplace_back(v, mesh.vertices[v]);
-        parallel_chunks(moved_.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-            std::vector<SurfacePoint> points(end - begin);
-            for (std::size_t i = begin; i < end; ++i) points[i - begin].position = moved_[i].second;
-            project(points);
-            for (std::size_t i = begin; i < end; ++i) mesh_.vertices[moved_[i].first] = points[i - begin].position;
-        });
+        std::vector<Vec3> points;
+        for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
+            if (pieces[mesh.components[v]].volume >= 0.0) continue;
+            moved_.emplace_back(v, mesh.vertices[v]);
+            points.push_back(mesh.vertices[v]);
+        }
+        put_on_surface(points, project);
+        for (std::size_t i = 0; i < points.size(); ++i) mesh_.vertices[moved_[i].first] = points[i];
     }
     ~CavitiesOnSurface() {
         for (const auto& [v, place] : moved_) mesh_.vertices[v] = place;

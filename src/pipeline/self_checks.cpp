@@ -28,7 +28,7 @@ bool is_inside(const LevelSet& level_set, const Vec3& point) {
     return dot(level_set.sample(crossing).gradient, direction) > 0.0;
 }
 
-bool is_inside(const BlockGrid& grid, std::span<const float> values, const Vec3& point) {
+bool is_inside(const BlockGrid& grid, std::span<const InsideBits> inside, const Vec3& point) {
     if (grid.coords().empty()) return false;
     const Vec3 steps = (1.0 / grid.spacing()) * (point - grid.origin());
     const std::int64_t x = std::llround(steps.x);
@@ -37,8 +37,7 @@ bool is_inside(const BlockGrid& grid, std::span<const float> values, const Vec3&
     BlockCoord at{.z = block_of_node(z), .y = block_of_node(y), .x = block_of_node(x)};
     for (const std::int32_t top = grid.coords().back().z; at.z <= top; ++at.z) {
         if (const BlockId block = grid.find(at); block != kNoBlock) {
-            const int node = node_in_block(place_in_block(x), place_in_block(y), place_in_block(z));
-            return values[std::size_t{block} * kBlockNodes + static_cast<std::size_t>(node)] < 0.0F;
+            return inside_bit(inside[block], place_in_block(x), place_in_block(y), place_in_block(z));
         }
         z = 0;  // of a block above the first
     }
@@ -65,9 +64,9 @@ std::size_t count_wrong(std::span<const DeepPoint> points, const LevelSet& level
     }));
 }
 
-std::size_t count_wrong(std::span<const DeepPoint> points, const BlockGrid& grid, std::span<const float> values) {
+std::size_t count_wrong(std::span<const DeepPoint> points, const BlockGrid& grid, std::span<const InsideBits> inside) {
     return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](const DeepPoint& point) {
-        return is_inside(grid, values, point.position) != point.inside;
+        return is_inside(grid, inside, point.position) != point.inside;
     }));
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "grid/block_grid.h"
+#include "grid/inside_bits.h"
 #include "measure/piece_points.h"
 #include "meniscus/surface.h"
 #include "pipeline/yardstick.h"
@@ -22,10 +23,10 @@ double volume_error_bound(const SurfaceOptions& options, double area);
 /// crosses the zero set.
 std::size_t count_wrong(std::span<const DeepPoint> points, const LevelSet& level_set);
 
-/// The same of values at the nodes of a grid, negative inside: by the first node straight above, if there is any.
+/// The same of the nodes of a grid: by the first node straight above, if there is any.
 ///
 /// Precondition: points are more than a spacing away from the surface.
-std::size_t count_wrong(std::span<const DeepPoint> points, const BlockGrid& grid, std::span<const float> values);
+std::size_t count_wrong(std::span<const DeepPoint> points, const BlockGrid& grid, std::span<const InsideBits> inside);
 
 /// The same of a closed mesh, such as the whole zero set before anything is dropped from it.
 std::size_t count_wrong(std::span<const DeepPoint> points, const Mesh& mesh);

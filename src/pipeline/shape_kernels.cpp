@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/shape_kernels.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 
 #include "core/instructions.h"
+#include "core/sign_bits.h"
 
 #define MENISCUS_KERNELS "pipeline/shape_kernels.inc"
 

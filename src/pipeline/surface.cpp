@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "band/distance_band.h"
+#include "band/sides.h"
 #include "band/surface_blocks.h"
 #include "core/parallel.h"
 #include "flow/evolution.h"
@@ -36,11 +37,6 @@ namespace {
 constexpr Vec3 kGridShift{0.3819660, 0.2360680, 0.1458980};
 
 constexpr double kWidestBand = 16.0;  // spacings
-
-// Marching cubes needs the signs, and of distances where on its edge a vertex starts on its way to the surface: never
-// nearer to a node than kSpreadFraction. Distances up to 0.65 spacings would tell that exactly; these tell it within
-// 0.12.
-constexpr double kDistancesThatMatter = 0.4;  // spacings
 
 // Even meshes: areas farther from the exact one than this part of it ask for a finer grid, as long as the surface
 // covers no more of its squares than that.
@@ -104,7 +100,8 @@ void check_options(const SurfaceOptions& options) {
 struct Field {
     std::shared_ptr<const BlockGrid> grid;
     NodeField values;                           // at the nodes, negative inside
-    std::shared_ptr<const LevelSet> level_set;  // absent for the exact distance
+    std::shared_ptr<const LevelSet> level_set;  // of the same
+    std::vector<InsideBits> inside;             // of the exact distance, in the place of both
 };
 
 // One computation in progress: the stages, in the order in which they run.
@@ -222,9 +219,7 @@ private:
     }
 
     void sample_exact(Field& field) {
-        field.values =
-            sample_distance(*accessible_, *field.grid, kDistancesThatMatter * options_.spacing, BandFields::Distance)
-                .distance;
+        field.inside = find_sides(*accessible_, *field.grid);
         surface_.seconds.band += clock_.lap();
         report("band", 1.0);
     }
@@ -256,13 +251,18 @@ private:
     }
 
     void make_mesh(Field field) {
-        Mesh zero_set = extract_zero_set(*field.grid, field.values, kSpreadFraction);
+        Mesh zero_set = field.level_set ? extract_zero_set(*field.grid, field.values, kSpreadFraction)
+                                        : extract_between(*field.grid, field.inside);
         hold_against_exact_sides(zero_set, field);
         NodeField().swap(field.values);  // the mesh grows into their memory
+        std::vector<InsideBits>().swap(field.inside);
         field.grid.reset();
         const Curvatures curvatures = options_.remesh.adaptive ? Curvatures::FilledIn : Curvatures::LeftOut;
         const SurfaceProjector project =
             surface_projector(*accessible_, field.level_set.get(), options_.spacing, curvatures);
+        // Vertices halfway between nodes tell nothing of lengths and distances.
+        if (!field.level_set && (options_.remesh.is_on() || options_.fill_cavities > 0.0))
+            put_on_surface(zero_set.vertices, project);
         if (options_.fill_cavities > 0.0) fill_cavities(zero_set, project);
         if (options_.min_cavity > 0.0) surface_.dropped = drop_small_cavities(zero_set, options_.min_cavity, project);
         if (options_.remesh.is_on()) {
@@ -287,7 +287,7 @@ private:
         if (options_.method == Method::Gaussian) return;
         const std::vector<DeepPoint>& points = yardstick_.points;
         sides_.push_back(pieces_check(field.level_set ? count_wrong(points, *field.level_set)
-                                                      : count_wrong(points, *field.grid, field.values)));
+                                                      : count_wrong(points, *field.grid, field.inside)));
         if (!options_.verify) return;
         const std::vector<DeepPoint> scattered = scattered_points(*accessible_, options_);
         sides_.push_back(
@@ -300,8 +300,8 @@ private:
         filled.cavities = dropped.cavities;
         filled.islands = dropped.islands;
         if (dropped.cavities == 0) return;
-        filled.volume = -measure_mesh(filled.walls).volume;
         filled.rest = zero_set;
+        filled.volume = -measure_mesh(filled.walls).volume;
     }
 
     void measure() {

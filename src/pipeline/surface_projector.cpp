@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/parallel.h"
 #include "grid/spline_cursor.h"
 
 namespace meniscus {
@@ -101,6 +102,16 @@ NearestFeature walk_to_surface(const LocalFeatures& near, Vec3& point, int taken
         at = near.nearest(point);
     }
     return at;
+}
+
+void put_on_surface(std::span<Vec3> points, const SurfaceProjector& project) {
+    constexpr std::size_t kChunk = 512;  // projected at once
+    parallel_chunks(points.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+        std::vector<SurfacePoint> moved(end - begin);
+        for (std::size_t i = begin; i < end; ++i) moved[i - begin].position = points[i];
+        project(moved);
+        for (std::size_t i = begin; i < end; ++i) points[i] = moved[i - begin].position;
+    });
 }
 
 SurfaceProjector surface_projector(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,

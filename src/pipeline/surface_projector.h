@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "geometry/local_features.h"
 #include "meniscus/accessible_surface.h"
@@ -27,6 +28,9 @@ NearestFeature walk_to_surface(const LocalFeatures& near, Vec3& point, int taken
 
 /// Whether the projector tells curvatures. Those of a level set cost a third of its time.
 enum class Curvatures : std::uint8_t { FilledIn, LeftOut };
+
+/// Moves points onto the surface, in parallel.
+void put_on_surface(std::span<Vec3> points, const SurfaceProjector& project);
 
 /// Onto the zero set of a level set, or, where that is null, onto the exact SES. Both must outlive the projector.
 ///

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/bits.h"
 #include "core/parallel.h"
 #include "geometry/triangle_tree.h"
 #include "remesh/patch.h"
@@ -22,7 +23,7 @@ constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding
 
 constexpr std::size_t kChunk = TriangleBoxes::kChunk;
 constexpr std::size_t kStretch = TriangleBoxes::kStretch;
-static_assert(kChunk % kLanes == 0 && kLanes % kStretch == 0);
+static_assert(kChunk % kLanes == 0 && kStretch == kStretchLanes);
 
 std::size_t chunks_of(std::size_t triangles) { return (triangles + kChunk - 1) / kChunk; }
 
@@ -53,19 +54,35 @@ FirstLook::FirstLook(const Mesh& mesh, double smallest_angle_deg)
 
 void FirstLook::look(std::size_t first, std::span<const Triangle> triangles, const TriangleLanes& lanes) {
     Chunk& chunk = chunks_[first / kChunk];
-    SuspectMarks marks;
-    triangle_kernels().mark(lanes, limits_, marks);
-    double longest = chunk.longest;
-    for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
-        longest = std::max(longest, lanes.longest[lane]);
-        if (marks[lane] == 0) continue;
-        const auto number = static_cast<std::uint32_t>(first + lane);
-        if ((marks[lane] & kMayBeBad) != 0) chunk.bad.push_back(number);
-        if ((marks[lane] & kLeans) != 0) chunk.leaning.push_back(number);
+    const auto number = [first](std::size_t lane) { return static_cast<std::uint32_t>(first + lane); };
+    const std::uint64_t looked_at = ~std::uint64_t{0} >> (kLanes - triangles.size());
+    const auto [may_be_bad, leaning] = triangle_kernels().mark(lanes, limits_);
+    for_each_bit(may_be_bad & looked_at, [&](std::size_t lane) { chunk.bad.push_back(number(lane)); });
+    for_each_bit(leaning & looked_at, [&](std::size_t lane) { chunk.leaning.push_back(number(lane)); });
+    if (triangles.size() == kLanes && lanes.origin)
+        bound_all(first, lanes, chunk);
+    else
+        bound_some(first, triangles, lanes, chunk);
+}
+
+void FirstLook::bound_all(std::size_t first, const TriangleLanes& lanes, Chunk& chunk) {
+    constexpr double kRounding = 1e-9;  // Å, of coordinates from an origin
+    chunk.longest = std::max(chunk.longest, triangle_kernels().find_largest(lanes.longest));
+    StretchBoxes boxes;
+    triangle_kernels().bound(lanes.points[0], boxes);
+    for (std::size_t s = 0; s < boxes.size(); ++s) {
+        const Box from_origin = boxes[s].grown(kRounding);
+        first_corners_[first / kStretch + s] =
+            SmallBox({*lanes.origin + from_origin.low, *lanes.origin + from_origin.high});
     }
-    chunk.longest = longest;
+}
+
+void FirstLook::bound_some(std::size_t first, std::span<const Triangle> triangles, const TriangleLanes& lanes,
+                           Chunk& chunk) {
+    for (std::size_t lane = 0; lane < triangles.size(); ++lane)
+        chunk.longest = std::max(chunk.longest, lanes.longest[lane]);
     for (std::size_t lane = 0; lane < triangles.size(); lane += kStretch) {
-        Box box;  // in a loop of its own, where it stays in registers
+        Box box;
         for (const Triangle& triangle : triangles.subspan(lane, std::min(kStretch, triangles.size() - lane)))
             box.include(mesh_.vertices[triangle[0]]);
         first_corners_[(first + lane) / kStretch] = SmallBox(box);

@@ -54,6 +54,9 @@ private:
         std::vector<std::uint32_t> leaning;
     };
 
+    void bound_all(std::size_t first, const TriangleLanes& lanes, Chunk& chunk);
+    void bound_some(std::size_t first, std::span<const Triangle> triangles, const TriangleLanes& lanes, Chunk& chunk);
+
     const Mesh& mesh_;
     SuspectLimits limits_;
     std::vector<Chunk> chunks_;

@@ -153,13 +153,6 @@ TEST(DistanceBand, EqualsTheExactDistanceInANarrowBand) {
     }
 }
 
-TEST(DistanceBand, IsTheSameWithoutCurvature) {
-    const Sampled sampled(random_cluster(41, 100, 12.0), 1.4, 0.5, 1.0);
-    const DistanceBand band = sample_distance(sampled.surface, sampled.grid, sampled.margin, BandFields::Distance);
-    EXPECT_EQ(band.distance, sampled.band.distance);
-    EXPECT_TRUE(band.curvature.empty());
-}
-
 TEST(DistanceBand, HasTheRightSignDeepInsideAndFarOutside) {
     const Sampled sampled(cubic_lattice(5, 2.5, 1.7), 1.4, 0.5, 0.6);
     for (std::size_t n = 0; n < sampled.grid.node_count(); ++n) {

@@ -25,15 +25,15 @@ SphereList random_spheres(int count) {
 }
 
 struct Bounds {
-    std::vector<std::int64_t> within;
+    std::vector<std::uint64_t> within;
     std::vector<double> largest;
     std::vector<double> least;
 };
 Bounds bound(const DensityKernels& kernels, const SphereList& atoms, const Box& box, double c, double reach) {
     const std::size_t room = atoms.padded_size();
-    Bounds bounds{std::vector<std::int64_t>(room), std::vector<double>(room), std::vector<double>(room)};
+    Bounds bounds{std::vector<std::uint64_t>(words_for(atoms.size()), ~std::uint64_t{0}), std::vector<double>(room),
+                  std::vector<double>(room)};
     kernels.bound_terms(atoms, box, c, reach, bounds.within.data(), bounds.largest.data(), bounds.least.data());
-    bounds.within.resize(atoms.size());
     bounds.largest.resize(atoms.size());
     bounds.least.resize(atoms.size());
     return bounds;
@@ -56,7 +56,7 @@ TEST(DensityKernels, BoundTermsByTheNearestAndTheFarthestPoint) {
             const Vec3 centre = position_in(atoms, i);
             const double r2 = atoms.column(3)[i] * atoms.column(3)[i];
             const double d2 = box.squared_distance(centre);
-            EXPECT_EQ(found.within[i] != 0, d2 < reach * reach);
+            EXPECT_EQ((found.within[i / 64] >> i % 64 & 1U) != 0, d2 < reach * reach);
             near += d2 < reach * reach ? 1 : 0;
             const double largest = d2 < reach * reach ? std::exp(c * (d2 - r2)) : 0.0;
             const double least = d2 < reach * reach ? std::exp(c * (largest_over(box, centre) - r2)) : 0.0;

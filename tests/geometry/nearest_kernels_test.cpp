@@ -9,6 +9,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/bits.h"
 #include "core/instructions.h"
 #include "geometry/nearest_feature.h"
 #include "geometry/parallel_curvature.h"
@@ -19,14 +20,30 @@ namespace {
 
 constexpr std::size_t kPoints = 61;  // no multiple of any vector
 
+// A bit for each of some items.
+struct Marks {
+    std::vector<std::uint64_t> words;
+
+    std::uint64_t* room_for(std::size_t items) {
+        words.assign(words_for(items), ~std::uint64_t{0});
+        return words.data();
+    }
+    bool operator[](std::size_t item) const { return (words[item / 64] >> item % 64 & 1U) != 0; }
+    std::size_t count() const {
+        return std::accumulate(words.begin(), words.end(), std::size_t{0},
+                               [](std::size_t sum, std::uint64_t word) { return sum + count_bits(word); });
+    }
+    bool operator==(const Marks&) const = default;
+};
+
 // What all kernels say of the points in one box.
 struct Answers {
-    std::vector<std::int64_t> reaching;
-    std::vector<std::int64_t> overlapping;
+    Marks reaching;
+    Marks overlapping;
     std::vector<double> depths_in_middle;
     std::size_t deepest = 0;
-    std::vector<std::int64_t> contenders;
-    std::vector<std::int64_t> vertices;  // that may be the nearest
+    Marks contenders;
+    Marks vertices;  // that may be the nearest
     Depths depths;
     LaneArray<std::int32_t> groups;
     BallClaims claims;
@@ -37,7 +54,7 @@ struct Answers {
     LaneArray<float> clamped;  // distances
     LaneArray<float> within;   // curvatures of those within the margin
     LanePoints<float> small;
-    LaneArray<std::int32_t> let_through;
+    Marks let_through;
 };
 
 class NearestKernelsTest : public ::testing::Test {
@@ -66,23 +83,16 @@ protected:
     Answers ask(const NearestKernels& kernels) const {
         const AccessibleSurface::Data& data = surface_.data();
         Answers answers;
-        answers.reaching.resize(local_.vertices().padded_size());
-        kernels.mark_reaching(local_.vertices(), 0.4, kBox, answers.reaching.data());
-        answers.reaching.resize(local_.vertices().size());
-        answers.overlapping.resize(local_.arcs().padded_size());
-        kernels.mark_overlapping(local_.arcs(), kBox, answers.overlapping.data());
-        answers.overlapping.resize(local_.arcs().size());
+        kernels.mark_reaching(local_.vertices(), 0.4, kBox, answers.reaching.room_for(local_.vertices().size()));
+        kernels.mark_overlapping(local_.arcs(), kBox, answers.overlapping.room_for(local_.arcs().size()));
         answers.depths_in_middle.resize(local_.balls().padded_size());
         answers.deepest = kernels.find_depths_of(kMiddle, local_.balls(), answers.depths_in_middle.data());
         answers.depths_in_middle.resize(local_.balls().size());
-        answers.contenders.resize(local_.balls().padded_size());
-        kernels.mark_contenders(local_.balls(), answers.deepest, kBox, answers.contenders.data());
-        answers.contenders.resize(local_.balls().size());
-        answers.vertices.assign(local_.vertices().padded_size(), -1);
-        kernels.unmark_far(local_.vertices(), kBox, answers.vertices.data());
-        answers.vertices.resize(local_.vertices().size());
+        kernels.mark_contenders(local_.balls(), answers.deepest, kBox,
+                                answers.contenders.room_for(local_.balls().size()));
+        kernels.unmark_far(local_.vertices(), kBox, answers.vertices.room_for(local_.vertices().size()));
         kernels.make_small(points_, kMiddle, kPoints, answers.small);
-        kernels.screen(screen(), answers.small, lengths_, answers.let_through);
+        *answers.let_through.room_for(kBatchLanes) = kernels.screen(screen(), answers.small, lengths_);
         kernels.find_depths(small_, small_points_, kPoints, answers.depths);
         kernels.group_points(answers.depths, limits(), kPoints, answers.groups);
         const std::uint32_t atom = local_.balls().index(0);
@@ -141,7 +151,7 @@ TEST_F(NearestKernelsTest, GiveTheSameBitsOnEveryInstructionSet) {
         expect_equal(other.small.x, plain.small.x);
         expect_equal(other.small.y, plain.small.y);
         expect_equal(other.small.z, plain.small.z);
-        expect_equal(other.let_through, plain.let_through);
+        EXPECT_EQ(other.let_through, plain.let_through);
         expect_equal(other.depths.first, plain.depths.first);
         expect_equal(other.depths.second, plain.depths.second);
         expect_equal(other.depths.ball, plain.depths.ball);
@@ -171,11 +181,11 @@ TEST_F(NearestKernelsTest, MarkWhatIsNearABox) {
     const Answers answers = ask(nearest_kernels());
     for (std::size_t v = 0; v < local_.vertices().size(); ++v) {
         const double squared = kBox.squared_distance(position_in(local_.vertices(), v));
-        EXPECT_EQ(answers.reaching[v] != 0, squared < 1.8 * 1.8);
+        EXPECT_EQ(answers.reaching[v], squared < 1.8 * 1.8);
     }
     for (std::size_t a = 0; a < local_.arcs().size(); ++a) {
         const Box cell = surface_.data().arc_cell_tree.box(local_.arcs().index(a)).grown(1e-6);
-        EXPECT_EQ(answers.overlapping[a] != 0, cell.overlaps(kBox));
+        EXPECT_EQ(answers.overlapping[a], cell.overlaps(kBox));
     }
 }
 
@@ -186,7 +196,7 @@ TEST_F(NearestKernelsTest, LetThroughWhatIsFarFromTheFootAndFromTheMiddle) {
         const Vec3 from = point(i) - kMiddle;
         EXPECT_FLOAT_EQ(answers.small.y[i], static_cast<float>(from.y));
         const bool stops = norm(from - Vec3{1, 2, -1}) <= 3.0 || norm(from) <= 2.0;
-        EXPECT_EQ(answers.let_through[i] == 0, stops) << i;
+        EXPECT_EQ(answers.let_through[i], !stops) << i;
         stopped += stops ? 1 : 0;
     }
     EXPECT_GT(stopped, 5U);
@@ -197,9 +207,8 @@ TEST_F(NearestKernelsTest, LetThroughWhatIsFarFromTheFootAndFromTheMiddle) {
 TEST_F(NearestKernelsTest, LetThroughByTheMiddleAloneWhereTheFootIsNoNumber) {
     PointScreen no_foot = screen();
     no_foot.foot[0] = std::numeric_limits<float>::quiet_NaN();
-    LaneArray<std::int32_t> marks;
-    nearest_kernels().screen(no_foot, small_points_, lengths_, marks);
-    for (std::size_t i = 0; i < kPoints; ++i) EXPECT_EQ(marks[i] == 0, lengths_[i] <= 2.0F);
+    const Marks marks{{nearest_kernels().screen(no_foot, small_points_, lengths_)}};
+    for (std::size_t i = 0; i < kPoints; ++i) EXPECT_EQ(marks[i], lengths_[i] > 2.0F);
 }
 
 TEST_F(NearestKernelsTest, FindDepthsInAllBalls) {
@@ -224,11 +233,8 @@ TEST_F(NearestKernelsTest, MarkWhatMayBeTheDeepestBallOrTheNearestVertex) {
     const Answers answers = ask(nearest_kernels());
     EXPECT_EQ(answers.deepest, static_cast<std::size_t>(std::ranges::max_element(answers.depths_in_middle) -
                                                         answers.depths_in_middle.begin()));
-    const auto marked = [](const std::vector<std::int64_t>& marks) {
-        return marks.size() - static_cast<std::size_t>(std::ranges::count(marks, 0));
-    };
-    EXPECT_LT(marked(answers.contenders), local_.balls().size() / 2);
-    EXPECT_LT(marked(answers.vertices), local_.vertices().size() / 2);
+    EXPECT_LT(answers.contenders.count(), local_.balls().size() / 2);
+    EXPECT_LT(answers.vertices.count(), local_.vertices().size() / 2);
     constexpr int kSteps = 20;
     for (int n = 0; n < kSteps * kSteps * kSteps; ++n) {
         const int y = n / kSteps % kSteps;
@@ -241,7 +247,7 @@ TEST_F(NearestKernelsTest, MarkWhatMayBeTheDeepestBallOrTheNearestVertex) {
             if (here > depth) deepest = b;
             depth = std::max(depth, here);
         }
-        ASSERT_NE(answers.contenders[deepest], 0);
+        ASSERT_TRUE(answers.contenders[deepest]);
         std::size_t nearest = 0;
         double distance = 1e300;
         for (std::size_t v = 0; v < local_.vertices().size(); ++v) {
@@ -249,7 +255,7 @@ TEST_F(NearestKernelsTest, MarkWhatMayBeTheDeepestBallOrTheNearestVertex) {
             if (here < distance) nearest = v;
             distance = std::min(distance, here);
         }
-        ASSERT_NE(answers.vertices[nearest], 0);
+        ASSERT_TRUE(answers.vertices[nearest]);
     }
 }
 
@@ -330,9 +336,8 @@ TEST(FeatureList, KeepsTheMarkedItemsInOrder) {
     FeatureList<2> all;
     for (std::uint32_t i = 0; i < 11; ++i) all.add({1.0 * i, 10.0 * i}, 100 + i);
     FeatureList<2> some;
-    std::vector<std::int64_t> marks(all.padded_size(), 0);
-    marks[2] = marks[3] = marks[10] = -1;
-    some.select(all, marks);
+    const std::uint64_t marks = 0b10000001100;
+    some.select(all, &marks);
     ASSERT_EQ(some.size(), 3U);
     EXPECT_EQ(some.padded_size(), 8U);
     EXPECT_EQ(some.index(2), 110U);

@@ -133,18 +133,33 @@ TEST(TriangleLanes, MarkWhatIsSuspect) {
     TriangleLanes lanes = random_triangles();
     triangle_kernels().measure_with_normals(lanes);
     const SuspectLimits limits{.squared_tangent = 0.05, .squared_edge = 0.1, .squared_cosine = 0.16};
-    SuspectMarks marks;
-    triangle_kernels().mark(lanes, limits, marks);
+    const SuspectMarks marks = triangle_kernels().mark(lanes, limits);
     std::array<std::size_t, 4> of_kind{};
     for (std::size_t i = 0; i < kLanes; ++i) {
         const bool bad =
             lanes.opposite[i] < 0.05 * lanes.adjacent[i] || lanes.shortest[i] < 0.1 || lanes.facing[i] < 0.0;
         const double least = lanes.least_facing[i];
         const bool leans = least < 0.0 || least * least < 0.16 * lanes.opposite[i];
-        EXPECT_EQ(marks[i], (bad ? kMayBeBad : 0) | (leans ? kLeans : 0)) << i;
-        ++of_kind.at(static_cast<std::size_t>(marks[i]));
+        EXPECT_EQ((marks.may_be_bad >> i & 1U) != 0, bad) << i;
+        EXPECT_EQ((marks.leaning >> i & 1U) != 0, leans) << i;
+        ++of_kind.at((bad ? 1 : 0) + (leans ? 2 : 0));
     }
     for (const std::size_t kind : {0U, 2U, 3U}) EXPECT_GT(of_kind.at(kind), 0U) << kind;
+}
+
+TEST(TriangleLanes, AreBoundedByStretches) {
+    const TriangleLanes lanes = random_triangles();
+    for (const TriangleKernels& kernels : supported_triangle_kernels()) {
+        EXPECT_EQ(kernels.find_largest(lanes.points[1].y), *std::ranges::max_element(lanes.points[1].y));
+        StretchBoxes boxes;
+        kernels.bound(lanes.points[0], boxes);
+        for (std::size_t s = 0; s < boxes.size(); ++s) {
+            Box expected;
+            for (std::size_t i = 0; i < kStretchLanes; ++i) expected.include(lanes.points[0].at(s * kStretchLanes + i));
+            EXPECT_EQ(boxes[s].low, expected.low);
+            EXPECT_EQ(boxes[s].high, expected.high);
+        }
+    }
 }
 
 TEST(TriangleLanes, HaveTheSameBitsOnEveryInstructionSet) {
@@ -176,11 +191,11 @@ TEST(TriangleLanes, HaveTheSameBitsOnEveryInstructionSet) {
         EXPECT_EQ(sums.smallest.opposite, plain_sums.smallest.opposite);
         EXPECT_EQ(sums.smallest.adjacent, plain_sums.smallest.adjacent);
         const SuspectLimits limits{.squared_tangent = 0.05, .squared_edge = 0.1, .squared_cosine = 0.16};
-        SuspectMarks marks;
-        SuspectMarks plain_marks;
-        kernels.mark(lanes, limits, marks);
-        all.front().mark(plain, limits, plain_marks);
-        EXPECT_EQ(marks, plain_marks);
+        const SuspectMarks marks = kernels.mark(lanes, limits);
+        const SuspectMarks plain_marks = all.front().mark(plain, limits);
+        EXPECT_EQ(marks.may_be_bad, plain_marks.may_be_bad);
+        EXPECT_EQ(marks.leaning, plain_marks.leaning);
+        EXPECT_EQ(kernels.find_largest(lanes.longest), all.front().find_largest(plain.longest));
     }
 }
 

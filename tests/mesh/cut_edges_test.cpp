@@ -37,20 +37,12 @@ TEST(CutEdges, InsideMeansBelowZero) {
     field.values[2] = -0.0F;
     field.values[3] = -std::numeric_limits<float>::denorm_min();
     field.values[kBlockNodes - 1] = -1.0F;
-    const NodeBits bits = inside_bits(field.grid, field.values).front();
-    EXPECT_EQ(bits[0], 0b1001U);
-    EXPECT_EQ(bits[7], std::uint64_t{1} << 63U);
-}
-
-TEST(CutEdges, RowsHoldTheBlockAndItsUpperNeighbours) {
-    const SampledField field = random_signs(testing::box_of_blocks({}, {.z = 1, .y = 1, .x = 1}), 3);
-    const std::vector<NodeBits> inside = inside_bits(field.grid, field.values);
-    const Rows rows = rows_of(field.grid, inside, 0);
-    ASSERT_TRUE(rows.mixed);
-    for (std::size_t z = 0; z < kRowNodes; ++z)
-        for (std::size_t y = 0; y < kRowNodes; ++y)
-            for (std::size_t x = 0; x < kRowNodes; ++x)
-                EXPECT_EQ((rows.inside[y + kRowNodes * z] >> x & 1U) != 0, *value_at(field, 0, x, y, z) < 0.0F);
+    field.values[static_cast<std::size_t>(node_in_block(5, 2, 1))] = -1.0F;
+    const InsideBits bits = inside_bits(field.grid, field.values).front();
+    EXPECT_EQ(bits, (InsideBits{0b1001U, std::uint64_t{1} << 25U, 0, 0, 0, 0, 0, std::uint64_t{1} << 63U}));
+    for (const bool inside : {inside_bit(bits, 0, 0, 0), inside_bit(bits, 5, 2, 1), inside_bit(bits, 7, 7, 7)})
+        EXPECT_TRUE(inside);
+    EXPECT_FALSE(inside_bit(bits, 1, 0, 0));
 }
 
 TEST(CutEdges, FindsEveryEdgeWithTwoSignsAndNoOther) {
@@ -83,10 +75,10 @@ TEST(CutEdges, VisitsExactlyTheCellsWithAllNodesAndBothSigns) {
     for (const BlockCoord& c : testing::box_of_blocks({}, {.z = 2, .y = 2, .x = 2}))
         if (random() % 4 != 0) blocks.push_back(c);
     const SampledField field = random_signs(blocks, 13);
-    const std::vector<NodeBits> inside = inside_bits(field.grid, field.values);
+    const std::vector<InsideBits> inside = inside_bits(field.grid, field.values);
     for (BlockId b = 0; b < field.grid.block_count(); ++b) {
         std::vector<int> visited(kLocalNodes, -1);
-        for_each_cut_cell(rows_of(field.grid, inside, b), [&](std::size_t cell, unsigned c) {
+        for_each_cut_cell(units_around(field.grid, inside, b), [&](std::size_t cell, unsigned c) {
             EXPECT_EQ(visited[cell], -1);
             visited[cell] = static_cast<int>(c);
         });

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/parallel.h"
+#include "mesh/cut_edges.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 
@@ -94,6 +95,17 @@ TEST(Extract, VerticesKeepAsFarFromNodesAsAskedFor) {
     };
     EXPECT_NEAR(least_fraction(kMinEdgeFraction), kMinEdgeFraction, 0.01);
     EXPECT_NEAR(least_fraction(kSpreadFraction), kSpreadFraction, 1e-9);
+}
+
+// Which nodes are inside tells the triangles; vertices lie in the middle of the edges.
+TEST(Extract, BetweenNodesOfTwoSidesAreTheTrianglesOfTheZeroSet) {
+    const Sphere sphere{.centre = {0.01, 0.02, 0.03}, .radius = 1.9};
+    const SampledField field = testing::sample_box(0.25, {-2, -2, -2}, {2, 2, 2}, sphere);
+    const Mesh mesh = extract_between(field.grid, inside_bits(field.grid, field.values));
+    const Mesh zero_set = extract_zero_set(field.grid, field.values, 0.5);
+    EXPECT_EQ(mesh.triangles, zero_set.triangles);
+    EXPECT_EQ(mesh.vertices, zero_set.vertices);
+    EXPECT_GT(mesh.vertices.size(), 1000U);
 }
 
 TEST(Extract, SpreadVerticesLeaveHardlyASliverOnTheSurface) {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-#include "band/distance_band.h"
+#include "band/sides.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "support/arrangements.h"
@@ -132,17 +132,17 @@ TEST(SelfChecks, PointsOnTheWrongSideAreCountedByLevelSetGridAndMesh) {
     const Surface surface = compute_surface(large);
     ASSERT_TRUE(std::isnan(surface.level_set->value({0, 0, 0})));
     const BlockGrid& grid = surface.level_set->grid();
-    const NodeField values = sample_distance(AccessibleSurface(large, 1.4), grid, 0.5, BandFields::Distance).distance;
+    const std::vector<InsideBits> inside = find_sides(AccessibleSurface(large, 1.4), grid);
     const std::vector<DeepPoint> right{{{0, 0, 0}, 5.0, false}, {large.centres.front(), 1.7, true}};
-    ASSERT_EQ(count_wrong(std::vector<DeepPoint>{{{0, 0, 100}, 5.0, true}}, grid, values), 1U);  // nothing is above
+    ASSERT_EQ(count_wrong(std::vector<DeepPoint>{{{0, 0, 100}, 5.0, true}}, grid, inside), 1U);  // nothing is above
     std::vector<DeepPoint> wrong = right;
     for (DeepPoint& point : wrong) point.inside = !point.inside;
     EXPECT_EQ(count_wrong(right, *surface.level_set), 0U);
     EXPECT_EQ(count_wrong(right, surface.mesh), 0U);
-    EXPECT_EQ(count_wrong(right, grid, values), 0U);
+    EXPECT_EQ(count_wrong(right, grid, inside), 0U);
     EXPECT_EQ(count_wrong(wrong, *surface.level_set), 2U);
     EXPECT_EQ(count_wrong(wrong, surface.mesh), 2U);
-    EXPECT_EQ(count_wrong(wrong, grid, values), 2U);
+    EXPECT_EQ(count_wrong(wrong, grid, inside), 2U);
     EXPECT_FALSE(pieces_check(2).passed);
     EXPECT_FALSE(sides_check(1).passed);
 }

@@ -24,10 +24,10 @@ Atoms small_molecule() {
     return {{{0, 0, 0}, {1.5, 0.2, 0}, {2.4, 1.5, 0.3}, {4.1, -1.0, 2.2}}, {1.7, 1.55, 1.52, 1.8}};
 }
 
-Atoms random_cluster(int count, double extent, unsigned seed) {
+Atoms random_cluster(int count, double extent, unsigned seed, double smallest = 1.2, double largest = 2.0) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> within(0.0, extent);
-    std::uniform_real_distribution<double> size(1.2, 2.0);
+    std::uniform_real_distribution<double> size(smallest, largest);
     Atoms atoms;
     for (int i = 0; i < count; ++i) {
         atoms.centres.push_back({within(random), within(random), within(random)});
@@ -366,9 +366,9 @@ TEST(Surface, SelfIntersectionsAreLookedForOnRequest) {
     EXPECT_EQ(named(verified), 1);
     EXPECT_EQ(verified.self_intersections, 0U);
     EXPECT_TRUE(verified.passed());
-    // A grid far too coarse for the creases between atoms; of 400 clusters like this one three cannot be untangled.
-    const Surface coarse = compute_surface(random_cluster(300, 18.0, 123),
-                                           {.method = Method::Direct, .probe = 0.0, .spacing = 1.5, .verify = true});
+    // A grid far too coarse for the creases between atoms; of 400 clusters like this one it alone cannot be untangled.
+    const Surface coarse = compute_surface(random_cluster(300, 18.0, 151, 0.6, 2.4),
+                                           {.method = Method::Direct, .probe = 0.0, .spacing = 2.5, .verify = true});
     EXPECT_GT(coarse.self_intersections, 0U);
     EXPECT_FALSE(coarse.passed());
 }

@@ -91,6 +91,13 @@ TEST(FirstLook, SeesTheSameDuringASurvey) {
     const FirstLook::Suspects seen = std::move(during).suspects();
     EXPECT_EQ(seen.bad, expected.bad);
     EXPECT_EQ(seen.leaning, expected.leaning);
+    for (std::size_t c = 0; c < expected.boxes.longest.size(); ++c)
+        EXPECT_NEAR(seen.boxes.longest[c], expected.boxes.longest[c], 1e-12);
+    for (std::size_t s = 0; s < expected.boxes.first_corners.size(); ++s) {
+        const Box box = expected.boxes.first_corners[s].box();
+        EXPECT_TRUE(seen.boxes.first_corners[s].box().grown(1e-6).contains(box));
+        EXPECT_TRUE(box.grown(1e-6).contains(seen.boxes.first_corners[s].box()));
+    }
     EXPECT_GT(survey.measures(mesh.components).area, 0.0);
 }
 

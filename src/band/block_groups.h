@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// All blocks of a grid, each with the features near it gathered first.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/group_by.h"
+#include "core/parallel.h"
+#include "geometry/local_features.h"
+#include "grid/block_grid.h"
+
+namespace meniscus {
+
+/// The box of a cube of nodes, `edge` along each axis.
+inline Box box_of_nodes(const Vec3& corner, int edge, double spacing) {
+    const double length = (edge - 1) * spacing;
+    return {corner, corner + Vec3{length, length, length}};
+}
+
+/// Blocks in cubes of a power of two on an edge, for which features are gathered together, and in halves of these
+/// cubes.
+class BlockGroups {
+public:
+    explicit BlockGroups(const BlockGrid& grid);
+
+    std::size_t size() const { return groups_.size(); }
+    std::span<const BlockId> blocks(std::size_t group) const { return groups_[group]; }
+    /// Calls visit(blocks) for each part of a group.
+    template <class Visit>
+    void for_each_part(std::size_t group, const Visit& visit) const {
+        const std::span<const BlockId> all = blocks(group);
+        std::size_t begin = 0;
+        for (std::size_t i = 1; i <= all.size(); ++i)
+            if (i == all.size() || part(all[i]) != part(all[begin])) {
+                visit(all.subspan(begin, i - begin));
+                begin = i;
+            }
+    }
+    Box box_of(std::span<const BlockId> blocks) const;
+
+private:
+    BlockCoord part(BlockId b) const;
+
+    const BlockGrid& grid_;
+    int shift_;
+    Groups groups_;
+};
+
+/// Calls visit(evaluator, block) for every block of the grid, in parallel. make() makes an evaluator, which has
+/// enter(box) and enter_part(box): it goes to a box, then to a part of it, whose blocks come next.
+template <class Make, class Visit>
+void for_each_block(const BlockGrid& grid, const Make& make, const Visit& visit) {
+    constexpr std::size_t kGroupsPerChunk = 2;
+    const BlockGroups groups(grid);
+    parallel_chunks(groups.size(), kGroupsPerChunk, [&](std::size_t begin, std::size_t end) {
+        const auto evaluator = make();
+        for (std::size_t g = begin; g < end; ++g) {
+            evaluator->enter(groups.box_of(groups.blocks(g)));
+            groups.for_each_part(g, [&](std::span<const BlockId> blocks) {
+                evaluator->enter_part(groups.box_of(blocks));
+                for (const BlockId b : blocks) visit(*evaluator, b);
+            });
+        }
+    });
+}
+
+}  // namespace meniscus

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The nodes of one block after the other in units, and what the middle of each unit tells of its nodes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "geometry/local_features.h"
+#include "geometry/nearest_batch.h"
+#include "geometry/nearest_kernels.h"
+#include "grid/block_grid.h"
+#include "grid/inside_bits.h"
+#include "meniscus/accessible_surface.h"
+
+namespace meniscus {
+
+/// Goes to blocks, and then to units of each, reusing its memory.
+class BlockUnits {
+public:
+    using Claim = NearestBatch::Claim;
+
+    /// What is known of a unit from its middle.
+    struct Middle {
+        Claim side = Claim::Open;  ///< Below and Above are for all nodes of the unit
+        double distance = 0.0;     ///< signed, Å
+        Vec3 to_foot;              ///< nearest point of K
+    };
+
+    /// margin  Å: up to this distance from the surface nodes have a distance
+    BlockUnits(const AccessibleSurface& surface, double spacing, double margin);
+
+    /// Goes to a box, then to a part of it, whose blocks will be evaluated.
+    void enter(const Box& box) { around_.gather(box); }
+    void enter_part(const Box& box) { part_.gather_from(around_, box); }
+
+    /// corner: position of node (0, 0, 0)
+    void enter_block(const Vec3& corner);
+
+    /// Below or Above if that holds for all nodes of the unit. Open otherwise: then it may be searched.
+    Claim enter_unit(int unit);
+
+    // Of the unit that was entered last, nodes as for_each_row() counts them.
+    const Middle& middle() const { return middles_[unit_]; }
+    const LanePoints<float>& from_middle() const { return steps_; }           ///< nodes
+    const LaneArray<float>& lengths_from_middle() const { return lengths_; }  ///< the same, their norms, Å
+    /// Looks for what is nearest to some nodes, at most kUnitNodes.
+    void search(std::span<const std::uint32_t> nodes);
+    NearestBatch& batch() { return batch_; }  ///< of these nodes
+
+    /// Å: more than all that single precision gets wrong
+    double slack() const { return slack_; }
+
+    /// Calls visit(node of the unit, node of the block) for the first node of each row along x.
+    template <class Visit>
+    static void for_each_row(int unit, const Visit& visit) {
+        const int first = kUnitEdge * node_in_block(unit & 1, unit >> 1 & 1, unit >> 2);
+        std::size_t point = 0;
+        for (int z = 0; z < kUnitEdge; ++z)
+            for (int y = 0; y < kUnitEdge; ++y, point += kUnitEdge) {
+                const int node = first + node_in_block(0, y, z);
+                visit(point, static_cast<std::size_t>(node));
+            }
+    }
+
+private:
+    double spacing_;
+    double margin_;
+    double half_unit_;  // Å: half a unit's diagonal
+    double slack_;
+    LocalFeatures around_;  // of many blocks
+    LocalFeatures part_;    // of fewer of them
+    LocalFeatures block_;
+    NearestBatch batch_;
+    Vec3 corner_;  // of the block
+    int unit_ = 0;
+    Middle middles_[kUnits];
+
+    LanePoints<double> offsets_;  // of a unit's nodes from its first
+    LanePoints<float> steps_;     // of the same from the unit's middle
+    LaneArray<float> lengths_;
+    LanePoints<double> points_;  // that are searched
+};
+
+}  // namespace meniscus

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Sets of items, one bit for each.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace meniscus {
+
+/// How many bits are set: std::popcount is a call where not every processor that may run this has the instruction for
+/// it. Sums of neighbouring bits, then pairs, then fours, and of all bytes by a product.
+constexpr std::uint64_t count_bits(std::uint64_t word) {
+    word -= (word >> 1U) & 0x5555555555555555U;
+    word = (word & 0x3333333333333333U) + ((word >> 2U) & 0x3333333333333333U);
+    word = (word + (word >> 4U)) & 0x0F0F0F0F0F0F0F0FU;
+    return (word * 0x0101010101010101U) >> 56U;
+}
+
+/// Calls visit(bit) for every bit that is set, in rising order.
+template <class Visit>
+void for_each_bit(std::uint64_t word, const Visit& visit) {
+    for (; word != 0; word &= word - 1) visit(static_cast<std::size_t>(std::countr_zero(word)));
+}
+
+/// A matrix of eight rows, the bytes of a word from the lowest on, with rows and columns exchanged (Warren, Hacker's
+/// Delight, 7-3).
+constexpr std::uint64_t transposed(std::uint64_t matrix) {
+    const auto exchange = [&matrix](unsigned distance, std::uint64_t mask) {
+        const std::uint64_t differ = (matrix ^ matrix >> distance) & mask;
+        matrix ^= differ ^ differ << distance;
+    };
+    exchange(7, 0x00AA00AA00AA00AAU);
+    exchange(14, 0x0000CCCC0000CCCCU);
+    exchange(28, 0x00000000F0F0F0F0U);
+    return matrix;
+}
+
+/// How many words hold a bit for each of so many items.
+constexpr std::size_t words_for(std::size_t items) { return (items + 63) / 64; }
+
+/// Writes the items that are in a set, in rising order, and returns how many they are; there must be room for all.
+inline std::size_t list_items(const std::uint64_t* words, std::size_t items, std::uint32_t* list) {
+    std::size_t count = 0;
+    for (std::size_t w = 0; w < words_for(items); ++w)
+        for_each_bit(words[w], [&](std::size_t bit) { list[count++] = static_cast<std::uint32_t>(64 * w + bit); });
+    return count;
+}
+
+}  // namespace meniscus

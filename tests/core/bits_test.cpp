@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/bits.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <random>
+#include <vector>
+
+namespace meniscus {
+namespace {
+
+TEST(Bits, AreCountedAsTheLibraryDoes) {
+    static_assert(count_bits(0) == 0);
+    static_assert(count_bits(~std::uint64_t{0}) == 64);
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 1000; ++i) {
+        const std::uint64_t word = random() & random();
+        EXPECT_EQ(count_bits(word), static_cast<std::uint64_t>(std::popcount(word)));
+    }
+    for (int bit = 0; bit < 64; ++bit) EXPECT_EQ(count_bits(std::uint64_t{1} << bit), 1U);
+}
+
+TEST(Bits, ExchangesRowsAndColumns) {
+    for (int row = 0; row < 8; ++row)
+        for (int column = 0; column < 8; ++column)
+            EXPECT_EQ(transposed(std::uint64_t{1} << (8 * row + column)), std::uint64_t{1} << (8 * column + row));
+    EXPECT_EQ(transposed(transposed(0x0123456789ABCDEFU)), 0x0123456789ABCDEFU);
+}
+
+TEST(Bits, ListsTheItemsOfASetInOrder) {
+    const std::array<std::uint64_t, 3> words{0b101U, 0, std::uint64_t{1} << 63U | 1U};
+    std::array<std::uint32_t, 192> list{};
+    ASSERT_EQ(list_items(words.data(), 192, list.data()), 4U);
+    EXPECT_EQ(std::vector<std::uint32_t>(list.begin(), list.begin() + 4), (std::vector<std::uint32_t>{0, 2, 128, 191}));
+    EXPECT_EQ(list_items(words.data(), 0, list.data()), 0U);
+    EXPECT_EQ(words_for(64), 1U);
+    EXPECT_EQ(words_for(65), 2U);
+}
+
+}  // namespace
+}  // namespace meniscus
