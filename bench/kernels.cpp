@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "band/sides.h"
 #include "band/surface_blocks.h"
 #include "core/parallel.h"
 #include "flow/evolution.h"
@@ -87,6 +88,15 @@ void band_per_node(benchmark::State& state) {
     set_items(state, on.grid.node_count());
 }
 
+// On the blocks that direct needs.
+void sides_per_node(benchmark::State& state) {
+    const Stage& on = stage(state);
+    const BlockGrid grid(on.spacing, {},
+                         blocks_near_surface(on.surface, {on.spacing, {}}, 1.8 * on.spacing, 1U << 22U));
+    for (auto _ : state) benchmark::DoNotOptimize(find_sides(on.surface, grid).data());
+    set_items(state, grid.node_count());
+}
+
 void solve_per_node_and_iteration(benchmark::State& state) {
     const Stage& on = stage(state);
     NodeMask mask(on.grid.node_count());
@@ -134,6 +144,7 @@ void measures_per_triangle(benchmark::State& state) {
 BENCHMARK(geometry_per_atom)->Unit(benchmark::kMillisecond);
 BENCHMARK(measures_per_atom)->Unit(benchmark::kMillisecond);
 BENCHMARK(band_per_node)->Arg(50)->Arg(25)->Unit(benchmark::kMillisecond);
+BENCHMARK(sides_per_node)->Arg(50)->Arg(25)->Unit(benchmark::kMillisecond);
 BENCHMARK(solve_per_node_and_iteration)->Arg(50)->Arg(25)->Unit(benchmark::kMillisecond);
 BENCHMARK(flow_per_node)->Arg(50)->Arg(25)->Unit(benchmark::kMillisecond);
 BENCHMARK(marching_cubes_per_triangle)->Arg(50)->Arg(25)->Unit(benchmark::kMillisecond);

@@ -40,28 +40,16 @@ public:
     /// Below or Above if that holds for all nodes of the unit. Open otherwise: then it may be searched.
     Claim enter_unit(int unit);
 
-    // Of the unit that was entered last, nodes as for_each_row() counts them.
+    // Of the unit that was entered last, nodes in the order of node_in_unit.
     const Middle& middle() const { return middles_[unit_]; }
-    const LanePoints<float>& from_middle() const { return steps_; }           ///< nodes
-    const LaneArray<float>& lengths_from_middle() const { return lengths_; }  ///< the same, their norms, Å
+    const LanePoints<float>& from_middle() const { return steps_; }           ///< to nodes, Å
+    const LaneArray<float>& lengths_from_middle() const { return lengths_; }  ///< how long these are
     /// Looks for what is nearest to some nodes, at most kUnitNodes.
     void search(std::span<const std::uint32_t> nodes);
     NearestBatch& batch() { return batch_; }  ///< of these nodes
 
     /// Å: more than all that single precision gets wrong
     double slack() const { return slack_; }
-
-    /// Calls visit(node of the unit, node of the block) for the first node of each row along x.
-    template <class Visit>
-    static void for_each_row(int unit, const Visit& visit) {
-        const int first = kUnitEdge * node_in_block(unit & 1, unit >> 1 & 1, unit >> 2);
-        std::size_t point = 0;
-        for (int z = 0; z < kUnitEdge; ++z)
-            for (int y = 0; y < kUnitEdge; ++y, point += kUnitEdge) {
-                const int node = first + node_in_block(0, y, z);
-                visit(point, static_cast<std::size_t>(node));
-            }
-    }
 
 private:
     double spacing_;

@@ -19,6 +19,16 @@ using Claim = BlockUnits::Claim;
 
 constexpr double kNever = -1.0;  // no squared distance is below
 
+// Calls visit(node of the unit, node of the block) for the first node of each row along x.
+template <class Visit>
+void for_each_row(int unit, const Visit& visit) {
+    const int first = kUnitEdge * node_in_block(unit & 1, unit >> 1 & 1, unit >> 2);
+    for (int z = 0; z < kUnitEdge; ++z)
+        for (int y = 0; y < kUnitEdge; ++y)
+            visit(static_cast<std::size_t>(node_in_unit(0, y, z)),
+                  static_cast<std::size_t>(first + node_in_block(0, y, z)));
+}
+
 // Where the samples of one block go.
 struct BlockSamples {
     std::span<float, kBlockNodes> distance;
@@ -60,7 +70,7 @@ public:
 private:
     void fill_unit(int unit, Claim side, const BlockSamples& samples) const {
         const auto distance = static_cast<float>(side == Claim::Below ? -margin_ : margin_);
-        BlockUnits::for_each_row(unit, [&](std::size_t, std::size_t node) {
+        for_each_row(unit, [&](std::size_t, std::size_t node) {
             std::fill_n(&samples.distance[node], kUnitEdge, distance);
             std::fill_n(&samples.curvature[node], kUnitEdge, 0.0F);
         });
@@ -92,7 +102,7 @@ private:
     }
 
     void write_unit(int unit, const BlockSamples& samples) const {
-        BlockUnits::for_each_row(unit, [&](std::size_t point, std::size_t node) {
+        for_each_row(unit, [&](std::size_t point, std::size_t node) {
             std::copy_n(distances_ + point, kUnitEdge, &samples.distance[node]);
             std::copy_n(curvatures_ + point, kUnitEdge, &samples.curvature[node]);
         });

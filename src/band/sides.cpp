@@ -9,8 +9,6 @@
 
 #include "band/block_groups.h"
 #include "band/block_units.h"
-#include "core/fresh_memory.h"
-#include "geometry/accessible_surface_data.h"
 
 namespace meniscus {
 namespace {

@@ -40,7 +40,8 @@ constexpr std::uint64_t transposed(std::uint64_t matrix) {
 /// How many words hold a bit for each of so many items.
 constexpr std::size_t words_for(std::size_t items) { return (items + 63) / 64; }
 
-/// Writes the items that are in a set, in rising order, and returns how many they are; there must be room for all.
+/// Writes the items that are in a set, in rising order, and returns how many they are; there must be room for all, and
+/// no bit set beyond the last item.
 inline std::size_t list_items(const std::uint64_t* words, std::size_t items, std::uint32_t* list) {
     std::size_t count = 0;
     for (std::size_t w = 0; w < words_for(items); ++w)

@@ -27,9 +27,6 @@ inline constexpr std::array<UnitBits, 3> kFirstNodes{0x1111111111111111U, 0x000F
 /// One word per unit: number x + 2 y + 4 z.
 using InsideBits = std::array<UnitBits, kUnits>;
 
-/// Where a unit begins along an axis (0, 1, 2), in nodes of its block.
-constexpr int unit_begin(std::size_t unit, std::size_t axis) { return (unit >> axis & 1U) != 0 ? kUnitEdge : 0; }
-
 constexpr bool inside_bit(const InsideBits& bits, int x, int y, int z) {
     const int unit = x / kUnitEdge + 2 * (y / kUnitEdge) + 4 * (z / kUnitEdge);
     const int node = node_in_unit(x % kUnitEdge, y % kUnitEdge, z % kUnitEdge);

@@ -38,7 +38,7 @@ struct UnitsAround {
     static constexpr std::size_t kEdge = 3;                ///< units along each axis
     std::array<UnitBits, kEdge * kEdge * kEdge> inside{};  ///< number x + 3 y + 9 z
     std::array<bool, 8> exists{};                          ///< whether a block does, by octant, see upper_neighbour
-    bool mixed = false;  ///< some node differs from the others; else the rest is not filled in
+    bool mixed = false;                                    ///< whether some node differs from the others
 };
 
 /// One bit per node of a block, layer by layer: bit x + 8 y of word z.
@@ -76,14 +76,14 @@ void for_each_cut_cell(const UnitsAround& units, const Visit& visit) {
     for (std::size_t unit = 0; unit < kUnits; ++unit) cells[unit] = cells_of(units, unit);
     for (std::size_t z = 0; z < kBlockEdge; ++z)
         for (std::size_t y = 0; y < kBlockEdge; y += 2) {
-            const std::size_t byte = 16 * (z % kUnitEdge) + 4 * (y % kUnitEdge);
+            const std::size_t first = 16 * (z % kUnitEdge) + 4 * (y % kUnitEdge);
             const UnitCells& left = cells[2 * (y / kUnitEdge) + 4 * (z / kUnitEdge)];
             const UnitCells& right = cells[2 * (y / kUnitEdge) + 4 * (z / kUnitEdge) + 1];
-            const UnitBits left_cut = left.cut >> byte & 0xFFU;
-            const UnitBits right_cut = right.cut >> byte & 0xFFU;
+            const UnitBits left_cut = left.cut >> first & 0xFFU;
+            const UnitBits right_cut = right.cut >> first & 0xFFU;
             if ((left_cut | right_cut) == 0) continue;
-            const std::uint64_t left_cases = cases_of(left, byte);
-            const std::uint64_t right_cases = cases_of(right, byte);
+            const std::uint64_t left_cases = cases_of(left, first);
+            const std::uint64_t right_cases = cases_of(right, first);
             const auto visit_row = [&](std::size_t row, UnitBits cut, std::uint64_t cases) {
                 for_each_bit(cut, [&](std::size_t x) {
                     visit(local_node(x, row, z), static_cast<unsigned>(cases >> (8 * x) & 0xFFU));

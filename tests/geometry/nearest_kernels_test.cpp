@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -55,6 +56,7 @@ struct Answers {
     LaneArray<float> within;   // curvatures of those within the margin
     LanePoints<float> small;
     Marks let_through;
+    KnownSides sides;
 };
 
 class NearestKernelsTest : public ::testing::Test {
@@ -93,6 +95,7 @@ protected:
         kernels.unmark_far(local_.vertices(), kBox, answers.vertices.room_for(local_.vertices().size()));
         kernels.make_small(points_, kMiddle, kPoints, answers.small);
         *answers.let_through.room_for(kBatchLanes) = kernels.screen(screen(), answers.small, lengths_);
+        answers.sides = kernels.screen_sides(kSides, kInside, answers.small, lengths_);
         kernels.find_depths(small_, small_points_, kPoints, answers.depths);
         kernels.group_points(answers.depths, limits(), kPoints, answers.groups);
         const std::uint32_t atom = local_.balls().index(0);
@@ -120,6 +123,9 @@ protected:
         return {.above = 0.5F, .below = 2.0F, .lead = 0.01F, .balls = static_cast<std::int32_t>(small_.size())};
     }
 
+    static constexpr SideScreen kSides{
+        .foot = {1.0F, 2.0F, -1.0F}, .near_foot = 4.0F, .near_middle = 2.0F, .middle_inside = true};
+    static constexpr std::array kInside{InsideBall{-3.0F, 0.0F, 1.0F, 4.0F}, InsideBall{0.0F, -4.0F, 0.0F, 6.0F}};
     static constexpr Box kBox{{1, 1, 1}, {3, 3, 3}};
     static constexpr Vec3 kMiddle{2, 2, 2};
     static constexpr double kMargin = 1.0;
@@ -152,6 +158,8 @@ TEST_F(NearestKernelsTest, GiveTheSameBitsOnEveryInstructionSet) {
         expect_equal(other.small.y, plain.small.y);
         expect_equal(other.small.z, plain.small.z);
         EXPECT_EQ(other.let_through, plain.let_through);
+        EXPECT_EQ(other.sides.inside, plain.sides.inside);
+        EXPECT_EQ(other.sides.settled, plain.sides.settled);
         expect_equal(other.depths.first, plain.depths.first);
         expect_equal(other.depths.second, plain.depths.second);
         expect_equal(other.depths.ball, plain.depths.ball);
@@ -201,6 +209,22 @@ TEST_F(NearestKernelsTest, LetThroughWhatIsFarFromTheFootAndFromTheMiddle) {
     }
     EXPECT_GT(stopped, 5U);
     EXPECT_LT(stopped, kPoints - 5);
+}
+
+TEST_F(NearestKernelsTest, KnowSidesByTheFootTheMiddleAndTheBalls) {
+    const auto [inside, settled] = ask(nearest_kernels()).sides;
+    std::array<std::size_t, 3> counts{};  // of what is inside, outside and open
+    for (std::size_t i = 0; i < kPoints; ++i) {
+        const Vec3 from = point(i) - kMiddle;
+        bool expected = norm(from) <= 2.0;
+        for (const InsideBall& ball : kInside)
+            expected = expected || squared_norm(from - Vec3{ball.x, ball.y, ball.z}) <= ball.squared_radius;
+        const bool outside = norm(from - Vec3{1, 2, -1}) <= 2.0;
+        EXPECT_EQ((inside >> i & 1U) != 0, expected) << i;
+        EXPECT_EQ((settled >> i & 1U) != 0, expected || outside) << i;
+        ++counts.at(expected ? 0 : outside ? 1 : 2);
+    }
+    for (const std::size_t count : counts) EXPECT_GT(count, 0U);
 }
 
 // The foot of a point in the centre of a ball, or on the axis of an arc, is no number.
