@@ -22,11 +22,11 @@ constexpr double kNever = -1.0;  // no squared distance is below
 // Calls visit(node of the unit, node of the block) for the first node of each row along x.
 template <class Visit>
 void for_each_row(int unit, const Visit& visit) {
-    const int first = kUnitEdge * node_in_block(unit & 1, unit >> 1 & 1, unit >> 2);
+    const auto number = [](int node) { return static_cast<std::size_t>(node); };
+    const std::size_t first = kUnitEdge * number(node_in_block(unit & 1, unit >> 1 & 1, unit >> 2));
     for (int z = 0; z < kUnitEdge; ++z)
         for (int y = 0; y < kUnitEdge; ++y)
-            visit(static_cast<std::size_t>(node_in_unit(0, y, z)),
-                  static_cast<std::size_t>(first + node_in_block(0, y, z)));
+            visit(number(node_in_unit(0, y, z)), first + number(node_in_block(0, y, z)));
 }
 
 // Where the samples of one block go.

@@ -24,11 +24,11 @@ std::array<float, 4> four_of(const float* values) {
 InsideBits inside_bits_of_block(const float* values) {
     constexpr std::uint64_t kHalfRow = 0xF;
     InsideBits bits{};
-    for (int z = 0; z < kBlockEdge; ++z)
-        for (int y = 0; y < kBlockEdge; ++y, values += kBlockEdge) {
+    for (std::size_t z = 0; z < kBlockEdge; ++z)
+        for (std::size_t y = 0; y < kBlockEdge; ++y, values += kBlockEdge) {
             const std::uint64_t row = negative_bits(four_of(values)) | negative_bits(four_of(values + 4)) << 4U;
-            const auto unit = static_cast<std::size_t>(2 * (y / kUnitEdge) + 4 * (z / kUnitEdge));
-            const int node = node_in_unit(0, y % kUnitEdge, z % kUnitEdge);
+            const std::size_t unit = 2 * (y / kUnitEdge) + 4 * (z / kUnitEdge);
+            const std::size_t node = kUnitEdge * (y % kUnitEdge + kUnitEdge * (z % kUnitEdge));
             bits[unit] |= (row & kHalfRow) << node;
             bits[unit + 1] |= row >> kUnitEdge << node;
         }
