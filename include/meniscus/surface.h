@@ -24,7 +24,7 @@ namespace meniscus {
 
 enum class Method {
     Flow,      ///< the level-set flow: a smooth function whose zero set is the surface
-    Direct,    ///< the exact signed distance sampled on the grid: sharp ridges
+    Direct,    ///< marching cubes of the exact surface, all vertices on it: sharp ridges
     Gaussian,  ///< only the Gaussian density envelope that the flow starts from; not the SES
 };
 

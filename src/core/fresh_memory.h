@@ -16,6 +16,9 @@ namespace meniscus {
 /// Touches the whole pages of memory that holds nothing yet: what they hold afterwards is not said.
 void touch_pages(std::byte* begin, std::size_t size);
 
+/// Room for a few more than so many: a handful that is added later would else move all of them, into twice the room.
+constexpr std::size_t with_spare(std::size_t size) { return size + size / 1024 + 64; }
+
 /// As vector.reserve(size), with the pages of what is not used yet touched.
 template <class T, class Allocator>
 void reserve_touched(std::vector<T, Allocator>& vector, std::size_t size) {
@@ -31,10 +34,10 @@ void resize_touched(std::vector<T, Allocator>& vector, std::size_t size) {
     vector.resize(size);
 }
 
-/// The same for several at once, which are set to zero side by side.
+/// The same for several at once, which are set to zero side by side and have room to spare.
 template <class... Vectors>
 void resize_all_touched(std::size_t size, Vectors&... vectors) {
-    (reserve_touched(vectors, size), ...);
+    (reserve_touched(vectors, with_spare(size)), ...);
     const std::array<std::function<void()>, sizeof...(Vectors)> resize{[&] { vectors.resize(size); }...};
     parallel_for(resize.size(), 1, [&](std::size_t i) { resize[i](); });
 }

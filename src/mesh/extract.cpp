@@ -171,7 +171,7 @@ Mesh extract(const BlockGrid& grid, std::span<const InsideBits> inside, const Ro
         throw LimitError("the mesh would have " + std::to_string(totals.first_vertex) +
                          " vertices, more than 2^32 - 1; choose a larger --spacing");
     Mesh mesh;
-    reserve_touched(mesh.vertices, totals.first_vertex);
+    reserve_touched(mesh.vertices, with_spare(totals.first_vertex));
     reserve_touched(mesh.triangles, likely_triangles(totals.first_vertex));
     const BlockFiller<Roots> filler(grid, edges, roots);
     std::vector<MeshPart> parts(kTasks);

@@ -28,6 +28,20 @@ TEST(FreshMemory, WhatAVectorHoldsStays) {
     EXPECT_EQ(std::count(numbers.begin() + 1000, numbers.end(), 0), 1'999'000);
 }
 
+TEST(FreshMemory, AFewMoreMoveNothing) {
+    std::vector<int> a;
+    std::vector<double> b{1.0};
+    resize_all_touched(100'000, a, b);
+    EXPECT_EQ(std::count(a.begin(), a.end(), 0), 100'000);
+    EXPECT_EQ(b.front(), 1.0);
+    const int* const place = a.data();
+    const double* const other = b.data();
+    a.resize(100'150, 7);
+    for (int i = 0; i < 150; ++i) b.push_back(2.0);
+    EXPECT_EQ(a.data(), place);
+    EXPECT_EQ(b.data(), other);
+}
+
 TEST(FreshMemory, NothingBesideItIsWritten) {
     std::vector<std::byte> memory(std::size_t{5} << 20U, kMark);
     const auto is_marked = [](std::byte b) { return b == kMark; };
