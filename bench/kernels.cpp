@@ -16,6 +16,7 @@
 #include "meniscus/level_set.h"
 #include "meniscus/measures.h"
 #include "mesh/extract.h"
+#include "pipeline/band_size.h"
 
 namespace {
 
@@ -92,7 +93,7 @@ void band_per_node(benchmark::State& state) {
 void sides_per_node(benchmark::State& state) {
     const Stage& on = stage(state);
     const BlockGrid grid(on.spacing, {},
-                         blocks_near_surface(on.surface, {on.spacing, {}}, 1.8 * on.spacing, 1U << 22U));
+                         blocks_near_surface(on.surface, {on.spacing, {}}, kCutCell * on.spacing, 1U << 22U));
     for (auto _ : state) benchmark::DoNotOptimize(find_sides(on.surface, grid).data());
     set_items(state, grid.node_count());
 }

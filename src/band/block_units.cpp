@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "band/block_units.h"
 
+#include <cmath>
 #include <numbers>
 
 #include "band/block_groups.h"
@@ -38,6 +39,8 @@ BlockUnits::BlockUnits(const AccessibleSurface& surface, double spacing, double 
       part_(surface, margin + half_unit_),
       block_(surface, margin + half_unit_),
       batch_(surface) {
+    const double near_foot = surface.probe() - margin - slack_;
+    if (near_foot > 0.0) near_foot_ = static_cast<float>(near_foot * near_foot);
     for (int n = 0; n < kUnitNodes; ++n) {
         const auto i = static_cast<std::size_t>(n);
         const Vec3 offset = spacing * node_offset(n);
@@ -77,6 +80,17 @@ BlockUnits::Claim BlockUnits::enter_unit(int unit) {
     const Claim side = middles_[unit].side;
     if (side == Claim::Below || side == Claim::Above) return side;
     return batch_.start(block_, box_of_nodes(corner_ + spacing_ * unit_steps(unit), kUnitEdge, spacing_), margin_);
+}
+
+KnownSides BlockUnits::screen(std::span<const InsideBall> balls) const {
+    const Middle& middle = middles_[unit_];
+    const Vec3& foot = middle.to_foot;
+    const PointScreen known{
+        .foot = {static_cast<float>(foot.x), static_cast<float>(foot.y), static_cast<float>(foot.z)},
+        .near_foot = near_foot_,
+        .near_middle = static_cast<float>(std::abs(middle.distance) - margin_ - slack_),
+        .middle_inside = middle.distance < 0.0};
+    return nearest_kernels().screen(known, balls, steps_, lengths_);
 }
 
 void BlockUnits::search(std::span<const std::uint32_t> nodes) {

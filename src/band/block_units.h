@@ -20,13 +20,6 @@ class BlockUnits {
 public:
     using Claim = NearestBatch::Claim;
 
-    /// What is known of a unit from its middle.
-    struct Middle {
-        Claim side = Claim::Open;  ///< Below and Above are for all nodes of the unit
-        double distance = 0.0;     ///< signed, Å
-        Vec3 to_foot;              ///< nearest point of K
-    };
-
     /// margin  Å: up to this distance from the surface nodes have a distance
     BlockUnits(const AccessibleSurface& surface, double spacing, double margin);
 
@@ -41,9 +34,11 @@ public:
     Claim enter_unit(int unit);
 
     // Of the unit that was entered last, nodes in the order of node_in_unit.
-    const Middle& middle() const { return middles_[unit_]; }
-    const LanePoints<float>& from_middle() const { return steps_; }           ///< to nodes, Å
-    const LaneArray<float>& lengths_from_middle() const { return lengths_; }  ///< how long these are
+
+    /// Which nodes are known to be beyond the margin, and on which side: by the change of the distance from the unit's
+    /// middle, by the middle's foot, which is a point of K, and by balls whose points are inside, given from the
+    /// middle.
+    KnownSides screen(std::span<const InsideBall> balls = {}) const;
     /// Looks for what is nearest to some nodes, at most kUnitNodes.
     void search(std::span<const std::uint32_t> nodes);
     NearestBatch& batch() { return batch_; }  ///< of these nodes
@@ -52,12 +47,20 @@ public:
     double slack() const { return slack_; }
 
 private:
+    // What is known of a unit from its middle.
+    struct Middle {
+        Claim side = Claim::Open;  // Below and Above are for all nodes of the unit
+        double distance = 0.0;     // signed, Å
+        Vec3 to_foot;              // nearest point of K
+    };
+
     double spacing_;
     double margin_;
     double half_unit_;  // Å: half a unit's diagonal
     double slack_;
-    LocalFeatures around_;  // of many blocks
-    LocalFeatures part_;    // of fewer of them
+    float near_foot_ = -1.0F;  // Å²: nodes so near to a point of K are outside, beyond the margin
+    LocalFeatures around_;     // of many blocks
+    LocalFeatures part_;       // of fewer of them
     LocalFeatures block_;
     NearestBatch batch_;
     Vec3 corner_;  // of the block

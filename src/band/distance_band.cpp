@@ -17,8 +17,6 @@ namespace {
 
 using Claim = BlockUnits::Claim;
 
-constexpr double kNever = -1.0;  // no squared distance is below
-
 // Calls visit(node of the unit, node of the block) for the first node of each row along x.
 template <class Visit>
 void for_each_row(int unit, const Visit& visit) {
@@ -45,10 +43,7 @@ BlockSamples samples_of(DistanceBand& band, BlockId block) {
 class BlockDistance {
 public:
     BlockDistance(const AccessibleSurface& surface, double spacing, double margin)
-        : units_(surface, spacing, margin), spacing_(spacing), margin_(margin) {
-        const double near_foot = surface.probe() - margin - units_.slack();
-        if (near_foot > 0.0) near_foot2_ = near_foot * near_foot;
-    }
+        : units_(surface, spacing, margin), spacing_(spacing), margin_(margin) {}
 
     void enter(const Box& box) { units_.enter(box); }
     void enter_part(const Box& box) { units_.enter_part(box); }
@@ -76,20 +71,13 @@ private:
         });
     }
 
-    // Nodes that may be within the margin, by the change of at most 1 per Å from the middle, and by the middle's foot,
-    // which is a point of K. Others get its side.
+    // Nodes that may be within the margin. Others get the margin of their side.
     std::span<const std::uint32_t> nodes_within() {
-        const BlockUnits::Middle& middle = units_.middle();
-        const bool below = middle.distance <= -margin_;
-        PointScreen screen;
-        screen.foot[0] = static_cast<float>(middle.to_foot.x);
-        screen.foot[1] = static_cast<float>(middle.to_foot.y);
-        screen.foot[2] = static_cast<float>(middle.to_foot.z);
-        screen.near = static_cast<float>(below ? kNever : near_foot2_);
-        screen.beyond = static_cast<float>(std::abs(middle.distance) - margin_ - units_.slack());
-        const UnitBits within = nearest_kernels().screen(screen, units_.from_middle(), units_.lengths_from_middle());
-        std::fill_n(distances_, kUnitNodes, static_cast<float>(below ? -margin_ : margin_));
+        const auto [inside, settled] = units_.screen();
+        for (std::size_t n = 0; n < kUnitNodes; ++n)
+            distances_[n] = static_cast<float>((inside >> n & 1U) != 0 ? -margin_ : margin_);
         std::fill_n(curvatures_, kUnitNodes, 0.0F);
+        const UnitBits within = ~settled;
         return {nodes_, list_items(&within, kUnitNodes, nodes_)};
     }
 
@@ -111,7 +99,6 @@ private:
     BlockUnits units_;
     double spacing_;
     double margin_;
-    double near_foot2_ = kNever;   // Å²: of nodes so near to a point of K that they are above the margin
     float distances_[kUnitNodes];  // of the unit's nodes
     float curvatures_[kUnitNodes];
     std::uint32_t nodes_[kUnitNodes];  // those that may be within the margin

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "band/sides.h"
 
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -15,15 +14,12 @@ namespace {
 
 using Claim = BlockUnits::Claim;
 
-constexpr double kMargin = 1e-6;  // Å: distances beyond are for nobody
+constexpr double kMargin = 1e-6;  // Å: nobody asks for distances, but a search wants one
 
 // Finds the sides of all nodes of one block after the other.
 class BlockSides {
 public:
-    BlockSides(const AccessibleSurface& surface, double spacing) : units_(surface, spacing, kMargin) {
-        const double near = surface.probe() - units_.slack();
-        if (near > 0.0) near_foot_ = static_cast<float>(near * near);
-    }
+    BlockSides(const AccessibleSurface& surface, double spacing) : units_(surface, spacing, kMargin) {}
 
     void enter(const Box& box) { units_.enter(box); }
     void enter_part(const Box& box) { units_.enter_part(box); }
@@ -42,17 +38,8 @@ public:
 private:
     // What is known without a search settles most nodes.
     UnitBits inside_of_unit() {
-        const BlockUnits::Middle& middle = units_.middle();
-        SideScreen screen;
-        screen.foot[0] = static_cast<float>(middle.to_foot.x);
-        screen.foot[1] = static_cast<float>(middle.to_foot.y);
-        screen.foot[2] = static_cast<float>(middle.to_foot.z);
-        screen.near_foot = near_foot_;
-        screen.near_middle = static_cast<float>(std::abs(middle.distance) - units_.slack());
-        screen.middle_inside = middle.distance < 0.0;
         units_.batch().list_insides(units_.slack(), atoms_);
-        auto [inside, settled] =
-            nearest_kernels().screen_sides(screen, atoms_, units_.from_middle(), units_.lengths_from_middle());
+        auto [inside, settled] = units_.screen(atoms_);
         const UnitBits open = ~settled;
         const std::size_t count = list_items(&open, kUnitNodes, nodes_);
         if (count == 0) return inside;
@@ -62,7 +49,6 @@ private:
     }
 
     BlockUnits units_;
-    float near_foot_ = -1.0F;  // Å²: nodes so near to a point of K are outside
     std::vector<InsideBall> atoms_;
     std::uint32_t nodes_[kUnitNodes];  // of a unit, those that must be searched
 };

@@ -27,14 +27,14 @@ void reserve_touched(std::vector<T, Allocator>& vector, std::size_t size) {
                 (vector.capacity() - vector.size()) * sizeof(T));
 }
 
-/// As vector.resize(size).
+/// As vector.resize(size), with room to spare.
 template <class T, class Allocator>
 void resize_touched(std::vector<T, Allocator>& vector, std::size_t size) {
-    reserve_touched(vector, size);
+    reserve_touched(vector, with_spare(size));
     vector.resize(size);
 }
 
-/// The same for several at once, which are set to zero side by side and have room to spare.
+/// The same for several at once, which are set to zero side by side.
 template <class... Vectors>
 void resize_all_touched(std::size_t size, Vectors&... vectors) {
     (reserve_touched(vectors, with_spare(size)), ...);

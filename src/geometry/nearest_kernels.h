@@ -40,19 +40,12 @@ struct LaneRange {
     std::size_t end = 0;
 };
 
-/// What is known about points from a point in their middle, in single precision and relative to it: whether they are so
-/// near to its foot, or so near to itself, that the distance there settles theirs.
+/// What is known about points from a point in their middle, in single precision and relative to it: those near enough
+/// to its foot are outside, those near enough to itself on its side.
 struct PointScreen {
     float foot[3]{};
-    float near = 0.0F;    ///< squared distance of those near enough to the foot
-    float beyond = 0.0F;  ///< distance of those near enough to the middle
-};
-
-/// The same for sides alone. Points near enough to the foot are outside, those near enough to the middle on its side.
-struct SideScreen {
-    float foot[3]{};
-    float near_foot = 0.0F;    ///< squared distance
-    float near_middle = 0.0F;  ///< distance
+    float near_foot = 0.0F;    ///< squared distance, Å²; negative: the foot tells nothing
+    float near_middle = 0.0F;  ///< distance, Å
     bool middle_inside = false;
 };
 
@@ -162,12 +155,10 @@ struct NearestKernels {
     void (*mark_contenders)(const SphereList& balls, std::size_t ball, const Box& box, std::uint64_t* marks);
     /// Unmarks vertices that are nowhere in a box the nearest one.
     void (*unmark_far)(const SphereList& vertices, const Box& box, std::uint64_t* marks);
-    /// Marks those of kBatchLanes points that the screen lets through. from_middle: their distances from it.
-    std::uint64_t (*screen)(const PointScreen& known, const LanePoints<float>& points,
-                            const LaneArray<float>& from_middle);
-    /// What is known of kBatchLanes points. from_middle: their distances from it.
-    KnownSides (*screen_sides)(const SideScreen& known, std::span<const InsideBall> balls,
-                               const LanePoints<float>& points, const LaneArray<float>& from_middle);
+    /// What is known of kBatchLanes points. balls: what lies within one is inside. from_middle: the points' distances
+    /// from it.
+    KnownSides (*screen)(const PointScreen& known, std::span<const InsideBall> balls, const LanePoints<float>& points,
+                         const LaneArray<float>& from_middle);
     /// Points relative to one nearby, in single precision.
     void (*make_small)(const LanePoints<double>& points, const Vec3& origin, std::size_t count,
                        LanePoints<float>& small);

@@ -41,10 +41,7 @@ TriangleSurvey::TriangleSurvey(const Mesh& mesh, std::span<const std::uint32_t> 
       triangles_(mesh.triangles.size()),
       chunks_(chunks_of(triangles_)) {
     for (const VertexId first : vertices_of_pieces(of_vertex).first) origins_.push_back(mesh.vertices[first]);
-    if (parts_ != Parts::LeftOut) {
-        reserve_touched(thirds_, with_spare(triangles_));
-        thirds_.resize(triangles_);
-    }
+    if (parts_ != Parts::LeftOut) resize_touched(thirds_, triangles_);
     parallel_chunks(chunks_.size(), kChunksPerTask, [&](std::size_t begin, std::size_t end) {
         TriangleLanes lanes;
         for (std::size_t chunk = begin; chunk < end; ++chunk) survey(chunk, mesh, of_vertex, look, lanes);

@@ -79,8 +79,7 @@ std::vector<std::uint32_t> pieces_by_first_vertex(const Mesh& mesh) {
         }
     });
     std::vector<std::uint32_t> piece;
-    reserve_touched(piece, with_spare(mesh.vertices.size()));
-    piece.resize(mesh.vertices.size());
+    resize_touched(piece, mesh.vertices.size());
     parallel_for(piece.size(), kChunk, [&](std::size_t v) { piece[v] = sets.root(static_cast<std::uint32_t>(v)); });
     const auto roots =  // in rising order
         parallel_list<std::uint32_t>(piece.size(), kChunk, [&](std::size_t begin, std::size_t end, auto& list) {

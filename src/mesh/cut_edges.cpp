@@ -52,6 +52,7 @@ constexpr std::uint64_t spread_rows(std::uint64_t layer) {
     return (layer | layer << 4U) & 0x0F0F0F0FU;
 }
 
+// Vertices are numbered layer by layer, cells are found unit by unit.
 LayerBits layers_of(const InsideBits& units) {
     constexpr std::size_t kEdge = kUnitEdge;
     LayerBits layers;

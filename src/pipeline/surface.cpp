@@ -191,7 +191,7 @@ private:
         else if (evolves)
             evolve_start(from_density ? &density : nullptr, field);
         else
-            sample_exact(field);
+            find_exact_sides(field);
         if (evolves && options_.initial_area) measure_start(density);
         return field;
     }
@@ -218,7 +218,7 @@ private:
         surface_.seconds.flow += clock_.lap();
     }
 
-    void sample_exact(Field& field) {
+    void find_exact_sides(Field& field) {
         field.inside = find_sides(*accessible_, *field.grid);
         surface_.seconds.band += clock_.lap();
         report("band", 1.0);
@@ -300,8 +300,8 @@ private:
         filled.cavities = dropped.cavities;
         filled.islands = dropped.islands;
         if (dropped.cavities == 0) return;
-        filled.rest = zero_set;
         filled.volume = -measure_mesh(filled.walls).volume;
+        filled.rest = zero_set;
     }
 
     void measure() {

@@ -23,7 +23,7 @@ constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding
 
 constexpr std::size_t kChunk = TriangleBoxes::kChunk;
 constexpr std::size_t kStretch = TriangleBoxes::kStretch;
-static_assert(kChunk % kLanes == 0 && kStretch == kStretchLanes);
+static_assert(kChunk % kLanes == 0);
 
 std::size_t chunks_of(std::size_t triangles) { return (triangles + kChunk - 1) / kChunk; }
 

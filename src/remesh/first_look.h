@@ -16,8 +16,8 @@ namespace meniscus {
 
 /// Boxes round the triangles of a mesh, chunk by chunk: neighbours, if the mesh comes from blocks.
 struct TriangleBoxes {
-    static constexpr std::size_t kChunk = 256;   // triangles
-    static constexpr std::size_t kStretch = 16;  // of these, nearer to each other still
+    static constexpr std::size_t kChunk = 256;              // triangles
+    static constexpr std::size_t kStretch = kStretchLanes;  // of these, nearer to each other still
 
     std::vector<Box> boxes;               ///< per chunk: round its triangles
     std::vector<double> longest;          ///< per chunk: Å, no side is longer

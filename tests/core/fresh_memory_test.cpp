@@ -37,6 +37,9 @@ TEST(FreshMemory, AFewMoreMoveNothing) {
     const int* const place = a.data();
     const double* const other = b.data();
     a.resize(100'150, 7);
+    std::vector<int> c;
+    resize_touched(c, 5000);
+    EXPECT_GE(c.capacity(), with_spare(5000));
     for (int i = 0; i < 150; ++i) b.push_back(2.0);
     EXPECT_EQ(a.data(), place);
     EXPECT_EQ(b.data(), other);
