@@ -28,13 +28,14 @@ namespace {
 
 void write_surface_mesh(const std::string& path, Encoding encoding, const SurfaceOptions& computed_with,
                         const Structure& structure, const Mesh& mesh, std::span<const Colour> colours,
-                        bool open = false) {
+                        double shortest_edge = 0.0, bool open = false) {
     write_mesh(path, mesh,
                {.encoding = encoding,
                 .colours = colours,
                 .structure = &structure,
                 .computed_with = &computed_with,
                 .probe = computed_with.probe,
+                .shortest_edge = shortest_edge,
                 .open = open,
                 .threads = computed_with.threads});
 }
@@ -243,7 +244,8 @@ private:
         switch (output.kind) {
             case OutputKind::Mesh:
                 write_surface_mesh(output.path, request_.encoding, surface_.options, job.structure, written_mesh(),
-                                   written_colours(), shown_ && shown_->open);
+                                   written_colours(), part_ ? 0.0 : surface_.measures.shortest_edge,
+                                   shown_ && shown_->open);
                 if (&output == first_mesh(job.outputs)) write_cavities(job);
                 return;
             case OutputKind::Picture:

@@ -35,7 +35,7 @@ struct VertexValues {
 /// A triangle mesh with one entry per vertex in every vertex array (or the array is empty).
 struct Mesh {
     std::vector<Vec3> vertices;             ///< positions, Å, in the frame of the input
-    std::vector<Vec3> normals;              ///< unit vectors pointing into the solvent
+    std::vector<SmallVec3> normals;         ///< unit vectors pointing into the solvent
     std::vector<std::uint32_t> atoms;       ///< index of the nearest atom, in the caller's order
     std::vector<PatchKind> patches;         ///< kind of the nearest patch
     std::vector<std::uint32_t> components;  ///< 0 outer, then by falling enclosed volume
@@ -64,6 +64,7 @@ struct MeshMeasures {
     bool manifold = false;                  ///< no edge has more than two triangles, and every vertex has one fan
     std::int64_t euler_characteristic = 0;  ///< vertices - edges + triangles
     double smallest_angle_deg = 0.0;        ///< smallest corner of any triangle, degrees
+    double shortest_edge = 0.0;             ///< shortest side of any triangle, Å
     std::vector<MeshComponent> components;  ///< in the order of Mesh::components
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Three-dimensional vectors in double precision: the one point type of the library.
+// Three-dimensional vectors in double precision, the one point type of the library, and a smaller type for directions.
 #pragma once
 
 #include <cmath>
@@ -35,6 +35,23 @@ inline double norm(const Vec3& a) { return std::sqrt(squared_norm(a)); }
 
 /// a / |a|; precondition: a is not zero.
 inline Vec3 normalised(const Vec3& a) { return (1.0 / norm(a)) * a; }
+
+/// A direction in single precision, for arrays with one for every vertex.
+struct SmallVec3 {
+    float x = 0.0F;
+    float y = 0.0F;
+    float z = 0.0F;
+
+    constexpr bool operator==(const SmallVec3&) const = default;
+    constexpr operator Vec3() const { return {x, y, z}; }  // NOLINT(google-explicit-constructor): no digit is lost
+};
+
+constexpr SmallVec3 operator-(const SmallVec3& a) { return {-a.x, -a.y, -a.z}; }
+
+/// Rounded.
+constexpr SmallVec3 to_small(const Vec3& a) {
+    return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
 
 inline bool is_finite(const Vec3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 

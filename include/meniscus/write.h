@@ -35,8 +35,10 @@ struct WriteOptions {
     const Structure* structure = nullptr;  ///< whose atoms the mesh's `atoms` index; adds the vertex array `residue`
     const SurfaceOptions* computed_with = nullptr;  ///< written by NPZ, beside the structure
     std::optional<double> probe{};                  ///< probe radius, Å; written by GLB, VTP and MSMS pairs
-    bool open = false;                              ///< a part of a surface: formats with a place for it say so
-    int threads = 0;                                ///< 0: all cores
+    /// No side of a triangle is known to be shorter, Å, as MeshMeasures tells: spares a look at all of them.
+    double shortest_edge = 0.0;
+    bool open = false;  ///< a part of a surface: formats with a place for it say so
+    int threads = 0;    ///< 0: all cores
 };
 
 /// Writes a mesh; the suffix of `path` chooses the format: .ply .obj .stl .off .glb .vtp .npz .vert (and .face beside

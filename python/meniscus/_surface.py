@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable
+from functools import cached_property
 from typing import Any, Optional
 
 import numpy as np
@@ -22,7 +23,7 @@ Progress = Optional[Callable[[str, float], object]]
 
 
 class _Vertices:
-    """Arrays with an entry per point of the surface. All are views that cannot be written to."""
+    """Arrays with an entry per point of the surface. They cannot be written to; most are views."""
 
     def __init__(self, mesh: _core.Mesh, structure: Structure) -> None:
         self._mesh = mesh
@@ -33,9 +34,9 @@ class _Vertices:
         """The atoms, which ``atom`` indexes."""
         return self._structure
 
-    @property
+    @cached_property
     def normals(self) -> Floats:
-        """(n, 3) float64, unit vectors that point into the solvent."""
+        """(n, 3) float64, unit vectors that point into the solvent, known in single precision."""
         return self._mesh.normals
 
     @property

@@ -207,7 +207,9 @@ void bind_mesh(py::module_& module) {
     };
     def_array("vertices", &Mesh::vertices);
     def_array("triangles", &Mesh::triangles);
-    def_array("normals", &Mesh::normals);
+    type.def_property_readonly("normals", [](const Mesh& mesh) {
+        return owning(std::vector<Vec3>(mesh.normals.begin(), mesh.normals.end()));
+    });
     def_array("atom", &Mesh::atoms);
     def_array("patch", &Mesh::patches);
     def_array("component", &Mesh::components);

@@ -3,14 +3,15 @@
 // The corners of triangles, asked for before they are needed: where they lie no processor foresees.
 #pragma once
 
-#include <span>
+#include <vector>
 
 #include "meniscus/mesh.h"
 
 namespace meniscus {
 
 /// Starts to bring the values of a triangle's corners into the cache.
-inline void fetch_corners(std::span<const Vec3> of_vertex, const Triangle& triangle) {
+template <class T>
+void fetch_corners(const std::vector<T>& of_vertex, const Triangle& triangle) {
     for (const VertexId v : triangle) __builtin_prefetch(&of_vertex[v]);
 }
 

@@ -46,15 +46,15 @@ struct ArcView {
 };
 
 ArcView view_of(const AccessibleSurface::Data& data, std::uint32_t atom, const ContourArc& arc) {
-    const std::span<const Cap> caps = data.caps_of(atom);
-    const auto atom_of = [&](std::uint32_t k) { return k == kWholeCircle ? kWholeCircle : caps[k].atom; };
-    return {caps[arc.cap].atom, atom_of(arc.from), atom_of(arc.to), arc.sweep};
+    const std::span<const std::uint32_t> cover = data.cover_of(atom);
+    const auto atom_of = [&](std::uint32_t k) { return k == kWholeCircle ? kWholeCircle : cover[k]; };
+    return {cover[arc.cap], atom_of(arc.from), atom_of(arc.to), arc.sweep};
 }
 
 struct ChunkResult {
     bool consistent = true;
     std::vector<ContourArc> arcs;
-    std::vector<Cap> caps;
+    std::vector<CapPlane> caps;
     std::vector<std::uint32_t> cover;
 };
 
@@ -86,7 +86,7 @@ void append_contour(const ContourBuilder& builder, std::span<const Cap> caps, st
     const auto among_kept = [&](std::uint32_t k) { return k == kWholeCircle ? k : place[k]; };
     for (const ContourArc& arc : builder.arcs())
         result.arcs.push_back({place[arc.cap], among_kept(arc.from), among_kept(arc.to), arc.start, arc.sweep});
-    for (const std::uint32_t k : kept) result.caps.push_back(caps[k]);
+    for (const std::uint32_t k : kept) result.caps.push_back({caps[k].axis, caps[k].t});
 }
 
 // Fills exposed, cover, caps and contours; false if the arrangement came out inconsistent on some sphere.
@@ -274,7 +274,7 @@ void place_arcs(AccessibleSurface::Data& data, const VertexTable& table) {
     std::vector<std::uint64_t> begin(data.atoms.size() + 1, 0);
     for (std::uint32_t i = 0; i < data.atoms.size(); ++i) {
         for (std::size_t c = data.contour_begin[i]; c < data.contour_begin[i + 1]; ++c) {
-            if (i > data.caps_of(i)[data.contour[c].cap].atom) continue;
+            if (i > data.cover_of(i)[data.contour[c].cap]) continue;
             data.contour_arc[c] = static_cast<std::uint32_t>(owned.size());
             owned.push_back({i, c});
         }
@@ -324,23 +324,18 @@ Box box_of(const AccessibleSurface::Data& data, const SasArc& arc) {
 void build_trees(AccessibleSurface::Data& data) {
     std::vector<Box> atoms(data.atoms.size());
     for (std::size_t i = 0; i < atoms.size(); ++i) atoms[i].include(data.atoms.centres[i]);
-    std::vector<Box> arcs(data.arcs.size());
     std::vector<Box> cells(data.arcs.size());
-    parallel_for(arcs.size(), kChunk, [&](std::size_t a) {
-        cells[a] = arcs[a] = box_of(data, data.arcs[a]);
+    parallel_for(cells.size(), kChunk, [&](std::size_t a) {
+        cells[a] = box_of(data, data.arcs[a]);
         for (const std::uint32_t i : data.arcs[a].atoms) cells[a].include(data.atoms.centres[i]);
     });
     std::vector<Box> vertices(data.vertices.size());
     for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v].include(data.vertices[v].position);
-    const auto of_atoms_and_arcs = [&] {
-        data.atom_tree = BoxTree(std::move(atoms));
-        data.arc_tree = BoxTree(std::move(arcs));
+    const auto of_atoms_and_vertices = [&] {
+        data.atom_tree = BoxTree(atoms);
+        data.vertex_tree = BoxTree(vertices);
     };
-    const auto of_cells_and_vertices = [&] {
-        data.arc_cell_tree = BoxTree(std::move(cells));
-        data.vertex_tree = BoxTree(std::move(vertices));
-    };
-    parallel_both(of_atoms_and_arcs, of_cells_and_vertices);
+    parallel_both(of_atoms_and_vertices, [&] { data.arc_cell_tree = BoxTree(cells); });
 }
 
 bool try_build(AccessibleSurface::Data& data, const CellList& cells, std::uint64_t seed, int attempt,

@@ -55,7 +55,7 @@ struct AccessibleSurface::Data {
     std::vector<std::uint64_t> cover_begin;    ///< per atom, and the end: its part of `cover`
     std::vector<std::uint32_t> cover;          ///< neighbours whose caps bury what all neighbours bury
     std::vector<std::uint64_t> cap_begin;      ///< per exposed atom, and the end: its caps in `caps`
-    std::vector<Cap> caps;                     ///< whose union is what neighbours bury
+    std::vector<CapPlane> caps;                ///< of its cover, one after the other
     std::vector<std::uint64_t> contour_begin;  ///< per atom, and the end: its part of `contour`
     std::vector<ContourArc> contour;           ///< caps are numbered as in caps_of(atom)
     std::vector<std::uint32_t> contour_arc;    ///< of each: its position in `arcs`
@@ -63,11 +63,10 @@ struct AccessibleSurface::Data {
     std::vector<SasVertex> vertices;
 
     BoxTree atom_tree;      ///< centres
-    BoxTree arc_tree;       ///< points of the arcs
     BoxTree arc_cell_tree;  ///< the arcs' cells, the hulls of an arc and both atoms
     BoxTree vertex_tree;    ///< positions
 
-    std::span<const Cap> caps_of(std::uint32_t atom) const {
+    std::span<const CapPlane> caps_of(std::uint32_t atom) const {
         return std::span(caps).subspan(cap_begin[atom], cap_begin[atom + 1] - cap_begin[atom]);
     }
     std::span<const std::uint32_t> cover_of(std::uint32_t atom) const {
@@ -81,7 +80,7 @@ struct AccessibleSurface::Data {
     }
     /// Whether the point of the enlarged sphere of `atom` in direction q (any length l = |q|) is exposed.
     bool direction_exposed(std::uint32_t atom, const Vec3& q, double l) const {
-        for (const Cap& cap : caps_of(atom))
+        for (const CapPlane& cap : caps_of(atom))
             if (dot(cap.axis, q) > cap.t * l) return false;
         return true;
     }

@@ -13,6 +13,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "meniscus/vec3.h"
@@ -99,8 +101,17 @@ public:
         }
     }
 
-    /// Bit i is set if box i may overlap; those that were never set do not.
-    unsigned may_overlap(const SmallBox& query) const {
+    SmallBox box(std::size_t i) const {
+        SmallBox box;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            box.low[axis] = low_[axis][i / 4][i % 4];
+            box.high[axis] = high_[axis][i / 4][i % 4];
+        }
+        return box;
+    }
+
+    /// Bit i is set if box i overlaps; those that were never set do not.
+    unsigned overlapping(const SmallBox& query) const {
         const Bits bits = (overlaps(0, query) & Bits{1, 2, 4, 8}) | (overlaps(1, query) & Bits{16, 32, 64, 128});
         return static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3]));
     }
@@ -122,57 +133,65 @@ private:
     Columns high_{{{-kNone, -kNone}, {-kNone, -kNone}, {-kNone, -kNone}}};
 };
 
+/// Items by their boxes, which are kept in single precision from one of them on, no smaller than they are: what is
+/// found may be apart by a millionth of the extent.
 class BoxTree {
 public:
     BoxTree() = default;
-    explicit BoxTree(std::vector<Box> boxes) {
-        levels_.push_back(std::move(boxes));
-        while (levels_.back().size() > kFanOut) {
-            const std::vector<Box>& below = levels_.back();
-            std::vector<Box> above((below.size() + kFanOut - 1) / kFanOut);
-            for (std::size_t i = 0; i < below.size(); ++i) above[i / kFanOut].include(below[i]);
-            levels_.push_back(std::move(above));
-        }
-        for (const std::vector<Box>& level : levels_) {
+    explicit BoxTree(std::span<const Box> boxes) {
+        if (!boxes.empty() && is_finite(boxes[boxes.size() / 2].low)) origin_ = boxes[boxes.size() / 2].low;
+        std::vector<SmallBox> level;
+        level.reserve(boxes.size());
+        for (const Box& box : boxes) level.push_back(from_origin(box));
+        while (!level.empty()) {
+            sizes_.push_back(level.size());
             std::vector<EightBoxes>& eights = eights_.emplace_back((level.size() + kFanOut - 1) / kFanOut);
-            for (std::size_t i = 0; i < level.size(); ++i) eights[i / kFanOut].set(i % kFanOut, SmallBox(level[i]));
+            std::vector<SmallBox> above(level.size() > kFanOut ? eights.size() : 0);
+            for (std::size_t i = 0; i < level.size(); ++i) {
+                eights[i / kFanOut].set(i % kFanOut, level[i]);
+                if (!above.empty()) above[i / kFanOut].include(level[i]);
+            }
+            level = std::move(above);
         }
     }
 
-    /// As it was given.
-    const Box& box(std::size_t item) const { return levels_[0][item]; }
+    /// Of an item.
+    Box box(std::size_t item) const {
+        const Box from_origin = eights_[0][item / kFanOut].box(item % kFanOut).box();
+        return {origin_ + from_origin.low, origin_ + from_origin.high};
+    }
 
     /// Calls visit(item) for every item whose box overlaps `box`, in the items' order.
     template <class Visit>
     void for_each_overlapping(const Box& box, const Visit& visit) const {
-        if (!eights_.empty() && !eights_.back().empty())
-            descend_overlapping(levels_.size() - 1, 0, box, SmallBox(box), visit);
+        if (!eights_.empty()) descend_overlapping(eights_.size() - 1, 0, from_origin(box), visit);
     }
 
     /// Branch and bound: calls visit(item) near to far for items whose squared box distance from `point` is
     /// below bound(), which may shrink from call to call.
     template <class Bound, class Visit>
     void search_nearest(const Vec3& point, const Bound& bound, const Visit& visit) const {
-        if (!levels_.empty()) descend_nearest(levels_.size() - 1, 0, levels_.back().size(), point, bound, visit);
+        if (!eights_.empty()) descend_nearest(eights_.size() - 1, 0, point - origin_, bound, visit);
     }
 
 private:
     static constexpr std::size_t kFanOut = EightBoxes::kCount;
 
+    SmallBox from_origin(const Box& box) const { return SmallBox({box.low - origin_, box.high - origin_}); }
+
     template <class Visit>
-    void descend_overlapping(std::size_t level, std::size_t eight, const Box& box, const SmallBox& query,
-                             const Visit& visit) const {
-        for (unsigned bits = eights_[level][eight].may_overlap(query); bits != 0; bits &= bits - 1) {
+    void descend_overlapping(std::size_t level, std::size_t eight, const SmallBox& query, const Visit& visit) const {
+        for (unsigned bits = eights_[level][eight].overlapping(query); bits != 0; bits &= bits - 1) {
             const std::size_t i = eight * kFanOut + static_cast<std::size_t>(std::countr_zero(bits));
             if (level > 0)
-                descend_overlapping(level - 1, i, box, query, visit);
-            else if (levels_[0][i].overlaps(box))
+                descend_overlapping(level - 1, i, query, visit);
+            else
                 visit(static_cast<std::uint32_t>(i));
         }
     }
 
     template <class Bound, class Visit>
-    void descend_nearest(std::size_t level, std::size_t begin, std::size_t end, const Vec3& point, const Bound& bound,
+    void descend_nearest(std::size_t level, std::size_t eight, const Vec3& point, const Bound& bound,
                          const Visit& visit) const {
         struct Child {
             double distance2;
@@ -180,8 +199,9 @@ private:
         };
         std::array<Child, kFanOut> children;
         std::size_t count = 0;
-        for (std::size_t i = begin; i < end; ++i) {
-            Child child{levels_[level][i].squared_distance(point), i};
+        const std::size_t begin = eight * kFanOut;
+        for (std::size_t i = begin; i < std::min(begin + kFanOut, sizes_[level]); ++i) {
+            Child child{eights_[level][eight].box(i - begin).box().squared_distance(point), i};
             std::size_t at = count++;
             for (; at > 0 && children[at - 1].distance2 > child.distance2; --at) children[at] = children[at - 1];
             children[at] = child;
@@ -191,13 +211,13 @@ private:
             if (level == 0)
                 visit(static_cast<std::uint32_t>(i));
             else
-                descend_nearest(level - 1, i * kFanOut, std::min((i + 1) * kFanOut, levels_[level - 1].size()), point,
-                                bound, visit);
+                descend_nearest(level - 1, i, point, bound, visit);
         }
     }
 
-    std::vector<std::vector<Box>> levels_;
-    std::vector<std::vector<EightBoxes>> eights_;  // the same
+    Vec3 origin_;
+    std::vector<std::size_t> sizes_;  // of the levels, items first
+    std::vector<std::vector<EightBoxes>> eights_;
 };
 
 }  // namespace meniscus

@@ -16,6 +16,12 @@ struct Cap {
     std::uint32_t atom = 0;
 };
 
+/// The same without saying whose it is.
+struct CapPlane {
+    Vec3 axis;
+    double t = 0.0;
+};
+
 inline constexpr std::uint32_t kWholeCircle = 0xffffffffU;
 
 /// A cap of directions (n·middle >= cosine |middle|) that holds all of an arc. The middle has any length up to 2, and

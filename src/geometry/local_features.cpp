@@ -162,9 +162,9 @@ void LocalFeatures::gather(const Box& box) {
     });
     arcs_.clear();
     data.arc_cell_tree.for_each_overlapping(box.grown(kCellSlack), [&](std::uint32_t a) {
+        if (data.arcs[a].is_a_point()) return;
         const Box cell = data.arc_cell_tree.box(a).grown(kCellSlack);
-        if (!data.arcs[a].is_a_point())
-            arcs_.add({cell.low.x, cell.low.y, cell.low.z, cell.high.x, cell.high.y, cell.high.z}, a);
+        arcs_.add({cell.low.x, cell.low.y, cell.low.z, cell.high.x, cell.high.y, cell.high.z}, a);
     });
     vertices_.clear();
     const double reach = data.probe + margin_;

@@ -19,11 +19,6 @@ void set_point(LanePoints<T>& points, std::size_t lane, const Vec3& p) {
     points.z[lane] = static_cast<T>(p.z);
 }
 
-template <class T>
-Vec3 get_point(const LanePoints<T>& points, std::size_t lane) {
-    return {points.x[lane], points.y[lane], points.z[lane]};
-}
-
 void copy_step(const StepLanes& from, std::size_t k, StepLanes& to, std::size_t lane) {
     set_point(to.points, lane, get_point(from.points, k));
     set_point(to.normals, lane, get_point(from.normals, k));

@@ -35,6 +35,11 @@ struct LanePoints {
     LaneArray<T> z;
 };
 
+template <class T>
+Vec3 get_point(const LanePoints<T>& points, std::size_t lane) {
+    return {points.x[lane], points.y[lane], points.z[lane]};
+}
+
 struct LaneRange {
     std::size_t begin = 0;
     std::size_t end = 0;
@@ -98,7 +103,7 @@ struct BallOwner {
     Vec3 centre;
     double rho = 0.0;
     bool exposed = false;
-    std::span<const Cap> caps;  ///< where it is exposed
+    std::span<const CapPlane> caps;  ///< where it is exposed
 };
 
 /// Per point, what its deepest ball says.

@@ -25,7 +25,7 @@ bool caps_overlap(const Cap& a, const Cap& b) {
 
 void SphericalRegions::measure(std::span<const Cap> caps, std::span<const ContourArc> arcs,
                                std::span<const std::uint32_t> kept) {
-    caps_ = caps;
+    caps_.assign(caps.begin(), caps.end());
     contour_ = arcs;
     kept_ = kept;
     measured_.clear();

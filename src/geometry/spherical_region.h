@@ -70,7 +70,7 @@ private:
     void join_along_walk(std::uint32_t loop, DisjointSets& loops);
     void add_up();
 
-    std::span<const Cap> caps_;
+    std::vector<Cap> caps_;
     std::span<const ContourArc> contour_;
     std::span<const std::uint32_t> kept_;
     std::vector<MeasuredArc> measured_;

@@ -99,8 +99,9 @@ void check_values(const std::string& name, std::span<const std::uint32_t> values
         throw LimitError("GLB cannot hold the values of '" + name + "': whole numbers end at 2^24; write PLY");
 }
 
-void check_values(const std::string& name, std::span<const Vec3> vectors) {
-    const auto is_finite = [](const Vec3& v) {
+template <class Vector>
+void check_vectors(const std::string& name, const std::vector<Vector>& vectors) {
+    const auto is_finite = [](const Vector& v) {
         const auto& [x, y, z] = single(v);
         return std::isfinite(x) && std::isfinite(y) && std::isfinite(z);
     };
@@ -171,10 +172,11 @@ private:
         return add_section<T>(std::move(accessor), mesh_.vertices.size(), get);
     }
 
-    Section& add_vectors(const std::string& name, std::span<const Vec3> vectors) {
-        check_values(name, vectors);
+    template <class Vector>
+    Section& add_vectors(const std::string& name, const std::vector<Vector>& vectors) {
+        check_vectors(name, vectors);
         return add_attribute<FloatVector>(name, {{"componentType", kFloat}, {"type", "VEC3"}},
-                                          [vectors](std::size_t v) { return single(vectors[v]); });
+                                          [&vectors](std::size_t v) { return single(vectors[v]); });
     }
 
     void add_positions() {

@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "io/labels.h"
@@ -115,7 +116,10 @@ public:
     template <class Values>
     void add(const std::string& name, const Values& values) {
         using T = typename Values::value_type;
-        add_bytes(name, header_of(Element<T>::kType, shape_of<T>(values.size())),
+        if constexpr (std::is_same_v<T, SmallVec3>)  // as positions are: readers compute with both
+            add(name, std::vector<Vec3>(values.begin(), values.end()));
+        else
+            add_bytes(name, header_of(Element<T>::kType, shape_of<T>(values.size())),
                   {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
     }
 

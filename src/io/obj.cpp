@@ -13,8 +13,9 @@
 namespace meniscus {
 namespace {
 
-void write_points(AtomicFile& file, std::string_view keyword, std::span<const Vec3> points, Precision precision) {
-    for (const Vec3& p : points) {
+template <class T>
+void write_points(AtomicFile& file, std::string_view keyword, const std::vector<T>& points, Precision precision) {
+    for (const T& p : points) {
         file.write(keyword);
         write_point(file, p, precision);
         file.write('\n');

@@ -54,7 +54,7 @@ class PlyWriter {
 public:
     PlyWriter(AtomicFile& file, const Mesh& mesh, const WriteOptions& options)
         : file_(file), mesh_(mesh), is_text_(options.encoding == Encoding::Text), is_open_(options.open) {
-        if (precision_needed(mesh) == Precision::Single)
+        if (precision_needed(mesh, options.shortest_edge) == Precision::Single)
             add_vectors<float>({"x", "y", "z"}, mesh.vertices);
         else
             add_vectors<double>({"x", "y", "z"}, mesh.vertices);
@@ -107,8 +107,8 @@ private:
         add<T>(name, [values](std::size_t v) { return values[v]; });
     }
 
-    template <class T>
-    void add_vectors(const std::array<std::string, 3>& names, const std::vector<Vec3>& vectors) {
+    template <class T, class Vector>
+    void add_vectors(const std::array<std::string, 3>& names, const std::vector<Vector>& vectors) {
         add_column<T, 3>(names, [&vectors](std::size_t v) {
             const auto& [x, y, z] = vectors[v];
             return std::array<T, 3>{static_cast<T>(x), static_cast<T>(y), static_cast<T>(z)};

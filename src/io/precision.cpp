@@ -17,6 +17,9 @@ namespace {
 // Neighbouring floats are 2^-13 = 1.2e-4 Å apart from here on.
 constexpr double kFarOff = 1024.0;
 
+// Å: what rounds to one place below that is within a spacing of floats along each axis.
+constexpr double kTooLongToVanish = 1e-3;
+
 constexpr std::size_t kItemsPerChunk = 1U << 14U;
 
 bool is_far_off(const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) >= kFarOff; }
@@ -62,8 +65,9 @@ bool any_of(const std::vector<Item>& items, const Test& test) {
 
 }  // namespace
 
-Precision precision_needed(const Mesh& mesh) {
+Precision precision_needed(const Mesh& mesh, double shortest_edge) {
     if (any_of(mesh.vertices, is_far_off)) return Precision::Double;
+    if (shortest_edge > kTooLongToVanish) return Precision::Single;
     const std::unique_ptr<const float[]> x = rounded_x(mesh);
     const auto same_x = [&x](VertexId a, VertexId b) { return static_cast<unsigned>(x[a] == x[b]); };
     const bool collapses = any_of(mesh.triangles, [&](const Triangle& t) {

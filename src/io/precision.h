@@ -13,8 +13,10 @@ enum class Precision { Single, Double };
 
 /// Double if single precision would be too coarse for the coordinates (steps above 1e-4 Å, from 1024 Å off the origin
 /// on) or if it would make two corners of a triangle coincide.
-/// cost     O(n)
-Precision precision_needed(const Mesh& mesh);
+///
+/// shortest_edge   no side of a triangle is known to be shorter, Å
+/// cost            O(n); a tenth where no side is so short that its ends could coincide
+Precision precision_needed(const Mesh& mesh, double shortest_edge = 0.0);
 
 /// Writes "x y z", each in as few digits as give the rounded number back.
 void write_point(AtomicFile& file, const Vec3& point, Precision precision);

@@ -13,14 +13,14 @@
 namespace meniscus {
 
 /// Calls take(name, values) for each array that the mesh and the options have, in the order in which formats write
-/// them: "normals" (Vec3), "atom" (std::uint32_t), "patch" (PatchKind), "component" (std::uint32_t), the measured ones
-/// (float), options.extra, "colors" (Colour). Positions are not among them.
+/// them: "normals" (SmallVec3), "atom" (std::uint32_t), "patch" (PatchKind), "component" (std::uint32_t), the measured
+/// ones (float), options.extra, "colors" (Colour). Positions are not among them.
 template <class Take>
 void for_each_vertex_array(const Mesh& mesh, const WriteOptions& options, const Take& take) {
     const auto take_some = [&take](const std::string& name, auto values) {
         if (!values.empty()) take(name, values);
     };
-    take_some("normals", std::span<const Vec3>(mesh.normals));
+    take_some("normals", std::span<const SmallVec3>(mesh.normals));
     take_some("atom", std::span<const std::uint32_t>(mesh.atoms));
     take_some("patch", std::span<const PatchKind>(mesh.patches));
     take_some("component", std::span<const std::uint32_t>(mesh.components));

@@ -52,8 +52,9 @@ std::string escaped(const std::string& text) {
 class VtpWriter {
 public:
     VtpWriter(AtomicFile& file, const Mesh& mesh, const WriteOptions& options) : file_(file), mesh_(mesh) {
-        points_ = precision_needed(mesh) == Precision::Single ? vectors<float>("Points", mesh.vertices)
-                                                              : vectors<double>("Points", mesh.vertices);
+        points_ = precision_needed(mesh, options.shortest_edge) == Precision::Single
+                      ? vectors<float>("Points", mesh.vertices)
+                      : vectors<double>("Points", mesh.vertices);
         for_each_vertex_array(mesh, options, [this](const std::string& name, auto values) { add(name, values); });
         triangles_ = declare<std::int64_t, 1>("connectivity", 3 * mesh.triangles.size(), [this] {
             for (const Triangle& triangle : mesh_.triangles)
@@ -97,7 +98,7 @@ private:
     }
 
     template <class T>
-    std::string vectors(const std::string& name, std::span<const Vec3> vectors) {
+    std::string vectors(const std::string& name, const std::vector<Vec3>& vectors) {
         return declare<T, 3>(name, vectors.size(), [this, vectors] {
             for (const Vec3& v : vectors)
                 file_.bytes(std::array{static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)});
@@ -116,8 +117,8 @@ private:
     template <class Values>
     void add(const std::string& name, Values values) {
         using T = std::remove_const_t<typename Values::element_type>;
-        if constexpr (std::is_same_v<T, Vec3>)
-            point_data_ += vectors<float>("Normals", values);
+        if constexpr (std::is_same_v<T, SmallVec3>)
+            point_data_ += plain<float, 3>("Normals", values);
         else if constexpr (std::is_same_v<T, Colour>)
             point_data_ += plain<std::uint8_t, 4>(name, values);
         else if constexpr (std::is_same_v<T, PatchKind>)

@@ -20,7 +20,8 @@ ToroidalPatch::Angle mirrored(const ToroidalPatch::Angle& angle) { return {-angl
 }  // namespace
 
 void measure_exposed_regions(const AccessibleSurface::Data& data, std::uint32_t atom, SphericalRegions& regions) {
-    const std::span<const Cap> caps = data.caps_of(atom);
+    std::vector<Cap> caps;
+    for (const CapPlane& plane : data.caps_of(atom)) caps.push_back({plane.axis, plane.t});
     std::vector<std::uint32_t> all(caps.size());
     std::iota(all.begin(), all.end(), 0U);
     regions.measure(caps, data.contour_of(atom), all);

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -59,6 +60,7 @@ struct LaneSums {
     double parts_two_areas = 0.0;
     double parts_six_volumes = 0.0;
     SquaredTangent smallest;
+    double shortest = std::numeric_limits<double>::infinity();  ///< side, squared
 };
 
 /// What makes a triangle suspect.
@@ -84,6 +86,8 @@ struct TriangleKernels {
     /// What the vertices hold at the corners of at most kLanes triangles, from an origin.
     void (*gather)(const Vec3* of_vertex, std::span<const Triangle> triangles, const Vec3& origin,
                    std::array<VectorLanes, 3>& corners);
+    void (*gather_small)(const SmallVec3* of_vertex, std::span<const Triangle> triangles,
+                         std::array<VectorLanes, 3>& corners);
     /// All that needs no normals.
     void (*measure)(TriangleLanes& lanes);
     /// All but the parts and creases.

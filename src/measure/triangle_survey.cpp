@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/fetch_corners.h"
@@ -89,7 +90,7 @@ void TriangleSurvey::survey(std::size_t chunk, const Mesh& mesh, std::span<const
 
 void TriangleSurvey::load(const Mesh& mesh, std::span<const Triangle> triangles, const PieceLanes& pieces,
                           TriangleLanes& lanes) const {
-    if (parts_ != Parts::LeftOut) triangle_kernels().gather(mesh.normals.data(), triangles, {}, lanes.normals);
+    if (parts_ != Parts::LeftOut) triangle_kernels().gather_small(mesh.normals.data(), triangles, lanes.normals);
     if (is_one_piece(std::span(pieces).first(triangles.size()))) {
         lanes.origin = origins_[pieces[0]];
         triangle_kernels().gather(mesh.vertices.data(), triangles, *lanes.origin, lanes.points);
@@ -136,6 +137,7 @@ void TriangleSurvey::add(std::span<const std::uint32_t> pieces, const TriangleLa
         sums.parts_two_areas += all.parts_two_areas;
         sums.parts_six_volumes += all.parts_six_volumes;
         sums.smallest += all.smallest;
+        sums.shortest = std::min(sums.shortest, all.shortest);
         return;
     }
     for (std::size_t lane = 0; lane < pieces.size(); ++lane) {
@@ -146,6 +148,7 @@ void TriangleSurvey::add(std::span<const std::uint32_t> pieces, const TriangleLa
         sums.parts_two_areas += lanes.parts_two_areas[lane];
         sums.parts_six_volumes += lanes.parts_six_volumes[lane];
         sums.smallest += {lanes.opposite[lane], lanes.adjacent[lane]};
+        sums.shortest = std::min(sums.shortest, lanes.shortest[lane]);
     }
 }
 
@@ -154,8 +157,10 @@ MeshMeasures TriangleSurvey::measures(std::span<const std::uint32_t> of_vertex) 
     for (const std::size_t count : vertices_of_pieces(of_vertex).counts)
         measures.components.emplace_back().vertices = count;
     SquaredTangent smallest;
+    double shortest = std::numeric_limits<double>::infinity();
     for (const ChunkSums& chunk : chunks_) {
         smallest += chunk.smallest;
+        shortest = std::min(shortest, chunk.shortest);
         for (const RunSums& run : chunk.runs) {
             MeshComponent& piece = measures.components[run.piece];
             piece.triangles += run.triangles;
@@ -168,7 +173,9 @@ MeshMeasures TriangleSurvey::measures(std::span<const std::uint32_t> of_vertex) 
         measures.volume += piece.volume;
     }
     const double tangent = std::sqrt(smallest.opposite / smallest.adjacent);
-    if (!chunks_.empty()) measures.smallest_angle_deg = std::atan(tangent) * 180.0 / std::numbers::pi;
+    if (chunks_.empty()) return measures;
+    measures.smallest_angle_deg = std::atan(tangent) * 180.0 / std::numbers::pi;
+    measures.shortest_edge = std::sqrt(shortest);
     return measures;
 }
 

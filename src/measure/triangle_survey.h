@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -68,6 +69,7 @@ private:
         double parts_two_areas = 0.0;
         double parts_six_volumes = 0.0;
         SquaredTangent smallest;
+        double shortest = std::numeric_limits<double>::infinity();  // squared
     };
     using PieceLanes = std::array<std::uint32_t, kLanes>;
 

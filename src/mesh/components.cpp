@@ -52,6 +52,15 @@ public:
         }
     }
 
+    // Of every member; nothing of the sets is left behind.
+    std::vector<std::uint32_t> roots() && {
+        parallel_for(parent_.size(), kChunk, [&](std::size_t i) {
+            const auto member = static_cast<std::uint32_t>(i);
+            at(member).store(root(member), std::memory_order_relaxed);
+        });
+        return std::move(parent_);
+    }
+
 private:
     std::atomic_ref<std::uint32_t> at(std::uint32_t i) { return std::atomic_ref(parent_[i]); }
     std::uint32_t load(std::uint32_t i) { return at(i).load(std::memory_order_relaxed); }
@@ -78,9 +87,7 @@ std::vector<std::uint32_t> pieces_by_first_vertex(const Mesh& mesh) {
             sets.join(a, c);
         }
     });
-    std::vector<std::uint32_t> piece;
-    resize_touched(piece, mesh.vertices.size());
-    parallel_for(piece.size(), kChunk, [&](std::size_t v) { piece[v] = sets.root(static_cast<std::uint32_t>(v)); });
+    std::vector<std::uint32_t> piece = std::move(sets).roots();
     const auto roots =  // in rising order
         parallel_list<std::uint32_t>(piece.size(), kChunk, [&](std::size_t begin, std::size_t end, auto& list) {
             for (std::size_t v = begin; v < end; ++v)

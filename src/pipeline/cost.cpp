@@ -193,7 +193,7 @@ constexpr double kBytesOfProgram = 12.0 * kMegabyte;
 
 // As measured (docs/design/performance.md). A Gaussian start that is only looked at costs time as well.
 constexpr Prices prices_of(const SurfaceOptions& options) {
-    if (options.method == Method::Direct) return {{1800.0, 1000.0, 105.0}, {10500.0, 9000.0, 440.0}};
+    if (options.method == Method::Direct) return {{1400.0, 1000.0, 90.0}, {10500.0, 9000.0, 440.0}};
     return {{1800.0, 3800.0, 95.0}, {10500.0, options.initial_area ? 57000.0 : 36000.0, 460.0}};
 }
 

@@ -47,8 +47,10 @@ void project_vertices(const SurfaceProjector& project, std::span<Vec3> places, s
 }
 
 double area_under(Mesh mesh, double edge, const SurfaceProjector& project) {
-    mesh.normals.resize(mesh.vertices.size());
-    project_vertices(project, mesh.vertices, mesh.normals);
+    std::vector<Vec3> normals(mesh.vertices.size());
+    project_vertices(project, mesh.vertices, normals);
+    mesh.normals.resize(normals.size());
+    std::transform(normals.begin(), normals.end(), mesh.normals.begin(), to_small);
     return corrected_on_surface(mesh, edge, project).area;
 }
 

@@ -58,7 +58,7 @@ public:
             approach(surface_projector(accessible_, level_set_, spacing(), Curvatures::LeftOut), spread.points);
         Mesh result;
         result.vertices = spread.points;
-        std::vector<float> distances = finish_vertices(accessible_, level_set_, spacing(), result);
+        VertexDistances distances = finish_vertices(accessible_, level_set_, spacing(), result);
         bring_home(spread, distances, result);
         return result;
     }
@@ -67,7 +67,7 @@ private:
     double spacing() const { return surface_.options.spacing; }
 
     // Points that did not come to lie on the surface, as one in some 100,000 does between sheets that nearly touch.
-    std::vector<VertexId> strays(const Mesh& points, const std::vector<float>& distances) const {
+    std::vector<VertexId> strays(const Mesh& points, const VertexDistances& distances) const {
         constexpr double kOnSurface = 1e-6;  // spacings
         std::vector<double> values;
         if (level_set_ != nullptr) values = level_set_->values(points.vertices);
@@ -80,7 +80,7 @@ private:
     }
 
     // Strays start again from nearer to a corner of their triangle, which is on the surface, and at last from there.
-    void bring_home(const PointsOnMesh& spread, std::vector<float>& distances, Mesh& points) const {
+    void bring_home(const PointsOnMesh& spread, VertexDistances& distances, Mesh& points) const {
         constexpr int kTries = 4;
         for (int attempt = 1; attempt <= kTries; ++attempt) {
             const std::vector<VertexId> lost = strays(points, distances);
@@ -91,9 +91,9 @@ private:
                 again.vertices.push_back(spread.points[i] +
                                          (static_cast<double>(attempt) / kTries) * (corner - spread.points[i]));
             }
-            const std::vector<float> found = finish_vertices(accessible_, level_set_, spacing(), again);
+            const VertexDistances found = finish_vertices(accessible_, level_set_, spacing(), again);
             replace_vertices(points, lost, again);
-            for (std::size_t k = 0; k < lost.size(); ++k) distances[lost[k]] = found[k];
+            for (VertexId k = 0; k < lost.size(); ++k) distances.set(lost[k], found[k]);
         }
     }
 

@@ -144,6 +144,7 @@ private:
         surface_.options = options_;
         margin_ = band_margin(options_);
         make_mesh(make_field());
+        if (!may_be_measured_again()) own_.reset();  // the areas of vertices take its memory
         surface_.seconds.mesh += clock_.lap();
         report("mesh", 1.0);
         measure();
@@ -307,7 +308,8 @@ private:
     void measure() {
         const std::optional<CorrectedMeasures> on_zero_set =
             options_.remesh.is_on() ? std::optional(corrected_on_zero_set()) : std::nullopt;
-        const bool moved = move_corners(surface_.mesh, options_.remesh, *accessible_, projector());
+        const bool moved =
+            options_.remesh.is_on() && move_corners(surface_.mesh, options_.remesh, *accessible_, projector());
         if (moved) survey_ = survey_of(surface_.mesh, surface_.level_set.get());
         const bool examined = options_.verify || options_.quality || options_.remesh.is_on();
         SurfaceMeasures measures =

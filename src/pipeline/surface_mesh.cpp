@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
@@ -46,31 +47,28 @@ void label_and_choose(Mesh& mesh, Pieces pieces) {
 
 // Neighbouring vertices, as many as are treated at once.
 struct VertexRun {
-    std::size_t begin = 0;
-    std::size_t end = 0;
-    Box box;
+    VertexId begin = 0;
+    VertexId end = 0;
+    SmallBox box;
 };
 
 // Runs of vertices in groups, each of one neighbourhood.
 class RunGroups {
 public:
     explicit RunGroups(std::span<const Vec3> points, double longest) {
-        const auto found =
-            parallel_list<VertexRun>(points.size(), kChunk, [&](std::size_t begin, std::size_t end, auto& runs) {
-                for (std::size_t v = begin; v < end; v = runs.back().end)
-                    runs.push_back(run_from(points.first(end), v, longest));
-            });
+        runs_ = parallel_list<VertexRun>(points.size(), kChunk, [&](std::size_t begin, std::size_t end, auto& runs) {
+            for (std::size_t v = begin; v < end; v = runs.back().end)
+                runs.push_back(run_from(points.first(end), v, longest));
+        });
         std::vector<BlockCoord> places;
-        places.reserve(found.size());
-        for (const VertexRun& run : found) places.push_back(place_of(run));
+        places.reserve(runs_.size());
+        for (const VertexRun& run : runs_) places.push_back(place_of(run));
         groups_ = group_by<BlockCoordHash>(places);
-        runs_.reserve(found.size());
-        for (const std::uint32_t i : groups_.items) runs_.push_back(found[i]);
     }
 
     std::size_t size() const { return groups_.size(); }
-    std::span<const VertexRun> runs(std::size_t group) const {
-        return std::span(runs_).subspan(groups_.begins[group], groups_[group].size());
+    auto runs(std::size_t group) const {
+        return groups_[group] | std::views::transform([this](std::uint32_t i) -> const VertexRun& { return runs_[i]; });
     }
 
 private:
@@ -78,25 +76,27 @@ private:
     static constexpr std::size_t kChunk = 1 << 15;  // points per task
 
     static VertexRun run_from(std::span<const Vec3> points, std::size_t begin, double longest) {
-        VertexRun run{begin, begin, {}};
+        Box box;
         const std::size_t most = std::min(points.size(), begin + kBatchLanes);
-        for (; run.end < most; ++run.end) {
-            Box box = run.box;
-            box.include(points[run.end]);
-            const Vec3 size = box.high - box.low;
-            if (std::max({size.x, size.y, size.z}) > longest && run.end > begin) break;
-            run.box = box;
+        std::size_t end = begin;
+        for (; end < most; ++end) {
+            Box larger = box;
+            larger.include(points[end]);
+            const Vec3 size = larger.high - larger.low;
+            if (std::max({size.x, size.y, size.z}) > longest && end > begin) break;
+            box = larger;
         }
-        return run;
+        return {static_cast<VertexId>(begin), static_cast<VertexId>(end), SmallBox(box)};
     }
     // In units of kGroupEdge.
     static BlockCoord place_of(const VertexRun& run) {
         const auto number = [](double x) { return static_cast<std::int32_t>(std::floor(x / kGroupEdge)); };
-        return {.z = number(run.box.low.z), .y = number(run.box.low.y), .x = number(run.box.low.x)};
+        const auto& [x, y, z] = run.box.low;
+        return {.z = number(z), .y = number(y), .x = number(x)};
     }
 
     Groups groups_;
-    std::vector<VertexRun> runs_;  // group after group
+    std::vector<VertexRun> runs_;
 };
 
 // Finds nearest features of points next to each other, and moves them onto the exact surface. A step along the distance
@@ -164,87 +164,41 @@ private:
     Box entered_;
 };
 
-constexpr std::size_t kSummed = 1 << 14;  // distances per task
-
-// The element that would stand at a place near the end if the values were sorted. A sample tells below which value it
-// cannot be, and most values are below that, or are that value: of vertices that lie on the exact surface all are 0.
-float value_near_the_end(std::span<const float> values, std::size_t place) {
-    constexpr std::size_t kStride = 64;
-    const std::size_t beyond = values.size() - place;  // it is so manieth from the end
-    const auto nth_from_the_end = [](std::vector<float>& list, std::size_t count) {
-        const auto at = list.end() - static_cast<std::ptrdiff_t>(std::min(count, list.size()));
-        std::nth_element(list.begin(), at, list.end());
-        return *at;
-    };
-    std::vector<float> some;
-    for (std::size_t i = 0; i < values.size(); i += kStride) some.push_back(values[i]);
-    const float least = nth_from_the_end(some, 2 * beyond / kStride + kStride);
-    auto high = parallel_list<float>(values.size(), kSummed, [&](std::size_t begin, std::size_t end, auto& list) {
-        const auto part = values.subspan(begin, end - begin);
-        std::copy_if(part.begin(), part.end(), std::back_inserter(list), [&](float v) { return v > least; });
-    });
-    if (high.size() < beyond) {
-        const auto equal = static_cast<std::size_t>(std::count(values.begin(), values.end(), least));
-        if (high.size() + equal >= beyond) return least;
-        high.assign(values.begin(), values.end());
-    }
-    return nth_from_the_end(high, beyond);
-}
-
-DistanceSummary summarise(std::span<const float> distances) {
-    if (distances.empty()) return {};
-    struct Sums {
-        double sum = 0.0;
-        double max = 0.0;
-        Sums& operator+=(const Sums& b) {
-            sum += b.sum;
-            max = std::max(max, b.max);
-            return *this;
-        }
-    };
-    const auto [sum, max] = parallel_sum<Sums>(distances.size(), kSummed, [&](std::size_t begin, std::size_t end) {
-        Sums sums;
-        for (const double d : distances.subspan(begin, end - begin)) sums += {d, d};
-        return sums;
-    });
-    DistanceSummary summary;
-    summary.mean = sum / static_cast<double>(distances.size());
-    summary.p99 =
-        value_near_the_end(distances, static_cast<std::size_t>(0.99 * static_cast<double>(distances.size() - 1)));
-    summary.max = max;
-    return summary;
-}
-
 // Moves the vertices to where they stay and gives them what is known of the surface there.
 class VertexFinisher {
 public:
     VertexFinisher(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing, Mesh& mesh)
         : accessible_(accessible), level_set_(level_set), spacing_(spacing), mesh_(mesh) {
-        resize_all_touched(mesh.vertices.size(), mesh.normals, distances_, mesh.atoms, mesh.patches,
-                           mesh.mean_curvatures, mesh.gaussian_curvatures, mesh.shape_indices);
+        resize_all_touched(mesh.vertices.size(), mesh.normals, mesh.atoms, mesh.patches, mesh.mean_curvatures,
+                           mesh.gaussian_curvatures, mesh.shape_indices);
+        if (level_set != nullptr) resize_touched(distances_, mesh.vertices.size());
     }
 
     // Returns the distances to the exact surface.
-    std::vector<float> run() {
+    VertexDistances run() {
         const RunGroups groups(mesh_.vertices, kLongestRun * spacing_);
-        parallel_chunks(groups.size(), kGroupsPerTask, [&](std::size_t begin, std::size_t end) {
-            const auto projector = std::make_unique<ExactProjector>(accessible_, kLongestWay * spacing_);
-            const auto lanes = std::make_unique<Lanes>();
-            std::optional<SplineBlock> spline;
-            if (level_set_ != nullptr) spline.emplace(level_set_->grid(), level_set_->coefficients());
-            for (std::size_t g = begin; g < end; ++g) {
-                Box box;
-                for (const VertexRun& run : groups.runs(g)) box.include(run.box);
-                projector->enter(box);
-                for (const VertexRun& run : groups.runs(g))
-                    spline ? finish_on_level_set(run, *spline, *projector, *lanes)
-                           : finish_on_exact_surface(run, *projector, *lanes);
-            }
-        });
-        return std::move(distances_);
+        const auto off = parallel_list<Off>(
+            groups.size(), kGroupsPerTask, [&](std::size_t begin, std::size_t end, std::vector<Off>& list) {
+                const auto projector = std::make_unique<ExactProjector>(accessible_, kLongestWay * spacing_);
+                const auto lanes = std::make_unique<Lanes>();
+                std::optional<SplineBlock> spline;
+                if (level_set_ != nullptr) spline.emplace(level_set_->grid(), level_set_->coefficients());
+                for (std::size_t g = begin; g < end; ++g) {
+                    SmallBox box;
+                    for (const VertexRun& run : groups.runs(g)) box.include(run.box);
+                    projector->enter(box.box());
+                    for (const VertexRun& run : groups.runs(g))
+                        spline ? finish_on_level_set(run, *spline, *projector, *lanes)
+                               : finish_on_exact_surface(run, *projector, *lanes, list);
+                }
+            });
+        if (level_set_ != nullptr) return VertexDistances(std::move(distances_));
+        return {mesh_.vertices.size(), off};
     }
 
 private:
+    using Off = VertexDistances::Off;
+
     static constexpr std::size_t kGroupsPerTask = 2;
     static constexpr double kLongestRun = 12.0;  // spacings: a block and a half
     static constexpr double kLongestWay = 0.5;   // spacings: nearly all vertices move less
@@ -268,16 +222,21 @@ private:
         for (std::size_t v = run.begin; v < run.end; ++v) {
             const std::size_t lane = v - run.begin;
             mesh_.vertices[v] = landings[lane].point;
-            mesh_.normals[v] = {shapes.normals.x[lane], shapes.normals.y[lane], shapes.normals.z[lane]};
+            mesh_.normals[v] = to_small(get_point(shapes.normals, lane));
         }
         set_curvatures(run, shapes);
         projector.label(vertices(run), labels);
-        for (std::size_t v = run.begin; v < run.end; ++v) label(v, labels[v - run.begin]);
+        for (std::size_t v = run.begin; v < run.end; ++v) {
+            const FeatureLabel& label = labels[v - run.begin];
+            mesh_.atoms[v] = label.atom;
+            mesh_.patches[v] = label.patch;
+            distances_[v] = static_cast<float>(std::abs(label.signed_distance));
+        }
     }
 
-    void finish_on_exact_surface(const VertexRun& run, ExactProjector& projector, Lanes& lanes) {
+    void finish_on_exact_surface(const VertexRun& run, ExactProjector& projector, Lanes& lanes, std::vector<Off>& off) {
         auto& [landings, labels, steps, shapes] = lanes;
-        projector.project(run.box, vertices(run), steps);
+        projector.project(run.box.box(), vertices(run), steps);
         const std::size_t count = run.end - run.begin;
         shapes.mean = steps.lanes.mean;
         shapes.gaussian = steps.lanes.gaussian;
@@ -286,11 +245,14 @@ private:
         for (std::size_t lane = 0; lane < count; ++lane) {
             const std::size_t v = run.begin + steps.point[lane];
             mesh_.vertices[v] = {points.x[lane], points.y[lane], points.z[lane]};
-            mesh_.normals[v] = {normals.x[lane], normals.y[lane], normals.z[lane]};
+            mesh_.normals[v] = to_small(get_point(normals, lane));
             mesh_.mean_curvatures[v] = shapes.capped_mean[lane];
             mesh_.gaussian_curvatures[v] = shapes.capped_gaussian[lane];
             mesh_.shape_indices[v] = shapes.shape_index[lane];
-            label(v, {steps.signed_distance[lane], steps.atom[lane], steps.patch[lane]});
+            mesh_.atoms[v] = steps.atom[lane];
+            mesh_.patches[v] = steps.patch[lane];
+            const auto distance = static_cast<float>(std::abs(steps.signed_distance[lane]));
+            if (distance != 0.0F) off.push_back({static_cast<VertexId>(v), distance});
         }
     }
 
@@ -303,22 +265,16 @@ private:
         std::copy_n(shapes.shape_index.at, count, &mesh_.shape_indices[run.begin]);
     }
 
-    void label(std::size_t v, const FeatureLabel& label) {
-        mesh_.atoms[v] = label.atom;
-        mesh_.patches[v] = label.patch;
-        distances_[v] = static_cast<float>(std::abs(label.signed_distance));
-    }
-
     const AccessibleSurface& accessible_;
     const LevelSet* level_set_;
     double spacing_;
     Mesh& mesh_;
-    std::vector<float> distances_;
+    std::vector<float> distances_;  // with a level set
 };
 
 // Mends the bad triangles and fills in what is known of the surface at vertices that moved.
 MeshChanges mend(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
-                 const SliverOptions& slivers, FirstLook look, Mesh& mesh, std::vector<float>& distances) {
+                 const SliverOptions& slivers, FirstLook look, Mesh& mesh, VertexDistances& distances) {
     MeshChanges changes = mend_slivers(
         mesh, slivers, surface_projector(accessible, level_set, spacing, Curvatures::LeftOut), std::move(look));
     if (!changes.any()) return changes;
@@ -327,12 +283,12 @@ MeshChanges mend(const AccessibleSurface& accessible, const LevelSet* level_set,
     renumber_entries(changes, mesh.mean_curvatures);
     renumber_entries(changes, mesh.gaussian_curvatures);
     renumber_entries(changes, mesh.shape_indices);
-    renumber_entries(changes, distances);
+    distances.renumber(changes);
     Mesh moved;
     for (const VertexId v : changes.moved) moved.vertices.push_back(mesh.vertices[v]);
-    const std::vector<float> moved_distances = finish_vertices(accessible, level_set, spacing, moved);
+    const VertexDistances moved_distances = finish_vertices(accessible, level_set, spacing, moved);
     replace_vertices(mesh, changes.moved, moved);
-    for (std::size_t i = 0; i < changes.moved.size(); ++i) distances[changes.moved[i]] = moved_distances[i];
+    for (VertexId i = 0; i < changes.moved.size(); ++i) distances.set(changes.moved[i], moved_distances[i]);
     return changes;
 }
 
@@ -341,8 +297,8 @@ Creases creases_of(const LevelSet* level_set) { return level_set != nullptr ? Cr
 
 }  // namespace
 
-std::vector<float> finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
-                                   Mesh& mesh) {
+VertexDistances finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
+                                Mesh& mesh) {
     return VertexFinisher(accessible, level_set, spacing, mesh).run();
 }
 
@@ -351,7 +307,7 @@ DistanceSummary distance_of_vertices(const AccessibleSurface& accessible, const 
     distances.reserve(mesh.vertices.size());
     for (const NearestFeature& at : nearest_features(accessible, mesh.vertices))
         distances.push_back(static_cast<float>(std::abs(at.signed_distance)));
-    return summarise(distances);
+    return VertexDistances(std::move(distances)).summarise();
 }
 
 void replace_vertices(Mesh& mesh, std::span<const VertexId> places, const Mesh& with) {
@@ -375,7 +331,7 @@ SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, con
                          const MeshingOptions& options) {
     Mesh mesh = std::move(zero_set);
     label_and_choose(mesh, options.pieces);
-    std::vector<float> distances = finish_vertices(accessible, level_set, options.spacing, mesh);
+    VertexDistances distances = finish_vertices(accessible, level_set, options.spacing, mesh);
     const double edge = options.edge > 0.0 ? options.edge : options.spacing;
     const SliverOptions slivers{.edge = edge, .longest_edge = 2.0 * edge, .largest_crumb = kLargestCrumb};
     FirstLook look(mesh, slivers.smallest_angle_deg);
@@ -387,7 +343,7 @@ SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, con
         survey = survey_of(mesh, level_set);
     else
         survey.update(mesh, mesh.components, changes.triangles);
-    return {std::move(mesh), std::move(survey), summarise(distances)};
+    return {std::move(mesh), std::move(survey), distances.summarise()};
 }
 
 }  // namespace meniscus

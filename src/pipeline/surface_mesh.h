@@ -12,6 +12,7 @@
 #include "meniscus/level_set.h"
 #include "meniscus/mesh.h"
 #include "meniscus/surface.h"
+#include "pipeline/vertex_distances.h"
 
 namespace meniscus {
 
@@ -41,9 +42,9 @@ TriangleSurvey survey_of(const Mesh& mesh, const LevelSet* level_set);
 /// onto it and fills in their normals, atoms, patches and curvatures; triangles are not looked at.
 ///
 /// level_set, spacing   as for mesh_surface
-/// returns              distances to the exact SES, Å, absolute values
-std::vector<float> finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
-                                   Mesh& mesh);
+/// returns              distances to the exact SES
+VertexDistances finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
+                                Mesh& mesh);
 
 /// How far the vertices of a mesh are from the exact SES.
 DistanceSummary distance_of_vertices(const AccessibleSurface& accessible, const Mesh& mesh);

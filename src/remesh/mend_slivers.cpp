@@ -38,7 +38,7 @@ constexpr std::size_t kLeaningPerTask = 64;
 constexpr double kFree = 2.5;
 constexpr double kRoom = 5.0;
 
-constexpr std::size_t kTogether = 64;  // places: what is cut out of the mesh for them takes memory
+constexpr std::size_t kTogether = 32;  // places: what is cut out of the mesh for them takes memory
 
 constexpr double kCube = 4.0;  // see SliverOptions::most_bad
 
@@ -329,7 +329,7 @@ private:
         for (std::size_t v = 0; v < cutting.patch.points.size(); ++v) {
             if (after.points[v].position == cutting.patch.points[v].position) continue;
             mesh_.vertices[cutting.vertices[v]] = after.points[v].position;
-            mesh_.normals[cutting.vertices[v]] = after.points[v].normal;
+            mesh_.normals[cutting.vertices[v]] = to_small(after.points[v].normal);
             moved_[cutting.vertices[v]] = true;
         }
         for (const std::size_t t : changed_triangles(cutting.patch, after)) {
@@ -356,7 +356,7 @@ private:
         for (std::size_t v = known; v < after.points.size(); ++v) {
             cutting.vertices.push_back(static_cast<VertexId>(mesh_.vertices.size()));
             mesh_.vertices.push_back(after.points[v].position);
-            mesh_.normals.push_back(after.points[v].normal);
+            mesh_.normals.push_back(to_small(after.points[v].normal));
             moved_.push_back(true);
         }
         for (std::size_t t = cutting.triangles.size(); t < after.triangles.size(); ++t) {

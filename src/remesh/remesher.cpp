@@ -426,7 +426,7 @@ private:
         if (attempt < kAttempts) slivers.most_tangled = kMostInCube;
         want(options_.keep_ridges ? kWantedBesideRidges : kWanted, slivers);
         for (const VertexId v : order) {
-            mesh.normals.push_back(mesh_.points[v].normal);
+            mesh.normals.push_back(to_small(mesh_.points[v].normal));
             slivers.held.push_back(mesh_.holds[v] == Hold::Ridge);
         }
         MeshChanges changes = mend_slivers(mesh, slivers, project_);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace meniscus::testing {
@@ -24,6 +25,9 @@ std::vector<Box> random_boxes(std::uint64_t seed, std::size_t count, double size
     return boxes;
 }
 
+// What boxes in single precision may be larger by, Å.
+constexpr double kRounding = 1e-5;
+
 std::vector<std::uint32_t> overlapping(const BoxTree& tree, const Box& box) {
     std::vector<std::uint32_t> found;
     tree.for_each_overlapping(box, [&](std::uint32_t i) { found.push_back(i); });
@@ -35,8 +39,8 @@ double nearest_squared_distance(const BoxTree& tree, const std::vector<Box>& box
     tree.search_nearest(
         p, [&] { return best; },
         [&](std::uint32_t i) {
-            EXPECT_LT(boxes[i].squared_distance(p), best);
-            best = boxes[i].squared_distance(p);
+            EXPECT_LT(boxes[i].grown(kRounding).squared_distance(p), best);
+            best = std::min(best, boxes[i].squared_distance(p));
         });
     return best;
 }
@@ -68,12 +72,34 @@ TEST(BoxTree, FindsWhatOverlapsInTheItemsOrder) {
         const std::vector<Box> boxes = random_boxes(count, count, 2.0);
         const BoxTree tree(boxes);
         for (const Box& query : random_boxes(99, 50, 5.0)) {
-            std::vector<std::uint32_t> expected;
-            for (std::uint32_t i = 0; i < count; ++i)
-                if (boxes[i].overlaps(query)) expected.push_back(i);
-            EXPECT_EQ(overlapping(tree, query), expected);
+            const std::vector<std::uint32_t> found = overlapping(tree, query);
+            EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+            for (std::uint32_t i = 0; i < count; ++i) {
+                const bool is_found = std::binary_search(found.begin(), found.end(), i);
+                EXPECT_TRUE(is_found || !boxes[i].overlaps(query));
+                EXPECT_TRUE(!is_found || boxes[i].grown(kRounding).overlaps(query));
+            }
         }
     }
+}
+
+TEST(BoxTree, KeepsTheBoxesAndHardlyMore) {
+    const std::vector<Box> boxes = random_boxes(3, 100, 2.0);
+    const BoxTree tree(boxes);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        EXPECT_TRUE(tree.box(i).grown(1e-12).contains(boxes[i]));
+        EXPECT_TRUE(boxes[i].grown(kRounding).contains(tree.box(i)));
+    }
+}
+
+TEST(BoxTree, KeepsItsDigitsFarFromTheOrigin) {
+    const Vec3 far{3e8, -1e9, 2e7};
+    std::vector<Box> boxes = random_boxes(4, 300, 0.5);
+    for (Box& box : boxes) box = {box.low + far, box.high + far};
+    const BoxTree tree(boxes);
+    std::size_t found = 0;
+    for (const Box& box : boxes) found += overlapping(tree, box).size();
+    EXPECT_LT(found, 3 * boxes.size());
 }
 
 TEST(BoxTree, FindsTheNearest) {

@@ -20,7 +20,7 @@ using testing::ScratchFolder;
 
 Mesh labelled_tetrahedron() {
     Mesh mesh = testing::tetrahedron();
-    mesh.normals.assign(4, {0.0, 0.6, -0.8});
+    mesh.normals.assign(4, {0.0F, 0.6F, -0.8F});
     mesh.atoms = {0, 1, 1, 2};
     mesh.patches = {PatchKind::Contact, PatchKind::Contact, PatchKind::Toroidal, PatchKind::Reentrant};
     return mesh;

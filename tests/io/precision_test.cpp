@@ -31,6 +31,16 @@ TEST(Precision, DoubleWhereRoundingWouldMergeTwoCorners) {
     EXPECT_EQ(precision_needed(mesh), Precision::Single);
 }
 
+TEST(Precision, SidesThatAreKnownToBeLongAreNotLookedAt) {
+    Mesh mesh = testing::tetrahedron();
+    mesh.vertices[0] = mesh.vertices[1];  // had it been looked at, this would need double precision
+    EXPECT_EQ(precision_needed(mesh, 0.0), Precision::Double);
+    EXPECT_EQ(precision_needed(mesh, 1e-4), Precision::Double);
+    EXPECT_EQ(precision_needed(mesh, 0.1), Precision::Single);
+    mesh.vertices[2].z = -1024.0;
+    EXPECT_EQ(precision_needed(mesh, 0.1), Precision::Double);
+}
+
 TEST(Precision, PointsHaveAsManyDigitsAsTheyNeed) {
     const testing::ScratchFolder folder;
     AtomicFile file(folder / "a.txt");

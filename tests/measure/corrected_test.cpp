@@ -45,8 +45,9 @@ void project_to_torus(std::span<Vec3> points, std::span<Vec3> normals) {
 Mesh projected_torus(double spacing) {
     const auto field = testing::sample_box(spacing, {-3, -3, -1}, {3, 3, 1}, kTorus);
     Mesh mesh = extract_zero_set(field.grid, field.values);
-    mesh.normals.resize(mesh.vertices.size());
-    project_to_torus(mesh.vertices, mesh.normals);
+    std::vector<Vec3> normals(mesh.vertices.size());
+    project_to_torus(mesh.vertices, normals);
+    for (const Vec3& normal : normals) mesh.normals.push_back(to_small(normal));
     return mesh;
 }
 
@@ -110,11 +111,12 @@ TEST(Corrected, ArcMiddleIsTheChordsWhereNormalsSayNothing) {
 
 TEST(Corrected, TheProjectorIsGivenPlacesNearTheSurface) {
     Mesh mesh = testing::tetrahedron();
-    mesh.normals.resize(mesh.vertices.size());
-    project_to_sphere(mesh.vertices, mesh.normals);
-    const auto project = [](std::span<Vec3> points, std::span<Vec3> normals) {
+    std::vector<Vec3> normals(mesh.vertices.size());
+    project_to_sphere(mesh.vertices, normals);
+    for (const Vec3& normal : normals) mesh.normals.push_back(to_small(normal));
+    const auto project = [](std::span<Vec3> points, std::span<Vec3> looking) {
         for (const Vec3& p : points) EXPECT_NEAR(norm(p - kSphere.centre), kSphere.radius, 0.3);  // the chord's: 0.85
-        project_to_sphere(points, normals);
+        project_to_sphere(points, looking);
     };
     EXPECT_NEAR(corrected_measures(mesh, project, 4).area, 16.0 * kPi, 1e-3 * 16.0 * kPi);
 }
@@ -132,7 +134,7 @@ TEST(Corrected, PartsThatFoldOverCancel) {
     Mesh mesh;
     mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-    mesh.normals.assign(4, Vec3{0, 0, 1});
+    mesh.normals.assign(4, {0, 0, 1});
     const auto project = [](std::span<Vec3> points, std::span<Vec3> normals) {
         for (Vec3& p : points)
             if (p.x == 0.5 && p.y == 0.5) p = {1.2, 1.3, 0};

@@ -32,6 +32,7 @@ TEST(MeshMeasures, Tetrahedron) {
     EXPECT_TRUE(measures.manifold);
     EXPECT_EQ(measures.euler_characteristic, 2);
     EXPECT_NEAR(measures.smallest_angle_deg, 60.0, 1e-12);
+    EXPECT_NEAR(measures.shortest_edge, 2.0 * std::sqrt(2.0), 1e-14);
     ASSERT_EQ(measures.components.size(), 1U);
     EXPECT_EQ(measures.components[0].triangles, 4U);
 }
@@ -41,6 +42,7 @@ TEST(MeshMeasures, NothingMeasuresNothing) {
     EXPECT_EQ(measures.area, 0.0);
     EXPECT_EQ(measures.volume, 0.0);
     EXPECT_EQ(measures.smallest_angle_deg, 0.0);
+    EXPECT_EQ(measures.shortest_edge, 0.0);
     EXPECT_TRUE(measures.components.empty());
 }
 
@@ -168,8 +170,9 @@ Mesh lens(double spacing) {
     Mesh mesh = extract_zero_set(field.grid, field.values);
     for (Vec3& v : mesh.vertices) {
         const testing::Sphere& cap = upper(v) >= lower(v) ? upper : lower;
-        mesh.normals.push_back(normalised(v - cap.centre));
-        v = cap.centre + cap.radius * mesh.normals.back();
+        const Vec3 normal = normalised(v - cap.centre);
+        mesh.normals.push_back(to_small(normal));
+        v = cap.centre + cap.radius * normal;
     }
     label_components(mesh);
     return mesh;
@@ -223,7 +226,7 @@ TEST(MeasureSurface, NeedsNormalsComponentsAndCornersThatExist) {
     Mesh mesh = tetrahedron();
     label_components(mesh);
     EXPECT_THROW(survey_surface(mesh, Creases::Sharp), UsageError);
-    mesh.normals = mesh.vertices;
+    mesh.normals.resize(mesh.vertices.size());
     mesh.components.clear();
     EXPECT_THROW(survey_surface(mesh, Creases::Sharp), UsageError);
     label_components(mesh);

@@ -82,14 +82,19 @@ TEST(TriangleLanes, MeasureThePartsOfEveryTriangle) {
 TEST(TriangleLanes, GatherWhatIsAtTheCorners) {
     const Mesh mesh = projected_sphere({.centre = {1, 2, 3}, .radius = 2.0}, 0.5);
     const Vec3 origin{0.5, 0.25, -3.0};
+    ASSERT_EQ(mesh.normals.size(), mesh.vertices.size());
     for (const TriangleKernels& kernels : supported_triangle_kernels())
         for (const std::size_t count : {0U, 1U, 3U, 4U, 63U, 64U}) {
             TriangleLanes lanes;
             const auto triangles = std::span(mesh.triangles).subspan(5, count);
             kernels.gather(mesh.vertices.data(), triangles, origin, lanes.points);
+            kernels.gather_small(mesh.normals.data(), triangles, lanes.normals);
             for (std::size_t i = 0; i < count; ++i)
-                for (std::size_t corner = 0; corner < 3; ++corner)
-                    EXPECT_EQ(lanes.points[corner].at(i), mesh.vertices[triangles[i][corner]] - origin);
+                for (std::size_t corner = 0; corner < 3; ++corner) {
+                    const VertexId v = triangles[i][corner];
+                    EXPECT_EQ(lanes.points[corner].at(i), mesh.vertices[v] - origin);
+                    EXPECT_EQ(lanes.normals[corner].at(i), mesh.normals[v]);
+                }
         }
 }
 
@@ -121,6 +126,11 @@ TEST(TriangleLanes, AddUp) {
     EXPECT_NEAR(sums.parts_two_areas, total(lanes.parts_two_areas), 1e-12);
     EXPECT_NEAR(sums.parts_six_volumes, total(lanes.parts_six_volumes), 1e-12);
     EXPECT_EQ(sums.smallest.opposite, 0.0);  // of the one that is a point
+    EXPECT_EQ(sums.shortest, 0.0);
+    lanes.shortest[7] = 1e9;
+    LaneSums without_it;
+    triangle_kernels().add_up(lanes, without_it);
+    EXPECT_EQ(without_it.shortest, *std::min_element(lanes.shortest.begin(), lanes.shortest.end()));
     lanes.opposite[7] = 3.0 * lanes.adjacent[7];
     LaneSums others;
     triangle_kernels().add_up(lanes, others);

@@ -46,7 +46,7 @@ TEST(MeshStreams, CoordinatesAreWithinHalfAQuantum) {
 }
 
 TEST(MeshStreams, NormalsAreWithinADegree) {
-    for (const Vec3& normal : SmallMolecule().mesh.normals) {
+    for (const SmallVec3& normal : SmallMolecule().mesh.normals) {
         const auto [u, v] = octahedral(normal);
         EXPECT_GT(dot(normal_of(u, v), normal), std::cos(1.0 * 3.14159 / 180.0));
     }

@@ -30,7 +30,7 @@ TEST(EvenMesh, KeepsBulgesBehindNarrowNecks) {
     zero_set.triangles = grid.mesh.triangles;
     const auto deviation_of = [&](Mesh even, double edge) {
         expect_closed_manifold(even);
-        for (const Vec3& p : even.vertices) even.normals.push_back(accessible.nearest(p).normal);
+        for (const Vec3& p : even.vertices) even.normals.push_back(to_small(accessible.nearest(p).normal));
         return std::abs(corrected_on_surface(even, edge, project).area / area - 1.0);
     };
     double worst_alone = 0.0;

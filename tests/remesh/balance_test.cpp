@@ -26,7 +26,7 @@ SurfaceProjector onto(const Sphere& sphere) {
 
 Mesh even_sphere(const Sphere& sphere, double edge) {
     Mesh even = remesh(extracted_sphere(sphere, 0.4), {.edge = edge}, onto(sphere));
-    for (const Vec3& v : even.vertices) even.normals.push_back(normalised(v - sphere.centre));
+    for (const Vec3& v : even.vertices) even.normals.push_back(to_small(normalised(v - sphere.centre)));
     return even;
 }
 

@@ -22,9 +22,9 @@ constexpr double kAngle = 8.0;
 // Vertices next to nodes make small angles; some normals are turned.
 Mesh sphere_with_slivers() {
     Mesh mesh = projected_sphere({.centre = {0.1, -0.2, 0.05}, .radius = 3.0}, 0.2);
-    for (std::size_t v = 0; v < mesh.normals.size(); v += 97) mesh.normals[v] = -1.0 * mesh.normals[v];
+    for (std::size_t v = 0; v < mesh.normals.size(); v += 97) mesh.normals[v] = -mesh.normals[v];
     for (std::size_t v = 50; v < mesh.normals.size(); v += 97)
-        mesh.normals[v] = normalised(mesh.normals[v] + 3.0 * cross(mesh.normals[v], Vec3{0.2, 0.5, 0.8}));
+        mesh.normals[v] = to_small(normalised(mesh.normals[v] + 3.0 * cross(mesh.normals[v], Vec3{0.2, 0.5, 0.8})));
     label_components(mesh);
     return mesh;
 }

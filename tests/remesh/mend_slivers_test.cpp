@@ -174,12 +174,16 @@ TEST(MendSlivers, KeepTheSmallestPieces) {
     for (const double degrees : {1.0, 4.0, 8.0}) {
         const Sphere sphere{{1.0, 2.0, 3.0}, 0.3};
         Mesh mesh;
+        std::vector<Vec3> directions;
         for (const double azimuth : {0.0, degrees, 180.0, 180.0 + degrees})
-            mesh.normals.push_back(
+            directions.push_back(
                 {std::cos(azimuth * std::acos(-1.0) / 180.0), std::sin(azimuth * std::acos(-1.0) / 180.0), 0.0});
-        mesh.normals.push_back({0.0, 0.0, 1.0});
-        mesh.normals.push_back({0.0, 0.0, -1.0});
-        for (const Vec3& n : mesh.normals) mesh.vertices.push_back(sphere.centre + sphere.radius * n);
+        directions.push_back({0.0, 0.0, 1.0});
+        directions.push_back({0.0, 0.0, -1.0});
+        for (const Vec3& n : directions) {
+            mesh.normals.push_back(to_small(n));
+            mesh.vertices.push_back(sphere.centre + sphere.radius * n);
+        }
         mesh.triangles = octahedron().triangles;
         expect_closed_manifold(mesh);
         ASSERT_LT(smallest_angle_of(mesh), degrees);
@@ -201,7 +205,7 @@ Mesh spheres_and_a_needle() {
         const Patch whole = octahedron();
         for (std::size_t v = 0; v < (is_needle ? 4U : 6U); ++v) {
             mesh.vertices.push_back(is_needle ? needle[v] : whole.at(static_cast<VertexId>(v)) + Vec3{x, 0, 0});
-            mesh.normals.push_back(is_needle ? Vec3{1, 0, 0} : whole.at(static_cast<VertexId>(v)));
+            mesh.normals.push_back(to_small(is_needle ? Vec3{1, 0, 0} : whole.at(static_cast<VertexId>(v))));
             mesh.components.push_back(number);
         }
         const std::vector<Triangle> of_needle{{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}};
@@ -270,8 +274,9 @@ TEST(MendSlivers, UnfoldWhatFacesTheWrongWay) {
     const Triangle t = mesh.triangles[mesh.triangles.size() / 2];
     const Vec3 middle = 0.5 * (mesh.vertices[t[1]] + mesh.vertices[t[2]]);
     const Vec3 beyond = mesh.vertices[t[0]] + 1.6 * (middle - mesh.vertices[t[0]]);
-    mesh.normals[t[0]] = normalised(beyond - kSphere.centre);
-    mesh.vertices[t[0]] = kSphere.centre + kSphere.radius * mesh.normals[t[0]];
+    const Vec3 normal = normalised(beyond - kSphere.centre);
+    mesh.normals[t[0]] = to_small(normal);
+    mesh.vertices[t[0]] = kSphere.centre + kSphere.radius * normal;
     mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
     expect_mended(mesh);
 }
@@ -284,7 +289,7 @@ TEST(MendSlivers, DoNotPassThinWallsThroughThemselves) {
         Mesh mesh = projected_sphere({centre, radii[0]}, 0.2);
         const Mesh inner = turned_inside_out(projected_sphere({centre, radii[1]}, 0.2));
         append(mesh, inner);
-        for (const Vec3& normal : inner.normals) mesh.normals.push_back(-1.0 * normal);
+        for (const SmallVec3& normal : inner.normals) mesh.normals.push_back(-normal);
         ASSERT_TRUE(places_of_self_intersections(mesh).empty()) << thickness;
         mend_slivers(mesh, {.edge = 0.2}, onto_spheres(centre, radii));
         expect_mended(mesh);
@@ -299,7 +304,7 @@ TEST(MendSlivers, PartWallsThatPassThroughEachOtherIfEverywhereIsSearched) {
     Mesh tangled = projected_sphere({centre, radii[0]}, 0.4);
     const Mesh inner = turned_inside_out(projected_sphere({centre, radii[1]}, 0.3));
     append(tangled, inner);
-    for (const Vec3& normal : inner.normals) tangled.normals.push_back(-1.0 * normal);
+    for (const SmallVec3& normal : inner.normals) tangled.normals.push_back(-normal);
     EXPECT_GT(self_intersecting_triangles(tangled).size(), 20U);
     Mesh mesh = tangled;
     EXPECT_FALSE(mend_slivers(mesh, {.edge = 0.4}, onto_spheres(centre, radii)).was_tangled);

@@ -85,7 +85,7 @@ TEST(Scene, TheWallOfACavityAloneLooksLikeABall) {
     const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.3);
     ColouredMesh wall = ball;
     wall.mesh = testing::turned_inside_out(ball.mesh);
-    for (Vec3& normal : wall.mesh.normals) normal = -normal;
+    for (SmallVec3& normal : wall.mesh.normals) normal = -normal;
     const Light seen = Scene(wall.mesh, wall.colours, kOptions, kNone).look(50, 50).light;
     EXPECT_NEAR(seen.blue, Scene(ball.mesh, ball.colours, kOptions, kNone).look(50, 50).light.blue, 1e-3);
 }

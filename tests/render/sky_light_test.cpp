@@ -20,7 +20,7 @@ TEST(SkyLight, NothingHidesTheSkyFromASphere) {
 
 TEST(SkyLight, InsideASphereItIsDark) {
     Mesh mesh = testing::turned_inside_out(testing::projected_sphere({.centre = {}, .radius = 1.0}, 0.2));
-    for (Vec3& normal : mesh.normals) normal = -normal;
+    for (SmallVec3& normal : mesh.normals) normal = -normal;
     const RayScene scene(mesh);
     const SkyLight sky(scene, mesh, 1e3);
     for (VertexId v = 0; v < mesh.vertices.size(); ++v) EXPECT_LT(sky.at(v), 0.01F) << v;
@@ -28,7 +28,7 @@ TEST(SkyLight, InsideASphereItIsDark) {
 
 TEST(SkyLight, WhatIsCutOffDarkensNothing) {
     Mesh mesh = testing::turned_inside_out(testing::projected_sphere({.centre = {}, .radius = 1.0}, 0.2));
-    for (Vec3& normal : mesh.normals) normal = -normal;
+    for (SmallVec3& normal : mesh.normals) normal = -normal;
     const RayScene scene(mesh, HalfSpace{.point = {}, .normal = {0, 0, 1}});
     const SkyLight sky(scene, mesh, 1e3);
     for (VertexId v = 0; v < mesh.vertices.size(); ++v) {

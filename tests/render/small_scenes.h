@@ -36,7 +36,7 @@ inline constexpr Sphere kSmallHole{.centre = {-1.5, 0.5, 0}, .radius = 1.0};
 
 inline ColouredMesh turned_inside_out(ColouredMesh coloured) {
     coloured.mesh = turned_inside_out(coloured.mesh);
-    for (Vec3& normal : coloured.mesh.normals) normal = -normal;
+    for (SmallVec3& normal : coloured.mesh.normals) normal = -normal;
     return coloured;
 }
 

@@ -89,7 +89,7 @@ inline Mesh read_obj(const std::string& content) {
         words >> keyword;
         if (keyword == "v" || keyword == "vn") {
             words >> p.x >> p.y >> p.z;
-            (keyword == "v" ? mesh.vertices : mesh.normals).push_back(p);
+            keyword == "v" ? mesh.vertices.push_back(p) : mesh.normals.push_back(to_small(p));
         } else if (keyword == "f") {
             Triangle t;
             for (VertexId& v : t) {

@@ -37,8 +37,9 @@ inline Mesh extracted_sphere(const Sphere& sphere, double spacing) {
 inline Mesh projected_sphere(const Sphere& sphere, double spacing) {
     Mesh mesh = extracted_sphere(sphere, spacing);
     for (Vec3& v : mesh.vertices) {
-        mesh.normals.push_back(normalised(v - sphere.centre));
-        v = sphere.centre + sphere.radius * mesh.normals.back();
+        const Vec3 normal = normalised(v - sphere.centre);
+        mesh.normals.push_back(to_small(normal));
+        v = sphere.centre + sphere.radius * normal;
     }
     return mesh;
 }

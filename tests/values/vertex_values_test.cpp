@@ -27,7 +27,7 @@ Volume slope() {
 
 TEST(SampleVolume, LinearFunctionsAreExactAtTheOffset) {
     Mesh ball = extracted_sphere({.centre = {}, .radius = 2.0}, 0.5);
-    for (const Vec3& p : ball.vertices) ball.normals.push_back((1.0 / norm(p)) * p);
+    for (const Vec3& p : ball.vertices) ball.normals.push_back(to_small(normalised(p)));
     for (const auto interpolation : {Interpolation::Linear, Interpolation::Cubic})
         for (const double offset : {0.0, 1.5, -0.5}) {
             const VertexValues values = sample_volume(ball, "phi", slope(), {interpolation, offset});

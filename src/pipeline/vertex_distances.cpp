@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/vertex_distances.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "core/parallel.h"
+#include "core/parallel_list.h"
+
+namespace meniscus {
+namespace {
+
+constexpr std::size_t kSummed = 1 << 14;  // distances per task
+
+// The element that would stand at a place near the end if the values were sorted. A sample tells below which value it
+// cannot be, and most values are below that, or are that value: of vertices that lie on the exact surface all are 0.
+float value_near_the_end(std::span<const float> values, std::size_t place) {
+    constexpr std::size_t kStride = 64;
+    const std::size_t beyond = values.size() - place;  // it is so manieth from the end
+    const auto nth_from_the_end = [](std::vector<float>& list, std::size_t count) {
+        const auto at = list.end() - static_cast<std::ptrdiff_t>(std::min(count, list.size()));
+        std::nth_element(list.begin(), at, list.end());
+        return *at;
+    };
+    std::vector<float> some;
+    for (std::size_t i = 0; i < values.size(); i += kStride) some.push_back(values[i]);
+    const float least = nth_from_the_end(some, 2 * beyond / kStride + kStride);
+    auto high = parallel_list<float>(values.size(), kSummed, [&](std::size_t begin, std::size_t end, auto& list) {
+        const auto part = values.subspan(begin, end - begin);
+        std::copy_if(part.begin(), part.end(), std::back_inserter(list), [&](float v) { return v > least; });
+    });
+    if (high.size() < beyond) {
+        const auto equal = static_cast<std::size_t>(std::count(values.begin(), values.end(), least));
+        if (high.size() + equal >= beyond) return least;
+        high.assign(values.begin(), values.end());
+    }
+    return nth_from_the_end(high, beyond);
+}
+
+DistanceSummary summary_of(std::span<const float> distances) {
+    struct Sums {
+        double sum = 0.0;
+        double max = 0.0;
+        Sums& operator+=(const Sums& b) {
+            sum += b.sum;
+            max = std::max(max, b.max);
+            return *this;
+        }
+    };
+    const auto [sum, max] = parallel_sum<Sums>(distances.size(), kSummed, [&](std::size_t begin, std::size_t end) {
+        Sums sums;
+        for (const double d : distances.subspan(begin, end - begin)) sums += {d, d};
+        return sums;
+    });
+    DistanceSummary summary;
+    summary.mean = sum / static_cast<double>(distances.size());
+    summary.p99 =
+        value_near_the_end(distances, static_cast<std::size_t>(0.99 * static_cast<double>(distances.size() - 1)));
+    summary.max = max;
+    return summary;
+}
+
+// The same where all but some are 0.
+DistanceSummary summary_of(std::vector<float> some, std::size_t count) {
+    std::sort(some.begin(), some.end());
+    const auto place = static_cast<std::size_t>(0.99 * static_cast<double>(count - 1));
+    const std::size_t zeros = count - some.size();
+    return {.mean = std::accumulate(some.begin(), some.end(), 0.0) / static_cast<double>(count),
+            .p99 = place < zeros ? 0.0 : some[place - zeros],
+            .max = some.empty() ? 0.0 : some.back()};
+}
+
+}  // namespace
+
+VertexDistances::VertexDistances(std::size_t vertices, std::span<const Off> off) : count_(vertices) {
+    off_.reserve(off.size());
+    for (const auto& [vertex, distance] : off) off_[vertex] = distance;
+}
+
+float VertexDistances::operator[](VertexId vertex) const {
+    if (!all_.empty()) return all_[vertex];
+    const auto found = off_.find(vertex);
+    return found == off_.end() ? 0.0F : found->second;
+}
+
+void VertexDistances::set(VertexId vertex, float distance) {
+    if (!all_.empty())
+        all_[vertex] = distance;
+    else if (distance != 0.0F)
+        off_[vertex] = distance;
+    else
+        off_.erase(vertex);
+}
+
+void VertexDistances::renumber(const MeshChanges& changes) {
+    count_ = changes.left;
+    renumber_entries(changes, all_);
+    if (!all_.empty()) return;
+    for (const auto& [hole, from] : changes.refilled) set(hole, (*this)[from]);
+    std::erase_if(off_, [this](const auto& entry) { return entry.first >= count_; });
+}
+
+DistanceSummary VertexDistances::summarise() const {
+    if (count_ == 0) return {};
+    if (!all_.empty()) return summary_of(all_);
+    std::vector<float> some;
+    some.reserve(off_.size());
+    for (const auto& entry : off_) some.push_back(entry.second);
+    return summary_of(std::move(some), count_);
+}
+
+}  // namespace meniscus

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// How far the vertices of a mesh are from the exact surface.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "meniscus/mesh_quality.h"
+#include "remesh/mend_slivers.h"
+
+namespace meniscus {
+
+/// Absolute values, Å. Where nearly all vertices are on the surface, as in a mesh made directly, only the others take
+/// memory.
+class VertexDistances {
+public:
+    struct Off {
+        VertexId vertex = 0;
+        float distance = 0.0F;
+    };
+
+    explicit VertexDistances(std::vector<float> of_all) : count_(of_all.size()), all_(std::move(of_all)) {}
+    /// Of so many vertices, which are on the surface but for some.
+    VertexDistances(std::size_t vertices, std::span<const Off> off);
+
+    float operator[](VertexId vertex) const;
+    void set(VertexId vertex, float distance);
+    /// As renumber_entries; those of added ones are still to be set.
+    void renumber(const MeshChanges& changes);
+    DistanceSummary summarise() const;
+
+private:
+    std::size_t count_;
+    std::vector<float> all_;                   // or empty
+    std::unordered_map<VertexId, float> off_;  // else those that are not 0
+};
+
+}  // namespace meniscus
