@@ -126,6 +126,9 @@ bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const 
     data.contour.clear();
     data.caps.clear();
     data.cover.clear();
+    data.contour.reserve(data.contour_begin.back());
+    data.caps.reserve(data.cap_begin.back());
+    data.cover.reserve(data.cover_begin.back());
     for (const ChunkResult& chunk : chunks) {
         if (!chunk.consistent) return false;
         data.contour.insert(data.contour.end(), chunk.arcs.begin(), chunk.arcs.end());
@@ -324,18 +327,23 @@ Box box_of(const AccessibleSurface::Data& data, const SasArc& arc) {
 void build_trees(AccessibleSurface::Data& data) {
     std::vector<Box> atoms(data.atoms.size());
     for (std::size_t i = 0; i < atoms.size(); ++i) atoms[i].include(data.atoms.centres[i]);
+    std::vector<Box> arcs(data.arcs.size());
     std::vector<Box> cells(data.arcs.size());
-    parallel_for(cells.size(), kChunk, [&](std::size_t a) {
-        cells[a] = box_of(data, data.arcs[a]);
+    parallel_for(arcs.size(), kChunk, [&](std::size_t a) {
+        cells[a] = arcs[a] = box_of(data, data.arcs[a]);
         for (const std::uint32_t i : data.arcs[a].atoms) cells[a].include(data.atoms.centres[i]);
     });
     std::vector<Box> vertices(data.vertices.size());
     for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v].include(data.vertices[v].position);
-    const auto of_atoms_and_vertices = [&] {
+    const auto of_atoms_and_arcs = [&] {
         data.atom_tree = BoxTree(atoms);
+        data.arc_tree = BoxTree(arcs);
+    };
+    const auto of_cells_and_vertices = [&] {
+        data.arc_cell_tree = BoxTree(cells);
         data.vertex_tree = BoxTree(vertices);
     };
-    parallel_both(of_atoms_and_vertices, [&] { data.arc_cell_tree = BoxTree(cells); });
+    parallel_both(of_atoms_and_arcs, of_cells_and_vertices);
 }
 
 bool try_build(AccessibleSurface::Data& data, const CellList& cells, std::uint64_t seed, int attempt,

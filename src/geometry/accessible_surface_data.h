@@ -63,6 +63,7 @@ struct AccessibleSurface::Data {
     std::vector<SasVertex> vertices;
 
     BoxTree atom_tree;      ///< centres
+    BoxTree arc_tree;       ///< points of the arcs
     BoxTree arc_cell_tree;  ///< the arcs' cells, the hulls of an arc and both atoms
     BoxTree vertex_tree;    ///< positions
 

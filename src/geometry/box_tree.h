@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <span>
 #include <utility>
@@ -116,9 +117,28 @@ public:
         return static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3]));
     }
 
+    /// Of a point from each box; 0 inside.
+    std::array<double, kCount> squared_distances(const Vec3& point) const {
+        const std::array<double, 3> p{point.x, point.y, point.z};
+        std::array<double, kCount> squares;
+        for (std::size_t i = 0; i < kCount; i += 2) {
+            Pair sum{};
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const Pair before = pair(low_[axis], i) - p[axis];
+                const Pair behind = p[axis] - pair(high_[axis], i);
+                const Pair apart = before > behind ? before : behind;  // at most one is positive
+                const Pair outside = apart > 0.0 ? apart : Pair{};
+                sum += outside * outside;
+            }
+            std::memcpy(&squares[i], &sum, sizeof sum);
+        }
+        return squares;
+    }
+
 private:
     using Floats = float __attribute__((vector_size(16)));
     using Bits = std::int32_t __attribute__((vector_size(16)));
+    using Pair = double __attribute__((vector_size(16)));
     using Columns = std::array<std::array<Floats, 2>, 3>;
 
     Bits overlaps(std::size_t half, const SmallBox& query) const {
@@ -126,6 +146,13 @@ private:
         for (std::size_t axis = 0; axis < 3; ++axis)
             bits &= (low_[axis][half] <= query.high[axis]) & (high_[axis][half] >= query.low[axis]);
         return bits;
+    }
+
+    // Two of a column, from box i on.
+    static Pair pair(const std::array<Floats, 2>& column, std::size_t i) {
+        float __attribute__((vector_size(8))) two;
+        std::memcpy(&two, reinterpret_cast<const char*>(column.data()) + i * sizeof(float), sizeof two);
+        return __builtin_convertvector(two, Pair);
     }
 
     static constexpr Floats kNone = Floats{} + SmallBox::kLargest;
@@ -200,8 +227,9 @@ private:
         std::array<Child, kFanOut> children;
         std::size_t count = 0;
         const std::size_t begin = eight * kFanOut;
+        const std::array<double, kFanOut> distances = eights_[level][eight].squared_distances(point);
         for (std::size_t i = begin; i < std::min(begin + kFanOut, sizes_[level]); ++i) {
-            Child child{eights_[level][eight].box(i - begin).box().squared_distance(point), i};
+            const Child child{distances[i - begin], i};
             std::size_t at = count++;
             for (; at > 0 && children[at - 1].distance2 > child.distance2; --at) children[at] = children[at - 1];
             children[at] = child;

@@ -47,7 +47,7 @@ NearestEdge nearest_edge(const Data& data, const Vec3& p) {
     const auto bound = [&] { return best.squared_distance; };
     data.vertex_tree.search_nearest(
         p, bound, [&](std::uint32_t v) { best.offer_vertex(v, squared_norm(p - data.vertices[v].position)); });
-    data.arc_cell_tree.search_nearest(p, bound, [&](std::uint32_t a) { best.offer_arc(a, foot_on_arc(data.arcs[a], p)); });
+    data.arc_tree.search_nearest(p, bound, [&](std::uint32_t a) { best.offer_arc(a, foot_on_arc(data.arcs[a], p)); });
     return best;
 }
 
