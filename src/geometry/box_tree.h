@@ -102,6 +102,7 @@ public:
         }
     }
 
+    /// As it was set.
     SmallBox box(std::size_t i) const {
         SmallBox box;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -160,8 +161,8 @@ private:
     Columns high_{{{-kNone, -kNone}, {-kNone, -kNone}, {-kNone, -kNone}}};
 };
 
-/// Items by their boxes, which are kept in single precision from one of them on, no smaller than they are: what is
-/// found may be apart by a millionth of the extent.
+/// Items by their boxes, which are kept in single precision, relative to one of them, and no smaller than they are:
+/// what is found may be apart by a millionth of the extent.
 class BoxTree {
 public:
     BoxTree() = default;

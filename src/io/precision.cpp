@@ -17,7 +17,7 @@ namespace {
 // Neighbouring floats are 2^-13 = 1.2e-4 Å apart from here on.
 constexpr double kFarOff = 1024.0;
 
-// Å: what rounds to one place below that is within a spacing of floats along each axis.
+// Å: nearer to the origin than that, points that round to the same one are less than 3e-4 apart.
 constexpr double kTooLongToVanish = 1e-3;
 
 constexpr std::size_t kItemsPerChunk = 1U << 14U;

@@ -86,6 +86,7 @@ struct TriangleKernels {
     /// What the vertices hold at the corners of at most kLanes triangles, from an origin.
     void (*gather)(const Vec3* of_vertex, std::span<const Triangle> triangles, const Vec3& origin,
                    std::array<VectorLanes, 3>& corners);
+    /// The same of directions, as they are.
     void (*gather_small)(const SmallVec3* of_vertex, std::span<const Triangle> triangles,
                          std::array<VectorLanes, 3>& corners);
     /// All that needs no normals.

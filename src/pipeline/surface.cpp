@@ -144,7 +144,10 @@ private:
         surface_.options = options_;
         margin_ = band_margin(options_);
         make_mesh(make_field());
-        if (!may_be_measured_again()) own_.reset();  // the areas of vertices take its memory
+        if (own_ != nullptr && !may_be_measured_again()) {  // the areas of vertices take its memory
+            own_.reset();
+            accessible_ = nullptr;
+        }
         surface_.seconds.mesh += clock_.lap();
         report("mesh", 1.0);
         measure();
