@@ -120,7 +120,7 @@ public:
             add(name, std::vector<Vec3>(values.begin(), values.end()));
         else
             add_bytes(name, header_of(Element<T>::kType, shape_of<T>(values.size())),
-                  {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
+                      {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
     }
 
     /// Text of one shape: "()" for a single one.
