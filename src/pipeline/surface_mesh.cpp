@@ -10,7 +10,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
@@ -56,19 +55,22 @@ struct VertexRun {
 class RunGroups {
 public:
     explicit RunGroups(std::span<const Vec3> points, double longest) {
-        runs_ = parallel_list<VertexRun>(points.size(), kChunk, [&](std::size_t begin, std::size_t end, auto& runs) {
-            for (std::size_t v = begin; v < end; v = runs.back().end)
-                runs.push_back(run_from(points.first(end), v, longest));
-        });
+        const auto found =
+            parallel_list<VertexRun>(points.size(), kChunk, [&](std::size_t begin, std::size_t end, auto& runs) {
+                for (std::size_t v = begin; v < end; v = runs.back().end)
+                    runs.push_back(run_from(points.first(end), v, longest));
+            });
         std::vector<BlockCoord> places;
-        places.reserve(runs_.size());
-        for (const VertexRun& run : runs_) places.push_back(place_of(run));
+        places.reserve(found.size());
+        for (const VertexRun& run : found) places.push_back(place_of(run));
         groups_ = group_by<BlockCoordHash>(places);
+        runs_.reserve(found.size());
+        for (const std::uint32_t i : groups_.items) runs_.push_back(found[i]);
     }
 
     std::size_t size() const { return groups_.size(); }
-    auto runs(std::size_t group) const {
-        return groups_[group] | std::views::transform([this](std::uint32_t i) -> const VertexRun& { return runs_[i]; });
+    std::span<const VertexRun> runs(std::size_t group) const {
+        return std::span(runs_).subspan(groups_.begins[group], groups_[group].size());
     }
 
 private:
@@ -96,7 +98,7 @@ private:
     }
 
     Groups groups_;
-    std::vector<VertexRun> runs_;
+    std::vector<VertexRun> runs_;  // group after group
 };
 
 // Finds nearest features of points next to each other, and moves them onto the exact surface. A step along the distance
