@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "meniscus/surface.h"
+#include "support/rounded.h"
 
 namespace meniscus::testing {
 namespace {
@@ -39,7 +40,7 @@ TEST(SurfaceMesh, LabelsAreThoseOfTheNearestFeatureWhereTheVertexHasComeToLie) {
                 EXPECT_EQ(mesh.atoms[v], at.atom);
                 EXPECT_EQ(mesh.patches[v], at.patch);
                 if (method == Method::Direct) {
-                    EXPECT_NEAR(norm(mesh.normals[v] - at.normal), 0.0, 1e-7);
+                    expect_rounded_from(mesh.normals[v], at.normal, 1e-9);
                 }
             }
         }
