@@ -3,6 +3,7 @@
 // Text in comma-separated files.
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 
 #include "io/atomic_file.h"
@@ -11,7 +12,8 @@ namespace meniscus {
 
 /// A field as RFC 4180 wants it: in quotes if it holds a comma, a quote or a line end.
 inline void write_csv_field(AtomicFile& file, std::string_view text) {
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return file.write(text);
+    const auto is_special = [](char c) { return c == ',' || c == '"' || c == '\r' || c == '\n'; };
+    if (std::none_of(text.begin(), text.end(), is_special)) return file.write(text);
     file.write('"');
     for (const char c : text) {
         if (c == '"') file.write('"');

@@ -59,13 +59,12 @@ public:
         else
             add_vectors<double>({"x", "y", "z"}, mesh.vertices);
         if (!mesh.normals.empty()) add_vectors<float>({"nx", "ny", "nz"}, mesh.normals);
-        if (!mesh.atoms.empty()) add<std::uint32_t>("atom", [&mesh](std::size_t v) { return mesh.atoms[v]; });
-        if (!mesh.patches.empty()) add<std::uint8_t>("patch", [&mesh](std::size_t v) { return mesh.patches[v]; });
-        if (!mesh.components.empty())
-            add<std::int32_t>("component", [&mesh](std::size_t v) { return mesh.components[v]; });
-        for (const auto& [name, values] : measured_arrays(mesh)) add(name, values);
+        if (!mesh.atoms.empty()) add<std::uint32_t>("atom", std::span(mesh.atoms));
+        if (!mesh.patches.empty()) add<std::uint8_t>("patch", std::span(mesh.patches));
+        if (!mesh.components.empty()) add<std::int32_t>("component", std::span(mesh.components));
+        for (const auto& [name, values] : measured_arrays(mesh)) add<float>(name, values);
         for (const VertexArray& array : options.extra)
-            std::visit([&](auto values) { add(array.name, values); }, array.values);
+            std::visit([&]<class T>(std::span<const T> values) { add<T>(array.name, values); }, array.values);
         if (!options.colours.empty()) add_colours(options.colours);
     }
 
@@ -89,28 +88,24 @@ private:
         };
         const auto pack = [this, get, offset](std::size_t begin, std::size_t end, std::byte* records) {
             const std::size_t size = record_size_;
-            for (std::size_t v = begin; v < end; ++v) {
-                const std::array<T, N> values = get(v);
-                std::memcpy(records + (v - begin) * size + offset, values.data(), sizeof values);
+            const auto get_here = get;  // bytes may be anything's: `get` itself would be loaded anew after every store
+            for (std::byte* to = records + offset; begin < end; ++begin, to += size) {
+                const std::array<T, N> values = get_here(begin);
+                std::memcpy(to, values.data(), sizeof values);
             }
         };
         columns_.push_back({print, pack});
     }
 
-    template <class T, class Get>
-    void add(const std::string& name, const Get& get) {
-        add_column<T, 1>({name}, [get](std::size_t v) { return std::array<T, 1>{static_cast<T>(get(v))}; });
-    }
-
-    template <class T>
-    void add(const std::string& name, std::span<const T> values) {
-        add<T>(name, [values](std::size_t v) { return values[v]; });
+    template <class T, class From>
+    void add(const std::string& name, std::span<const From> values) {
+        add_column<T, 1>({name}, [values](std::size_t v) { return std::array<T, 1>{static_cast<T>(values[v])}; });
     }
 
     template <class T, class Vector>
     void add_vectors(const std::array<std::string, 3>& names, const std::vector<Vector>& vectors) {
-        add_column<T, 3>(names, [&vectors](std::size_t v) {
-            const auto& [x, y, z] = vectors[v];
+        add_column<T, 3>(names, [of = std::span(vectors)](std::size_t v) {
+            const auto& [x, y, z] = of[v];
             return std::array<T, 3>{static_cast<T>(x), static_cast<T>(y), static_cast<T>(z)};
         });
     }
@@ -136,24 +131,29 @@ private:
     void pack_records() {
         file_.reserve(mesh_.vertices.size() * record_size_ + mesh_.triangles.size() * kFaceSize);
         pack_in_batches(mesh_.vertices.size(), record_size_, [&](std::size_t begin, std::size_t end, std::byte* to) {
-            for (; begin < end; begin += kPackedAtOnce, to += kPackedAtOnce * record_size_)
-                for (const Column& column : columns_) column.pack(begin, std::min(begin + kPackedAtOnce, end), to);
+            for (const Column& column : columns_) column.pack(begin, end, to);
         });
         pack_in_batches(mesh_.triangles.size(), kFaceSize, [&](std::size_t begin, std::size_t end, std::byte* to) {
-            for (std::size_t t = begin; t < end; ++t, to += kFaceSize) {
+            for (const Triangle& triangle : std::span(mesh_.triangles).subspan(begin, end - begin)) {
                 *to = std::byte{3};
-                std::memcpy(to + 1, mesh_.triangles[t].data(), sizeof(Triangle));
+                std::memcpy(to + 1, triangle.data(), sizeof triangle);
+                to += kFaceSize;
             }
         });
     }
 
-    // One batch is written while the next one is packed.
-    template <class Pack>
-    void pack_in_batches(std::size_t count, std::size_t record_size, const Pack& pack) {
+    // One batch is written while the next one is packed. pack_few(begin, end, to): some records of a batch
+    template <class PackFew>
+    void pack_in_batches(std::size_t count, std::size_t record_size, const PackFew& pack_few) {
         const std::size_t batch = kBatch / record_size;
         std::array<std::vector<std::byte>, 2> records;
         for (auto& buffer : records) buffer.resize(std::min(count, batch) * record_size);
         const auto end_of = [&](std::size_t begin) { return std::min(count, begin + batch); };
+        const auto pack = [&](std::size_t first, std::size_t last, std::byte* to) {
+            parallel_chunks(last - first, kPackedAtOnce, [&](std::size_t begin, std::size_t end) {
+                pack_few(first + begin, first + end, to + begin * record_size);
+            });
+        };
         pack(0, end_of(0), records[0].data());
         for (std::size_t begin = 0; begin < count; begin = end_of(begin)) {
             const std::size_t next = end_of(begin);

@@ -202,8 +202,8 @@ private:
     using Off = VertexDistances::Off;
 
     static constexpr std::size_t kGroupsPerTask = 2;
-    static constexpr double kLongestRun = 12.0;  // spacings: a block and a half
-    static constexpr double kLongestWay = 0.5;   // spacings: nearly all vertices move less
+    static constexpr double kLongestRun = 9.0;  // spacings: little more than a block
+    static constexpr double kLongestWay = 0.5;  // spacings: nearly all vertices move less
 
     // Of a run's vertices, used again for the next run.
     struct Lanes {

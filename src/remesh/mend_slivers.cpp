@@ -32,7 +32,8 @@ constexpr std::size_t kStretch = TriangleBoxes::kStretch;
 
 constexpr std::size_t kRenumbered = 8192;  // triangles per task
 
-constexpr std::size_t kLeaningPerTask = 64;
+constexpr std::size_t kLeaningPerTask = 256;
+constexpr double kNeighbours = 4.0;  // usual lengths of edges: triangles within a cube of these look round together
 
 // In usual lengths of edges: how far from a bad triangle things change, and how far all is known.
 constexpr double kFree = 2.5;
@@ -50,6 +51,12 @@ struct Place {
     std::uint32_t triangle = 0;
     Box free;
     Box room;
+};
+
+// A triangle that others may pass through.
+struct Near {
+    std::uint32_t triangle;
+    SmallBox box;
 };
 
 // The part of a mesh round a place, and the mesh's numbers for it.
@@ -140,17 +147,46 @@ private:
         const BoxTree chunks(boxes_.boxes);
         auto all = parallel_list<std::uint32_t>(
             leaning.size(), kLeaningPerTask, [&](std::size_t begin, std::size_t end, auto& numbers) {
-                for (std::size_t i = begin; i < end; ++i) {
-                    const std::uint32_t t = leaning[i];
-                    for_each_near(chunks, box_of(mesh_, mesh_.triangles[t]), [&](std::uint32_t other) {
-                        if (other != t && meeting(mesh_, mesh_.triangles[t], mesh_.triangles[other]))
-                            numbers.insert(numbers.end(), {t, other});
-                    });
+                std::vector<Near> near;
+                while (begin < end) {
+                    const std::size_t count = neighbours_among(std::span(leaning).subspan(begin, end - begin));
+                    find_tangled(chunks, std::span(leaning).subspan(begin, count), near, numbers);
+                    begin += count;
                 }
             });
         std::sort(all.begin(), all.end());
         all.erase(std::unique(all.begin(), all.end()), all.end());
         return all;
+    }
+
+    // How many triangles from the first one on lie so near to each other that they share what is near them.
+    std::size_t neighbours_among(std::span<const std::uint32_t> triangles) const {
+        Box all;
+        std::size_t count = 0;
+        for (; count < triangles.size(); ++count) {
+            all.include(box_of(mesh_, mesh_.triangles[triangles[count]]));
+            const Vec3 size = all.high - all.low;
+            if (std::max({size.x, size.y, size.z}) > kNeighbours * options_.edge) break;
+        }
+        return std::max<std::size_t>(count, 1);
+    }
+
+    // Appends those of some neighbours and of all other triangles that pass through each other. near: memory
+    void find_tangled(const BoxTree& chunks, std::span<const std::uint32_t> neighbours, std::vector<Near>& near,
+                      std::vector<std::uint32_t>& numbers) const {
+        Box all;
+        for (const std::uint32_t t : neighbours) all.include(box_of(mesh_, mesh_.triangles[t]));
+        near.clear();
+        for_each_near(chunks, all, [&](std::uint32_t t) {
+            near.push_back({t, SmallBox(box_of(mesh_, mesh_.triangles[t]))});
+        });
+        for (const std::uint32_t t : neighbours) {
+            const SmallBox box(box_of(mesh_, mesh_.triangles[t]));
+            for (const Near& other : near)
+                if (box.overlaps(other.box) && other.triangle != t &&
+                    meeting(mesh_, mesh_.triangles[t], mesh_.triangles[other.triangle]))
+                    numbers.insert(numbers.end(), {t, other.triangle});
+        }
     }
 
     // Calls visit(triangle) for all whose boxes overlap one.
