@@ -26,8 +26,8 @@ public:
     /// Keeps nothing that was in it.
     void resize(std::size_t items) {
         size_ = items;
-        for (std::vector<double>& column : columns_)
-            if (column.size() < padded_size()) column.resize(padded_size());
+        if (columns_[0].size() >= padded_size()) return;
+        for (std::vector<double>& column : columns_) column.resize(padded_size());
     }
     std::size_t size() const { return size_; }
     std::size_t padded_size() const { return (size_ + kStep - 1) / kStep * kStep; }
@@ -41,6 +41,8 @@ private:
 
 using BallColumns = Columns<4>;  ///< centre, enlarged radius
 using CapColumns = Columns<5>;   ///< axis, t, sine of the rim's angle
+
+using NeighbourColumns = Columns<4>;  ///< axis, t of the caps that balls bury; without sense where they bury none
 
 /// The rim of a cap, and the frame that pseudo-angles along it are measured in.
 struct Rim {
@@ -61,9 +63,10 @@ struct MeetingColumns : Columns<9> {
 
 struct CapKernels {
     std::string_view instructions;  ///< "plain", "avx2" or "avx512"
-    /// excess[k]: squared distance of a ball's centre from `centre` less the square of both radii's sum; negative for
-    /// balls that meet.
-    void (*find_excess)(const BallColumns& balls, const Vec3& centre, double rho, double* excess);
+    /// The caps that balls bury on a sphere, as cap_between has them, and marks for the balls that meet it: a bit for
+    /// each (core/bits.h).
+    void (*find_caps)(const BallColumns& balls, const Vec3& centre, double rho, NeighbourColumns& caps,
+                      std::uint64_t* marks);
     /// The cap, the first of equals, that a direction is deepest in; caps.size() if it is in none. Behind the last cap
     /// t must be such that nothing is inside.
     std::size_t (*find_deepest)(const CapColumns& caps, const Vec3& direction);

@@ -196,10 +196,10 @@ void ContourBuilder::find_near(const Cap& cap) {
 
 // All before the first cut: long chains of arithmetic that overlap as long as no branch hangs on them.
 void ContourBuilder::cross_near(const Cap& cap) {
-    near_rims_.clear();
-    for (std::size_t i = 0; i < near_count_; ++i) near_rims_.push_back(arcs_[near_[i]].cap);
-    meetings_.resize(near_rims_.size());
-    kernels_->find_meetings(rims_, near_rims_, cap, meetings_);
+    if (near_rims_.size() < near_count_) near_rims_.resize(2 * near_count_);
+    for (std::size_t i = 0; i < near_count_; ++i) near_rims_[i] = arcs_[near_[i]].cap;
+    meetings_.resize(near_count_);
+    kernels_->find_meetings(rims_, std::span(near_rims_).first(near_count_), cap, meetings_);
 }
 
 RimCrossing ContourBuilder::crossing_of(std::size_t i) const {

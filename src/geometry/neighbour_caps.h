@@ -39,8 +39,9 @@ private:
     std::uint32_t searched_end_ = 0;
     std::vector<std::uint32_t> candidates_;
     BallColumns balls_;                      // of candidates_
-    std::vector<double> excess_;             // of candidates_, for the atom asked for
-    std::vector<std::uint32_t> neighbours_;  // positions in candidates_
+    NeighbourColumns caps_;                  // that they bury on the atom asked for
+    std::vector<std::uint64_t> marks_;       // of candidates_: those that meet it
+    std::vector<std::uint32_t> neighbours_;  // their positions in candidates_
     std::size_t neighbour_count_ = 0;
 };
 

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <random>
 
+#include "core/bits.h"
 #include "geometry/contour.h"
 #include "support/arrangements.h"
 
@@ -31,7 +32,8 @@ double sine_of(const Cap& cap) { return std::sqrt(1.0 - cap.t * cap.t); }
 
 // What a kernel set answers; only the items asked for.
 struct Answers {
-    std::vector<double> excess;
+    std::vector<std::uint64_t> meeting;
+    std::vector<double> caps;  // column after column
     std::vector<std::size_t> deepest;
     std::vector<double> idle;
     std::vector<double> meetings;
@@ -64,9 +66,12 @@ protected:
 
     Answers ask(const CapKernels& kernels) const {
         Answers answers;
-        answers.excess.resize(kItems + 7);
-        kernels.find_excess(balls_, kCentre, kRadius, answers.excess.data());
-        answers.excess.resize(kItems);
+        NeighbourColumns caps;
+        caps.resize(kItems);
+        answers.meeting.resize(words_for(kItems));
+        kernels.find_caps(balls_, kCentre, kRadius, caps, answers.meeting.data());
+        for (std::size_t column = 0; column < 4; ++column)
+            answers.caps.insert(answers.caps.end(), caps[column], caps[column] + kItems);
         for (const Cap& cap : buried_) answers.deepest.push_back(kernels.find_deepest(columns_, cap.axis));
         answers.idle.resize(kItems + 7);
         kernels.find_idle(columns_, extents_, buried_, answers.idle.data());
@@ -99,10 +104,27 @@ TEST_F(CapKernelsTest, EveryInstructionSetGivesTheSameBits) {
     for (const CapKernels& other : kernels) EXPECT_EQ(ask(other), plain);
 }
 
-TEST_F(CapKernelsTest, ExcessIsNegativeForBallsThatMeet) {
+TEST_F(CapKernelsTest, BallsThatMeetASphereAreMarked) {
     const Answers answers = ask(cap_kernels());
-    for (std::size_t i = 0; i < kItems; ++i)
-        EXPECT_EQ(answers.excess[i] < 0.0, norm(atoms_.centres[i] - kCentre) < kRadius + atoms_.radii[i]);
+    std::vector<std::uint32_t> marked(kItems);
+    marked.resize(list_items(answers.meeting.data(), kItems, marked.data()));
+    std::vector<std::uint32_t> meeting;
+    for (std::uint32_t i = 0; i < kItems; ++i)
+        if (norm(atoms_.centres[i] - kCentre) < kRadius + atoms_.radii[i]) meeting.push_back(i);
+    EXPECT_EQ(marked, meeting);
+}
+
+TEST_F(CapKernelsTest, RimsOfCapsLieOnBothSpheres) {
+    const Answers answers = ask(cap_kernels());
+    for (std::size_t i = 0; i < kItems; ++i) {
+        const auto column = [&](std::size_t c) { return answers.caps[c * kItems + i]; };
+        const Vec3 axis{column(0), column(1), column(2)};
+        const double t = column(3);
+        EXPECT_NEAR(dot(axis, normalised(atoms_.centres[i] - kCentre)), 1.0, 1e-14);
+        if (std::abs(t) >= 1.0) continue;  // there is none
+        const Vec3 on_rim = kCentre + kRadius * (t * axis + std::sqrt(1.0 - t * t) * perpendicular(axis));
+        EXPECT_NEAR(norm(on_rim - atoms_.centres[i]), atoms_.radii[i], 1e-12);
+    }
 }
 
 TEST_F(CapKernelsTest, DeepestCapHoldsADirectionMostOrNoneDoes) {
