@@ -11,6 +11,7 @@
 
 #include "core/group_by.h"
 #include "core/parallel.h"
+#include "core/workspaces.h"
 #include "geometry/local_features.h"
 #include "grid/block_grid.h"
 
@@ -57,15 +58,17 @@ template <class Make, class Visit>
 void for_each_block(const BlockGrid& grid, const Make& make, const Visit& visit) {
     constexpr std::size_t kGroupsPerChunk = 2;
     const BlockGroups groups(grid);
+    Workspaces evaluators(make);
     parallel_chunks(groups.size(), kGroupsPerChunk, [&](std::size_t begin, std::size_t end) {
-        const auto evaluator = make();
-        for (std::size_t g = begin; g < end; ++g) {
-            evaluator->enter(groups.box_of(groups.blocks(g)));
-            groups.for_each_part(g, [&](std::span<const BlockId> blocks) {
-                evaluator->enter_part(groups.box_of(blocks));
-                for (const BlockId b : blocks) visit(*evaluator, b);
-            });
-        }
+        evaluators.with_one([&](auto& evaluator) {
+            for (std::size_t g = begin; g < end; ++g) {
+                evaluator.enter(groups.box_of(groups.blocks(g)));
+                groups.for_each_part(g, [&](std::span<const BlockId> blocks) {
+                    evaluator.enter_part(groups.box_of(blocks));
+                    for (const BlockId b : blocks) visit(evaluator, b);
+                });
+            }
+        });
     });
 }
 

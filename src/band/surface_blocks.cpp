@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <unordered_set>
 
 #include "core/parallel.h"
+#include "core/workspaces.h"
 #include "geometry/accessible_surface_data.h"
 #include "geometry/nearest_batch.h"
 #include "meniscus/errors.h"
@@ -150,13 +152,15 @@ std::vector<BlockCoord> blocks_near_surface(const AccessibleSurface& surface, co
         if (const BlockCoord cube = cube_of(lattice.block_of(point)); seen.insert(cube).second)
             frontier.push_back(cube);
 
+    Workspaces searches([&] { return std::make_unique<CubeSearch>(surface, lattice, reach); });
     std::vector<BlockCoord> result;
     std::vector<CubeMask> near;
     while (!frontier.empty()) {
         near.resize(frontier.size());
         parallel_chunks(frontier.size(), kCubesPerChunk, [&](std::size_t begin, std::size_t end) {
-            CubeSearch search(surface, lattice, reach);
-            for (std::size_t c = begin; c < end; ++c) near[c] = search.near(frontier[c]);
+            searches.with_one([&](CubeSearch& search) {
+                for (std::size_t c = begin; c < end; ++c) near[c] = search.near(frontier[c]);
+            });
         });
         std::vector<BlockCoord> next;
         for (std::size_t c = 0; c < frontier.size(); ++c) {

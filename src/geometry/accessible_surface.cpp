@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
 
 #include "core/parallel.h"
+#include "core/workspaces.h"
 #include "geometry/accessible_surface_data.h"
 #include "geometry/cell_list.h"
 #include "geometry/neighbour_caps.h"
@@ -58,6 +60,15 @@ struct ChunkResult {
     std::vector<std::uint32_t> cover;
 };
 
+struct ContourWorkspace {
+    ContourWorkspace(const AccessibleSurface::Data& data, const CellList& cells) : neighbours(data, cells) {}
+
+    NeighbourCaps neighbours;
+    ContourBuilder builder;
+    std::vector<Cap> caps;
+    std::vector<std::uint32_t> place;  // of the kept caps among themselves
+};
+
 enum class Contour { Exposed, Buried, Inconsistent };
 
 // Builds the contour of atom i. `cover` names neighbours that buried most of it under another perturbation: an
@@ -98,28 +109,28 @@ bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const 
     data.cap_begin.assign(n + 1, 0);
     data.cover_begin.assign(n + 1, 0);
     data.exposed.assign(n, 0);
+    Workspaces workspaces([&] { return std::make_unique<ContourWorkspace>(data, cells); });
     parallel_chunks(n, per_task, [&](std::size_t begin, std::size_t end) {
-        ChunkResult& chunk = chunks[begin / per_task];
-        NeighbourCaps neighbours(data, cells);
-        ContourBuilder builder;
-        std::vector<Cap> caps;
-        std::vector<std::uint32_t> place;
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto atom = static_cast<std::uint32_t>(i);
-            const auto cover = before == nullptr ? std::span<const std::uint32_t>{} : before->cover_of(atom);
-            const Contour contour = build_contour(data, neighbours, atom, cover, caps, builder);
-            if (contour == Contour::Inconsistent) {
-                chunk.consistent = false;
-                return;
+        workspaces.with_one([&](ContourWorkspace& workspace) {
+            auto& [neighbours, builder, caps, place] = workspace;
+            ChunkResult& chunk = chunks[begin / per_task];
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto atom = static_cast<std::uint32_t>(i);
+                const auto cover = before == nullptr ? std::span<const std::uint32_t>{} : before->cover_of(atom);
+                const Contour contour = build_contour(data, neighbours, atom, cover, caps, builder);
+                if (contour == Contour::Inconsistent) {
+                    chunk.consistent = false;
+                    return;
+                }
+                for (const std::uint32_t k : builder.kept()) chunk.cover.push_back(caps[k].atom);
+                data.cover_begin[i + 1] = builder.kept().size();
+                if (contour == Contour::Buried) continue;
+                data.exposed[i] = 1;
+                append_contour(builder, caps, place, chunk);
+                data.contour_begin[i + 1] = builder.arcs().size();
+                data.cap_begin[i + 1] = builder.kept().size();
             }
-            for (const std::uint32_t k : builder.kept()) chunk.cover.push_back(caps[k].atom);
-            data.cover_begin[i + 1] = builder.kept().size();
-            if (contour == Contour::Buried) continue;
-            data.exposed[i] = 1;
-            append_contour(builder, caps, place, chunk);
-            data.contour_begin[i + 1] = builder.arcs().size();
-            data.cap_begin[i + 1] = builder.kept().size();
-        }
+        });
     });
     for (auto* begin : {&data.contour_begin, &data.cap_begin, &data.cover_begin})
         std::partial_sum(begin->begin(), begin->end(), begin->begin());

@@ -21,6 +21,7 @@ ToroidalPatch::Angle mirrored(const ToroidalPatch::Angle& angle) { return {-angl
 
 void measure_exposed_regions(const AccessibleSurface::Data& data, std::uint32_t atom, SphericalRegions& regions) {
     std::vector<Cap> caps;
+    caps.reserve(data.caps_of(atom).size());
     for (const CapPlane& plane : data.caps_of(atom)) caps.push_back({plane.axis, plane.t});
     std::vector<std::uint32_t> all(caps.size());
     std::iota(all.begin(), all.end(), 0U);

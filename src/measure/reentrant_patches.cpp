@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "core/mix_bits.h"
 #include "core/parallel.h"
+#include "core/workspaces.h"
 
 namespace meniscus {
 namespace {
@@ -217,13 +219,15 @@ private:
 template <class Visit>
 void trim_each(const AccessibleSurface& surface, std::uint64_t seed, Arcs arcs, const Visit& visit) {
     if (surface.probe() == 0.0) return;
+    Workspaces trimmers([&] { return std::make_unique<Trimmer>(surface, seed, arcs); });
     parallel_chunks(surface.vertex_count(), 128, [&](std::size_t begin, std::size_t end) {
-        Trimmer trimmer(surface, seed, arcs);
-        ReentrantPatch patch;
-        for (std::size_t v = begin; v < end; ++v) {
-            trimmer.trim(static_cast<std::uint32_t>(v), patch);
-            visit(static_cast<std::uint32_t>(v), patch);
-        }
+        trimmers.with_one([&](Trimmer& trimmer) {
+            ReentrantPatch patch;
+            for (std::size_t v = begin; v < end; ++v) {
+                trimmer.trim(static_cast<std::uint32_t>(v), patch);
+                visit(static_cast<std::uint32_t>(v), patch);
+            }
+        });
     });
 }
 

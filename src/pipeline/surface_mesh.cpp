@@ -18,6 +18,7 @@
 #include "core/group_by.h"
 #include "core/parallel.h"
 #include "core/parallel_list.h"
+#include "core/workspaces.h"
 #include "geometry/local_features.h"
 #include "geometry/nearest_batch.h"
 #include "grid/spline_block.h"
@@ -179,21 +180,14 @@ public:
     // Returns the distances to the exact surface.
     VertexDistances run() {
         const RunGroups groups(mesh_.vertices, kLongestRun * spacing_);
-        const auto off = parallel_list<Off>(
-            groups.size(), kGroupsPerTask, [&](std::size_t begin, std::size_t end, std::vector<Off>& list) {
-                const auto projector = std::make_unique<ExactProjector>(accessible_, kLongestWay * spacing_);
-                const auto lanes = std::make_unique<Lanes>();
-                std::optional<SplineBlock> spline;
-                if (level_set_ != nullptr) spline.emplace(level_set_->grid(), level_set_->coefficients());
-                for (std::size_t g = begin; g < end; ++g) {
-                    SmallBox box;
-                    for (const VertexRun& run : groups.runs(g)) box.include(run.box);
-                    projector->enter(box.box());
-                    for (const VertexRun& run : groups.runs(g))
-                        spline ? finish_on_level_set(run, *spline, *projector, *lanes)
-                               : finish_on_exact_surface(run, *projector, *lanes, list);
-                }
-            });
+        Workspaces workspaces([&] { return std::make_unique<Workspace>(accessible_, level_set_, spacing_); });
+        const auto off = parallel_list<Off>(groups.size(), kGroupsPerTask,
+                                            [&](std::size_t begin, std::size_t end, std::vector<Off>& list) {
+                                                workspaces.with_one([&](Workspace& workspace) {
+                                                    for (std::size_t g = begin; g < end; ++g)
+                                                        finish(groups.runs(g), workspace, list);
+                                                });
+                                            });
         if (level_set_ != nullptr) return VertexDistances(std::move(distances_));
         return {mesh_.vertices.size(), off};
     }
@@ -205,8 +199,16 @@ private:
     static constexpr double kLongestRun = 9.0;  // spacings: little more than a block
     static constexpr double kLongestWay = 0.5;  // spacings: nearly all vertices move less
 
-    // Of a run's vertices, used again for the next run.
-    struct Lanes {
+    // What is used again for the next vertices.
+    struct Workspace {
+        Workspace(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing)
+            : projector(accessible, kLongestWay * spacing) {
+            if (level_set != nullptr) spline.emplace(level_set->grid(), level_set->coefficients());
+        }
+
+        ExactProjector projector;
+        std::optional<SplineBlock> spline;
+        // Of a run.
         std::array<Landing, kBatchLanes> landings;
         std::array<FeatureLabel, kBatchLanes> labels;
         BatchSteps steps;
@@ -217,9 +219,17 @@ private:
         return std::span(mesh_.vertices).subspan(run.begin, run.end - run.begin);
     }
 
-    void finish_on_level_set(const VertexRun& run, SplineBlock& spline, ExactProjector& projector, Lanes& lanes) {
-        auto& [landings, labels, steps, shapes] = lanes;
-        spline.land(vertices(run), landings);
+    void finish(std::span<const VertexRun> runs, Workspace& workspace, std::vector<Off>& off) {
+        SmallBox box;
+        for (const VertexRun& run : runs) box.include(run.box);
+        workspace.projector.enter(box.box());
+        for (const VertexRun& run : runs)
+            workspace.spline ? finish_on_level_set(run, workspace) : finish_on_exact_surface(run, workspace, off);
+    }
+
+    void finish_on_level_set(const VertexRun& run, Workspace& workspace) {
+        auto& [projector, spline, landings, labels, steps, shapes] = workspace;
+        spline->land(vertices(run), landings);
         shape_kernels().of_landings(landings, run.end - run.begin, shapes);
         for (std::size_t v = run.begin; v < run.end; ++v) {
             const std::size_t lane = v - run.begin;
@@ -236,8 +246,8 @@ private:
         }
     }
 
-    void finish_on_exact_surface(const VertexRun& run, ExactProjector& projector, Lanes& lanes, std::vector<Off>& off) {
-        auto& [landings, labels, steps, shapes] = lanes;
+    void finish_on_exact_surface(const VertexRun& run, Workspace& workspace, std::vector<Off>& off) {
+        auto& [projector, spline, landings, labels, steps, shapes] = workspace;
         projector.project(run.box.box(), vertices(run), steps);
         const std::size_t count = run.end - run.begin;
         shapes.mean = steps.lanes.mean;
