@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flow/density_kernels.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

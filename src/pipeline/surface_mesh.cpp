@@ -181,13 +181,12 @@ public:
     VertexDistances run() {
         const RunGroups groups(mesh_.vertices, kLongestRun * spacing_);
         Workspaces workspaces([&] { return std::make_unique<Workspace>(accessible_, level_set_, spacing_); });
-        const auto off = parallel_list<Off>(groups.size(), kGroupsPerTask,
-                                            [&](std::size_t begin, std::size_t end, std::vector<Off>& list) {
-                                                workspaces.with_one([&](Workspace& workspace) {
-                                                    for (std::size_t g = begin; g < end; ++g)
-                                                        finish(groups.runs(g), workspace, list);
-                                                });
-                                            });
+        const auto finish_groups = [&](std::size_t begin, std::size_t end, std::vector<Off>& off) {
+            workspaces.with_one([&](Workspace& workspace) {
+                for (std::size_t g = begin; g < end; ++g) finish(groups.runs(g), workspace, off);
+            });
+        };
+        const auto off = parallel_list<Off>(groups.size(), kGroupsPerTask, finish_groups);
         if (level_set_ != nullptr) return VertexDistances(std::move(distances_));
         return {mesh_.vertices.size(), off};
     }
