@@ -3,7 +3,6 @@
 // Hashes that stand in for chance: the same for the same thing, on any machine.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 
 namespace meniscus {
@@ -19,6 +18,6 @@ constexpr std::uint64_t mix_bits(std::uint64_t h) {
 inline constexpr std::uint64_t kMixIncrement = 0x9E3779B97F4A7C15ULL;
 
 /// A number in [-1, 1) from a mixed hash.
-inline double signed_unit(std::uint64_t mixed) { return std::ldexp(static_cast<double>(mixed >> 11U), -52) - 1.0; }
+constexpr double signed_unit(std::uint64_t mixed) { return static_cast<double>(mixed >> 11U) * 0x1p-52 - 1.0; }
 
 }  // namespace meniscus

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/pairs.h"
+
 namespace meniscus {
 namespace {
 
@@ -13,73 +15,58 @@ constexpr double kPi = std::numbers::pi;
 
 double wrapped_turn(double angle) { return angle < 0.0 ? angle + 2.0 * kPi : angle; }
 
-double rim_sine(const Cap& cap) { return std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t)); }
+double rim_sine(const CapPlane& cap) { return std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t)); }
+
+struct PlanePair {
+    Pair3 axis;
+    Pair t;
+};
+
+PlanePair both(const CapPlane& a, const CapPlane& b) { return {both(a.axis, b.axis), Pair{a.t, b.t}}; }
 
 // Whether two caps share ground: one holds the other, or their rims cross.
-bool caps_overlap(const Cap& a, const Cap& b) {
+bool caps_overlap(const CapPlane& a, const CapPlane& b) {
     const double angle = std::atan2(norm(cross(a.axis, b.axis)), dot(a.axis, b.axis));
     return angle < std::acos(std::clamp(a.t, -1.0, 1.0)) + std::acos(std::clamp(b.t, -1.0, 1.0));
 }
 
 }  // namespace
 
-void SphericalRegions::measure(std::span<const Cap> caps, std::span<const ContourArc> arcs,
+void SphericalRegions::measure(std::span<const CapPlane> caps, std::span<const ContourArc> arcs,
                                std::span<const std::uint32_t> kept) {
-    caps_.assign(caps.begin(), caps.end());
+    caps_ = caps;
     contour_ = arcs;
     kept_ = kept;
-    measured_.clear();
+    measured_.resize(arcs.size());
     regions_.clear();
     if (kept.empty()) regions_.push_back({4.0 * kPi, {}});
     if (arcs.empty()) return;
     link_loops();
+    find_corners();
     measure_arcs();
     group_loops();
     add_up();
 }
 
-// Every arc ends where the next one starts.
-void SphericalRegions::measure_arcs() {
-    measured_.resize(contour_.size());
-    for (std::size_t a = 0; a < contour_.size(); ++a) {
-        const ContourArc& arc = contour_[a];
-        const Cap& cap = caps_[arc.cap];
-        measured_[a].start = arc.from == kWholeCircle ? cap.t * cap.axis + rim_sine(cap) * perpendicular(cap.axis)
-                                                      : rim_crossing(caps_[arc.from], cap);
-    }
-    for (std::size_t a = 0; a < contour_.size(); ++a) {
-        const ContourArc& arc = contour_[a];
-        const Cap& cap = caps_[arc.cap];
-        MeasuredArc& result = measured_[a];
-        result.end = measured_[next_[a]].start;
-        result.angle = 2.0 * kPi;
-        if (arc.from != kWholeCircle) {
-            const Vec3 beside = cross(result.start, cap.axis);  // clockwise around the cap
-            const Vec3 outward = result.start - cap.t * cap.axis;
-            result.angle = wrapped_turn(std::atan2(dot(result.end, beside), dot(result.end, outward)));
-            // The pseudo-angle, of period 4, tells a sweep of nothing from a whole turn.
-            if (arc.sweep < 1.0 && result.angle > 1.5 * kPi) result.angle = 0.0;
-            if (arc.sweep > 3.0 && result.angle < 0.5 * kPi) result.angle = 2.0 * kPi;
-        }
-    }
-}
-
-// A direction on an arc, that part of it after its start.
-Vec3 SphericalRegions::point_on(std::size_t arc, double part) const {
-    const Cap& cap = caps_[contour_[arc].cap];
-    const Vec3 e1 = measured_[arc].start - cap.t * cap.axis;
-    const double angle = part * measured_[arc].angle;
-    return normalised(cap.t * cap.axis + std::cos(angle) * e1 + std::sin(angle) * cross(e1, cap.axis));
+void SphericalRegions::measure(std::span<const CapPlane> caps, std::span<const ContourArc> arcs) {
+    while (all_.size() < caps.size()) all_.push_back(static_cast<std::uint32_t>(all_.size()));
+    measure(caps, arcs, std::span(all_).first(caps.size()));
 }
 
 void SphericalRegions::link_loops() {
     const auto n = static_cast<std::uint32_t>(contour_.size());
-    next_.assign(n, 0);
+    const auto follows = [&](const ContourArc& next, const ContourArc& arc) {
+        return next.cap == arc.to && next.from == arc.cap;
+    };
+    arc_on_.assign(caps_.size(), 0);
+    for (std::uint32_t a = 0; a < n; ++a) arc_on_[contour_[a].cap] = a;
+    next_.resize(n);
     for (std::uint32_t a = 0; a < n; ++a) {
-        next_[a] = a;
-        if (contour_[a].from == kWholeCircle) continue;
-        for (std::uint32_t b = 0; b < n; ++b)
-            if (contour_[b].cap == contour_[a].to && contour_[b].from == contour_[a].cap) next_[a] = b;
+        const ContourArc& arc = contour_[a];
+        next_[a] = arc.from == kWholeCircle ? a : arc_on_[arc.to];
+        if (arc.from == kWholeCircle || follows(contour_[next_[a]], arc)) continue;
+        for (std::uint32_t b = 0; b < n; ++b)  // few rims have more than one arc
+            if (follows(contour_[b], arc)) next_[a] = b;
     }
     constexpr std::uint32_t kUnseen = 0xffffffffU;
     loop_.assign(n, kUnseen);
@@ -89,6 +76,79 @@ void SphericalRegions::link_loops() {
         for (std::uint32_t b = a; loop_[b] == kUnseen; b = next_[b]) loop_[b] = loops_;
         ++loops_;
     }
+}
+
+// Where arcs start, as cross_rims has it, and how far the contour turns there.
+void SphericalRegions::find_corners() {
+    const std::size_t n = contour_.size();
+    corners_.resize(n);
+    const auto rim_before = [&](std::size_t a) {
+        const ContourArc& arc = contour_[a];
+        return caps_[arc.from == kWholeCircle ? arc.cap : arc.from];
+    };
+    for (std::size_t a = 0; a < n; a += 2) {
+        const std::size_t b = std::min(a + 1, n - 1);
+        const PlanePair from = both(rim_before(a), rim_before(b));
+        const PlanePair onto = both(caps_[contour_[a].cap], caps_[contour_[b].cap]);
+        const Pair3 s = from.axis + onto.axis;
+        const Pair3 e = onto.axis - from.axis;
+        const Pair along_s = (from.t + onto.t) / dot(s, s);
+        const Pair along_e = (onto.t - from.t) / dot(e, e);
+        const Pair discriminant = 1.0 - (along_s * (from.t + onto.t) + along_e * (onto.t - from.t));
+        const Pair3 w = cross(from.axis, e);
+        const Pair w2 = dot(w, w);
+        const Pair off = root((discriminant > 0.0 ? discriminant : Pair{}) / w2);
+        const Pair3 start = along_s * s + along_e * e + off * w;
+        const Pair corner = arc_tangent(off * w2, dot(from.axis, onto.axis) - from.t * onto.t);
+        measured_[a].start = start[0];
+        measured_[b].start = start[1];
+        corners_[a] = corner[0];
+        corners_[b] = corner[1];
+    }
+    for (std::size_t a = 0; a < n; ++a) {
+        if (contour_[a].from != kWholeCircle) continue;
+        const CapPlane& cap = caps_[contour_[a].cap];
+        measured_[a].start = cap.t * cap.axis + rim_sine(cap) * perpendicular(cap.axis);
+        corners_[a] = 0.0;
+    }
+}
+
+// Every arc ends where the next one starts.
+void SphericalRegions::measure_arcs() {
+    const std::size_t n = contour_.size();
+    areas_.resize(n);
+    for (std::size_t a = 0; a < n; a += 2) {
+        const std::size_t b = std::min(a + 1, n - 1);
+        const PlanePair cap = both(caps_[contour_[a].cap], caps_[contour_[b].cap]);
+        const Pair3 start = both(measured_[a].start, measured_[b].start);
+        const Pair3 end = both(measured_[next_[a]].start, measured_[next_[b]].start);
+        const Pair3 beside = cross(start, cap.axis);  // clockwise around the cap
+        const Pair3 outward = start - cap.t * cap.axis;
+        Pair angle = arc_tangent(dot(end, beside), dot(end, outward));
+        angle = angle < 0.0 ? angle + 2.0 * kPi : angle;
+        // The pseudo-angle, of period 4, tells a sweep of nothing from a whole turn.
+        const Pair sweep{contour_[a].sweep, contour_[b].sweep};
+        angle = (sweep < 1.0) & (angle > 1.5 * kPi) ? Pair{} : angle;
+        angle = (sweep > 3.0) & (angle < 0.5 * kPi) ? Pair{} + 2.0 * kPi : angle;
+        // ½ ∮ n × dn along the rim, n = t u + s e: the part along u, and the part of the chord.
+        const Pair3 area =
+            (-0.5 * (1.0 - cap.t * cap.t) * angle) * cap.axis + (0.5 * cap.t) * cross(cap.axis, end - start);
+        const auto set = [&](std::size_t arc, std::size_t i) {
+            measured_[arc].angle = angle[i];
+            measured_[arc].end = end[i];
+            areas_[arc] = area[i];
+        };
+        set(a, 0);
+        set(b, 1);
+    }
+}
+
+// A direction on an arc, that part of it after its start.
+Vec3 SphericalRegions::point_on(std::size_t arc, double part) const {
+    const CapPlane& cap = caps_[contour_[arc].cap];
+    const Vec3 e1 = measured_[arc].start - cap.t * cap.axis;
+    const double angle = part * measured_[arc].angle;
+    return normalised(cap.t * cap.axis + std::cos(angle) * e1 + std::sin(angle) * cross(e1, cap.axis));
 }
 
 std::uint32_t SphericalRegions::count_cap_clusters() const {
@@ -104,15 +164,18 @@ std::uint32_t SphericalRegions::count_cap_clusters() const {
 
 // Regions and clusters of caps alternate like a tree whose edges are the loops: regions = 1 + loops - clusters.
 void SphericalRegions::group_loops() {
+    if (loops_ == 1) {
+        loop_region_.assign(1, 0);
+        regions_.assign(1, {});
+        return;
+    }
     DisjointSets loops(loops_);
-    if (loops_ > 1) {
-        const std::uint32_t clusters = count_cap_clusters();
-        for (std::uint32_t loop = 1; loop < loops_; ++loop) {
-            if (clusters >= loops_)
-                loops.join(0, loop);  // each cluster has one loop: one region
-            else if (clusters > 1)
-                join_along_walk(loop, loops);
-        }
+    const std::uint32_t clusters = count_cap_clusters();
+    for (std::uint32_t loop = 1; loop < loops_; ++loop) {
+        if (clusters >= loops_)
+            loops.join(0, loop);  // each cluster has one loop: one region
+        else if (clusters > 1)
+            join_along_walk(loop, loops);
     }
     loop_region_ = loops.numbers();
     regions_.assign(set_count(loop_region_), {});
@@ -125,7 +188,7 @@ void SphericalRegions::walk(const Vec3& from, const Vec3& to) const {
     const Vec3 ahead = normalised(cross(normal, from));
     const double length = std::atan2(dot(to, ahead), dot(to, from));
     for (std::uint32_t a = 0; a < contour_.size(); ++a) {
-        const Cap& cap = caps_[contour_[a].cap];
+        const CapPlane& cap = caps_[contour_[a].cap];
         const double c = dot(cap.axis, from);
         const double s = dot(cap.axis, ahead);
         const double amplitude = std::hypot(c, s);
@@ -161,7 +224,7 @@ double SphericalRegions::steepness(const Stand& from, const Stand& to) const {
     const Vec3 normal = cross(from.point, to.point);
     if (norm(normal) < 1e-6) return 0.0;
     const auto across = [&](const Stand& at) {
-        const Cap& cap = caps_[contour_[at.arc].cap];
+        const CapPlane& cap = caps_[contour_[at.arc].cap];
         return std::abs(dot(normalised(cross(normal, at.point)), cap.axis)) / rim_sine(cap);
     };
     return std::min(across(from), across(to));
@@ -205,23 +268,16 @@ void SphericalRegions::join_along_walk(std::uint32_t loop, DisjointSets& loops) 
 }
 
 void SphericalRegions::add_up() {
-    std::vector<int> loops_of(regions_.size(), 0);
-    for (const std::uint32_t region : loop_region_) ++loops_of[region];
-    for (std::size_t r = 0; r < regions_.size(); ++r) regions_[r].solid_angle = 2.0 * kPi * (2 - loops_of[r]);
+    for (SphericalRegion& region : regions_) region.solid_angle = 2.0;
+    for (const std::uint32_t region : loop_region_) regions_[region].solid_angle -= 1.0;
+    for (SphericalRegion& region : regions_) region.solid_angle *= 2.0 * kPi;
     for (std::size_t a = 0; a < contour_.size(); ++a) {
-        const Cap& cap = caps_[contour_[a].cap];
         MeasuredArc& arc = measured_[a];
         arc.region = loop_region_[loop_[a]];
         SphericalRegion& region = regions_[arc.region];
-        region.solid_angle += cap.t * arc.angle;
-        // ½ ∮ n × dn along the rim, n = t u + s e: the part along u, and the part of the chord.
-        const double s2 = 1.0 - cap.t * cap.t;
-        region.vector_area += -0.5 * s2 * arc.angle * cap.axis + 0.5 * cap.t * cross(cap.axis, arc.end - arc.start);
-        if (contour_[a].to == kWholeCircle) continue;
-        const Cap& other = caps_[contour_[a].to];
-        const double sine = dot(arc.end, cross(cap.axis, other.axis));
-        const double cosine = dot(cap.axis, other.axis) - cap.t * other.t;
-        region.solid_angle -= std::atan2(sine, cosine);
+        region.solid_angle += caps_[contour_[a].cap].t * arc.angle;
+        region.solid_angle -= corners_[next_[a]];
+        region.vector_area += areas_[a];
     }
 }
 

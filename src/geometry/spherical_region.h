@@ -31,11 +31,14 @@ struct MeasuredArc {
 /// Measures the exposed ground of one sphere after the other, reusing its memory.
 class SphericalRegions {
 public:
-    /// caps, arcs and kept as a ContourBuilder left them; nothing is exposed if kept is not empty and arcs is.
+    /// arcs and kept as a ContourBuilder left them; nothing is exposed if kept is not empty and arcs is. Caps and arcs
+    /// must stay where they are as long as anything is asked.
     ///
-    /// cost     O(arcs² + kept²)
+    /// cost     O(arcs), O(arcs² + kept²) where these are more than one loop
     /// source   Gauss-Bonnet, as for Connolly's contact patches (J. Appl. Cryst. 16, 1983, 548-558)
-    void measure(std::span<const Cap> caps, std::span<const ContourArc> arcs, std::span<const std::uint32_t> kept);
+    void measure(std::span<const CapPlane> caps, std::span<const ContourArc> arcs, std::span<const std::uint32_t> kept);
+    /// The same where all caps are kept.
+    void measure(std::span<const CapPlane> caps, std::span<const ContourArc> arcs);
 
     std::span<const SphericalRegion> regions() const { return regions_; }
     /// In the order of the contour's arcs.
@@ -58,9 +61,10 @@ private:
         std::uint32_t arc;
     };
 
+    void link_loops();
+    void find_corners();
     void measure_arcs();
     Vec3 point_on(std::size_t arc, double part) const;
-    void link_loops();
     std::uint32_t count_cap_clusters() const;
     void group_loops();
     void walk(const Vec3& from, const Vec3& to) const;
@@ -70,12 +74,16 @@ private:
     void join_along_walk(std::uint32_t loop, DisjointSets& loops);
     void add_up();
 
-    std::vector<Cap> caps_;
+    std::span<const CapPlane> caps_;
     std::span<const ContourArc> contour_;
     std::span<const std::uint32_t> kept_;
+    std::vector<std::uint32_t> all_;  // the numbers of caps, where all are kept
     std::vector<MeasuredArc> measured_;
-    std::vector<std::uint32_t> next_;  // of each arc: the arc after it on its loop
-    std::vector<std::uint32_t> loop_;  // of each arc
+    std::vector<double> corners_;        // of each arc: the angle that the contour turns by at its start
+    std::vector<Vec3> areas_;            // of each arc: its part of the vector area
+    std::vector<std::uint32_t> arc_on_;  // of each cap: an arc of its rim
+    std::vector<std::uint32_t> next_;    // of each arc: the arc after it on its loop
+    std::vector<std::uint32_t> loop_;    // of each arc
     std::vector<std::uint32_t> loop_region_;
     std::uint32_t loops_ = 0;
     std::vector<SphericalRegion> regions_;

@@ -3,30 +3,29 @@
 #include "measure/patch_integrals.h"
 
 #include <cmath>
-#include <numeric>
+
+#include "core/pairs.h"
 
 namespace meniscus {
 namespace {
 
-// Of the direction from a circle's rim to a point of its axis.
-ToroidalPatch::Angle angle_at(double height, double radius) {
-    const double length = std::sqrt(height * height + radius * radius);
-    if (length == 0.0) return {};
-    return {std::atan2(height, radius), height / length, radius / length};
+// Of the directions from the circle's rim to the centres of both atoms.
+std::array<ToroidalPatch::Angle, 2> angles_to_atoms(const SasArc& arc) {
+    const Pair height{arc.height0, arc.height1};
+    const Pair radius = Pair{} + arc.radius;
+    const Pair length = root(height * height + radius * radius);
+    const Pair psi = arc_tangent(height, radius);
+    const Pair sine = height / length;
+    const Pair cosine = radius / length;
+    const auto angle = [&](std::size_t i) {
+        return length[i] > 0.0 ? ToroidalPatch::Angle{psi[i], sine[i], cosine[i]} : ToroidalPatch::Angle{};
+    };
+    return {angle(0), angle(1)};
 }
 
 ToroidalPatch::Angle mirrored(const ToroidalPatch::Angle& angle) { return {-angle.psi, -angle.sine, angle.cosine}; }
 
 }  // namespace
-
-void measure_exposed_regions(const AccessibleSurface::Data& data, std::uint32_t atom, SphericalRegions& regions) {
-    std::vector<Cap> caps;
-    caps.reserve(data.caps_of(atom).size());
-    for (const CapPlane& plane : data.caps_of(atom)) caps.push_back({plane.axis, plane.t});
-    std::vector<std::uint32_t> all(caps.size());
-    std::iota(all.begin(), all.end(), 0U);
-    regions.measure(caps, data.contour_of(atom), all);
-}
 
 PatchIntegrals sphere_patch(const Vec3& centre, double radius, const SphericalRegion& region, int side) {
     const double r2 = radius * radius;
@@ -42,8 +41,8 @@ bool meets_its_axis(const SasArc& arc, double probe) {
 }
 
 ToroidalPatch toroidal_patch(const SasArc& arc, double probe) {
-    const ToroidalPatch::Angle last = angle_at(arc.height1, arc.radius);
-    const ToroidalPatch::Angle first = mirrored(angle_at(arc.height0, arc.radius));
+    const auto [to_first, last] = angles_to_atoms(arc);
+    const ToroidalPatch::Angle first = mirrored(to_first);
     ToroidalPatch patch{.pieces = {{{first, last}}}, .count = 1};
     if (!meets_its_axis(arc, probe)) return patch;
     const double cosine = arc.radius / probe;

@@ -25,9 +25,6 @@ struct PatchIntegrals {
     }
 };
 
-/// The exposed regions of an atom's enlarged sphere. Precondition: the atom is exposed.
-void measure_exposed_regions(const AccessibleSurface::Data& data, std::uint32_t atom, SphericalRegions& regions);
-
 /// Part of a sphere with the outside of the ball as the solvent (side = 1) or the inside (side = -1).
 /// centre   relative to the origin of the volume integral
 PatchIntegrals sphere_patch(const Vec3& centre, double radius, const SphericalRegion& region, int side);

@@ -103,7 +103,7 @@ Sums sum_contact_patches(const AccessibleSurface::Data& data, const VolumeOrigin
         for (std::size_t i = begin; i < end; ++i) {
             if (data.exposed[i] == 0) continue;
             const auto atom = static_cast<std::uint32_t>(i);
-            measure_exposed_regions(data, atom, regions);
+            regions.measure(data.caps_of(atom), data.contour_of(atom));
             const Vec3 centre = data.atoms.centres[i] - origins.of(atom);
             for (const SphericalRegion& region : regions.regions()) {
                 const PatchIntegrals ses = sphere_patch(centre, data.rho[i] - data.probe, region, 1);

@@ -168,7 +168,9 @@ private:
             caps_[k].t +=
                 growth * plane_shift(v, caps_[k].atom, seed_ + 977 * static_cast<std::uint64_t>(attempt)) / data_.probe;
         if (!builder_.build(caps_)) return false;
-        regions_.measure(caps_, builder_.arcs(), builder_.kept());
+        planes_.clear();
+        for (const Cap& cap : caps_) planes_.push_back({cap.axis, cap.t});
+        regions_.measure(planes_, builder_.arcs(), builder_.kept());
         return accept(patch);
     }
 
@@ -212,6 +214,7 @@ private:
     bool may_miss_ = false;        // its corners lie within a hemisphere round their mean, not at its rim
     std::vector<Cap> base_;
     std::vector<Cap> caps_;
+    std::vector<CapPlane> planes_;  // of caps_
     ContourBuilder builder_;
     SphericalRegions regions_;
 };

@@ -51,7 +51,7 @@ void SesPatches::add_contact_patches() {
         for (std::size_t i = begin; i < end; ++i) {
             const auto atom = static_cast<std::uint32_t>(i);
             if (data_->exposed[i] == 0) continue;
-            measure_exposed_regions(*data_, atom, regions);
+            regions.measure(data_->caps_of(atom), data_->contour_of(atom));
             const Vec3 centre = data_->atoms.centres[i] - origins_.of(atom);
             const double rho = data_->rho[i];
             for (std::uint32_t r = 0; r < regions.regions().size(); ++r)
@@ -251,7 +251,7 @@ std::uint32_t SesPatches::component_at(const Vec3& point) const {
     const NearestHit hit = nearest_hit(*data_, point);
     if (hit.by_ball) {
         SphericalRegions regions;
-        measure_exposed_regions(*data_, hit.ball.atom, regions);
+        regions.measure(data_->caps_of(hit.ball.atom), data_->contour_of(hit.ball.atom));
         const Vec3 q = point - data_->atoms.centres[hit.ball.atom];
         const std::uint32_t part = regions.regions().size() > 1 ? regions.region_of(normalised(q)) : 0;
         return patches_[first_contact_[hit.ball.atom] + part].component;

@@ -20,12 +20,14 @@ Vec3 random_direction(std::mt19937_64& random) {
 
 struct Built {
     std::vector<Cap> caps;
+    std::vector<CapPlane> planes;
     ContourBuilder builder;
     SphericalRegions regions;
 
     explicit Built(std::vector<Cap> given) : caps(std::move(given)) {
         EXPECT_TRUE(builder.build(caps));
-        regions.measure(caps, builder.arcs(), builder.kept());
+        for (const Cap& cap : caps) planes.push_back({cap.axis, cap.t});
+        regions.measure(planes, builder.arcs(), builder.kept());
     }
     double solid_angle() const {
         double sum = 0.0;
