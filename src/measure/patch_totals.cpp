@@ -133,23 +133,27 @@ Sums sum_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed,
     const AccessibleSurface::Data& data = surface.data();
     struct Trimmed {
         Sums sums;
-        bool consistent = true;
+        std::vector<std::uint32_t> unresolved;
         bool degenerate = false;
     };
-    std::vector<Trimmed> trimmed(data.vertices.size());
+    const std::size_t tasks = (data.vertices.size() + kVerticesPerTask - 1) / kVerticesPerTask;
+    std::vector<Trimmed> trimmed(tasks, {Sums(likes.largest()), {}});
     for_each_reentrant_patch(surface, seed, [&](std::uint32_t v, const ReentrantPatch& patch) {
-        trimmed[v] = {Sums(likes.largest()), patch.consistent, patch.degenerate};
+        Trimmed& task = trimmed[v / kVerticesPerTask];
+        task.degenerate = task.degenerate || patch.degenerate;
+        if (!patch.consistent) task.unresolved.push_back(v);
+        const SasVertex& vertex = data.vertices[v];
+        const Vec3 centre = vertex.position - origins.of(vertex.atoms[0]);
         for (const SphericalRegion& region : patch.regions) {
-            const PatchIntegrals ses =
-                sphere_patch(data.vertices[v].position - origins.of(data.vertices[v].atoms[0]), data.probe, region, -1);
-            trimmed[v].sums.add(likes.reentrant(v, data.vertices[v], ses.area), ses);
+            const PatchIntegrals ses = sphere_patch(centre, data.probe, region, -1);
+            task.sums.add(likes.reentrant(v, vertex, ses.area), ses);
         }
     });
     Sums sums(likes.largest());
-    for (std::uint32_t v = 0; v < trimmed.size(); ++v) {
-        sums += trimmed[v].sums;
-        found.degenerate = found.degenerate || trimmed[v].degenerate;
-        if (!trimmed[v].consistent) found.unresolved.push_back(v);
+    for (const Trimmed& task : trimmed) {
+        sums += task.sums;
+        found.degenerate = found.degenerate || task.degenerate;
+        found.unresolved.insert(found.unresolved.end(), task.unresolved.begin(), task.unresolved.end());
     }
     return sums;
 }

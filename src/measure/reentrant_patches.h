@@ -42,6 +42,9 @@ struct ReentrantPatch {
 /// cost     linear at protein density; parallel over vertices
 std::vector<ReentrantPatch> trim_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed);
 
+/// Vertices v with the same v / kVerticesPerTask are visited by one thread, in their order.
+inline constexpr std::size_t kVerticesPerTask = 128;
+
 /// The same patches one after the other, without their arcs: calls visit(vertex, patch), from several threads, each
 /// vertex once.
 void for_each_reentrant_patch(const AccessibleSurface& surface, std::uint64_t seed,

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/reentrant_triangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/bits.h"
+#include "core/pairs.h"
+#include "core/sign_bits.h"
+
+namespace meniscus {
+namespace {
+
+constexpr double kLargestBox = 8.0;  // Å, diagonal, of the positions of vertices that share a search
+
+using Floats = float __attribute__((vector_size(16)));
+constexpr std::size_t kFloats = 4;
+
+Floats load(const float* from) {
+    Floats values;
+    std::memcpy(&values, from, sizeof(values));
+    return values;
+}
+
+// A box round the centres of all probes that come within a probe's radius of the triangle, or that lie where it does.
+// The triangle lies in the ball that has the rim of its cap as a great circle.
+Box room_of_reaching(const ReentrantTriangle& triangle, const Vec3& position, double probe) {
+    constexpr double kSlack = 1.001;  // what is_missed_by leaves to rounding, and the boxes of trees
+    Box box;
+    if (!triangle.within_cap) {
+        box.include(position);
+        return box.grown(kSlack * 2.0 * probe);
+    }
+    const double cosine = triangle.cos_farthest;
+    box.include(position + probe * cosine * triangle.middle);
+    return box.grown(kSlack * probe * (1.0 + std::sqrt(std::max(0.0, 1.0 - cosine * cosine))));
+}
+
+}  // namespace
+
+ReentrantTriangle::ReentrantTriangle(const AccessibleSurface::Data& data, const SasVertex& vertex) {
+    for (std::size_t k = 0; k < kSides; ++k)
+        corners[k] = normalised(data.atoms.centres[vertex.atoms[k]] - vertex.position);
+    const auto& [a, b, c] = corners;
+    // Away from the third corner: see SasVertex.
+    const Pair3 ab_bc = cross(both(a, b), both(b, c));
+    const Vec3 ca = cross(c, a);
+    const Pair sines = norm(ab_bc);
+    const double sine = norm(ca);
+    const Pair3 away = (1.0 / sines) * ab_bc;
+    sides = {away[0], away[1], (1.0 / sine) * ca};
+    const Pair cosines = dot(both(a, b), both(b, c));
+    const double cosine = dot(c, a);
+    // The solid angle is van Oosterom & Strackee's (1983).
+    const Pair first_two = arc_tangent(sines, cosines);
+    const Pair last_and_half =
+        arc_tangent(Pair{sine, std::abs(dot(a, ab_bc[1]))}, Pair{cosine, 1.0 + cosines[0] + cosines[1] + cosine});
+    lengths = {first_two[0], first_two[1], last_and_half[0]};
+    solid_angle = 2.0 * last_and_half[1];
+    const Vec3 sum = a + b + c;
+    middle = (1.0 / std::max(norm(sum), 1e-3)) * sum;
+    cos_farthest = std::min({dot(middle, a), dot(middle, b), dot(middle, c)});
+    within_cap = cos_farthest > 1e-3;
+}
+
+bool ReentrantTriangle::is_wide() const {
+    constexpr double kSliver = 1e-6;  // steradian
+    return within_cap && solid_angle > kSliver;
+}
+
+// Wholly beyond one side, as nearly all are that miss it, or off the nearest direction of the triangle.
+bool ReentrantTriangle::is_missed_by(const Vec3& axis, double t) const {
+    constexpr double kSlack = 1e-6;  // shifts of planes, rounding
+    const double sine = std::sqrt(1.0 - t * t);
+    const std::array<double, kSides> beyond{dot(axis, sides[0]), dot(axis, sides[1]), dot(axis, sides[2])};
+    if (std::max({beyond[0], beyond[1], beyond[2]}) > sine + kSlack) return true;
+    return within_cap && cos_nearest(axis, beyond) < t - kSlack;
+}
+
+// Cosine of the angle from a direction to the nearest one of the triangle: itself, or on a side that it lies beyond.
+double ReentrantTriangle::cos_nearest(const Vec3& axis, const std::array<double, kSides>& beyond) const {
+    double nearest = -1.0;
+    bool inside = true;
+    for (std::size_t k = 0; k < kSides; ++k) {
+        if (beyond[k] <= 0.0) continue;
+        inside = false;
+        const Vec3& from = corners[k];
+        const Vec3& to = corners[(k + 1) % kSides];
+        const Vec3 across = cross(axis, sides[k]);
+        const bool faces_side = dot(across, from) >= 0.0 && dot(across, to) <= 0.0;
+        nearest = std::max(nearest, faces_side ? std::sqrt(std::max(0.0, 1.0 - beyond[k] * beyond[k]))
+                                               : std::max(dot(axis, from), dot(axis, to)));
+    }
+    return inside ? 1.0 : nearest;
+}
+
+void NearProbes::visit(std::uint32_t v) {
+    if (v < begin_ || v >= end_) search_around(v);
+    visited_ = v;
+    choose_reaching();
+}
+
+void NearProbes::search_around(std::uint32_t v) {
+    Box positions;
+    Box room;
+    begin_ = end_ = v;
+    while (end_ < data_.vertices.size() && end_ - begin_ < kGroup) {
+        const SasVertex& vertex = data_.vertices[end_];
+        positions.include(vertex.position);
+        if (norm(positions.high - positions.low) > kLargestBox) break;
+        ReentrantTriangle& triangle = triangles_[end_++ - begin_];
+        triangle = ReentrantTriangle(data_, vertex);
+        room.include(room_of_reaching(triangle, vertex.position, data_.probe));
+    }
+    list_near(room);
+}
+
+void NearProbes::list_near(const Box& room) {
+    near_.clear();
+    data_.vertex_tree.for_each_overlapping(room, [&](std::uint32_t w) { near_.push_back(w); });
+    constexpr float kNowhere = 1e9F;  // in the places behind the last
+    const std::size_t padded = (near_.size() + kFloats - 1) / kFloats * kFloats;
+    for (std::vector<float>& places : places_) places.assign(padded, kNowhere);
+    const Vec3& origin = data_.vertices[begin_].position;
+    for (std::size_t i = 0; i < near_.size(); ++i) {
+        const SmallVec3 place = to_small(data_.vertices[near_[i]].position - origin);
+        places_[0][i] = place.x;
+        places_[1][i] = place.y;
+        places_[2][i] = place.z;
+    }
+}
+
+// Leaves out what is_missed_by finds wholly beyond a side, and what is too far away: four at once, without a root, in
+// single precision. A cap of t = d / 2R, at distance d, is beyond where (d b)² > d² (1 - t²), b = axis·side.
+void NearProbes::choose_reaching() {
+    const SmallVec3 at = to_small(data_.vertices[visited_].position - data_.vertices[begin_].position);
+    const std::array<Vec3, ReentrantTriangle::kSides>& sides = triangle().sides;
+    const std::array<SmallVec3, ReentrantTriangle::kSides> axes{to_small(sides[0]), to_small(sides[1]),
+                                                                to_small(sides[2])};
+    const double reach = 2.0 * data_.probe;
+    const auto steepness = static_cast<float>(1.0 / (reach * reach));
+    // Å²: more than ten times what rounding does to squares of coordinates that are at most as large as this sum.
+    const auto slack = static_cast<float>(1e-5 * (reach + kLargestBox) * (reach + kLargestBox));
+    reaching_.clear();
+    for (std::size_t i = 0; i < near_.size(); i += kFloats) {
+        const Floats x = load(&places_[0][i]) - at.x;
+        const Floats y = load(&places_[1][i]) - at.y;
+        const Floats z = load(&places_[2][i]) - at.z;
+        const Floats d2 = x * x + y * y + z * z;
+        Floats beyond{};
+        for (const SmallVec3& axis : axes) {
+            const Floats along = x * axis.x + y * axis.y + z * axis.z;
+            beyond = along > beyond ? along : beyond;
+        }
+        const Floats room = d2 * (1.0F - d2 * steepness) + slack - beyond * beyond;
+        std::array<float, kFloats> rooms;
+        std::memcpy(rooms.data(), &room, sizeof(room));
+        const std::uint64_t reaches = ~negative_bits(rooms) & 0xFU;
+        for_each_bit(reaches, [&](std::size_t bit) {
+            if (near_[i + bit] != visited_) reaching_.push_back(near_[i + bit]);
+        });
+    }
+}
+
+}  // namespace meniscus
