@@ -130,7 +130,7 @@ double torus_area_at_first(const AccessibleSurface::Data& data, const SesPatch& 
     const SasArc& arc = data.arcs[patch.feature];
     const auto [begin, end] = toroidal_patch(arc, data.probe).pieces[patch.part];
     if (begin.psi > 0.0) return 0.0;
-    return toroidal_piece(arc, data.probe, {begin, end.psi < 0.0 ? end : ToroidalPatch::Angle{}}, {}).area;
+    return toroidal_area(arc, data.probe, {begin, end.psi < 0.0 ? end : ToroidalPatch::Angle{}});
 }
 
 // What the first of a patch's atoms has of its area.
@@ -139,18 +139,26 @@ double area_of_first(const AccessibleSurface::Data& data, const SesPatch& patch)
     return patch.kind == PatchKind::Contact ? patch.ses.area : patch.ses.area / 3.0;
 }
 
-void share_among_atoms(const SesPatches& patches, Measures& measures) {
-    for (const SesPatch& patch : patches.patches()) {
-        const auto owners = atoms_of(patches.data(), patch);
-        const double first = area_of_first(patches.data(), patch);
+// With the components' numbers of the evaluation.
+std::vector<PatchMeasure> list_patches(const SesPatches& patches) {
+    std::vector<PatchMeasure> list;
+    list.reserve(patches.patches().size());
+    for (const SesPatch& patch : patches.patches())
+        list.push_back({patch.kind, atoms_of(patches.data(), patch), patch.component, patch.ses.area, patch.sas.area,
+                        area_of_first(patches.data(), patch)});
+    return list;
+}
+
+void share_among_atoms(Measures& measures) {
+    for (const PatchMeasure& patch : measures.patches) {
         if (patch.kind == PatchKind::Contact) {
-            measures.atoms[owners[0]].contact_area += patch.ses.area;
-            measures.atoms[owners[0]].sas_area += patch.sas.area;
+            measures.atoms[patch.atoms[0]].contact_area += patch.ses_area;
+            measures.atoms[patch.atoms[0]].sas_area += patch.sas_area;
         } else if (patch.kind == PatchKind::Toroidal) {
-            measures.atoms[owners[0]].toroidal_area += first;
-            measures.atoms[owners[1]].toroidal_area += patch.ses.area - first;
+            measures.atoms[patch.atoms[0]].toroidal_area += patch.first_share;
+            measures.atoms[patch.atoms[1]].toroidal_area += patch.ses_area - patch.first_share;
         } else {
-            for (const std::uint32_t atom : owners) measures.atoms[atom].reentrant_area += first;
+            for (const std::uint32_t atom : patch.atoms) measures.atoms[atom].reentrant_area += patch.first_share;
         }
     }
 }
@@ -178,6 +186,7 @@ struct ComponentSums {
     Vec3 origin;
     std::vector<std::uint32_t> sas_pieces;
     std::vector<std::uint32_t> atoms;
+    // Of cavities:
     Box room;                  // round its atoms
     std::vector<Vec3> probes;  // vertices, or the middle of arcs
 };
@@ -185,6 +194,7 @@ struct ComponentSums {
 std::vector<ComponentSums> sum_components(const SesPatches& patches) {
     const AccessibleSurface::Data& data = patches.data();
     std::vector<ComponentSums> sums(patches.component_count());
+    std::vector<std::uint32_t> listed_in(data.atoms.size(), kNone);  // of each atom: the component that has it last
     for (const SesPatch& patch : patches.patches()) {
         ComponentSums& sum = sums[patch.component];
         sum.component.ses_area += patch.ses.area;
@@ -194,25 +204,42 @@ std::vector<ComponentSums> sum_components(const SesPatches& patches) {
         sum.component.sas_area += patch.sas.area;
         sum.component.sas_volume += patch.sas.volume;
         for (const std::uint32_t atom : canonical_atoms_of(data, patch)) {
-            if (atom == kNone) continue;
+            if (atom == kNone || listed_in[atom] == patch.component) continue;
+            listed_in[atom] = patch.component;
             sum.atoms.push_back(data.atoms.original[atom]);
+        }
+        if (patch.kind == PatchKind::Contact) {
+            sum.component.contact_area += patch.ses.area;
+            if (sum.sas_pieces.empty() || sum.sas_pieces.back() != patch.sas_component)
+                sum.sas_pieces.push_back(patch.sas_component);
+        } else if (patch.kind == PatchKind::Toroidal) {
+            sum.component.toroidal_area += patch.ses.area;
+        } else {
+            sum.component.reentrant_area += patch.ses.area;
+        }
+    }
+    return sums;
+}
+
+// What largest_inscribed_sphere asks for.
+void look_into_cavities(const SesPatches& patches, std::vector<ComponentSums>& sums) {
+    const AccessibleSurface::Data& data = patches.data();
+    for (const SesPatch& patch : patches.patches()) {
+        ComponentSums& sum = sums[patch.component];
+        if (sum.signed_volume > 0.0) continue;
+        for (const std::uint32_t atom : canonical_atoms_of(data, patch)) {
+            if (atom == kNone) continue;
             Box ball;
             ball.include(data.atoms.centres[atom]);
             sum.room.include(ball.grown(data.atoms.radii[atom]));
         }
-        if (patch.kind == PatchKind::Contact) {
-            sum.component.contact_area += patch.ses.area;
-            sum.sas_pieces.push_back(patch.sas_component);
-        } else if (patch.kind == PatchKind::Toroidal) {
+        if (patch.kind == PatchKind::Toroidal) {
             const SasArc& arc = data.arcs[patch.feature];
-            sum.component.toroidal_area += patch.ses.area;
             sum.probes.push_back(arc.centre + arc.radius * arc.middle);
-        } else {
-            sum.component.reentrant_area += patch.ses.area;
+        } else if (patch.kind == PatchKind::Reentrant) {
             sum.probes.push_back(data.vertices[patch.feature].position);
         }
     }
-    return sums;
 }
 
 std::vector<std::uint32_t> sorted_without_repeats(std::vector<std::uint32_t> numbers) {
@@ -222,7 +249,7 @@ std::vector<std::uint32_t> sorted_without_repeats(std::vector<std::uint32_t> num
     return numbers;
 }
 
-void finish_component(const Evaluation& evaluation, const MeasureOptions& options, ComponentSums& sum) {
+void finish_component(const Evaluation& evaluation, ComponentSums& sum) {
     SurfaceComponent& component = sum.component;
     component.kind = sum.signed_volume > 0.0 ? ComponentKind::Outer : ComponentKind::Cavity;
     component.ses_volume = std::abs(sum.signed_volume);
@@ -230,7 +257,7 @@ void finish_component(const Evaluation& evaluation, const MeasureOptions& option
     component.sas_components = sorted_without_repeats(std::move(sum.sas_pieces)).size();
     component.centre = sum.origin + (1.0 / component.ses_area) * sum.first_moment;
     component.atoms = sorted_without_repeats(std::move(sum.atoms));
-    if (!options.cavities || component.kind != ComponentKind::Cavity || sum.probes.empty()) return;
+    if (sum.probes.empty()) return;
     const InscribedSphere sphere = largest_inscribed_sphere(evaluation.surface, sum.probes, sum.room);
     component.inscribed_centre = sphere.centre;
     component.inscribed_radius = sphere.radius;
@@ -253,10 +280,11 @@ SurfaceTotals totals_of(const ComponentSums& sum) {
 std::vector<SurfaceComponent> make_components(const Evaluation& evaluation, const Check* check,
                                               const MeasureOptions& options, std::vector<std::uint32_t>& number) {
     std::vector<ComponentSums> sums = sum_components(evaluation.patches);
+    if (options.cavities) look_into_cavities(evaluation.patches, sums);
     for (std::size_t c = 0; check != nullptr && c < sums.size(); ++c)
         sums[c].component.errors =
             estimate_errors(totals_of(sums[c]), check->sums.components[c], perturbation_of(evaluation, *check));
-    parallel_for(sums.size(), 1, [&](std::size_t c) { finish_component(evaluation, options, sums[c]); });
+    parallel_for(sums.size(), 1, [&](std::size_t c) { finish_component(evaluation, sums[c]); });
     std::vector<double> volumes(sums.size());
     std::transform(sums.begin(), sums.end(), volumes.begin(),
                    [](const ComponentSums& sum) { return sum.signed_volume; });
@@ -291,15 +319,18 @@ std::vector<std::string> name_disputed(const Evaluation& a, const Evaluation& b,
     for (const Evaluation* evaluation : {&a, &b})
         for (const std::uint32_t v : evaluation->patches.unresolved())
             names.push_back(name_patch(evaluation->surface.data(), v));
-    Measures of_a;
-    Measures of_b;
-    of_a.atoms.resize(atom_count);
-    of_b.atoms.resize(atom_count);
-    share_among_atoms(a.patches, of_a);
-    share_among_atoms(b.patches, of_b);
+    const auto shares_of = [&](const Evaluation& evaluation) {
+        Measures measures;
+        measures.atoms.resize(atom_count);
+        measures.patches = list_patches(evaluation.patches);
+        share_among_atoms(measures);
+        return measures.atoms;
+    };
+    const std::vector<AtomMeasure> of_a = shares_of(a);
+    const std::vector<AtomMeasure> of_b = shares_of(b);
     std::multimap<double, std::size_t, std::greater<>> by_difference;
     for (std::size_t i = 0; i < atom_count; ++i)
-        by_difference.emplace(std::abs(of_a.atoms[i].ses_area() - of_b.atoms[i].ses_area()), i);
+        by_difference.emplace(std::abs(of_a[i].ses_area() - of_b[i].ses_area()), i);
     for (const auto& [difference, atom] : by_difference)
         if (difference > 1e-6 && names.size() < kMostDisputed)
             names.push_back(fmt::format("patches of atom {} by {:.3g} Å²", atom, difference));
@@ -318,13 +349,11 @@ Measures describe(const Atoms& atoms, const MeasureOptions& options, const Evalu
     measures.sas_components = evaluation.patches.sas_component_count();
     measures.largest_sas_piece = areas_of_largest_sas_piece(evaluation.patches);
     measures.atoms.resize(atoms.size());
-    share_among_atoms(evaluation.patches, measures);
+    measures.patches = list_patches(evaluation.patches);
+    share_among_atoms(measures);
     std::vector<std::uint32_t> number;
     measures.components = make_components(evaluation, check, options, number);
-    measures.patches.reserve(evaluation.patches.patches().size());
-    for (const SesPatch& patch : evaluation.patches.patches())
-        measures.patches.push_back({patch.kind, atoms_of(evaluation.patches.data(), patch), number[patch.component],
-                                    patch.ses.area, patch.sas.area, area_of_first(evaluation.patches.data(), patch)});
+    for (PatchMeasure& patch : measures.patches) patch.component = number[patch.component];
     if (options.depth) add_depths(evaluation.surface, atoms, measures);
     return measures;
 }

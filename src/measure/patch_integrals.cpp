@@ -52,6 +52,11 @@ ToroidalPatch toroidal_patch(const SasArc& arc, double probe) {
     return patch;
 }
 
+double toroidal_area(const SasArc& arc, double probe, const ToroidalPatch::Range& range) {
+    const auto& [begin, end] = range;
+    return arc.angle * probe * (arc.radius * (end.psi - begin.psi) - probe * (end.sine - begin.sine));
+}
+
 // x = p - R n with p = centre + a e(θ), n = cos ψ e - sin ψ k, dA = (a - R cos ψ) R dψ dθ.
 PatchIntegrals toroidal_piece(const SasArc& arc, double probe, const ToroidalPatch::Range& range, const Vec3& centre) {
     const double a = arc.radius;
@@ -68,7 +73,7 @@ PatchIntegrals toroidal_piece(const SasArc& arc, double probe, const ToroidalPat
     const Vec3 radial = arc.whole_circle() ? Vec3{} : 2.0 * std::sin(0.5 * arc.angle) * arc.middle;  // ∫ e dθ
     const Vec3 normal = probe * (i1 * radial - arc.angle * i2 * arc.axis);                           // ∫ n dA
     PatchIntegrals patch;
-    patch.area = arc.angle * probe * i0;
+    patch.area = toroidal_area(arc, probe, range);
     patch.volume = (dot(centre, normal) + arc.angle * probe * i3) / 3.0;
     patch.first_moment = patch.area * centre + (a * probe * i0) * radial - probe * normal;
     return patch;

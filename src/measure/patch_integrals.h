@@ -53,6 +53,9 @@ bool meets_its_axis(const SasArc& arc, double probe);
 
 ToroidalPatch toroidal_patch(const SasArc& arc, double probe);
 
+/// The area over a range of ψ alone.
+double toroidal_area(const SasArc& arc, double probe, const ToroidalPatch::Range& range);
+
 /// Integrals over a range of ψ; centre: of the arc's circle, relative to the origin of the volume integral.
 PatchIntegrals toroidal_piece(const SasArc& arc, double probe, const ToroidalPatch::Range& range, const Vec3& centre);
 
