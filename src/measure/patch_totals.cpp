@@ -166,6 +166,7 @@ PatchTotals sum_patches(const AccessibleSurface& surface, std::uint64_t seed, co
     const Likes likes(first);
     const VolumeOrigins origins(data);
     PatchTotals found;
+    found.degenerate = has_coincident_probes(data);
     found.components.resize(likes.count());
     sum_contact_patches(data, origins, likes).add_to(found, PatchKind::Contact, likes.largest());
     sum_toroidal_patches(data, origins, likes).add_to(found, PatchKind::Toroidal, likes.largest());

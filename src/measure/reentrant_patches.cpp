@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kPlaneShift = 1e-9;  // Å: far above rounding, far below 1e-7 of any area
 constexpr int kMaxAttempts = 8;       // the last ones with a tenfold shift each
+
 // Probe positions this close (Å) are one position found by several triples: they share edges, not ground.
 constexpr double kSamePosition = 1e-6;
 
@@ -75,6 +76,7 @@ private:
     void gather_probes(std::uint32_t v, ReentrantPatch& patch) {
         const Vec3& at = data_.vertices[v].position;
         const double reach = 2.0 * data_.probe;
+        const ReentrantTriangle& triangle = near_.triangle();
         probes_.clear();
         for (const std::uint32_t w : near_.reaching()) {
             const Vec3 between = data_.vertices[w].position - at;
@@ -83,7 +85,7 @@ private:
             const double d = std::sqrt(d2);
             if (d < kSamePosition)
                 patch.degenerate = true;
-            else if (!near_.triangle().is_missed_by((1.0 / d) * between, d / reach))
+            else if (!triangle.is_missed_by((1.0 / d) * between, d / reach))
                 probes_.push_back({(1.0 / d) * between, d / reach, w});
         }
     }
@@ -161,6 +163,13 @@ void trim_each(const AccessibleSurface& surface, std::uint64_t seed, Arcs arcs, 
 }
 
 }  // namespace
+
+bool has_coincident_probes(const AccessibleSurface::Data& data) {
+    return std::any_of(data.arcs.begin(), data.arcs.end(), [&](const SasArc& arc) {
+        return !arc.whole_circle() &&
+               norm(data.vertices[arc.end].position - data.vertices[arc.start].position) < kSamePosition;
+    });
+}
 
 void for_each_reentrant_patch(const AccessibleSurface& surface, std::uint64_t seed,
                               const std::function<void(std::uint32_t, const ReentrantPatch&)>& visit) {

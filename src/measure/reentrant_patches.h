@@ -32,7 +32,8 @@ struct ReentrantPatch {
     std::vector<TrimmedArc> arcs;
     double triangle = 0.0;    ///< solid angle of the untrimmed triangle
     bool consistent = true;   ///< false: the trimming could not be resolved; regions are then empty
-    bool degenerate = false;  ///< probe positions coincide here, or the trimming had to be perturbed anew
+    bool degenerate = false;  ///< another probe position among those that trim it coincides with its own, or the
+                              ///< trimming had to be perturbed anew
 };
 
 /// Trims the triangles of all vertices.
@@ -41,6 +42,9 @@ struct ReentrantPatch {
 /// atoms whose circle is smaller than the probe have bisector planes through one line, in ordinary proteins too.
 /// cost     linear at protein density; parallel over vertices
 std::vector<ReentrantPatch> trim_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed);
+
+/// Whether probe positions at both ends of some arc coincide, as where more than three spheres meet in a point.
+bool has_coincident_probes(const AccessibleSurface::Data& data);
 
 /// Vertices v with the same v / kVerticesPerTask are visited by one thread, in their order.
 inline constexpr std::size_t kVerticesPerTask = 128;

@@ -24,7 +24,7 @@ Floats load(const float* from) {
     return values;
 }
 
-// A box round the centres of all probes that come within a probe's radius of the triangle, or that lie where it does.
+// A box round the centres of all probes that come within a probe's radius of the triangle, its own among them.
 // The triangle lies in the ball that has the rim of its cap as a great circle.
 Box room_of_reaching(const ReentrantTriangle& triangle, const Vec3& position, double probe) {
     constexpr double kSlack = 1.001;  // what is_missed_by leaves to rounding, and the boxes of trees
@@ -41,8 +41,11 @@ Box room_of_reaching(const ReentrantTriangle& triangle, const Vec3& position, do
 }  // namespace
 
 ReentrantTriangle::ReentrantTriangle(const AccessibleSurface::Data& data, const SasVertex& vertex) {
-    for (std::size_t k = 0; k < kSides; ++k)
-        corners[k] = normalised(data.atoms.centres[vertex.atoms[k]] - vertex.position);
+    std::array<Vec3, kSides> to_atoms;
+    for (std::size_t k = 0; k < kSides; ++k) {
+        to_atoms[k] = data.atoms.centres[vertex.atoms[k]] - vertex.position;
+        corners[k] = normalised(to_atoms[k]);
+    }
     const auto& [a, b, c] = corners;
     // Away from the third corner: see SasVertex.
     const Pair3 ab_bc = cross(both(a, b), both(b, c));
@@ -63,6 +66,22 @@ ReentrantTriangle::ReentrantTriangle(const AccessibleSurface::Data& data, const 
     middle = (1.0 / std::max(norm(sum), 1e-3)) * sum;
     cos_farthest = std::min({dot(middle, a), dot(middle, b), dot(middle, c)});
     within_cap = cos_farthest > 1e-3;
+    out_of_reach = is_wide() && lies_between(to_atoms, data.probe);
+}
+
+// Whether the patch, of which `probe` is the radius, lies in the tetrahedron of the probe's centre v and its atoms'
+// c_k. Then no other probe position y reaches it: |y - x|² - |v - x|² is linear in x, positive at v, and no less than 0
+// at all c_k, since y lies in none of their enlarged balls and v on all of them.
+bool ReentrantTriangle::lies_between(const std::array<Vec3, kSides>& to_atoms, double probe) const {
+    constexpr double kSlack = 1.001;  // more than the perturbation and rounding by far
+    const Vec3 normal = cross(to_atoms[1] - to_atoms[0], to_atoms[2] - to_atoms[0]);
+    const double volume = dot(normal, to_atoms[0]);
+    const double reach = kSlack * probe;
+    if (volume * volume > reach * reach * squared_norm(normal)) return true;  // the plane is farther away
+    const double length = std::copysign(norm(normal), volume);
+    const Vec3 axis = (1.0 / length) * normal;
+    const std::array<double, kSides> beyond{dot(axis, sides[0]), dot(axis, sides[1]), dot(axis, sides[2])};
+    return volume / length > reach * cos_nearest(axis, beyond);
 }
 
 bool ReentrantTriangle::is_wide() const {
@@ -99,7 +118,8 @@ double ReentrantTriangle::cos_nearest(const Vec3& axis, const std::array<double,
 void NearProbes::visit(std::uint32_t v) {
     if (v < begin_ || v >= end_) search_around(v);
     visited_ = v;
-    choose_reaching();
+    reaching_.clear();
+    if (!triangle().out_of_reach) choose_reaching();
 }
 
 void NearProbes::search_around(std::uint32_t v) {
@@ -112,7 +132,7 @@ void NearProbes::search_around(std::uint32_t v) {
         if (norm(positions.high - positions.low) > kLargestBox) break;
         ReentrantTriangle& triangle = triangles_[end_++ - begin_];
         triangle = ReentrantTriangle(data_, vertex);
-        room.include(room_of_reaching(triangle, vertex.position, data_.probe));
+        if (!triangle.out_of_reach) room.include(room_of_reaching(triangle, vertex.position, data_.probe));
     }
     list_near(room);
 }
@@ -143,7 +163,6 @@ void NearProbes::choose_reaching() {
     const auto steepness = static_cast<float>(1.0 / (reach * reach));
     // Å²: more than ten times what rounding does to squares of coordinates that are at most as large as this sum.
     const auto slack = static_cast<float>(1e-5 * (reach + kLargestBox) * (reach + kLargestBox));
-    reaching_.clear();
     for (std::size_t i = 0; i < near_.size(); i += kFloats) {
         const Floats x = load(&places_[0][i]) - at.x;
         const Floats y = load(&places_[1][i]) - at.y;

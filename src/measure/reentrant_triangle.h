@@ -31,9 +31,11 @@ struct ReentrantTriangle {
     double solid_angle = 0.0;
     Vec3 middle;                ///< direction of the corners' mean
     double cos_farthest = 0.0;  ///< of the angle from the middle to the farthest corner
+    bool out_of_reach = false;  ///< no part of it lies beyond the plane of the atoms' centres: see the constructor
     bool within_cap = false;    ///< the triangle lies within the cap of that angle, which is no hemisphere
 
 private:
+    bool lies_between(const std::array<Vec3, kSides>& to_atoms, double probe) const;
     double cos_nearest(const Vec3& axis, const std::array<double, kSides>& beyond) const;
 };
 
@@ -47,7 +49,8 @@ public:
     void visit(std::uint32_t v);
     /// Of the vertex visited.
     const ReentrantTriangle& triangle() const { return triangles_[visited_ - begin_]; }
-    /// Other vertices, in rising order: all whose probes reach into the triangle or lie where it does, and few others.
+    /// Other vertices, in rising order: all whose probes reach into the triangle, and few others; none if it is out of
+    /// reach.
     std::span<const std::uint32_t> reaching() const { return reaching_; }
 
 private:

@@ -35,6 +35,7 @@ std::uint32_t find_like(const std::vector<Feature>& features, std::uint32_t plac
 SesPatches::SesPatches(const AccessibleSurface& surface, std::uint64_t seed)
     : surface_(&surface), data_(&surface.data()), seed_(seed), origins_(*data_) {
     data_->require_contours();
+    degenerate_ = has_coincident_probes(*data_);
     add_contact_patches();
     add_toroidal_patches();
     reentrant_ = trim_reentrant_patches(surface, seed);

@@ -74,5 +74,12 @@ TEST(ReentrantPatches, ProbeOfNoSizeHasNone) {
     for (const ReentrantPatch& patch : trim_reentrant_patches(surface, 0)) EXPECT_TRUE(patch.regions.empty());
 }
 
+TEST(ReentrantPatches, ProbesThatTouchMoreThanThreeAtomsCoincide) {
+    Atoms square{{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}}, {1.7, 1.7, 1.7, 1.7}};
+    EXPECT_TRUE(has_coincident_probes(AccessibleSurface(square, 1.4).data()));
+    square.centres[2] = {3, 3, 1e-3};
+    EXPECT_FALSE(has_coincident_probes(AccessibleSurface(square, 1.4).data()));
+}
+
 }  // namespace
 }  // namespace meniscus
