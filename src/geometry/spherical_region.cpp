@@ -24,10 +24,10 @@ struct PlanePair {
 
 PlanePair both(const CapPlane& a, const CapPlane& b) { return {both(a.axis, b.axis), Pair{a.t, b.t}}; }
 
-// Whether two caps share ground: one holds the other, or their rims cross.
+// Whether two caps share ground, one of which may hold the other: their angular radii add up to half a turn, or to more
+// than the angle of their axes.
 bool caps_overlap(const CapPlane& a, const CapPlane& b) {
-    const double angle = std::atan2(norm(cross(a.axis, b.axis)), dot(a.axis, b.axis));
-    return angle < std::acos(std::clamp(a.t, -1.0, 1.0)) + std::acos(std::clamp(b.t, -1.0, 1.0));
+    return a.t + b.t <= 0.0 || dot(a.axis, b.axis) > a.t * b.t - rim_sine(a) * rim_sine(b);
 }
 
 }  // namespace

@@ -30,6 +30,13 @@ std::uint32_t find_like(const std::vector<Feature>& features, std::uint32_t plac
     return kNone;
 }
 
+// The edge of a vertex's triangle, numbered as in TrimmedArc, that an arc which starts or ends there runs along.
+std::size_t edge_along(const SasVertex& vertex, const SasArc& arc) {
+    const auto touches = [&](std::uint32_t atom) { return atom == arc.atoms[0] || atom == arc.atoms[1]; };
+    if (!touches(vertex.atoms[2])) return 0;
+    return touches(vertex.atoms[0]) ? 2 : 1;
+}
+
 }  // namespace
 
 SesPatches::SesPatches(const AccessibleSurface& surface, std::uint64_t seed)
@@ -124,7 +131,7 @@ void SesPatches::add_reentrant_patches() {
     vertex_arcs_.assign(reentrant_.size(), {kNone, kNone, kNone});
     for (std::uint32_t a = 0; a < data_->arcs.size(); ++a)
         for (const std::uint32_t v : {data_->arcs[a].start, data_->arcs[a].end})
-            if (v != kNoVertex) *std::find(vertex_arcs_[v].begin(), vertex_arcs_[v].end() - 1, kNone) = a;
+            if (v != kNoVertex) vertex_arcs_[v][edge_along(data_->vertices[v], data_->arcs[a])] = a;
     for (std::uint32_t v = 0; v < reentrant_.size(); ++v)
         for (const TrimmedArc& arc : reentrant_[v].arcs) {
             if (arc.angle < kShortestBorder) continue;
@@ -151,21 +158,12 @@ std::uint32_t SesPatches::torus_patch_at(std::uint32_t arc, const Vec3& point) c
     return torus_patch(arc, dot(at.axis, point - at.centre) > 0.0 ? at.atoms[1] : at.atoms[0]);
 }
 
-std::uint32_t SesPatches::arc_at_edge(std::uint32_t vertex, std::uint32_t edge) const {
-    const auto& atoms = data_->vertices[vertex].atoms;
-    const std::uint32_t i = std::min(atoms[edge], atoms[(edge + 1) % 3]);
-    const std::uint32_t j = std::max(atoms[edge], atoms[(edge + 1) % 3]);
-    for (const std::uint32_t a : vertex_arcs_[vertex])
-        if (a != kNone && data_->arcs[a].atoms == std::array{i, j}) return a;
-    return kNone;
-}
-
 // The patch on the other side of a stretch of a reentrant patch's border.
 std::uint32_t SesPatches::patch_across(std::uint32_t vertex, const TrimmedArc& arc) const {
     const Vec3& centre = data_->vertices[vertex].position;
     const Vec3 point = centre + data_->probe * arc.middle;
     if (arc.probe == TrimmedArc::kNoProbe) {
-        const std::uint32_t along = arc_at_edge(vertex, arc.edge);
+        const std::uint32_t along = vertex_arcs_[vertex][arc.edge];
         return along == kNone ? kNone : torus_patch_at(along, point);
     }
     // The other probe's border along the same circle: the stretch that reaches nearest to the middle of ours.

@@ -59,7 +59,6 @@ private:
     std::uint32_t component_of_nearest_area(std::uint32_t begin, std::uint32_t end, double area) const;
     std::uint32_t torus_patch(std::uint32_t arc, std::uint32_t atom) const;
     std::uint32_t torus_patch_at(std::uint32_t arc, const Vec3& point) const;
-    std::uint32_t arc_at_edge(std::uint32_t vertex, std::uint32_t edge) const;
     std::uint32_t patch_across(std::uint32_t vertex, const TrimmedArc& arc) const;
 
     const AccessibleSurface* surface_;
@@ -67,11 +66,11 @@ private:
     std::uint64_t seed_;
     VolumeOrigins origins_;
     std::vector<SesPatch> patches_;
-    std::vector<std::uint32_t> first_contact_;       // per atom, and the end
-    std::vector<std::uint32_t> first_torus_;         // per arc, and the end
-    std::vector<std::uint32_t> first_reentrant_;     // per vertex, and the end
-    std::vector<std::uint32_t> contact_beside_arc_;  // of each arc of a contour: region of its atom
-    std::vector<std::array<std::uint32_t, 3>> vertex_arcs_;
+    std::vector<std::uint32_t> first_contact_;               // per atom, and the end
+    std::vector<std::uint32_t> first_torus_;                 // per arc, and the end
+    std::vector<std::uint32_t> first_reentrant_;             // per vertex, and the end
+    std::vector<std::uint32_t> contact_beside_arc_;          // of each arc of a contour: region of its atom
+    std::vector<std::array<std::uint32_t, 3>> vertex_arcs_;  // of each vertex: the arc beside each edge of its triangle
     std::vector<ReentrantPatch> reentrant_;
     DisjointSets sets_;      // of patches
     DisjointSets sas_sets_;  // of contact patches
