@@ -6,8 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/pairs.h"
-
 namespace meniscus {
 namespace {
 
@@ -16,13 +14,6 @@ constexpr double kPi = std::numbers::pi;
 double wrapped_turn(double angle) { return angle < 0.0 ? angle + 2.0 * kPi : angle; }
 
 double rim_sine(const CapPlane& cap) { return std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t)); }
-
-struct PlanePair {
-    Pair3 axis;
-    Pair t;
-};
-
-PlanePair both(const CapPlane& a, const CapPlane& b) { return {both(a.axis, b.axis), Pair{a.t, b.t}}; }
 
 // Whether two caps share ground, one of which may hold the other: their angular radii add up to half a turn, or to more
 // than the angle of their axes.
@@ -42,7 +33,6 @@ void SphericalRegions::measure(std::span<const CapPlane> caps, std::span<const C
     if (kept.empty()) regions_.push_back({4.0 * kPi, {}});
     if (arcs.empty()) return;
     link_loops();
-    find_corners();
     measure_arcs();
     group_loops();
     add_up();
@@ -78,69 +68,15 @@ void SphericalRegions::link_loops() {
     }
 }
 
-// Where arcs start, as cross_rims has it, and how far the contour turns there.
-void SphericalRegions::find_corners() {
-    const std::size_t n = contour_.size();
-    corners_.resize(n);
-    const auto rim_before = [&](std::size_t a) {
-        const ContourArc& arc = contour_[a];
-        return caps_[arc.from == kWholeCircle ? arc.cap : arc.from];
-    };
-    for (std::size_t a = 0; a < n; a += 2) {
-        const std::size_t b = std::min(a + 1, n - 1);
-        const PlanePair from = both(rim_before(a), rim_before(b));
-        const PlanePair onto = both(caps_[contour_[a].cap], caps_[contour_[b].cap]);
-        const Pair3 s = from.axis + onto.axis;
-        const Pair3 e = onto.axis - from.axis;
-        const Pair along_s = (from.t + onto.t) / dot(s, s);
-        const Pair along_e = (onto.t - from.t) / dot(e, e);
-        const Pair discriminant = 1.0 - (along_s * (from.t + onto.t) + along_e * (onto.t - from.t));
-        const Pair3 w = cross(from.axis, e);
-        const Pair w2 = dot(w, w);
-        const Pair off = root((discriminant > 0.0 ? discriminant : Pair{}) / w2);
-        const Pair3 start = along_s * s + along_e * e + off * w;
-        const Pair corner = arc_tangent(off * w2, dot(from.axis, onto.axis) - from.t * onto.t);
-        measured_[a].start = start[0];
-        measured_[b].start = start[1];
-        corners_[a] = corner[0];
-        corners_[b] = corner[1];
-    }
-    for (std::size_t a = 0; a < n; ++a) {
+void SphericalRegions::measure_arcs() {
+    kernels_->find_corners(caps_, contour_, measured_);
+    for (std::size_t a = 0; a < contour_.size(); ++a) {
         if (contour_[a].from != kWholeCircle) continue;
         const CapPlane& cap = caps_[contour_[a].cap];
         measured_[a].start = cap.t * cap.axis + rim_sine(cap) * perpendicular(cap.axis);
-        corners_[a] = 0.0;
+        measured_[a].corner = 0.0;
     }
-}
-
-// Every arc ends where the next one starts.
-void SphericalRegions::measure_arcs() {
-    const std::size_t n = contour_.size();
-    areas_.resize(n);
-    for (std::size_t a = 0; a < n; a += 2) {
-        const std::size_t b = std::min(a + 1, n - 1);
-        const PlanePair cap = both(caps_[contour_[a].cap], caps_[contour_[b].cap]);
-        const Pair3 start = both(measured_[a].start, measured_[b].start);
-        const Pair3 end = both(measured_[next_[a]].start, measured_[next_[b]].start);
-        const Pair3 beside = cross(start, cap.axis);  // clockwise around the cap
-        const Pair3 outward = start - cap.t * cap.axis;
-        Pair angle = arc_tangent(dot(end, beside), dot(end, outward));
-        angle = angle < 0.0 ? angle + 2.0 * kPi : angle;
-        // The pseudo-angle, of period 4, tells a sweep of nothing from a whole turn.
-        const Pair sweep{contour_[a].sweep, contour_[b].sweep};
-        angle = (sweep < 1.0) & (angle > 1.5 * kPi) ? Pair{} : angle;
-        angle = (sweep > 3.0) & (angle < 0.5 * kPi) ? Pair{} + 2.0 * kPi : angle;
-        // ½ ∮ n × dn along the rim, n = t u + s e: the part along u, and the part of the chord.
-        const Pair3 area =
-            (-0.5 * (1.0 - cap.t * cap.t) * angle) * cap.axis + (0.5 * cap.t) * cross(cap.axis, end - start);
-        const auto set = [&](std::size_t arc, std::size_t i) {
-            measured_[arc].angle = angle[i];
-            measured_[arc].end = end[i];
-            areas_[arc] = area[i];
-        };
-        set(a, 0);
-        set(b, 1);
-    }
+    kernels_->measure_arcs(caps_, contour_, next_, measured_);
 }
 
 // A direction on an arc, that part of it after its start.
@@ -276,8 +212,8 @@ void SphericalRegions::add_up() {
         arc.region = loop_region_[loop_[a]];
         SphericalRegion& region = regions_[arc.region];
         region.solid_angle += caps_[contour_[a].cap].t * arc.angle;
-        region.solid_angle -= corners_[next_[a]];
-        region.vector_area += areas_[a];
+        region.solid_angle -= measured_[next_[a]].corner;
+        region.vector_area += arc.area;
     }
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/disjoint_sets.h"
 #include "geometry/contour.h"
+#include "geometry/region_kernels.h"
 #include "meniscus/vec3.h"
 
 namespace meniscus {
@@ -18,14 +19,6 @@ namespace meniscus {
 struct SphericalRegion {
     double solid_angle = 0.0;  ///< steradian
     Vec3 vector_area;          ///< integral of the direction over the region
-};
-
-/// An arc of the contour with its true angles.
-struct MeasuredArc {
-    double angle = 0.0;  ///< swept along the rim, radian
-    Vec3 start;          ///< directions of its ends; equal for a whole rim
-    Vec3 end;
-    std::uint32_t region = 0;  ///< the region on its exposed side
 };
 
 /// Measures the exposed ground of one sphere after the other, reusing its memory.
@@ -62,7 +55,6 @@ private:
     };
 
     void link_loops();
-    void find_corners();
     void measure_arcs();
     Vec3 point_on(std::size_t arc, double part) const;
     std::uint32_t count_cap_clusters() const;
@@ -74,13 +66,12 @@ private:
     void join_along_walk(std::uint32_t loop, DisjointSets& loops);
     void add_up();
 
+    const RegionKernels* kernels_ = &region_kernels();
     std::span<const CapPlane> caps_;
     std::span<const ContourArc> contour_;
     std::span<const std::uint32_t> kept_;
     std::vector<std::uint32_t> all_;  // the numbers of caps, where all are kept
     std::vector<MeasuredArc> measured_;
-    std::vector<double> corners_;        // of each arc: the angle that the contour turns by at its start
-    std::vector<Vec3> areas_;            // of each arc: its part of the vector area
     std::vector<std::uint32_t> arc_on_;  // of each cap: an arc of its rim
     std::vector<std::uint32_t> next_;    // of each arc: the arc after it on its loop
     std::vector<std::uint32_t> loop_;    // of each arc
