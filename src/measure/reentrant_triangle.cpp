@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "core/bits.h"
 #include "core/pairs.h"
@@ -140,7 +141,7 @@ void NearProbes::search_around(std::uint32_t v) {
 void NearProbes::list_near(const Box& room) {
     near_.clear();
     data_.vertex_tree.for_each_overlapping(room, [&](std::uint32_t w) { near_.push_back(w); });
-    constexpr float kNowhere = 1e9F;  // in the places behind the last
+    constexpr float kNowhere = std::numeric_limits<float>::infinity();  // for the places behind the last
     const std::size_t padded = (near_.size() + kFloats - 1) / kFloats * kFloats;
     for (std::vector<float>& places : places_) places.assign(padded, kNowhere);
     const Vec3& origin = data_.vertices[begin_].position;

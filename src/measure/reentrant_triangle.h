@@ -31,7 +31,7 @@ struct ReentrantTriangle {
     double solid_angle = 0.0;
     Vec3 middle;                ///< direction of the corners' mean
     double cos_farthest = 0.0;  ///< of the angle from the middle to the farthest corner
-    bool out_of_reach = false;  ///< no part of it lies beyond the plane of the atoms' centres: see the constructor
+    bool out_of_reach = false;  ///< of any other probe: it lies before the plane of its atoms' centres
     bool within_cap = false;    ///< the triangle lies within the cap of that angle, which is no hemisphere
 
 private:
