@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
-#include "core/parallel.h"
+#include "core/parallel_list.h"
 #include "geometry/nearest_feature.h"
 
 namespace meniscus {
@@ -52,31 +53,29 @@ SesPatches::SesPatches(const AccessibleSurface& surface, std::uint64_t seed)
 
 void SesPatches::add_contact_patches() {
     const std::size_t atoms = data_->atoms.size();
-    std::vector<std::vector<SesPatch>> of_atom(atoms);
     std::vector<std::uint32_t> arc_region(data_->contour.size());  // of each arc of a contour: region beside it
-    parallel_chunks(atoms, 128, [&](std::size_t begin, std::size_t end) {
-        SphericalRegions regions;
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto atom = static_cast<std::uint32_t>(i);
-            if (data_->exposed[i] == 0) continue;
-            regions.measure(data_->caps_of(atom), data_->contour_of(atom));
-            const Vec3 centre = data_->atoms.centres[i] - origins_.of(atom);
-            const double rho = data_->rho[i];
-            for (std::uint32_t r = 0; r < regions.regions().size(); ++r)
-                of_atom[i].push_back({.feature = atom,
-                                      .part = r,
-                                      .ses = sphere_patch(centre, rho - data_->probe, regions.regions()[r], 1),
-                                      .sas = sphere_patch(centre, rho, regions.regions()[r], 1)});
-            for (std::size_t a = 0; a < regions.arcs().size(); ++a)
-                arc_region[data_->contour_begin[i] + a] = regions.arcs()[a].region;
-        }
-    });
+    first_contact_.assign(atoms + 1, 0);
+    patches_ =
+        parallel_list<SesPatch>(atoms, 128, [&](std::size_t begin, std::size_t end, std::vector<SesPatch>& list) {
+            SphericalRegions regions;
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto atom = static_cast<std::uint32_t>(i);
+                if (data_->exposed[i] == 0) continue;
+                regions.measure(data_->caps_of(atom), data_->contour_of(atom));
+                const Vec3 centre = data_->atoms.centres[i] - origins_.of(atom);
+                const double rho = data_->rho[i];
+                for (std::uint32_t r = 0; r < regions.regions().size(); ++r)
+                    list.push_back({.feature = atom,
+                                    .part = r,
+                                    .ses = sphere_patch(centre, rho - data_->probe, regions.regions()[r], 1),
+                                    .sas = sphere_patch(centre, rho, regions.regions()[r], 1)});
+                first_contact_[i + 1] = static_cast<std::uint32_t>(regions.regions().size());
+                for (std::size_t a = 0; a < regions.arcs().size(); ++a)
+                    arc_region[data_->contour_begin[i] + a] = regions.arcs()[a].region;
+            }
+        });
     patches_.reserve(atoms + data_->arcs.size() + data_->vertices.size());  // about: few fall apart
-    first_contact_.assign(1, 0);
-    for (const std::vector<SesPatch>& own : of_atom) {
-        patches_.insert(patches_.end(), own.begin(), own.end());
-        first_contact_.push_back(static_cast<std::uint32_t>(patches_.size()));
-    }
+    std::partial_sum(first_contact_.begin(), first_contact_.end(), first_contact_.begin());
     // Contact patches on both sides of an arc belong to one piece of the SAS.
     sas_sets_.grow(patches_.size());
     std::vector<std::uint32_t> beside(data_->arcs.size(), kNone);
