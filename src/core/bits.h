@@ -24,19 +24,6 @@ void for_each_bit(std::uint64_t word, const Visit& visit) {
     for (; word != 0; word &= word - 1) visit(static_cast<std::size_t>(std::countr_zero(word)));
 }
 
-/// A matrix of eight rows, the bytes of a word from the lowest on, with rows and columns exchanged (Warren, Hacker's
-/// Delight, 7-3).
-constexpr std::uint64_t transposed(std::uint64_t matrix) {
-    const auto exchange = [&matrix](unsigned distance, std::uint64_t mask) {
-        const std::uint64_t differ = (matrix ^ matrix >> distance) & mask;
-        matrix ^= differ ^ differ << distance;
-    };
-    exchange(7, 0x00AA00AA00AA00AAU);
-    exchange(14, 0x0000CCCC0000CCCCU);
-    exchange(28, 0x00000000F0F0F0F0U);
-    return matrix;
-}
-
 /// How many words hold a bit for each of so many items.
 constexpr std::size_t words_for(std::size_t items) { return (items + 63) / 64; }
 

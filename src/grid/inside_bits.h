@@ -21,9 +21,6 @@ using UnitBits = std::uint64_t;
 static_assert(8 * sizeof(UnitBits) == kUnitNodes);
 constexpr int node_in_unit(int x, int y, int z) { return x + kUnitEdge * (y + kUnitEdge * z); }
 
-/// Nodes of a unit at its lower end along each axis.
-inline constexpr std::array<UnitBits, 3> kFirstNodes{0x1111111111111111U, 0x000F000F000F000FU, 0x000000000000FFFFU};
-
 /// One word per unit: number x + 2 y + 4 z.
 using InsideBits = std::array<UnitBits, kUnits>;
 

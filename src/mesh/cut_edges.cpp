@@ -9,11 +9,24 @@
 #include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "core/sign_bits.h"
+#include "mesh/cell_cases.h"
 
 namespace meniscus {
 namespace {
 
 constexpr std::size_t kGrain = 32;  // blocks per task: some tens of microseconds
+
+constexpr std::uint64_t kLastColumn = kFirstColumn << (kBlockEdge - 1);
+constexpr std::uint64_t kLastRow = kFirstRow << (kBlockEdge * (kBlockEdge - 1));
+
+using WordPair = std::uint64_t __attribute__((vector_size(16)));  // of two layers
+
+// Exchanges the bits `lower` of b with those of a that are numbered higher by a distance.
+void exchange(WordPair& a, WordPair& b, int distance, std::uint64_t lower) {
+    const WordPair differ = (a >> distance ^ b) & lower;
+    b ^= differ;
+    a ^= differ << distance;
+}
 
 std::array<float, 4> four_of(const float* values) {
     std::array<float, 4> four;
@@ -21,146 +34,145 @@ std::array<float, 4> four_of(const float* values) {
     return four;
 }
 
-InsideBits inside_bits_of_block(const float* values) {
-    constexpr std::uint64_t kHalfRow = 0xF;
-    InsideBits bits{};
-    for (std::size_t z = 0; z < kBlockEdge; ++z)
-        for (std::size_t y = 0; y < kBlockEdge; ++y, values += kBlockEdge) {
-            const std::uint64_t row = negative_bits(four_of(values)) | negative_bits(four_of(values + 4)) << 4U;
-            const std::size_t unit = 2 * (y / kUnitEdge) + 4 * (z / kUnitEdge);
-            const std::size_t node = kUnitEdge * (y % kUnitEdge + kUnitEdge * (z % kUnitEdge));
-            bits[unit] |= (row & kHalfRow) << node;
-            bits[unit + 1] |= row >> kUnitEdge << node;
-        }
-    return bits;
+LayerBits layers_of_block(const float* values) {
+    LayerBits layers{};
+    for (std::uint64_t& layer : layers)
+        for (std::size_t y = 0; y < kBlockEdge; ++y, values += kBlockEdge)
+            layer |= (negative_bits(four_of(values)) | negative_bits(four_of(values + 4)) << 4U) << (kBlockEdge * y);
+    return layers;
 }
 
-// How much higher the last node of a unit along an axis is numbered than the first.
-constexpr std::size_t last_along(std::size_t axis) { return std::size_t{kUnitEdge - 1} << (2 * axis); }
-
-// Inside bits of the nodes after those of a unit along a direction.
-UnitBits next_along(std::size_t direction, UnitBits unit, UnitBits beyond) {
-    const std::size_t step = std::size_t{1} << (2 * direction);
-    const std::size_t last = last_along(direction);
-    const UnitBits first = kFirstNodes[direction];
-    return (unit >> step & ~(first << last)) | (beyond & first) << last;
+// Every other half of the rows of a block: those of a layer of two units, one beyond the other along y.
+constexpr std::uint64_t half_rows(UnitBits near, UnitBits far, std::size_t z) {
+    constexpr std::size_t kLayer = kUnitEdge * kUnitEdge;
+    std::uint64_t rows = (near >> (kLayer * z) & 0xFFFFU) | (far >> (kLayer * z) & 0xFFFFU) << 32U;
+    rows = (rows | rows << 8U) & 0x00FF00FF00FF00FFU;
+    return (rows | rows << 4U) & 0x0F0F0F0F0F0F0F0FU;
 }
 
-// The rows of a layer of a unit, every other half of the rows of a block.
-constexpr std::uint64_t spread_rows(std::uint64_t layer) {
-    layer = (layer | layer << 8U) & 0x00FF00FFU;
-    return (layer | layer << 4U) & 0x0F0F0F0FU;
-}
-
-// Vertices are numbered layer by layer, cells are found unit by unit.
-LayerBits layers_of(const InsideBits& units) {
-    constexpr std::size_t kEdge = kUnitEdge;
+LayerBits layers_of_block(const InsideBits& units) {
     LayerBits layers;
     for (std::size_t z = 0; z < kBlockEdge; ++z) {
-        const std::size_t first = z / kEdge * 4;
-        const auto rows = [&](std::size_t unit) {
-            return spread_rows(units[first + unit] >> (kEdge * kEdge * (z % kEdge)) & 0xFFFFU);
-        };
-        layers[z] = rows(0) | rows(1) << 4U | rows(2) << 32U | rows(3) << 36U;
+        const UnitBits* const unit = units.data() + z / kUnitEdge * 4;
+        const std::uint64_t left = half_rows(unit[0], unit[2], z % kUnitEdge);
+        const std::uint64_t right = half_rows(unit[1], unit[3], z % kUnitEdge);
+        layers[z] = left | right << kUnitEdge;
     }
     return layers;
 }
 
+// A layer of nodes, with those next to it along x, y and both, as in NodesAround.
+std::array<std::uint64_t, 4> shifted_layers(std::uint64_t own, std::uint64_t x, std::uint64_t y, std::uint64_t xy) {
+    constexpr std::size_t kLast = kBlockEdge - 1;
+    const std::uint64_t next = (own & ~kFirstColumn) >> 1U | (x & kFirstColumn) << kLast;
+    const std::uint64_t next_of_y = (y & (kFirstRow - 1)) >> 1U | (xy & 1U) << kLast;
+    return {own, next, own >> kBlockEdge | y << (kBlockEdge * kLast),
+            next >> kBlockEdge | next_of_y << (kBlockEdge * kLast)};
+}
+
+LayerBits whole_cells(const std::array<bool, 8>& exists) {
+    LayerBits whole;
+    whole.fill(~std::uint64_t{0});
+    // Cells that reach into an octant do so along each of its axes.
+    for (std::size_t octant = 1; octant < 8; ++octant) {
+        if (exists[octant]) continue;
+        std::uint64_t reaching = ~std::uint64_t{0};
+        if ((octant & 1U) != 0) reaching &= kLastColumn;
+        if ((octant & 2U) != 0) reaching &= kLastRow;
+        for (std::size_t z = (octant & 4U) != 0 ? kBlockEdge - 1 : 0; z < kBlockEdge; ++z) whole[z] &= ~reaching;
+    }
+    return whole;
+}
+
 // Fills in the bits and ranks of a block and returns how many vertices it has.
-std::size_t find_cut_edges(const BlockGrid& grid, std::span<const InsideBits> inside, std::size_t block,
-                           CutEdges& edges) {
-    const auto& around = grid.neighbours(static_cast<BlockId>(block));
-    const InsideBits& bits = inside[block];
+std::size_t find_cut_edges(const NodesAround& nodes, CutEdges& edges) {
+    const std::uint64_t with_x = nodes.exists[1] ? ~std::uint64_t{0} : ~kLastColumn;
+    const std::uint64_t with_y = nodes.exists[2] ? ~std::uint64_t{0} : ~kLastRow;
+    for (std::size_t z = 0; z < kBlockEdge; ++z) {
+        const std::uint64_t own = nodes.inside[0][z];
+        edges.bits[0][z] = (own ^ nodes.inside[1][z]) & with_x;
+        edges.bits[1][z] = (own ^ nodes.inside[2][z]) & with_y;
+        edges.bits[2][z] = own ^ nodes.inside[0][z + 1];
+    }
+    if (!nodes.exists[4]) edges.bits[2].back() = 0;
     std::size_t count = 0;
-    for (std::size_t d = 0; d < 3; ++d) {
-        const BlockId beyond = upper_neighbour(around, std::size_t{1} << d);
-        InsideBits cut;
-        for (std::size_t unit = 0; unit < kUnits; ++unit) {
-            const std::size_t next = unit ^ std::size_t{1} << d;
-            if (next > unit)
-                cut[unit] = bits[unit] ^ next_along(d, bits[unit], bits[next]);
-            else if (beyond != kNoBlock)
-                cut[unit] = bits[unit] ^ next_along(d, bits[unit], inside[beyond][next]);
-            else
-                cut[unit] = (bits[unit] ^ next_along(d, bits[unit], 0)) & ~(kFirstNodes[d] << last_along(d));
-        }
-        edges.bits[d] = layers_of(cut);
+    for (std::size_t d = 0; d < 3; ++d)
         for (std::size_t z = 0; z < kBlockEdge; ++z) {
             edges.rank[d][z] = static_cast<std::uint16_t>(count);
             count += count_bits(edges.bits[d][z]);
         }
-    }
     return count;
 }
 
 }  // namespace
 
-std::vector<InsideBits> inside_bits(const BlockGrid& grid, std::span<const float> values) {
-    std::vector<InsideBits> inside(grid.block_count());
-    parallel_for(inside.size(), kGrain,
-                 [&](std::size_t b) { inside[b] = inside_bits_of_block(values.data() + b * kBlockNodes); });
-    return inside;
-}
-
-UnitsAround units_around(const BlockGrid& grid, std::span<const InsideBits> inside, std::size_t block) {
-    constexpr std::size_t kEdge = UnitsAround::kEdge;
+NodesAround nodes_around(const BlockGrid& grid, std::span<const LayerBits> inside, std::size_t block) {
+    static constexpr LayerBits kMissing{};
     const auto& around = grid.neighbours(static_cast<BlockId>(block));
-    UnitBits any = 0;
-    UnitBits all = ~UnitBits{0};
-    UnitsAround units;
+    NodesAround nodes;
+    std::array<const LayerBits*, 8> layers;
     for (std::size_t octant = 0; octant < 8; ++octant) {
         const BlockId b = upper_neighbour(around, octant);
-        units.exists[octant] = b != kNoBlock;
-        if (b == kNoBlock) continue;
-        for (std::size_t unit = 0; unit < kUnits; ++unit) {
-            if ((unit & octant) != 0) continue;  // not next to the block
-            const auto at = [&](std::size_t axis) { return (unit >> axis & 1U) + 2 * (octant >> axis & 1U); };
-            const UnitBits word = inside[b][unit];
-            units.inside[at(0) + kEdge * (at(1) + kEdge * at(2))] = word;
-            any |= word;
-            all &= word;
-        }
+        nodes.exists[octant] = b != kNoBlock;
+        layers[octant] = b != kNoBlock ? &inside[b] : &kMissing;
     }
-    units.mixed = any != 0 && ~all != 0;
-    return units;
+    const auto enter = [&](std::size_t z, std::size_t first, std::size_t layer) {
+        const auto word = [&](std::size_t octant) { return (*layers[first + octant])[layer]; };
+        const auto shifted = shifted_layers(word(0), word(1), word(2), word(3));
+        for (std::size_t k = 0; k < shifted.size(); ++k) nodes.inside[k][z] = shifted[k];
+    };
+    for (std::size_t z = 0; z < kBlockEdge; ++z) enter(z, 0, z);
+    enter(kBlockEdge, 4, 0);
+    nodes.whole = whole_cells(nodes.exists);
+    return nodes;
 }
 
-UnitCells cells_of(const UnitsAround& units, std::size_t unit) {
-    constexpr std::size_t kEdge = UnitsAround::kEdge;
-    constexpr std::array<std::size_t, 3> kSteps{1, kEdge, kEdge * kEdge};
-    const std::size_t first = (unit & 1U) + kEdge * (unit >> 1U & 1U) + kEdge * kEdge * (unit >> 2U);
-    UnitCells cells;
-    for (std::size_t k = 0; k < 8; ++k)
-        cells.corners[k] =
-            units.inside[first + (k & 1U) * kSteps[0] + (k >> 1U & 1U) * kSteps[1] + (k >> 2U) * kSteps[2]];
-    // First whole units, then axis by axis what lies one node further.
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        for (std::size_t k = 0; k < 8; ++k)
-            if (const std::size_t next = k | std::size_t{1} << axis; next != k)
-                cells.corners[next] = next_along(axis, cells.corners[k], cells.corners[next]);
-    UnitBits any = 0;
-    UnitBits all = ~UnitBits{0};
-    for (const UnitBits word : cells.corners) {
-        any |= word;
-        all &= word;
+LayerBits cut_cells(const NodesAround& nodes) {
+    std::array<std::uint64_t, kRowNodes> any;
+    std::array<std::uint64_t, kRowNodes> all;
+    for (std::size_t z = 0; z < kRowNodes; ++z) {
+        any[z] = nodes.inside[0][z] | nodes.inside[1][z] | nodes.inside[2][z] | nodes.inside[3][z];
+        all[z] = nodes.inside[0][z] & nodes.inside[1][z] & nodes.inside[2][z] & nodes.inside[3][z];
     }
-    cells.cut = any & ~all;
-    // Cells that reach into an octant do so along each of its axes.
-    for (std::size_t octant = 1; octant < 8; ++octant) {
-        if (units.exists[octant] || (octant & ~unit) != 0) continue;
-        UnitBits reaching = ~UnitBits{0};
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            if ((octant >> axis & 1U) != 0) reaching &= kFirstNodes[axis] << last_along(axis);
-        cells.cut &= ~reaching;
-    }
-    return cells;
+    LayerBits cut;
+    for (std::size_t z = 0; z < kBlockEdge; ++z)
+        cut[z] = (any[z] | any[z + 1]) & ~(all[z] & all[z + 1]) & nodes.whole[z];
+    return cut;
 }
 
-std::vector<CutEdges> find_cut_edges(const BlockGrid& grid, std::span<const InsideBits> inside) {
+CellCases::CellCases(const NodesAround& nodes) {
+    for (std::size_t z = 0; z < kBlockEdge; z += 2) {
+        std::array<WordPair, kCellCorners> words;
+        for (std::size_t k = 0; k < words.size(); ++k)
+            std::memcpy(&words[k], &nodes.inside[k % 4][z + k / 4], sizeof(WordPair));
+        // A word for each corner with a bit for each cell becomes one for each place along x with a byte for each row
+        // and a bit for each corner: digit by digit, corners change places with x.
+        for (std::size_t k = 0; k < 4; ++k) exchange(words[k], words[k + 4], 4, 0x0F0F0F0F0F0F0F0FU);
+        for (const std::size_t k : {0, 1, 4, 5}) exchange(words[k], words[k + 2], 2, 0x3333333333333333U);
+        for (std::size_t k = 0; k < words.size(); k += 2) exchange(words[k], words[k + 1], 1, 0x5555555555555555U);
+        static_assert(kCellCorners == kBlockEdge);
+        std::memcpy(&cases_[z / 2], words.data(), sizeof(words));
+    }
+}
+
+std::vector<LayerBits> inside_layers(const BlockGrid& grid, std::span<const float> values) {
+    std::vector<LayerBits> layers(grid.block_count());
+    parallel_for(layers.size(), kGrain,
+                 [&](std::size_t b) { layers[b] = layers_of_block(values.data() + b * kBlockNodes); });
+    return layers;
+}
+
+std::vector<LayerBits> inside_layers(std::span<const InsideBits> inside) {
+    std::vector<LayerBits> layers(inside.size());
+    parallel_for(layers.size(), kGrain, [&](std::size_t b) { layers[b] = layers_of_block(inside[b]); });
+    return layers;
+}
+
+std::vector<CutEdges> find_cut_edges(const BlockGrid& grid, std::span<const LayerBits> inside) {
     std::vector<CutEdges> edges;
     resize_touched(edges, grid.block_count() + 1);
     parallel_for(grid.block_count(), kGrain, [&](std::size_t b) {
-        edges[b].first_vertex = find_cut_edges(grid, inside, b, edges[b]);  // counts for now
+        edges[b].first_vertex = find_cut_edges(nodes_around(grid, inside, b), edges[b]);  // counts for now
     });
     std::size_t vertices = 0;
     for (CutEdges& e : edges) vertices += std::exchange(e.first_vertex, vertices);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/fresh_memory.h"
@@ -25,41 +26,65 @@ constexpr std::size_t kTasks = 32;  // at once: what they make stays in a core's
 // Only the entries of cut edges are ever set or read.
 using LocalVertices = std::array<VertexId, 3 * kLocalNodes>;
 
-// Entry of a cell's edge, counted from the entry of the cell's own node along x.
-constexpr std::array<std::size_t, kCellEdges> kEdgeOffsets = [] {
-    std::array<std::size_t, kCellEdges> offsets{};
-    for (int e = 0; e < kCellEdges; ++e) {
-        const auto base = static_cast<std::size_t>(edge_base_corner(e));
-        offsets[static_cast<std::size_t>(e)] = static_cast<std::size_t>(edge_direction(e)) * kLocalNodes +
-                                               local_node(base & 1U, base >> 1U & 1U, base >> 2U);
-    }
-    return offsets;
-}();
-
-// Enters the vertices of a neighbour that lie next to the block; octant as in upper_neighbour, not 0.
-void enter_neighbour(const CutEdges& edges, std::size_t octant, LocalVertices& local) {
-    constexpr std::uint64_t kEverything = ~std::uint64_t{0};
-    const bool x = (octant & 1U) != 0;
-    const bool y = (octant & 2U) != 0;
-    const bool z = (octant & 4U) != 0;
-    const std::uint64_t keep = (x ? 0x0101010101010101ULL : kEverything) & (y ? 0xFFU : kEverything);
-    const std::size_t shift = local_node(x ? kBlockEdge : 0, y ? kBlockEdge : 0, z ? kBlockEdge : 0);
-    for (std::size_t d = 0; d < 3; ++d)
-        for (std::size_t w = 0; w < (z ? 1 : kBlockEdge); ++w) {
-            const std::uint64_t word = edges.bits[d][w];
-            const std::size_t first = edges.first_vertex + edges.rank[d][w];
-            for_each_bit(word & keep, [&](std::size_t bit) {
-                const auto before = count_bits(word & ((std::uint64_t{1} << bit) - 1));
-                local[d * kLocalNodes + shift + local_node(bit % kBlockEdge, bit / kBlockEdge, w)] =
-                    static_cast<VertexId>(first + before);
-            });
+// Enters the vertices of a neighbour that lie next to the block, on edges that do not lead away from it. Octants (as in
+// upper_neighbour) are constants here: what to do differs between them, and every block has all of them.
+template <std::size_t kOctant>
+void enter_neighbour(const CutEdges& edges, LocalVertices& local) {
+    constexpr std::size_t kEdge = kBlockEdge;
+    constexpr bool kX = (kOctant & 1U) != 0;
+    constexpr bool kY = (kOctant & 2U) != 0;
+    constexpr bool kZ = (kOctant & 4U) != 0;
+    constexpr std::uint64_t kBeside = (kX ? kFirstColumn : ~std::uint64_t{0}) & (kY ? kFirstRow : ~std::uint64_t{0});
+    constexpr std::size_t kFirst = local_node(kX ? kEdge : 0, kY ? kEdge : 0, kZ ? kEdge : 0);
+    for (std::size_t d = 0; d < 3; ++d) {
+        if ((kOctant >> d & 1U) != 0) continue;
+        const LayerBits& bits = edges.bits[d];
+        const auto enter = [&](std::size_t bit, std::size_t layer) {
+            local[d * kLocalNodes + kFirst + node_of_bit(bit, layer)] =
+                static_cast<VertexId>(edges.vertex(d, bit, layer));
+        };
+        // What is beside the block has room in one word, of all layers together: one loop instead of eight short ones.
+        std::uint64_t together = 0;
+        if constexpr (kZ) {
+            for_each_bit(bits[0] & kBeside, [&](std::size_t bit) { enter(bit, 0); });
+        } else if constexpr (kX) {
+            for (std::size_t layer = 0; layer < kEdge; ++layer) together |= (bits[layer] & kBeside) << layer;
+            for_each_bit(together, [&](std::size_t bit) { enter(bit / kEdge * kEdge, bit % kEdge); });
+        } else {
+            for (std::size_t layer = 0; layer < kEdge; ++layer) together |= (bits[layer] & kBeside) << (kEdge * layer);
+            for_each_bit(together, [&](std::size_t bit) { enter(bit % kEdge, bit / kEdge); });
         }
+    }
 }
 
-// What belongs to some blocks in a row.
-struct MeshPart {
-    std::vector<Vec3> vertices;
-    std::vector<Triangle> triangles;
+// The triangles of all cases by entries of LocalVertices, counted from the entry of a cell's own node along x.
+class LocalTriangles {
+public:
+    // Those of a case; what comes after them up to the most that there are repeats the first one.
+    struct Case {
+        std::uint16_t count;
+        std::array<std::array<std::uint16_t, 3>, kMaxCellTriangles> triangles;
+    };
+
+    LocalTriangles() {
+        for (std::size_t c = 0; c < cases_.size(); ++c) {
+            const CellCase& cut = kCellCases[c];
+            cases_[c].count = cut.count;
+            for (std::size_t t = 0; t < kMaxCellTriangles; ++t)
+                for (std::size_t k = 0; k < 3; ++k)
+                    cases_[c].triangles[t][k] = entry_of(cut.triangles[t < cut.count ? t : 0][k]);
+        }
+    }
+    const Case& operator[](std::size_t c) const { return cases_[c]; }
+
+private:
+    static std::uint16_t entry_of(int edge) {
+        const auto base = static_cast<std::size_t>(edge_base_corner(edge));
+        return static_cast<std::uint16_t>(static_cast<std::size_t>(edge_direction(edge)) * kLocalNodes +
+                                          local_node(base & 1U, base >> 1U & 1U, base >> 2U));
+    }
+
+    std::array<Case, 256> cases_;
 };
 
 // Where an edge is cut: halfway.
@@ -109,62 +134,105 @@ private:
 template <class Roots>
 class BlockFiller {
 public:
-    BlockFiller(const BlockGrid& grid, std::span<const CutEdges> edges, const Roots& roots)
-        : grid_(grid), edges_(edges), roots_(roots) {}
+    BlockFiller(const BlockGrid& grid, std::span<const LayerBits> inside, std::span<const CutEdges> edges,
+                const Roots& roots)
+        : grid_(grid), inside_(inside), edges_(edges), roots_(roots) {}
 
-    void fill(std::size_t block, const UnitsAround& units, MeshPart& part) const {
+    // Appends it.
+    void fill(std::size_t block, Mesh& mesh) const {
         roots_.fetch(block + 1);
+        const NodesAround nodes = nodes_around(grid_, inside_, block);
         LocalVertices local;
-        const std::size_t before = part.vertices.size();
-        part.vertices.resize(before + edges_[block + 1].first_vertex - edges_[block].first_vertex);
-        place_vertices(block, local, part.vertices.data() + before);
-        const auto& around = grid_.neighbours(static_cast<BlockId>(block));
-        for (std::size_t octant = 1; octant < 8; ++octant)
-            if (units.exists[octant]) enter_neighbour(edges_[upper_neighbour(around, octant)], octant, local);
-        connect(units, local, part.triangles);
+        place_vertices(block, local, mesh.vertices);
+        enter_neighbours(block, nodes.exists, local, std::make_index_sequence<6>());
+        connect(nodes, local, mesh.triangles);
     }
 
 private:
-    // Numbers the block's own vertices and sets their positions.
-    void place_vertices(std::size_t block, LocalVertices& local, Vec3* out) const {
-        constexpr std::array<Vec3, 3> kDirections{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+    using NodeCoordinates = std::array<std::array<double, kBlockEdge>, 3>;  // by axis
+
+    // Numbers the block's own vertices and appends their positions.
+    void place_vertices(std::size_t block, LocalVertices& local, std::vector<Vec3>& vertices) const {
+        constexpr std::array<double, kBlockEdge> kPlaces{0, 1, 2, 3, 4, 5, 6, 7};
         const Vec3 corner = grid_.corner(static_cast<BlockId>(block));
-        std::size_t vertex = edges_[block].first_vertex;
-        for (std::size_t d = 0; d < 3; ++d)
-            for (std::size_t z = 0; z < kBlockEdge; ++z)
-                for_each_bit(edges_[block].bits[d][z], [&](std::size_t bit) {
-                    const std::size_t x = bit % kBlockEdge;
-                    const std::size_t y = bit / kBlockEdge;
-                    local[d * kLocalNodes + local_node(x, y, z)] = static_cast<VertexId>(vertex++);
-                    const double fraction = roots_.root_fraction(block, d, bit + z * kBlockEdge * kBlockEdge);
-                    const Vec3 node{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-                    *out++ = corner + grid_.spacing() * (node + fraction * kDirections[d]);
-                });
+        NodeCoordinates nodes;
+        for (std::size_t i = 0; i < kBlockEdge; ++i) {
+            nodes[0][i] = corner.x + grid_.spacing() * kPlaces[i];
+            nodes[1][i] = corner.y + grid_.spacing() * kPlaces[i];
+            nodes[2][i] = corner.z + grid_.spacing() * kPlaces[i];
+        }
+        place_along<0>(block, nodes, local, vertices);
+        place_along<1>(block, nodes, local, vertices);
+        place_along<2>(block, nodes, local, vertices);
     }
 
-    static void connect(const UnitsAround& units, const LocalVertices& local, std::vector<Triangle>& triangles) {
-        std::array<Triangle, std::size_t{kMaxCellTriangles} * kBlockNodes> buffer;
+    // The same for edges along one axis.
+    template <std::size_t kAxis>
+    void place_along(std::size_t block, const NodeCoordinates& nodes, LocalVertices& local,
+                     std::vector<Vec3>& vertices) const {
+        const CutEdges& edges = edges_[block];
+        auto vertex = static_cast<VertexId>(edges.first_vertex + edges.rank[kAxis][0]);
+        for (std::size_t z = 0; z < kBlockEdge; ++z)
+            for_each_bit(edges.bits[kAxis][z], [&](std::size_t bit) {
+                local[kAxis * kLocalNodes + node_of_bit(bit, z)] = vertex++;
+                const std::array<std::size_t, 3> place{bit % kBlockEdge, bit / kBlockEdge, z};
+                const double fraction = roots_.root_fraction(block, kAxis, bit + z * kBlockEdge * kBlockEdge);
+                std::array<double, 3> at{nodes[0][place[0]], nodes[1][place[1]], nodes[2][place[2]]};
+                at[kAxis] = nodes[kAxis][0] + grid_.spacing() * (static_cast<double>(place[kAxis]) + fraction);
+                vertices.push_back({at[0], at[1], at[2]});
+            });
+    }
+
+    // No cell has an edge that begins in the neighbour beyond all three sides, the seventh.
+    template <std::size_t... kLower>
+    void enter_neighbours(std::size_t block, const std::array<bool, 8>& exists, LocalVertices& local,
+                          std::index_sequence<kLower...> /*octants*/) const {
+        const auto& around = grid_.neighbours(static_cast<BlockId>(block));
+        const auto edges = [&](std::size_t octant) -> const CutEdges& {
+            return edges_[upper_neighbour(around, octant)];
+        };
+        ((exists[kLower + 1] ? enter_neighbour<kLower + 1>(edges(kLower + 1), local) : void()), ...);
+    }
+
+    void connect(const NodesAround& nodes, const LocalVertices& local, std::vector<Triangle>& triangles) const {
+        constexpr std::size_t kSpare = kMaxCellTriangles;
+        std::array<Triangle, std::size_t{kMaxCellTriangles} * kBlockNodes + kSpare> buffer;
         Triangle* out = buffer.data();
-        for_each_cut_cell(units, [&](std::size_t cell, unsigned c) {
-            const CellCase& cut = kCellCases[c];
-            for (std::size_t t = 0; t < cut.count; ++t) {
-                const auto& [e, f, g] = cut.triangles[t];
-                *out++ = {local[cell + kEdgeOffsets[e]], local[cell + kEdgeOffsets[f]], local[cell + kEdgeOffsets[g]]};
-            }
-        });
+        const LayerBits cut = cut_cells(nodes);
+        const CellCases cases(nodes);
+        for (std::size_t z = 0; z < kBlockEdge; ++z)
+            for_each_bit(cut[z], [&](std::size_t bit) {
+                const LocalTriangles::Case& cell = cases_[cases(bit, z)];
+                const VertexId* const from = local.data() + node_of_bit(bit, z);
+                const auto put = [&](std::size_t t) {
+                    const auto& [e, f, g] = cell.triangles[t];
+                    out[t] = {from[e], from[f], from[g]};
+                };
+                // Two at least, because that can be foreseen.
+                put(0);
+                put(1);
+                if (cell.count > 2) {
+                    put(2);
+                    put(3);
+                    if (cell.count > 4) put(4);
+                }
+                out += cell.count;
+            });
         triangles.insert(triangles.end(), buffer.data(), out);
     }
 
     const BlockGrid& grid_;
+    std::span<const LayerBits> inside_;
     std::span<const CutEdges> edges_;
     const Roots& roots_;
+    LocalTriangles cases_;
 };
 
 // Of a closed surface, whose genus is small against its size; else memory is found anew.
 std::size_t likely_triangles(std::size_t vertices) { return 2 * vertices + vertices / 16; }
 
 template <class Roots>
-Mesh extract(const BlockGrid& grid, std::span<const InsideBits> inside, const Roots& roots) {
+Mesh extract(const BlockGrid& grid, std::span<const LayerBits> inside, const Roots& roots) {
     const std::vector<CutEdges> edges = find_cut_edges(grid, inside);
     const CutEdges& totals = edges.back();
     if (totals.first_vertex > std::numeric_limits<VertexId>::max())
@@ -173,22 +241,25 @@ Mesh extract(const BlockGrid& grid, std::span<const InsideBits> inside, const Ro
     Mesh mesh;
     reserve_touched(mesh.vertices, with_spare(totals.first_vertex));
     reserve_touched(mesh.triangles, likely_triangles(totals.first_vertex));
-    const BlockFiller<Roots> filler(grid, edges, roots);
-    std::vector<MeshPart> parts(kTasks);
+    const BlockFiller<Roots> filler(grid, inside, edges, roots);
+    if (is_alone()) {
+        for (std::size_t b = 0; b < grid.block_count(); ++b) filler.fill(b, mesh);
+        return mesh;
+    }
+    std::vector<Mesh> parts(kTasks);
     for (std::size_t first = 0; first < grid.block_count(); first += kTasks * kGrain) {
         parallel_for(kTasks, 1, [&](std::size_t task) {
             parts[task].vertices.clear();
             parts[task].triangles.clear();
             const std::size_t begin = first + task * kGrain;
             for (std::size_t b = begin; b < std::min(begin + kGrain, grid.block_count()); ++b)
-                if (const UnitsAround units = units_around(grid, inside, b); units.mixed)
-                    filler.fill(b, units, parts[task]);
+                filler.fill(b, parts[task]);
         });
-        const auto append = [&](auto& all, auto MeshPart::*list) {
-            for (const MeshPart& part : parts) all.insert(all.end(), (part.*list).begin(), (part.*list).end());
+        const auto append = [&](auto Mesh::*list) {
+            for (const Mesh& part : parts)
+                (mesh.*list).insert((mesh.*list).end(), (part.*list).begin(), (part.*list).end());
         };
-        parallel_both([&] { append(mesh.vertices, &MeshPart::vertices); },
-                      [&] { append(mesh.triangles, &MeshPart::triangles); });
+        parallel_both([&] { append(&Mesh::vertices); }, [&] { append(&Mesh::triangles); });
     }
     return mesh;
 }
@@ -196,11 +267,11 @@ Mesh extract(const BlockGrid& grid, std::span<const InsideBits> inside, const Ro
 }  // namespace
 
 Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values, double nearest) {
-    return extract(grid, inside_bits(grid, values), Interpolated(grid, values, nearest));
+    return extract(grid, inside_layers(grid, values), Interpolated(grid, values, nearest));
 }
 
 Mesh extract_between(const BlockGrid& grid, std::span<const InsideBits> inside) {
-    return extract(grid, inside, Halfway());
+    return extract(grid, inside_layers(inside), Halfway());
 }
 
 }  // namespace meniscus

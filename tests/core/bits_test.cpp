@@ -23,13 +23,6 @@ TEST(Bits, AreCountedAsTheLibraryDoes) {
     for (int bit = 0; bit < 64; ++bit) EXPECT_EQ(count_bits(std::uint64_t{1} << bit), 1U);
 }
 
-TEST(Bits, ExchangesRowsAndColumns) {
-    for (int row = 0; row < 8; ++row)
-        for (int column = 0; column < 8; ++column)
-            EXPECT_EQ(transposed(std::uint64_t{1} << (8 * row + column)), std::uint64_t{1} << (8 * column + row));
-    EXPECT_EQ(transposed(transposed(0x0123456789ABCDEFU)), 0x0123456789ABCDEFU);
-}
-
 TEST(Bits, ListsTheItemsOfASetInOrder) {
     const std::array<std::uint64_t, 3> words{0b101U, 0, std::uint64_t{1} << 63U | 1U};
     std::array<std::uint32_t, 192> list{};

@@ -38,17 +38,28 @@ TEST(CutEdges, InsideMeansBelowZero) {
     field.values[3] = -std::numeric_limits<float>::denorm_min();
     field.values[kBlockNodes - 1] = -1.0F;
     field.values[static_cast<std::size_t>(node_in_block(5, 2, 1))] = -1.0F;
-    const InsideBits bits = inside_bits(field.grid, field.values).front();
-    EXPECT_EQ(bits, (InsideBits{0b1001U, std::uint64_t{1} << 25U, 0, 0, 0, 0, 0, std::uint64_t{1} << 63U}));
-    for (const bool inside : {inside_bit(bits, 0, 0, 0), inside_bit(bits, 5, 2, 1), inside_bit(bits, 7, 7, 7)})
-        EXPECT_TRUE(inside);
-    EXPECT_FALSE(inside_bit(bits, 1, 0, 0));
+    const LayerBits bits = inside_layers(field.grid, field.values).front();
+    EXPECT_EQ(bits, (LayerBits{0b1001U, std::uint64_t{1} << (5 + 8 * 2), 0, 0, 0, 0, 0, std::uint64_t{1} << 63U}));
+}
+
+TEST(CutEdges, LayersHoldTheBitsOfUnits) {
+    std::mt19937_64 random(3);
+    std::vector<InsideBits> inside(2);
+    for (InsideBits& units : inside)
+        for (UnitBits& unit : units) unit = random();
+    const std::vector<LayerBits> layers = inside_layers(inside);
+    for (std::size_t b = 0; b < inside.size(); ++b)
+        for (int z = 0; z < kBlockEdge; ++z)
+            for (int y = 0; y < kBlockEdge; ++y)
+                for (int x = 0; x < kBlockEdge; ++x)
+                    EXPECT_EQ((layers[b][static_cast<std::size_t>(z)] >> (x + kBlockEdge * y) & 1U) != 0,
+                              inside_bit(inside[b], x, y, z));
 }
 
 TEST(CutEdges, FindsEveryEdgeWithTwoSignsAndNoOther) {
     // Two diagonal neighbours exist, the others do not.
     const SampledField field = random_signs({{}, {.z = 0, .y = 0, .x = 1}, {.z = 1, .y = 1, .x = 0}}, 5);
-    const std::vector<CutEdges> edges = find_cut_edges(field.grid, inside_bits(field.grid, field.values));
+    const std::vector<CutEdges> edges = find_cut_edges(field.grid, inside_layers(field.grid, field.values));
     std::size_t count = 0;
     for (BlockId b = 0; b < field.grid.block_count(); ++b) {
         EXPECT_EQ(edges[b].first_vertex, count);
@@ -61,7 +72,9 @@ TEST(CutEdges, FindsEveryEdgeWithTwoSignsAndNoOther) {
                         const float* far =
                             value_at(field, b, x + (d == 0 ? 1 : 0), y + (d == 1 ? 1 : 0), z + (d == 2 ? 1 : 0));
                         const bool cut = far != nullptr && (*near < 0.0F) != (*far < 0.0F);
-                        EXPECT_EQ((edges[b].bits[d][z] >> (x + kBlockEdge * y) & 1U) != 0, cut);
+                        const std::size_t bit = x + kBlockEdge * y;
+                        EXPECT_EQ((edges[b].bits[d][z] >> bit & 1U) != 0, cut);
+                        EXPECT_EQ(edges[b].vertex(d, bit, z), count);
                         count += cut ? 1 : 0;
                     }
             }
@@ -69,19 +82,17 @@ TEST(CutEdges, FindsEveryEdgeWithTwoSignsAndNoOther) {
     EXPECT_EQ(edges.back().first_vertex, count);
 }
 
-TEST(CutEdges, VisitsExactlyTheCellsWithAllNodesAndBothSigns) {
+TEST(CutEdges, FindsTheCasesOfExactlyTheCellsWithAllNodesAndBothSigns) {
     std::vector<BlockCoord> blocks;
     std::mt19937 random(9);
     for (const BlockCoord& c : testing::box_of_blocks({}, {.z = 2, .y = 2, .x = 2}))
         if (random() % 4 != 0) blocks.push_back(c);
     const SampledField field = random_signs(blocks, 13);
-    const std::vector<InsideBits> inside = inside_bits(field.grid, field.values);
+    const std::vector<LayerBits> inside = inside_layers(field.grid, field.values);
     for (BlockId b = 0; b < field.grid.block_count(); ++b) {
-        std::vector<int> visited(kLocalNodes, -1);
-        for_each_cut_cell(units_around(field.grid, inside, b), [&](std::size_t cell, unsigned c) {
-            EXPECT_EQ(visited[cell], -1);
-            visited[cell] = static_cast<int>(c);
-        });
+        const NodesAround nodes = nodes_around(field.grid, inside, b);
+        const LayerBits cut = cut_cells(nodes);
+        const CellCases cases(nodes);
         for (std::size_t z = 0; z < kBlockEdge; ++z)
             for (std::size_t y = 0; y < kBlockEdge; ++y)
                 for (std::size_t x = 0; x < kBlockEdge; ++x) {
@@ -90,8 +101,10 @@ TEST(CutEdges, VisitsExactlyTheCellsWithAllNodesAndBothSigns) {
                         const float* value = value_at(field, b, x + (k & 1U), y + (k >> 1U & 1U), z + (k >> 2U));
                         expected = value == nullptr ? -1 : expected | (*value < 0.0F ? 1 << k : 0);
                     }
-                    if (expected == 0 || expected == 255) expected = -1;
-                    EXPECT_EQ(visited[local_node(x, y, z)], expected);
+                    const bool is_cut = expected > 0 && expected < 255;
+                    const std::size_t bit = x + kBlockEdge * y;
+                    EXPECT_EQ((cut[z] >> bit & 1U) != 0, is_cut);
+                    EXPECT_TRUE(!is_cut || cases(bit, z) == expected);
                 }
     }
 }

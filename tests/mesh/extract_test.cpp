@@ -97,11 +97,26 @@ TEST(Extract, VerticesKeepAsFarFromNodesAsAskedFor) {
     EXPECT_NEAR(least_fraction(kSpreadFraction), kSpreadFraction, 1e-9);
 }
 
+std::vector<InsideBits> inside_bits(const SampledField& field) {
+    constexpr int kUnitMask = kUnitEdge - 1;
+    std::vector<InsideBits> inside(field.grid.block_count());
+    for (std::size_t i = 0; i < field.values.size(); ++i) {
+        if (field.values[i] >= 0.0F) continue;
+        const auto node = static_cast<int>(i % kBlockNodes);
+        const int x = node % kBlockEdge;
+        const int y = node / kBlockEdge % kBlockEdge;
+        const int z = node / (kBlockEdge * kBlockEdge);
+        const auto unit = static_cast<std::size_t>(x / kUnitEdge + 2 * (y / kUnitEdge) + 4 * (z / kUnitEdge));
+        inside[i / kBlockNodes][unit] |= UnitBits{1} << node_in_unit(x & kUnitMask, y & kUnitMask, z & kUnitMask);
+    }
+    return inside;
+}
+
 // Which nodes are inside tells the triangles; vertices lie in the middle of the edges.
 TEST(Extract, BetweenNodesOfTwoSidesAreTheTrianglesOfTheZeroSet) {
     const Sphere sphere{.centre = {0.01, 0.02, 0.03}, .radius = 1.9};
     const SampledField field = testing::sample_box(0.25, {-2, -2, -2}, {2, 2, 2}, sphere);
-    const Mesh mesh = extract_between(field.grid, inside_bits(field.grid, field.values));
+    const Mesh mesh = extract_between(field.grid, inside_bits(field));
     const Mesh zero_set = extract_zero_set(field.grid, field.values, 0.5);
     EXPECT_EQ(mesh.triangles, zero_set.triangles);
     EXPECT_EQ(mesh.vertices, zero_set.vertices);
