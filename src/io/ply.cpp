@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -89,10 +90,15 @@ private:
         const auto pack = [this, get, offset](std::size_t begin, std::size_t end, std::byte* records) {
             const std::size_t size = record_size_;
             const auto get_here = get;  // bytes may be anything's: `get` itself would be loaded anew after every store
-            for (std::byte* to = records + offset; begin < end; ++begin, to += size) {
-                const std::array<T, N> values = get_here(begin);
+            const auto put = [&](std::size_t v, std::byte* to) {
+                const std::array<T, N> values = get_here(v);
                 std::memcpy(to, values.data(), sizeof values);
-            }
+            };
+            std::byte* to = records + offset;
+            constexpr std::size_t kAtOnce = 4;  // or counting takes as long as packing
+            for (; begin + kAtOnce <= end; begin += kAtOnce, to += kAtOnce * size)
+                for (std::size_t k = 0; k < kAtOnce; ++k) put(begin + k, to + k * size);
+            for (; begin < end; ++begin, to += size) put(begin, to);
         };
         columns_.push_back({print, pack});
     }
@@ -146,22 +152,23 @@ private:
     template <class PackFew>
     void pack_in_batches(std::size_t count, std::size_t record_size, const PackFew& pack_few) {
         const std::size_t batch = kBatch / record_size;
-        std::array<std::vector<std::byte>, 2> records;
-        for (auto& buffer : records) buffer.resize(std::min(count, batch) * record_size);
+        std::array<std::unique_ptr<std::byte[]>, 2> records;
+        for (auto& buffer : records)
+            buffer = std::make_unique_for_overwrite<std::byte[]>(std::min(count, batch) * record_size);
         const auto end_of = [&](std::size_t begin) { return std::min(count, begin + batch); };
         const auto pack = [&](std::size_t first, std::size_t last, std::byte* to) {
             parallel_chunks(last - first, kPackedAtOnce, [&](std::size_t begin, std::size_t end) {
                 pack_few(first + begin, first + end, to + begin * record_size);
             });
         };
-        pack(0, end_of(0), records[0].data());
+        pack(0, end_of(0), records[0].get());
         for (std::size_t begin = 0; begin < count; begin = end_of(begin)) {
             const std::size_t next = end_of(begin);
             parallel_both(
                 [&] {
-                    file_.write({reinterpret_cast<const char*>(records[0].data()), (next - begin) * record_size});
+                    file_.write({reinterpret_cast<const char*>(records[0].get()), (next - begin) * record_size});
                 },
-                [&] { pack(next, end_of(next), records[1].data()); });
+                [&] { pack(next, end_of(next), records[1].get()); });
             std::swap(records[0], records[1]);
         }
     }

@@ -66,7 +66,7 @@ bool any_of(const std::vector<Item>& items, const Test& test) {
 }  // namespace
 
 Precision precision_needed(const Mesh& mesh, double shortest_edge) {
-    if (any_of(mesh.vertices, is_far_off)) return Precision::Double;
+    if (any_of(mesh.vertices, [](const Vec3& p) { return is_far_off(p); })) return Precision::Double;
     if (shortest_edge > kTooLongToVanish) return Precision::Single;
     const std::unique_ptr<const float[]> x = rounded_x(mesh);
     const auto same_x = [&x](VertexId a, VertexId b) { return static_cast<unsigned>(x[a] == x[b]); };
