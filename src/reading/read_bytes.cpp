@@ -28,9 +28,11 @@ std::size_t largest_text() { return std::max(kSmall, available_memory() / kMemor
     throw LimitError(path + ": too large for the memory; pass a part of it, or use a machine with more");
 }
 
-std::string read_stream(std::FILE* stream, const std::string& path) {
+// likely_size: how much there is, as far as that is known
+std::string read_stream(std::FILE* stream, const std::string& path, std::size_t likely_size) {
     std::string bytes;
-    std::array<char, std::size_t{1} << 16U> buffer{};
+    bytes.reserve(likely_size);
+    std::array<char, std::size_t{1} << 16U> buffer;
     std::size_t limit = kSmall;
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), stream)) {
         if (bytes.size() + count > limit) {
@@ -46,7 +48,7 @@ std::string read_stream(std::FILE* stream, const std::string& path) {
 }  // namespace
 
 std::string read_bytes(const std::string& path, const std::string& kind) {
-    if (path == "-") return read_stream(stdin, path);
+    if (path == "-") return read_stream(stdin, path, 0);
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) {
         throw InputError(path + ": is a folder; name a " + kind);
@@ -55,7 +57,7 @@ std::string read_bytes(const std::string& path, const std::string& kind) {
     if (!stream) throw InputError(path + ": cannot be opened: " + std::strerror(errno) + "; check the name");
     const std::uintmax_t size = std::filesystem::file_size(path, ignored);  // an error for pipes and devices
     if (!ignored && size > kSmall && size > largest_text()) fail_too_large(path);
-    return read_stream(stream.get(), path);
+    return read_stream(stream.get(), path, ignored ? 0 : size);
 }
 
 std::string read_unzipped(const std::string& path, const std::string& kind) {

@@ -77,7 +77,7 @@ private:
     }
 
     void close(std::size_t end) {
-        if (open_) result_.spans.push_back({begin_, end, first_line_});
+        if (open_) result_.spans.push_back({begin_, end, first_line_, atoms_});
         if (open_ && result_.spans.size() > 1 && atoms_ != atoms_of_first_) different_.note(first_line_);
         if (open_ && result_.spans.size() == 1) atoms_of_first_ = atoms_;
         atoms_ = 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "structure/pdb_screen.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -15,6 +16,16 @@ namespace {
 
 constexpr std::size_t kRecordLength = 80;
 constexpr std::size_t kCoordinatesEnd = 54;  // column 54 is the last of z
+
+// Whether a few columns hold nothing but digits with a point and perhaps a minus sign, as coordinates do: a finite
+// number, which need not be found to know that. Others may be numbers, too.
+bool is_plain_decimal(std::string_view field) {
+    field = trimmed(field);
+    if (field.starts_with('-')) field.remove_prefix(1);
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    const auto* const point = std::find_if_not(field.begin(), field.end(), is_digit);
+    return field.size() > 1 && point != field.end() && *point == '.' && std::all_of(point + 1, field.end(), is_digit);
+}
 
 // An ATOM or HETATM line under examination; columns are those of the format, from 1.
 class AtomLine {
@@ -54,14 +65,11 @@ public:
         fail(13 + place, "a byte that is no printable character among the names of an atom; correct it");
     }
 
-    double coordinate(std::size_t first, char axis) const {
+    void check_coordinate(std::size_t first, char axis) const {
         const std::string_view field = columns(first, first + 7);
-        const auto value = finite_number(field);
-        if (!value) {
-            fail(first, std::string(1, axis) + " coordinate " + shown(field) +
-                            " is not a finite number; correct it or leave the atom out");
-        }
-        return *value;
+        if (is_plain_decimal(field) || finite_number(field)) return;
+        fail(first, std::string(1, axis) + " coordinate " + shown(field) +
+                        " is not a finite number; correct it or leave the atom out");
     }
 
     double optional_number(std::size_t first, std::size_t last, double otherwise, const char* what) const {
@@ -92,6 +100,21 @@ ResidueColumns residue_columns(const AtomLine& line) {
     if (is_long_name) return {four, std::string(" ") + columns[4]};
     return {upper_case(trimmed(columns.substr(0, 3))), columns.substr(3, 2)};
 }
+
+// Atoms of a residue follow each other: its columns are read anew where they change.
+class ResidueReader {
+public:
+    const ResidueColumns& read(const AtomLine& line) {
+        const std::string_view columns = line.columns(18, 22);
+        if (columns != columns_) residue_ = residue_columns(line);
+        columns_ = columns;
+        return residue_;
+    }
+
+private:
+    std::string_view columns_;
+    ResidueColumns residue_;
+};
 
 // Old files have an entry name and a line number in columns 73-80: text there is an element only if it is a symbol.
 std::string element_columns(const AtomLine& line) {
@@ -160,13 +183,13 @@ void append_record(const AtomLine& line, const ResidueColumns& residue, const Pd
     clean.text += '\n';
 }
 
-void screen_atom(const AtomLine& line, CleanPdb& clean) {
+void screen_atom(const AtomLine& line, ResidueReader& residues, CleanPdb& clean) {
     line.check_length();
     line.check_names();
-    line.coordinate(31, 'x');
-    line.coordinate(39, 'y');
-    line.coordinate(47, 'z');
-    const ResidueColumns residue = residue_columns(line);
+    line.check_coordinate(31, 'x');
+    line.check_coordinate(39, 'y');
+    line.check_coordinate(47, 'z');
+    const ResidueColumns& residue = residues.read(line);
     std::string element = element_columns(line);
     const bool has_element = !element.empty();
     PdbAtomExtra extra = read_extra(line, residue, std::move(element), clean);
@@ -228,11 +251,13 @@ CleanPdb screen_pdb(std::string_view text, const PdbModelSpan& model, const std:
     CleanPdb clean;
     clean.text = clean_header(text, file, with_assemblies);
     clean.text.reserve(clean.text.size() + (model.end - model.begin) + (model.end - model.begin) / 8);
+    clean.atoms.reserve(model.atoms);
+    ResidueReader residues;
     Lines lines(text.substr(model.begin, model.end - model.begin));
     while (lines.next()) {
         const std::string_view line = lines.line();
         if (is_atom_record(line)) {
-            screen_atom(AtomLine(line, model.first_line + lines.number() - 1, file), clean);
+            screen_atom(AtomLine(line, model.first_line + lines.number() - 1, file), residues, clean);
         } else if (line.starts_with("TER")) {
             clean.text += "TER\n";
         }

@@ -18,6 +18,7 @@ struct PdbModelSpan {
     std::size_t begin = 0;       ///< offset of its first line
     std::size_t end = 0;         ///< offset behind its last line
     std::size_t first_line = 1;  ///< number of its first line
+    std::size_t atoms = 0;       ///< how many records it has of them
 };
 
 /// The models of a file, in file order; ENDMDL, END and a new MODEL all end one.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "structure/pdb_screen.h"
 
+#include <array>
+
 #include "fragments.h"
 
 namespace meniscus::reading {
@@ -51,6 +53,24 @@ TEST(PdbScreen, EveryCoordinateMustBeAFiniteNumberInFull) {
         EXPECT_TRUE(error_in(changed(31, text)).starts_with("f.pdb:1:31: x coordinate")) << text;
         EXPECT_TRUE(error_in(changed(39, text)).starts_with("f.pdb:1:39: y coordinate")) << text;
         EXPECT_TRUE(error_in(kPlain + changed(47, text)).starts_with("f.pdb:2:47: z coordinate")) << text;
+    }
+}
+
+TEST(PdbScreen, PlainDecimalsNeedADigitAndAPoint) {
+    for (const char* text : {"      .5", "     -5.", "-123.456", "      +5", "    1e-3"})
+        EXPECT_EQ(error_in(changed(31, text)), "") << text;
+    for (const char* text : {"       .", "      -.", "   1.2.3", "    --.5", "   -1 .5", "   1.5-2"})
+        EXPECT_TRUE(error_in(changed(31, text)).starts_with("f.pdb:1:31: x coordinate")) << text;
+}
+
+TEST(PdbScreen, EveryRecordNamesItsOwnResidue) {
+    const std::string glycine = changed(18, "GLY");
+    const CleanPdb clean = screen(kPlain + kPlain + glycine + kPlain);
+    ASSERT_EQ(clean.atoms.size(), 4U);
+    const std::array<const char*, 4> names{"ALA", "ALA", "GLY", "ALA"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        EXPECT_EQ(clean.atoms[i].residue, names[i]);
+        EXPECT_EQ(clean.text.substr(81 * i + 17, 3), names[i]);
     }
 }
 

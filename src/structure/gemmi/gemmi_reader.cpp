@@ -142,9 +142,15 @@ RawModel to_model(const gemmi::Structure& structure, const CleanPdb& clean, cons
     ResidueList residues(model.residues);
     const std::vector<ParsedAtom> parsed = in_file_order(structure, clean.atoms.size(), file);
     model.atoms.reserve(parsed.size());
+    const auto as_before = [&](std::size_t i) {
+        return i > 0 && parsed[i].residue == parsed[i - 1].residue &&
+               clean.atoms[i].residue == clean.atoms[i - 1].residue &&
+               clean.atoms[i].segment == clean.atoms[i - 1].segment;
+    };
+    std::uint32_t residue = 0;
     for (std::size_t i = 0; i < parsed.size(); ++i) {
-        RawAtom& atom = model.atoms.emplace_back(to_atom(*parsed[i].atom, clean.atoms[i]));
-        atom.residue = residues.index_of(to_residue(structure, parsed[i], clean.atoms[i]));
+        if (!as_before(i)) residue = residues.index_of(to_residue(structure, parsed[i], clean.atoms[i]));
+        model.atoms.emplace_back(to_atom(*parsed[i].atom, clean.atoms[i])).residue = residue;
     }
     model.assemblies = to_assemblies(structure.assemblies);
     return model;
