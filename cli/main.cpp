@@ -3,10 +3,12 @@
 // The program `meniscus`: parses the command line and turns what went wrong into exit codes.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <memory>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "batch/command.h"
@@ -64,6 +66,22 @@ int report_parse_error(const CLI::App& program, const CLI::ParseError& error) {
     return fail(kUsageError, std::string(error.what()) + "; see meniscus --help or meniscus SUBCOMMAND --help");
 }
 
+/// The one that the first word names, else all of them: their options take longer to make than to parse.
+void add_subcommands(CLI::App& program, const std::string& first_word, Outcome& outcome) {
+    struct Subcommand {
+        std::string_view name;
+        void (*add)(CLI::App&, Outcome&);
+    };
+    constexpr std::array kAll{Subcommand{"surface", meniscus::cli::add_surface_command},
+                              Subcommand{"measure", meniscus::cli::add_measure_command},
+                              Subcommand{"compare", meniscus::cli::add_compare_command},
+                              Subcommand{"batch", meniscus::cli::add_batch_command}};
+    const auto is_meant = [&](const Subcommand& command) { return command.name == first_word; };
+    const bool adds_one = std::any_of(kAll.begin(), kAll.end(), is_meant);
+    for (const Subcommand& command : kAll)
+        if (!adds_one || is_meant(command)) command.add(program, outcome);
+}
+
 /// A first word that names no subcommand gets a clearer message than CLI11's.
 void check_subcommand(const CLI::App& program, const std::vector<std::string>& arguments) {
     if (arguments.empty() || arguments.front().starts_with("-")) return;
@@ -81,13 +99,9 @@ int run(int argc, char** argv) {
     program.require_subcommand(1);
     program.footer(kFooter);
     Outcome outcome = Outcome::Done;
-    meniscus::cli::add_surface_command(program, outcome);
-    meniscus::cli::add_measure_command(program, outcome);
-    meniscus::cli::add_compare_command(program, outcome);
-    meniscus::cli::add_batch_command(program, outcome);
-
     std::vector<std::string> arguments =
         meniscus::cli::join_negative_values(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
+    add_subcommands(program, arguments.empty() ? "" : arguments.front(), outcome);
     check_subcommand(program, arguments);
     std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
     try {
