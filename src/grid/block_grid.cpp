@@ -18,25 +18,22 @@ constexpr std::size_t kChunk = 1024;  // blocks per task: some tens of microseco
 class NeighbourSearch {
 public:
     // Begins at a block.
-    NeighbourSearch(std::span<const BlockCoord> blocks, const BlockCoord& at) : blocks_(blocks) {
+    NeighbourSearch(std::span<const BlockCoord> blocks, std::size_t first) : blocks_(blocks), last_(blocks[first]) {
         for_each_row([&](std::size_t row, int dy, int dz) {
-            places_[row] = std::lower_bound(blocks_.begin(), blocks_.end(), before_row(at, dy, dz));
+            const auto place = std::lower_bound(blocks_.begin(), blocks_.end(), beside(last_, -1, dy, dz));
+            places_[row] = static_cast<BlockId>(place - blocks_.begin());
         });
     }
 
-    // Of the same block or a later one.
-    void find(const BlockCoord& at, std::array<BlockId, 27>& around) {
-        for_each_row([&](std::size_t row, int dy, int dz) {
-            BlockCoord wanted = before_row(at, dy, dz);
-            auto& place = places_[row];
-            while (place != blocks_.end() && *place < wanted) ++place;
-            auto next = place;
-            for (std::size_t slot = 3 * row; slot < 3 * row + 3; ++slot, ++wanted.x) {
-                const bool is_there = next != blocks_.end() && *next == wanted;
-                around[slot] = is_there ? static_cast<BlockId>(next - blocks_.begin()) : kNoBlock;
-                if (is_there) ++next;
-            }
-        });
+    // Of the same block or the next one; of what was found before, `around` must still be there.
+    void find(std::size_t block, std::array<BlockId, 27>& around) {
+        const BlockCoord at = blocks_[block];
+        if (at == beside(last_, 1, 0, 0))
+            go_on(at, around);
+        else
+            begin_anew(at, around);
+        last_ = at;
+        before_ = &around;
     }
 
 private:
@@ -45,12 +42,45 @@ private:
         for (int dz = -1; dz <= 1; ++dz)
             for (int dy = -1; dy <= 1; ++dy) visit(static_cast<std::size_t>(neighbour_slot(-1, dy, dz)) / 3, dy, dz);
     }
-    static BlockCoord before_row(const BlockCoord& at, int dy, int dz) {
-        return {.z = at.z + dz, .y = at.y + dy, .x = at.x - 1};
+    static BlockCoord beside(const BlockCoord& at, int dx, int dy, int dz) {
+        return {.z = at.z + dz, .y = at.y + dy, .x = at.x + dx};
+    }
+
+    // Two thirds of what is around a block is around the next one in its row.
+    void go_on(const BlockCoord& at, std::array<BlockId, 27>& around) {
+        for_each_row([&](std::size_t row, int dy, int dz) {
+            around[3 * row] = (*before_)[3 * row + 1];
+            around[3 * row + 1] = (*before_)[3 * row + 2];
+            around[3 * row + 2] = take(places_[row], beside(at, 1, dy, dz));
+        });
+    }
+
+    void begin_anew(const BlockCoord& at, std::array<BlockId, 27>& around) {
+        for_each_row([&](std::size_t row, int dy, int dz) {
+            const BlockCoord first = beside(at, -1, dy, dz);
+            BlockId& place = places_[row];
+            while (place < blocks_.size() && blocks_[place] < first) ++place;
+            while (place > 0 && !(blocks_[place - 1] < first)) --place;  // after a gap of one block
+            for (int dx = -1; dx <= 1; ++dx)
+                around[3 * row + static_cast<std::size_t>(dx + 1)] = take(place, beside(at, dx, dy, dz));
+        });
+    }
+
+    // The block at a place, which moves on, if it is the one wanted. Where a surface's blocks end nobody foresees:
+    // there are no branches.
+    BlockId take(BlockId& place, const BlockCoord& wanted) const {
+        if (place >= blocks_.size()) return kNoBlock;
+        const BlockCoord& at = blocks_[place];
+        const auto is_there = static_cast<BlockId>(((at.x ^ wanted.x) | (at.y ^ wanted.y) | (at.z ^ wanted.z)) == 0);
+        const BlockId found = place | (is_there - 1);  // kNoBlock has all bits
+        place += is_there;
+        return found;
     }
 
     std::span<const BlockCoord> blocks_;
-    std::array<std::span<const BlockCoord>::iterator, 9> places_;
+    BlockCoord last_;
+    const std::array<BlockId, 27>* before_ = nullptr;
+    std::array<BlockId, 9> places_;  // by row, of the first block after those that are around the last one
 };
 
 }  // namespace
@@ -67,8 +97,8 @@ BlockGrid::BlockGrid(double spacing, const Vec3& origin, std::vector<BlockCoord>
     }
     neighbours_.resize(blocks_.size());
     parallel_chunks(blocks_.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-        NeighbourSearch search(blocks_, blocks_[begin]);
-        for (std::size_t b = begin; b < end; ++b) search.find(blocks_[b], neighbours_[b]);
+        NeighbourSearch search(blocks_, begin);
+        for (std::size_t b = begin; b < end; ++b) search.find(b, neighbours_[b]);
     });
 }
 
