@@ -44,7 +44,7 @@ LayerBits layers_of_block(const float* values) {
 
 // Every other half of the rows of a block: those of a layer of two units, one beyond the other along y.
 constexpr std::uint64_t half_rows(UnitBits near, UnitBits far, std::size_t z) {
-    constexpr std::size_t kLayer = kUnitEdge * kUnitEdge;
+    constexpr std::size_t kLayer = std::size_t{kUnitEdge} * kUnitEdge;
     std::uint64_t rows = (near >> (kLayer * z) & 0xFFFFU) | (far >> (kLayer * z) & 0xFFFFU) << 32U;
     rows = (rows | rows << 8U) & 0x00FF00FF00FF00FFU;
     return (rows | rows << 4U) & 0x0F0F0F0F0F0F0F0FU;
