@@ -144,8 +144,7 @@ Sums estimated_sums(const Mesh& mesh, std::size_t begin, std::size_t end) {
     Sums sums;
     for (std::size_t first = begin; first < end; first += kLanes) {
         const auto triangles = std::span(mesh.triangles).subspan(first, std::min(kLanes, end - first));
-        triangle_kernels().gather(mesh.vertices.data(), triangles, origin, lanes.points);
-        triangle_kernels().gather_small(mesh.normals.data(), triangles, lanes.normals);
+        triangle_kernels().gather(mesh.vertices.data(), mesh.normals.data(), triangles, origin, lanes);
         triangle_kernels().measure_with_parts(lanes);
         for (std::size_t lane = 0; lane < triangles.size(); ++lane)
             sums += Sums{{lanes.two_areas[lane], lanes.six_volumes[lane]},

@@ -13,19 +13,23 @@ namespace meniscus {
 inline constexpr std::size_t kLanes = 64;  // the vectors of a triangle's corners stay within a core's first cache
 
 using Lanes = std::array<double, kLanes>;
+using SmallLanes = std::array<float, kLanes>;
 
 /// kLanes vectors, by component.
-struct VectorLanes {
-    Lanes x{};
-    Lanes y{};
-    Lanes z{};
+template <class T, class Vector>
+struct LanesOf {
+    std::array<T, kLanes> x{};
+    std::array<T, kLanes> y{};
+    std::array<T, kLanes> z{};
 
-    void set(std::size_t lane, const Vec3& v) {
+    void set(std::size_t lane, const Vector& v) {
         x[lane] = v.x;
         y[lane] = v.y;
         z[lane] = v.z;
     }
-    Vec3 at(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
+    Vector at(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
 };
+using VectorLanes = LanesOf<double, Vec3>;
+using SmallVectorLanes = LanesOf<float, SmallVec3>;
 
 }  // namespace meniscus

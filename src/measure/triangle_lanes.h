@@ -22,25 +22,28 @@ namespace meniscus {
 
 /// kLanes triangles, and what a kernel finds out about each.
 struct TriangleLanes {
-    std::array<VectorLanes, 3> points;   ///< corners, from an origin nearby
-    std::optional<Vec3> origin{Vec3{}};  ///< if it is the same for all
-    std::array<VectorLanes, 3> normals;  ///< of the surface there
+    std::array<VectorLanes, 3> points;        ///< corners, from an origin nearby
+    std::optional<Vec3> origin{Vec3{}};       ///< if it is the same for all
+    std::array<SmallVectorLanes, 3> normals;  ///< of the surface there
 
     Lanes two_areas{};
     Lanes six_volumes{};  ///< over the origin
     /// Square of the tangent of the smallest corner, as a fraction of two finite numbers; 0 for a point.
     Lanes opposite{};
     Lanes adjacent{};
-    Lanes shortest{};  ///< side, squared
-    Lanes longest{};   ///< side, squared
+    Lanes shortest{};                       ///< side, squared
+    Lanes longest{};                        ///< side, squared
+    SmallLanes thirds{};                    ///< of the areas
+    std::array<SmallVectorLanes, 3> sides;  ///< from each corner to the next
     /// Scalar products of the triangle's normal, twice its area long, with that of the surface.
-    Lanes facing{};        ///< at the first corner
-    Lanes least_facing{};  ///< the smallest of the three
+    SmallLanes facing{};          ///< at the first corner
+    SmallLanes least_facing{};    ///< the smallest of the three
+    SmallLanes squared_normal{};  ///< the triangle's
     /// Of the four parts of each, split at the middles of the arcs over its sides (measure/corrected.h).
-    Lanes parts_two_areas{};
+    SmallLanes parts_two_areas{};
     Lanes parts_six_volumes{};
-    /// Positive where the surface turns so fast along a side that it may have a crease there (measure/creases.h).
-    Lanes creased{};
+    SmallLanes volumes_over_first{};  ///< the same over the first corner
+    SmallVectorLanes area_vectors;    ///< twice those of what lies between the sides and their arcs' middles
 };
 
 /// Square of the tangent of an angle below 90 degrees, as a fraction: compared without dividing.
@@ -83,17 +86,16 @@ using StretchBoxes = std::array<Box, kLanes / kStretchLanes>;
 struct TriangleKernels {
     std::string_view instructions;  ///< "plain", "avx2" or "avx512"
 
-    /// What the vertices hold at the corners of at most kLanes triangles, from an origin.
-    void (*gather)(const Vec3* of_vertex, std::span<const Triangle> triangles, const Vec3& origin,
-                   std::array<VectorLanes, 3>& corners);
-    /// The same of directions, as they are.
-    void (*gather_small)(const SmallVec3* of_vertex, std::span<const Triangle> triangles,
-                         std::array<VectorLanes, 3>& corners);
+    /// Where the corners of at most kLanes triangles are, from an origin, and the normals there unless they are null.
+    void (*gather)(const Vec3* points, const SmallVec3* normals, std::span<const Triangle> triangles,
+                   const Vec3& origin, TriangleLanes& lanes);
     /// All that needs no normals.
     void (*measure)(TriangleLanes& lanes);
-    /// All but the parts and creases.
+    /// All but the parts.
     void (*measure_with_normals)(TriangleLanes& lanes);
-    void (*measure_with_parts)(TriangleLanes& lanes);
+    /// Returns a bit for each triangle along a side of which the surface turns so fast that it may have a crease there
+    /// (measure/creases.h).
+    std::uint64_t (*measure_with_parts)(TriangleLanes& lanes);
     /// Sums over all lanes; those of the parts mean nothing where they were not measured.
     void (*add_up)(const TriangleLanes& lanes, LaneSums& sums);
     /// After measure_with_normals.

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/bits.h"
 #include "core/fetch_corners.h"
 #include "core/fresh_memory.h"
 #include "core/parallel.h"
@@ -24,6 +25,15 @@ bool is_one_piece(std::span<const std::uint32_t> pieces) {
     std::uint32_t others = 0;
     for (const std::uint32_t piece : pieces) others |= piece ^ pieces[0];
     return others == 0;
+}
+
+// What crosses a crease is measured by parts that follow it, and is not extrapolated.
+void measure_over_crease(const Mesh& mesh, const Triangle& triangle, const Vec3& origin, std::size_t lane,
+                         TriangleLanes& lanes) {
+    const auto parts = parts_over_crease(mesh, triangle, origin);
+    if (!parts) return;
+    lanes.parts_two_areas[lane] = static_cast<float>(parts_of(lanes.two_areas[lane], parts->two_areas));
+    lanes.parts_six_volumes[lane] = parts_of(lanes.six_volumes[lane], parts->six_volumes);
 }
 
 // Starts to bring the next triangles' corners into the cache.
@@ -81,8 +91,7 @@ void TriangleSurvey::survey(std::size_t chunk, const Mesh& mesh, std::span<const
         load(mesh, triangles, pieces, lanes);
         measure(mesh, triangles, pieces, lanes);
         if (look) look(first, triangles, lanes);
-        for (std::size_t lane = 0; lane < std::min(triangles.size(), thirds_.size()); ++lane)
-            thirds_[first + lane] = static_cast<float>(lanes.two_areas[lane] / 6.0);
+        if (!thirds_.empty()) std::copy_n(lanes.thirds.begin(), triangles.size(), &thirds_[first]);
         add(std::span(pieces).first(triangles.size()), lanes, sums);
     }
     chunks_[chunk] = std::move(sums);
@@ -90,35 +99,27 @@ void TriangleSurvey::survey(std::size_t chunk, const Mesh& mesh, std::span<const
 
 void TriangleSurvey::load(const Mesh& mesh, std::span<const Triangle> triangles, const PieceLanes& pieces,
                           TriangleLanes& lanes) const {
-    if (parts_ != Parts::LeftOut) triangle_kernels().gather_small(mesh.normals.data(), triangles, lanes.normals);
+    const SmallVec3* normals = parts_ != Parts::LeftOut ? mesh.normals.data() : nullptr;
     if (is_one_piece(std::span(pieces).first(triangles.size()))) {
         lanes.origin = origins_[pieces[0]];
-        triangle_kernels().gather(mesh.vertices.data(), triangles, *lanes.origin, lanes.points);
+        triangle_kernels().gather(mesh.vertices.data(), normals, triangles, *lanes.origin, lanes);
         return;
     }
     lanes.origin.reset();
+    triangle_kernels().gather(mesh.vertices.data(), normals, triangles, {}, lanes);
     for (std::size_t lane = 0; lane < triangles.size(); ++lane)
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            lanes.points[corner].set(lane, mesh.vertices[triangles[lane][corner]] - origins_[pieces[lane]]);
+        for (VectorLanes& corners : lanes.points) corners.set(lane, corners.at(lane) - origins_[pieces[lane]]);
 }
 
 void TriangleSurvey::measure(const Mesh& mesh, std::span<const Triangle> triangles, const PieceLanes& pieces,
                              TriangleLanes& lanes) const {
     if (parts_ == Parts::LeftOut) return triangle_kernels().measure(lanes);
-    triangle_kernels().measure_with_parts(lanes);
-    if (parts_ == Parts::Creased) measure_over_creases(mesh, triangles, pieces, lanes);
-}
-
-// What crosses a crease is measured by parts that follow it, and is not extrapolated.
-void TriangleSurvey::measure_over_creases(const Mesh& mesh, std::span<const Triangle> triangles,
-                                          const PieceLanes& pieces, TriangleLanes& lanes) const {
-    for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
-        if (!(lanes.creased[lane] > 0.0)) continue;
-        const auto parts = parts_over_crease(mesh, triangles[lane], origins_[pieces[lane]]);
-        if (!parts) continue;
-        lanes.parts_two_areas[lane] = parts_of(lanes.two_areas[lane], parts->two_areas);
-        lanes.parts_six_volumes[lane] = parts_of(lanes.six_volumes[lane], parts->six_volumes);
-    }
+    const std::uint64_t may_be_creased = triangle_kernels().measure_with_parts(lanes);
+    if (parts_ != Parts::Creased) return;
+    const std::uint64_t looked_at = ~std::uint64_t{0} >> (kLanes - triangles.size());
+    for_each_bit(may_be_creased & looked_at, [&](std::size_t lane) {
+        measure_over_crease(mesh, triangles[lane], origins_[pieces[lane]], lane, lanes);
+    });
 }
 
 TriangleSurvey::RunSums& TriangleSurvey::run_of(std::uint32_t piece, ChunkSums& sums) {

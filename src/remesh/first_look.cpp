@@ -95,8 +95,7 @@ void FirstLook::look_at_all() {
         TriangleLanes lanes;
         for (std::size_t first = begin; first < end; first += kLanes) {
             const auto triangles = std::span(mesh_.triangles).subspan(first, std::min(kLanes, end - first));
-            triangle_kernels().gather(mesh_.vertices.data(), triangles, {}, lanes.points);
-            triangle_kernels().gather_small(mesh_.normals.data(), triangles, lanes.normals);
+            triangle_kernels().gather(mesh_.vertices.data(), mesh_.normals.data(), triangles, {}, lanes);
             triangle_kernels().measure_with_normals(lanes);
             look(first, triangles, lanes);
         }
