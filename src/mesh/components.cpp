@@ -19,14 +19,61 @@ namespace {
 
 constexpr std::size_t kChunk = 8192;  // vertices or triangles per task: some tens of microseconds
 
+std::size_t place_among(std::span<const std::uint32_t> rising, std::uint32_t value) {
+    return static_cast<std::size_t>(std::lower_bound(rising.begin(), rising.end(), value) - rising.begin());
+}
+
 // Union-find that several threads can join in at once. What hangs together in the end, and that the root of a set is
-// its smallest member, does not depend on who comes first: only roots get another parent that matters, by a
-// compare-and-swap, and a shortcut that is written over another one leads to the same root.
+// its smallest member, does not depend on who comes first: members point to smaller ones of their set, only roots get
+// another parent that matters, by a compare-and-swap, and a shortcut that is written over another one leads to the same
+// root.
 class SharedSets {
 public:
     explicit SharedSets(std::size_t size) {
         resize_touched(parent_, size);
         std::iota(parent_.begin(), parent_.end(), 0U);
+    }
+
+    // Joins the corners of every second triangle by moves alone, which nothing has to foresee, before anything else is
+    // done. What others have joined may come apart, for parents are written over.
+    void link(std::span<const Triangle> triangles) {
+        const Parents parents = parents_of_all();
+        for (std::size_t t = 0; t < triangles.size(); t += 2) {
+            const auto& [a, b, c] = triangles[t];
+            const std::uint32_t of_a = parents.load(a);
+            const std::uint32_t of_b = parents.load(b);
+            const std::uint32_t of_c = parents.load(c);
+            const std::uint32_t parent = parents.load(std::min(std::min(of_a, of_b), of_c));
+            parents.store(std::max(std::max(of_a, of_b), of_c), parent);
+            parents.store(a, parent);
+            parents.store(b, parent);
+            parents.store(c, parent);
+        }
+    }
+
+    // Makes all members point to their roots, and nobody writes over that; returns the roots, rising.
+    std::vector<std::uint32_t> flatten() {
+        const auto flatten_some = [this](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& roots) {
+            const Parents parents = parents_of_all();
+            for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+                std::uint32_t top = parents.load(i);
+                if (top == i) roots.push_back(i);
+                for (std::uint32_t above = parents.load(top); above != top; above = parents.load(top)) top = above;
+                parents.store(i, top);
+            }
+        };
+        return parallel_list<std::uint32_t>(parent_.size(), kChunk, flatten_some);
+    }
+
+    // Joins the corners of triangles for good.
+    void join(std::span<const Triangle> triangles) {
+        const Parents parents = parents_of_all();
+        for (const auto& [a, b, c] : triangles) {
+            const std::uint32_t parent = parents.load(a);
+            if (parent == parents.load(b) && parent == parents.load(c)) continue;
+            join(a, b);
+            join(a, c);
+        }
     }
 
     std::uint32_t root(std::uint32_t i) {
@@ -39,8 +86,24 @@ public:
         return i;
     }
 
+    // What every member points to; nothing of the sets is left behind.
+    std::vector<std::uint32_t> parents() && { return std::move(parent_); }
+
+private:
+    // By value: compilers load what is behind a reference again after every store.
+    struct Parents {
+        std::uint32_t* first;
+        std::uint32_t load(std::uint32_t i) const { return std::atomic_ref(first[i]).load(std::memory_order_relaxed); }
+        void store(std::uint32_t i, std::uint32_t parent) const {
+            std::atomic_ref(first[i]).store(parent, std::memory_order_relaxed);
+        }
+    };
+    Parents parents_of_all() { return {parent_.data()}; }
+
+    std::atomic_ref<std::uint32_t> at(std::uint32_t i) { return std::atomic_ref(parent_[i]); }
+    std::uint32_t load(std::uint32_t i) { return at(i).load(std::memory_order_relaxed); }
+
     void join(std::uint32_t a, std::uint32_t b) {
-        if (load(a) == load(b)) return;
         for (a = root(a), b = root(b); a != b; a = root(a), b = root(b)) {
             if (a < b) std::swap(a, b);
             if (alone_) {
@@ -52,22 +115,21 @@ public:
         }
     }
 
-    // Of every member; nothing of the sets is left behind.
-    std::vector<std::uint32_t> roots() && {
-        parallel_for(parent_.size(), kChunk, [&](std::size_t i) {
-            const auto member = static_cast<std::uint32_t>(i);
-            at(member).store(root(member), std::memory_order_relaxed);
-        });
-        return std::move(parent_);
-    }
-
-private:
-    std::atomic_ref<std::uint32_t> at(std::uint32_t i) { return std::atomic_ref(parent_[i]); }
-    std::uint32_t load(std::uint32_t i) { return at(i).load(std::memory_order_relaxed); }
-
     std::vector<std::uint32_t> parent_;
     bool alone_ = is_alone();  // a compare-and-swap takes as long as all the rest
 };
+
+// The numbers of the sets that some rising members belong to, in the order of their smallest ones.
+std::vector<std::uint32_t> numbers_of_sets(SharedSets& sets, std::span<const std::uint32_t> members) {
+    std::vector<std::uint32_t> numbers;
+    numbers.reserve(members.size());
+    std::uint32_t next = 0;
+    for (const std::uint32_t member : members) {
+        const std::uint32_t root = sets.root(member);
+        numbers.push_back(root == member ? next++ : numbers[place_among(members, root)]);
+    }
+    return numbers;
+}
 
 // Vertices of one piece in a row.
 struct PieceRun {
@@ -78,31 +140,25 @@ struct PieceRun {
 
 }  // namespace
 
+// Vertices are linked by every second triangle, which leaves hardly anything apart. The other look at all triangles
+// finds what is: where all corners point to the same vertex nothing is left to do.
 std::vector<std::uint32_t> pieces_by_first_vertex(const Mesh& mesh) {
+    const std::span<const Triangle> triangles = mesh.triangles;
     SharedSets sets(mesh.vertices.size());
-    parallel_chunks(mesh.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) {
-            const auto& [a, b, c] = mesh.triangles[t];
-            sets.join(a, b);
-            sets.join(a, c);
-        }
-    });
-    std::vector<std::uint32_t> piece = std::move(sets).roots();
-    const auto roots =  // in rising order
-        parallel_list<std::uint32_t>(piece.size(), kChunk, [&](std::size_t begin, std::size_t end, auto& list) {
-            for (std::size_t v = begin; v < end; ++v)
-                if (piece[v] == v) list.push_back(piece[v]);
-        });
-    const auto number_of = [&](std::uint32_t root) {
-        return static_cast<std::uint32_t>(std::lower_bound(roots.begin(), roots.end(), root) - roots.begin());
-    };
+    parallel_chunks(triangles.size(), kChunk,
+                    [&](std::size_t begin, std::size_t end) { sets.link(triangles.subspan(begin, end - begin)); });
+    const std::vector<std::uint32_t> heads = sets.flatten();
+    parallel_chunks(triangles.size(), kChunk,
+                    [&](std::size_t begin, std::size_t end) { sets.join(triangles.subspan(begin, end - begin)); });
+    const std::vector<std::uint32_t> numbers = numbers_of_sets(sets, heads);
+    std::vector<std::uint32_t> piece = std::move(sets).parents();  // still heads, all of them
     parallel_chunks(piece.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-        std::uint32_t root = piece[begin];
-        std::uint32_t number = number_of(root);
+        std::uint32_t head = piece[begin];
+        std::uint32_t number = numbers[place_among(heads, head)];
         for (std::size_t v = begin; v < end; ++v) {
-            if (piece[v] != root) {
-                root = piece[v];
-                number = number_of(root);
+            if (piece[v] != head) {
+                head = piece[v];
+                number = numbers[place_among(heads, head)];
             }
             piece[v] = number;
         }
