@@ -105,7 +105,6 @@ public:
         std::vector<std::uint32_t> pending;
         std::set_union(suspects.bad.begin(), suspects.bad.end(), tangled_.begin(), tangled_.end(),
                        std::back_inserter(pending));
-        if (!pending.empty()) moved_.resize(mesh_.vertices.size());
         mend(std::move(pending));
         reach_ = kWider;
         mend(std::exchange(left_, {}));
@@ -366,7 +365,7 @@ private:
             if (after.points[v].position == cutting.patch.points[v].position) continue;
             mesh_.vertices[cutting.vertices[v]] = after.points[v].position;
             mesh_.normals[cutting.vertices[v]] = to_small(after.points[v].normal);
-            moved_[cutting.vertices[v]] = true;
+            moved_.push_back(cutting.vertices[v]);
         }
         for (const std::size_t t : changed_triangles(cutting.patch, after)) {
             const auto& [a, b, c] = after.triangles[t];
@@ -393,7 +392,7 @@ private:
             cutting.vertices.push_back(static_cast<VertexId>(mesh_.vertices.size()));
             mesh_.vertices.push_back(after.points[v].position);
             mesh_.normals.push_back(to_small(after.points[v].normal));
-            moved_.push_back(true);
+            moved_.push_back(cutting.vertices.back());
         }
         for (std::size_t t = cutting.triangles.size(); t < after.triangles.size(); ++t) {
             cutting.triangles.push_back(static_cast<std::uint32_t>(mesh_.triangles.size()));
@@ -440,8 +439,9 @@ private:
         changes.dropped_crumbs = dropped_crumbs_;
         if (!holes_.empty()) close_vertex_holes(changes);
         if (dropped_crumbs_) close_gaps(mesh_.components);
-        for (VertexId v = 0; v < std::min(moved_.size(), changes.left); ++v)
-            if (moved_[v]) changes.moved.push_back(v);
+        std::sort(moved_.begin(), moved_.end());
+        moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
+        changes.moved = std::move(moved_);
         return changes;
     }
 
@@ -455,8 +455,10 @@ private:
             while (std::binary_search(holes_.begin(), holes_.end(), last));
             changes.refilled.emplace_back(hole, last);
             number[last - changes.left] = hole;
-            moved_[hole] = moved_[last];
         }
+        std::erase_if(moved_, [this](VertexId v) { return std::binary_search(holes_.begin(), holes_.end(), v); });
+        for (VertexId& v : moved_)
+            if (v >= changes.left) v = number[v - changes.left];
         parallel_chunks(mesh_.triangles.size(), kRenumbered, [&](std::size_t begin, std::size_t end) {
             for (std::size_t t = begin; t < end; ++t)
                 for (VertexId& v : mesh_.triangles[t])
@@ -478,7 +480,7 @@ private:
     std::vector<std::uint32_t> tangled_;  // triangles, as they were found, that have not had their turn
     bool was_tangled_ = false;
     bool dropped_crumbs_ = false;
-    std::vector<bool> moved_;             // per vertex, if there is anything to mend
+    std::vector<VertexId> moved_;         // and new ones
     std::vector<VertexId> holes_;         // numbers of removed vertices
     std::vector<std::uint32_t> removed_;  // triangles
     std::vector<std::uint32_t> changed_;  // triangles that have changed, or vertices of theirs
