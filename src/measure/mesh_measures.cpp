@@ -10,6 +10,7 @@
 #include "measure/corner_sums.h"
 #include "measure/surface_measures.h"
 #include "measure/topology.h"
+#include "measure/triangle_lanes.h"
 #include "measure/triangle_survey.h"
 #include "meniscus/errors.h"
 #include "meniscus/mesh.h"
@@ -24,9 +25,7 @@ bool all_below(std::span<const std::uint32_t> indices, std::size_t limit) {
     if (limit > std::numeric_limits<std::uint32_t>::max()) return true;
     const auto below = static_cast<std::uint32_t>(limit);
     return parallel_sum<std::size_t>(indices.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-               std::uint32_t others = 0;  // of one width with the indices: many side by side
-               for (const std::uint32_t i : indices.subspan(begin, end - begin)) others += i < below ? 0 : 1;
-               return std::size_t{others};
+               return std::size_t{triangle_kernels().find_last(indices.subspan(begin, end - begin)) < below ? 0U : 1U};
            }) == 0;
 }
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/mix_bits.h"
 #include "core/parallel.h"
+#include "measure/triangle_lanes.h"
 #include "measure/vertex_stretches.h"
 
 namespace meniscus {
@@ -245,18 +245,6 @@ private:
     std::vector<std::pair<std::size_t, Step>> more_;  // what the short stars had no room for, and whose
 };
 
-// Twice the signed area of a triangle whose corners are sent to any places of the parabola y = x², modulo 2^64.
-std::uint64_t two_signed_areas(const Triangle& triangle) {
-    const auto x_of = [](VertexId v) {
-        const std::uint64_t mixed = (v + kMixIncrement) * 0xBF58476D1CE4E5B9ULL;
-        return mixed ^ (mixed >> 32U);
-    };
-    const std::uint64_t a = x_of(triangle[0]);
-    const std::uint64_t b = x_of(triangle[1]);
-    const std::uint64_t c = x_of(triangle[2]);
-    return (b - a) * (c - a) * (c - b);
-}
-
 }  // namespace
 
 MeshTopology examine_topology(std::size_t vertex_count, std::span<const Triangle> triangles) {
@@ -272,12 +260,9 @@ MeshTopology examine_topology(std::size_t vertex_count, std::span<const Triangle
 }
 
 bool is_balanced(std::span<const Triangle> triangles) {
-    const auto sum_of = [&](std::size_t begin, std::size_t end) {
-        std::uint64_t sum = 0;
-        for (const Triangle& triangle : triangles.subspan(begin, end - begin)) sum += two_signed_areas(triangle);
-        return sum;
-    };
-    return parallel_sum<std::uint64_t>(triangles.size(), kChunk, sum_of) == 0;
+    return parallel_sum<std::uint64_t>(triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+               return triangle_kernels().sum_signed_areas(triangles.subspan(begin, end - begin));
+           }) == 0;
 }
 
 MeshTopology topology_of_manifold(std::size_t vertex_count, std::span<const Triangle> triangles) {

@@ -103,6 +103,10 @@ struct TriangleKernels {
     /// The largest of all lanes.
     double (*find_largest)(const Lanes& lanes);
     void (*bound)(const VectorLanes& points, StretchBoxes& boxes);
+    /// The largest of some indices, 0 of none.
+    std::uint32_t (*find_last)(std::span<const std::uint32_t> indices);
+    /// Twice the signed areas of triangles whose corners are sent to any places of the parabola y = x², modulo 2^64.
+    std::uint64_t (*sum_signed_areas)(std::span<const Triangle> triangles);
 };
 
 /// Those that this machine can run, the plainest first.

@@ -10,6 +10,8 @@
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "core/instructions.h"
 #include "measure/corrected.h"
@@ -208,6 +210,35 @@ TEST(TriangleLanes, HaveTheSameBitsOnEveryInstructionSet) {
         EXPECT_EQ(marks.may_be_bad, plain_marks.may_be_bad);
         EXPECT_EQ(marks.leaning, plain_marks.leaning);
         EXPECT_EQ(kernels.find_largest(lanes.longest), all.front().find_largest(plain.longest));
+    }
+}
+
+TEST(TriangleLanes, FindTheLastOfAllIndices) {
+    std::vector<std::uint32_t> indices(37);
+    std::iota(indices.begin(), indices.end(), 5U);
+    for (const TriangleKernels& kernels : supported_triangle_kernels()) {
+        EXPECT_EQ(kernels.find_last({}), 0U);
+        for (std::uint32_t& last : indices) {
+            const std::uint32_t before = std::exchange(last, 0xFFFFFFFEU);
+            EXPECT_EQ(kernels.find_last(indices), 0xFFFFFFFEU);
+            last = before;
+        }
+        EXPECT_EQ(kernels.find_last(indices), 41U);
+    }
+}
+
+TEST(TriangleLanes, SignedAreasOfAClosedSurfaceSumToNothing) {
+    const Mesh mesh = projected_sphere({.centre = {1, 2, 3}, .radius = 2.0}, 0.5);
+    const std::span<const Triangle> triangles = mesh.triangles;
+    const std::vector<TriangleKernels> all = supported_triangle_kernels();
+    for (const TriangleKernels& kernels : all) {
+        EXPECT_EQ(kernels.sum_signed_areas(triangles), 0U);
+        for (const std::size_t count : {1U, 7U, 8U, 61U}) {
+            const std::uint64_t sum = kernels.sum_signed_areas(triangles.first(count));
+            EXPECT_EQ(sum, all.front().sum_signed_areas(triangles.first(count)));
+            EXPECT_EQ(sum + kernels.sum_signed_areas(triangles.subspan(count)), 0U);
+            EXPECT_NE(sum, 0U);
+        }
     }
 }
 
