@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "core/bits.h"
-#include "core/fetch_corners.h"
 #include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "mesh/components.h"
@@ -34,14 +33,6 @@ void measure_over_crease(const Mesh& mesh, const Triangle& triangle, const Vec3&
     if (!parts) return;
     lanes.parts_two_areas[lane] = static_cast<float>(parts_of(lanes.two_areas[lane], parts->two_areas));
     lanes.parts_six_volumes[lane] = parts_of(lanes.six_volumes[lane], parts->six_volumes);
-}
-
-// Starts to bring the next triangles' corners into the cache.
-void fetch(const Mesh& mesh, std::size_t begin, std::size_t end, bool with_normals) {
-    for (std::size_t t = begin; t < std::min(end, mesh.triangles.size()); ++t) {
-        fetch_corners(mesh.vertices, mesh.triangles[t]);
-        if (with_normals) fetch_corners(mesh.normals, mesh.triangles[t]);
-    }
 }
 
 }  // namespace
@@ -85,7 +76,6 @@ void TriangleSurvey::survey(std::size_t chunk, const Mesh& mesh, std::span<const
     ChunkSums sums;
     PieceLanes pieces;
     for (std::size_t first = begin; first < end; first += kLanes) {
-        fetch(mesh, first + kLanes, first + 2 * kLanes, parts_ != Parts::LeftOut);
         const auto triangles = std::span(mesh.triangles).subspan(first, std::min(kLanes, end - first));
         for (std::size_t lane = 0; lane < triangles.size(); ++lane) pieces[lane] = of_vertex[triangles[lane][0]];
         load(mesh, triangles, pieces, lanes);
