@@ -176,9 +176,7 @@ private:
         Box all;
         for (const std::uint32_t t : neighbours) all.include(box_of(mesh_, mesh_.triangles[t]));
         near.clear();
-        for_each_near(chunks, all, [&](std::uint32_t t) {
-            near.push_back({t, SmallBox(box_of(mesh_, mesh_.triangles[t]))});
-        });
+        for_each_near(chunks, all, [&](std::uint32_t t, const Box& box) { near.push_back({t, SmallBox(box)}); });
         for (const std::uint32_t t : neighbours) {
             const SmallBox box(box_of(mesh_, mesh_.triangles[t]));
             for (const Near& other : near)
@@ -188,7 +186,7 @@ private:
         }
     }
 
-    // Calls visit(triangle) for all whose boxes overlap one.
+    // Calls visit(triangle, its box) for all whose boxes overlap one.
     template <class Visit>
     void for_each_near(const BoxTree& chunks, const Box& box, const Visit& visit) const {
         chunks.for_each_overlapping(box, [&](std::uint32_t chunk) {
@@ -200,9 +198,9 @@ private:
                 for (std::size_t t = begin; t < std::min(begin + kStretch, end); ++t) {
                     const Triangle& triangle = mesh_.triangles[t];
                     const Vec3& corner = mesh_.vertices[triangle[0]];
-                    if (near.overlaps({corner, corner}) && !is_removed(triangle) &&
-                        box_of(mesh_, triangle).overlaps(box))
-                        visit(static_cast<std::uint32_t>(t));
+                    if (!near.overlaps({corner, corner}) || is_removed(triangle)) continue;
+                    const Box of_triangle = box_of(mesh_, triangle);
+                    if (of_triangle.overlaps(box)) visit(static_cast<std::uint32_t>(t), of_triangle);
                 }
             }
         });
@@ -241,7 +239,7 @@ private:
         std::vector<std::uint32_t> crumb{triangle};
         std::vector<VertexId> corners(mesh_.triangles[triangle].begin(), mesh_.triangles[triangle].end());
         for (std::size_t i = 0; i < crumb.size() && crumb.size() <= options_.largest_crumb; ++i)
-            for_each_near(chunks, box_of(mesh_, mesh_.triangles[crumb[i]]), [&](std::uint32_t t) {
+            for_each_near(chunks, box_of(mesh_, mesh_.triangles[crumb[i]]), [&](std::uint32_t t, const Box&) {
                 const auto is_corner = [&](VertexId v) { return std::ranges::count(corners, v) > 0; };
                 if (std::ranges::count(crumb, t) > 0 || std::ranges::none_of(mesh_.triangles[t], is_corner)) return;
                 crumb.push_back(t);
@@ -332,7 +330,7 @@ private:
 
     Cutting cut_out(const BoxTree& chunks, const Place& place) const {
         Cutting cutting;
-        for_each_near(chunks, place.room, [&](std::uint32_t t) { cutting.triangles.push_back(t); });
+        for_each_near(chunks, place.room, [&](std::uint32_t t, const Box&) { cutting.triangles.push_back(t); });
         for (const std::uint32_t t : cutting.triangles)
             cutting.vertices.insert(cutting.vertices.end(), mesh_.triangles[t].begin(), mesh_.triangles[t].end());
         const LocalCorners corners(std::move(cutting.vertices));
