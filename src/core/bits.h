@@ -27,12 +27,18 @@ void for_each_bit(std::uint64_t word, const Visit& visit) {
 /// How many words hold a bit for each of so many items.
 constexpr std::size_t words_for(std::size_t items) { return (items + 63) / 64; }
 
+/// Calls visit(item) for every item that is in a set, in rising order; there must be no bit set beyond the last item.
+template <class Visit>
+void for_each_item(const std::uint64_t* words, std::size_t items, const Visit& visit) {
+    for (std::size_t w = 0; w < words_for(items); ++w)
+        for_each_bit(words[w], [&](std::size_t bit) { visit(64 * w + bit); });
+}
+
 /// Writes the items that are in a set, in rising order, and returns how many they are; there must be room for all, and
 /// no bit set beyond the last item.
 inline std::size_t list_items(const std::uint64_t* words, std::size_t items, std::uint32_t* list) {
     std::size_t count = 0;
-    for (std::size_t w = 0; w < words_for(items); ++w)
-        for_each_bit(words[w], [&](std::size_t bit) { list[count++] = static_cast<std::uint32_t>(64 * w + bit); });
+    for_each_item(words, items, [&](std::size_t item) { list[count++] = static_cast<std::uint32_t>(item); });
     return count;
 }
 

@@ -65,7 +65,7 @@ struct ContourWorkspace {
 
     NeighbourCaps neighbours;
     ContourBuilder builder;
-    std::vector<Cap> caps;
+    CapList caps;
     std::vector<std::uint32_t> place;  // of the kept caps among themselves
 };
 
@@ -74,30 +74,32 @@ enum class Contour { Exposed, Buried, Inconsistent };
 // Builds the contour of atom i. `cover` names neighbours that buried most of it under another perturbation: an
 // atom that they bury again needs no look at the others, and on any other they leave little for these to cut.
 Contour build_contour(const AccessibleSurface::Data& data, NeighbourCaps& neighbours, std::uint32_t i,
-                      std::span<const std::uint32_t> cover, std::vector<Cap>& caps, ContourBuilder& builder) {
+                      std::span<const std::uint32_t> cover, CapList& caps, ContourBuilder& builder) {
     caps.clear();
     for (const std::uint32_t j : cover) {
-        caps.push_back(cap_between(data, i, j));
-        if (!(std::abs(caps.back().t) < 1.0)) return build_contour(data, neighbours, i, {}, caps, builder);
+        const Cap cap = cap_between(data, i, j);
+        if (!(std::abs(cap.t) < 1.0)) return build_contour(data, neighbours, i, {}, caps, builder);
+        caps.add(cap);
     }
-    if (!builder.build_in_order(caps)) return Contour::Inconsistent;
+    if (!builder.build_in_order(caps.planes)) return Contour::Inconsistent;
     if (!builder.exposed()) return Contour::Buried;
     if (!neighbours.gather(i, cover, caps)) return Contour::Buried;
-    const bool consistent = cover.empty() ? builder.build(caps) : builder.extend(caps);
+    const bool consistent = cover.empty() ? builder.build(caps.planes) : builder.extend(caps.planes);
     if (!consistent) return Contour::Inconsistent;
     return builder.exposed() ? Contour::Exposed : Contour::Buried;
 }
 
 // `place` is memory: of the kept caps among themselves.
-void append_contour(const ContourBuilder& builder, std::span<const Cap> caps, std::vector<std::uint32_t>& place,
-                    ChunkResult& result) {
+void append_contour(const ContourBuilder& builder, std::vector<std::uint32_t>& place, ChunkResult& result) {
     const std::span<const std::uint32_t> kept = builder.kept();
-    if (place.size() < caps.size()) place.resize(caps.size());
-    for (std::uint32_t k = 0; k < kept.size(); ++k) place[kept[k]] = k;
+    for (std::uint32_t k = 0; k < kept.size(); ++k) {
+        if (place.size() <= kept[k]) place.resize(2 * kept[k] + 1);
+        place[kept[k]] = k;
+    }
     const auto among_kept = [&](std::uint32_t k) { return k == kWholeCircle ? k : place[k]; };
     for (const ContourArc& arc : builder.arcs())
-        result.arcs.push_back({place[arc.cap], among_kept(arc.from), among_kept(arc.to), arc.start, arc.sweep});
-    for (const std::uint32_t k : kept) result.caps.push_back({caps[k].axis, caps[k].t});
+        result.arcs.push_back({place[arc.cap], among_kept(arc.from), among_kept(arc.to), arc.sweep});
+    result.caps.insert(result.caps.end(), builder.kept_caps().begin(), builder.kept_caps().end());
 }
 
 // Fills exposed, cover, caps and contours; false if the arrangement came out inconsistent on some sphere.
@@ -122,11 +124,11 @@ bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const 
                     chunk.consistent = false;
                     return;
                 }
-                for (const std::uint32_t k : builder.kept()) chunk.cover.push_back(caps[k].atom);
+                for (const std::uint32_t k : builder.kept()) chunk.cover.push_back(caps.atoms[k]);
                 data.cover_begin[i + 1] = builder.kept().size();
                 if (contour == Contour::Buried) continue;
                 data.exposed[i] = 1;
-                append_contour(builder, caps, place, chunk);
+                append_contour(builder, place, chunk);
                 data.contour_begin[i + 1] = builder.arcs().size();
                 data.cap_begin[i + 1] = builder.kept().size();
             }

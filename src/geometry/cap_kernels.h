@@ -23,7 +23,7 @@ class Columns {
 public:
     static constexpr std::size_t kStep = 8;  // columns are readable up to the next multiple
 
-    /// Keeps nothing that was in it.
+    /// What is added is without sense until it is written.
     void resize(std::size_t items) {
         size_ = items;
         if (columns_[0].size() >= padded_size()) return;
@@ -40,42 +40,50 @@ private:
 };
 
 using BallColumns = Columns<4>;  ///< centre, enlarged radius
-using CapColumns = Columns<5>;   ///< axis, t, sine of the rim's angle
+using CapColumns = Columns<4>;   ///< axis, t
 
-using NeighbourColumns = Columns<4>;  ///< axis, t of the caps that balls bury; without sense where they bury none
+/// Eight arcs of a contour side by side: the caps whose rims they run along, and their ends, the same point twice for a
+/// whole rim.
+struct EightArcs {
+    static constexpr std::size_t kCount = 8;
+    static constexpr std::size_t kAxis = 0;  ///< columns: three
+    static constexpr std::size_t kT = 3;
+    static constexpr std::size_t kStart = 4;  ///< three
+    static constexpr std::size_t kEnd = 7;    ///< three
+    static constexpr std::size_t kColumns = 10;
 
-/// The rim of a cap, and the frame that pseudo-angles along it are measured in.
-struct Rim {
-    Vec3 axis;
-    double t = 0.0;
-    Vec3 e1;  ///< direction of pseudo-angle 0
-    Vec3 e2;  ///< a quarter turn clockwise around the cap
+    std::array<double, kColumns * kCount> numbers{};  ///< column after column
 };
 
-/// Where rims meet that of one other cap.
-struct MeetingColumns : Columns<9> {
-    static constexpr std::size_t kDiscriminant = 0;  ///< positive where the rims cross
-    static constexpr std::size_t kOnto = 1;  ///< three: the point where the contour passes from the rim onto the cap's
-    static constexpr std::size_t kBack = 4;  ///< three: and back onto the rim
-    static constexpr std::size_t kAngleOnto = 7;  ///< their pseudo-angles along the rim
-    static constexpr std::size_t kAngleBack = 8;
+/// How a cap meets eight arcs; a bit for each arc.
+struct EightMeetings {
+    unsigned start_inside = 0;  ///< the arc begins inside the cap
+    unsigned end_inside = 0;
+    unsigned twice = 0;  ///< both ends inside or both outside, but what is between leaves the cap or enters it
+    /// Coordinates of the point where the arc leaves the cap that it begins inside of, else of where it enters it;
+    /// without sense if it does neither.
+    std::array<double, 3 * EightArcs::kCount> crossing{};
 };
 
 struct CapKernels {
     std::string_view instructions;  ///< "plain", "avx2" or "avx512"
-    /// The caps that balls bury on a sphere, as cap_between has them, and marks for the balls that meet it: a bit for
-    /// each (core/bits.h).
-    void (*find_caps)(const BallColumns& balls, const Vec3& centre, double rho, NeighbourColumns& caps,
-                      std::uint64_t* marks);
-    /// The cap, the first of equals, that a direction is deepest in; caps.size() if it is in none. Behind the last cap
-    /// t must be such that nothing is inside.
-    std::size_t (*find_deepest)(const CapColumns& caps, const Vec3& direction);
-    /// idle[k] > 0: the cap is apart from all arcs and its middle is buried by one of `buried`, so it changes nothing.
-    void (*find_idle)(const CapColumns& caps, std::span<const ArcExtent> arcs, std::span<const Cap> buried,
-                      double* idle);
-    /// Where those of `rims` that are listed meet the rim of `cap`; as cross_rims has it.
-    void (*find_meetings)(std::span<const Rim> rims, std::span<const std::uint32_t> list, const Cap& cap,
-                          MeetingColumns& meetings);
+    /// Marks the balls that meet a sphere: a bit for each (core/bits.h).
+    void (*mark_meeting)(const BallColumns& balls, const Vec3& centre, double rho, std::uint64_t* marks);
+    /// Appends the caps that listed balls bury on a sphere, as cap_between has them. Up to the next multiple of
+    /// eight the list must repeat its last ball, and caps must have room.
+    ///
+    /// returns  whether the planes of all caps that are listed meet the sphere
+    bool (*find_caps)(const BallColumns& balls, std::span<const std::uint32_t> list, const Vec3& centre, double rho,
+                      std::size_t at, CapColumns& caps);
+    /// The cap, the first of equals, that a direction is deepest in: by more than so much, with t as given and not as
+    /// in the caps; caps.size() if there is none. Behind the last cap t must be such that nothing is inside.
+    std::size_t (*find_deepest)(const CapColumns& caps, const double* t, const Vec3& direction, double more_than);
+    /// How a cap meets the first `count` arcs.
+    void (*meet_arcs)(std::span<const EightArcs> arcs, std::size_t count, const CapPlane& cap, EightMeetings* meetings);
+    /// Marks the caps that may still change a contour: those that hold the end of an arc, or that an arc enters, or
+    /// whose middle is buried by none of `buried`. In single precision: others by a hair, too.
+    void (*mark_changing)(const CapColumns& caps, std::span<const EightArcs> arcs, std::size_t count,
+                          std::span<const CapPlane> buried, std::uint64_t* marks);
 };
 
 /// Those that this machine can run, the plainest first.

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <numeric>
+#include <utility>
+
+#include "core/bits.h"
 
 namespace meniscus {
 namespace {
@@ -18,10 +21,44 @@ double diamond_angle(double x, double y) {
     return wrapped(x < 0.0 ? 2.0 - p : p);
 }
 
+// Of a direction from e1 towards a quarter turn clockwise around the axis, both perpendicular to e1.
+double pseudo_angle(const Vec3& axis, const Vec3& e1, const Vec3& n) {
+    return diamond_angle(dot(n, e1), dot(n, cross(e1, axis)));
+}
+
 constexpr double kNoCap = 4.0;  // in the place of t: no direction lies so deep
 
-// For rims that do not cross: whether the rim of `a` lies in cap `b`.
-bool rim_is_inside(const Cap& a, const Cap& b) { return dot(a.axis, b.axis) * a.t > b.t; }
+CapPlane plane_of(const CapColumns& caps, std::size_t k) { return {{caps[0][k], caps[1][k], caps[2][k]}, caps[3][k]}; }
+
+Vec3 point_on_rim(const CapPlane& cap) {
+    return cap.t * cap.axis + std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t)) * perpendicular(cap.axis);
+}
+
+// Numbers of an arc, by its lane of EightArcs.
+Vec3 load3(const double* lane, std::size_t column) {
+    constexpr std::size_t kNext = EightArcs::kCount;
+    const double* const at = lane + kNext * column;
+    return {at[0], at[kNext], at[2 * kNext]};
+}
+void store3(const Vec3& v, double* lane, std::size_t column) {
+    constexpr std::size_t kNext = EightArcs::kCount;
+    double* const at = lane + kNext * column;
+    at[0] = v.x;
+    at[kNext] = v.y;
+    at[2 * kNext] = v.z;
+}
+CapPlane load_rim(const double* lane) {
+    return {load3(lane, EightArcs::kAxis), lane[EightArcs::kCount * EightArcs::kT]};
+}
+
+template <class Visit>
+void for_each_bit_downwards(unsigned bits, const Visit& visit) {
+    while (bits != 0) {
+        const std::size_t lane = static_cast<std::size_t>(std::bit_width(bits)) - 1;
+        bits ^= 1U << lane;
+        visit(lane);
+    }
+}
 
 }  // namespace
 
@@ -53,270 +90,254 @@ Vec3 rim_crossing(const Cap& a, const Cap& b) {
     return crossing.crosses ? crossing.onto : normalised(a.t * a.axis + b.t * b.axis);
 }
 
-double ContourBuilder::pseudo_angle(std::uint32_t cap, const Vec3& n) const {
-    const Rim& at = rims_[cap];
-    return diamond_angle(dot(n, at.e1), dot(n, at.e2));
-}
-
-void ContourBuilder::start(std::span<const Cap> caps) {
-    caps_ = caps;
+void ContourBuilder::start(const CapColumns& caps) {
+    caps_ = &caps;
     inserted_ = 0;
+    open_.clear();
     arcs_.clear();
-    ends_.clear();
-    extents_.clear();
     kept_.clear();
     kept_caps_.clear();
-    if (rims_.size() < caps.size()) rims_.resize(caps.size());
+}
+
+bool ContourBuilder::build(const CapColumns& caps) {
+    start(caps);
+    if (caps.size() == 0) return true;
+    wait_from(0);
+    const std::size_t largest = kernels_->find_deepest(caps, waiting_.data(), {}, -kNoCap);
+    if (!insert_waiting(largest) || !bury_ends() || !insert_rest()) return false;
+    list_arcs();
+    return true;
 }
 
 bool ContourBuilder::build(std::span<const Cap> caps) {
-    start(caps);
-    if (caps.empty()) return true;
-    wait_from(0);
-    const auto largest =
-        std::min_element(caps.begin(), caps.end(), [](const Cap& a, const Cap& b) { return a.t < b.t; });
-    return insert_waiting(static_cast<std::size_t>(largest - caps.begin())) && bury_ends() && insert_rest();
+    given_.resize(caps.size());
+    for (std::size_t k = 0; k < caps.size(); ++k) {
+        given_[0][k] = caps[k].axis.x;
+        given_[1][k] = caps[k].axis.y;
+        given_[2][k] = caps[k].axis.z;
+        given_[3][k] = caps[k].t;
+    }
+    return build(given_);
 }
 
-bool ContourBuilder::build_in_order(std::span<const Cap> caps) {
+bool ContourBuilder::build_in_order(const CapColumns& caps) {
     start(caps);
     for (; inserted_ < caps.size() && exposed(); ++inserted_)
         if (!insert(static_cast<std::uint32_t>(inserted_))) return false;
     return true;
 }
 
-bool ContourBuilder::extend(std::span<const Cap> caps) {
-    caps_ = caps;
-    if (rims_.size() < caps.size()) rims_.resize(caps.size());
+bool ContourBuilder::extend(const CapColumns& caps) {
+    caps_ = &caps;
     wait_from(inserted_);
-    return insert_rest();
+    if (!insert_rest()) return false;
+    list_arcs();
+    return true;
 }
 
 // Has all caps from one on wait for insertion.
 void ContourBuilder::wait_from(std::size_t first) {
-    order_.resize(caps_.size() - first);
-    std::iota(order_.begin(), order_.end(), static_cast<std::uint32_t>(first));
-    waiting_.resize(order_.size());
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-        const Cap& cap = caps_[first + i];
-        waiting_[0][i] = cap.axis.x;
-        waiting_[1][i] = cap.axis.y;
-        waiting_[2][i] = cap.axis.z;
-        waiting_[3][i] = cap.t;
-    }
-    std::fill(waiting_[3] + waiting_.size(), waiting_[3] + waiting_.padded_size(), kNoCap);
+    waiting_.assign(caps_->padded_size(), kNoCap);
+    std::copy((*caps_)[3] + first, (*caps_)[3] + caps_->size(), waiting_.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
-bool ContourBuilder::insert_waiting(std::size_t i) {
-    waiting_[3][i] = kNoCap;
-    return insert(order_[i]);
+bool ContourBuilder::insert_waiting(std::size_t k) {
+    waiting_[k] = kNoCap;
+    return insert(static_cast<std::uint32_t>(k));
 }
 
 // Inserts caps that bury ends of arcs, so that each changes the contour, and few that are inserted are buried later on.
 bool ContourBuilder::bury_ends() {
-    for (std::size_t a = 0; a < arcs_.size();) {
-        const std::size_t i = ends_[a].settled ? waiting_.size() : kernels_->find_deepest(waiting_, ends_[a].end);
-        if (i == waiting_.size()) {
-            ends_[a++].settled = true;
+    for (std::size_t a = 0; a < open_.size();) {
+        const std::size_t k =
+            open_[a].settled ? caps_->size()
+                             : kernels_->find_deepest(*caps_, waiting_.data(), load3(lane_of(a), EightArcs::kEnd), 0.0);
+        if (k == caps_->size()) {
+            open_[a++].settled = true;
             continue;
         }
-        if (!insert_waiting(i)) return false;
+        if (!insert_waiting(k)) return false;
         a = 0;  // arcs have changed their places
     }
     return true;
 }
 
-// Most change nothing, but to find that out one by one costs a wrong guess of the processor each. Large ones bury
-// others.
+// Large ones bury others.
 bool ContourBuilder::insert_rest() {
     if (!exposed()) return true;
-    drop_idle();
-    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) { return caps_[a].t < caps_[b].t; });
-    for (std::size_t i = 0; i < order_.size() && exposed(); ++i)
-        if (!insert(order_[i])) return false;
+    find_rest();
+    const double* const t = (*caps_)[3];
+    std::sort(rest_.begin(), rest_.end(), [&](std::uint32_t a, std::uint32_t b) { return t[a] < t[b]; });
+    for (std::size_t i = 0; i < rest_.size() && exposed(); ++i)
+        if (!insert(rest_[i])) return false;
     return true;
 }
 
+// Of the caps that wait those that may still change the contour, as few do: to insert all costs more. What is inserted
+// in between only buries more.
+void ContourBuilder::find_rest() {
+    marks_.resize(words_for(caps_->size()));
+    kernels_->mark_changing(*caps_, lanes_, open_.size(), kept_caps_, marks_.data());
+    rest_.clear();
+    for_each_item(marks_.data(), caps_->size(), [&](std::size_t k) {
+        if (waiting_[k] != kNoCap) rest_.push_back(static_cast<std::uint32_t>(k));
+    });
+}
+
 bool ContourBuilder::insert(std::uint32_t k) {
-    const Cap& cap = caps_[k];
-    find_near(cap);
-    if (near_count_ == 0 && !is_exposed(cap.axis)) return true;
-    const Vec3 e1 = perpendicular(cap.axis);
-    rims_[k] = {cap.axis, cap.t, e1, cross(e1, cap.axis)};
-    cross_near(cap);
+    const CapPlane cap = plane_of(*caps_, k);
     entries_.clear();
     exits_.clear();
-    bool changed = false;
-    // From the last to the first: the gap that an arc leaves is filled with the last one.
-    for (std::size_t i = near_count_; i-- > 0;) changed = cut(i, k) || changed;
+    const bool cuts = cut_arcs(cap, k);
     if (!entries_.empty() || !exits_.empty()) {
-        if (!close_rim(k)) return false;
-    } else if (const Vec3 anywhere = point_on_rim(k); near_count_ == 0 || is_exposed(anywhere)) {
-        append({.cap = k}, {anywhere, anywhere});  // it crosses nothing: all of it or none
-        changed = true;
+        if (!close_rim(cap, k)) return false;
+    } else {  // its rim crosses nothing: all of it is exposed or none
+        const Vec3 on_rim = point_on_rim(cap);
+        if (is_exposed(cuts ? on_rim : cap.axis))
+            append({k, kWholeCircle, kWholeCircle}, cap, on_rim, on_rim);
+        else if (!cuts)
+            return true;
     }
-    if (!changed) return true;
     kept_.push_back(k);
     kept_caps_.push_back(cap);
     return true;
 }
 
-// Drops those caps to come that were inserted or lie wholly in buried ground: what is inserted in between only buries
-// more.
-void ContourBuilder::drop_idle() {
-    idle_.resize(waiting_.size() + 7);
-    for (std::size_t i = 0; i < waiting_.size(); ++i) {
-        const double t = waiting_[3][i];
-        waiting_[4][i] = std::sqrt(std::max(0.0, 1.0 - t * t));
+// Keeps what of the arcs lies outside cap k; false if that is all of them.
+bool ContourBuilder::cut_arcs(const CapPlane& cap, std::uint32_t k) {
+    if (meetings_.size() < lanes_.size()) meetings_.resize(lanes_.size());
+    kernels_->meet_arcs(lanes_, open_.size(), cap, meetings_.data());
+    unsigned touched = 0;
+    // From the last to the first: the gap that an arc leaves is filled with the last one.
+    for (std::size_t block = (open_.size() + EightArcs::kCount - 1) / EightArcs::kCount; block-- > 0;) {
+        const EightMeetings& meetings = meetings_[block];
+        touched |= meetings.start_inside | meetings.end_inside | meetings.twice;
+        if (meetings.twice == 0)
+            cut_once(EightArcs::kCount * block, meetings, k);
+        else
+            cut_one_by_one(EightArcs::kCount * block, meetings, cap, k);
     }
-    kernels_->find_idle(waiting_, extents_, kept_caps_, idle_.data());
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < waiting_.size(); ++i) {
-        order_[kept] = order_[i];
-        kept += idle_[i] > 0.0 || waiting_[3][i] == kNoCap ? 0 : 1;
-    }
-    order_.resize(kept);
+    return touched != 0;
 }
 
-// Caps whose angular radii add up to less than the angle of their axes are apart.
-void ContourBuilder::find_near(const Cap& cap) {
-    const double sine = std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t));
-    if (near_.size() < extents_.size()) near_.resize(2 * extents_.size());
-    near_count_ = 0;
-    for (std::uint32_t a = 0; a < extents_.size(); ++a) {
-        const ArcExtent& extent = extents_[a];
-        const double gap =
-            cap.t * extent.cosine - sine * extent.sine - ArcExtent::kSlack - dot(extent.middle, cap.axis);
-        // Radii that may add up to more than half a turn; the middle's length is at most 2.
-        const double sum = cap.t + 0.5 * extent.cosine;
-        near_[near_count_] = a;
-        near_count_ += std::min(gap, sum) > 0.0 ? 0 : 1;
-    }
+Vec3 crossing_of(const EightMeetings& meetings, std::size_t lane) { return load3(&meetings.crossing[lane], 0); }
+
+// Cuts eight arcs of which none is cut twice.
+void ContourBuilder::cut_once(std::size_t begin, const EightMeetings& meetings, std::uint32_t k) {
+    for_each_bit_downwards(meetings.end_inside & ~meetings.start_inside,
+                           [&](std::size_t lane) { cut_end(begin + lane, crossing_of(meetings, lane), k); });
+    for_each_bit_downwards(meetings.start_inside & ~meetings.end_inside,
+                           [&](std::size_t lane) { cut_start(begin + lane, crossing_of(meetings, lane), k); });
+    for_each_bit_downwards(meetings.start_inside & meetings.end_inside,
+                           [&](std::size_t lane) { remove(begin + lane); });
 }
 
-// All before the first cut: long chains of arithmetic that overlap as long as no branch hangs on them.
-void ContourBuilder::cross_near(const Cap& cap) {
-    if (near_rims_.size() < near_count_) near_rims_.resize(2 * near_count_);
-    for (std::size_t i = 0; i < near_count_; ++i) near_rims_[i] = arcs_[near_[i]].cap;
-    meetings_.resize(near_count_);
-    kernels_->find_meetings(rims_, std::span(near_rims_).first(near_count_), cap, meetings_);
+void ContourBuilder::cut_one_by_one(std::size_t begin, const EightMeetings& meetings, const CapPlane& cap,
+                                    std::uint32_t k) {
+    for_each_bit_downwards(meetings.start_inside | meetings.end_inside | meetings.twice, [&](std::size_t lane) {
+        const std::size_t a = begin + lane;
+        const bool starts_inside = (meetings.start_inside >> lane & 1U) != 0;
+        if ((meetings.twice >> lane & 1U) != 0)
+            cut_twice(a, starts_inside, cap, k);
+        else if (!starts_inside)
+            cut_end(a, crossing_of(meetings, lane), k);
+        else if ((meetings.end_inside >> lane & 1U) == 0)
+            cut_start(a, crossing_of(meetings, lane), k);
+        else
+            remove(a);
+    });
 }
 
-RimCrossing ContourBuilder::crossing_of(std::size_t i) const {
-    const auto point = [&](std::size_t column) {
-        return Vec3{meetings_[column][i], meetings_[column + 1][i], meetings_[column + 2][i]};
-    };
-    return {meetings_[MeetingColumns::kDiscriminant][i] > 0.0, point(MeetingColumns::kOnto),
-            point(MeetingColumns::kBack)};
+void ContourBuilder::cut_end(std::size_t a, const Vec3& crossing, std::uint32_t k) {
+    OpenArc& arc = open_[a];
+    arc.to = k;
+    arc.settled = false;
+    store3(crossing, lane_of(a), EightArcs::kEnd);
+    entries_.push_back({arc.cap, crossing});
 }
 
-// Keeps what of an arc lies outside cap k; false if that is all of it.
-bool ContourBuilder::cut(std::size_t i, std::uint32_t k) {
-    const std::uint32_t a = near_[i];
-    if (meetings_[MeetingColumns::kDiscriminant][i] > 0.0) return cut_at(i, k);
-    if (!rim_is_inside(caps_[arcs_[a].cap], caps_[k])) return false;
-    remove(a);
-    return true;
+void ContourBuilder::cut_start(std::size_t a, const Vec3& crossing, std::uint32_t k) {
+    OpenArc& arc = open_[a];
+    arc.from = k;
+    store3(crossing, lane_of(a), EightArcs::kStart);
+    exits_.push_back({arc.cap, crossing});
 }
 
-// Along the arc's rim the cap is entered at `onto` and left at `back`.
-bool ContourBuilder::cut_at(std::size_t i, std::uint32_t k) {
-    const std::uint32_t a = near_[i];
-    const ContourArc arc = arcs_[a];
-    const Ends ends = ends_[a];
-    const RimCrossing crossing = crossing_of(i);
-    const double in = meetings_[MeetingColumns::kAngleOnto][i];
-    const double out = meetings_[MeetingColumns::kAngleBack][i];
-    const Ends between{crossing.back, crossing.onto};
-    if (arc.from == kWholeCircle) {
-        replace(a, k, {.cap = arc.cap, .from = k, .to = k, .start = out, .sweep = wrapped(in - out)}, between);
-        return true;
-    }
-    const double to_in = wrapped(in - arc.start);
-    const double to_out = wrapped(out - arc.start);
-    const Ends before{ends.start, crossing.onto};
-    const Ends behind{crossing.back, ends.end, ends.settled};
-    if (to_in < to_out) {  // the arc starts outside the cap
-        if (to_in >= arc.sweep) return false;
-        replace(a, k, {arc.cap, arc.from, k, arc.start, to_in}, before);
-        if (to_out >= arc.sweep) return true;
-        const ContourArc rest{arc.cap, k, arc.to, out, arc.sweep - to_out};
-        note_crossings(k, rest, behind);
-        append(rest, behind);
-    } else if (to_out >= arc.sweep) {
-        remove(a);
-    } else if (to_in < arc.sweep) {  // starts inside the cap and comes out of it
-        replace(a, k, {arc.cap, k, k, out, to_in - to_out}, between);
+// An arc with both ends inside the cap, or both outside, that is cut at two places.
+void ContourBuilder::cut_twice(std::size_t a, bool starts_inside, const CapPlane& cap, std::uint32_t k) {
+    const CapPlane rim = load_rim(lane_of(a));
+    const RimCrossing crossing = cross_rims({rim.axis, rim.t}, {cap.axis, cap.t});
+    const OpenArc arc = open_[a];
+    const Vec3 end = load3(lane_of(a), EightArcs::kEnd);
+    cut_end(a, crossing.onto, k);
+    if (starts_inside || arc.from == kWholeCircle) {  // one piece is left
+        cut_start(a, crossing.back, k);
     } else {
-        replace(a, k, {arc.cap, k, arc.to, out, arc.sweep - to_out}, behind);
+        exits_.push_back({arc.cap, crossing.back});
+        append({arc.cap, k, arc.to, arc.settled}, rim, crossing.back, end);
     }
-    return true;
-}
-
-void ContourBuilder::note_crossings(std::uint32_t k, const ContourArc& piece, const Ends& ends) {
-    if (piece.to == k) entries_.push_back({pseudo_angle(k, ends.end), piece.cap, ends.end});
-    if (piece.from == k) exits_.push_back({pseudo_angle(k, ends.start), piece.cap, ends.start});
-}
-
-void ContourBuilder::replace(std::size_t a, std::uint32_t k, const ContourArc& piece, const Ends& ends) {
-    note_crossings(k, piece, ends);
-    arcs_[a] = piece;
-    ends_[a] = ends;
-    extents_[a] = extent_of(piece, ends);
-}
-
-void ContourBuilder::append(const ContourArc& arc, const Ends& ends) {
-    arcs_.push_back(arc);
-    ends_.push_back(ends);
-    extents_.push_back(extent_of(arc, ends));
-}
-
-void ContourBuilder::remove(std::size_t a) {
-    arcs_[a] = arcs_.back();
-    ends_[a] = ends_.back();
-    extents_[a] = extents_.back();
-    arcs_.pop_back();
-    ends_.pop_back();
-    extents_.pop_back();
-}
-
-// An arc of at most half its rim lies within the cap around the middle of its ends that has them on its rim; a longer
-// one within the cap of its own rim, or the complement of that, whichever is smaller.
-ArcExtent ContourBuilder::extent_of(const ContourArc& arc, const Ends& ends) const {
-    if (arc.from != kWholeCircle && arc.sweep <= 2.0) {
-        const Vec3 sum = ends.start + ends.end;
-        if (const double length2 = squared_norm(sum); length2 > 0.01)
-            return {sum, 0.5 * length2, norm(cross(ends.start, ends.end))};
-    }
-    const Cap& cap = caps_[arc.cap];
-    const double sign = cap.t < 0.0 ? -1.0 : 1.0;
-    return {sign * cap.axis, sign * cap.t, std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t))};
 }
 
 // Joins each point where the contour reaches the rim of cap k to the next point where it leaves it.
-bool ContourBuilder::close_rim(std::uint32_t k) {
+bool ContourBuilder::close_rim(const CapPlane& cap, std::uint32_t k) {
     if (entries_.size() != exits_.size()) return false;
-    for (const Crossing& entry : entries_) {
-        const auto sweep_to = [&](const Crossing& exit) { return wrapped(exit.angle - entry.angle); };
-        const auto exit = std::min_element(exits_.begin(), exits_.end(), [&](const Crossing& a, const Crossing& b) {
-            return sweep_to(a) < sweep_to(b);
-        });
-        if (exit == exits_.end()) return false;  // two entries without an exit between them
-        const ContourArc arc{k, entry.cap, exit->cap, entry.angle, sweep_to(*exit)};
-        append(arc, {entry.point, exit->point});
-        *exit = exits_.back();
-        exits_.pop_back();
-    }
+    if (entries_.size() == 1)
+        append({k, entries_[0].cap, exits_[0].cap}, cap, entries_[0].point, exits_[0].point);
+    else
+        close_rim_by_angles(cap, k);
     return true;
 }
 
-Vec3 ContourBuilder::point_on_rim(std::uint32_t k) const {
-    const Cap& cap = caps_[k];
-    return cap.t * cap.axis + std::sqrt(std::max(0.0, 1.0 - cap.t * cap.t)) * rims_[k].e1;
+void ContourBuilder::close_rim_by_angles(const CapPlane& cap, std::uint32_t k) {
+    const Vec3 e1 = perpendicular(cap.axis);
+    for (const Crossing& entry : entries_) {
+        const double begin = pseudo_angle(cap.axis, e1, entry.point);
+        const auto sweep_to = [&](const Crossing& exit) {
+            return wrapped(pseudo_angle(cap.axis, e1, exit.point) - begin);
+        };
+        const auto exit = std::min_element(exits_.begin(), exits_.end(), [&](const Crossing& a, const Crossing& b) {
+            return sweep_to(a) < sweep_to(b);
+        });
+        append({k, entry.cap, exit->cap}, cap, entry.point, exit->point);
+        *exit = exits_.back();
+        exits_.pop_back();
+    }
+}
+
+void ContourBuilder::append(const OpenArc& arc, const CapPlane& rim, const Vec3& start, const Vec3& end) {
+    const std::size_t a = open_.size();
+    open_.push_back(arc);
+    if (a == EightArcs::kCount * lanes_.size()) lanes_.emplace_back();
+    double* const lane = lane_of(a);
+    store3(rim.axis, lane, EightArcs::kAxis);
+    lane[EightArcs::kCount * EightArcs::kT] = rim.t;
+    store3(start, lane, EightArcs::kStart);
+    store3(end, lane, EightArcs::kEnd);
+}
+
+void ContourBuilder::remove(std::size_t a) {
+    const double* const from = lane_of(open_.size() - 1);
+    double* const to = lane_of(a);
+    for (std::size_t c = 0; c < EightArcs::kColumns; ++c) to[EightArcs::kCount * c] = from[EightArcs::kCount * c];
+    open_[a] = open_.back();
+    open_.pop_back();
+}
+
+void ContourBuilder::list_arcs() {
+    for (std::size_t a = 0; a < open_.size(); ++a) {
+        const OpenArc& arc = open_[a];
+        ContourArc& listed = arcs_.emplace_back(ContourArc{arc.cap, arc.from, arc.to});
+        if (arc.from == kWholeCircle) continue;
+        const double* const lane = lane_of(a);
+        const CapPlane rim = load_rim(lane);
+        const Vec3 outward = load3(lane, EightArcs::kStart) - rim.t * rim.axis;
+        listed.sweep = pseudo_angle(rim.axis, outward, load3(lane, EightArcs::kEnd));
+    }
 }
 
 bool ContourBuilder::is_exposed(const Vec3& n) const {
-    return std::none_of(kept_caps_.begin(), kept_caps_.end(), [&](const Cap& cap) { return dot(n, cap.axis) > cap.t; });
+    return std::none_of(kept_caps_.begin(), kept_caps_.end(),
+                        [&](const CapPlane& cap) { return dot(n, cap.axis) > cap.t; });
 }
 
 }  // namespace meniscus

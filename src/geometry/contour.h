@@ -24,8 +24,7 @@ struct ContourArc {
     std::uint32_t cap = 0;
     std::uint32_t from = kWholeCircle;
     std::uint32_t to = kWholeCircle;
-    double start = 0.0;  ///< pseudo-angle along the rim, [0, 4)
-    double sweep = 4.0;  ///< pseudo-angle to the end, (0, 4]
+    double sweep = 4.0;  ///< pseudo-angle from the start to the end, (0, 4]
 };
 
 /// Where the rims of two caps meet.
@@ -44,70 +43,69 @@ public:
     ///
     /// returns  false if rounding made the arrangement inconsistent: perturb and try again
     /// cost     O(caps · arcs), stops as soon as nothing is exposed
+    bool build(const CapColumns& caps);
     bool build(std::span<const Cap> caps);
 
     /// The same in the order of `caps`: for caps known to bury most, and then for the rest behind them.
-    bool build_in_order(std::span<const Cap> caps);
+    bool build_in_order(const CapColumns& caps);
     /// Goes on after build_in_order, whose caps `caps` begins with, while something is exposed.
-    bool extend(std::span<const Cap> caps);
+    bool extend(const CapColumns& caps);
 
-    /// The contour; empty when nothing or the whole sphere is exposed.
+    /// The contour as build or extend left it; empty when nothing or the whole sphere is exposed.
     std::span<const ContourArc> arcs() const { return arcs_; }
     /// Positions of caps whose union is that of all caps, in order of insertion.
     std::span<const std::uint32_t> kept() const { return kept_; }
-    bool exposed() const { return kept_.empty() || !arcs_.empty(); }
+    std::span<const CapPlane> kept_caps() const { return kept_caps_; }
+    bool exposed() const { return kept_.empty() || !open_.empty(); }
 
 private:
+    // An arc of the contour so far; where it lies is in lanes_.
+    struct OpenArc {
+        std::uint32_t cap;  // these as in ContourArc
+        std::uint32_t from;
+        std::uint32_t to;
+        bool settled = false;  // no cap to come buries the end
+    };
     struct Crossing {
-        double angle;       // pseudo-angle on the inserted rim
         std::uint32_t cap;  // the other rim
         Vec3 point;
     };
-    struct Ends {
-        Vec3 start;
-        Vec3 end;
-        bool settled = false;  // no cap to come buries the end
-    };
-    void start(std::span<const Cap> caps);
-    bool insert(std::uint32_t k);
+    void start(const CapColumns& caps);
     void wait_from(std::size_t first);
-    bool insert_waiting(std::size_t i);
+    bool insert_waiting(std::size_t k);
     bool bury_ends();
     bool insert_rest();
-    void drop_idle();
-    void find_near(const Cap& cap);
-    void cross_near(const Cap& cap);
-    RimCrossing crossing_of(std::size_t i) const;
-    bool cut(std::size_t i, std::uint32_t k);
-    bool cut_at(std::size_t i, std::uint32_t k);
-    bool close_rim(std::uint32_t k);
-    void replace(std::size_t a, std::uint32_t k, const ContourArc& piece, const Ends& ends);
-    void append(const ContourArc& arc, const Ends& ends);
+    void find_rest();
+    bool insert(std::uint32_t k);
+    bool cut_arcs(const CapPlane& cap, std::uint32_t k);
+    void cut_once(std::size_t begin, const EightMeetings& meetings, std::uint32_t k);
+    void cut_one_by_one(std::size_t begin, const EightMeetings& meetings, const CapPlane& cap, std::uint32_t k);
+    void cut_end(std::size_t a, const Vec3& crossing, std::uint32_t k);
+    void cut_start(std::size_t a, const Vec3& crossing, std::uint32_t k);
+    void cut_twice(std::size_t a, bool starts_inside, const CapPlane& cap, std::uint32_t k);
+    bool close_rim(const CapPlane& cap, std::uint32_t k);
+    void close_rim_by_angles(const CapPlane& cap, std::uint32_t k);
+    void append(const OpenArc& arc, const CapPlane& rim, const Vec3& start, const Vec3& end);
     void remove(std::size_t a);
-    void note_crossings(std::uint32_t k, const ContourArc& piece, const Ends& ends);
-    ArcExtent extent_of(const ContourArc& arc, const Ends& ends) const;
+    void list_arcs();
     bool is_exposed(const Vec3& n) const;
-    Vec3 point_on_rim(std::uint32_t k) const;
-    double pseudo_angle(std::uint32_t cap, const Vec3& n) const;
+    double* lane_of(std::size_t a) { return &lanes_[a / EightArcs::kCount].numbers[a % EightArcs::kCount]; }
 
     const CapKernels* kernels_ = &cap_kernels();
-    std::span<const Cap> caps_;
+    CapColumns given_;
+    const CapColumns* caps_ = nullptr;
     std::size_t inserted_ = 0;          // by build_in_order
-    std::vector<std::uint32_t> order_;  // of insertion by build and extend
-    std::vector<Rim> rims_;             // of caps that reached the contour
-    std::vector<ContourArc> arcs_;
-    std::vector<Ends> ends_;           // of arcs_
-    std::vector<ArcExtent> extents_;   // of arcs_
-    std::vector<std::uint32_t> near_;  // arcs that the inserted cap may reach
-    std::size_t near_count_ = 0;
-    std::vector<std::uint32_t> near_rims_;  // of those arcs
-    MeetingColumns meetings_;               // with those rims
-    std::vector<Crossing> entries_;
+    std::vector<double> waiting_;       // t of caps that wait for insertion, else kNoCap
+    std::vector<std::uint64_t> marks_;  // of caps
+    std::vector<std::uint32_t> rest_;
+    std::vector<OpenArc> open_;
+    std::vector<EightArcs> lanes_;  // open_ side by side
+    std::vector<EightMeetings> meetings_;
+    std::vector<Crossing> entries_;  // of the contour into the inserted cap
     std::vector<Crossing> exits_;
+    std::vector<ContourArc> arcs_;
     std::vector<std::uint32_t> kept_;
-    std::vector<Cap> kept_caps_;
-    CapColumns waiting_;  // those of order_
-    std::vector<double> idle_;
+    std::vector<CapPlane> kept_caps_;
 };
 
 /// A unit vector perpendicular to the unit vector `axis`.

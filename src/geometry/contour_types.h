@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Caps of the unit sphere of directions, and where an arc of a cap's rim lies.
+// Caps of the unit sphere of directions.
 #pragma once
 
 #include <cstdint>
@@ -23,15 +23,5 @@ struct CapPlane {
 };
 
 inline constexpr std::uint32_t kWholeCircle = 0xffffffffU;
-
-/// A cap of directions (n·middle >= cosine |middle|) that holds all of an arc. The middle has any length up to 2, and
-/// cosine and sine are multiplied by that length: no root of it and no division.
-struct ArcExtent {
-    static constexpr double kSlack = 2e-9;  ///< for rounding; what is not ruled out is examined
-
-    Vec3 middle;
-    double cosine = 0.0;
-    double sine = 0.0;
-};
 
 }  // namespace meniscus

@@ -4,10 +4,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/bits.h"
 
 namespace meniscus {
+
+namespace {
+
+// Leaves out caps from one on that bury nothing; false if one buries all.
+bool drop_outside(CapList& caps, std::size_t from) {
+    for (std::size_t k = from; k < caps.atoms.size(); ++k) {
+        const double t = caps.planes[3][k];
+        if (t <= -1.0) return false;
+        for (std::size_t column = 0; column < 4; ++column) caps.planes[column][from] = caps.planes[column][k];
+        caps.atoms[from] = caps.atoms[k];
+        from += t < 1.0 ? 1 : 0;
+    }
+    caps.planes.resize(from);
+    caps.atoms.resize(from);
+    return true;
+}
+
+}  // namespace
 
 Cap cap_between(const AccessibleSurface::Data& data, std::uint32_t i, std::uint32_t j) {
     const Vec3 between = data.atoms.centres[j] - data.atoms.centres[i];
@@ -18,55 +37,73 @@ Cap cap_between(const AccessibleSurface::Data& data, std::uint32_t i, std::uint3
     return {inverse * between, (d2 + rho * rho - other * other) * (inverse * (0.5 / rho)), j};
 }
 
+void CapList::clear() {
+    planes.resize(0);
+    atoms.clear();
+}
+
+void CapList::add(const Cap& cap) {
+    const std::size_t at = atoms.size();
+    planes.resize(at + 1);
+    planes[0][at] = cap.axis.x;
+    planes[1][at] = cap.axis.y;
+    planes[2][at] = cap.axis.z;
+    planes[3][at] = cap.t;
+    atoms.push_back(cap.atom);
+}
+
 void NeighbourCaps::search_around(std::uint32_t i) {
     const CanonicalAtoms& atoms = data_.atoms;
     Box box;
     searched_begin_ = searched_end_ = i;
     while (searched_end_ < atoms.size() && atoms.cell_keys[searched_end_] == atoms.cell_keys[i])
         box.include(atoms.centres[searched_end_++]);
-    const double reach = 2.0 * data_.rho_max;
-    std::size_t count = 0;
-    cells_.for_each_cell_near(box, reach, [&](std::uint32_t begin, std::uint32_t end) {
-        candidates_.resize(count + end - begin);
-        for (std::uint32_t j = begin; j < end; ++j) {
-            candidates_[count] = j;
-            count += box.squared_distance(atoms.centres[j]) < reach * reach ? 1 : 0;
+    candidates_.clear();
+    cells_.for_each_cell_near(box, 2.0 * data_.rho_max, [&](std::uint32_t begin, std::uint32_t end) {
+        if (begin <= i && i < end) searched_at_ = candidates_.size() + (i - begin);
+        const std::size_t at = candidates_.size();
+        candidates_.resize(at + (end - begin));
+        balls_.resize(candidates_.size());
+        std::iota(candidates_.begin() + static_cast<std::ptrdiff_t>(at), candidates_.end(), begin);
+        for (std::size_t c = at; c < candidates_.size(); ++c) {
+            const Vec3& centre = atoms.centres[candidates_[c]];
+            balls_[0][c] = centre.x;
+            balls_[1][c] = centre.y;
+            balls_[2][c] = centre.z;
+            balls_[3][c] = data_.rho[candidates_[c]];
         }
     });
-    candidates_.resize(count);
-    balls_.resize(candidates_.size());
-    for (std::size_t c = 0; c < candidates_.size(); ++c) {
-        const Vec3& centre = atoms.centres[candidates_[c]];
-        balls_[0][c] = centre.x;
-        balls_[1][c] = centre.y;
-        balls_[2][c] = centre.z;
-        balls_[3][c] = data_.rho[candidates_[c]];
-    }
-    caps_.resize(candidates_.size());
     marks_.resize(words_for(candidates_.size()));
-    neighbours_.resize(candidates_.size());
+    neighbours_.resize(candidates_.size() + CapColumns::kStep);
 }
 
-void NeighbourCaps::find_neighbours(std::uint32_t i) {
-    cap_kernels().find_caps(balls_, data_.atoms.centres[i], data_.rho[i], caps_, marks_.data());
-    neighbour_count_ = list_items(marks_.data(), candidates_.size(), neighbours_.data());
+// Their positions among the candidates; behind the last one the list goes on to the end of a vector.
+std::span<const std::uint32_t> NeighbourCaps::find_neighbours(std::uint32_t i, std::span<const std::uint32_t> known) {
+    cap_kernels().mark_meeting(balls_, data_.atoms.centres[i], data_.rho[i], marks_.data());
+    const std::size_t self = searched_at_ + (i - searched_begin_);
+    marks_[self / 64] &= ~(std::uint64_t{1} << self % 64);
+    const auto begin = neighbours_.begin();
+    auto end = begin + static_cast<std::ptrdiff_t>(list_items(marks_.data(), candidates_.size(), neighbours_.data()));
+    if (!known.empty())
+        end = std::remove_if(begin, end, [&](std::uint32_t c) {
+            return std::find(known.begin(), known.end(), candidates_[c]) != known.end();
+        });
+    if (end != begin) std::fill_n(end, CapColumns::kStep, *(end - 1));
+    return {begin, end};
 }
 
-bool NeighbourCaps::gather(std::uint32_t i, std::span<const std::uint32_t> known, std::vector<Cap>& caps) {
+bool NeighbourCaps::gather(std::uint32_t i, std::span<const std::uint32_t> known, CapList& caps) {
     if (i < searched_begin_ || i >= searched_end_) search_around(i);
-    find_neighbours(i);
-    std::size_t count = caps.size();
-    caps.resize(count + neighbour_count_);
-    for (std::size_t n = 0; n < neighbour_count_; ++n) {
-        const std::uint32_t c = neighbours_[n];
-        const std::uint32_t j = candidates_[c];
-        if (j == i || std::find(known.begin(), known.end(), j) != known.end()) continue;
-        caps[count] = {{caps_[0][c], caps_[1][c], caps_[2][c]}, caps_[3][c], j};
-        if (caps[count].t <= -1.0) return false;
-        count += caps[count].t < 1.0 ? 1 : 0;
-    }
-    caps.resize(count);
-    return true;
+    const std::span<const std::uint32_t> neighbours = find_neighbours(i, known);
+    std::size_t at = caps.atoms.size();
+    const std::size_t count = at + neighbours.size();
+    caps.planes.resize(count + CapColumns::kStep);
+    const bool all_meet =
+        cap_kernels().find_caps(balls_, neighbours, data_.atoms.centres[i], data_.rho[i], at, caps.planes);
+    caps.planes.resize(count);
+    caps.atoms.resize(count);
+    for (std::size_t n = 0; n < neighbours.size(); ++n) caps.atoms[at + n] = candidates_[neighbours[n]];
+    return all_meet || drop_outside(caps, at);
 }
 
 }  // namespace meniscus

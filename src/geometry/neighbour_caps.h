@@ -13,6 +13,15 @@
 
 namespace meniscus {
 
+/// The caps that atoms bury on a sphere, and whose they are.
+struct CapList {
+    CapColumns planes;
+    std::vector<std::uint32_t> atoms;
+
+    void clear();
+    void add(const Cap& cap);
+};
+
 /// The cap that atom j buries on the enlarged sphere of atom i; t <= -1 if all of it, t >= 1 if nothing.
 Cap cap_between(const AccessibleSurface::Data& data, std::uint32_t i, std::uint32_t j);
 
@@ -27,22 +36,21 @@ public:
     ///
     /// returns  false if one neighbour covers all of the atom: then some caps are missing
     /// cost     O(atoms of the cells around)
-    bool gather(std::uint32_t i, std::span<const std::uint32_t> known, std::vector<Cap>& caps);
+    bool gather(std::uint32_t i, std::span<const std::uint32_t> known, CapList& caps);
 
 private:
     void search_around(std::uint32_t i);
-    void find_neighbours(std::uint32_t i);
+    std::span<const std::uint32_t> find_neighbours(std::uint32_t i, std::span<const std::uint32_t> known);
 
     const AccessibleSurface::Data& data_;
     const CellList& cells_;
     std::uint32_t searched_begin_ = 0;  // atoms that the candidates are complete for
     std::uint32_t searched_end_ = 0;
     std::vector<std::uint32_t> candidates_;
+    std::size_t searched_at_ = 0;            // where in candidates_ the atoms begin that they are complete for
     BallColumns balls_;                      // of candidates_
-    NeighbourColumns caps_;                  // that they bury on the atom asked for
-    std::vector<std::uint64_t> marks_;       // of candidates_: those that meet it
+    std::vector<std::uint64_t> marks_;       // of candidates_: those that meet the atom asked for
     std::vector<std::uint32_t> neighbours_;  // their positions in candidates_
-    std::size_t neighbour_count_ = 0;
 };
 
 }  // namespace meniscus

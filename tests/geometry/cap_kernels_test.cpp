@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <random>
 
@@ -30,13 +32,72 @@ std::vector<Cap> random_caps(std::uint64_t seed, std::uint32_t count) {
 
 double sine_of(const Cap& cap) { return std::sqrt(1.0 - cap.t * cap.t); }
 
+// An arc of a rim, whose points are counted clockwise from `perpendicular`.
+struct ArcOnRim {
+    Cap cap;
+    double begin;  // radian
+    double sweep;
+
+    Vec3 at(double part) const {
+        const double angle = begin + part * sweep;
+        const Vec3 e1 = perpendicular(cap.axis);
+        return cap.t * cap.axis + sine_of(cap) * (std::cos(angle) * e1 + std::sin(angle) * cross(e1, cap.axis));
+    }
+    bool whole() const { return sweep >= 2.0 * std::numbers::pi; }
+};
+
+std::vector<ArcOnRim> random_arcs(std::uint64_t seed, const std::vector<Cap>& caps) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> angle(0.01, 2.0 * std::numbers::pi - 0.01);
+    std::vector<ArcOnRim> arcs;
+    for (const Cap& cap : caps) arcs.push_back({cap, angle(random), angle(random)});
+    for (std::size_t a = 0; a < arcs.size(); a += 5) arcs[a].sweep = 2.0 * std::numbers::pi;
+    return arcs;
+}
+
+std::vector<EightArcs> side_by_side(const std::vector<ArcOnRim>& arcs) {
+    std::vector<EightArcs> lanes((arcs.size() + EightArcs::kCount - 1) / EightArcs::kCount);
+    for (std::size_t a = 0; a < arcs.size(); ++a) {
+        const auto set = [&](std::size_t column, double number) {
+            lanes[a / EightArcs::kCount].numbers[EightArcs::kCount * column + a % EightArcs::kCount] = number;
+        };
+        const auto set3 = [&](std::size_t column, const Vec3& v) {
+            set(column, v.x);
+            set(column + 1, v.y);
+            set(column + 2, v.z);
+        };
+        set3(EightArcs::kAxis, arcs[a].cap.axis);
+        set(EightArcs::kT, arcs[a].cap.t);
+        set3(EightArcs::kStart, arcs[a].at(0.0));
+        set3(EightArcs::kEnd, arcs[a].whole() ? arcs[a].at(0.0) : arcs[a].at(1.0));
+    }
+    return lanes;
+}
+
+double depth_in(const auto& cap, const Vec3& n) { return dot(cap.axis, n) - cap.t; }
+
+// How deep an arc comes into a cap, at most and at least.
+std::pair<double, double> depths_of(const ArcOnRim& arc, const auto& cap) {
+    constexpr int kSteps = 2000;
+    double least = 2.0;
+    double most = -2.0;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double depth = depth_in(cap, arc.at(static_cast<double>(i) / kSteps));
+        least = std::min(least, depth);
+        most = std::max(most, depth);
+    }
+    return {least, most};
+}
+
 // What a kernel set answers; only the items asked for.
 struct Answers {
     std::vector<std::uint64_t> meeting;
+    bool all_meet = false;
     std::vector<double> caps;  // column after column
     std::vector<std::size_t> deepest;
-    std::vector<double> idle;
-    std::vector<double> meetings;
+    std::vector<std::uint64_t> changing;
+    std::vector<unsigned> meetings;
+    std::vector<double> crossings;
     bool operator==(const Answers&) const = default;
 };
 
@@ -55,46 +116,55 @@ protected:
             columns_[1][i] = cap.axis.y;
             columns_[2][i] = cap.axis.z;
             columns_[3][i] = cap.t;
-            columns_[4][i] = sine_of(cap);
-            const Vec3 e1 = perpendicular(cap.axis);
-            rims_.push_back({cap.axis, cap.t, e1, cross(e1, cap.axis)});
         }
         std::iota(list_.begin(), list_.end(), 0U);
         std::reverse(list_.begin(), list_.end());
-        for (const Cap& cap : buried_) extents_.push_back({cap.axis, cap.t, sine_of(cap)});
+        list_.resize(columns_.padded_size(), list_.back());
     }
 
     Answers ask(const CapKernels& kernels) const {
         Answers answers;
-        NeighbourColumns caps;
-        caps.resize(kItems);
         answers.meeting.resize(words_for(kItems));
-        kernels.find_caps(balls_, kCentre, kRadius, caps, answers.meeting.data());
+        kernels.mark_meeting(balls_, kCentre, kRadius, answers.meeting.data());
+        CapColumns caps;
+        caps.resize(kItems);
+        answers.all_meet = kernels.find_caps(balls_, std::span(list_).first(kItems), kCentre, kRadius, 0, caps);
         for (std::size_t column = 0; column < 4; ++column)
             answers.caps.insert(answers.caps.end(), caps[column], caps[column] + kItems);
-        for (const Cap& cap : buried_) answers.deepest.push_back(kernels.find_deepest(columns_, cap.axis));
-        answers.idle.resize(kItems + 7);
-        kernels.find_idle(columns_, extents_, buried_, answers.idle.data());
-        answers.idle.resize(kItems);
-        MeetingColumns meetings;
-        meetings.resize(kItems);
-        kernels.find_meetings(rims_, list_, kOther, meetings);
-        for (std::size_t column = 0; column < 9; ++column)
-            answers.meetings.insert(answers.meetings.end(), meetings[column], meetings[column] + kItems);
+        for (const Cap& cap : buried_)
+            answers.deepest.push_back(kernels.find_deepest(columns_, columns_[3], cap.axis, 0.0));
+        answers.changing.resize(words_for(kItems));
+        kernels.mark_changing(columns_, side_by_side({arcs_.begin(), arcs_.begin() + 3}), 3, planes_of(buried_),
+                              answers.changing.data());
+        std::vector<EightMeetings> meetings(kItems);
+        kernels.meet_arcs(side_by_side(arcs_), kItems, kOther, meetings.data());
+        for (std::size_t a = 0; a < kItems; ++a) {
+            const EightMeetings& eight = meetings[a / EightArcs::kCount];
+            const std::size_t lane = a % EightArcs::kCount;
+            answers.meetings.push_back((eight.start_inside >> lane & 1U) | (eight.end_inside >> lane & 1U) << 1U |
+                                       (eight.twice >> lane & 1U) << 2U);
+            for (std::size_t column = 0; column < 3; ++column)
+                answers.crossings.push_back(eight.crossing[EightArcs::kCount * column + lane]);
+        }
         return answers;
+    }
+
+    static std::vector<CapPlane> planes_of(const std::vector<Cap>& caps) {
+        std::vector<CapPlane> planes;
+        for (const Cap& cap : caps) planes.push_back({cap.axis, cap.t});
+        return planes;
     }
 
     static constexpr Vec3 kCentre{1.0, -0.5, 2.0};
     static constexpr double kRadius = 3.1;
-    static constexpr Cap kOther{{0.6, 0.0, 0.8}, 0.35, 0};
+    static constexpr CapPlane kOther{{0.6, 0.0, 0.8}, 0.35};
 
     Atoms atoms_ = random_cluster(1, kItems, 12.0);
     std::vector<Cap> caps_ = random_caps(2, kItems);
     std::vector<Cap> buried_ = random_caps(3, 5);
+    std::vector<ArcOnRim> arcs_ = random_arcs(5, caps_);
     BallColumns balls_;
     CapColumns columns_;
-    std::vector<ArcExtent> extents_;
-    std::vector<Rim> rims_;
     std::vector<std::uint32_t> list_;
 };
 
@@ -116,8 +186,9 @@ TEST_F(CapKernelsTest, BallsThatMeetASphereAreMarked) {
 
 TEST_F(CapKernelsTest, RimsOfCapsLieOnBothSpheres) {
     const Answers answers = ask(cap_kernels());
-    for (std::size_t i = 0; i < kItems; ++i) {
-        const auto column = [&](std::size_t c) { return answers.caps[c * kItems + i]; };
+    for (std::size_t k = 0; k < kItems; ++k) {
+        const std::size_t i = list_[k];
+        const auto column = [&](std::size_t c) { return answers.caps[c * kItems + k]; };
         const Vec3 axis{column(0), column(1), column(2)};
         const double t = column(3);
         EXPECT_NEAR(dot(axis, normalised(atoms_.centres[i] - kCentre)), 1.0, 1e-14);
@@ -127,8 +198,28 @@ TEST_F(CapKernelsTest, RimsOfCapsLieOnBothSpheres) {
     }
 }
 
+TEST_F(CapKernelsTest, CapsWhosePlanesMissTheSphereAreToldOf) {
+    const auto all_meet = [&](const std::vector<std::uint32_t>& list) {
+        std::vector<std::uint32_t> repeated = list;
+        repeated.resize(CapColumns::kStep, list.back());
+        CapColumns caps;
+        caps.resize(CapColumns::kStep);
+        return cap_kernels().find_caps(balls_, std::span(repeated).first(list.size()), kCentre, kRadius, 0, caps);
+    };
+    std::vector<std::uint32_t> meeting;
+    for (std::uint32_t i = 0; i < kItems && meeting.size() < 2; ++i)
+        if (std::abs(norm(atoms_.centres[i] - kCentre) - kRadius) < 0.99 * atoms_.radii[i]) meeting.push_back(i);
+    ASSERT_EQ(meeting.size(), 2U);
+    EXPECT_TRUE(all_meet(meeting));
+    for (const double far_away : {0.0, 100.0}) {
+        balls_[0][meeting[1]] = kCentre.x + far_away;
+        balls_[1][meeting[1]] = kCentre.y + 1e-3;
+        balls_[2][meeting[1]] = kCentre.z;
+        EXPECT_FALSE(all_meet(meeting));
+    }
+}
+
 TEST_F(CapKernelsTest, DeepestCapHoldsADirectionMostOrNoneDoes) {
-    const auto depth_in = [](const Cap& cap, const Vec3& n) { return dot(cap.axis, n) - cap.t; };
     for (std::size_t i = 0; i < kItems; ++i) columns_[3][i] = caps_[i].t = 0.7 + 0.3 * caps_[i].t;  // gaps between them
     std::size_t outside = 0;
     for (const Cap& at : random_caps(4, 200)) {
@@ -136,7 +227,7 @@ TEST_F(CapKernelsTest, DeepestCapHoldsADirectionMostOrNoneDoes) {
         double depth = 0.0;
         for (std::size_t i = 0; i < kItems; ++i)
             if (depth_in(caps_[i], at.axis) > depth) depth = depth_in(caps_[expected = i], at.axis);
-        EXPECT_EQ(cap_kernels().find_deepest(columns_, at.axis), expected);
+        EXPECT_EQ(cap_kernels().find_deepest(columns_, columns_[3], at.axis, 0.0), expected);
         outside += expected == kItems ? 1 : 0;
     }
     EXPECT_GT(outside, 0U);
@@ -146,64 +237,77 @@ TEST_F(CapKernelsTest, DeepestCapHoldsADirectionMostOrNoneDoes) {
 TEST_F(CapKernelsTest, OfCapsThatAreEquallyDeepTheFirstIsTaken) {
     for (const CapKernels& kernels : supported_cap_kernels())
         for (const std::size_t twin : {1U, 7U, 8U, 40U}) {
-            for (std::size_t column = 0; column < 5; ++column) columns_[column][twin] = columns_[column][0];
-            EXPECT_EQ(kernels.find_deepest(columns_, caps_[0].axis), 0U);
+            for (std::size_t column = 0; column < 4; ++column) columns_[column][twin] = columns_[column][0];
+            EXPECT_EQ(kernels.find_deepest(columns_, columns_[3], caps_[0].axis, 0.0), 0U);
         }
 }
 
-TEST_F(CapKernelsTest, IdleCapsAreApartFromAllArcsAndBuried) {
+TEST_F(CapKernelsTest, TheLargestCapIsTheDeepestForNoDirection) {
+    const auto largest =
+        std::min_element(caps_.begin(), caps_.end(), [](const Cap& a, const Cap& b) { return a.t < b.t; });
+    EXPECT_EQ(cap_kernels().find_deepest(columns_, columns_[3], {}, -4.0),
+              static_cast<std::size_t>(largest - caps_.begin()));
+}
+
+TEST_F(CapKernelsTest, WholeRimsMeetACapTwiceWhereTheyCrossIt) {
+    for (ArcOnRim& arc : arcs_) arc.sweep = 2.0 * std::numbers::pi;
     const Answers answers = ask(cap_kernels());
-    for (std::size_t i = 0; i < kItems; ++i) {
-        const Cap& cap = caps_[i];
-        const bool apart = std::all_of(buried_.begin(), buried_.end(), [&](const Cap& rim) {
-            return std::acos(dot(cap.axis, rim.axis)) > std::acos(cap.t) + std::acos(rim.t);
-        });
-        const bool buried = std::any_of(buried_.begin(), buried_.end(),
-                                        [&](const Cap& other) { return dot(cap.axis, other.axis) > other.t; });
-        EXPECT_EQ(answers.idle[i] > 0.0, apart && buried);
-    }
-}
-
-TEST_F(CapKernelsTest, ACapBehindItsOnlyArcIsIdle) {
-    CapColumns cap;
-    cap.resize(1);
-    for (std::size_t column = 0; column < 5; ++column) cap[column][0] = 0.0;
-    cap[2][0] = 1.0;
-    cap[3][0] = 0.9;
-    cap[4][0] = std::sqrt(1.0 - 0.81);
-    const std::vector<Cap> buried = {{{0, 0, 1}, 0.0, 0}};
-    const std::vector<ArcExtent> arcs = {{{1, 0, 0}, 0.9, std::sqrt(1.0 - 0.81)}};
-    std::vector<double> idle(8);
-    cap_kernels().find_idle(cap, arcs, buried, idle.data());
-    EXPECT_GT(idle[0], 0.0);
-    cap_kernels().find_idle(cap, arcs, {}, idle.data());
-    EXPECT_LE(idle[0], 0.0);
-}
-
-TEST_F(CapKernelsTest, MeetingsAreThoseOfCrossRims) {
-    MeetingColumns meetings;
-    meetings.resize(kItems);
-    cap_kernels().find_meetings(rims_, list_, kOther, meetings);
-    const auto point = [&](std::size_t column, std::size_t i) {
-        return Vec3{meetings[column][i], meetings[column + 1][i], meetings[column + 2][i]};
-    };
     int crossing = 0;
-    for (std::size_t i = 0; i < kItems; ++i) {
-        const Cap& cap = caps_[list_[i]];
-        const RimCrossing expected = cross_rims(cap, kOther);
-        ASSERT_EQ(meetings[MeetingColumns::kDiscriminant][i] > 0.0, expected.crosses);
+    for (std::size_t a = 0; a < kItems; ++a) {
+        const RimCrossing expected = cross_rims(caps_[a], {kOther.axis, kOther.t});
+        const bool starts_inside = (answers.meetings[a] & 1U) != 0;
+        EXPECT_EQ(starts_inside, depth_in(kOther, arcs_[a].at(0.0)) > 0.0);
+        EXPECT_EQ((answers.meetings[a] & 2U) != 0, starts_inside);
+        EXPECT_EQ((answers.meetings[a] & 4U) != 0, expected.crosses);
         if (!expected.crosses) continue;
         ++crossing;
-        EXPECT_EQ(point(MeetingColumns::kOnto, i), expected.onto);
-        EXPECT_EQ(point(MeetingColumns::kBack, i), expected.back);
-        const Rim& rim = rims_[list_[i]];
-        for (const auto& [angle, n] : {std::pair{meetings[MeetingColumns::kAngleOnto][i], expected.onto},
-                                       {meetings[MeetingColumns::kAngleBack][i], expected.back}}) {
-            const double turn = std::atan2(dot(n, rim.e2), dot(n, rim.e1)) / std::acos(0.0);
-            EXPECT_EQ(std::floor(angle), std::floor(turn < 0.0 ? turn + 4.0 : turn));  // the same quarter
-        }
+        const Vec3 point{answers.crossings[3 * a], answers.crossings[3 * a + 1], answers.crossings[3 * a + 2]};
+        EXPECT_EQ(point, starts_inside ? expected.back : expected.onto);
     }
     EXPECT_GT(crossing, 10);
+}
+
+TEST_F(CapKernelsTest, ArcsMeetACapWhereTheirPointsSay) {
+    const Answers answers = ask(cap_kernels());
+    std::array<int, 8> seen{};
+    for (std::size_t a = 0; a < kItems; ++a) {
+        if (arcs_[a].whole()) continue;
+        const auto [least, most] = depths_of(arcs_[a], kOther);
+        const bool starts_inside = depth_in(kOther, arcs_[a].at(0.0)) > 0.0;
+        const bool ends_inside = depth_in(kOther, arcs_[a].at(1.0)) > 0.0;
+        const bool twice = starts_inside == ends_inside && (starts_inside ? least < 0.0 : most > 0.0);
+        const unsigned expected = (starts_inside ? 1U : 0U) | (ends_inside ? 2U : 0U) | (twice ? 4U : 0U);
+        EXPECT_EQ(answers.meetings[a], expected) << a;
+        ++seen[expected];
+        if (starts_inside == ends_inside) continue;
+        const RimCrossing crossing = cross_rims(caps_[a], {kOther.axis, kOther.t});
+        const Vec3 point{answers.crossings[3 * a], answers.crossings[3 * a + 1], answers.crossings[3 * a + 2]};
+        EXPECT_EQ(point, starts_inside ? crossing.back : crossing.onto);
+    }
+    for (const unsigned kind : {0U, 1U, 2U, 3U, 4U, 7U}) EXPECT_GT(seen[kind], 0) << kind;
+}
+
+TEST_F(CapKernelsTest, CapsThatMayChangeAContourAreMarked) {
+    constexpr double kHair = 1e-5;  // more than single precision leaves open, and the steps along an arc
+    int idle = 0;
+    int buried_and_entered = 0;
+    const Answers answers = ask(cap_kernels());
+    for (std::size_t i = 0; i < kItems; ++i) {
+        double entered = -2.0;
+        for (std::size_t a = 0; a < 3; ++a) entered = std::max(entered, depths_of(arcs_[a], caps_[i]).second);
+        double buried = -2.0;
+        for (const Cap& cap : buried_) buried = std::max(buried, depth_in(cap, caps_[i].axis));
+        const bool marked = (answers.changing[i / 64] >> i % 64 & 1U) != 0;
+        if (entered > kHair || buried < -kHair) {
+            EXPECT_TRUE(marked) << i;
+        } else if (entered < -kHair && buried > kHair) {
+            EXPECT_FALSE(marked) << i;
+        }
+        idle += marked ? 0 : 1;
+        buried_and_entered += marked && buried > kHair ? 1 : 0;
+    }
+    EXPECT_GT(idle, 0);
+    EXPECT_GT(buried_and_entered, 0);
 }
 
 }  // namespace

@@ -15,9 +15,9 @@ namespace {
 
 constexpr double kProbe = 1.4;
 
-std::set<std::uint32_t> atoms_of(const std::vector<Cap>& caps) {
+std::set<std::uint32_t> atoms_of(const CapList& caps) {
     std::set<std::uint32_t> atoms;
-    for (const Cap& cap : caps) EXPECT_TRUE(atoms.insert(cap.atom).second);
+    for (const std::uint32_t atom : caps.atoms) EXPECT_TRUE(atoms.insert(atom).second);
     return atoms;
 }
 
@@ -36,15 +36,16 @@ TEST(NeighbourCaps, FindsTheCapsOfAllNeighbours) {
     const AccessibleSurface::Data& data = surface.data();
     const CellList cells(data.atoms);
     NeighbourCaps neighbours(data, cells);
-    std::vector<Cap> caps;
+    CapList caps;
     for (std::uint32_t i = 0; i < data.atoms.size(); ++i) {
         caps.clear();
         if (!neighbours.gather(i, {}, caps)) continue;
         EXPECT_EQ(atoms_of(caps), neighbours_of(data, i));
-        for (const Cap& cap : caps) {
-            const Cap expected = cap_between(data, i, cap.atom);
-            EXPECT_EQ(cap.axis, expected.axis);
-            EXPECT_EQ(cap.t, expected.t);
+        ASSERT_EQ(caps.planes.size(), caps.atoms.size());
+        for (std::size_t k = 0; k < caps.atoms.size(); ++k) {
+            const Cap expected = cap_between(data, i, caps.atoms[k]);
+            EXPECT_EQ((Vec3{caps.planes[0][k], caps.planes[1][k], caps.planes[2][k]}), expected.axis);
+            EXPECT_EQ(caps.planes[3][k], expected.t);
         }
     }
 }
@@ -64,12 +65,13 @@ TEST(NeighbourCaps, LeavesOutAtomsThatAreKnown) {
     const CellList cells(data.atoms);
     NeighbourCaps neighbours(data, cells);
     for (std::uint32_t i = 0; i < data.atoms.size(); ++i) {
-        std::vector<Cap> all;
-        if (!neighbours.gather(i, {}, all) || all.size() < 3) continue;
-        const std::vector<std::uint32_t> known = {all[0].atom, all[2].atom};
-        std::vector<Cap> caps = {all[0], all[2]};
+        CapList all;
+        if (!neighbours.gather(i, {}, all) || all.atoms.size() < 3) continue;
+        const std::vector<std::uint32_t> known = {all.atoms[0], all.atoms[2]};
+        CapList caps;
+        for (const std::uint32_t j : known) caps.add(cap_between(data, i, j));
         ASSERT_TRUE(neighbours.gather(i, known, caps));
-        EXPECT_EQ(caps.size(), all.size());
+        EXPECT_EQ(caps.atoms.size(), all.atoms.size());
         EXPECT_EQ(atoms_of(caps), atoms_of(all));
     }
 }
@@ -80,11 +82,11 @@ TEST(NeighbourCaps, TellsOfANeighbourThatCoversAll) {
     const CellList cells(data.atoms);
     NeighbourCaps neighbours(data, cells);
     const std::uint32_t small = data.rho[0] < data.rho[1] ? 0 : 1;
-    std::vector<Cap> caps;
+    CapList caps;
     EXPECT_FALSE(neighbours.gather(small, {}, caps));
     caps.clear();
     EXPECT_TRUE(neighbours.gather(1 - small, {}, caps));
-    EXPECT_TRUE(caps.empty());
+    EXPECT_TRUE(caps.atoms.empty());
 }
 
 }  // namespace
