@@ -33,10 +33,15 @@ std::size_t atoms_per_task(std::size_t atoms) { return std::clamp<std::size_t>(a
 // atom[2]. The same vertex on the contours of the other two atoms is a cyclic permutation.
 using VertexKey = std::array<std::uint32_t, 3>;
 
-VertexKey smallest_first(const VertexKey& key) {
-    if (key[1] < key[0] && key[1] < key[2]) return {key[1], key[2], key[0]};
-    if (key[2] < key[0] && key[2] < key[1]) return {key[2], key[0], key[1]};
-    return key;
+// Where the smallest of a key's atoms stands; without a branch, as any would be taken by chance.
+std::size_t place_of_smallest(const VertexKey& key) {
+    const std::size_t of_two = key[1] < key[0] ? 1 : 0;
+    return key[2] < std::min(key[0], key[1]) ? 2 : of_two;
+}
+
+VertexKey rotated(const VertexKey& key, std::size_t first) {
+    const std::array<std::uint32_t, 5> twice{key[0], key[1], key[2], key[0], key[1]};
+    return {twice[first], twice[first + 1], twice[first + 2]};
 }
 
 // An arc as the contour of one of its atoms sees it.
@@ -166,13 +171,14 @@ struct HashSums {
     std::array<std::uint64_t, 2> arcs{};
 
     void add(std::uint32_t i, const ArcView& arc) {
-        const bool first = i < arc.other;
-        const VertexKey ends = first ? VertexKey{arc.from, arc.to, 0} : VertexKey{arc.to, arc.from, 0};
-        const VertexKey pair = {std::min(i, arc.other), std::max(i, arc.other), 1};
-        arcs[first ? 0 : 1] += hash_of(pair) * (hash_of(ends) | 1U);
+        const bool smaller = i < arc.other;
+        const VertexKey ends{smaller ? arc.from : arc.to, smaller ? arc.to : arc.from, 0};
+        const VertexKey pair{std::min(i, arc.other), std::max(i, arc.other), 1};
+        arcs[smaller ? 0 : 1] += hash_of(pair) * (hash_of(ends) | 1U);
         if (arc.to == kWholeCircle) return;
-        const VertexKey key = smallest_first({i, arc.other, arc.to});
-        vertices[static_cast<std::size_t>(std::find(key.begin(), key.end(), i) - key.begin())] += hash_of(key);
+        const VertexKey key{i, arc.other, arc.to};
+        const std::size_t first = place_of_smallest(key);
+        vertices[first] += hash_of(rotated(key, first));
     }
     HashSums& operator+=(const HashSums& b) {
         for (std::size_t k = 0; k < vertices.size(); ++k) vertices[k] += b.vertices[k];
@@ -209,11 +215,10 @@ public:
     }
     const std::vector<VertexKey>& keys() const { return keys_; }
     std::uint32_t find(const VertexKey& any_order) const {
-        const VertexKey key = smallest_first(any_order);
-        const auto first = keys_.begin() + static_cast<std::ptrdiff_t>(begin_[key[0]]);
-        const auto last = keys_.begin() + static_cast<std::ptrdiff_t>(begin_[key[0] + 1]);
-        const auto found = std::find(first, last, key);
-        return found == last ? kNoVertex : static_cast<std::uint32_t>(found - keys_.begin());
+        const VertexKey key = rotated(any_order, place_of_smallest(any_order));
+        for (std::size_t v = begin_[key[0]]; v < begin_[key[0] + 1]; ++v)
+            if (((keys_[v][1] ^ key[1]) | (keys_[v][2] ^ key[2])) == 0) return static_cast<std::uint32_t>(v);
+        return kNoVertex;
     }
 
 private:
