@@ -51,6 +51,9 @@ CapPlane load_rim(const double* lane) {
     return {load3(lane, EightArcs::kAxis), lane[EightArcs::kCount * EightArcs::kT]};
 }
 
+// Where a cap cuts an arc once.
+Vec3 crossing_of(const EightMeetings& meetings, std::size_t lane) { return load3(&meetings.crossing[lane], 0); }
+
 template <class Visit>
 void for_each_bit_downwards(unsigned bits, const Visit& visit) {
     while (bits != 0) {
@@ -219,8 +222,6 @@ bool ContourBuilder::cut_arcs(const CapPlane& cap, std::uint32_t k) {
     }
     return touched != 0;
 }
-
-Vec3 crossing_of(const EightMeetings& meetings, std::size_t lane) { return load3(&meetings.crossing[lane], 0); }
 
 // Cuts eight arcs of which none is cut twice.
 void ContourBuilder::cut_once(std::size_t begin, const EightMeetings& meetings, std::uint32_t k) {

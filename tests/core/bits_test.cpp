@@ -23,6 +23,13 @@ TEST(Bits, AreCountedAsTheLibraryDoes) {
     for (int bit = 0; bit < 64; ++bit) EXPECT_EQ(count_bits(std::uint64_t{1} << bit), 1U);
 }
 
+TEST(Bits, VisitsTheItemsOfASetInOrder) {
+    const std::array<std::uint64_t, 2> words{std::uint64_t{1} << 63U | 2U, 1U};
+    std::vector<std::size_t> visited;
+    for_each_item(words.data(), 65, [&](std::size_t item) { visited.push_back(item); });
+    EXPECT_EQ(visited, (std::vector<std::size_t>{1, 63, 64}));
+}
+
 TEST(Bits, ListsTheItemsOfASetInOrder) {
     const std::array<std::uint64_t, 3> words{0b101U, 0, std::uint64_t{1} << 63U | 1U};
     std::array<std::uint32_t, 192> list{};
