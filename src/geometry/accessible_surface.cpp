@@ -231,7 +231,7 @@ void place_vertices(AccessibleSurface::Data& data, const VertexTable& table) {
     parallel_for(data.vertices.size(), kChunk, [&](std::size_t v) {
         const auto& [i, j, k] = table.keys()[v];
         const Vec3 n = rim_crossing(cap_between(data, i, j), cap_between(data, i, k));
-        data.vertices[v] = {{i, j, k}, data.atoms.centres[i] + data.rho[i] * n};
+        data.vertices[v] = {{i, j, k}, {}, data.atoms.centres[i] + data.rho[i] * n};
     });
 }
 
@@ -322,6 +322,24 @@ void place_arcs(AccessibleSurface::Data& data, const VertexTable& table) {
     });
 }
 
+// From features to those that touch them.
+void link_features(AccessibleSurface::Data& data) {
+    data.cap_arc.assign(data.caps.size(), kNoArc);
+    for (std::size_t i = 0; i < data.atoms.size(); ++i)
+        for (std::size_t c = data.contour_begin[i]; c < data.contour_begin[i + 1]; ++c)
+            data.cap_arc[data.cap_begin[i] + data.contour[c].cap] = data.contour_arc[c];
+    for (std::uint32_t a = 0; a < data.arcs.size(); ++a) {
+        const SasArc& arc = data.arcs[a];
+        if (arc.whole_circle()) continue;
+        const auto [i, j] = arc.atoms;
+        for (const std::uint32_t v : {arc.start, arc.end}) {
+            const auto& [first, second, third] = data.vertices[v].atoms;
+            const std::size_t other = first != i && first != j ? 0 : second != i && second != j ? 1 : 2;
+            data.vertices[v].arcs[other] = a;
+        }
+    }
+}
+
 // Box of an arc: its ends, its midpoint, and the extreme points of the circle that lie on it.
 Box box_of(const AccessibleSurface::Data& data, const SasArc& arc) {
     Box box;
@@ -376,6 +394,7 @@ bool try_build(AccessibleSurface::Data& data, const CellList& cells, std::uint64
     const VertexTable table(data);
     place_vertices(data, table);
     place_arcs(data, table);
+    link_features(data);
     build_trees(data);
     return true;
 }

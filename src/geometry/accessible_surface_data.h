@@ -17,10 +17,12 @@
 namespace meniscus {
 
 inline constexpr std::uint32_t kNoVertex = 0xffffffffU;
+inline constexpr std::uint32_t kNoArc = 0xffffffffU;
 
 /// A probe position that touches three atoms; in_order: the contour of atoms[0] passes from atoms[1] to [2].
 struct SasVertex {
     std::array<std::uint32_t, 3> atoms{};
+    std::array<std::uint32_t, 3> arcs{};  ///< that end here, each opposite to the atom that it does not belong to
     Vec3 position;
 };
 
@@ -56,6 +58,7 @@ struct AccessibleSurface::Data {
     std::vector<std::uint32_t> cover;          ///< neighbours whose caps bury what all neighbours bury
     std::vector<std::uint64_t> cap_begin;      ///< per exposed atom, and the end: its caps in `caps`
     std::vector<CapPlane> caps;                ///< of its cover, one after the other
+    std::vector<std::uint32_t> cap_arc;        ///< of each: an arc on its rim, or kNoArc
     std::vector<std::uint64_t> contour_begin;  ///< per atom, and the end: its part of `contour`
     std::vector<ContourArc> contour;           ///< caps are numbered as in caps_of(atom)
     std::vector<std::uint32_t> contour_arc;    ///< of each: its position in `arcs`

@@ -190,19 +190,6 @@ SurfaceStep step_from_vertex(const Data& data, const Vec3& p, std::uint32_t v) {
     return step;
 }
 
-bool in_vertex_cell(const Data& data, const SasVertex& vertex, const Vec3& p) {
-    const Vec3 a = data.atoms.centres[vertex.atoms[0]] - vertex.position;
-    const Vec3 b = data.atoms.centres[vertex.atoms[1]] - vertex.position;
-    const Vec3 c = data.atoms.centres[vertex.atoms[2]] - vertex.position;
-    const Vec3 q = p - vertex.position;
-    const double whole = dot(a, cross(b, c));
-    const double turn = whole < 0.0 ? -1.0 : 1.0;
-    const double of_a = turn * dot(q, cross(b, c));
-    const double of_b = turn * dot(q, cross(c, a));
-    const double of_c = turn * dot(q, cross(a, b));
-    return of_a >= 0.0 && of_b >= 0.0 && of_c >= 0.0 && of_a + of_b + of_c <= turn * whole;
-}
-
 NearestHit nearest_hit(const AccessibleSurface::Data& data, const Vec3& p) {
     NearestHit hit;
     hit.ball = deepest_ball(data, p);

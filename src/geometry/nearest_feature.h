@@ -3,6 +3,7 @@
 // From a nearest ball, arc or vertex of the SAS to all that is said about it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 
@@ -89,7 +90,26 @@ SurfaceStep step_from_ball(const AccessibleSurface::Data& data, const Vec3& p, s
 SurfaceStep step_from_arc(const AccessibleSurface::Data& data, const Vec3& p, std::uint32_t arc);
 SurfaceStep step_from_vertex(const AccessibleSurface::Data& data, const Vec3& p, std::uint32_t vertex);
 
-/// Whether p lies in the hull of a vertex and its three atoms.
-bool in_vertex_cell(const AccessibleSurface::Data& data, const SasVertex& vertex, const Vec3& p);
+/// Where p lies in the hull of a vertex and its three atoms: of each face at the vertex, p's part of the distance of
+/// the opposite atom, times six times the hull's volume, which is `whole`.
+struct VertexHullPlace {
+    std::array<double, 3> parts{};
+    double whole = 0.0;
+};
+inline VertexHullPlace place_in_vertex_hull(const AccessibleSurface::Data& data, const SasVertex& vertex,
+                                            const Vec3& p) {
+    const Vec3 a = data.atoms.centres[vertex.atoms[0]] - vertex.position;
+    const Vec3 b = data.atoms.centres[vertex.atoms[1]] - vertex.position;
+    const Vec3 c = data.atoms.centres[vertex.atoms[2]] - vertex.position;
+    const Vec3 q = p - vertex.position;
+    const Vec3 bc = cross(b, c);
+    const double whole = dot(a, bc);
+    const double turn = whole < 0.0 ? -1.0 : 1.0;
+    return {{turn * dot(q, bc), turn * dot(q, cross(c, a)), turn * dot(q, cross(a, b))}, turn * whole};
+}
+inline bool in_vertex_cell(const AccessibleSurface::Data& data, const SasVertex& vertex, const Vec3& p) {
+    const auto [parts, whole] = place_in_vertex_hull(data, vertex, p);
+    return parts[0] >= 0.0 && parts[1] >= 0.0 && parts[2] >= 0.0 && parts[0] + parts[1] + parts[2] <= whole;
+}
 
 }  // namespace meniscus

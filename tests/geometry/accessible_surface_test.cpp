@@ -191,6 +191,31 @@ TEST(AccessibleSurface, DistancesKeepTheirBitsUnderReordering) {
     }
 }
 
+TEST(AccessibleSurface, FeaturesKnowThoseThatTouchThem) {
+    const AccessibleSurface surface(random_cluster(7, 150, 14.0), kProbe);
+    const AccessibleSurface::Data& data = surface.data();
+    const auto belongs = [&](std::uint32_t arc, std::uint32_t atom) {
+        return data.arcs[arc].atoms[0] == atom || data.arcs[arc].atoms[1] == atom;
+    };
+    for (std::uint32_t v = 0; v < data.vertices.size(); ++v)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const SasArc& arc = data.arcs.at(data.vertices[v].arcs[k]);
+            EXPECT_TRUE(arc.start == v || arc.end == v);
+            EXPECT_FALSE(belongs(data.vertices[v].arcs[k], data.vertices[v].atoms[k]));
+        }
+    ASSERT_EQ(data.cap_arc.size(), data.caps.size());
+    std::size_t linked = 0;
+    for (std::uint32_t i = 0; i < data.atoms.size(); ++i)
+        for (std::uint64_t c = data.cap_begin[i]; c < data.cap_begin[i + 1]; ++c) {
+            if (data.cap_arc[c] == kNoArc) continue;
+            ++linked;
+            ASSERT_TRUE(belongs(data.cap_arc[c], i));
+            const SasArc& arc = data.arcs[data.cap_arc[c]];
+            EXPECT_NEAR(std::abs(dot(arc.axis, data.caps[c].axis)), 1.0, 1e-12);
+        }
+    EXPECT_GT(linked, 100U);
+}
+
 TEST(AccessibleSurface, AtomsAreNamedInTheCallersOrder) {
     const Atoms atoms = random_cluster(8, 60, 10.0);
     const AccessibleSurface surface(atoms, kProbe);

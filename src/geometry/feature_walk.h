@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The nearest features of points next to each other, by walking from cell to cell.
+//
+// A cell is where a feature of the SAS is known to be nearest whatever else there is: of a ball what lies towards its
+// exposed sphere, of an arc or vertex the hull with its atoms (SurfaceStep tells why). Cells that share a border are
+// those of features that touch, so that the side by which a point is outside of one leads to the next. Most points of
+// the SES are in a cell; what is left is beside ridges where the probe reaches through between the atoms.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "geometry/nearest_feature.h"
+
+namespace meniscus {
+
+struct FeatureCell {
+    enum class Kind : std::uint32_t { None, Ball, Arc, Vertex };
+    Kind kind = Kind::None;
+    std::uint32_t index = 0;  ///< of the atom, arc or vertex
+
+    friend bool operator==(const FeatureCell&, const FeatureCell&) = default;
+};
+
+class FeatureWalk {
+public:
+    static constexpr std::size_t kLandmarks = 512;
+
+    explicit FeatureWalk(const AccessibleSurface& surface) : data_(&surface.data()) {}
+
+    /// The cells of points, best next to each other: of no kind where none is found, for a point may lie in none, or so
+    /// near to a border that rounding would decide. Else it is that of the nearest feature, no matter where the walk
+    /// began.
+    void find(std::span<const Vec3> points, std::span<FeatureCell> cells);
+
+private:
+    // Where the last walk ended that led into a cube of space.
+    struct Landmark {
+        std::uint64_t cube = ~std::uint64_t{0};
+        FeatureCell cell;
+    };
+
+    const AccessibleSurface::Data* data_;
+    FeatureCell last_;  // where the last walk ended
+    std::array<Landmark, kLandmarks> landmarks_;
+};
+
+/// What a point is labelled with that lies in a cell.
+FeatureLabel label_in(const AccessibleSurface& surface, const FeatureCell& cell, const Vec3& point);
+
+}  // namespace meniscus

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/feature_walk.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "support/arrangements.h"
+
+namespace meniscus::testing {
+namespace {
+
+using Kind = FeatureCell::Kind;
+
+// Points on a lattice around an arrangement, row by row: with ties where the arrangement is symmetric.
+std::vector<Vec3> lattice_around(const Atoms& atoms, double step) {
+    Box box;
+    for (const Vec3& c : atoms.centres) box.include(c);
+    box = box.grown(3.0);
+    std::vector<Vec3> points;
+    for (double z = box.low.z; z < box.high.z; z += step)
+        for (double y = box.low.y; y < box.high.y; y += step)
+            for (double x = box.low.x; x < box.high.x; x += step) points.push_back({x, y, z});
+    return points;
+}
+
+std::vector<FeatureCell> cells_of(const AccessibleSurface& surface, const std::vector<Vec3>& points) {
+    std::vector<FeatureCell> cells(points.size());
+    FeatureWalk(surface).find(points, cells);
+    return cells;
+}
+
+TEST(FeatureWalk, EndsAtTheNearestFeature) {
+    for (const Arrangement& a : awkward_arrangements()) {
+        SCOPED_TRACE(a.name);
+        const AccessibleSurface surface(a.atoms, a.probe);
+        const std::vector<Vec3> points = lattice_around(a.atoms, 0.4);
+        const std::vector<FeatureCell> cells = cells_of(surface, points);
+        std::size_t found = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (cells[i].kind == Kind::None) continue;
+            ++found;
+            const NearestFeature exact = surface.nearest(points[i]);
+            const FeatureLabel label = label_in(surface, cells[i], points[i]);
+            ASSERT_NEAR(label.signed_distance, exact.signed_distance, 1e-12);
+            ASSERT_EQ(label.patch, exact.patch);
+        }
+        EXPECT_GT(found, 50U);
+    }
+}
+
+TEST(FeatureWalk, EndsAtTheSameFeatureWhereverItBegan) {
+    const Atoms atoms = random_cluster(4, 60, 9.0);
+    const AccessibleSurface surface(atoms, 1.4);
+    std::vector<Vec3> points = lattice_around(atoms, 0.6);
+    const std::vector<FeatureCell> forwards = cells_of(surface, points);
+    std::reverse(points.begin(), points.end());
+    const std::vector<FeatureCell> backwards = cells_of(surface, points);
+    std::size_t both = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const FeatureCell& other = backwards[points.size() - 1 - i];
+        if (forwards[i].kind == Kind::None || other.kind == Kind::None) continue;
+        ++both;
+        EXPECT_EQ(forwards[i], other);
+    }
+    EXPECT_GT(both, 1000U);
+}
+
+TEST(FeatureWalk, FindsMostPointsOfTheSurface) {
+    const Atoms atoms = random_cluster(4, 60, 9.0);
+    const AccessibleSurface surface(atoms, 1.4);
+    std::vector<Vec3> near;
+    for (const Vec3& p : lattice_around(atoms, 0.4))
+        if (std::abs(surface.nearest(p).signed_distance) < 0.2) near.push_back(p);
+    const std::vector<FeatureCell> cells = cells_of(surface, near);
+    const auto is_found = [](const FeatureCell& cell) { return cell.kind != Kind::None; };
+    EXPECT_GT(static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), is_found)), near.size() * 8 / 10);
+}
+
+TEST(FeatureWalk, LeavesPointsOnABorderToASearch) {
+    const AccessibleSurface surface(two_spheres(3.0), 1.4);
+    const SasArc& arc = surface.data().arcs.front();
+    const Vec3 on_arc = arc.centre + arc.radius * arc.middle;
+    const Vec3 border = 0.5 * (on_arc + surface.data().atoms.centres[arc.atoms[0]]);
+    const std::vector<FeatureCell> cells =
+        cells_of(surface, {border, border + 1e-3 * arc.axis, border - 1e-3 * arc.axis});
+    EXPECT_EQ(cells[0].kind, Kind::None);
+    EXPECT_EQ(cells[1].kind, Kind::Arc);
+    EXPECT_EQ(cells[2].kind, Kind::Ball);
+}
+
+}  // namespace
+}  // namespace meniscus::testing
