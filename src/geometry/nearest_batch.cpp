@@ -12,21 +12,6 @@ namespace {
 
 constexpr std::size_t kChains = 2;
 
-template <class T>
-void set_point(LanePoints<T>& points, std::size_t lane, const Vec3& p) {
-    points.x[lane] = static_cast<T>(p.x);
-    points.y[lane] = static_cast<T>(p.y);
-    points.z[lane] = static_cast<T>(p.z);
-}
-
-void copy_step(const StepLanes& from, std::size_t k, StepLanes& to, std::size_t lane) {
-    set_point(to.points, lane, get_point(from.points, k));
-    set_point(to.normals, lane, get_point(from.normals, k));
-    to.mean[lane] = from.mean[k];
-    to.gaussian[lane] = from.gaussian[k];
-    to.settled[lane] = from.settled[k];
-}
-
 }  // namespace
 
 NearestBatch::Claim NearestBatch::start(const LocalFeatures& local, const Box& box, double margin) {
@@ -272,101 +257,35 @@ SurfaceStep NearestBatch::step_to_surface(std::size_t point) const {
                        : step_from_vertex(*data_, p, static_cast<std::uint32_t>(tag));
 }
 
-void BatchSteps::set(std::size_t lane, const Vec3& place, const NearestFeature& at) {
-    set_point(lanes.points, lane, place);
-    set_point(lanes.normals, lane, at.normal);
-    lanes.mean[lane] = at.mean_curvature;
-    const bool equal = at.patch != PatchKind::Toroidal;
-    lanes.gaussian[lane] = equal ? std::numeric_limits<double>::infinity() : at.gaussian_curvature;
-    atom[lane] = at.atom;
-    patch[lane] = at.patch;
-    signed_distance[lane] = at.signed_distance;
+FeatureCell NearestBatch::cell_of(std::size_t lane) const {
+    if (claims_.owned[lane] != 0) return {FeatureCell::Kind::Ball, atoms_[lane]};
+    const std::int64_t tag = tags_[lane];
+    if (is_arc(tag)) return {FeatureCell::Kind::Arc, arc_of(tag)};
+    return {FeatureCell::Kind::Vertex, static_cast<std::uint32_t>(tag)};
 }
 
 void NearestBatch::steps_to_surface(BatchSteps& steps) {
-    for (std::size_t lane = 0; lane < count_; ++lane) {
-        steps.point[lane] = sorted_[lane];
-        steps.lanes.settled[lane] = 0;
-        steps.signed_distance[lane] = 0.0;
+    stepper_.clear();
+    others_.clear();
+    for (std::uint32_t lane = 0; lane < count_; ++lane) {
+        const std::uint32_t point = sorted_[lane];
+        if (found(point) && (claims_.owned[lane] != 0 || data_->probe > 0.0))
+            stepper_.add(point, get_point(lanes_, lane), cell_of(lane));
+        else
+            others_.push_back(lane);
     }
-    step_from_balls(steps);
-    step_from_edges(steps);
-}
-
-void NearestBatch::step_from_balls(BatchSteps& steps) {
-    const std::size_t balls = contenders_.size();
-    const auto step = [&](std::uint32_t atom, const LaneRange& lanes) {
-        kernels_.step_from_ball(data_->atoms.centres[atom], data_->rho[atom] - data_->probe, lanes_, lanes,
-                                steps.lanes);
-        std::fill(steps.atom.at + lanes.begin, steps.atom.at + lanes.end, data_->atoms.original[atom]);
-    };
-    for (std::size_t b = 0; b < balls; ++b)
-        if (const LaneRange lanes = lanes_of(b); lanes.end > lanes.begin) step(contenders_.index(b), lanes);
-    const LaneRange doubtful = lanes_of(balls + kDoubtfulGroup);
-    for (std::size_t lane = doubtful.begin; lane < doubtful.end; ++lane) step(atoms_[lane], {lane, lane + 1});
-    std::fill_n(steps.patch.at, count_, PatchKind::Contact);
-    for (std::size_t lane = 0; lane < count_; ++lane)
-        steps.lanes.settled[lane] &= claims_.signed_distance[lane] < margin_ ? claims_.owned[lane] : 0;
-}
-
-void NearestBatch::step_from_edges(BatchSteps& steps) {
-    lanes_of_arcs_.clear();
-    lanes_of_vertices_.clear();
-    for (std::size_t k = 0; k < open_count_; ++k) {
-        const std::uint32_t lane = open_[k];
-        if (std::abs(claims_.signed_distance[lane]) >= margin_) continue;
-        if (data_->probe == 0.0) {  // the foot is on the surface: no direction leads there
-            const SurfaceStep step = step_to_surface(sorted_[lane]);
-            steps.set(lane, step.point, step.feature);
-            steps.lanes.settled[lane] = step.settled ? -1 : 0;
-            continue;
+    std::size_t to = stepper_.take(steps);
+    for (const std::uint32_t lane : others_) {
+        const std::uint32_t point = sorted_[lane];
+        steps.point[to] = point;
+        steps.lanes.settled[to] = 0;
+        steps.signed_distance[to] = 0.0;
+        if (found(point)) {  // the foot is on the surface: no direction leads there
+            const SurfaceStep step = step_to_surface(point);
+            steps.set(to, step.point, step.feature);
+            steps.lanes.settled[to] = step.settled ? -1 : 0;
         }
-        (is_arc(tags_[lane]) ? lanes_of_arcs_ : lanes_of_vertices_).push_back(lane);
-    }
-    if (!lanes_of_arcs_.empty()) step_from_arcs(steps);
-    if (!lanes_of_vertices_.empty()) step_from_vertices(steps);
-}
-
-void NearestBatch::step_from_arcs(BatchSteps& steps) {
-    const std::vector<std::uint32_t>& lanes = lanes_of_arcs_;
-    for (std::size_t k = 0; k < lanes.size(); ++k) {
-        const SasArc& arc = data_->arcs[arc_of(tags_[lanes[k]])];
-        set_point(edge_points_, k, get_point(lanes_, lanes[k]));
-        set_point(arc_lanes_.centre, k, arc.centre);
-        set_point(arc_lanes_.axis, k, arc.axis);
-        arc_lanes_.radius[k] = arc.radius;
-        arc_lanes_.height0[k] = arc.height0;
-        arc_lanes_.height1[k] = arc.height1;
-        arc_lanes_.radius0[k] = data_->atoms.radii[arc.atoms[0]];
-        arc_lanes_.radius1[k] = data_->atoms.radii[arc.atoms[1]];
-    }
-    kernels_.step_from_arcs(data_->probe, edge_points_, arc_lanes_, lanes.size(), edge_steps_, nearer_second_);
-    for (std::size_t k = 0; k < lanes.size(); ++k) {
-        const std::uint32_t lane = lanes[k];
-        const SasArc& arc = data_->arcs[arc_of(tags_[lane])];
-        copy_step(edge_steps_, k, steps.lanes, lane);
-        steps.atom[lane] = data_->atoms.original[arc.atoms[nearer_second_[k] != 0 ? 1 : 0]];
-        steps.patch[lane] = PatchKind::Toroidal;
-    }
-}
-
-void NearestBatch::step_from_vertices(BatchSteps& steps) {
-    const std::vector<std::uint32_t>& lanes = lanes_of_vertices_;
-    const auto vertex_of = [&](std::uint32_t lane) { return static_cast<std::uint32_t>(tags_[lane]); };
-    for (std::size_t k = 0; k < lanes.size(); ++k) {
-        set_point(edge_points_, k, get_point(lanes_, lanes[k]));
-        set_point(feet_, k, data_->vertices[vertex_of(lanes[k])].position);
-    }
-    kernels_.step_from_vertices(data_->probe, edge_points_, feet_, lanes.size(), edge_steps_);
-    for (std::size_t k = 0; k < lanes.size(); ++k) {
-        const std::uint32_t lane = lanes[k];
-        const std::uint32_t vertex = vertex_of(lane);
-        copy_step(edge_steps_, k, steps.lanes, lane);
-        const Vec3 place = get_point(steps.lanes.points, lane);
-        if (steps.lanes.settled[lane] == 0 && in_vertex_cell(*data_, data_->vertices[vertex], place))
-            steps.lanes.settled[lane] = -1;
-        steps.atom[lane] = atom_of_vertex(*data_, vertex, place);
-        steps.patch[lane] = PatchKind::Reentrant;
+        ++to;
     }
 }
 

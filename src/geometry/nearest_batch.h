@@ -13,20 +13,9 @@
 #include "geometry/local_features.h"
 #include "geometry/nearest_feature.h"
 #include "geometry/nearest_kernels.h"
+#include "geometry/step_batch.h"
 
 namespace meniscus {
-
-/// Steps from a batch of points to the surface, in an order of its own.
-struct BatchSteps {
-    StepLanes lanes;
-    LaneArray<std::uint32_t> point;  ///< where in the batch the step began
-    LaneArray<std::uint32_t> atom;   ///< as in NearestFeature
-    LaneArray<PatchKind> patch;
-    LaneArray<double> signed_distance;  ///< where the step ends: 0 if it is settled
-
-    /// What is nearest to a place that was found otherwise.
-    void set(std::size_t lane, const Vec3& place, const NearestFeature& at);
-};
 
 /// Works on one group of points after the other, reusing its memory. Same as AccessibleSurface::nearest for every point
 /// within a margin of the surface; of all others it says on which side they are.
@@ -41,7 +30,7 @@ public:
     };
 
     explicit NearestBatch(const AccessibleSurface& surface, const NearestKernels& kernels = nearest_kernels())
-        : data_(&surface.data()), kernels_(kernels) {}
+        : data_(&surface.data()), kernels_(kernels), stepper_(surface, kernels) {}
     NearestBatch(const NearestBatch&) = delete;  // it may point to its own points
     NearestBatch& operator=(const NearestBatch&) = delete;
 
@@ -87,10 +76,7 @@ public:
     void steps_to_surface(BatchSteps& steps);
 
 private:
-    void step_from_balls(BatchSteps& steps);
-    void step_from_edges(BatchSteps& steps);
-    void step_from_arcs(BatchSteps& steps);
-    void step_from_vertices(BatchSteps& steps);
+    FeatureCell cell_of(std::size_t lane) const;
     void choose_contenders(std::size_t deepest);
     void load();
     void group_points();
@@ -147,13 +133,8 @@ private:
     NearestTags nearest_;
     LaneArray<double> edge_distances_;
     LaneArray<double> edge_curvatures_;
-    std::vector<std::uint32_t> lanes_of_arcs_;  // open lanes that an arc is nearest to
-    std::vector<std::uint32_t> lanes_of_vertices_;
-    LanePoints<double> edge_points_;  // of either
-    LanePoints<double> feet_;
-    ArcLanes arc_lanes_;
-    StepLanes edge_steps_;
-    LaneArray<std::int64_t> nearer_second_;
+    StepBatch stepper_;
+    std::vector<std::uint32_t> others_;  // lanes that do not step with the others
 };
 
 }  // namespace meniscus

@@ -6,6 +6,7 @@
 // and written in whole vectors: up to 64 bytes beyond the end, where there need not be anything of sense.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -38,6 +39,13 @@ struct LanePoints {
 template <class T>
 Vec3 get_point(const LanePoints<T>& points, std::size_t lane) {
     return {points.x[lane], points.y[lane], points.z[lane]};
+}
+
+template <class T>
+void set_point(LanePoints<T>& points, std::size_t lane, const Vec3& p) {
+    points.x[lane] = static_cast<T>(p.x);
+    points.y[lane] = static_cast<T>(p.y);
+    points.z[lane] = static_cast<T>(p.z);
 }
 
 struct LaneRange {
@@ -135,6 +143,12 @@ struct StepLanes {
     LaneArray<std::int64_t> settled;  ///< 0, or all bits set
 };
 
+/// One ball for each point.
+struct BallLanes {
+    LanePoints<double> centre;
+    LaneArray<double> radius;  ///< without the probe
+};
+
 /// One arc for each point.
 struct ArcLanes {
     LanePoints<double> centre;
@@ -144,6 +158,13 @@ struct ArcLanes {
     LaneArray<double> height1;
     LaneArray<double> radius0;  ///< of its atoms
     LaneArray<double> radius1;
+};
+
+/// One vertex for each point, with its atoms.
+struct VertexLanes {
+    LanePoints<double> position;
+    std::array<LanePoints<double>, 3> centres;
+    std::array<LaneArray<double>, 3> radii;
 };
 
 /// Marks are sets of items of a list, one bit for each (core/bits.h).
@@ -187,16 +208,16 @@ struct NearestKernels {
                                  LaneArray<double>& curvatures);
     void (*find_edge_curvatures)(const NearestTags& nearest, double probe, std::size_t count,
                                  LaneArray<double>& curvatures);
-    /// Steps from points that a ball owns, as step_from_ball() takes them. radius: of the ball without the probe.
-    void (*step_from_ball)(const Vec3& centre, double radius, const LanePoints<double>& points, const LaneRange& lanes,
-                           StepLanes& steps);
-    /// As step_from_arc(); also tells where the second atom is the nearer one. Curvatures of steps that are not
-    /// settled mean nothing.
+    /// Steps from points that a ball owns, as step_from_ball() takes them, to the lanes from `to` on.
+    void (*step_from_balls)(const LanePoints<double>& points, const BallLanes& balls, std::size_t count, std::size_t to,
+                            StepLanes& steps);
+    /// As step_from_arc(); also tells which atom is the nearest one, 0 or 1. Curvatures of steps that are not settled
+    /// mean nothing.
     void (*step_from_arcs)(double probe, const LanePoints<double>& points, const ArcLanes& arcs, std::size_t count,
-                           StepLanes& steps, LaneArray<std::int64_t>& second);
-    /// As step_from_vertex(), but settled only where the step leads towards the vertex, and not there already.
-    void (*step_from_vertices)(double probe, const LanePoints<double>& points, const LanePoints<double>& vertices,
-                               std::size_t count, StepLanes& steps);
+                           std::size_t to, StepLanes& steps, LaneArray<std::int64_t>& nearest);
+    /// As step_from_vertex(), and which atom is the nearest one.
+    void (*step_from_vertices)(double probe, const LanePoints<double>& points, const VertexLanes& vertices,
+                               std::size_t count, std::size_t to, StepLanes& steps, LaneArray<std::int64_t>& nearest);
     /// Clamps to ±limit; a NaN (0/0 on the SAS itself) becomes -limit.
     void (*clamp)(const LaneArray<double>& values, double limit, std::size_t count, LaneArray<float>& clamped);
     /// Sets those to 0 whose distance is not within ±margin.
