@@ -9,7 +9,7 @@
 #include <iterator>
 #include <limits>
 #include <memory>
-#include <optional>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -19,8 +19,10 @@
 #include "core/parallel.h"
 #include "core/parallel_list.h"
 #include "core/workspaces.h"
+#include "geometry/feature_walk.h"
 #include "geometry/local_features.h"
 #include "geometry/nearest_batch.h"
+#include "geometry/step_batch.h"
 #include "grid/spline_block.h"
 #include "measure/surface_measures.h"
 #include "mesh/components.h"
@@ -106,28 +108,14 @@ private:
 // ends there, but next to ridges the distance is a lower bound and steps fall short: there many are taken.
 class ExactProjector {
 public:
-    // room   Å that points may move on their way to where they stay
-    ExactProjector(const AccessibleSurface& surface, double room)
-        : surface_(surface),
-          room_(std::max(room, kRoom)),
-          around_(surface, kMargin),
-          local_(surface, kMargin),
-          batch_(surface) {}
+    explicit ExactProjector(const AccessibleSurface& surface)
+        : around_(surface, kMargin), local_(surface, kMargin), batch_(surface) {}
 
     // Goes to a box whose points will be treated.
-    void enter(const Box& box) {
-        entered_ = box.grown(room_);
-        around_.gather(entered_);
-    }
+    void enter(const Box& box) { around_.gather(box.grown(kRoom)); }
 
-    // What at most kBatchLanes points are labelled with.
-    void label(std::span<const Vec3> points, std::span<FeatureLabel> labels) {
-        Box box;
-        for (const Vec3& p : points) box.include(p);
-        if (!entered_.contains(box)) {
-            for (std::size_t i = 0; i < points.size(); ++i) labels[i] = label_of(surface_.nearest(points[i]));
-            return;
-        }
+    // What at most kBatchLanes points of a box are labelled with.
+    void label(const Box& box, std::span<const Vec3> points, std::span<FeatureLabel> labels) {
         local_.gather_from(around_, box);
         const bool open = batch_.start(local_, box, kMargin) == NearestBatch::Claim::Open;
         if (open) batch_.find(points);
@@ -149,125 +137,129 @@ public:
             const std::uint32_t i = steps.point[lane];
             const bool stepped = open && batch_.found(i);
             Vec3 place = points[i];
-            if (stepped) place = {steps.lanes.points.x[lane], steps.lanes.points.y[lane], steps.lanes.points.z[lane]};
+            if (stepped) place = get_point(steps.lanes.points, lane);
             const NearestFeature at = walk_to_surface(local_, place, stepped ? 1 : 0);
             steps.set(lane, place, at);
         }
     }
 
 private:
-    static constexpr double kRoom = 0.1;    // Å: most points move less
+    static constexpr double kRoom = 0.25;   // Å: most points move less
     static constexpr double kMargin = 0.5;  // Å: points of a mesh are far nearer to the surface than this
 
-    const AccessibleSurface& surface_;
-    double room_;
     LocalFeatures around_;  // of many runs
     LocalFeatures local_;
     NearestBatch batch_;
-    Box entered_;
 };
 
-// Moves the vertices to where they stay and gives them what is known of the surface there.
-class VertexFinisher {
+constexpr std::size_t kGroupsPerTask = 2;
+constexpr double kLongestRun = 9.0;  // spacings: little more than a block
+
+std::vector<Vec3> places_of(const Mesh& mesh, const std::vector<VertexId>& vertices) {
+    std::vector<Vec3> places;
+    places.reserve(vertices.size());
+    for (const VertexId v : vertices) places.push_back(mesh.vertices[v]);
+    return places;
+}
+
+SmallBox box_of(std::span<const VertexRun> runs) {
+    SmallBox box;
+    for (const VertexRun& run : runs) box.include(run.box);
+    return box;
+}
+
+// Moves vertices onto the zero set of a level set and gives them what is known of the surface there.
+class LevelSetFinisher {
 public:
-    VertexFinisher(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing, Mesh& mesh)
+    LevelSetFinisher(const AccessibleSurface& accessible, const LevelSet& level_set, double spacing, Mesh& mesh)
         : accessible_(accessible), level_set_(level_set), spacing_(spacing), mesh_(mesh) {
-        resize_all_touched(mesh.vertices.size(), mesh.normals, mesh.atoms, mesh.patches, mesh.mean_curvatures,
-                           mesh.gaussian_curvatures, mesh.shape_indices);
-        if (level_set != nullptr) resize_touched(distances_, mesh.vertices.size());
+        resize_touched(distances_, mesh.vertices.size());
     }
 
     // Returns the distances to the exact surface.
     VertexDistances run() {
-        const RunGroups groups(mesh_.vertices, kLongestRun * spacing_);
-        Workspaces workspaces([&] { return std::make_unique<Workspace>(accessible_, level_set_, spacing_); });
-        const auto finish_groups = [&](std::size_t begin, std::size_t end, std::vector<Off>& off) {
-            workspaces.with_one([&](Workspace& workspace) {
-                for (std::size_t g = begin; g < end; ++g) finish(groups.runs(g), workspace, off);
-            });
-        };
-        const auto off = parallel_list<Off>(groups.size(), kGroupsPerTask, finish_groups);
-        if (level_set_ != nullptr) return VertexDistances(std::move(distances_));
-        return {mesh_.vertices.size(), off};
+        search(land());
+        return VertexDistances(std::move(distances_));
     }
 
 private:
-    using Off = VertexDistances::Off;
-
-    static constexpr std::size_t kGroupsPerTask = 2;
-    static constexpr double kLongestRun = 9.0;  // spacings: little more than a block
-    static constexpr double kLongestWay = 0.5;  // spacings: nearly all vertices move less
-
     // What is used again for the next vertices.
-    struct Workspace {
-        Workspace(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing)
-            : projector(accessible, kLongestWay * spacing) {
-            if (level_set != nullptr) spline.emplace(level_set->grid(), level_set->coefficients());
-        }
+    struct LandingRoom {
+        explicit LandingRoom(const LevelSet& level_set) : spline(level_set.grid(), level_set.coefficients()) {}
 
-        ExactProjector projector;
-        std::optional<SplineBlock> spline;
-        // Of a run.
+        SplineBlock spline;
         std::array<Landing, kBatchLanes> landings;
-        std::array<FeatureLabel, kBatchLanes> labels;
-        BatchSteps steps;
+        std::array<FeatureCell, kBatchLanes> cells;
         ShapeLanes shapes;
     };
+    struct SearchRoom {
+        explicit SearchRoom(const AccessibleSurface& accessible) : projector(accessible) {}
 
-    std::span<Vec3> vertices(const VertexRun& run) const {
-        return std::span(mesh_.vertices).subspan(run.begin, run.end - run.begin);
+        ExactProjector projector;
+        std::array<FeatureLabel, kBatchLanes> labels;
+    };
+
+    // Returns the vertices that are not labelled yet.
+    std::vector<VertexId> land() {
+        const RunGroups groups(mesh_.vertices, kLongestRun * spacing_);
+        Workspaces rooms([&] { return std::make_unique<LandingRoom>(level_set_); });
+        return parallel_list<VertexId>(groups.size(), kGroupsPerTask,
+                                       [&](std::size_t begin, std::size_t end, std::vector<VertexId>& left) {
+                                           rooms.with_one([&](LandingRoom& room) {
+                                               FeatureWalk walk(accessible_);
+                                               for (std::size_t g = begin; g < end; ++g)
+                                                   for (const VertexRun& run : groups.runs(g))
+                                                       land(run, room, walk, left);
+                                           });
+                                       });
     }
-
-    void finish(std::span<const VertexRun> runs, Workspace& workspace, std::vector<Off>& off) {
-        SmallBox box;
-        for (const VertexRun& run : runs) box.include(run.box);
-        workspace.projector.enter(box.box());
-        for (const VertexRun& run : runs)
-            workspace.spline ? finish_on_level_set(run, workspace) : finish_on_exact_surface(run, workspace, off);
-    }
-
-    void finish_on_level_set(const VertexRun& run, Workspace& workspace) {
-        auto& [projector, spline, landings, labels, steps, shapes] = workspace;
-        spline->land(vertices(run), landings);
-        shape_kernels().of_landings(landings, run.end - run.begin, shapes);
-        for (std::size_t v = run.begin; v < run.end; ++v) {
-            const std::size_t lane = v - run.begin;
-            mesh_.vertices[v] = landings[lane].point;
-            mesh_.normals[v] = to_small(get_point(shapes.normals, lane));
+    void land(const VertexRun& run, LandingRoom& room, FeatureWalk& walk, std::vector<VertexId>& left) {
+        auto& [spline, landings, cells, shapes] = room;
+        const std::size_t count = run.end - run.begin;
+        const std::span<Vec3> vertices = std::span(mesh_.vertices).subspan(run.begin, count);
+        spline.land(vertices, landings);
+        shape_kernels().of_landings(landings, count, shapes);
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            vertices[lane] = landings[lane].point;
+            mesh_.normals[run.begin + lane] = to_small(get_point(shapes.normals, lane));
+        }
+        walk.find(vertices, cells);
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            const auto v = static_cast<VertexId>(run.begin + lane);
+            if (cells[lane].kind != FeatureCell::Kind::None)
+                set_label(v, label_in(accessible_, cells[lane], vertices[lane]));
+            else
+                left.push_back(v);
         }
         set_curvatures(run, shapes);
-        projector.label(vertices(run), labels);
-        for (std::size_t v = run.begin; v < run.end; ++v) {
-            const FeatureLabel& label = labels[v - run.begin];
-            mesh_.atoms[v] = label.atom;
-            mesh_.patches[v] = label.patch;
-            distances_[v] = static_cast<float>(std::abs(label.signed_distance));
-        }
     }
 
-    void finish_on_exact_surface(const VertexRun& run, Workspace& workspace, std::vector<Off>& off) {
-        auto& [projector, spline, landings, labels, steps, shapes] = workspace;
-        projector.project(run.box.box(), vertices(run), steps);
-        const std::size_t count = run.end - run.begin;
-        shapes.mean = steps.lanes.mean;
-        shapes.gaussian = steps.lanes.gaussian;
-        shape_kernels().cap(1.0 / spacing_, count, shapes);
-        const auto& [points, normals, mean, gaussian, settled] = steps.lanes;
-        for (std::size_t lane = 0; lane < count; ++lane) {
-            const std::size_t v = run.begin + steps.point[lane];
-            mesh_.vertices[v] = {points.x[lane], points.y[lane], points.z[lane]};
-            mesh_.normals[v] = to_small(get_point(normals, lane));
-            mesh_.mean_curvatures[v] = shapes.capped_mean[lane];
-            mesh_.gaussian_curvatures[v] = shapes.capped_gaussian[lane];
-            mesh_.shape_indices[v] = shapes.shape_index[lane];
-            mesh_.atoms[v] = steps.atom[lane];
-            mesh_.patches[v] = steps.patch[lane];
-            const auto distance = static_cast<float>(std::abs(steps.signed_distance[lane]));
-            if (distance != 0.0F) off.push_back({static_cast<VertexId>(v), distance});
-        }
+    // Labels the vertices that are left.
+    void search(const std::vector<VertexId>& left) {
+        const std::vector<Vec3> points = places_of(mesh_, left);
+        const RunGroups groups(points, kLongestRun * spacing_);
+        Workspaces rooms([&] { return std::make_unique<SearchRoom>(accessible_); });
+        parallel_chunks(groups.size(), kGroupsPerTask, [&](std::size_t begin, std::size_t end) {
+            rooms.with_one([&](SearchRoom& room) {
+                for (std::size_t g = begin; g < end; ++g) {
+                    room.projector.enter(box_of(groups.runs(g)).box());
+                    for (const VertexRun& run : groups.runs(g)) {
+                        const std::size_t count = run.end - run.begin;
+                        room.projector.label(run.box.box(), std::span(points).subspan(run.begin, count), room.labels);
+                        for (std::size_t i = 0; i < count; ++i) set_label(left[run.begin + i], room.labels[i]);
+                    }
+                }
+            });
+        });
     }
 
-    // A grid cannot tell more than 1/spacing, and at cusps of the exact surface there is no limit.
+    void set_label(VertexId v, const FeatureLabel& label) {
+        mesh_.atoms[v] = label.atom;
+        mesh_.patches[v] = label.patch;
+        distances_[v] = static_cast<float>(std::abs(label.signed_distance));
+    }
+
+    // A grid cannot tell more than 1/spacing.
     void set_curvatures(const VertexRun& run, ShapeLanes& shapes) {
         const std::size_t count = run.end - run.begin;
         shape_kernels().cap(1.0 / spacing_, count, shapes);
@@ -277,10 +269,137 @@ private:
     }
 
     const AccessibleSurface& accessible_;
-    const LevelSet* level_set_;
+    const LevelSet& level_set_;
     double spacing_;
     Mesh& mesh_;
-    std::vector<float> distances_;  // with a level set
+    std::vector<float> distances_;
+};
+
+// Moves vertices onto the exact surface and gives them what is known of it there. Most of them take a single step from
+// a place whose nearest feature a walk from the one before finds. What is nearest to those beside ridges is searched
+// for among all that is there.
+class ExactFinisher {
+public:
+    ExactFinisher(const AccessibleSurface& accessible, double spacing, Mesh& mesh)
+        : accessible_(accessible), spacing_(spacing), mesh_(mesh) {}
+
+    // Returns the distances to the surface.
+    VertexDistances run() {
+        left_ = accessible_.probe() > 0.0 ? walk() : all();
+        points_ = places_of(mesh_, left_);
+        return {mesh_.vertices.size(), search()};
+    }
+
+private:
+    using Off = VertexDistances::Off;
+
+    static constexpr std::size_t kVerticesPerTask = 1 << 12;
+
+    // What is used again for the next vertices.
+    struct StepRoom {
+        explicit StepRoom(const AccessibleSurface& accessible) : stepper(accessible) {}
+
+        std::array<FeatureCell, kBatchLanes> cells;
+        StepBatch stepper;
+        BatchSteps steps;
+        ShapeLanes shapes;
+    };
+    struct SearchRoom {
+        explicit SearchRoom(const AccessibleSurface& accessible) : projector(accessible) {}
+
+        ExactProjector projector;
+        BatchSteps steps;
+        ShapeLanes shapes;
+    };
+
+    std::vector<VertexId> all() const {
+        std::vector<VertexId> vertices(mesh_.vertices.size());
+        std::iota(vertices.begin(), vertices.end(), VertexId{0});
+        return vertices;
+    }
+
+    // Returns those that are left.
+    std::vector<VertexId> walk() {
+        Workspaces rooms([&] { return std::make_unique<StepRoom>(accessible_); });
+        return parallel_list<VertexId>(mesh_.vertices.size(), kVerticesPerTask,
+                                       [&](std::size_t begin, std::size_t end, std::vector<VertexId>& left) {
+                                           rooms.with_one([&](StepRoom& room) {
+                                               FeatureWalk walk(accessible_);
+                                               for (std::size_t v = begin; v < end; v += kBatchLanes)
+                                                   step(v, std::min(end, v + kBatchLanes), walk, room, left);
+                                           });
+                                       });
+    }
+    void step(std::size_t begin, std::size_t end, FeatureWalk& walk, StepRoom& room, std::vector<VertexId>& left) {
+        auto& [cells, stepper, steps, shapes] = room;
+        walk.find(std::span(mesh_.vertices).subspan(begin, end - begin), cells);
+        stepper.clear();
+        for (std::size_t v = begin; v < end; ++v) {
+            const FeatureCell& cell = cells[v - begin];
+            if (cell.kind != FeatureCell::Kind::None)
+                stepper.add(static_cast<std::uint32_t>(v - begin), mesh_.vertices[v], cell);
+            else
+                left.push_back(static_cast<VertexId>(v));
+        }
+        const std::size_t count = stepper.take(steps);
+        cap_curvatures(steps, count, shapes);
+        for (std::size_t lane = 0; lane < count; ++lane) {
+            const std::size_t v = begin + steps.point[lane];
+            if (steps.lanes.settled[lane] != 0)
+                write(steps, shapes, lane, v);
+            else
+                left.push_back(static_cast<VertexId>(v));
+        }
+    }
+
+    // Of the vertices that are left; returns the distances that are not 0.
+    std::vector<Off> search() {
+        const RunGroups groups(points_, kLongestRun * spacing_);
+        Workspaces rooms([&] { return std::make_unique<SearchRoom>(accessible_); });
+        return parallel_list<Off>(groups.size(), kGroupsPerTask,
+                                  [&](std::size_t begin, std::size_t end, std::vector<Off>& off) {
+                                      rooms.with_one([&](SearchRoom& room) {
+                                          for (std::size_t g = begin; g < end; ++g) search(groups.runs(g), room, off);
+                                      });
+                                  });
+    }
+    void search(std::span<const VertexRun> runs, SearchRoom& room, std::vector<Off>& off) {
+        auto& [projector, steps, shapes] = room;
+        projector.enter(box_of(runs).box());
+        for (const VertexRun& run : runs) {
+            const std::size_t count = run.end - run.begin;
+            projector.project(run.box.box(), std::span(points_).subspan(run.begin, count), steps);
+            cap_curvatures(steps, count, shapes);
+            for (std::size_t lane = 0; lane < count; ++lane) {
+                const VertexId v = left_[run.begin + steps.point[lane]];
+                write(steps, shapes, lane, v);
+                const auto distance = static_cast<float>(std::abs(steps.signed_distance[lane]));
+                if (distance != 0.0F) off.push_back({v, distance});
+            }
+        }
+    }
+
+    // At cusps there is no limit to them.
+    void cap_curvatures(const BatchSteps& steps, std::size_t count, ShapeLanes& shapes) const {
+        shapes.mean = steps.lanes.mean;
+        shapes.gaussian = steps.lanes.gaussian;
+        shape_kernels().cap(1.0 / spacing_, count, shapes);
+    }
+    void write(const BatchSteps& steps, const ShapeLanes& shapes, std::size_t lane, std::size_t v) {
+        mesh_.vertices[v] = get_point(steps.lanes.points, lane);
+        mesh_.normals[v] = to_small(get_point(steps.lanes.normals, lane));
+        mesh_.mean_curvatures[v] = shapes.capped_mean[lane];
+        mesh_.gaussian_curvatures[v] = shapes.capped_gaussian[lane];
+        mesh_.shape_indices[v] = shapes.shape_index[lane];
+        mesh_.atoms[v] = steps.atom[lane];
+        mesh_.patches[v] = steps.patch[lane];
+    }
+
+    const AccessibleSurface& accessible_;
+    double spacing_;
+    Mesh& mesh_;
+    std::vector<VertexId> left_;  // for search()
+    std::vector<Vec3> points_;    // of them
 };
 
 // Mends the bad triangles and fills in what is known of the surface at vertices that moved.
@@ -310,7 +429,10 @@ Creases creases_of(const LevelSet* level_set) { return level_set != nullptr ? Cr
 
 VertexDistances finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
                                 Mesh& mesh) {
-    return VertexFinisher(accessible, level_set, spacing, mesh).run();
+    resize_all_touched(mesh.vertices.size(), mesh.normals, mesh.atoms, mesh.patches, mesh.mean_curvatures,
+                       mesh.gaussian_curvatures, mesh.shape_indices);
+    if (level_set != nullptr) return LevelSetFinisher(accessible, *level_set, spacing, mesh).run();
+    return ExactFinisher(accessible, spacing, mesh).run();
 }
 
 DistanceSummary distance_of_vertices(const AccessibleSurface& accessible, const Mesh& mesh) {
