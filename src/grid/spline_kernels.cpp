@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "grid/spline_kernels.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include "core/instructions.h"
+#include "core/sign_bits.h"
 
 #define MENISCUS_KERNELS "grid/spline_kernels.inc"
 
