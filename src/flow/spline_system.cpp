@@ -35,26 +35,43 @@ using BlockValues = std::array<float, kBlockNodes>;
 
 constexpr BlockValues kZeros{};
 
-// Sum of term(k) over `blocks` blocks, in their order.
-template <class T, class Term>
-T sum_over(std::size_t blocks, const Term& term) {
+// Sum of term(tool, k) over `blocks` blocks, in their order; make_tool() makes one for a few of them.
+template <class T, class MakeTool, class Term>
+T sum_over(std::size_t blocks, const MakeTool& make_tool, const Term& term) {
     return parallel_sum<T>(blocks, kBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
+        auto tool = make_tool();
         T sum{};
-        for (std::size_t k = begin; k < end; ++k) sum += term(k);
+        for (std::size_t k = begin; k < end; ++k) sum += term(tool, k);
         return sum;
     });
 }
 
-// Calls body(around) with the nodes of the blocks around `block` in a field of the grid, `fill` where there are none.
-template <class Body>
-auto with_blocks_around(const BlockGrid& grid, std::span<const float> field, BlockId block, float fill,
-                        const Body& body) {
-    BlockValues missing;
-    missing.fill(fill);
-    BlocksAround around;
-    find_blocks_around(grid, field, block, missing.data(), around);
-    return body(around);
+template <class T, class Term>
+T sum_over(std::size_t blocks, const Term& term) {
+    struct None {};
+    return sum_over<T>(
+        blocks, [] { return None{}; }, [&term](None, std::size_t k) { return term(k); });
 }
+
+// The nodes of the blocks around one block after the other in a field of the grid, its fill where there are none.
+class Surroundings {
+public:
+    Surroundings(const BlockGrid& grid, std::span<const float> field, const BlockFill& fill)
+        : grid_(grid), field_(field), fill_(fill) {}
+
+    const BlocksAround& around(BlockId block) {
+        if (missing_[0] != fill_[block]) missing_.fill(fill_[block]);  // mostly it is that of the block before
+        find_blocks_around(grid_, field_, block, missing_.data(), around_);
+        return around_;
+    }
+
+private:
+    const BlockGrid& grid_;
+    std::span<const float> field_;
+    const BlockFill& fill_;
+    BlockValues missing_{};
+    BlocksAround around_;
+};
 
 // Of the blocks around the one that comes next, that which no block before had around it.
 BlockId last_neighbour(const BlockGrid& grid, BlockId block) {
@@ -177,22 +194,22 @@ BlockFill fill_by_sign(const BlockGrid& grid, std::span<const float> field, doub
 void apply_everywhere(const BlockGrid& grid, const Stencil& stencil, std::span<const float> field,
                       const BlockFill& fill, std::span<float> result) {
     const BlockKernels& kernels = block_kernels();
-    parallel_for(grid.block_count(), kBlocksPerChunk, [&](std::size_t b) {
-        with_blocks_around(grid, field, static_cast<BlockId>(b), fill[b], [&](const BlocksAround& around) {
-            kernels.apply(weights_of(stencil), around, result.data() + b * kBlockNodes);
-        });
+    parallel_chunks(grid.block_count(), kBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
+        Surroundings surroundings(grid, field, fill);
+        for (std::size_t b = begin; b < end; ++b)
+            kernels.apply(weights_of(stencil), surroundings.around(static_cast<BlockId>(b)),
+                          result.data() + b * kBlockNodes);
     });
 }
 
 void apply_within(const BlockGrid& grid, const Stencil& stencil, std::span<const float> field, const BlockFill& fill,
                   const Unknowns& unknowns, std::span<float> result) {
     const BlockKernels& kernels = block_kernels();
-    parallel_for(unknowns.blocks.size(), kBlocksPerChunk, [&](std::size_t k) {
-        const BlockId block = unknowns.blocks[k];
-        with_blocks_around(grid, field, block, fill[block], [&](const BlocksAround& around) {
-            kernels.apply_within(weights_of(stencil), around, unknowns.nodes[k],
-                                 result.data() + std::size_t{block} * kBlockNodes);
-        });
+    parallel_chunks(unknowns.blocks.size(), kBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
+        Surroundings surroundings(grid, field, fill);
+        for (std::size_t k = begin; k < end; ++k)
+            kernels.apply_within(weights_of(stencil), surroundings.around(unknowns.blocks[k]), unknowns.nodes[k],
+                                 result.data() + std::size_t{unknowns.blocks[k]} * kBlockNodes);
     });
 }
 
@@ -240,13 +257,12 @@ void SplineSystem::find_around(BlockId block, const Vector& vector, BlocksAround
 double SplineSystem::begin(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
                            std::span<const float> x) {
     const BlockKernels& kernels = block_kernels();
-    return sum_over<double>(unknowns_.blocks.size(), [&](std::size_t k) {
+    const auto surroundings = [&] { return Surroundings(*grid_, x, fill); };
+    return sum_over<double>(unknowns_.blocks.size(), surroundings, [&](Surroundings& of_x, std::size_t k) {
         const BlockId block = unknowns_.blocks[k];
-        return with_blocks_around(*grid_, x, block, fill[block], [&](const BlocksAround& around) {
-            return kernels.begin(weights_of(stencil), around, unknowns_.nodes[k],
-                                 b.data() + std::size_t{block} * kBlockNodes, residual_.data() + k * kBlockNodes,
-                                 direction_.data() + k * kBlockNodes);
-        });
+        return kernels.begin(weights_of(stencil), of_x.around(block), unknowns_.nodes[k],
+                             b.data() + std::size_t{block} * kBlockNodes, residual_.data() + k * kBlockNodes,
+                             direction_.data() + k * kBlockNodes);
     });
 }
 
@@ -298,17 +314,16 @@ double SplineSystem::find_residual(const Stencil& stencil, const BlockFill& fill
     const BlockKernels& kernels = block_kernels();
     const std::span blocks = blocks_of(layer);
     const NodeBits* nodes = unknowns_.nodes.data() + layers_[layer];
-    return sum_over<double>(blocks.size(), [&](std::size_t k) {
+    const auto surroundings = [&] { return Surroundings(*grid_, x, fill); };
+    return sum_over<double>(blocks.size(), surroundings, [&](Surroundings& of_x, std::size_t k) {
         const BlockId block = blocks[k];
         if (k + 1 < blocks.size()) {
             fetch(b, blocks[k + 1]);
             fetch(x, last_neighbour(*grid_, blocks[k + 1]));
         }
-        return with_blocks_around(*grid_, x, block, fill[block], [&](const BlocksAround& around) {
-            return kernels.find_residual(weights_of(stencil), around, nodes[k],
-                                         b.data() + std::size_t{block} * kBlockNodes,
-                                         residual_.data() + std::size_t{place_[block]} * kBlockNodes);
-        });
+        return kernels.find_residual(weights_of(stencil), of_x.around(block), nodes[k],
+                                     b.data() + std::size_t{block} * kBlockNodes,
+                                     residual_.data() + std::size_t{place_[block]} * kBlockNodes);
     });
 }
 
