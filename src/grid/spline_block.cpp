@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "grid/block_kernels.h"
@@ -20,6 +21,35 @@ constexpr auto kNothing = [] {
     values.fill(kNan);
     return values;
 }();
+
+constexpr int kBefore = SplineCoefficients::kBefore;
+constexpr int kEdge = SplineCoefficients::kEdge;
+constexpr int kAfter = kEdge - kBefore - kBlockEdge;
+
+// Which nodes along an axis come from a block before the one in the middle, from itself, and from the one after it.
+struct NodesFrom {
+    int begin;
+    int end;
+    int first;  // in that block
+};
+constexpr std::array<NodesFrom, 3> kNodesFrom{
+    {{0, kBefore, kBlockEdge - kBefore}, {kBefore, kBefore + kBlockEdge, 0}, {kBefore + kBlockEdge, kEdge, 0}}};
+
+// Copies the rows of three blocks next to each other in x.
+void copy_rows(const float* const* along_x, const NodesFrom& in_y, const NodesFrom& in_z, float* values) {
+    const float* const before = along_x[0] + kBlockEdge - kBefore;
+    const float* const own = along_x[1];
+    const float* const after = along_x[2];
+    for (int z = in_z.begin; z < in_z.end; ++z) {
+        int row = node_in_block(0, in_y.first, in_z.first + z - in_z.begin);
+        float* to = values + kEdge * (in_y.begin + kEdge * z);
+        for (int y = in_y.begin; y < in_y.end; ++y, row += kBlockEdge, to += kEdge) {
+            std::memcpy(to, before + row, kBefore * sizeof(float));
+            std::memcpy(to + kBefore, own + row, kBlockEdge * sizeof(float));
+            std::memcpy(to + kBefore + kBlockEdge, after + row, kAfter * sizeof(float));
+        }
+    }
+}
 
 constexpr std::size_t kFewPoints = 8;  // cheaper one by one
 
@@ -67,9 +97,6 @@ void SplineBlock::land(std::span<const Vec3> points, std::span<Landing> landings
 }
 
 void SplineBlock::enter(BlockId block) {
-    constexpr int kBefore = SplineCoefficients::kBefore;
-    constexpr int kEdge = SplineCoefficients::kEdge;
-    constexpr int kAfter = kEdge - kBefore - kBlockEdge;
     if (block == block_) return;
     block_ = block;
     const BlockCoord& at = grid_.coord(block);
@@ -77,15 +104,9 @@ void SplineBlock::enter(BlockId block) {
     around_.first = {first_node(at.x), first_node(at.y), first_node(at.z)};
     BlocksAround blocks;
     find_blocks_around(grid_, coefficients_, block, kNothing.data(), blocks);
-    float* to = around_.values.data();
-    for (int z = -kBefore; z < kEdge - kBefore; ++z)
-        for (int y = -kBefore; y < kEdge - kBefore; ++y, to += kEdge) {
-            const int row = node_in_block(0, y & (kBlockEdge - 1), z & (kBlockEdge - 1));
-            const float* const* along_x = &blocks[static_cast<std::size_t>(neighbour_slot(-1, side_of(y), side_of(z)))];
-            std::copy_n(along_x[0] + row + kBlockEdge - kBefore, kBefore, to);
-            std::copy_n(along_x[1] + row, kBlockEdge, to + kBefore);
-            std::copy_n(along_x[2] + row, kAfter, to + kBefore + kBlockEdge);
-        }
+    for (std::size_t z = 0; z < 3; ++z)
+        for (std::size_t y = 0; y < 3; ++y)
+            copy_rows(blocks + 3 * (y + 3 * z), kNodesFrom[y], kNodesFrom[z], around_.values.data());
 }
 
 }  // namespace meniscus
