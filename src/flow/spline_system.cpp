@@ -78,12 +78,13 @@ BlockId last_neighbour(const BlockGrid& grid, BlockId block) {
     return grid.neighbours(block)[static_cast<std::size_t>(neighbour_slot(1, 1, 1))];
 }
 
-// Starts to bring a block's values into the cache, if there is one. No processor foresees which block comes next.
-void fetch(std::span<const float> field, std::size_t block) {
+// Starts to bring the nodes of a block into the cache. No processor foresees which block comes next.
+void fetch(const float* nodes) {
     constexpr std::size_t kLine = 16;  // values
-    if (block == kNoBlock) return;
-    const float* nodes = field.data() + block * kBlockNodes;
     for (std::size_t n = 0; n < kBlockNodes; n += kLine) __builtin_prefetch(nodes + n);
+}
+void fetch(std::span<const float> field, BlockId block) {
+    if (block != kNoBlock) fetch(field.data() + std::size_t{block} * kBlockNodes);
 }
 
 // Least squares min |e1·norm - H y| for a Hessenberg matrix H that grows by columns.
@@ -244,6 +245,12 @@ void SplineSystem::make_krylov_vectors() {
     image_.resize(residual_.size());
 }
 
+// Where the k-th block with unknowns has its part of b.
+const float* SplineSystem::right_side(std::span<const float> b, std::size_t k) const {
+    const std::size_t place = b.size() == grid_->node_count() ? unknowns_.blocks[k] : k;
+    return b.data() + place * kBlockNodes;
+}
+
 // The blocks around one, in a vector on the unknowns; zeros where there are none.
 void SplineSystem::find_around(BlockId block, const Vector& vector, BlocksAround& around) const {
     const auto& neighbours = grid_->neighbours(block);
@@ -260,9 +267,8 @@ double SplineSystem::begin(const Stencil& stencil, const BlockFill& fill, std::s
     const auto surroundings = [&] { return Surroundings(*grid_, x, fill); };
     return sum_over<double>(unknowns_.blocks.size(), surroundings, [&](Surroundings& of_x, std::size_t k) {
         const BlockId block = unknowns_.blocks[k];
-        return kernels.begin(weights_of(stencil), of_x.around(block), unknowns_.nodes[k],
-                             b.data() + std::size_t{block} * kBlockNodes, residual_.data() + k * kBlockNodes,
-                             direction_.data() + k * kBlockNodes);
+        return kernels.begin(weights_of(stencil), of_x.around(block), unknowns_.nodes[k], right_side(b, k),
+                             residual_.data() + k * kBlockNodes, direction_.data() + k * kBlockNodes);
     });
 }
 
@@ -312,18 +318,18 @@ double SplineSystem::root_mean_square(double squared_norm) const {
 double SplineSystem::find_residual(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
                                    std::span<const float> x, std::size_t layer) {
     const BlockKernels& kernels = block_kernels();
-    const std::span blocks = blocks_of(layer);
-    const NodeBits* nodes = unknowns_.nodes.data() + layers_[layer];
+    const std::size_t first = layers_[layer];
+    const std::size_t end = layers_[layer + 1];
+    const std::vector<BlockId>& blocks = unknowns_.blocks;
     const auto surroundings = [&] { return Surroundings(*grid_, x, fill); };
-    return sum_over<double>(blocks.size(), surroundings, [&](Surroundings& of_x, std::size_t k) {
-        const BlockId block = blocks[k];
-        if (k + 1 < blocks.size()) {
-            fetch(b, blocks[k + 1]);
+    return sum_over<double>(end - first, surroundings, [&](Surroundings& of_x, std::size_t i) {
+        const std::size_t k = first + i;
+        if (k + 1 < end) {
+            fetch(right_side(b, k + 1));
             fetch(x, last_neighbour(*grid_, blocks[k + 1]));
         }
-        return kernels.find_residual(weights_of(stencil), of_x.around(block), nodes[k],
-                                     b.data() + std::size_t{block} * kBlockNodes,
-                                     residual_.data() + std::size_t{place_[block]} * kBlockNodes);
+        return kernels.find_residual(weights_of(stencil), of_x.around(blocks[k]), unknowns_.nodes[k], right_side(b, k),
+                                     residual_.data() + std::size_t{place_[blocks[k]]} * kBlockNodes);
     });
 }
 

@@ -64,7 +64,8 @@ class SplineSystem {
 public:
     explicit SplineSystem(const BlockGrid& grid);
 
-    /// x: start values on the mask, known values elsewhere; overwritten on the mask only.
+    /// x: start values on the mask, known values elsewhere; overwritten on the mask only. b: on all nodes of the grid,
+    /// or of the blocks with unknowns alone.
     SolveResult solve(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill, std::span<const float> b,
                       std::span<float> x, const SolveOptions& options);
     SolveResult solve(const Stencil& stencil, Unknowns unknowns, const BlockFill& fill, std::span<const float> b,
@@ -90,6 +91,7 @@ private:
     double find_residual(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
                          std::span<const float> x, std::size_t layer);
     void correct(const Stencil& inverse, std::span<float> x, std::size_t layer) const;
+    const float* right_side(std::span<const float> b, std::size_t k) const;
     void find_around(BlockId block, const Vector& vector, BlocksAround& around) const;
     double begin(const Stencil& stencil, const BlockFill& fill, std::span<const float> b, std::span<const float> x);
     ImageProducts apply(const Stencil& stencil);

@@ -14,13 +14,20 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kNodesPerChunk = std::size_t{32} * kBlockNodes;
+constexpr std::size_t kBlocksPerChunk = 32;
 
-// curvature becomes λ s - 2 H0.
-void make_right_side(std::span<const float> distance, float lambda, std::span<float> curvature) {
-    parallel_chunks(distance.size(), kNodesPerChunk, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t n = begin; n < end; ++n) curvature[n] = lambda * distance[n] - 2.0F * curvature[n];
+// λ s - 2 H0 in the blocks with unknowns.
+NodeField right_side(const DistanceBand& band, float lambda, const Unknowns& unknowns) {
+    NodeField result;
+    resize_touched(result, unknowns.blocks.size() * kBlockNodes);
+    parallel_for(unknowns.blocks.size(), kBlocksPerChunk, [&](std::size_t k) {
+        const std::size_t first = std::size_t{unknowns.blocks[k]} * kBlockNodes;
+        const float* const distance = band.distance.data() + first;
+        const float* const curvature = band.curvature.data() + first;
+        float* const out = result.data() + k * kBlockNodes;
+        for (std::size_t n = 0; n < kBlockNodes; ++n) out[n] = lambda * distance[n] - 2.0F * curvature[n];
     });
+    return result;
 }
 
 bool has_surface(const Unknowns& unknowns, std::span<const float> values, float spacing) {
@@ -42,15 +49,15 @@ EvolutionResult solve_steady_state(const BlockGrid& grid, DistanceBand band, con
     const double lambda = options.anchor / (h * h);
     const Unknowns unknowns = nodes_near(grid, band.distance, static_cast<float>(options.half_width * h));
     const BlockFill fill = fill_by_sign(grid, band.distance, band.margin);
+    const double tolerance = kSolverAccuracy * h * lambda;
     EvolutionResult result;
     NodeField& coefficients = result.state.coefficients;
-    resize_touched(coefficients, grid.node_count());
+    const NodeField b = right_side(band, static_cast<float>(lambda), unknowns);
+    coefficients = std::move(band.curvature);  // which b holds now: its memory is used again
     apply_everywhere(grid, spline_quasi_interpolant(), band.distance, fill, coefficients);
-    make_right_side(band.distance, static_cast<float>(lambda), band.curvature);
-    const double tolerance = kSolverAccuracy * h * lambda;
     const SolveResult solved =
-        SplineSystem(grid).solve(lambda * spline_value() - spline_laplacian(h), unknowns, fill, band.curvature,
-                                 coefficients, {.solver = options.solver, .tolerance = tolerance});
+        SplineSystem(grid).solve(lambda * spline_value() - spline_laplacian(h), unknowns, fill, b, coefficients,
+                                 {.solver = options.solver, .tolerance = tolerance});
     apply_within(grid, spline_value(), coefficients, fill, unknowns, band.distance);
     result.state.values = std::move(band.distance);
     result.steps = 1;

@@ -186,6 +186,25 @@ TEST(SplineSystem, LeavesNoResidual) {
     }
 }
 
+TEST(SplineSystem, TakesTheRightSideOfTheBlocksWithUnknownsAlone) {
+    const BlockGrid grid = cross_of_blocks(0.5);
+    const std::size_t without = 3 * kBlockNodes;  // where a block has none
+    Field near = random_field(23, grid.node_count());
+    std::fill_n(near.begin() + without, kBlockNodes, 1.0F);
+    const Field b = random_field(24, grid.node_count());
+    Field b_alone = b;
+    b_alone.erase(b_alone.begin() + without, b_alone.begin() + without + kBlockNodes);
+    const BlockFill fill(grid.block_count(), 0.0F);
+    for (const Solver solver : kSolvers) {
+        Field x(grid.node_count());
+        Field x_alone(grid.node_count());
+        const SolveOptions options{.solver = solver, .tolerance = 1e-4};
+        SplineSystem(grid).solve(spline_value(), nodes_near(grid, near, 0.7F), fill, b, x, options);
+        SplineSystem(grid).solve(spline_value(), nodes_near(grid, near, 0.7F), fill, b_alone, x_alone, options);
+        EXPECT_EQ(x, x_alone);
+    }
+}
+
 // The flow's matrix times its approximate inverse is within a quarter of 1: cycles of three gain a factor of 400.
 TEST(SplineSystem, RichardsonsIterationNeedsFewSteps) {
     const BlockGrid grid(0.5, {}, box_of_blocks({.z = 0, .y = 0, .x = 0}, {.z = 2, .y = 2, .x = 2}));
