@@ -95,15 +95,15 @@ KnownSides BlockUnits::screen(std::span<const InsideBall> balls) const {
 
 void BlockUnits::search(std::span<const std::uint32_t> nodes) {
     const Vec3 corner = corner_ + spacing_ * unit_steps(unit_);
-    const auto choose = [&](double from, const LaneArray<double>& offsets, LaneArray<double>& chosen) {
-        if (nodes.size() == kUnitNodes)
-            for (std::size_t n = 0; n < kUnitNodes; ++n) chosen[n] = from + offsets[n];
-        else
-            for (std::size_t i = 0; i < nodes.size(); ++i) chosen[i] = from + offsets[nodes[i]];
+    const auto place = [&](std::size_t i, std::size_t n) {
+        points_.x[i] = corner.x + offsets_.x[n];
+        points_.y[i] = corner.y + offsets_.y[n];
+        points_.z[i] = corner.z + offsets_.z[n];
     };
-    choose(corner.x, offsets_.x, points_.x);
-    choose(corner.y, offsets_.y, points_.y);
-    choose(corner.z, offsets_.z, points_.z);
+    if (nodes.size() == kUnitNodes)
+        for (std::size_t n = 0; n < kUnitNodes; ++n) place(n, n);
+    else
+        for (std::size_t i = 0; i < nodes.size(); ++i) place(i, nodes[i]);
     batch_.find(points_, nodes.size());
 }
 

@@ -3,9 +3,11 @@
 #include "band/distance_band.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <span>
 
 #include "band/block_groups.h"
@@ -16,6 +18,12 @@ namespace meniscus {
 namespace {
 
 using Claim = BlockUnits::Claim;
+
+constexpr auto kAllNodes = [] {
+    std::array<std::uint32_t, kUnitNodes> nodes{};
+    std::iota(nodes.begin(), nodes.end(), 0U);
+    return nodes;
+}();
 
 // Calls visit(node of the unit, node of the block) for the first node of each row along x.
 template <class Visit>
@@ -74,6 +82,7 @@ private:
     // Nodes that may be within the margin. Others get the margin of their side.
     std::span<const std::uint32_t> nodes_within() {
         const auto [inside, settled] = units_.screen();
+        if (settled == 0) return kAllNodes;
         for (std::size_t n = 0; n < kUnitNodes; ++n)
             distances_[n] = static_cast<float>((inside >> n & 1U) != 0 ? -margin_ : margin_);
         std::fill_n(curvatures_, kUnitNodes, 0.0F);
@@ -84,9 +93,8 @@ private:
     void sample_points(std::span<const std::uint32_t> nodes) {
         if (nodes.empty()) return;
         units_.search(nodes);
-        units_.batch().write_distances(nodes, distances_);
         units_.batch().find_curvatures();
-        units_.batch().write_curvatures(nodes, 1.0 / spacing_, curvatures_);
+        units_.batch().write(nodes, 1.0 / spacing_, distances_, curvatures_);
     }
 
     void write_unit(int unit, const BlockSamples& samples) const {

@@ -224,15 +224,15 @@ void NearestBatch::find_curvatures() {
     for (std::size_t k = 0; k < open_count_; ++k) curvatures_[open_[k]] = edge_curvatures_[k];
 }
 
-void NearestBatch::write_distances(std::span<const std::uint32_t> places, float* to) {
+void NearestBatch::write(std::span<const std::uint32_t> places, double limit, float* distances, float* curvatures) {
     kernels_.clamp(claims_.signed_distance, margin_, count_, clamped_);
-    for (std::size_t lane = 0; lane < count_; ++lane) to[places[sorted_[lane]]] = clamped_[lane];
-}
-
-void NearestBatch::write_curvatures(std::span<const std::uint32_t> places, double limit, float* to) {
-    kernels_.clamp(curvatures_, limit, count_, clamped_);
-    kernels_.clear_beyond(claims_.signed_distance, margin_, count_, clamped_);
-    for (std::size_t lane = 0; lane < count_; ++lane) to[places[sorted_[lane]]] = clamped_[lane];
+    kernels_.clamp(curvatures_, limit, count_, clamped_curvatures_);
+    kernels_.clear_beyond(claims_.signed_distance, margin_, count_, clamped_curvatures_);
+    for (std::size_t lane = 0; lane < count_; ++lane) {
+        const std::uint32_t place = places[sorted_[lane]];
+        distances[place] = clamped_[lane];
+        curvatures[place] = clamped_curvatures_[lane];
+    }
 }
 
 Vec3 NearestBatch::foot(std::size_t point) const {

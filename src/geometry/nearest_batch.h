@@ -59,10 +59,9 @@ public:
     /// Which side a point is on, unless it is nearer to the surface than the margin and that is less than rounding.
     bool is_inside(std::size_t point) const { return claims_.signed_distance[lane_of_[point]] < 0.0; }
     bool found(std::size_t point) const { return claim(point) == Claim::Ball || claim(point) == Claim::Edge; }
-    /// Writes the signed distance of every point, clamped to ±margin, to the place given for it.
-    void write_distances(std::span<const std::uint32_t> places, float* to);
-    /// The same of mean curvatures, once they were found, clamped to ±limit, and 0 where the distance is clamped.
-    void write_curvatures(std::span<const std::uint32_t> places, double limit, float* to);
+    /// Writes the signed distance of every point, clamped to ±margin, to the place given for it, and the mean
+    /// curvature, once they were found, clamped to ±limit, and 0 where the distance is clamped.
+    void write(std::span<const std::uint32_t> places, double limit, float* distances, float* curvatures);
     /// Precondition of the others: found.
     double signed_distance(std::size_t point) const { return claims_.signed_distance[lane_of_[point]]; }
     double mean_curvature(std::size_t point) const { return curvatures_[lane_of_[point]]; }  ///< once they were found
@@ -126,6 +125,7 @@ private:
     LaneArray<std::int64_t> tags_;
     LaneArray<double> curvatures_;
     LaneArray<float> clamped_;
+    LaneArray<float> clamped_curvatures_;
 
     std::size_t open_count_ = 0;
     LaneArray<std::uint32_t> open_;  // lanes that no ball owns

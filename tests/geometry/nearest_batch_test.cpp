@@ -50,8 +50,7 @@ std::vector<Written> written(NearestBatch& batch, std::size_t count) {
     std::iota(places.rbegin(), places.rend(), 0U);
     std::vector<float> distances(count);
     std::vector<float> curvatures(count);
-    batch.write_distances(places, distances.data());
-    batch.write_curvatures(places, kCurvatureLimit, curvatures.data());
+    batch.write(places, kCurvatureLimit, distances.data(), curvatures.data());
     std::vector<Written> all;
     for (std::size_t i = count; i-- > 0;) all.push_back({distances[i], curvatures[i]});
     return all;
