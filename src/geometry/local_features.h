@@ -17,17 +17,17 @@ namespace meniscus {
 
 /// A list of features, each a few numbers and its index: one array per number, which vectors can read. Refilled again
 /// and again without setting its memory.
-template <std::size_t kColumns>
+template <std::size_t kColumns, class Number = double>
 class FeatureList {
 public:
-    using Row = std::array<double, kColumns>;
-    static constexpr std::size_t kStep = 8;  // arrays are readable up to the next multiple
+    using Row = std::array<Number, kColumns>;
+    static constexpr std::size_t kStep = 64 / sizeof(Number);  // arrays are readable up to the next multiple
 
     std::size_t size() const { return size_; }
     std::size_t padded_size() const { return (size_ + kStep - 1) / kStep * kStep; }
     bool empty() const { return size_ == 0; }
     std::uint32_t index(std::size_t item) const { return indices_[item]; }
-    const double* column(std::size_t number) const { return columns_[number].data(); }
+    const Number* column(std::size_t number) const { return columns_[number].data(); }
 
     void clear() { size_ = 0; }
     void add(const Row& row, std::uint32_t index) {
@@ -38,21 +38,22 @@ public:
     /// Becomes the marked items of a list, in order. marks: a bit for each.
     void select(const FeatureList& from, const std::uint64_t* marks) {
         reserve(from.size());
-        size_ = list_items(marks, from.size(), indices_.data());
-        for (std::size_t c = 0; c < kColumns; ++c)
-            for (std::size_t i = 0; i < size_; ++i) columns_[c][i] = from.columns_[c][indices_[i]];
-        for (std::size_t i = 0; i < size_; ++i) indices_[i] = from.indices_[indices_[i]];
+        size_ = 0;
+        for_each_item(marks, from.size(), [&](std::size_t i) {
+            for (std::size_t c = 0; c < kColumns; ++c) columns_[c][size_] = from.columns_[c][i];
+            indices_[size_++] = from.indices_[i];
+        });
     }
 
 private:
     void reserve(std::size_t count) {
         if (count <= indices_.size()) return;
         const std::size_t room = (2 * count + kStep - 1) / kStep * kStep;
-        for (std::vector<double>& column : columns_) column.resize(room);
+        for (std::vector<Number>& column : columns_) column.resize(room);
         indices_.resize(room);
     }
 
-    std::array<std::vector<double>, kColumns> columns_;
+    std::array<std::vector<Number>, kColumns> columns_;
     std::vector<std::uint32_t> indices_;
     std::size_t size_ = 0;
 };
