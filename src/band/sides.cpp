@@ -2,55 +2,121 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "band/sides.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
-#include <span>
+#include <vector>
 
 #include "band/block_groups.h"
-#include "band/block_units.h"
+#include "band/side_kernels.h"
+#include "geometry/accessible_surface_data.h"
+#include "geometry/nearest_batch.h"
 
 namespace meniscus {
 namespace {
 
-using Claim = BlockUnits::Claim;
+constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding
+constexpr double kMargin = 1e-6;          // Å: nobody asks for distances, but a search wants one
 
-constexpr double kMargin = 1e-6;  // Å: nobody asks for distances, but a search wants one
+// Of a cube's point from its first one, in steps between them.
+Vec3 place_in_cube(std::size_t number, std::size_t edge) {
+    const auto steps = [](std::size_t count) { return static_cast<double>(count); };
+    return {steps(number % edge), steps(number / edge % edge), steps(number / (edge * edge))};
+}
+// Of a unit's first node from the block's, and of a node of a unit from its first one, in spacings.
+Vec3 unit_steps(std::size_t u) { return kUnitEdge * place_in_cube(u, kBlockEdge / kUnitEdge); }
+Vec3 node_steps(std::size_t n) { return place_in_cube(n, kUnitEdge); }
+
+// From the first node to the middle of as many along each axis, in spacings.
+constexpr Vec3 to_middle(int edge) { return (0.5 * (edge - 1)) * Vec3{1.0, 1.0, 1.0}; }
+
+// Å: from there to the farthest node.
+double half_diagonal(int edge, double spacing) { return kAboveOne * spacing * norm(to_middle(edge)); }
 
 // Finds the sides of all nodes of one block after the other.
 class BlockSides {
 public:
-    BlockSides(const AccessibleSurface& surface, double spacing) : units_(surface, spacing, kMargin) {}
+    BlockSides(const AccessibleSurface& surface, double spacing)
+        : data_(surface.data()),
+          spacing_(spacing),
+          half_unit_(half_diagonal(kUnitEdge, spacing)),
+          longest_(half_diagonal(kBlockEdge, spacing) + 2.0 * data_.rho_max),
+          unit_limits_(data_.probe, half_unit_, half_diagonal(kBlockEdge, spacing) - half_unit_, longest_),
+          node_limits_(data_.probe, 0.0, half_unit_, longest_),
+          margin_(unit_limits_.far + unit_limits_.slack - data_.probe),
+          around_(surface, margin_),
+          part_(surface, margin_),
+          batch_(surface) {
+        for (std::size_t u = 0; u < kUnits; ++u)
+            set_point(unit_middles_, u, unit_steps(u) + to_middle(kUnitEdge) - to_middle(kBlockEdge));
+        for (std::size_t n = 0; n < kUnitNodes; ++n) set_point(nodes_, n, node_steps(n) - to_middle(kUnitEdge));
+    }
 
-    void enter(const Box& box) { units_.enter(box); }
-    void enter_part(const Box& box) { units_.enter_part(box); }
+    void enter(const Box& box) { around_.gather(box); }
+    void enter_part(const Box& box) { part_.gather_from(around_, box); }
 
     // corner: position of node (0, 0, 0)
     InsideBits evaluate(const Vec3& corner) {
-        units_.enter_block(corner);
         InsideBits bits{};
+        block_.gather(part_, box_of_nodes(corner, kBlockEdge, spacing_), margin_);
+        if (block_.features().balls.empty()) return bits;
+        const auto [inside, settled] =
+            kernels_.settle(data_, block_.features(), unit_limits_, unit_middles_, kUnits, work_);
+        std::copy_n(work_.deepest.at, kUnits, deepest_);
         for (std::size_t u = 0; u < kUnits; ++u) {
-            const Claim side = units_.enter_unit(static_cast<int>(u));
-            if (side != Claim::Above) bits[u] = side == Claim::Below ? ~UnitBits{0} : inside_of_unit();
+            if ((inside >> u & 1U) != 0) bits[u] = ~UnitBits{0};
+            if ((settled >> u & 1U) == 0) bits[u] = inside_of_unit(u, corner + spacing_ * unit_steps(u));
         }
         return bits;
     }
 
 private:
-    // What is known without a search settles most nodes.
-    UnitBits inside_of_unit() {
-        units_.batch().list_insides(units_.slack(), atoms_);
-        auto [inside, settled] = units_.screen(atoms_);
-        const UnitBits open = ~settled;
-        const std::size_t count = list_items(&open, kUnitNodes, nodes_);
-        if (count == 0) return inside;
-        units_.search(std::span(nodes_).first(count));
-        for (std::size_t i = 0; i < count; ++i) inside |= UnitBits{units_.batch().is_inside(i)} << nodes_[i];
+    void set_point(LanePoints<float>& points, std::size_t i, const Vec3& steps) const {
+        const SmallVec3 p = to_small(spacing_ * steps);
+        points.x[i] = p.x;
+        points.y[i] = p.y;
+        points.z[i] = p.z;
+    }
+
+    UnitBits inside_of_unit(std::size_t unit, const Vec3& corner) {
+        const SideCube cube{{unit_middles_.x[unit], unit_middles_.y[unit], unit_middles_.z[unit]}, half_edge_};
+        kernels_.choose(block_, cube, node_limits_, static_cast<std::size_t>(deepest_[unit]), unit_features_);
+        const auto [inside, settled] = kernels_.settle(data_, unit_features_, node_limits_, nodes_, kUnitNodes, work_);
+        return ~settled == 0 ? inside : inside | inside_exactly(~settled, corner);
+    }
+
+    // Of nodes that are in doubt in single precision.
+    UnitBits inside_exactly(UnitBits nodes, const Vec3& corner) {
+        const NearestBatch::Claim all = batch_.start(part_, box_of_nodes(corner, kUnitEdge, spacing_), kMargin);
+        if (all != NearestBatch::Claim::Open) return all == NearestBatch::Claim::Below ? nodes : 0;
+        points_.clear();
+        for_each_bit(nodes, [&](std::size_t n) { points_.push_back(corner + spacing_ * node_steps(n)); });
+        batch_.find(points_);
+        UnitBits inside = 0;
+        std::size_t i = 0;
+        for_each_bit(nodes, [&](std::size_t n) { inside |= UnitBits{batch_.is_inside(i++)} << n; });
         return inside;
     }
 
-    BlockUnits units_;
-    std::vector<InsideBall> atoms_;
-    std::uint32_t nodes_[kUnitNodes];  // of a unit, those that must be searched
+    const AccessibleSurface::Data& data_;
+    const SideKernels& kernels_ = side_kernels();
+    double spacing_;
+    double half_unit_;  // Å: half a unit's diagonal
+    double longest_;    // Å: no feature is farther from the middle of its block
+    SideLimits unit_limits_;
+    SideLimits node_limits_;
+    double margin_;                   // of what is gathered, Å
+    LanePoints<float> unit_middles_;  // from the middle of a block
+    LanePoints<float> nodes_;         // from the middle of a unit
+    float half_edge_ = static_cast<float>(0.5 * (kUnitEdge - 1) * spacing_);
+    LocalFeatures around_;  // of many blocks
+    LocalFeatures part_;    // of fewer of them
+    SideFeaturesOfBox block_;
+    SideFeatures unit_features_;
+    SideWork work_;
+    std::int32_t deepest_[kUnits];  // the ball where the middle of a unit is deepest
+    NearestBatch batch_;
+    std::vector<Vec3> points_;
 };
 
 }  // namespace

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "band/side_kernels.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <span>
+#include <type_traits>
+
+#include "core/bits.h"
+#include "core/instructions.h"
+#include "core/sign_bits.h"
+
+#define MENISCUS_KERNELS "band/side_kernels.inc"
+
+namespace meniscus {
+namespace {
+
+#include "core/kernel_sets.inc"
+
+}  // namespace
+
+// With u = 2^-24 and lengths up to m, coordinates are off by 4 u m, depths by 12 u m, what a direction exceeds a cap by
+// by 26 u m, and distances from arcs, of which the axis is rounded, too, by 45 u m.
+SideLimits::SideLimits(double probe, double radius, double reach_of_points, double longest) {
+    constexpr double kRounding = 64 * 0x1p-24;
+    const double off = kRounding * longest;
+    near = static_cast<float>(probe - radius - off);
+    far = static_cast<float>(probe + radius + off);
+    reach = static_cast<float>(reach_of_points);
+    slack = static_cast<float>(off);
+    squared_slack = static_cast<float>(off * longest);
+}
+
+std::vector<SideKernels> supported_side_kernels() { return kernels_of_this_machine(); }
+
+const SideKernels& side_kernels() {
+    static const std::vector<SideKernels> all = supported_side_kernels();
+    static const SideKernels& chosen = choose_kernels(all, wanted_instructions());
+    return chosen;
+}
+
+}  // namespace meniscus

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// On which side of the SES points are, in single precision, for several instruction sets. What rounding leaves in doubt
+// stays open: what is settled is true, and so the same for every set.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "band/side_features.h"
+#include "geometry/accessible_surface_data.h"
+#include "geometry/nearest_kernels.h"
+
+namespace meniscus {
+
+/// A cube that holds points, relative to the middle of a box around it.
+struct SideCube {
+    SmallVec3 middle;
+    float half_edge;  ///< Å
+};
+
+/// Points nearer to K than `near` are outside, those farther from it than `far` inside: in K distances are negative.
+struct SideLimits {
+    float near = 0.0F;           ///< Å
+    float far = 0.0F;            ///< Å
+    float reach = 0.0F;          ///< Å: of the points from their middle
+    float slack = 0.0F;          ///< Å: more than all that rounding gets wrong of a length
+    float squared_slack = 0.0F;  ///< Å²: the same of squares
+
+    /// Where what is within `radius` of a point is to have its side. longest: no length is longer. Å
+    SideLimits(double probe, double radius, double reach_of_points, double longest);
+};
+
+/// A cap of a ball in single precision.
+struct SideCap {
+    SmallVec3 axis;
+    float t;
+};
+
+/// What settling works with.
+struct SideWork {
+    LaneArray<float> depths;
+    LaneArray<std::int32_t> deepest;  ///< the number of the ball where a point is deepest
+    // Of the points that depths and vertices leave open, ball by ball.
+    LanePoints<float> open_points;
+    LaneArray<float> open_depths;
+    std::uint32_t numbers[kBatchLanes];
+    std::vector<SideCap> caps;
+};
+
+struct SideKernels {
+    std::string_view instructions;  ///< "plain", "avx2" or "avx512"
+
+    /// Chooses the features that can be nearest to points of a cube, relative to its middle. deepest: the number of a
+    /// ball; the deeper it is in the cube, the fewer are chosen.
+    void (*choose)(const SideFeaturesOfBox& from, const SideCube& cube, const SideLimits& limits, std::size_t deepest,
+                   SideFeatures& chosen);
+
+    /// Which of up to kBatchLanes points are settled. There must be a ball.
+    KnownSides (*settle)(const AccessibleSurface::Data& data, const SideFeatures& features, const SideLimits& limits,
+                         const LanePoints<float>& points, std::size_t count, SideWork& work);
+};
+
+/// Those that this machine can run, the plainest first.
+std::vector<SideKernels> supported_side_kernels();
+
+/// Those with the instructions that the environment variable MENISCUS_INSTRUCTIONS names, else the last ones; the same
+/// from the first call to the end of the program.
+const SideKernels& side_kernels();
+
+}  // namespace meniscus
