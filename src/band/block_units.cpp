@@ -82,7 +82,7 @@ BlockUnits::Claim BlockUnits::enter_unit(int unit) {
     return batch_.start(block_, box_of_nodes(corner_ + spacing_ * unit_steps(unit), kUnitEdge, spacing_), margin_);
 }
 
-KnownSides BlockUnits::screen(std::span<const InsideBall> balls) const {
+KnownSides BlockUnits::screen() const {
     const Middle& middle = middles_[unit_];
     const Vec3& foot = middle.to_foot;
     const PointScreen known{
@@ -90,7 +90,7 @@ KnownSides BlockUnits::screen(std::span<const InsideBall> balls) const {
         .near_foot = near_foot_,
         .near_middle = static_cast<float>(std::abs(middle.distance) - margin_ - slack_),
         .middle_inside = middle.distance < 0.0};
-    return nearest_kernels().screen(known, balls, steps_, lengths_);
+    return nearest_kernels().screen(known, steps_, lengths_);
 }
 
 void BlockUnits::search(std::span<const std::uint32_t> nodes) {

@@ -36,15 +36,11 @@ public:
     // Of the unit that was entered last, nodes in the order of node_in_unit.
 
     /// Which nodes are known to be beyond the margin, and on which side: by the change of the distance from the unit's
-    /// middle, by the middle's foot, which is a point of K, and by balls whose points are inside, given from the
-    /// middle.
-    KnownSides screen(std::span<const InsideBall> balls = {}) const;
+    /// middle, and by the middle's foot, which is a point of K.
+    KnownSides screen() const;
     /// Looks for what is nearest to some nodes, at most kUnitNodes.
     void search(std::span<const std::uint32_t> nodes);
     NearestBatch& batch() { return batch_; }  ///< of these nodes
-
-    /// Å: more than all that single precision gets wrong
-    double slack() const { return slack_; }
 
 private:
     // What is known of a unit from its middle.
@@ -56,8 +52,8 @@ private:
 
     double spacing_;
     double margin_;
-    double half_unit_;  // Å: half a unit's diagonal
-    double slack_;
+    double half_unit_;         // Å: half a unit's diagonal
+    double slack_;             // Å: more than all that single precision gets wrong
     float near_foot_ = -1.0F;  // Å²: nodes so near to a point of K are outside, beyond the margin
     LocalFeatures around_;     // of many blocks
     LocalFeatures part_;       // of fewer of them

@@ -44,17 +44,6 @@ void NearestBatch::choose_contenders(std::size_t deepest) {
     depth_error_ = 8.0 * 0x1p-24 * extent;
 }
 
-void NearestBatch::list_insides(double slack, std::vector<InsideBall>& balls) const {
-    balls.clear();
-    for (std::size_t b = 0; b < contenders_.size(); ++b) {
-        const double radius = contenders_.column(3)[b] - data_->probe - slack;
-        if (radius <= 0.0) continue;
-        const Vec3 from = position_in(contenders_, b) - middle_;
-        balls.push_back({static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z),
-                         static_cast<float>(radius * radius)});
-    }
-}
-
 void NearestBatch::find(std::span<const Vec3> points) {
     for (std::size_t i = 0; i < points.size(); ++i) set_point(given_, i, points[i]);
     find(given_, points.size());

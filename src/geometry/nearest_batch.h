@@ -38,10 +38,6 @@ public:
     /// all its points: then there is nothing to find. Open otherwise.
     Claim start(const LocalFeatures& local, const Box& box, double margin);
 
-    /// After that, what of that box lies in atoms without doubt, relative to its middle. slack: Å by which the atoms
-    /// are made smaller.
-    void list_insides(double slack, std::vector<InsideBall>& balls) const;
-
     /// Finds what is nearest to points of that box, at most kBatchLanes.
     void find(std::span<const Vec3> points);
     /// The same without a copy of the points, which must stay until the next ones come.

@@ -68,14 +68,6 @@ struct KnownSides {
     std::uint64_t settled = 0;
 };
 
-/// A ball whose points are inside, in single precision, relative to a point nearby.
-struct InsideBall {
-    float x;
-    float y;
-    float z;
-    float squared_radius;
-};
-
 /// A ball in single precision, relative to a point nearby.
 struct SmallBall {
     float x;
@@ -181,9 +173,8 @@ struct NearestKernels {
     void (*mark_contenders)(const SphereList& balls, std::size_t ball, const Box& box, std::uint64_t* marks);
     /// Unmarks vertices that are nowhere in a box the nearest one.
     void (*unmark_far)(const SphereList& vertices, const Box& box, std::uint64_t* marks);
-    /// What is known of kBatchLanes points. balls: what lies within one is inside. from_middle: the points' distances
-    /// from it.
-    KnownSides (*screen)(const PointScreen& known, std::span<const InsideBall> balls, const LanePoints<float>& points,
+    /// What is known of kBatchLanes points. from_middle: the points' distances from it.
+    KnownSides (*screen)(const PointScreen& known, const LanePoints<float>& points,
                          const LaneArray<float>& from_middle);
     /// Points relative to one nearby, in single precision.
     void (*make_small)(const LanePoints<double>& points, const Vec3& origin, std::size_t count,

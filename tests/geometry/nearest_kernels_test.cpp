@@ -93,7 +93,7 @@ protected:
                                 answers.contenders.room_for(local_.balls().size()));
         kernels.unmark_far(local_.vertices(), kBox, answers.vertices.room_for(local_.vertices().size()));
         kernels.make_small(points_, kMiddle, kPoints, answers.small);
-        answers.sides = kernels.screen(kScreen, kInside, answers.small, lengths_);
+        answers.sides = kernels.screen(kScreen, answers.small, lengths_);
         kernels.find_depths(small_, small_points_, kPoints, answers.depths);
         kernels.group_points(answers.depths, limits(), kPoints, answers.groups);
         const std::uint32_t atom = local_.balls().index(0);
@@ -120,8 +120,7 @@ protected:
     }
 
     static constexpr PointScreen kScreen{
-        .foot = {1.0F, 2.0F, -1.0F}, .near_foot = 16.0F, .near_middle = 2.0F, .middle_inside = true};
-    static constexpr std::array kInside{InsideBall{-3.0F, 0.0F, 1.0F, 12.0F}, InsideBall{0.0F, -4.0F, 0.0F, 16.0F}};
+        .foot = {1.0F, 2.0F, -1.0F}, .near_foot = 16.0F, .near_middle = 3.0F, .middle_inside = true};
     static constexpr Box kBox{{1, 1, 1}, {3, 3, 3}};
     static constexpr Vec3 kMiddle{2, 2, 2};
     static constexpr double kMargin = 1.0;
@@ -192,16 +191,14 @@ TEST_F(NearestKernelsTest, MarkWhatIsNearABox) {
     }
 }
 
-TEST_F(NearestKernelsTest, KnowSidesByTheFootTheMiddleAndTheBalls) {
+TEST_F(NearestKernelsTest, KnowSidesByTheFootAndTheMiddle) {
     const Answers answers = ask(nearest_kernels());
     const auto [inside, settled] = answers.sides;
     std::array<std::size_t, 3> counts{};  // of what is inside, outside and open
     for (std::size_t i = 0; i < kPoints; ++i) {
         const Vec3 from = point(i) - kMiddle;
         EXPECT_FLOAT_EQ(answers.small.y[i], static_cast<float>(from.y));
-        bool expected = norm(from) <= 2.0;
-        for (const InsideBall& ball : kInside)
-            expected = expected || squared_norm(from - Vec3{ball.x, ball.y, ball.z}) <= ball.squared_radius;
+        const bool expected = norm(from) <= kScreen.near_middle;
         const bool outside = norm(from - Vec3{1, 2, -1}) <= 4.0;
         EXPECT_EQ((inside >> i & 1U) != 0, expected) << i;
         EXPECT_EQ((settled >> i & 1U) != 0, expected || outside) << i;
@@ -214,17 +211,17 @@ TEST_F(NearestKernelsTest, KnowSidesByTheFootTheMiddleAndTheBalls) {
 TEST_F(NearestKernelsTest, KnowSidesByTheMiddleAloneWhereTheFootIsNoNumber) {
     PointScreen no_foot = kScreen;
     no_foot.foot[0] = std::numeric_limits<float>::quiet_NaN();
-    const auto [inside, settled] = nearest_kernels().screen(no_foot, {}, small_points_, lengths_);
+    const auto [inside, settled] = nearest_kernels().screen(no_foot, small_points_, lengths_);
     for (std::size_t i = 0; i < kPoints; ++i) {
-        EXPECT_EQ((settled >> i & 1U) != 0, lengths_[i] <= 2.0F);
-        EXPECT_EQ((inside >> i & 1U) != 0, lengths_[i] <= 2.0F);
+        EXPECT_EQ((settled >> i & 1U) != 0, lengths_[i] <= kScreen.near_middle);
+        EXPECT_EQ((inside >> i & 1U) != 0, lengths_[i] <= kScreen.near_middle);
     }
 }
 
 // Nor does it tell anything where no distance is near enough; what is near the middle is on its side.
 TEST_F(NearestKernelsTest, KnowNothingByAFootThatIsNeverNear) {
     const PointScreen never{.near_foot = -1.0F, .near_middle = 2.0F};
-    const auto [inside, settled] = nearest_kernels().screen(never, {}, small_points_, lengths_);
+    const auto [inside, settled] = nearest_kernels().screen(never, small_points_, lengths_);
     EXPECT_EQ(inside, 0U);
     for (std::size_t i = 0; i < kPoints; ++i) EXPECT_EQ((settled >> i & 1U) != 0, lengths_[i] <= 2.0F);
 }
