@@ -99,7 +99,7 @@ private:
             caps_.push_back(probe);
             caps_.back().t += growth * plane_shift(v, probe.atom, seed) / data_.probe;
         }
-        if (!builder_.build_in_order(caps_)) return false;
+        if (!builder_.build(caps_)) return false;
         planes_.clear();
         for (const Cap& cap : caps_) planes_.push_back({cap.axis, cap.t});
         regions_.measure(planes_, builder_.arcs(), builder_.kept());
