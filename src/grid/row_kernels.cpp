@@ -59,12 +59,12 @@ Row operator*(float s, const Row& a) { return (Part{} + s) * a; }
 
 Row load(const float* from) {
     Row row;
-    for (int i = 0; i < kParts; ++i) __builtin_memcpy(&row.part[i], from + kPlaces * i, sizeof(Part));
+    for (int i = 0; i < kParts; ++i) __builtin_memcpy(&row.part[i], from + std::ptrdiff_t{kPlaces} * i, sizeof(Part));
     return row;
 }
 
 void store(const Row& row, float* to) {
-    for (int i = 0; i < kParts; ++i) __builtin_memcpy(to + kPlaces * i, &row.part[i], sizeof(Part));
+    for (int i = 0; i < kParts; ++i) __builtin_memcpy(to + std::ptrdiff_t{kPlaces} * i, &row.part[i], sizeof(Part));
 }
 
 WideQuad load_wide(const double* from) {
@@ -228,7 +228,7 @@ struct Slabs {
 Slabs slabs_of(const NodeBits& set) {
     const auto is_empty = [&set](int z) {
         std::uint64_t bits;
-        __builtin_memcpy(&bits, set.rows + kBlockEdge * z, sizeof bits);
+        __builtin_memcpy(&bits, set.rows + std::ptrdiff_t{kBlockEdge} * z, sizeof bits);
         return bits == 0;
     };
     Slabs slabs;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 
@@ -42,7 +43,7 @@ void copy_rows(const float* const* along_x, const NodesFrom& in_y, const NodesFr
     const float* const after = along_x[2];
     for (int z = in_z.begin; z < in_z.end; ++z) {
         int row = node_in_block(0, in_y.first, in_z.first + z - in_z.begin);
-        float* to = values + kEdge * (in_y.begin + kEdge * z);
+        float* to = values + std::ptrdiff_t{kEdge} * (in_y.begin + kEdge * z);
         for (int y = in_y.begin; y < in_y.end; ++y, row += kBlockEdge, to += kEdge) {
             std::memcpy(to, before + row, kBefore * sizeof(float));
             std::memcpy(to + kBefore, own + row, kBlockEdge * sizeof(float));
