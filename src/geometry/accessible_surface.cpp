@@ -94,6 +94,14 @@ Contour build_contour(const AccessibleSurface::Data& data, NeighbourCaps& neighb
     return builder.exposed() ? Contour::Exposed : Contour::Buried;
 }
 
+// Room for what these atoms had under another perturbation: another one changes little.
+void reserve(const AccessibleSurface::Data& before, std::size_t begin, std::size_t end, ChunkResult& result) {
+    const auto count = [&](const std::vector<std::uint64_t>& begins) { return begins[end] - begins[begin]; };
+    result.arcs.reserve(count(before.contour_begin));
+    result.caps.reserve(count(before.cap_begin));
+    result.cover.reserve(count(before.cover_begin));
+}
+
 // `place` is memory: of the kept caps among themselves.
 void append_contour(const ContourBuilder& builder, std::vector<std::uint32_t>& place, ChunkResult& result) {
     const std::span<const std::uint32_t> kept = builder.kept();
@@ -121,6 +129,7 @@ bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const 
         workspaces.with_one([&](ContourWorkspace& workspace) {
             auto& [neighbours, builder, caps, place] = workspace;
             ChunkResult& chunk = chunks[begin / per_task];
+            if (before != nullptr) reserve(*before, begin, end, chunk);
             for (std::size_t i = begin; i < end; ++i) {
                 const auto atom = static_cast<std::uint32_t>(i);
                 const auto cover = before == nullptr ? std::span<const std::uint32_t>{} : before->cover_of(atom);
@@ -205,6 +214,7 @@ bool contours_agree(const AccessibleSurface::Data& data) {
 class VertexTable {
 public:
     explicit VertexTable(const AccessibleSurface::Data& data) : begin_(data.atoms.size() + 1, 0) {
+        keys_.reserve(data.contour.size() / 3);
         for (std::uint32_t i = 0; i < data.atoms.size(); ++i) {
             for (const ContourArc& contour_arc : data.contour_of(i))
                 if (const ArcView arc = view_of(data, i, contour_arc);
@@ -291,6 +301,7 @@ void place_arcs(AccessibleSurface::Data& data, const VertexTable& table) {
         std::size_t contour;
     };
     std::vector<Owned> owned;  // each arc by the smaller of its atoms
+    owned.reserve(data.contour.size() / 2);
     data.contour_arc.assign(data.contour.size(), 0);
     std::vector<std::uint64_t> begin(data.atoms.size() + 1, 0);
     for (std::uint32_t i = 0; i < data.atoms.size(); ++i) {
@@ -360,26 +371,25 @@ Box box_of(const AccessibleSurface::Data& data, const SasArc& arc) {
     return box.grown(1e-9);  // rounding
 }
 
+// Boxes are kept for one tree at a time: memory that is taken for the first time costs more than to fill it.
 void build_trees(AccessibleSurface::Data& data) {
-    std::vector<Box> atoms(data.atoms.size());
-    for (std::size_t i = 0; i < atoms.size(); ++i) atoms[i].include(data.atoms.centres[i]);
-    std::vector<Box> arcs(data.arcs.size());
-    std::vector<Box> cells(data.arcs.size());
-    parallel_for(arcs.size(), kChunk, [&](std::size_t a) {
-        cells[a] = arcs[a] = box_of(data, data.arcs[a]);
-        for (const std::uint32_t i : data.arcs[a].atoms) cells[a].include(data.atoms.centres[i]);
-    });
-    std::vector<Box> vertices(data.vertices.size());
-    for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v].include(data.vertices[v].position);
-    const auto of_atoms_and_arcs = [&] {
-        data.atom_tree = BoxTree(atoms);
-        data.arc_tree = BoxTree(arcs);
+    const auto of_arcs = [&] {
+        std::vector<Box> boxes(data.arcs.size());
+        parallel_for(boxes.size(), kChunk, [&](std::size_t a) { boxes[a] = box_of(data, data.arcs[a]); });
+        data.arc_tree = BoxTree(boxes);
+        for (std::size_t a = 0; a < boxes.size(); ++a)
+            for (const std::uint32_t i : data.arcs[a].atoms) boxes[a].include(data.atoms.centres[i]);
+        data.arc_cell_tree = BoxTree(boxes);
     };
-    const auto of_cells_and_vertices = [&] {
-        data.arc_cell_tree = BoxTree(cells);
-        data.vertex_tree = BoxTree(vertices);
+    const auto of_points = [&] {
+        std::vector<Box> boxes(data.vertices.size());
+        for (std::size_t v = 0; v < boxes.size(); ++v) boxes[v].include(data.vertices[v].position);
+        data.vertex_tree = BoxTree(boxes);
+        boxes.assign(data.atoms.size(), {});
+        for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i].include(data.atoms.centres[i]);
+        data.atom_tree = BoxTree(boxes);
     };
-    parallel_both(of_atoms_and_arcs, of_cells_and_vertices);
+    parallel_both(of_arcs, of_points);
 }
 
 bool try_build(AccessibleSurface::Data& data, const CellList& cells, std::uint64_t seed, int attempt,
