@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstring>
+#include <type_traits>
 #include <utility>
 
 #include "core/fresh_memory.h"
@@ -162,10 +163,10 @@ std::vector<LayerBits> inside_layers(const BlockGrid& grid, std::span<const floa
     return layers;
 }
 
-std::vector<LayerBits> inside_layers(std::span<const InsideBits> inside) {
-    std::vector<LayerBits> layers(inside.size());
-    parallel_for(layers.size(), kGrain, [&](std::size_t b) { layers[b] = layers_of_block(inside[b]); });
-    return layers;
+std::vector<LayerBits> inside_layers(std::vector<InsideBits> inside) {
+    static_assert(std::is_same_v<InsideBits, LayerBits>);  // each block's bits are put in order where they are
+    parallel_for(inside.size(), kGrain, [&](std::size_t b) { inside[b] = layers_of_block(inside[b]); });
+    return inside;
 }
 
 std::vector<CutEdges> find_cut_edges(const BlockGrid& grid, std::span<const LayerBits> inside) {

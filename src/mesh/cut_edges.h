@@ -89,8 +89,8 @@ private:
 /// Inside bits of all blocks, of values below 0.
 std::vector<LayerBits> inside_layers(const BlockGrid& grid, std::span<const float> values);
 
-/// The same, where they are known unit by unit.
-std::vector<LayerBits> inside_layers(std::span<const InsideBits> inside);
+/// The same, where they are known unit by unit; takes no memory of its own from whoever hands his over.
+std::vector<LayerBits> inside_layers(std::vector<InsideBits> inside);
 
 /// Cut edges of all blocks. One entry more than blocks: the last one's first_vertex is the total.
 std::vector<CutEdges> find_cut_edges(const BlockGrid& grid, std::span<const LayerBits> inside);

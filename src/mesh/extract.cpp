@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -228,8 +229,12 @@ private:
     LocalTriangles cases_;
 };
 
-// Of a closed surface, whose genus is small against its size; else memory is found anew.
-std::size_t likely_triangles(std::size_t vertices) { return 2 * vertices + vertices / 16; }
+// Room for the triangles of a closed surface, whose genus is small against its size; else memory is found anew. Pages
+// are touched for those of a sphere: the others are seldom used.
+void reserve_likely(std::vector<Triangle>& triangles, std::size_t vertices) {
+    triangles.reserve(2 * vertices + vertices / 16);
+    touch_pages(reinterpret_cast<std::byte*>(triangles.data()), 2 * vertices * sizeof(Triangle));
+}
 
 template <class Roots>
 Mesh extract(const BlockGrid& grid, std::span<const LayerBits> inside, const Roots& roots) {
@@ -240,7 +245,7 @@ Mesh extract(const BlockGrid& grid, std::span<const LayerBits> inside, const Roo
                          " vertices, more than 2^32 - 1; choose a larger --spacing");
     Mesh mesh;
     reserve_touched(mesh.vertices, with_spare(totals.first_vertex));
-    reserve_touched(mesh.triangles, likely_triangles(totals.first_vertex));
+    reserve_likely(mesh.triangles, totals.first_vertex);
     const BlockFiller<Roots> filler(grid, inside, edges, roots);
     if (is_alone()) {
         for (std::size_t b = 0; b < grid.block_count(); ++b) filler.fill(b, mesh);
@@ -270,8 +275,8 @@ Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values, doub
     return extract(grid, inside_layers(grid, values), Interpolated(grid, values, nearest));
 }
 
-Mesh extract_between(const BlockGrid& grid, std::span<const InsideBits> inside) {
-    return extract(grid, inside_layers(inside), Halfway());
+Mesh extract_between(const BlockGrid& grid, std::vector<InsideBits> inside) {
+    return extract(grid, inside_layers(std::move(inside)), Halfway());
 }
 
 }  // namespace meniscus

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "grid/block_grid.h"
 #include "grid/inside_bits.h"
@@ -40,6 +41,6 @@ Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values, doub
 /// them onto the surface.
 ///
 /// inside   of each block of the grid
-Mesh extract_between(const BlockGrid& grid, std::span<const InsideBits> inside);
+Mesh extract_between(const BlockGrid& grid, std::vector<InsideBits> inside);
 
 }  // namespace meniscus

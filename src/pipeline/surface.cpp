@@ -255,11 +255,11 @@ private:
     }
 
     void make_mesh(Field field) {
+        hold_field_against_exact_sides(field);
         Mesh zero_set = field.level_set ? extract_zero_set(*field.grid, field.values, kSpreadFraction)
-                                        : extract_between(*field.grid, field.inside);
-        hold_against_exact_sides(zero_set, field);
+                                        : extract_between(*field.grid, std::move(field.inside));
+        hold_mesh_against_exact_sides(zero_set, field);
         NodeField().swap(field.values);  // the mesh grows into their memory
-        std::vector<InsideBits>().swap(field.inside);
         field.grid.reset();
         const Curvatures curvatures = options_.remesh.adaptive ? Curvatures::FilledIn : Curvatures::LeftOut;
         const SurfaceProjector project =
@@ -287,12 +287,14 @@ private:
     }
 
     // Of everything that was computed, before pieces are left out.
-    void hold_against_exact_sides(const Mesh& zero_set, const Field& field) {
+    void hold_field_against_exact_sides(const Field& field) {
         if (options_.method == Method::Gaussian) return;
         const std::vector<DeepPoint>& points = yardstick_.points;
         sides_.push_back(pieces_check(field.level_set ? count_wrong(points, *field.level_set)
                                                       : count_wrong(points, *field.grid, field.inside)));
-        if (!options_.verify) return;
+    }
+    void hold_mesh_against_exact_sides(const Mesh& zero_set, const Field& field) {
+        if (options_.method == Method::Gaussian || !options_.verify) return;
         const std::vector<DeepPoint> scattered = scattered_points(*accessible_, options_);
         sides_.push_back(
             sides_check(field.level_set ? count_wrong(scattered, *field.level_set) : count_wrong(scattered, zero_set)));
