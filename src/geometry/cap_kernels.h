@@ -3,7 +3,7 @@
 // The inner loops of NeighbourCaps and ContourBuilder, many atoms or caps side by side, for several instruction sets.
 //
 // Every set gives the same bits: vectors hold different atoms or caps, whose numbers never meet. Columns are read and
-// written in whole vectors: up to the next multiple of eight, where there need not be anything of sense.
+// written in whole vectors: up to the next multiple of Columns::kStep, where there need not be anything of sense.
 #pragma once
 
 #include <array>
@@ -17,30 +17,30 @@
 
 namespace meniscus {
 
-/// Numbers of many items side by side, `kCount` of each.
-template <std::size_t kCount>
+/// Numbers of many items side by side, `kCount` of each. Columns are readable up to the next multiple of kStep.
+template <std::size_t kCount, class Number = double, std::size_t kStepOfItems = 8>
 class Columns {
 public:
-    static constexpr std::size_t kStep = 8;  // columns are readable up to the next multiple
+    static constexpr std::size_t kStep = kStepOfItems;
 
     /// What is added is without sense until it is written.
     void resize(std::size_t items) {
         size_ = items;
         if (columns_[0].size() >= padded_size()) return;
-        for (std::vector<double>& column : columns_) column.resize(padded_size());
+        for (std::vector<Number>& column : columns_) column.resize(padded_size());
     }
     std::size_t size() const { return size_; }
     std::size_t padded_size() const { return (size_ + kStep - 1) / kStep * kStep; }
-    double* operator[](std::size_t column) { return columns_[column].data(); }
-    const double* operator[](std::size_t column) const { return columns_[column].data(); }
+    Number* operator[](std::size_t column) { return columns_[column].data(); }
+    const Number* operator[](std::size_t column) const { return columns_[column].data(); }
 
 private:
     std::size_t size_ = 0;
-    std::array<std::vector<double>, kCount> columns_;
+    std::array<std::vector<Number>, kCount> columns_;
 };
 
-using BallColumns = Columns<4>;  ///< centre, enlarged radius
-using CapColumns = Columns<4>;   ///< axis, t
+using SmallBallColumns = Columns<4, float, 64>;  ///< centre, enlarged radius
+using CapColumns = Columns<4>;                   ///< axis, t
 
 /// Eight arcs of a contour side by side: the caps whose rims they run along, and their ends, the same point twice for a
 /// whole rim.
@@ -67,14 +67,14 @@ struct EightMeetings {
 
 struct CapKernels {
     std::string_view instructions;  ///< "plain", "avx2" or "avx512"
-    /// Marks the balls that meet a sphere: a bit for each (core/bits.h).
-    void (*mark_meeting)(const BallColumns& balls, const Vec3& centre, double rho, std::uint64_t* marks);
-    /// Appends the caps that listed balls bury on a sphere, as cap_between has them. Up to the next multiple of
-    /// eight the list must repeat its last ball, and caps must have room.
+    /// Marks the balls that meet one of them, or miss it by no more than `slack`: a bit for each (core/bits.h).
+    void (*mark_meeting)(const SmallBallColumns& balls, std::size_t one, float slack, std::uint64_t* marks);
+    /// Appends the caps that listed balls bury on a sphere, as cap_between has them; t >= 1 for a ball that misses the
+    /// sphere. Up to the next multiple of eight the list must repeat its last ball, and caps must have room.
     ///
-    /// returns  whether the planes of all caps that are listed meet the sphere
-    bool (*find_caps)(const BallColumns& balls, std::span<const std::uint32_t> list, const Vec3& centre, double rho,
-                      std::size_t at, CapColumns& caps);
+    /// returns  whether all balls that are listed bury a part of the sphere
+    bool (*find_caps)(const Vec3* centres, const double* rhos, std::span<const std::uint32_t> list, const Vec3& centre,
+                      double rho, std::size_t at, CapColumns& caps);
     /// The cap, the first of equals, that a direction is deepest in: by more than so much, with t as given and not as
     /// in the caps; caps.size() if there is none. Behind the last cap t must be such that nothing is inside.
     std::size_t (*find_deepest)(const CapColumns& caps, const double* t, const Vec3& direction, double more_than);

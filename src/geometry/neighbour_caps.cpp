@@ -12,6 +12,10 @@ namespace meniscus {
 
 namespace {
 
+// Of what rounding to single precision may take from the distance of two balls, or add to it: they lie within three
+// cells of where distances are measured from, along each axis.
+constexpr double kSlackOfCell = 4e-6;
+
 // Leaves out caps from one on that bury nothing; false if one buries all.
 bool drop_outside(CapList& caps, std::size_t from) {
     for (std::size_t k = from; k < caps.atoms.size(); ++k) {
@@ -63,46 +67,44 @@ void NeighbourCaps::search_around(std::uint32_t i) {
         if (begin <= i && i < end) searched_at_ = candidates_.size() + (i - begin);
         const std::size_t at = candidates_.size();
         candidates_.resize(at + (end - begin));
-        balls_.resize(candidates_.size());
         std::iota(candidates_.begin() + static_cast<std::ptrdiff_t>(at), candidates_.end(), begin);
-        for (std::size_t c = at; c < candidates_.size(); ++c) {
-            const Vec3& centre = atoms.centres[candidates_[c]];
-            balls_[0][c] = centre.x;
-            balls_[1][c] = centre.y;
-            balls_[2][c] = centre.z;
-            balls_[3][c] = data_.rho[candidates_[c]];
-        }
     });
+    balls_.resize(candidates_.size());
+    for (std::size_t c = 0; c < candidates_.size(); ++c) {
+        const Vec3 centre = atoms.centres[candidates_[c]] - atoms.centres[i];
+        balls_[0][c] = static_cast<float>(centre.x);
+        balls_[1][c] = static_cast<float>(centre.y);
+        balls_[2][c] = static_cast<float>(centre.z);
+        balls_[3][c] = static_cast<float>(data_.rho[candidates_[c]]);
+    }
     marks_.resize(words_for(candidates_.size()));
-    neighbours_.resize(candidates_.size() + CapColumns::kStep);
 }
 
-// Their positions among the candidates; behind the last one the list goes on to the end of a vector.
-std::span<const std::uint32_t> NeighbourCaps::find_neighbours(std::uint32_t i, std::span<const std::uint32_t> known) {
-    cap_kernels().mark_meeting(balls_, data_.atoms.centres[i], data_.rho[i], marks_.data());
+void NeighbourCaps::find_neighbours(std::uint32_t i, std::span<const std::uint32_t> known) {
     const std::size_t self = searched_at_ + (i - searched_begin_);
+    cap_kernels().mark_meeting(balls_, self, static_cast<float>(kSlackOfCell * data_.atoms.cell), marks_.data());
     marks_[self / 64] &= ~(std::uint64_t{1} << self % 64);
-    const auto begin = neighbours_.begin();
-    auto end = begin + static_cast<std::ptrdiff_t>(list_items(marks_.data(), candidates_.size(), neighbours_.data()));
-    if (!known.empty())
-        end = std::remove_if(begin, end, [&](std::uint32_t c) {
-            return std::find(known.begin(), known.end(), candidates_[c]) != known.end();
-        });
-    if (end != begin) std::fill_n(end, CapColumns::kStep, *(end - 1));
-    return {begin, end};
+    neighbours_.resize(candidates_.size());
+    neighbours_.resize(list_items(marks_.data(), candidates_.size(), neighbours_.data()));
+    for (std::uint32_t& neighbour : neighbours_) neighbour = candidates_[neighbour];
+    if (known.empty()) return;
+    std::erase_if(neighbours_,
+                  [&](std::uint32_t j) { return std::find(known.begin(), known.end(), j) != known.end(); });
 }
 
 bool NeighbourCaps::gather(std::uint32_t i, std::span<const std::uint32_t> known, CapList& caps) {
     if (i < searched_begin_ || i >= searched_end_) search_around(i);
-    const std::span<const std::uint32_t> neighbours = find_neighbours(i, known);
-    std::size_t at = caps.atoms.size();
-    const std::size_t count = at + neighbours.size();
+    find_neighbours(i, known);
+    if (neighbours_.empty()) return true;
+    const std::size_t at = caps.atoms.size();
+    const std::size_t count = at + neighbours_.size();
+    caps.atoms.insert(caps.atoms.end(), neighbours_.begin(), neighbours_.end());
+    neighbours_.resize(neighbours_.size() + CapColumns::kStep, neighbours_.back());
     caps.planes.resize(count + CapColumns::kStep);
     const bool all_meet =
-        cap_kernels().find_caps(balls_, neighbours, data_.atoms.centres[i], data_.rho[i], at, caps.planes);
+        cap_kernels().find_caps(data_.atoms.centres.data(), data_.rho.data(), {neighbours_.data(), count - at},
+                                data_.atoms.centres[i], data_.rho[i], at, caps.planes);
     caps.planes.resize(count);
-    caps.atoms.resize(count);
-    for (std::size_t n = 0; n < neighbours.size(); ++n) caps.atoms[at + n] = candidates_[neighbours[n]];
     return all_meet || drop_outside(caps, at);
 }
 

@@ -40,7 +40,7 @@ public:
 
 private:
     void search_around(std::uint32_t i);
-    std::span<const std::uint32_t> find_neighbours(std::uint32_t i, std::span<const std::uint32_t> known);
+    void find_neighbours(std::uint32_t i, std::span<const std::uint32_t> known);
 
     const AccessibleSurface::Data& data_;
     const CellList& cells_;
@@ -48,9 +48,9 @@ private:
     std::uint32_t searched_end_ = 0;
     std::vector<std::uint32_t> candidates_;
     std::size_t searched_at_ = 0;            // where in candidates_ the atoms begin that they are complete for
-    BallColumns balls_;                      // of candidates_
-    std::vector<std::uint64_t> marks_;       // of candidates_: those that meet the atom asked for
-    std::vector<std::uint32_t> neighbours_;  // their positions in candidates_
+    SmallBallColumns balls_;                 // of candidates_, from the first of these atoms on
+    std::vector<std::uint64_t> marks_;       // of candidates_: those that meet the atom asked for, and few others
+    std::vector<std::uint32_t> neighbours_;  // these atoms
 };
 
 }  // namespace meniscus
