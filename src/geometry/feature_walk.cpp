@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/feature_walk.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+
+#include "core/bits.h"
 
 namespace meniscus {
 namespace {
@@ -53,6 +57,16 @@ FeatureCell next_from_vertex(const Data& data, const FeatureCell& cell, const Ve
     for (std::size_t k = 0; k < 3; ++k)
         if (parts[k] < kBorder) return {Kind::Arc, vertex.arcs[k]};
     return parts[0] + parts[1] + parts[2] + kBorder < whole ? cell : FeatureCell{};
+}
+
+VertexHull vertex_hull(const Data& data, const SasVertex& vertex) {
+    const Vec3 a = data.atoms.centres[vertex.atoms[0]] - vertex.position;
+    const Vec3 b = data.atoms.centres[vertex.atoms[1]] - vertex.position;
+    const Vec3 c = data.atoms.centres[vertex.atoms[2]] - vertex.position;
+    const Vec3 bc = cross(b, c);
+    const double whole = dot(a, bc);
+    const double turn = whole < 0.0 ? -1.0 : 1.0;
+    return {vertex.position, {turn * bc, turn * cross(c, a), turn * cross(a, b)}, turn * whole};
 }
 
 FeatureCell next_cell(const Data& data, const FeatureCell& cell, const Vec3& p) {
@@ -121,13 +135,51 @@ std::size_t landmark_of(std::uint64_t cube) {
 }  // namespace
 
 void FeatureWalk::find(std::span<const Vec3> points, std::span<FeatureCell> cells) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::uint64_t cube = cube_of(points[i]);
-        Landmark& landmark = landmarks_[landmark_of(cube)];
-        if (landmark.cube == cube) last_ = landmark.cell;
-        const bool inside = walk(*data_, points[i], last_);
-        landmark = {cube, last_};
-        cells[i] = inside ? last_ : FeatureCell{};
+    for (std::size_t begin = 0; begin < points.size(); begin += kBatchLanes) {
+        const std::size_t count = std::min(points.size() - begin, kBatchLanes);
+        find_batch(points.subspan(begin, count), cells.subspan(begin, count));
+    }
+}
+
+// Only the first of those points walks that share a cell: the others are found in it side by side.
+void FeatureWalk::find_batch(std::span<const Vec3> points, std::span<FeatureCell> cells) {
+    for (std::size_t i = 0; i < points.size(); ++i) set_point(lanes_, i, points[i]);
+    std::uint64_t open = ~std::uint64_t{0} >> (kBatchLanes - points.size());
+    while (open != 0) {
+        const auto first = static_cast<std::size_t>(std::countr_zero(open));
+        if (first != 0 && cells[first - 1].kind != Kind::None) last_ = cells[first - 1];
+        const FeatureCell cell = find_one(points[first]);
+        cells[first] = cell;
+        open &= open - 1;
+        if (open == 0 || cell.kind == Kind::None) continue;
+        const std::uint64_t found = find_in(cell, open);
+        for_each_bit(found, [&](std::size_t i) { cells[i] = cell; });
+        open &= ~found;
+    }
+}
+
+FeatureCell FeatureWalk::find_one(const Vec3& point) {
+    const std::uint64_t cube = cube_of(point);
+    Landmark& landmark = landmarks_[landmark_of(cube)];
+    if (landmark.cube == cube) last_ = landmark.cell;
+    const bool inside = walk(*data_, point, last_);
+    landmark = {cube, last_};
+    return inside ? last_ : FeatureCell{};
+}
+
+// Those points of a batch that lie in a cell, bit by bit.
+std::uint64_t FeatureWalk::find_in(const FeatureCell& cell, std::uint64_t lanes) const {
+    switch (cell.kind) {
+        case Kind::Ball: {
+            const BallOwner ball{data_->atoms.centres[cell.index], data_->rho[cell.index], true,
+                                 data_->caps_of(cell.index)};
+            return kernels_.find_in_ball_cell(ball, kBorder, lanes_, lanes);
+        }
+        case Kind::Arc:
+            return kernels_.find_in_arc_cell(data_->arcs[cell.index], kBorder, lanes_, lanes);
+        default:
+            return kernels_.find_in_vertex_cell(vertex_hull(*data_, data_->vertices[cell.index]), kBorder, lanes_,
+                                                lanes);
     }
 }
 

@@ -14,6 +14,7 @@
 #include <span>
 
 #include "geometry/nearest_feature.h"
+#include "geometry/nearest_kernels.h"
 
 namespace meniscus {
 
@@ -29,7 +30,8 @@ class FeatureWalk {
 public:
     static constexpr std::size_t kLandmarks = 512;
 
-    explicit FeatureWalk(const AccessibleSurface& surface) : data_(&surface.data()) {}
+    explicit FeatureWalk(const AccessibleSurface& surface, const NearestKernels& kernels = nearest_kernels())
+        : data_(&surface.data()), kernels_(kernels) {}
 
     /// The cells of points, best next to each other: of no kind where none is found, for a point may lie in none, or so
     /// near to a border that rounding would decide. Else it is that of the nearest feature, no matter where the walk
@@ -43,8 +45,14 @@ private:
         FeatureCell cell;
     };
 
+    void find_batch(std::span<const Vec3> points, std::span<FeatureCell> cells);
+    FeatureCell find_one(const Vec3& point);
+    std::uint64_t find_in(const FeatureCell& cell, std::uint64_t lanes) const;
+
     const AccessibleSurface::Data* data_;
-    FeatureCell last_;  // where the last walk ended
+    NearestKernels kernels_;
+    LanePoints<double> lanes_;  // a batch
+    FeatureCell last_;          // where the last walk ended
     std::array<Landmark, kLandmarks> landmarks_;
 };
 

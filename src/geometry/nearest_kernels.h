@@ -106,6 +106,14 @@ struct BallOwner {
     std::span<const CapPlane> caps;  ///< where it is exposed
 };
 
+/// The hull of a vertex and its atoms: where all parts, linear in a point's place, are positive and their sum is less
+/// than the whole (place_in_vertex_hull).
+struct VertexHull {
+    Vec3 position;
+    std::array<Vec3, 3> normals;  ///< of the sides opposite to the atoms, inwards; as long as to make up the parts
+    double whole = 0.0;
+};
+
 /// Per point, what its deepest ball says.
 struct BallClaims {
     LaneArray<double> signed_distance;  ///< were the ball to own it
@@ -209,6 +217,14 @@ struct NearestKernels {
     /// As step_from_vertex(), and which atom is the nearest one.
     void (*step_from_vertices)(double probe, const LanePoints<double>& points, const VertexLanes& vertices,
                                std::size_t count, std::size_t to, StepLanes& steps, LaneArray<std::int64_t>& nearest);
+    /// Which of some lanes' points lie in a cell (FeatureWalk), further inside than `border`: bit by bit, as the lanes
+    /// are given. The ball must be exposed, the arc no point.
+    std::uint64_t (*find_in_ball_cell)(const BallOwner& ball, double border, const LanePoints<double>& points,
+                                       std::uint64_t lanes);
+    std::uint64_t (*find_in_arc_cell)(const SasArc& arc, double border, const LanePoints<double>& points,
+                                      std::uint64_t lanes);
+    std::uint64_t (*find_in_vertex_cell)(const VertexHull& hull, double border, const LanePoints<double>& points,
+                                         std::uint64_t lanes);
     /// Clamps to ±limit; a NaN (0/0 on the SAS itself) becomes -limit.
     void (*clamp)(const LaneArray<double>& values, double limit, std::size_t count, LaneArray<float>& clamped);
     /// Sets those to 0 whose distance is not within ±margin.

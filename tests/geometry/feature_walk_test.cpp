@@ -27,9 +27,10 @@ std::vector<Vec3> lattice_around(const Atoms& atoms, double step) {
     return points;
 }
 
-std::vector<FeatureCell> cells_of(const AccessibleSurface& surface, const std::vector<Vec3>& points) {
+std::vector<FeatureCell> cells_of(const AccessibleSurface& surface, const std::vector<Vec3>& points,
+                                  const NearestKernels& kernels = nearest_kernels()) {
     std::vector<FeatureCell> cells(points.size());
-    FeatureWalk(surface).find(points, cells);
+    FeatureWalk(surface, kernels).find(points, cells);
     return cells;
 }
 
@@ -67,6 +68,15 @@ TEST(FeatureWalk, EndsAtTheSameFeatureWhereverItBegan) {
         EXPECT_EQ(forwards[i], other);
     }
     EXPECT_GT(both, 1000U);
+}
+
+TEST(FeatureWalk, EveryInstructionSetFindsTheSame) {
+    const Atoms atoms = random_cluster(4, 60, 9.0);
+    const AccessibleSurface surface(atoms, 1.4);
+    const std::vector<Vec3> points = lattice_around(atoms, 0.3);
+    const std::vector<FeatureCell> plain = cells_of(surface, points, supported_nearest_kernels().front());
+    for (const NearestKernels& kernels : supported_nearest_kernels())
+        EXPECT_EQ(cells_of(surface, points, kernels), plain) << kernels.instructions;
 }
 
 TEST(FeatureWalk, FindsMostPointsOfTheSurface) {
