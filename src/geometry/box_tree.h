@@ -51,9 +51,9 @@ struct Box {
     }
     /// Squared distance of a point from the box; 0 inside.
     double squared_distance(const Vec3& p) const {
-        const double dx = std::max(std::max(low.x - p.x, p.x - high.x), 0.0);
-        const double dy = std::max(std::max(low.y - p.y, p.y - high.y), 0.0);
-        const double dz = std::max(std::max(low.z - p.z, p.z - high.z), 0.0);
+        const double dx = p.x - std::max(std::min(p.x, high.x), low.x);
+        const double dy = p.y - std::max(std::min(p.y, high.y), low.y);
+        const double dz = p.z - std::max(std::min(p.z, high.z), low.z);
         return dx * dx + dy * dy + dz * dz;
     }
 };
@@ -65,9 +65,7 @@ struct SmallBox {
     std::array<float, 3> high{-kLargest, -kLargest, -kLargest};
 
     SmallBox() = default;
-    explicit SmallBox(const Box& box)
-        : low{below(box.low.x), below(box.low.y), below(box.low.z)},
-          high{above(box.high.x), above(box.high.y), above(box.high.z)} {}
+    explicit SmallBox(const Box& box) : low(moved_out(box.low, -1.0F)), high(moved_out(box.high, 1.0F)) {}
 
     void include(const SmallBox& b) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -84,10 +82,18 @@ struct SmallBox {
     Box box() const { return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}; }
 
 private:
-    static float rounded(double x) { return static_cast<float>(std::clamp<double>(x, -kLargest, kLargest)); }
-    static float slack(float x) { return 0x1p-22F * std::abs(x) + std::numeric_limits<float>::min(); }
-    static float below(double x) { return rounded(x) - slack(rounded(x)); }
-    static float above(double x) { return rounded(x) + slack(rounded(x)); }
+    // Rounded, and a little farther in a direction. In a vector, as compilers make branches of single numbers.
+    static std::array<float, 3> moved_out(const Vec3& corner, float direction) {
+        using Floats = float __attribute__((vector_size(16)));
+        using Bits = std::int32_t __attribute__((vector_size(16)));
+        constexpr Floats kMost = Floats{} + kLargest;
+        Floats x{static_cast<float>(corner.x), static_cast<float>(corner.y), static_cast<float>(corner.z), 0.0F};
+        x = x > kMost ? kMost : x;
+        x = x < -kMost ? -kMost : x;
+        const auto size = reinterpret_cast<Floats>(reinterpret_cast<Bits>(x) & 0x7FFFFFFF);
+        x += direction * (0x1p-22F * size + std::numeric_limits<float>::min());
+        return {x[0], x[1], x[2]};
+    }
 };
 
 /// Eight small boxes side by side in vectors.
@@ -195,6 +201,27 @@ public:
         if (!eights_.empty()) descend_overlapping(eights_.size() - 1, 0, from_origin(box), visit);
     }
 
+    /// Memory for the items found by one search after the other.
+    struct Lists {
+        std::vector<std::uint32_t> found;
+        std::vector<std::uint32_t> next;
+    };
+
+    /// The items that for_each_overlapping visits; sooner where they are many, as no branch depends on what is found.
+    /// They stay in `lists` until the next search.
+    std::span<const std::uint32_t> list_overlapping(const Box& box, Lists& lists) const {
+        if (eights_.empty()) return {};
+        const SmallBox query = from_origin(box);
+        lists.found.assign(1, 0);
+        std::size_t count = 1;
+        for (std::size_t level = eights_.size(); level-- > 0;) {
+            if (lists.next.size() < count * kFanOut) lists.next.resize(2 * count * kFanOut);
+            count = list_children(eights_[level], std::span(lists.found).first(count), query, lists.next.data());
+            lists.found.swap(lists.next);
+        }
+        return std::span(lists.found).first(count);
+    }
+
     /// Branch and bound: calls visit(item) near to far for items whose squared box distance from `point` is
     /// below bound(), which may shrink from call to call.
     template <class Bound, class Visit>
@@ -206,6 +233,20 @@ private:
     static constexpr std::size_t kFanOut = EightBoxes::kCount;
 
     SmallBox from_origin(const Box& box) const { return SmallBox({box.low - origin_, box.high - origin_}); }
+
+    // Writes which boxes of these eights overlap, and perhaps a number more; returns how many do.
+    static std::size_t list_children(const std::vector<EightBoxes>& level, std::span<const std::uint32_t> eights,
+                                     const SmallBox& query, std::uint32_t* children) {
+        std::size_t count = 0;
+        for (const std::uint32_t eight : eights) {
+            const unsigned bits = level[eight].overlapping(query);
+            for (std::size_t i = 0; i < kFanOut; ++i) {
+                children[count] = static_cast<std::uint32_t>(eight * kFanOut + i);
+                count += bits >> i & 1U;
+            }
+        }
+        return count;
+    }
 
     template <class Visit>
     void descend_overlapping(std::size_t level, std::size_t eight, const SmallBox& query, const Visit& visit) const {

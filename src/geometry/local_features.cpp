@@ -155,23 +155,23 @@ void LocalFeatures::gather(const Box& box) {
     const double beyond = beyond_balls();
     box_ = box;
     balls_.clear();
-    data.atom_tree.for_each_overlapping(box.grown(data.rho_max + beyond), [&](std::uint32_t i) {
+    for (const std::uint32_t i : data.atom_tree.list_overlapping(box.grown(data.rho_max + beyond), lists_)) {
         const double reach = data.rho[i] + beyond;
         const Vec3& c = data.atoms.centres[i];
-        if (box.squared_distance(c) < reach * reach) balls_.add({c.x, c.y, c.z, data.rho[i]}, i);
-    });
+        balls_.add_if(box.squared_distance(c) < reach * reach, {c.x, c.y, c.z, data.rho[i]}, i);
+    }
     arcs_.clear();
-    data.arc_cell_tree.for_each_overlapping(box.grown(kCellSlack), [&](std::uint32_t a) {
-        if (data.arcs[a].is_a_point()) return;
+    for (const std::uint32_t a : data.arc_cell_tree.list_overlapping(box.grown(kCellSlack), lists_)) {
         const Box cell = data.arc_cell_tree.box(a).grown(kCellSlack);
-        arcs_.add({cell.low.x, cell.low.y, cell.low.z, cell.high.x, cell.high.y, cell.high.z}, a);
-    });
+        arcs_.add_if(!data.arcs[a].is_a_point(),
+                     {cell.low.x, cell.low.y, cell.low.z, cell.high.x, cell.high.y, cell.high.z}, a);
+    }
     vertices_.clear();
     const double reach = data.probe + margin_;
-    data.vertex_tree.for_each_overlapping(box.grown(reach), [&](std::uint32_t v) {
+    for (const std::uint32_t v : data.vertex_tree.list_overlapping(box.grown(reach), lists_)) {
         const Vec3& p = data.vertices[v].position;
-        if (box.squared_distance(p) < reach * reach) vertices_.add({p.x, p.y, p.z, data.probe}, v);
-    });
+        vertices_.add_if(box.squared_distance(p) < reach * reach, {p.x, p.y, p.z, data.probe}, v);
+    }
 }
 
 void LocalFeatures::gather_from(const LocalFeatures& wider, const Box& box) {

@@ -30,10 +30,21 @@ public:
     const Number* column(std::size_t number) const { return columns_[number].data(); }
 
     void clear() { size_ = 0; }
-    void add(const Row& row, std::uint32_t index) {
+    /// Makes room for so many items, each of which is to be set.
+    void resize(std::size_t count) {
+        reserve(count);
+        size_ = count;
+    }
+    void set(std::size_t item, const Row& row, std::uint32_t index) {
+        for (std::size_t c = 0; c < kColumns; ++c) columns_[c][item] = row[c];
+        indices_[item] = index;
+    }
+    void add(const Row& row, std::uint32_t index) { add_if(true, row, index); }
+    /// Without a branch.
+    void add_if(bool wanted, const Row& row, std::uint32_t index) {
         reserve(size_ + 1);
-        for (std::size_t c = 0; c < kColumns; ++c) columns_[c][size_] = row[c];
-        indices_[size_++] = index;
+        set(size_, row, index);
+        size_ += static_cast<std::size_t>(wanted);
     }
     /// Becomes the marked items of a list, in order. marks: a bit for each.
     void select(const FeatureList& from, const std::uint64_t* marks) {
@@ -99,6 +110,7 @@ private:
     SphereList balls_;
     BoxList arcs_;
     SphereList vertices_;
+    BoxTree::Lists lists_;
     std::vector<std::uint64_t> marks_;
 };
 

@@ -68,12 +68,15 @@ TEST(SmallBox, GrowsFromNothing) {
 }
 
 TEST(BoxTree, FindsWhatOverlapsInTheItemsOrder) {
+    BoxTree::Lists lists;
     for (const std::size_t count : {1U, 7U, 8U, 9U, 64U, 65U, 700U}) {
         const std::vector<Box> boxes = random_boxes(count, count, 2.0);
         const BoxTree tree(boxes);
         for (const Box& query : random_boxes(99, 50, 5.0)) {
             const std::vector<std::uint32_t> found = overlapping(tree, query);
             EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+            const std::span<const std::uint32_t> listed = tree.list_overlapping(query, lists);
+            EXPECT_TRUE(std::equal(listed.begin(), listed.end(), found.begin(), found.end()));
             for (std::uint32_t i = 0; i < count; ++i) {
                 const bool is_found = std::binary_search(found.begin(), found.end(), i);
                 EXPECT_TRUE(is_found || !boxes[i].overlaps(query));
