@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/local_features.h"
@@ -51,15 +52,18 @@ public:
     const FeatureList<3, float>& vertices() const { return vertices_; }  ///< x, y, z
 
 private:
-    void add_ball(const SphereList& balls, std::size_t item, const Vec3& middle);
-    void add_arc(const LocalFeatures& from, std::size_t item, const Vec3& middle);
-    void add_vertex(const SphereList& vertices, std::size_t item, const Vec3& middle);
+    // The items that are marked.
+    std::span<const std::uint32_t> marked(std::size_t count);
+    void take_balls(const SphereList& balls, std::span<const std::uint32_t> items, const Vec3& middle);
+    void take_arcs(const LocalFeatures& from, std::span<const std::uint32_t> items, const Vec3& middle);
+    void take_vertices(const SphereList& vertices, std::span<const std::uint32_t> items, const Vec3& middle);
 
     SideFeatures features_;
     FeatureList<4, float> balls_;
     FeatureList<6, float> cells_;
     FeatureList<3, float> vertices_;
     std::vector<std::uint64_t> marks_;
+    std::vector<std::uint32_t> items_;
 };
 
 }  // namespace meniscus
