@@ -46,6 +46,36 @@ struct TriangleLanes {
     SmallVectorLanes area_vectors;    ///< twice those of what lies between the sides and their arcs' middles
 };
 
+/// Some triangles of a surface that may have creases over their sides (measure/creases.h), side by side.
+struct CreasedLanes {
+    static constexpr std::size_t kCount = 8;
+    using Numbers = std::array<double, kCount>;
+    using SmallNumbers = std::array<float, kCount>;
+
+    struct Corner {
+        std::array<Numbers, 3> point{};
+        std::array<SmallNumbers, 3> normal{};
+        SmallNumbers mean_curvature{};
+        SmallNumbers gaussian_curvature{};
+
+        void set(std::size_t lane, const Vec3& p, const SmallVec3& n, float mean, float gaussian) {
+            point[0][lane] = p.x;
+            point[1][lane] = p.y;
+            point[2][lane] = p.z;
+            normal[0][lane] = n.x;
+            normal[1][lane] = n.y;
+            normal[2][lane] = n.z;
+            mean_curvature[lane] = mean;
+            gaussian_curvature[lane] = gaussian;
+        }
+    };
+    std::array<Corner, 3> corners;
+
+    /// Of the four parts of each, split at its creases and at the middles of the arcs over its other sides.
+    Numbers two_areas{};
+    Numbers six_volumes{};
+};
+
 /// Square of the tangent of an angle below 90 degrees, as a fraction: compared without dividing.
 struct SquaredTangent {
     double opposite = 3.0;  ///< of 60 degrees: no triangle has a larger smallest corner
@@ -96,6 +126,8 @@ struct TriangleKernels {
     /// Returns a bit for each triangle along a side of which the surface turns so fast that it may have a crease there
     /// (measure/creases.h).
     std::uint64_t (*measure_with_parts)(TriangleLanes& lanes);
+    /// Of the first `count` triangles; returns a bit for each with a crease over one or more of its sides.
+    std::uint64_t (*measure_over_creases)(CreasedLanes& lanes, std::size_t count);
     /// Sums over all lanes; those of the parts mean nothing where they were not measured.
     void (*add_up)(const TriangleLanes& lanes, LaneSums& sums);
     /// After measure_with_normals.

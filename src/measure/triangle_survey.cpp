@@ -7,7 +7,6 @@
 #include <limits>
 #include <numbers>
 
-#include "core/bits.h"
 #include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "mesh/components.h"
@@ -24,15 +23,6 @@ bool is_one_piece(std::span<const std::uint32_t> pieces) {
     std::uint32_t others = 0;
     for (const std::uint32_t piece : pieces) others |= piece ^ pieces[0];
     return others == 0;
-}
-
-// What crosses a crease is measured by parts that follow it, and is not extrapolated.
-void measure_over_crease(const Mesh& mesh, const Triangle& triangle, const Vec3& origin, std::size_t lane,
-                         TriangleLanes& lanes) {
-    const auto parts = parts_over_crease(mesh, triangle, origin);
-    if (!parts) return;
-    lanes.parts_two_areas[lane] = static_cast<float>(parts_of(lanes.two_areas[lane], parts->two_areas));
-    lanes.parts_six_volumes[lane] = parts_of(lanes.six_volumes[lane], parts->six_volumes);
 }
 
 }  // namespace
@@ -79,7 +69,7 @@ void TriangleSurvey::survey(std::size_t chunk, const Mesh& mesh, std::span<const
         const auto triangles = std::span(mesh.triangles).subspan(first, std::min(kLanes, end - first));
         for (std::size_t lane = 0; lane < triangles.size(); ++lane) pieces[lane] = of_vertex[triangles[lane][0]];
         load(mesh, triangles, pieces, lanes);
-        measure(mesh, triangles, pieces, lanes);
+        measure(mesh, triangles, lanes);
         if (look) look(first, triangles, lanes);
         if (!thirds_.empty()) std::copy_n(lanes.thirds.begin(), triangles.size(), &thirds_[first]);
         add(std::span(pieces).first(triangles.size()), lanes, sums);
@@ -101,15 +91,12 @@ void TriangleSurvey::load(const Mesh& mesh, std::span<const Triangle> triangles,
         for (VectorLanes& corners : lanes.points) corners.set(lane, corners.at(lane) - origins_[pieces[lane]]);
 }
 
-void TriangleSurvey::measure(const Mesh& mesh, std::span<const Triangle> triangles, const PieceLanes& pieces,
-                             TriangleLanes& lanes) const {
+void TriangleSurvey::measure(const Mesh& mesh, std::span<const Triangle> triangles, TriangleLanes& lanes) const {
     if (parts_ == Parts::LeftOut) return triangle_kernels().measure(lanes);
     const std::uint64_t may_be_creased = triangle_kernels().measure_with_parts(lanes);
     if (parts_ != Parts::Creased) return;
     const std::uint64_t looked_at = ~std::uint64_t{0} >> (kLanes - triangles.size());
-    for_each_bit(may_be_creased & looked_at, [&](std::size_t lane) {
-        measure_over_crease(mesh, triangles[lane], origins_[pieces[lane]], lane, lanes);
-    });
+    follow_creases(mesh, triangles, may_be_creased & looked_at, lanes);
 }
 
 TriangleSurvey::RunSums& TriangleSurvey::run_of(std::uint32_t piece, ChunkSums& sums) {

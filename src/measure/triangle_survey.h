@@ -77,8 +77,7 @@ private:
                 TriangleLanes& lanes);
     void load(const Mesh& mesh, std::span<const Triangle> triangles, const PieceLanes& pieces,
               TriangleLanes& lanes) const;
-    void measure(const Mesh& mesh, std::span<const Triangle> triangles, const PieceLanes& pieces,
-                 TriangleLanes& lanes) const;
+    void measure(const Mesh& mesh, std::span<const Triangle> triangles, TriangleLanes& lanes) const;
     static void add(std::span<const std::uint32_t> pieces, const TriangleLanes& lanes, ChunkSums& sums);
     static RunSums& run_of(std::uint32_t piece, ChunkSums& sums);
 
