@@ -131,6 +131,19 @@ std::vector<std::uint32_t> numbers_of_sets(SharedSets& sets, std::span<const std
     return numbers;
 }
 
+// How many vertices from the first one on belong to its piece.
+std::size_t length_of_run(std::span<const std::uint32_t> of_vertex) {
+    constexpr std::size_t kTogether = 16;  // compared as vectors
+    const std::uint32_t piece = of_vertex[0];
+    std::size_t length = 1;
+    for (std::uint32_t others = 0; length + kTogether <= of_vertex.size(); length += kTogether) {
+        for (std::size_t i = 0; i < kTogether; ++i) others |= of_vertex[length + i] ^ piece;
+        if (others != 0) break;
+    }
+    while (length < of_vertex.size() && of_vertex[length] == piece) ++length;
+    return length;
+}
+
 // Vertices of one piece in a row.
 struct PieceRun {
     std::uint32_t piece = 0;
@@ -169,11 +182,8 @@ std::vector<std::uint32_t> pieces_by_first_vertex(const Mesh& mesh) {
 PieceVertices vertices_of_pieces(std::span<const std::uint32_t> of_vertex) {
     const auto runs =
         parallel_list<PieceRun>(of_vertex.size(), kChunk, [&](std::size_t begin, std::size_t end, auto& list) {
-            for (std::size_t v = begin; v < end;) {
-                const std::size_t first = v;
-                while (v < end && of_vertex[v] == of_vertex[first]) ++v;
-                list.push_back({of_vertex[first], static_cast<VertexId>(first), v - first});
-            }
+            for (std::size_t v = begin; v < end; v += list.back().vertices)
+                list.push_back({of_vertex[v], static_cast<VertexId>(v), length_of_run(of_vertex.subspan(v, end - v))});
         });
     PieceVertices pieces;
     for (const PieceRun& run : runs) {

@@ -131,8 +131,7 @@ private:
     }
 
     double goodness(const Triangle& triangle) const {
-        const Patch alone{{point(triangle[0]), point(triangle[1]), point(triangle[2])}, {}};
-        return alone.goodness({0, 1, 2}, kShortestEdge);
+        return goodness_of(point(triangle[0]), point(triangle[1]), point(triangle[2]), kShortestEdge);
     }
     bool is_bad(const Triangle& triangle) const { return goodness(triangle) < wanted_; }
     bool is_tangled(std::uint32_t triangle) const {

@@ -25,10 +25,8 @@ double cosine_between(const Vec3& a, const Vec3& b) {
     return product > 0.0 ? dot(a, b) / std::sqrt(product) : -1.0;
 }
 
-double facing_of(const Patch& patch, const Triangle& t) {
-    const auto& [a, b, c] = t;
-    return cosine_between(area_vector(patch.at(a), patch.at(b), patch.at(c)),
-                          patch.points[a].normal + patch.points[b].normal + patch.points[c].normal);
+double facing_of(const SurfacePoint& a, const SurfacePoint& b, const SurfacePoint& c) {
+    return cosine_between(area_vector(a.position, b.position, c.position), a.normal + b.normal + c.normal);
 }
 
 // Empty for removed triangles: they overlap nothing.
@@ -64,16 +62,18 @@ std::vector<std::size_t> Patch::star(VertexId v) const {
     return found;
 }
 
-double Patch::goodness(const Triangle& triangle, double shortest) const {
-    const auto& [a, b, c] = triangle;
-    const Vec3 area = area_vector(at(a), at(b), at(c));
-    if (dot(area, points[a].normal) < 0.0 && dot(area, points[b].normal) < 0.0 && dot(area, points[c].normal) < 0.0)
-        return facing_of(*this, triangle);
-    const double tangent = tangent_of_smallest_angle(at(a), at(b), at(c));
-    const double length2 =
-        std::min({squared_norm(at(b) - at(a)), squared_norm(at(c) - at(b)), squared_norm(at(a) - at(c))});
+double goodness_of(const SurfacePoint& a, const SurfacePoint& b, const SurfacePoint& c, double shortest) {
+    const Vec3 area = area_vector(a.position, b.position, c.position);
+    if (dot(area, a.normal) < 0.0 && dot(area, b.normal) < 0.0 && dot(area, c.normal) < 0.0) return facing_of(a, b, c);
+    const double tangent = tangent_of_smallest_angle(a.position, b.position, c.position);
+    const double length2 = std::min({squared_norm(b.position - a.position), squared_norm(c.position - b.position),
+                                     squared_norm(a.position - c.position)});
     constexpr double kOfShortEdges = 0.08;  // below the tangent of 5 degrees
     return length2 < shortest * shortest ? std::min(tangent, kOfShortEdges * std::sqrt(length2) / shortest) : tangent;
+}
+
+double Patch::goodness(const Triangle& triangle, double shortest) const {
+    return goodness_of(points[triangle[0]], points[triangle[1]], points[triangle[2]], shortest);
 }
 
 std::optional<Patch::Sides> Patch::sides(VertexId a, VertexId b) const {
@@ -153,7 +153,7 @@ PatchShape shape_of(const Patch& patch, std::span<const std::size_t> triangles, 
         if (!patch.has(i)) continue;
         const Triangle& t = patch.triangles[i];
         shape.least_goodness = std::min(shape.least_goodness, patch.goodness(t, shortest));
-        shape.facing = std::min(shape.facing, facing_of(patch, t));
+        shape.facing = std::min(shape.facing, facing_of(patch.points[t[0]], patch.points[t[1]], patch.points[t[2]]));
         for (std::size_t k = 0; k < 3; ++k) {
             const SurfacePoint& a = patch.points[t[k]];
             const SurfacePoint& b = patch.points[t[(k + 1) % 3]];

@@ -23,6 +23,10 @@ double tangent_of_degrees(double degrees);
 /// No mesh of ours has shorter edges, Å: coordinates with three decimals, or in single precision, stay apart.
 inline constexpr double kShortestEdge = 0.02;
 
+/// Tangent of a triangle's smallest angle; less where an edge is shorter than `shortest`, below 0 where it faces away
+/// from the surface at all its corners.
+double goodness_of(const SurfacePoint& a, const SurfacePoint& b, const SurfacePoint& c, double shortest);
+
 struct Patch {
     std::vector<SurfacePoint> points;
     std::vector<Triangle> triangles;  ///< a removed one has the same corner three times
@@ -35,8 +39,7 @@ struct Patch {
     /// The triangles round a vertex; all of them, if the vertex lies within the patch.
     std::vector<std::size_t> star(VertexId v) const;
 
-    /// Tangent of the smallest angle; less where an edge is shorter than `shortest`, below 0 where the triangle faces
-    /// away from the surface at all its corners.
+    /// goodness_of
     double goodness(const Triangle& triangle, double shortest) const;
 
     /// The triangles on both sides of an edge and their other corners.
