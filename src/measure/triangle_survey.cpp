@@ -19,13 +19,17 @@ constexpr std::size_t kChunksPerTask = 32;  // some tens of microseconds
 
 std::size_t chunks_of(std::size_t triangles) { return (triangles + kSurveyChunk - 1) / kSurveyChunk; }
 
-bool is_one_piece(std::span<const std::uint32_t> pieces) {
-    std::uint32_t others = 0;
-    for (const std::uint32_t piece : pieces) others |= piece ^ pieces[0];
-    return others == 0;
-}
-
 }  // namespace
+
+TriangleSurvey::PieceLanes::PieceLanes(std::span<const Triangle> triangles, std::span<const std::uint32_t> of_vertex) {
+    std::uint32_t others = 0;
+    const std::uint32_t first = of_vertex[triangles[0][0]];
+    for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
+        of[lane] = of_vertex[triangles[lane][0]];
+        others |= of[lane] ^ first;
+    }
+    is_one = others == 0;
+}
 
 TriangleSurvey::TriangleSurvey(const Mesh& mesh, std::span<const std::uint32_t> of_vertex, Parts parts,
                                const TriangleLook& look)
@@ -64,15 +68,14 @@ void TriangleSurvey::survey(std::size_t chunk, const Mesh& mesh, std::span<const
     const std::size_t begin = chunk * kSurveyChunk;
     const std::size_t end = std::min(begin + kSurveyChunk, mesh.triangles.size());
     ChunkSums sums;
-    PieceLanes pieces;
     for (std::size_t first = begin; first < end; first += kLanes) {
         const auto triangles = std::span(mesh.triangles).subspan(first, std::min(kLanes, end - first));
-        for (std::size_t lane = 0; lane < triangles.size(); ++lane) pieces[lane] = of_vertex[triangles[lane][0]];
+        const PieceLanes pieces(triangles, of_vertex);
         load(mesh, triangles, pieces, lanes);
         measure(mesh, triangles, lanes);
         if (look) look(first, triangles, lanes);
         if (!thirds_.empty()) std::copy_n(lanes.thirds.begin(), triangles.size(), &thirds_[first]);
-        add(std::span(pieces).first(triangles.size()), lanes, sums);
+        add(triangles.size(), pieces, lanes, sums);
     }
     chunks_[chunk] = std::move(sums);
 }
@@ -80,15 +83,15 @@ void TriangleSurvey::survey(std::size_t chunk, const Mesh& mesh, std::span<const
 void TriangleSurvey::load(const Mesh& mesh, std::span<const Triangle> triangles, const PieceLanes& pieces,
                           TriangleLanes& lanes) const {
     const SmallVec3* normals = parts_ != Parts::LeftOut ? mesh.normals.data() : nullptr;
-    if (is_one_piece(std::span(pieces).first(triangles.size()))) {
-        lanes.origin = origins_[pieces[0]];
+    if (pieces.is_one) {
+        lanes.origin = origins_[pieces.of[0]];
         triangle_kernels().gather(mesh.vertices.data(), normals, triangles, *lanes.origin, lanes);
         return;
     }
     lanes.origin.reset();
     triangle_kernels().gather(mesh.vertices.data(), normals, triangles, {}, lanes);
     for (std::size_t lane = 0; lane < triangles.size(); ++lane)
-        for (VectorLanes& corners : lanes.points) corners.set(lane, corners.at(lane) - origins_[pieces[lane]]);
+        for (VectorLanes& corners : lanes.points) corners.set(lane, corners.at(lane) - origins_[pieces.of[lane]]);
 }
 
 void TriangleSurvey::measure(const Mesh& mesh, std::span<const Triangle> triangles, TriangleLanes& lanes) const {
@@ -104,11 +107,11 @@ TriangleSurvey::RunSums& TriangleSurvey::run_of(std::uint32_t piece, ChunkSums& 
     return sums.runs.back();
 }
 
-void TriangleSurvey::add(std::span<const std::uint32_t> pieces, const TriangleLanes& lanes, ChunkSums& sums) {
-    if (pieces.size() == kLanes && is_one_piece(pieces)) {
+void TriangleSurvey::add(std::size_t triangles, const PieceLanes& pieces, const TriangleLanes& lanes, ChunkSums& sums) {
+    if (triangles == kLanes && pieces.is_one) {
         LaneSums all;
         triangle_kernels().add_up(lanes, all);
-        RunSums& run = run_of(pieces[0], sums);
+        RunSums& run = run_of(pieces.of[0], sums);
         run.triangles += kLanes;
         run.two_areas += all.two_areas;
         run.six_volumes += all.six_volumes;
@@ -118,8 +121,8 @@ void TriangleSurvey::add(std::span<const std::uint32_t> pieces, const TriangleLa
         sums.shortest = std::min(sums.shortest, all.shortest);
         return;
     }
-    for (std::size_t lane = 0; lane < pieces.size(); ++lane) {
-        RunSums& run = run_of(pieces[lane], sums);
+    for (std::size_t lane = 0; lane < triangles; ++lane) {
+        RunSums& run = run_of(pieces.of[lane], sums);
         ++run.triangles;
         run.two_areas += lanes.two_areas[lane];
         run.six_volumes += lanes.six_volumes[lane];

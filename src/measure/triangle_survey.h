@@ -71,14 +71,19 @@ private:
         SquaredTangent smallest;
         double shortest = std::numeric_limits<double>::infinity();  // squared
     };
-    using PieceLanes = std::array<std::uint32_t, kLanes>;
+    // The pieces that at most kLanes triangles belong to.
+    struct PieceLanes {
+        PieceLanes(std::span<const Triangle> triangles, std::span<const std::uint32_t> of_vertex);
+        std::array<std::uint32_t, kLanes> of{};
+        bool is_one = false;
+    };
 
     void survey(std::size_t chunk, const Mesh& mesh, std::span<const std::uint32_t> of_vertex, const TriangleLook& look,
                 TriangleLanes& lanes);
     void load(const Mesh& mesh, std::span<const Triangle> triangles, const PieceLanes& pieces,
               TriangleLanes& lanes) const;
     void measure(const Mesh& mesh, std::span<const Triangle> triangles, TriangleLanes& lanes) const;
-    static void add(std::span<const std::uint32_t> pieces, const TriangleLanes& lanes, ChunkSums& sums);
+    static void add(std::size_t triangles, const PieceLanes& pieces, const TriangleLanes& lanes, ChunkSums& sums);
     static RunSums& run_of(std::uint32_t piece, ChunkSums& sums);
 
     Parts parts_;
