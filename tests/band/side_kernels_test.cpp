@@ -32,10 +32,13 @@ struct Place {
         const Box box{middle - half, middle + half};
         local.gather(box);
         near.gather(local, box, local.margin());
+        const auto along = [](std::size_t place) {
+            return static_cast<float>(kStep * static_cast<double>(place) - kHalfEdge);
+        };
         for (std::size_t i = 0; i < kBatchLanes; ++i) {
-            points.x[i] = static_cast<float>(kStep * static_cast<double>(i % kEdge) - kHalfEdge);
-            points.y[i] = static_cast<float>(kStep * static_cast<double>(i / kEdge % kEdge) - kHalfEdge);
-            points.z[i] = static_cast<float>(kStep * static_cast<double>(i / (kEdge * kEdge)) - kHalfEdge);
+            points.x[i] = along(i % kEdge);
+            points.y[i] = along(i / kEdge % kEdge);
+            points.z[i] = along(i / (kEdge * kEdge));
         }
     }
     double distance(std::size_t i) const {

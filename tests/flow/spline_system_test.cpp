@@ -188,7 +188,7 @@ TEST(SplineSystem, LeavesNoResidual) {
 
 TEST(SplineSystem, TakesTheRightSideOfTheBlocksWithUnknownsAlone) {
     const BlockGrid grid = cross_of_blocks(0.5);
-    const std::size_t without = 3 * kBlockNodes;  // where a block has none
+    const std::size_t without = std::size_t{3} * kBlockNodes;  // where a block has none
     Field near = random_field(23, grid.node_count());
     std::fill_n(near.begin() + without, kBlockNodes, 1.0F);
     const Field b = random_field(24, grid.node_count());

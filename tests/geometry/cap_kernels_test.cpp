@@ -50,6 +50,7 @@ std::vector<ArcOnRim> random_arcs(std::uint64_t seed, const std::vector<Cap>& ca
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> angle(0.01, 2.0 * std::numbers::pi - 0.01);
     std::vector<ArcOnRim> arcs;
+    arcs.reserve(caps.size());
     for (const Cap& cap : caps) arcs.push_back({cap, angle(random), angle(random)});
     for (std::size_t a = 0; a < arcs.size(); a += 5) arcs[a].sweep = 2.0 * std::numbers::pi;
     return arcs;
@@ -152,6 +153,7 @@ protected:
 
     static std::vector<CapPlane> planes_of(const std::vector<Cap>& caps) {
         std::vector<CapPlane> planes;
+        planes.reserve(caps.size());
         for (const Cap& cap : caps) planes.push_back({cap.axis, cap.t});
         return planes;
     }

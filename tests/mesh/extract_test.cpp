@@ -106,8 +106,9 @@ std::vector<InsideBits> inside_bits(const SampledField& field) {
         const int x = node % kBlockEdge;
         const int y = node / kBlockEdge % kBlockEdge;
         const int z = node / (kBlockEdge * kBlockEdge);
-        const auto unit = static_cast<std::size_t>(x / kUnitEdge + 2 * (y / kUnitEdge) + 4 * (z / kUnitEdge));
-        inside[i / kBlockNodes][unit] |= UnitBits{1} << node_in_unit(x & kUnitMask, y & kUnitMask, z & kUnitMask);
+        const int unit = x / kUnitEdge + 2 * (y / kUnitEdge) + 4 * (z / kUnitEdge);
+        inside[i / kBlockNodes][static_cast<std::size_t>(unit)] |=
+            UnitBits{1} << node_in_unit(x & kUnitMask, y & kUnitMask, z & kUnitMask);
     }
     return inside;
 }
