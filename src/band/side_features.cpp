@@ -44,7 +44,6 @@ void SideFeaturesOfBox::take_balls(const SphereList& balls, std::span<const std:
 }
 
 void SideFeaturesOfBox::take_arcs(const LocalFeatures& from, std::span<const std::uint32_t> items, const Vec3& middle) {
-    constexpr float kAnyAngle = -2.0F;  // below every cosine
     const BoxList& cells = from.arcs();
     const std::vector<SasArc>& arcs = from.surface().data().arcs;
     features_.arcs.resize(items.size());
@@ -53,8 +52,7 @@ void SideFeaturesOfBox::take_arcs(const LocalFeatures& from, std::span<const std
         const std::uint32_t cell = items[i];
         const SasArc& arc = arcs[cells.index(cell)];
         features_.arcs[i] = {to_small(arc.centre - middle), to_small(arc.axis), to_small(arc.middle),
-                             static_cast<float>(arc.radius),
-                             arc.whole_circle() ? kAnyAngle : static_cast<float>(arc.cos_half)};
+                             static_cast<float>(arc.radius), static_cast<float>(arc.cos_half)};
         const SmallVec3 low = to_small(position_in(cells, cell) - middle);
         const SmallVec3 high =
             to_small(Vec3{cells.column(3)[cell], cells.column(4)[cell], cells.column(5)[cell]} - middle);

@@ -24,6 +24,9 @@ void for_each_bit(std::uint64_t word, const Visit& visit) {
     for (; word != 0; word &= word - 1) visit(static_cast<std::size_t>(std::countr_zero(word)));
 }
 
+/// The lowest n bits, n in 0..64.
+constexpr std::uint64_t first_bits(std::size_t n) { return n == 0 ? 0 : ~std::uint64_t{0} >> (64 - n); }
+
 /// How many words hold a bit for each of so many items.
 constexpr std::size_t words_for(std::size_t items) { return (items + 63) / 64; }
 

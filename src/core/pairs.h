@@ -15,23 +15,11 @@ namespace meniscus {
 
 using Pair = double __attribute__((vector_size(16)));
 
-/// By component.
-struct Pair3 {
-    Pair x;
-    Pair y;
-    Pair z;
+#include "core/vectors3.inc"
 
-    Vec3 operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
-};
+using Pair3 = Vectors3<Pair>;
 
 inline Pair3 both(const Vec3& a, const Vec3& b) { return {Pair{a.x, b.x}, Pair{a.y, b.y}, Pair{a.z, b.z}}; }
-inline Pair3 operator+(const Pair3& a, const Pair3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Pair3 operator-(const Pair3& a, const Pair3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Pair3 operator*(const Pair& s, const Pair3& a) { return {s * a.x, s * a.y, s * a.z}; }
-inline Pair dot(const Pair3& a, const Pair3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Pair3 cross(const Pair3& a, const Pair3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 inline Pair root(const Pair& v) { return Pair{std::sqrt(v[0]), std::sqrt(v[1])}; }
 inline Pair norm(const Pair3& a) { return root(dot(a, a)); }
 

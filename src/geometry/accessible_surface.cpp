@@ -365,8 +365,8 @@ Box box_of(const AccessibleSurface::Data& data, const SasArc& arc) {
         if (length < 1e-9) continue;  // the axis is parallel to this coordinate: the circle is flat in it
         const Vec3 radial = (1.0 / length) * direction;
         const double along = dot(radial, arc.middle);
-        if (arc.whole_circle() || along >= arc.cos_half) box.include(arc.centre + arc.radius * radial);
-        if (arc.whole_circle() || -along >= arc.cos_half) box.include(arc.centre - arc.radius * radial);
+        if (along >= arc.cos_half) box.include(arc.centre + arc.radius * radial);
+        if (-along >= arc.cos_half) box.include(arc.centre - arc.radius * radial);
     }
     return box.grown(1e-9);  // rounding
 }

@@ -38,7 +38,7 @@ struct SasArc {
     double height1 = 0.0;                  ///< of atoms[1] above the circle's plane, signed
     Vec3 middle;                           ///< unit vector from the centre to the arc's midpoint
     double angle = 0.0;                    ///< swept, radian
-    double cos_half = -1.0;                ///< cosine of half the angle
+    double cos_half = -2.0;                ///< cosine of half the angle; of a whole circle below every cosine
 
     bool whole_circle() const { return start == kNoVertex; }
     /// Of half an angle below 4e-7: where four spheres meet in a point, an arc that only the perturbation made. Its
@@ -104,8 +104,7 @@ inline ArcFoot foot_on_arc(const SasArc& arc, const Vec3& p) {
     foot.height = dot(arc.axis, q);
     foot.radial = q - foot.height * arc.axis;
     foot.from_axis = norm(foot.radial);
-    foot.within =
-        arc.whole_circle() || (dot(foot.radial, arc.middle) >= arc.cos_half * foot.from_axis && !arc.is_a_point());
+    foot.within = dot(foot.radial, arc.middle) >= arc.cos_half * foot.from_axis && !arc.is_a_point();
     const double off = arc.radius - foot.from_axis;
     foot.squared_distance = foot.height * foot.height + off * off;
     return foot;

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include "core/bits.h"
 #include "core/instructions.h"
 #include "core/sign_bits.h"
 

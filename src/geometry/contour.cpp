@@ -13,6 +13,8 @@
 namespace meniscus {
 namespace {
 
+#include "geometry/rim_line.inc"
+
 double wrapped(double angle) { return angle + (angle < 0.0 ? 4.0 : 0.0); }
 
 // Monotonic in the angle of (x, y), period 4, no trigonometry; no branch, as any would be taken by chance.
@@ -73,18 +75,9 @@ Vec3 perpendicular(const Vec3& axis) {
 }
 
 RimCrossing cross_rims(const Cap& a, const Cap& b) {
-    // Sum and difference of the axes are perpendicular to each other. In their frame nothing cancels, so that caps of
-    // spheres that all but coincide keep the order that the perturbation gave them.
-    const Vec3 s = a.axis + b.axis;
-    const Vec3 e = b.axis - a.axis;
-    const double along_s = (a.t + b.t) / squared_norm(s);
-    const double along_e = (b.t - a.t) / squared_norm(e);
-    const Vec3 middle = along_s * s + along_e * e;
-    const Vec3 w = cross(a.axis, e);
-    // Positive when the line in which the rims' planes meet passes inside the unit sphere.
-    const double discriminant = 1.0 - (along_s * (a.t + b.t) + along_e * (b.t - a.t));
-    const Vec3 off = std::sqrt(std::max(0.0, discriminant) / squared_norm(w)) * w;
-    return {discriminant > 0.0, middle + off, middle - off};
+    const RimLine<double, Vec3> line = line_of_rims(a.axis, a.t, b.axis, b.t);
+    const Vec3 off = std::sqrt(line.squared_half) * line.along;
+    return {line.discriminant > 0.0, line.middle + off, line.middle - off};
 }
 
 Vec3 rim_crossing(const Cap& a, const Cap& b) {

@@ -46,7 +46,7 @@ FeatureCell next_from_arc(const Data& data, const FeatureCell& cell, const Vec3&
     if (arc.radius * height + arc.height0 * off < kBorder) return {Kind::Ball, arc.atoms[0]};
     if (arc.height1 * off - arc.radius * height < kBorder) return {Kind::Ball, arc.atoms[1]};
     if (from_axis < kBorder || arc.is_a_point()) return {};
-    if (arc.whole_circle() || dot(radial, arc.middle) > arc.cos_half * from_axis + kBorder) return cell;
+    if (dot(radial, arc.middle) > arc.cos_half * from_axis + kBorder) return cell;
     const auto squared_distance = [&](std::uint32_t v) { return squared_norm(p - data.vertices[v].position); };
     return {Kind::Vertex, squared_distance(arc.start) < squared_distance(arc.end) ? arc.start : arc.end};
 }
@@ -144,7 +144,7 @@ void FeatureWalk::find(std::span<const Vec3> points, std::span<FeatureCell> cell
 // Only the first of those points walks that share a cell: the others are found in it side by side.
 void FeatureWalk::find_batch(std::span<const Vec3> points, std::span<FeatureCell> cells) {
     for (std::size_t i = 0; i < points.size(); ++i) set_point(lanes_, i, points[i]);
-    std::uint64_t open = ~std::uint64_t{0} >> (kBatchLanes - points.size());
+    std::uint64_t open = first_bits(points.size());
     while (open != 0) {
         const auto first = static_cast<std::size_t>(std::countr_zero(open));
         if (first != 0 && cells[first - 1].kind != Kind::None) last_ = cells[first - 1];

@@ -9,6 +9,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "core/bits.h"
 #include "core/instructions.h"
 #include "core/sign_bits.h"
 #include "measure/corrected.h"

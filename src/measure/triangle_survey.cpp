@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/bits.h"
 #include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "mesh/components.h"
@@ -98,7 +99,7 @@ void TriangleSurvey::measure(const Mesh& mesh, std::span<const Triangle> triangl
     if (parts_ == Parts::LeftOut) return triangle_kernels().measure(lanes);
     const std::uint64_t may_be_creased = triangle_kernels().measure_with_parts(lanes);
     if (parts_ != Parts::Creased) return;
-    const std::uint64_t looked_at = ~std::uint64_t{0} >> (kLanes - triangles.size());
+    const std::uint64_t looked_at = first_bits(triangles.size());
     follow_creases(mesh, triangles, may_be_creased & looked_at, lanes);
 }
 

@@ -12,6 +12,7 @@
 #include <numbers>
 #include <type_traits>
 
+#include "core/bits.h"
 #include "core/instructions.h"
 #include "core/sign_bits.h"
 

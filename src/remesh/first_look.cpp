@@ -55,7 +55,7 @@ FirstLook::FirstLook(const Mesh& mesh, double smallest_angle_deg)
 void FirstLook::look(std::size_t first, std::span<const Triangle> triangles, const TriangleLanes& lanes) {
     Chunk& chunk = chunks_[first / kChunk];
     const auto number = [first](std::size_t lane) { return static_cast<std::uint32_t>(first + lane); };
-    const std::uint64_t looked_at = ~std::uint64_t{0} >> (kLanes - triangles.size());
+    const std::uint64_t looked_at = first_bits(triangles.size());
     const auto [may_be_bad, leaning] = triangle_kernels().mark(lanes, limits_);
     for_each_bit(may_be_bad & looked_at, [&](std::size_t lane) { chunk.bad.push_back(number(lane)); });
     for_each_bit(leaning & looked_at, [&](std::size_t lane) { chunk.leaning.push_back(number(lane)); });
