@@ -30,7 +30,8 @@ def main():
     cache = Cache("tidy", version, *configurations)
     # -Wno-unknown-warning-option: the commands are GCC's.
     failed = cache.run(paths, lambda path: ["clang-tidy", "--quiet", "-p", str(build),
-                                            "--extra-arg=-Wno-unknown-warning-option", str(path)])
+                                            "--extra-arg=-Wno-unknown-warning-option",
+                                            "--extra-arg=-Wreserved-identifier", str(path)])
     return 1 if failed or forgotten else 0
 
 
