@@ -117,6 +117,40 @@ TEST(GemmiCif, QuotedAndMultiLineValuesAreValues) {
     EXPECT_EQ(model.atoms.at(0).centre, (Vec3{1, 2, 3}));
 }
 
+// Room for the rest of a loop is made by what its beginning took.
+TEST(GemmiCif, LongLoopsAreReadWholeWhetherTheirRowsGrowOrShrink) {
+    constexpr int kRows = 2000;
+    for (const bool grow : {false, true}) {
+        std::string text(kHead);
+        for (int i = 0; i < kRows; ++i) {
+            const std::string number = std::to_string(i);
+            const bool wide = grow == (i > kRows / 2);
+            text += "ATOM " + number + " C CA . ALA A " + std::to_string(i / 5) + " " + number +
+                    (wide ? ".00000000000000000000000000" : ".0") + " 0 0 1\n";
+        }
+        const RawModel model = cif(text);
+        ASSERT_EQ(model.atoms.size(), static_cast<std::size_t>(kRows));
+        ASSERT_EQ(model.residues.size(), static_cast<std::size_t>(kRows / 5));
+        for (int i = 0; i < kRows; ++i) {
+            const RawAtom& atom = model.atoms[static_cast<std::size_t>(i)];
+            ASSERT_EQ(atom.centre.x, i);
+            ASSERT_EQ(atom.serial, i);
+            ASSERT_EQ(model.residue_of(atom).number, i / 5);
+        }
+    }
+}
+
+// Alternatives of one site may take turns, and a residue may come back.
+TEST(GemmiCif, ResiduesOfNeighbouringRowsAreToldApart) {
+    const RawModel model = cif(std::string(kHead) +
+                               "ATOM 1 N N A SER A 1 0 0 0 1\nATOM 2 N N B THR A 1 0 0 1 1\n"
+                               "ATOM 3 C CA A SER A 1 1 0 0 1\nATOM 4 C CA A SER B 1 2 0 0 1\n"
+                               "ATOM 5 C CA A SER B 2 3 0 0 1\nATOM 6 C CB A SER B 2 4 0 0 1\n");
+    std::vector<std::uint32_t> residues;
+    for (const RawAtom& atom : model.atoms) residues.push_back(atom.residue);
+    EXPECT_EQ(residues, (std::vector<std::uint32_t>{0, 1, 0, 2, 3, 3}));
+}
+
 TEST(GemmiCif, OneAtomMayBeGivenInPairs) {
     const RawModel model =
         cif("data_x\n_atom_site.label_atom_id CA\n_atom_site.label_comp_id CA\n_atom_site.Cartn_x 1\n"

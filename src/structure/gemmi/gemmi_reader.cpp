@@ -15,8 +15,12 @@
 #pragma GCC diagnostic pop
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <new>
+#include <optional>
 #include <set>
+#include <string_view>
 
 #include "meniscus/errors.h"
 #include "reading/numbers.h"
@@ -185,9 +189,34 @@ std::string tidy_message(const std::string& message) {
     return message.substr(0, open) + message.substr(close + 1);
 }
 
+// As gemmi fills its document, with room made at once for long loops, as many values as the rest of the text may hold:
+// gemmi's own doubling would move them all again and again, and take three times their memory meanwhile.
+template <class Rule>
+struct RoomyAction : gemmi::cif::Action<Rule> {};
+template <>
+struct RoomyAction<gemmi::cif::rules::loop_value> {
+    template <class Input>
+    static void apply(const Input& in, gemmi::cif::Document& document) {
+        constexpr std::size_t kMany = 4096;
+        std::vector<std::string>& values = document.items_->back().loop.values;
+        if (values.size() == values.capacity() && values.size() >= kMany) {
+            const std::size_t before = in.input().byte();
+            const std::size_t left = in.input().size();
+            values.reserve(values.size() + values.size() * left / before + kMany);
+        }
+        gemmi::cif::Action<gemmi::cif::rules::loop_value>::apply(in, document);
+    }
+};
+
 gemmi::cif::Document parse_cif(const std::string& text, const std::string& file) {
     try {
-        return gemmi::cif::read_memory(text.data(), text.size(), file.c_str());
+        gemmi::cif::Document document;
+        document.source = file;
+        tao::pegtl::memory_input<> input(text.data(), text.size(), file);
+        tao::pegtl::parse<gemmi::cif::rules::file, RoomyAction, gemmi::cif::Errors>(input, document);
+        gemmi::cif::check_for_missing_values(document);
+        gemmi::cif::check_for_duplicates(document);
+        return document;
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {
@@ -221,62 +250,113 @@ private:
     }
 };
 
+// As gemmi::cif::as_string, without a copy.
+std::string_view unquoted(const std::string& value) {
+    std::string_view text = value;
+    if (text.size() < 2 || (text[0] != '"' && text[0] != '\'' && text[0] != ';')) return text;
+    if (text[0] != ';') return text.substr(1, text.size() - 2);
+    if (text[text.size() - 2] != '\n') return text;
+    const std::size_t end = text.size() - (text[text.size() - 3] == '\r' ? 3 : 2);
+    return text.substr(1, end - 1);
+}
+
+// Where the columns of _atom_site stand in gemmi's document, which its own table looks up for every value.
+class AtomColumns {
+public:
+    explicit AtomColumns(gemmi::cif::Table table) {
+        if (const gemmi::cif::Loop* const loop = table.get_loop()) stride_ = loop->width();
+        for (std::size_t c = 0; c < first_.size(); ++c) first_[c] = table[0].ptr_at(static_cast<int>(c));
+    }
+
+    // Null for a column that the file has not.
+    const std::string* at(Column::Index column, std::size_t row) const {
+        const std::string* const first = first_[column];
+        return first == nullptr ? nullptr : first + row * stride_;
+    }
+
+private:
+    std::array<const std::string*, Column::ModelNumber + 1> first_{};
+    std::size_t stride_ = 0;  // an atom that is given in pairs has no other row
+};
+
 // One row of _atom_site.
 class AtomRow {
 public:
-    AtomRow(const CifSource& source, gemmi::cif::Table& table, std::size_t index)
-        : source_(source), row_(table[static_cast<int>(index)]), index_(index) {}
+    AtomRow(const CifSource& source, const AtomColumns& columns, std::size_t index)
+        : source_(source), columns_(columns), index_(index) {}
 
-    bool has(Column::Index column) { return row_.has2(column); }
+    bool has(Column::Index column) const { return value_of(column) != nullptr; }
 
-    std::string text(Column::Index column) {
-        std::string value = has(column) ? row_.str(column) : std::string();
-        if (find_unprintable(value) != std::string::npos) source_.fail_name(column, index_, value);
-        return value;
+    std::string_view text(Column::Index column) const {
+        const std::string* const value = value_of(column);
+        if (value == nullptr) return {};
+        const std::string_view text = unquoted(*value);
+        if (find_unprintable(text) != std::string_view::npos) source_.fail_name(column, index_, std::string(text));
+        return text;
     }
 
     // The first of two columns that has a value: author's names before label names.
-    std::string text(Column::Index first, Column::Index second) { return text(has(first) ? first : second); }
+    std::string_view text(Column::Index first, Column::Index second) const { return text(has(first) ? first : second); }
 
-    char letter(Column::Index column) {
-        const std::string value = text(column);
+    char letter(Column::Index column) const {
+        const std::string_view value = text(column);
         return value.empty() ? ' ' : value[0];
     }
 
-    double coordinate(Column::Index column) {
-        const auto value = has(column) ? finite_number(row_.str(column)) : std::nullopt;
-        if (!value) source_.fail(column, index_, row_[column], "correct it or leave the atom out");
+    double coordinate(Column::Index column) const {
+        const std::string* const text = value_of(column);
+        const auto value = text != nullptr ? finite_number(unquoted(*text)) : std::nullopt;
+        if (!value) source_.fail(column, index_, *columns_.at(column, index_), "correct it or leave the atom out");
         return *value;
     }
 
-    double number(Column::Index column, double otherwise) {
-        if (!has(column)) return otherwise;
-        const auto value = finite_number(row_.str(column));
-        if (!value) source_.fail(column, index_, row_[column], "'?' is allowed");
+    double number(Column::Index column, double otherwise) const {
+        const std::string* const text = value_of(column);
+        if (text == nullptr) return otherwise;
+        const auto value = finite_number(unquoted(*text));
+        if (!value) source_.fail(column, index_, *text, "'?' is allowed");
         return *value;
     }
 
     // A residue number; old files write the insertion code behind it ("15A").
-    void residue_number(RawResidue& residue) {
+    void residue_number(RawResidue& residue) const {
         const Column::Index column = has(Column::AuthSeq) ? Column::AuthSeq : Column::LabelSeq;
-        std::string digits = text(column);
+        std::string_view digits = text(column);
         if (digits.empty()) return;
         if (!integer(digits) && residue.insertion_code == ' ') {
             residue.insertion_code = digits.back();
-            digits.pop_back();
+            digits.remove_suffix(1);
         }
         const auto value = integer(digits);
-        if (!value) source_.fail(column, index_, row_[column], "residue numbers are integers");
+        if (!value) source_.fail(column, index_, *columns_.at(column, index_), "residue numbers are integers");
         residue.number = *value;
     }
 
+    // Whether all that a residue is made of is the same text.
+    bool is_of_residue_of(const AtomRow& other) const {
+        constexpr std::array kColumns{Column::AuthAsym, Column::LabelAsym, Column::AuthComp,  Column::LabelComp,
+                                      Column::AuthSeq,  Column::LabelSeq,  Column::Insertion, Column::Entity};
+        return std::all_of(kColumns.begin(), kColumns.end(), [&](Column::Index column) {
+            const std::string* const a = columns_.at(column, index_);
+            return a == nullptr || *a == *columns_.at(column, other.index_);
+        });
+    }
+
 private:
+    // None where the file has no such column, or says that there is no value.
+    const std::string* value_of(Column::Index column) const {
+        const std::string* const value = columns_.at(column, index_);
+        return value == nullptr || gemmi::cif::is_null(*value) ? nullptr : value;
+    }
+
     const CifSource& source_;
-    gemmi::cif::Table::Row row_;
+    const AtomColumns& columns_;
     std::size_t index_;
 };
 
-RawResidue to_residue(AtomRow& row, const std::set<std::string>& polymers) {
+using EntityIds = std::set<std::string, std::less<>>;
+
+RawResidue to_residue(const AtomRow& row, const EntityIds& polymers) {
     RawResidue residue;
     residue.chain = row.text(Column::AuthAsym, Column::LabelAsym);
     residue.label_chain = row.text(Column::LabelAsym);
@@ -287,7 +367,7 @@ RawResidue to_residue(AtomRow& row, const std::set<std::string>& polymers) {
     return residue;
 }
 
-RawAtom to_atom(AtomRow& row, const std::string& residue_name) {
+RawAtom to_atom(const AtomRow& row, const std::string& residue_name) {
     RawAtom atom;
     atom.centre = {row.coordinate(Column::X), row.coordinate(Column::Y), row.coordinate(Column::Z)};
     atom.name = upper_case(row.text(Column::AuthAtom, Column::LabelAtom));
@@ -390,7 +470,7 @@ struct CifFile::Content {
     gemmi::cif::Document document;
     gemmi::cif::Block& block;
     std::vector<std::string> model_numbers;  // in file order
-    std::set<std::string> polymers;          // ids of entities
+    EntityIds polymers;
 
     Content(const std::string& content, const std::string& name)
         : file(name), text(content), document(parse_cif(content, name)), block(coordinate_block(document, name)) {
@@ -416,14 +496,19 @@ struct CifFile::Content {
         ResidueList residues(model.residues);
         const CifSource source{file, text};
         gemmi::cif::Table table = block.find("_atom_site.", atom_tags());
-        for (std::size_t i = 0; i < table.length(); ++i) {
-            if (!model_numbers.empty() &&
-                table[static_cast<int>(i)][Column::ModelNumber] != model_numbers[position - 1])
-                continue;
-            AtomRow row(source, table, i);
-            const RawResidue residue = to_residue(row, polymers);
-            model.atoms.push_back(to_atom(row, residue.name));
-            model.atoms.back().residue = residues.index_of(residue);
+        const AtomColumns columns(table);
+        const std::size_t rows = table.length();
+        model.atoms.reserve(rows / static_cast<std::size_t>(model_count()));
+        std::optional<AtomRow> before;
+        for (std::size_t i = 0; i < rows; ++i) {
+            if (!model_numbers.empty() && *columns.at(Column::ModelNumber, i) != model_numbers[position - 1]) continue;
+            const AtomRow row(source, columns, i);
+            const bool as_before = before && row.is_of_residue_of(*before);
+            const std::uint32_t residue =
+                as_before ? model.atoms.back().residue : residues.index_of(to_residue(row, polymers));
+            model.atoms.push_back(to_atom(row, model.residues[residue].name));
+            model.atoms.back().residue = residue;
+            before.emplace(row);
         }
         model.assemblies = read_assemblies(block);
         return model;
