@@ -3,10 +3,14 @@
 // Memory that one task after the other works in.
 #pragma once
 
+#include <cstddef>
 #include <mutex>
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "core/parallel.h"
+#include "core/parallel_list.h"
 
 namespace meniscus {
 
@@ -46,5 +50,23 @@ private:
     std::mutex mutex_;
     std::vector<Workspace> free_;
 };
+
+/// Calls body(begin, end, workspace) for fixed chunks of [0, n), with workspaces as make() returns them.
+template <class Make, class Body>
+void parallel_chunks_with(std::size_t n, std::size_t chunk, Make make, const Body& body) {
+    Workspaces workspaces(std::move(make));
+    parallel_chunks(n, chunk, [&](std::size_t begin, std::size_t end) {
+        workspaces.with_one([&](auto& workspace) { body(begin, end, workspace); });
+    });
+}
+
+/// parallel_list of what find(begin, end, workspace, list) appends, with such workspaces.
+template <class T, class Make, class Find>
+std::vector<T> parallel_list_with(std::size_t n, std::size_t chunk, Make make, const Find& find) {
+    Workspaces workspaces(std::move(make));
+    return parallel_list<T>(n, chunk, [&](std::size_t begin, std::size_t end, std::vector<T>& list) {
+        workspaces.with_one([&](auto& workspace) { find(begin, end, workspace, list); });
+    });
+}
 
 }  // namespace meniscus

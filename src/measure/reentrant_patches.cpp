@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "core/mix_bits.h"
-#include "core/parallel.h"
 #include "core/workspaces.h"
 #include "measure/reentrant_triangle.h"
 
@@ -150,16 +149,15 @@ private:
 template <class Visit>
 void trim_each(const AccessibleSurface& surface, std::uint64_t seed, Arcs arcs, const Visit& visit) {
     if (surface.probe() == 0.0) return;
-    Workspaces trimmers([&] { return std::make_unique<Trimmer>(surface, seed, arcs); });
-    parallel_chunks(surface.vertex_count(), kVerticesPerTask, [&](std::size_t begin, std::size_t end) {
-        trimmers.with_one([&](Trimmer& trimmer) {
+    parallel_chunks_with(
+        surface.vertex_count(), kVerticesPerTask, [&] { return std::make_unique<Trimmer>(surface, seed, arcs); },
+        [&](std::size_t begin, std::size_t end, Trimmer& trimmer) {
             ReentrantPatch patch;
             for (std::size_t v = begin; v < end; ++v) {
                 trimmer.trim(static_cast<std::uint32_t>(v), patch);
                 visit(static_cast<std::uint32_t>(v), patch);
             }
         });
-    });
 }
 
 }  // namespace

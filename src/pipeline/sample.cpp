@@ -13,7 +13,7 @@
 #include "core/parallel.h"
 #include "meniscus/errors.h"
 #include "mesh/spread_points.h"
-#include "pipeline/surface_mesh.h"
+#include "pipeline/finish_vertices.h"
 #include "pipeline/surface_projector.h"
 
 namespace meniscus {

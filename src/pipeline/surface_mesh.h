@@ -4,9 +4,6 @@
 // one.
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "measure/triangle_survey.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/level_set.h"
@@ -38,18 +35,7 @@ SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, con
 /// it.
 TriangleSurvey survey_of(const Mesh& mesh, const LevelSet* level_set);
 
-/// Puts the vertices of a mesh, which are within a spacing of the surface and next to their neighbours in the array,
-/// onto it and fills in their normals, atoms, patches and curvatures; triangles are not looked at.
-///
-/// level_set, spacing   as for mesh_surface
-/// returns              distances to the exact SES
-VertexDistances finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
-                                Mesh& mesh);
-
 /// How far the vertices of a mesh are from the exact SES.
 DistanceSummary distance_of_vertices(const AccessibleSurface& accessible, const Mesh& mesh);
-
-/// Gives some vertices of a mesh what another one, with a vertex for each of them, holds after finish_vertices().
-void replace_vertices(Mesh& mesh, std::span<const VertexId> places, const Mesh& with);
 
 }  // namespace meniscus

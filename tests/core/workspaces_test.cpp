@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 #include "core/parallel.h"
 
@@ -63,6 +64,28 @@ TEST(Workspaces, NoneIsUsedByTwoThreadsAtOnce) {
     };
     count(count, made);
     EXPECT_EQ(tasks, 1000);
+}
+
+TEST(Workspaces, AreAtHandInEveryChunk) {
+    constexpr std::size_t kItems = 1003;
+    const auto make = [] { return std::make_unique<std::vector<std::size_t>>(); };
+    std::vector<int> visits(kItems);
+    parallel_chunks_with(kItems, 10, make,
+                         [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& workspace) {
+                             workspace.push_back(begin);
+                             for (std::size_t i = begin; i < end; ++i) ++visits[i];
+                         });
+    EXPECT_EQ(visits, std::vector<int>(kItems, 1));
+    const auto list = parallel_list_with<std::size_t>(
+        kItems, 10, make,
+        [](std::size_t begin, std::size_t end, std::vector<std::size_t>& workspace, std::vector<std::size_t>& found) {
+            workspace.clear();
+            for (std::size_t i = begin; i < end; ++i)
+                if (i % 7 == 0) workspace.push_back(i);
+            found.insert(found.end(), workspace.begin(), workspace.end());
+        });
+    ASSERT_EQ(list.size(), 144U);
+    for (std::size_t i = 0; i < list.size(); ++i) EXPECT_EQ(list[i], 7 * i);
 }
 
 }  // namespace

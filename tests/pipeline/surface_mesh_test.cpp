@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "meniscus/surface.h"
-#include "support/rounded.h"
 
 namespace meniscus::testing {
 namespace {
@@ -27,31 +26,6 @@ TEST(SurfaceMesh, VerticesOfTheExactDistanceLieOnTheSurface) {
         EXPECT_LT(distances[distances.size() * 9 / 10], 1e-9) << spacing;
         EXPECT_LT(distances.back(), 1e-6) << spacing << ": beside ridges";
         EXPECT_NEAR(distances.back(), surface.distance.max, 1e-12) << spacing;
-    }
-}
-
-TEST(SurfaceMesh, LabelsAreThoseOfTheNearestFeatureWhereTheVertexHasComeToLie) {
-    const AccessibleSurface exact(kRidged, 1.4);
-    for (const Method method : {Method::Direct, Method::Flow})
-        for (const double spacing : {1.0, 0.4}) {
-            const Mesh mesh = compute_surface(kRidged, {.method = method, .spacing = spacing}).mesh;
-            for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-                const NearestFeature at = exact.nearest(mesh.vertices[v]);
-                EXPECT_EQ(mesh.atoms[v], at.atom);
-                EXPECT_EQ(mesh.patches[v], at.patch);
-                if (method == Method::Direct) {
-                    expect_rounded_from(mesh.normals[v], at.normal, 1e-9);
-                }
-            }
-        }
-}
-
-TEST(SurfaceMesh, NormalsOfTheFlowAreGradientsAtTheVertices) {
-    const Surface surface = compute_surface(kRidged, {.spacing = 0.4});
-    for (std::size_t v = 0; v < surface.mesh.vertices.size(); ++v) {
-        const LevelSetSample at = surface.level_set->sample(surface.mesh.vertices[v]);
-        EXPECT_LE(std::abs(at.value), 1e-7 * 0.4);
-        EXPECT_EQ(surface.mesh.normals[v], to_small(normalised(at.gradient)));
     }
 }
 
