@@ -3,9 +3,10 @@
 #include "measure/reentrant_triangle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
+#include <type_traits>
 
 #include "core/bits.h"
 #include "core/pairs.h"
@@ -16,14 +17,10 @@ namespace {
 
 constexpr double kLargestBox = 8.0;  // Å, diagonal, of the positions of vertices that share a search
 
-using Floats = float __attribute__((vector_size(16)));
-constexpr std::size_t kFloats = 4;
-
-Floats load(const float* from) {
-    Floats values;
-    std::memcpy(&values, from, sizeof(values));
-    return values;
-}
+namespace short_vectors {
+constexpr std::size_t kVectorBytes = 16;  // lists of probes nearby are short
+#include "core/vectors.inc"
+}  // namespace short_vectors
 
 // A box round the centres of all probes that come within a probe's radius of the triangle, its own among them.
 // The triangle lies in the ball that has the rim of its cap as a great circle.
@@ -141,20 +138,21 @@ void NearProbes::search_around(std::uint32_t v) {
 void NearProbes::list_near(const Box& room) {
     near_.clear();
     data_.vertex_tree.for_each_overlapping(room, [&](std::uint32_t w) { near_.push_back(w); });
-    constexpr float kNowhere = std::numeric_limits<float>::infinity();  // for the places behind the last
-    const std::size_t padded = (near_.size() + kFloats - 1) / kFloats * kFloats;
-    for (std::vector<float>& places : places_) places.assign(padded, kNowhere);
+    constexpr std::size_t kTogether = short_vectors::kSmallReals;
+    const std::size_t padded = (near_.size() + kTogether - 1) / kTogether * kTogether;
+    for (std::vector<float>* places : {&places_.x, &places_.y, &places_.z}) places->resize(padded);
     const Vec3& origin = data_.vertices[begin_].position;
     for (std::size_t i = 0; i < near_.size(); ++i) {
         const SmallVec3 place = to_small(data_.vertices[near_[i]].position - origin);
-        places_[0][i] = place.x;
-        places_[1][i] = place.y;
-        places_[2][i] = place.z;
+        places_.x[i] = place.x;
+        places_.y[i] = place.y;
+        places_.z[i] = place.z;
     }
 }
 
-// Leaves out what is_missed_by finds wholly beyond a side, and what is too far away: four at once, without a root, in
-// single precision. A cap of t = d / 2R, at distance d, is beyond where (d b)² > d² (1 - t²), b = axis·side.
+// Leaves out what is_missed_by finds wholly beyond a side, and what is too far away: several at once, without a root,
+// in single precision. A cap of t = d / 2R, at distance d, is beyond where (d b)² > d² (1 - t²), b = axis·side. Probes
+// too large for single precision leave nothing out.
 void NearProbes::choose_reaching() {
     const SmallVec3 at = to_small(data_.vertices[visited_].position - data_.vertices[begin_].position);
     const std::array<Vec3, ReentrantTriangle::kSides>& sides = triangle().sides;
@@ -164,22 +162,19 @@ void NearProbes::choose_reaching() {
     const auto steepness = static_cast<float>(1.0 / (reach * reach));
     // Å²: more than ten times what rounding does to squares of coordinates that are at most as large as this sum.
     const auto slack = static_cast<float>(1e-5 * (reach + kLargestBox) * (reach + kLargestBox));
-    for (std::size_t i = 0; i < near_.size(); i += kFloats) {
-        const Floats x = load(&places_[0][i]) - at.x;
-        const Floats y = load(&places_[1][i]) - at.y;
-        const Floats z = load(&places_[2][i]) - at.z;
-        const Floats d2 = x * x + y * y + z * z;
-        Floats beyond{};
-        for (const SmallVec3& axis : axes) {
-            const Floats along = x * axis.x + y * axis.y + z * axis.z;
-            beyond = along > beyond ? along : beyond;
-        }
-        const Floats room = d2 * (1.0F - d2 * steepness) + slack - beyond * beyond;
-        std::array<float, kFloats> rooms;
-        std::memcpy(rooms.data(), &room, sizeof(room));
-        const std::uint64_t reaches = ~negative_bits(rooms) & 0xFU;
-        for_each_bit(reaches, [&](std::size_t bit) {
-            if (near_[i + bit] != visited_) reaching_.push_back(near_[i + bit]);
+    using short_vectors::SmallReal;
+    constexpr std::size_t kMarks = 64;
+    for (std::size_t first = 0; first < near_.size(); first += kMarks) {
+        const std::uint64_t marks = short_vectors::mark_if(std::min(kMarks, near_.size() - first), [&](std::size_t i) {
+            const auto to_place = short_vectors::load3<SmallReal>(places_, first + i) - at;
+            const SmallReal d2 = squared_norm(to_place);
+            SmallReal beyond{};
+            for (const SmallVec3& axis : axes) beyond = short_vectors::greater(dot(axis, to_place), beyond);
+            const SmallReal room = d2 * (1.0F - d2 * steepness) + slack - beyond * beyond;
+            return ~(room < 0.0F);
+        });
+        for_each_bit(marks, [&](std::size_t i) {
+            if (near_[first + i] != visited_) reaching_.push_back(near_[first + i]);
         });
     }
 }

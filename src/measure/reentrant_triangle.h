@@ -66,7 +66,11 @@ private:
     std::uint32_t visited_ = 0;
     std::array<ReentrantTriangle, kGroup> triangles_;
     std::vector<std::uint32_t> near_;
-    std::array<std::vector<float>, 3> places_;  // of those near, from the first vertex of the group
+    struct {
+        std::vector<float> x;
+        std::vector<float> y;
+        std::vector<float> z;
+    } places_;  // of those near, from the first vertex of the group
     std::vector<std::uint32_t> reaching_;
 };
 

@@ -67,6 +67,24 @@ TEST(ReentrantTriangle, NoProbeReachesOneThatLiesBeforeThePlaneOfItsAtoms) {
     EXPECT_LT(count, vertices.size());
 }
 
+// Squares of their radii are beyond single precision.
+TEST(NearProbes, NothingButProbesIsListedHoweverLargeTheyAre) {
+    const AccessibleSurface surface(random_cluster(80, 12.0, 1.5), 1.4);
+    for (const double probe : {1e10, 1e18, 1e22, 1e25, 1e30}) {
+        AccessibleSurface::Data data = surface.data();
+        data.probe = probe;
+        NearProbes near(data);
+        for (std::uint32_t v = 0; v < data.vertices.size(); ++v) {
+            near.visit(v);
+            for (const std::uint32_t w : near.reaching()) {
+                ASSERT_LT(w, data.vertices.size()) << probe;
+                ASSERT_NE(w, v);
+            }
+            EXPECT_TRUE(near.triangle().out_of_reach || near.reaching().size() + 1 == data.vertices.size()) << probe;
+        }
+    }
+}
+
 TEST(NearProbes, AllThatReachIntoATriangleAreAmongThoseListed) {
     for (const double probe : {0.3, 1.4, 6.0}) {
         const AccessibleSurface surface(random_cluster(80, 12.0, 1.5), probe);
