@@ -125,17 +125,9 @@ PatchAtoms atoms_of(const AccessibleSurface::Data& data, const SesPatch& patch) 
     return atoms;
 }
 
-// A torus is divided at the plane of its circle (ψ = 0); a piece on one side of it belongs to that side's atom.
-double torus_area_at_first(const AccessibleSurface::Data& data, const SesPatch& patch) {
-    const SasArc& arc = data.arcs[patch.feature];
-    const auto [begin, end] = toroidal_patch(arc, data.probe).pieces[patch.part];
-    if (begin.psi > 0.0) return 0.0;
-    return toroidal_area(arc, data.probe, {begin, end.psi < 0.0 ? end : ToroidalPatch::Angle{}});
-}
-
 // What the first of a patch's atoms has of its area.
-double area_of_first(const AccessibleSurface::Data& data, const SesPatch& patch) {
-    if (patch.kind == PatchKind::Toroidal) return torus_area_at_first(data, patch);
+double area_of_first(const SesPatch& patch) {
+    if (patch.kind == PatchKind::Toroidal) return patch.area_at_first;
     return patch.kind == PatchKind::Contact ? patch.ses.area : patch.ses.area / 3.0;
 }
 
@@ -145,7 +137,7 @@ std::vector<PatchMeasure> list_patches(const SesPatches& patches) {
     list.reserve(patches.patches().size());
     for (const SesPatch& patch : patches.patches())
         list.push_back({patch.kind, atoms_of(patches.data(), patch), patch.component, patch.ses.area, patch.sas.area,
-                        area_of_first(patches.data(), patch)});
+                        area_of_first(patch)});
     return list;
 }
 
@@ -221,8 +213,8 @@ std::vector<ComponentSums> sum_components(const SesPatches& patches) {
     return sums;
 }
 
-// What largest_inscribed_sphere asks for.
-void look_into_cavities(const SesPatches& patches, std::vector<ComponentSums>& sums) {
+// What largest_inscribed_sphere asks for: boxes round the atoms of cavities, and probe positions inside.
+void find_rooms_of_cavities(const SesPatches& patches, std::vector<ComponentSums>& sums) {
     const AccessibleSurface::Data& data = patches.data();
     for (const SesPatch& patch : patches.patches()) {
         ComponentSums& sum = sums[patch.component];
@@ -280,7 +272,7 @@ SurfaceTotals totals_of(const ComponentSums& sum) {
 std::vector<SurfaceComponent> make_components(const Evaluation& evaluation, const Check* check,
                                               const MeasureOptions& options, std::vector<std::uint32_t>& number) {
     std::vector<ComponentSums> sums = sum_components(evaluation.patches);
-    if (options.cavities) look_into_cavities(evaluation.patches, sums);
+    if (options.cavities) find_rooms_of_cavities(evaluation.patches, sums);
     for (std::size_t c = 0; check != nullptr && c < sums.size(); ++c)
         sums[c].component.errors =
             estimate_errors(totals_of(sums[c]), check->sums.components[c], perturbation_of(evaluation, *check));

@@ -23,6 +23,15 @@ std::array<ToroidalPatch::Angle, 2> angles_to_atoms(const SasArc& arc) {
     return {angle(0), angle(1)};
 }
 
+// ∫ (a - R cos ψ) dψ
+double integral_from_axis(const SasArc& arc, double probe, const ToroidalPatch::Range& range) {
+    return arc.radius * (range.end.psi - range.begin.psi) - probe * (range.end.sine - range.begin.sine);
+}
+
+double toroidal_area(const SasArc& arc, double probe, const ToroidalPatch::Range& range) {
+    return arc.angle * probe * integral_from_axis(arc, probe, range);
+}
+
 ToroidalPatch::Angle mirrored(const ToroidalPatch::Angle& angle) { return {-angle.psi, -angle.sine, angle.cosine}; }
 
 }  // namespace
@@ -52,9 +61,11 @@ ToroidalPatch toroidal_patch(const SasArc& arc, double probe) {
     return patch;
 }
 
-double toroidal_area(const SasArc& arc, double probe, const ToroidalPatch::Range& range) {
+// A torus is divided at the plane of its circle (ψ = 0).
+double toroidal_area_at_first(const SasArc& arc, double probe, const ToroidalPatch::Range& range) {
     const auto& [begin, end] = range;
-    return arc.angle * probe * (arc.radius * (end.psi - begin.psi) - probe * (end.sine - begin.sine));
+    if (begin.psi > 0.0) return 0.0;
+    return toroidal_area(arc, probe, {begin, end.psi < 0.0 ? end : ToroidalPatch::Angle{}});
 }
 
 // x = p - R n with p = centre + a e(θ), n = cos ψ e - sin ψ k, dA = (a - R cos ψ) R dψ dθ.
@@ -66,14 +77,14 @@ PatchIntegrals toroidal_piece(const SasArc& arc, double probe, const ToroidalPat
     const double cosine = end.cosine - begin.cosine;
     const double cos2 = 0.5 * (turn + end.sine * end.cosine - begin.sine * begin.cosine);  // ∫ cos²
     const double sin_cos = 0.5 * (end.sine * end.sine - begin.sine * begin.sine);
-    const double i0 = a * turn - probe * sine;
+    const double i0 = integral_from_axis(arc, probe, range);
     const double i1 = a * sine - probe * cos2;
     const double i2 = -a * cosine - probe * sin_cos;
     const double i3 = (a * a + probe * probe) * sine - a * probe * (cos2 + turn);
     const Vec3 radial = arc.whole_circle() ? Vec3{} : 2.0 * std::sin(0.5 * arc.angle) * arc.middle;  // ∫ e dθ
     const Vec3 normal = probe * (i1 * radial - arc.angle * i2 * arc.axis);                           // ∫ n dA
     PatchIntegrals patch;
-    patch.area = toroidal_area(arc, probe, range);
+    patch.area = arc.angle * probe * i0;
     patch.volume = (dot(centre, normal) + arc.angle * probe * i3) / 3.0;
     patch.first_moment = patch.area * centre + (a * probe * i0) * radial - probe * normal;
     return patch;

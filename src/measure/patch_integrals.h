@@ -26,7 +26,7 @@ struct PatchIntegrals {
 };
 
 /// Part of a sphere with the outside of the ball as the solvent (side = 1) or the inside (side = -1).
-/// centre   relative to the origin of the volume integral
+/// centre   relative to the origin of the volume integral, Å
 PatchIntegrals sphere_patch(const Vec3& centre, double radius, const SphericalRegion& region, int side);
 
 /// The parts of the torus that the probe sweeps along an exposed arc.
@@ -53,10 +53,10 @@ bool meets_its_axis(const SasArc& arc, double probe);
 
 ToroidalPatch toroidal_patch(const SasArc& arc, double probe);
 
-/// The area over a range of ψ alone.
-double toroidal_area(const SasArc& arc, double probe, const ToroidalPatch::Range& range);
+/// The area of a piece on the side of atoms[0], Å².
+double toroidal_area_at_first(const SasArc& arc, double probe, const ToroidalPatch::Range& range);
 
-/// Integrals over a range of ψ; centre: of the arc's circle, relative to the origin of the volume integral.
+/// Integrals over a range of ψ; centre: of the arc's circle, relative to the origin of the volume integral, Å.
 PatchIntegrals toroidal_piece(const SasArc& arc, double probe, const ToroidalPatch::Range& range, const Vec3& centre);
 
 }  // namespace meniscus

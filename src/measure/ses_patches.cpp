@@ -102,7 +102,8 @@ void SesPatches::add_toroidal_patches() {
                  .feature = a,
                  .part = k,
                  .ses = toroidal_piece(arc, data_->probe, torus.pieces[k], arc.centre - origins_.of(arc.atoms[0])),
-                 .sas = {}});
+                 .sas = {},
+                 .area_at_first = toroidal_area_at_first(arc, data_->probe, torus.pieces[k])});
         first_torus_.push_back(static_cast<std::uint32_t>(patches_.size()));
     }
     sets_.grow(patches_.size());

@@ -23,7 +23,8 @@ struct SesPatch {
     std::uint32_t component = 0;
     std::uint32_t sas_component = kNone;
     PatchIntegrals ses;
-    PatchIntegrals sas;  ///< contact patches
+    PatchIntegrals sas;          ///< contact patches
+    double area_at_first = 0.0;  ///< toroidal patches: of the area, what is on the side of the arc's first atom, Å²
 };
 
 /// All patches of one evaluation.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -47,6 +48,20 @@ PatchIntegrals by_quadrature(const SasArc& arc, double probe, const ToroidalPatc
         }
     }
     return sum;
+}
+
+TEST(PatchIntegrals, ATorusIsDividedAtThePlaneOfItsCircle) {
+    for (const SasArc& arc : {some_arc(2.5, 1.5, 1.0, 1.3), some_arc(1.1, 2.9, 2.7, 4.0), some_arc(2.0, -0.5, 2.4, 2.0),
+                              some_arc(2.0, 2.4, -0.5, 2.0)}) {
+        const ToroidalPatch torus = toroidal_patch(arc, 1.4);
+        for (int k = 0; k < torus.count; ++k) {
+            ToroidalPatch::Range at_first = torus.pieces[k];
+            at_first.begin.psi = std::min(at_first.begin.psi, 0.0);
+            at_first.end.psi = std::min(at_first.end.psi, 0.0);
+            EXPECT_NEAR(toroidal_area_at_first(arc, 1.4, torus.pieces[k]), by_quadrature(arc, 1.4, at_first).area,
+                        1e-4);
+        }
+    }
 }
 
 TEST(PatchIntegrals, ToroidalPieceAgreesWithQuadrature) {
