@@ -4,6 +4,7 @@
 // which costs more than filling it: one thread alone takes memory at 2 GB/s.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -19,12 +20,18 @@ void touch_pages(std::byte* begin, std::size_t size);
 /// Room for a few more than so many: a handful that is added later would else move all of them, into twice the room.
 constexpr std::size_t with_spare(std::size_t size) { return size + size / 1024 + 64; }
 
-/// As vector.reserve(size), with the pages of what is not used yet touched.
+/// As vector.reserve(size), with the pages touched of what is not used yet among the first `likely`.
+template <class T, class Allocator>
+void reserve_touched(std::vector<T, Allocator>& vector, std::size_t size, std::size_t likely) {
+    vector.reserve(size);
+    if (likely <= vector.size()) return;
+    touch_pages(reinterpret_cast<std::byte*>(vector.data() + vector.size()), (likely - vector.size()) * sizeof(T));
+}
+
+/// The same of all that there is room for.
 template <class T, class Allocator>
 void reserve_touched(std::vector<T, Allocator>& vector, std::size_t size) {
-    vector.reserve(size);
-    touch_pages(reinterpret_cast<std::byte*>(vector.data() + vector.size()),
-                (vector.capacity() - vector.size()) * sizeof(T));
+    reserve_touched(vector, size, std::max(size, vector.capacity()));
 }
 
 /// As vector.resize(size), with room to spare.

@@ -143,10 +143,13 @@ public:
     void fill(std::size_t block, Mesh& mesh) const {
         roots_.fetch(block + 1);
         const NodesAround nodes = nodes_around(grid_, inside_, block);
+        const LayerBits cut = cut_cells(nodes);
+        const bool is_cut = std::any_of(cut.begin(), cut.end(), [](std::uint64_t layer) { return layer != 0; });
+        if (!is_cut && edges_[block + 1].first_vertex == edges_[block].first_vertex) return;
         LocalVertices local;
         place_vertices(block, local, mesh.vertices);
         enter_neighbours(block, nodes.exists, local, std::make_index_sequence<6>());
-        connect(nodes, local, mesh.triangles);
+        connect(nodes, cut, local, mesh.triangles);
     }
 
 private:
@@ -195,11 +198,11 @@ private:
         ((exists[kLower + 1] ? enter_neighbour<kLower + 1>(edges(kLower + 1), local) : void()), ...);
     }
 
-    void connect(const NodesAround& nodes, const LocalVertices& local, std::vector<Triangle>& triangles) const {
+    void connect(const NodesAround& nodes, const LayerBits& cut, const LocalVertices& local,
+                 std::vector<Triangle>& triangles) const {
         constexpr std::size_t kSpare = kMaxCellTriangles;
         std::array<Triangle, std::size_t{kMaxCellTriangles} * kBlockNodes + kSpare> buffer;
         Triangle* out = buffer.data();
-        const LayerBits cut = cut_cells(nodes);
         const CellCases cases(nodes);
         for (std::size_t z = 0; z < kBlockEdge; ++z)
             for_each_bit(cut[z], [&](std::size_t bit) {
@@ -229,13 +232,6 @@ private:
     LocalTriangles cases_;
 };
 
-// Room for the triangles of a closed surface, whose genus is small against its size; else memory is found anew. Pages
-// are touched for those of a sphere: the others are seldom used.
-void reserve_likely(std::vector<Triangle>& triangles, std::size_t vertices) {
-    triangles.reserve(2 * vertices + vertices / 16);
-    touch_pages(reinterpret_cast<std::byte*>(triangles.data()), 2 * vertices * sizeof(Triangle));
-}
-
 template <class Roots>
 Mesh extract(const BlockGrid& grid, std::span<const LayerBits> inside, const Roots& roots) {
     const std::vector<CutEdges> edges = find_cut_edges(grid, inside);
@@ -245,9 +241,11 @@ Mesh extract(const BlockGrid& grid, std::span<const LayerBits> inside, const Roo
                          " vertices, more than 2^32 - 1; choose a larger --spacing");
     Mesh mesh;
     reserve_touched(mesh.vertices, with_spare(totals.first_vertex));
-    reserve_likely(mesh.triangles, totals.first_vertex);
+    // Room for the triangles of a closed surface, whose genus is small against its size; else memory is found anew.
+    // Those of a sphere are likely, the others are seldom used.
+    reserve_touched(mesh.triangles, 2 * totals.first_vertex + totals.first_vertex / 16, 2 * totals.first_vertex);
     const BlockFiller<Roots> filler(grid, inside, edges, roots);
-    if (is_alone()) {
+    if (is_alone()) {  // every block goes to where it stays, with nothing to append
         for (std::size_t b = 0; b < grid.block_count(); ++b) filler.fill(b, mesh);
         return mesh;
     }

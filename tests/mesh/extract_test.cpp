@@ -8,6 +8,7 @@
 
 #include "core/parallel.h"
 #include "mesh/cut_edges.h"
+#include "support/inside_bits.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 
@@ -98,17 +99,12 @@ TEST(Extract, VerticesKeepAsFarFromNodesAsAskedFor) {
 }
 
 std::vector<InsideBits> inside_bits(const SampledField& field) {
-    constexpr int kUnitMask = kUnitEdge - 1;
     std::vector<InsideBits> inside(field.grid.block_count());
     for (std::size_t i = 0; i < field.values.size(); ++i) {
         if (field.values[i] >= 0.0F) continue;
         const auto node = static_cast<int>(i % kBlockNodes);
-        const int x = node % kBlockEdge;
-        const int y = node / kBlockEdge % kBlockEdge;
-        const int z = node / (kBlockEdge * kBlockEdge);
-        const int unit = x / kUnitEdge + 2 * (y / kUnitEdge) + 4 * (z / kUnitEdge);
-        inside[i / kBlockNodes][static_cast<std::size_t>(unit)] |=
-            UnitBits{1} << node_in_unit(x & kUnitMask, y & kUnitMask, z & kUnitMask);
+        testing::set_inside(inside[i / kBlockNodes], node % kBlockEdge, node / kBlockEdge % kBlockEdge,
+                            node / (kBlockEdge * kBlockEdge));
     }
     return inside;
 }
