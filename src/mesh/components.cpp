@@ -76,15 +76,7 @@ public:
         }
     }
 
-    std::uint32_t root(std::uint32_t i) {
-        for (std::uint32_t parent = load(i); parent != i; parent = load(i)) {
-            const std::uint32_t above = load(parent);
-            if (above == parent) return parent;
-            at(i).store(above, std::memory_order_relaxed);
-            i = above;
-        }
-        return i;
-    }
+    std::uint32_t root(std::uint32_t i) { return parents_of_all().root(i); }
 
     // What every member points to; nothing of the sets is left behind.
     std::vector<std::uint32_t> parents() && { return std::move(parent_); }
@@ -93,25 +85,31 @@ private:
     // By value: compilers load what is behind a reference again after every store.
     struct Parents {
         std::uint32_t* first;
-        std::uint32_t load(std::uint32_t i) const { return std::atomic_ref(first[i]).load(std::memory_order_relaxed); }
-        void store(std::uint32_t i, std::uint32_t parent) const {
-            std::atomic_ref(first[i]).store(parent, std::memory_order_relaxed);
+        std::atomic_ref<std::uint32_t> at(std::uint32_t i) const { return std::atomic_ref(first[i]); }
+        std::uint32_t load(std::uint32_t i) const { return at(i).load(std::memory_order_relaxed); }
+        void store(std::uint32_t i, std::uint32_t parent) const { at(i).store(parent, std::memory_order_relaxed); }
+        std::uint32_t root(std::uint32_t i) const {
+            for (std::uint32_t parent = load(i); parent != i; parent = load(i)) {
+                const std::uint32_t above = load(parent);
+                if (above == parent) return parent;
+                store(i, above);
+                i = above;
+            }
+            return i;
         }
     };
     Parents parents_of_all() { return {parent_.data()}; }
 
-    std::atomic_ref<std::uint32_t> at(std::uint32_t i) { return std::atomic_ref(parent_[i]); }
-    std::uint32_t load(std::uint32_t i) { return at(i).load(std::memory_order_relaxed); }
-
     void join(std::uint32_t a, std::uint32_t b) {
-        for (a = root(a), b = root(b); a != b; a = root(a), b = root(b)) {
+        const Parents parents = parents_of_all();
+        for (a = parents.root(a), b = parents.root(b); a != b; a = parents.root(a), b = parents.root(b)) {
             if (a < b) std::swap(a, b);
             if (alone_) {
-                at(a).store(b, std::memory_order_relaxed);
+                parents.store(a, b);
                 return;
             }
             std::uint32_t itself = a;
-            if (at(a).compare_exchange_strong(itself, b, std::memory_order_relaxed)) return;
+            if (parents.at(a).compare_exchange_strong(itself, b, std::memory_order_relaxed)) return;
         }
     }
 
