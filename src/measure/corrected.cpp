@@ -11,6 +11,7 @@
 
 #include "core/local_corners.h"
 #include "core/parallel.h"
+#include "core/tangent_planes.h"
 #include "measure/lanes.h"
 #include "measure/triangle_lanes.h"
 #include "measure/triangle_sum.h"

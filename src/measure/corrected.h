@@ -38,22 +38,9 @@ using Projector = std::function<void(std::span<Vec3> points, std::span<Vec3> nor
 /// cost       O(4^divisions n) for n triangles; a middle is projected once or, where batches meet, twice
 CorrectedMeasures corrected_measures(const Mesh& mesh, const Projector& project, int divisions = 1);
 
-/// The same with the middles left where corners and normals tell (arc_middle), which costs no projection: order h⁴
-/// too, but with a larger factor, and of no use next to creases.
-/// throws   UsageError if the mesh has no normals
+/// The same with the middles left where corners and normals tell (core/tangent_planes.inc), which costs no projection:
+/// order h⁴ too, but with a larger factor, and of no use next to creases. throws   UsageError if the mesh has no
+/// normals
 CorrectedMeasures corrected_measures(const Mesh& mesh);
-
-/// Middle of the arc over an edge a-b of a surface with unit normals there.
-///
-/// On a circle of radius r the normals make an angle θ with each other and the arc's middle lies r (1 - cos(θ/2)) above
-/// the chord's, along the mean normal. With e = b - a and n the difference of the normals that is, to order θ⁶,
-/// (n · e) / 16 (1 + 3 |n|² / 16) times the sum of the normals: n · e = |e|² / r is positive where the surface bends
-/// away from its normals (a sphere with outward normals) and negative where it bends towards them. On other surfaces
-/// the error is of order |e|⁴, on opposite normals there is no mean and the middle is the chord's.
-inline Vec3 arc_middle(const Vec3& a, const Vec3& normal_a, const Vec3& b, const Vec3& normal_b) {
-    const Vec3 turn = normal_b - normal_a;
-    const double lift = dot(turn, b - a) / 16.0 * (1.0 + 3.0 / 16.0 * squared_norm(turn));
-    return 0.5 * (a + b) + lift * (normal_a + normal_b);
-}
 
 }  // namespace meniscus

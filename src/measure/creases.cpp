@@ -31,8 +31,7 @@ void follow_creases(const Mesh& mesh, std::span<const Triangle> triangles, std::
                                     mesh.gaussian_curvatures[v]);
             }
         }
-        const std::uint64_t of_these = first_bits(count);
-        for_each_bit(triangle_kernels().measure_over_creases(some, count) & of_these, [&](std::size_t i) {
+        for_each_bit(triangle_kernels().measure_over_creases(some, count), [&](std::size_t i) {
             const std::size_t lane = lane_of[i];
             lanes.parts_two_areas[lane] = static_cast<float>(parts_of(lanes.two_areas[lane], some.two_areas[i]));
             lanes.parts_six_volumes[lane] = parts_of(lanes.six_volumes[lane], some.six_volumes[i]);

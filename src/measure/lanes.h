@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Numbers and vectors side by side: a loop over lanes is one that compilers turn into vector instructions.
+// Numbers and vectors side by side, by component, so that kernels load several into a vector register at once.
 #pragma once
 
 #include <array>
@@ -15,12 +15,12 @@ inline constexpr std::size_t kLanes = 64;  // the vectors of a triangle's corner
 using Lanes = std::array<double, kLanes>;
 using SmallLanes = std::array<float, kLanes>;
 
-/// kLanes vectors, by component.
-template <class T, class Vector>
+/// Vectors by component.
+template <class T, class Vector, std::size_t kCount = kLanes>
 struct LanesOf {
-    std::array<T, kLanes> x{};
-    std::array<T, kLanes> y{};
-    std::array<T, kLanes> z{};
+    std::array<T, kCount> x{};
+    std::array<T, kCount> y{};
+    std::array<T, kCount> z{};
 
     void set(std::size_t lane, const Vector& v) {
         x[lane] = v.x;

@@ -25,7 +25,8 @@ bool all_below(std::span<const std::uint32_t> indices, std::size_t limit) {
     if (limit > std::numeric_limits<std::uint32_t>::max()) return true;
     const auto below = static_cast<std::uint32_t>(limit);
     return parallel_sum<std::size_t>(indices.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-               return std::size_t{triangle_kernels().find_last(indices.subspan(begin, end - begin)) < below ? 0U : 1U};
+               return std::size_t{
+                   triangle_kernels().find_largest_index(indices.subspan(begin, end - begin)) < below ? 0U : 1U};
            }) == 0;
 }
 

@@ -20,7 +20,7 @@
 
 namespace meniscus {
 
-/// kLanes triangles, and what a kernel finds out about each.
+/// kLanes triangles, and what a kernel finds out about each: Å, Å² and Å³.
 struct TriangleLanes {
     std::array<VectorLanes, 3> points;        ///< corners, from an origin nearby
     std::optional<Vec3> origin{Vec3{}};       ///< if it is the same for all
@@ -42,8 +42,6 @@ struct TriangleLanes {
     /// Of the four parts of each, split at the middles of the arcs over its sides (measure/corrected.h).
     SmallLanes parts_two_areas{};
     Lanes parts_six_volumes{};
-    SmallLanes volumes_over_first{};  ///< the same over the first corner
-    SmallVectorLanes area_vectors;    ///< twice those of what lies between the sides and their arcs' middles
 };
 
 /// Some triangles of a surface that may have creases over their sides (measure/creases.h), side by side.
@@ -53,18 +51,14 @@ struct CreasedLanes {
     using SmallNumbers = std::array<float, kCount>;
 
     struct Corner {
-        std::array<Numbers, 3> point{};
-        std::array<SmallNumbers, 3> normal{};
-        SmallNumbers mean_curvature{};
-        SmallNumbers gaussian_curvature{};
+        LanesOf<double, Vec3, kCount> point;
+        LanesOf<float, SmallVec3, kCount> normal;
+        SmallNumbers mean_curvature{};      ///< Å^-1
+        SmallNumbers gaussian_curvature{};  ///< Å^-2
 
         void set(std::size_t lane, const Vec3& p, const SmallVec3& n, float mean, float gaussian) {
-            point[0][lane] = p.x;
-            point[1][lane] = p.y;
-            point[2][lane] = p.z;
-            normal[0][lane] = n.x;
-            normal[1][lane] = n.y;
-            normal[2][lane] = n.z;
+            point.set(lane, p);
+            normal.set(lane, n);
             mean_curvature[lane] = mean;
             gaussian_curvature[lane] = gaussian;
         }
@@ -126,7 +120,7 @@ struct TriangleKernels {
     /// Returns a bit for each triangle along a side of which the surface turns so fast that it may have a crease there
     /// (measure/creases.h).
     std::uint64_t (*measure_with_parts)(TriangleLanes& lanes);
-    /// Of the first `count` triangles; returns a bit for each with a crease over one or more of its sides.
+    /// Of the first `count` triangles; returns a bit for each of these with a crease over one or more of its sides.
     std::uint64_t (*measure_over_creases)(CreasedLanes& lanes, std::size_t count);
     /// Sums over all lanes; those of the parts mean nothing where they were not measured.
     void (*add_up)(const TriangleLanes& lanes, LaneSums& sums);
@@ -136,7 +130,7 @@ struct TriangleKernels {
     double (*find_largest)(const Lanes& lanes);
     void (*bound)(const VectorLanes& points, StretchBoxes& boxes);
     /// The largest of some indices, 0 of none.
-    std::uint32_t (*find_last)(std::span<const std::uint32_t> indices);
+    std::uint32_t (*find_largest_index)(std::span<const std::uint32_t> indices);
     /// Twice the signed areas of triangles whose corners are sent to any places of the parabola y = x², modulo 2^64.
     std::uint64_t (*sum_signed_areas)(std::span<const Triangle> triangles);
 };

@@ -108,8 +108,8 @@ TriangleSurvey::RunSums& TriangleSurvey::run_of(std::uint32_t piece, ChunkSums& 
     return sums.runs.back();
 }
 
-void TriangleSurvey::add(std::size_t triangles, const PieceLanes& pieces, const TriangleLanes& lanes, ChunkSums& sums) {
-    if (triangles == kLanes && pieces.is_one) {
+void TriangleSurvey::add(std::size_t count, const PieceLanes& pieces, const TriangleLanes& lanes, ChunkSums& sums) {
+    if (count == kLanes && pieces.is_one) {
         LaneSums all;
         triangle_kernels().add_up(lanes, all);
         RunSums& run = run_of(pieces.of[0], sums);
@@ -122,7 +122,7 @@ void TriangleSurvey::add(std::size_t triangles, const PieceLanes& pieces, const 
         sums.shortest = std::min(sums.shortest, all.shortest);
         return;
     }
-    for (std::size_t lane = 0; lane < triangles; ++lane) {
+    for (std::size_t lane = 0; lane < count; ++lane) {
         RunSums& run = run_of(pieces.of[lane], sums);
         ++run.triangles;
         run.two_areas += lanes.two_areas[lane];

@@ -83,7 +83,7 @@ private:
     void load(const Mesh& mesh, std::span<const Triangle> triangles, const PieceLanes& pieces,
               TriangleLanes& lanes) const;
     void measure(const Mesh& mesh, std::span<const Triangle> triangles, TriangleLanes& lanes) const;
-    static void add(std::size_t triangles, const PieceLanes& pieces, const TriangleLanes& lanes, ChunkSums& sums);
+    static void add(std::size_t count, const PieceLanes& pieces, const TriangleLanes& lanes, ChunkSums& sums);
     static RunSums& run_of(std::uint32_t piece, ChunkSums& sums);
 
     Parts parts_;
