@@ -30,7 +30,7 @@ struct TrimmedArc {
 struct ReentrantPatch {
     std::vector<SphericalRegion> regions;
     std::vector<TrimmedArc> arcs;
-    double triangle = 0.0;    ///< solid angle of the untrimmed triangle
+    double triangle = 0.0;    ///< solid angle of the untrimmed triangle, steradian
     bool consistent = true;   ///< false: the trimming could not be resolved; regions are then empty
     bool degenerate = false;  ///< another probe position among those that trim it coincides with its own, or the
                               ///< trimming had to be perturbed anew

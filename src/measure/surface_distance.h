@@ -18,7 +18,7 @@ class SurfaceDistance {
 public:
     SurfaceDistance(const Mesh& mesh, const AccessibleSurface* exact);
 
-    /// Positive outside; in the order of the points. Parallel.
+    /// Å, positive outside; in the order of the points. Parallel.
     std::vector<double> operator()(std::span<const Vec3> points) const;
 
 private:

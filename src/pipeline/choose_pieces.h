@@ -11,7 +11,7 @@
 
 namespace meniscus {
 
-/// The solid angle of a triangle seen from a point, positive from behind (Van Oosterom & Strackee 1983).
+/// The solid angle of a triangle seen from a point, steradian, positive from behind (Van Oosterom & Strackee 1983).
 double solid_angle(const Vec3& from, const Mesh& mesh, const Triangle& triangle);
 
 /// Drops the walls of cavities that enclose less than a volume, and the islands within these.
@@ -23,8 +23,8 @@ double solid_angle(const Vec3& from, const Mesh& mesh, const Triangle& triangle)
 DroppedPieces drop_small_cavities(Mesh& zero_set, double least_volume, const SurfaceProjector& project,
                                   Mesh* walls = nullptr);
 
-/// Drops the pieces that fit into a ball of this diameter round the mean of their vertices, all but the largest outer
-/// one. Returns how many they were.
+/// Drops the pieces that fit into a ball of this diameter, Å, round the mean of their vertices, all but the largest
+/// outer one. Returns how many they were.
 std::size_t drop_tiny_pieces(Mesh& zero_set, double diameter);
 
 }  // namespace meniscus

@@ -14,7 +14,7 @@
 
 namespace meniscus {
 
-/// Per vertex. Curvatures as they are found, then as meshes hold them.
+/// Per vertex. Curvatures, Å^-1 and Å^-2, as they are found, then as meshes hold them.
 struct ShapeLanes {
     LanePoints<double> normals;
     LaneArray<double> mean;
@@ -33,7 +33,7 @@ struct ShapeKernels {
 
     /// From mean and Gaussian curvatures what principal_curvatures(mean, gaussian).capped(limit) has, and its shape
     /// index within 2e-8, which is less than single precision keeps. A Gaussian curvature of +inf stands for two equal
-    /// principal ones.
+    /// principal ones; the limit is in Å^-1.
     void (*cap)(double limit, std::size_t count, ShapeLanes& lanes);
 };
 

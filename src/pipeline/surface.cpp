@@ -255,10 +255,10 @@ private:
     }
 
     void make_mesh(Field field) {
-        hold_field_against_exact_sides(field);
+        check_pieces(field);
         Mesh zero_set = field.level_set ? extract_zero_set(*field.grid, field.values, kSpreadFraction)
                                         : extract_between(*field.grid, std::move(field.inside));
-        hold_mesh_against_exact_sides(zero_set, field);
+        check_scattered_points(zero_set, field);
         NodeField().swap(field.values);  // the mesh grows into their memory
         field.grid.reset();
         const Curvatures curvatures = options_.remesh.adaptive ? Curvatures::FilledIn : Curvatures::LeftOut;
@@ -287,13 +287,13 @@ private:
     }
 
     // Of everything that was computed, before pieces are left out.
-    void hold_field_against_exact_sides(const Field& field) {
+    void check_pieces(const Field& field) {
         if (options_.method == Method::Gaussian) return;
         const std::vector<DeepPoint>& points = yardstick_.points;
         sides_.push_back(pieces_check(field.level_set ? count_wrong(points, *field.level_set)
                                                       : count_wrong(points, *field.grid, field.inside)));
     }
-    void hold_mesh_against_exact_sides(const Mesh& zero_set, const Field& field) {
+    void check_scattered_points(const Mesh& zero_set, const Field& field) {
         if (options_.method == Method::Gaussian || !options_.verify) return;
         const std::vector<DeepPoint> scattered = scattered_points(*accessible_, options_);
         sides_.push_back(

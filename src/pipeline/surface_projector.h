@@ -34,6 +34,7 @@ void put_on_surface(std::span<Vec3> points, const SurfaceProjector& project);
 
 /// Onto the zero set of a level set, or, where that is null, onto the exact SES. Both must outlive the projector.
 ///
+/// spacing  of the grid, Å, that the points come from: curvatures are told up to its inverse
 /// cost     0.3 to 0.5 µs per point, if neighbours come together
 SurfaceProjector surface_projector(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
                                    Curvatures curvatures);
