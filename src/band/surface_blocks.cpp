@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <unordered_set>
 
 #include "core/parallel.h"
@@ -148,9 +149,12 @@ std::vector<BlockCoord> blocks_near_surface(const AccessibleSurface& surface, co
     const std::vector<Direction> around = directions();
     CubeSet seen;
     std::vector<BlockCoord> frontier;
-    for (const Vec3& point : points_on_surface(surface.data()))
-        if (const BlockCoord cube = cube_of(lattice.block_of(point)); seen.insert(cube).second)
-            frontier.push_back(cube);
+    std::optional<BlockCoord> last;  // most points are in the cube of the one before
+    for (const Vec3& point : points_on_surface(surface.data())) {
+        const BlockCoord cube = cube_of(lattice.block_of(point));
+        if (cube != last && seen.insert(cube).second) frontier.push_back(cube);
+        last = cube;
+    }
 
     Workspaces searches([&] { return std::make_unique<CubeSearch>(surface, lattice, reach); });
     std::vector<BlockCoord> result;
