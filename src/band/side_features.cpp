@@ -5,14 +5,57 @@
 #include <algorithm>
 
 #include "core/bits.h"
-#include "geometry/accessible_surface_data.h"
+#include "core/parallel.h"
 #include "geometry/nearest_kernels.h"
 
 namespace meniscus {
+namespace {
 
-void SideFeaturesOfBox::gather(const LocalFeatures& from, const Box& box, double margin) {
+constexpr std::size_t kAtomsPerChunk = 4096;
+
+template <std::size_t kColumns>
+void set_position(Columns<kColumns, float, kSideStep>& columns, std::size_t item, const SmallVec3& p) {
+    columns[0][item] = p.x;
+    columns[1][item] = p.y;
+    columns[2][item] = p.z;
+}
+
+void take_balls(const SphereList& balls, std::span<const std::uint32_t> items, const Vec3& middle, SideFeatures& near) {
+    near.balls.resize(items.size());
+    near.atoms.resize(items.size());
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        set_position(near.balls, i, to_small(position_in(balls, items[i]) - middle));
+        near.balls[3][i] = static_cast<float>(balls.column(3)[items[i]]);
+        near.atoms[i] = balls.index(items[i]);
+    }
+}
+
+void take_arcs(const BoxList& cells, std::span<const SasArc> arcs, std::span<const std::uint32_t> items,
+               const Vec3& middle, SideFeaturesOfBox& near) {
+    const double origin[3] = {middle.x, middle.y, middle.z};
+    near.features.arcs.resize(items.size());
+    near.cells.resize(items.size());
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const SasArc& arc = arcs[cells.index(items[i])];
+        near.features.arcs[i] = {to_small(arc.centre - middle), to_small(arc.axis), to_small(arc.middle),
+                                 static_cast<float>(arc.radius), static_cast<float>(arc.cos_half)};
+        for (std::size_t side = 0; side < 6; ++side)
+            near.cells[side][i] = static_cast<float>(cells.column(side)[items[i]] - origin[side % 3]);
+    }
+}
+
+void take_vertices(const SphereList& vertices, std::span<const std::uint32_t> items, const Vec3& middle,
+                   SideFeatures& near) {
+    near.vertices.resize(items.size());
+    for (std::size_t i = 0; i < items.size(); ++i)
+        set_position(near.vertices, i, to_small(position_in(vertices, items[i]) - middle));
+}
+
+}  // namespace
+
+void SideGatherer::gather(const LocalFeatures& from, const Box& box, double margin, SideFeaturesOfBox& near) {
     const NearestKernels& kernels = nearest_kernels();
-    const Vec3 middle = 0.5 * (box.low + box.high);
+    const Vec3 middle = box.middle();
     const SphereList& balls = from.balls();
     const BoxList& arcs = from.arcs();
     const SphereList& vertices = from.vertices();
@@ -20,55 +63,37 @@ void SideFeaturesOfBox::gather(const LocalFeatures& from, const Box& box, double
     marks_.resize(std::max(marks_.size(), words_for(most)));
     items_.resize(std::max(items_.size(), most));
     kernels.mark_reaching(balls, from.beyond_balls(), box, marks_.data());
-    take_balls(balls, marked(balls.size()), middle);
+    take_balls(balls, marked(balls.size()), middle, near.features);
     kernels.mark_overlapping(arcs, box, marks_.data());
-    take_arcs(from, marked(arcs.size()), middle);
+    take_arcs(arcs, from.surface().data().arcs, marked(arcs.size()), middle, near);
     kernels.mark_reaching(vertices, margin, box, marks_.data());
-    take_vertices(vertices, marked(vertices.size()), middle);
+    take_vertices(vertices, marked(vertices.size()), middle, near.features);
 }
 
-std::span<const std::uint32_t> SideFeaturesOfBox::marked(std::size_t count) {
+std::span<const std::uint32_t> SideGatherer::marked(std::size_t count) {
     return std::span(items_).first(list_items(marks_.data(), count, items_.data()));
 }
 
-void SideFeaturesOfBox::take_balls(const SphereList& balls, std::span<const std::uint32_t> items, const Vec3& middle) {
-    features_.balls.resize(items.size());
-    balls_.resize(items.size());
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        const SmallVec3 centre = to_small(position_in(balls, items[i]) - middle);
-        const auto rho = static_cast<float>(balls.column(3)[items[i]]);
-        const std::uint32_t atom = balls.index(items[i]);
-        features_.balls[i] = {centre, rho, atom};
-        balls_.set(i, {centre.x, centre.y, centre.z, rho}, atom);
+SideCaps::SideCaps(const AccessibleSurface::Data& data) : exposed_(data.exposed), begins_(data.atoms.size() + 1) {
+    for (std::uint32_t i = 0; i < data.atoms.size(); ++i) {
+        const std::size_t caps = is_exposed(i) ? data.caps_of(i).size() : 0;
+        begins_[i + 1] = begins_[i] + (caps + EightCaps::kCount - 1) / EightCaps::kCount;
     }
-}
-
-void SideFeaturesOfBox::take_arcs(const LocalFeatures& from, std::span<const std::uint32_t> items, const Vec3& middle) {
-    const BoxList& cells = from.arcs();
-    const std::vector<SasArc>& arcs = from.surface().data().arcs;
-    features_.arcs.resize(items.size());
-    cells_.resize(items.size());
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        const std::uint32_t cell = items[i];
-        const SasArc& arc = arcs[cells.index(cell)];
-        features_.arcs[i] = {to_small(arc.centre - middle), to_small(arc.axis), to_small(arc.middle),
-                             static_cast<float>(arc.radius), static_cast<float>(arc.cos_half)};
-        const SmallVec3 low = to_small(position_in(cells, cell) - middle);
-        const SmallVec3 high =
-            to_small(Vec3{cells.column(3)[cell], cells.column(4)[cell], cells.column(5)[cell]} - middle);
-        cells_.set(i, {low.x, low.y, low.z, high.x, high.y, high.z}, cells.index(cell));
-    }
-}
-
-void SideFeaturesOfBox::take_vertices(const SphereList& vertices, std::span<const std::uint32_t> items,
-                                      const Vec3& middle) {
-    features_.vertices.resize(items.size());
-    vertices_.resize(items.size());
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        const SmallVec3 position = to_small(position_in(vertices, items[i]) - middle);
-        features_.vertices[i] = position;
-        vertices_.set(i, {position.x, position.y, position.z}, vertices.index(items[i]));
-    }
+    caps_.resize(begins_.back());
+    parallel_for(data.atoms.size(), kAtomsPerChunk, [&](std::size_t i) {
+        const auto atom = static_cast<std::uint32_t>(i);
+        const std::span<const CapPlane> caps = data.caps_of(atom);
+        const std::span<EightCaps> eights = std::span(caps_).subspan(begins_[i], begins_[i + 1] - begins_[i]);
+        if (eights.empty()) return;
+        for (std::size_t c = 0; c < caps.size(); ++c) {
+            const CapPlane& cap = caps[c];
+            EightCaps& eight = eights[c / EightCaps::kCount];
+            eight.x[c % EightCaps::kCount] = static_cast<float>(cap.axis.x);
+            eight.y[c % EightCaps::kCount] = static_cast<float>(cap.axis.y);
+            eight.z[c % EightCaps::kCount] = static_cast<float>(cap.axis.z);
+            eight.t[c % EightCaps::kCount] = static_cast<float>(cap.t);
+        }
+    });
 }
 
 }  // namespace meniscus

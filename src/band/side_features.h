@@ -4,21 +4,21 @@
 // are on.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "geometry/accessible_surface_data.h"
+#include "geometry/cap_kernels.h"
 #include "geometry/local_features.h"
 #include "meniscus/vec3.h"
 
 namespace meniscus {
 
-struct SideBall {
-    SmallVec3 centre;
-    float rho;
-    std::uint32_t atom;
-};
+inline constexpr std::size_t kSideStep = 16;  ///< columns are readable up to the next multiple
+
 struct SideArc {
     SmallVec3 centre;
     SmallVec3 axis;
@@ -29,41 +29,57 @@ struct SideArc {
 
 /// All features that can be nearest to some points.
 struct SideFeatures {
-    std::vector<SideBall> balls;
+    Columns<4, float, kSideStep> balls;  ///< x, y, z, rho
+    std::vector<std::uint32_t> atoms;    ///< whose balls they are; there may be more
     std::vector<SideArc> arcs;
-    std::vector<SmallVec3> vertices;
-
-    void clear() {
-        balls.clear();
-        arcs.clear();
-        vertices.clear();
-    }
+    Columns<3, float, kSideStep> vertices;  ///< x, y, z
 };
 
-/// The features that can be nearest to points of a box, relative to its middle, with columns to choose from them by.
-class SideFeaturesOfBox {
+/// The features that can be nearest to points of a box, relative to its middle, with what to choose from them by.
+struct SideFeaturesOfBox {
+    SideFeatures features;
+    Columns<6, float, kSideStep> cells;  ///< of the arcs: low x, y, z, high x, y, z
+};
+
+/// Gathers them for one box after the other, reusing its memory.
+class SideGatherer {
 public:
     /// from: lists for a box around this one, which are complete as far as `margin` (LocalFeatures).
-    void gather(const LocalFeatures& from, const Box& box, double margin);
-
-    const SideFeatures& features() const { return features_; }
-    const FeatureList<4, float>& balls() const { return balls_; }        ///< x, y, z, rho
-    const FeatureList<6, float>& cells() const { return cells_; }        ///< of the arcs: low x, y, z, high x, y, z
-    const FeatureList<3, float>& vertices() const { return vertices_; }  ///< x, y, z
+    void gather(const LocalFeatures& from, const Box& box, double margin, SideFeaturesOfBox& near);
 
 private:
     // The items that are marked.
     std::span<const std::uint32_t> marked(std::size_t count);
-    void take_balls(const SphereList& balls, std::span<const std::uint32_t> items, const Vec3& middle);
-    void take_arcs(const LocalFeatures& from, std::span<const std::uint32_t> items, const Vec3& middle);
-    void take_vertices(const SphereList& vertices, std::span<const std::uint32_t> items, const Vec3& middle);
 
-    SideFeatures features_;
-    FeatureList<4, float> balls_;
-    FeatureList<6, float> cells_;
-    FeatureList<3, float> vertices_;
     std::vector<std::uint64_t> marks_;
     std::vector<std::uint32_t> items_;
+};
+
+/// Caps of one ball side by side; those without numbers bury nothing.
+struct EightCaps {
+    static constexpr float kNothing = 1e6F;
+    static constexpr std::size_t kCount = 8;
+    std::array<float, kCount> x{};
+    std::array<float, kCount> y{};
+    std::array<float, kCount> z{};
+    std::array<float, kCount> t{kNothing, kNothing, kNothing, kNothing, kNothing, kNothing, kNothing, kNothing};
+};
+
+/// The caps of all balls in single precision.
+class SideCaps {
+public:
+    explicit SideCaps(const AccessibleSurface::Data& data);
+
+    bool is_exposed(std::uint32_t atom) const { return exposed_[atom] != 0; }
+    /// Of an exposed ball.
+    std::span<const EightCaps> of(std::uint32_t atom) const {
+        return std::span(caps_).subspan(begins_[atom], begins_[atom + 1] - begins_[atom]);
+    }
+
+private:
+    std::span<const std::uint8_t> exposed_;  // per atom
+    std::vector<std::size_t> begins_;        // per atom, and the end
+    std::vector<EightCaps> caps_;
 };
 
 }  // namespace meniscus

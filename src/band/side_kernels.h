@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "band/side_features.h"
-#include "geometry/accessible_surface_data.h"
 #include "geometry/nearest_kernels.h"
 
 namespace meniscus {
@@ -18,25 +17,19 @@ namespace meniscus {
 /// A cube that holds points, relative to the middle of a box around it.
 struct SideCube {
     SmallVec3 middle;
-    float half_edge;  ///< Å
+    float half_edge = 0.0F;  ///< Å
 };
 
 /// Points nearer to K than `near` are outside, those farther from it than `far` inside: in K distances are negative.
 struct SideLimits {
-    float near = 0.0F;           ///< Å
-    float far = 0.0F;            ///< Å
-    float reach = 0.0F;          ///< Å: of the points from their middle
-    float slack = 0.0F;          ///< Å: more than all that rounding gets wrong of a length
-    float squared_slack = 0.0F;  ///< Å²: the same of squares
+    float near;           ///< Å
+    float far;            ///< Å
+    float reach;          ///< Å: of the points from their middle
+    float slack;          ///< Å: more than all that rounding gets wrong of a length
+    float squared_slack;  ///< Å²: the same of what may_be_deeper holds against each other (side_kernels.inc)
 
-    /// Where what is within `radius` of a point is to have its side. longest: no length is longer. Å
+    /// Where what is within `radius` of a point is to have its side. longest: no length that decides is longer. Å
     SideLimits(double probe, double radius, double reach_of_points, double longest);
-};
-
-/// A cap of a ball in single precision.
-struct SideCap {
-    SmallVec3 axis;
-    float t;
 };
 
 /// What settling works with.
@@ -47,7 +40,7 @@ struct SideWork {
     LanePoints<float> open_points;
     LaneArray<float> open_depths;
     std::uint32_t numbers[kBatchLanes];
-    std::vector<SideCap> caps;
+    std::vector<std::uint32_t> caps;  ///< of one ball, those that decide between points
 };
 
 struct SideKernels {
@@ -59,7 +52,7 @@ struct SideKernels {
                    SideFeatures& chosen);
 
     /// Which of up to kBatchLanes points are settled. There must be a ball.
-    KnownSides (*settle)(const AccessibleSurface::Data& data, const SideFeatures& features, const SideLimits& limits,
+    KnownSides (*settle)(const SideCaps& caps, const SideFeatures& features, const SideLimits& limits,
                          const LanePoints<float>& points, std::size_t count, SideWork& work);
 };
 

@@ -15,8 +15,7 @@
 namespace meniscus {
 namespace {
 
-constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding
-constexpr double kMargin = 1e-6;          // Å: nobody asks for distances, but a search wants one
+constexpr double kMargin = 1e-6;  // Å: nobody asks for distances, but a search wants one
 
 // Of a cube's point from its first one, in steps between them.
 Vec3 place_in_cube(std::size_t number, std::size_t edge) {
@@ -30,26 +29,26 @@ Vec3 node_steps(std::size_t n) { return place_in_cube(n, kUnitEdge); }
 // From the first node to the middle of as many along each axis, in spacings.
 constexpr Vec3 to_middle(int edge) { return (0.5 * (edge - 1)) * Vec3{1.0, 1.0, 1.0}; }
 
-// Å: from there to the farthest node.
-double half_diagonal(int edge, double spacing) { return kAboveOne * spacing * norm(to_middle(edge)); }
+// Å: from there to the farthest node. What rounding takes from it is far less than the slack of SideLimits.
+double half_diagonal(int edge, double spacing) { return spacing * norm(to_middle(edge)); }
 
 // Finds the sides of all nodes of one block after the other.
 class BlockSides {
 public:
-    BlockSides(const AccessibleSurface& surface, double spacing)
-        : data_(surface.data()),
+    BlockSides(const AccessibleSurface& surface, const SideCaps& caps, double spacing)
+        : caps_(caps),
           spacing_(spacing),
           half_unit_(half_diagonal(kUnitEdge, spacing)),
-          longest_(half_diagonal(kBlockEdge, spacing) + 2.0 * data_.rho_max),
-          unit_limits_(data_.probe, half_unit_, half_diagonal(kBlockEdge, spacing) - half_unit_, longest_),
-          node_limits_(data_.probe, 0.0, half_unit_, longest_),
-          margin_(unit_limits_.far + unit_limits_.slack - data_.probe),
+          longest_(half_diagonal(kBlockEdge, spacing) + 2.0 * surface.data().rho_max),
+          unit_limits_(surface.data().probe, half_unit_, half_diagonal(kBlockEdge, spacing) - half_unit_, longest_),
+          node_limits_(surface.data().probe, 0.0, half_unit_, longest_),
+          margin_(unit_limits_.far + unit_limits_.slack - surface.data().probe),
           around_(surface, margin_),
           part_(surface, margin_),
           batch_(surface) {
         for (std::size_t u = 0; u < kUnits; ++u)
-            set_point(unit_middles_, u, unit_steps(u) + to_middle(kUnitEdge) - to_middle(kBlockEdge));
-        for (std::size_t n = 0; n < kUnitNodes; ++n) set_point(nodes_, n, node_steps(n) - to_middle(kUnitEdge));
+            put(unit_middles_, u, unit_steps(u) + to_middle(kUnitEdge) - to_middle(kBlockEdge));
+        for (std::size_t n = 0; n < kUnitNodes; ++n) put(nodes_, n, node_steps(n) - to_middle(kUnitEdge));
     }
 
     void enter(const Box& box) { around_.gather(box); }
@@ -58,10 +57,10 @@ public:
     // corner: position of node (0, 0, 0)
     InsideBits evaluate(const Vec3& corner) {
         InsideBits bits{};
-        block_.gather(part_, box_of_nodes(corner, kBlockEdge, spacing_), margin_);
-        if (block_.features().balls.empty()) return bits;
+        gatherer_.gather(part_, box_of_nodes(corner, kBlockEdge, spacing_), margin_, block_);
+        if (block_.features.balls.size() == 0) return bits;
         const auto [inside, settled] =
-            kernels_.settle(data_, block_.features(), unit_limits_, unit_middles_, kUnits, work_);
+            kernels_.settle(caps_, block_.features, unit_limits_, unit_middles_, kUnits, work_);
         std::copy_n(work_.deepest.at, kUnits, deepest_);
         for (std::size_t u = 0; u < kUnits; ++u) {
             if ((inside >> u & 1U) != 0) bits[u] = ~UnitBits{0};
@@ -71,17 +70,18 @@ public:
     }
 
 private:
-    void set_point(LanePoints<float>& points, std::size_t i, const Vec3& steps) const {
-        const SmallVec3 p = to_small(spacing_ * steps);
-        points.x[i] = p.x;
-        points.y[i] = p.y;
-        points.z[i] = p.z;
+    void put(LanePoints<float>& points, std::size_t i, const Vec3& steps) const {
+        set_point(points, i, spacing_ * steps);
     }
 
+    // Å
+    float half_edge(int edge) const { return static_cast<float>(0.5 * (edge - 1) * spacing_); }
+
     UnitBits inside_of_unit(std::size_t unit, const Vec3& corner) {
-        const SideCube cube{{unit_middles_.x[unit], unit_middles_.y[unit], unit_middles_.z[unit]}, half_edge_};
+        const SideCube cube{{unit_middles_.x[unit], unit_middles_.y[unit], unit_middles_.z[unit]},
+                            half_edge(kUnitEdge)};
         kernels_.choose(block_, cube, node_limits_, static_cast<std::size_t>(deepest_[unit]), unit_features_);
-        const auto [inside, settled] = kernels_.settle(data_, unit_features_, node_limits_, nodes_, kUnitNodes, work_);
+        const auto [inside, settled] = kernels_.settle(caps_, unit_features_, node_limits_, nodes_, kUnitNodes, work_);
         return ~settled == 0 ? inside : inside | inside_exactly(~settled, corner);
     }
 
@@ -98,7 +98,7 @@ private:
         return inside;
     }
 
-    const AccessibleSurface::Data& data_;
+    const SideCaps& caps_;
     const SideKernels& kernels_ = side_kernels();
     double spacing_;
     double half_unit_;  // Å: half a unit's diagonal
@@ -108,9 +108,9 @@ private:
     double margin_;                   // of what is gathered, Å
     LanePoints<float> unit_middles_;  // from the middle of a block
     LanePoints<float> nodes_;         // from the middle of a unit
-    float half_edge_ = static_cast<float>(0.5 * (kUnitEdge - 1) * spacing_);
-    LocalFeatures around_;  // of many blocks
-    LocalFeatures part_;    // of fewer of them
+    LocalFeatures around_;            // of many blocks
+    LocalFeatures part_;              // of fewer of them
+    SideGatherer gatherer_;
     SideFeaturesOfBox block_;
     SideFeatures unit_features_;
     SideWork work_;
@@ -123,8 +123,9 @@ private:
 
 std::vector<InsideBits> find_sides(const AccessibleSurface& surface, const BlockGrid& grid) {
     std::vector<InsideBits> sides(grid.block_count());
+    const SideCaps caps(surface.data());
     for_each_block(
-        grid, [&] { return std::make_unique<BlockSides>(surface, grid.spacing()); },
+        grid, [&] { return std::make_unique<BlockSides>(surface, caps, grid.spacing()); },
         [&](BlockSides& evaluator, BlockId b) { sides[b] = evaluator.evaluate(grid.corner(b)); });
     return sides;
 }

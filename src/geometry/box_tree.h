@@ -37,6 +37,7 @@ struct Box {
         low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
         high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
     }
+    Vec3 middle() const { return 0.5 * (low + high); }
     Box grown(double by) const { return {low - Vec3{by, by, by}, high + Vec3{by, by, by}}; }
     bool overlaps(const Box& b) const {
         // All of them always: six guesses of a branch are dearer.
