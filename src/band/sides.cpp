@@ -32,6 +32,15 @@ constexpr Vec3 to_middle(int edge) { return (0.5 * (edge - 1)) * Vec3{1.0, 1.0, 
 // Å: from there to the farthest node. What rounding takes from it is far less than the slack of SideLimits.
 double half_diagonal(int edge, double spacing) { return spacing * norm(to_middle(edge)); }
 
+// Å: no length that decides is longer. From the middle of a block to a point it is half a diagonal; from there to the
+// centre of a ball less than its radius and, in K, what a unit's middle may be deep there with nodes outside K; to an
+// arc or a vertex no more than what puts a unit inside, and from an arc to its centre less than a ball's radius. What
+// is farther is off by more, but by far less than it is too far to decide.
+double longest_length(const AccessibleSurface::Data& data, double spacing) {
+    return half_diagonal(kBlockEdge, spacing) + data.rho_max +
+           std::max(data.rho_max, data.probe + half_diagonal(kUnitEdge, spacing));
+}
+
 // Finds the sides of all nodes of one block after the other.
 class BlockSides {
 public:
@@ -39,7 +48,7 @@ public:
         : caps_(caps),
           spacing_(spacing),
           half_unit_(half_diagonal(kUnitEdge, spacing)),
-          longest_(half_diagonal(kBlockEdge, spacing) + 2.0 * surface.data().rho_max),
+          longest_(longest_length(surface.data(), spacing)),
           unit_limits_(surface.data().probe, half_unit_, half_diagonal(kBlockEdge, spacing) - half_unit_, longest_),
           node_limits_(surface.data().probe, 0.0, half_unit_, longest_),
           margin_(unit_limits_.far + unit_limits_.slack - surface.data().probe),
@@ -102,7 +111,7 @@ private:
     const SideKernels& kernels_ = side_kernels();
     double spacing_;
     double half_unit_;  // Å: half a unit's diagonal
-    double longest_;    // Å: no feature is farther from the middle of its block
+    double longest_;    // Å
     SideLimits unit_limits_;
     SideLimits node_limits_;
     double margin_;                   // of what is gathered, Å

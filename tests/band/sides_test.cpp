@@ -65,6 +65,16 @@ TEST(Sides, AreThoseOfTheExactDistanceOnRandomClusters) {
     }
 }
 
+// Where units are larger than balls.
+TEST(Sides, AreThoseOfTheExactDistanceOnCoarseGrids) {
+    for (std::uint64_t seed = 24; seed < 30; ++seed)
+        for (const double spacing : {2.0, 3.0, 5.0}) {
+            SCOPED_TRACE(spacing);
+            expect_every_node(
+                Sides(random_cluster(seed, 400, 10.0 * spacing), 0.7 * static_cast<double>(seed % 3), spacing));
+        }
+}
+
 TEST(Sides, AreOutsideFarFromEveryAtom) {
     const AccessibleSurface surface(two_spheres(3.0), 1.4);
     const BlockGrid grid(0.5, {}, {{.z = 1000, .y = 0, .x = 0}, {.z = 0, .y = -5, .x = 0}});
