@@ -17,23 +17,22 @@ constexpr std::size_t kChunk = 1024;  // blocks per task: some tens of microseco
 // do: one place for each of the nine rows goes along with them.
 class NeighbourSearch {
 public:
-    // Begins at a block.
-    NeighbourSearch(std::span<const BlockCoord> blocks, std::size_t first) : blocks_(blocks), last_(blocks[first]) {
+    // Begins at a block; `around` has room for what is found of each block.
+    NeighbourSearch(std::span<const BlockCoord> blocks, std::size_t first, std::span<std::array<BlockId, 27>> around)
+        : blocks_(blocks), around_(around), first_(first) {
         for_each_row([&](std::size_t row, int dy, int dz) {
-            const auto place = std::lower_bound(blocks_.begin(), blocks_.end(), beside(last_, -1, dy, dz));
+            const auto place = std::lower_bound(blocks_.begin(), blocks_.end(), beside(blocks_[first], -1, dy, dz));
             places_[row] = static_cast<BlockId>(place - blocks_.begin());
         });
     }
 
-    // Of the same block or the next one; of what was found before, `around` must still be there.
-    void find(std::size_t block, std::array<BlockId, 27>& around) {
+    // Of the first block, then of the one after it, and so on.
+    void find(std::size_t block) {
         const BlockCoord at = blocks_[block];
-        if (at == beside(last_, 1, 0, 0))
-            go_on(at, around);
+        if (block > first_ && at == beside(blocks_[block - 1], 1, 0, 0))
+            go_on(at, around_[block - 1], around_[block]);
         else
-            begin_anew(at, around);
-        last_ = at;
-        before_ = &around;
+            begin_anew(at, around_[block]);
     }
 
 private:
@@ -47,10 +46,10 @@ private:
     }
 
     // Two thirds of what is around a block is around the next one in its row.
-    void go_on(const BlockCoord& at, std::array<BlockId, 27>& around) {
+    void go_on(const BlockCoord& at, const std::array<BlockId, 27>& before, std::array<BlockId, 27>& around) {
         for_each_row([&](std::size_t row, int dy, int dz) {
-            around[3 * row] = (*before_)[3 * row + 1];
-            around[3 * row + 1] = (*before_)[3 * row + 2];
+            around[3 * row] = before[3 * row + 1];
+            around[3 * row + 1] = before[3 * row + 2];
             around[3 * row + 2] = take(places_[row], beside(at, 1, dy, dz));
         });
     }
@@ -67,7 +66,7 @@ private:
     }
 
     // The block at a place, which moves on, if it is the one wanted. Where a surface's blocks end nobody foresees:
-    // there are no branches.
+    // there is no branch but at the end of the list.
     BlockId take(BlockId& place, const BlockCoord& wanted) const {
         if (place >= blocks_.size()) return kNoBlock;
         const BlockCoord& at = blocks_[place];
@@ -78,9 +77,9 @@ private:
     }
 
     std::span<const BlockCoord> blocks_;
-    BlockCoord last_;
-    const std::array<BlockId, 27>* before_ = nullptr;
-    std::array<BlockId, 9> places_;  // by row, of the first block after those that are around the last one
+    std::span<std::array<BlockId, 27>> around_;
+    std::size_t first_;
+    std::array<BlockId, 9> places_;  // by row, of the first block after those around the block before
 };
 
 }  // namespace
@@ -97,8 +96,8 @@ BlockGrid::BlockGrid(double spacing, const Vec3& origin, std::vector<BlockCoord>
     }
     neighbours_.resize(blocks_.size());
     parallel_chunks(blocks_.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-        NeighbourSearch search(blocks_, begin);
-        for (std::size_t b = begin; b < end; ++b) search.find(b, neighbours_[b]);
+        NeighbourSearch search(blocks_, begin, neighbours_);
+        for (std::size_t b = begin; b < end; ++b) search.find(b);
     });
 }
 
