@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <numeric>
@@ -12,6 +11,7 @@
 
 #include "band/block_groups.h"
 #include "band/block_units.h"
+#include "core/bits.h"
 #include "core/fresh_memory.h"
 
 namespace meniscus {

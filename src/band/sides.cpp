@@ -9,6 +9,7 @@
 
 #include "band/block_groups.h"
 #include "band/side_kernels.h"
+#include "core/bits.h"
 #include "geometry/accessible_surface_data.h"
 #include "geometry/nearest_batch.h"
 

@@ -224,7 +224,7 @@ struct Slabs {
     int end = kBlockEdge;
 };
 
-// From the first slab that holds nodes of a set to the last one. The set is not empty.
+// From the first slab that holds nodes of a set to the last one; of an empty set, the last of all.
 Slabs slabs_of(const NodeBits& set) {
     const auto is_empty = [&set](int z) {
         std::uint64_t bits;
