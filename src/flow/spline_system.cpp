@@ -246,9 +246,9 @@ void SplineSystem::make_krylov_vectors() {
 }
 
 // Where the k-th block with unknowns has its part of b.
-const float* SplineSystem::right_side(std::span<const float> b, std::size_t k) const {
-    const std::size_t place = b.size() == grid_->node_count() ? unknowns_.blocks[k] : k;
-    return b.data() + place * kBlockNodes;
+const float* SplineSystem::right_side(const RightSide& b, std::size_t k) const {
+    const std::size_t place = b.of_blocks == RightSide::Blocks::All ? unknowns_.blocks[k] : k;
+    return b.values.data() + place * kBlockNodes;
 }
 
 // The blocks around one, in a vector on the unknowns; zeros where there are none.
@@ -261,7 +261,7 @@ void SplineSystem::find_around(BlockId block, const Vector& vector, BlocksAround
 }
 
 // residual = direction = b - A x on the unknowns; returns its squared norm.
-double SplineSystem::begin(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
+double SplineSystem::begin(const Stencil& stencil, const BlockFill& fill, const RightSide& b,
                            std::span<const float> x) {
     const BlockKernels& kernels = block_kernels();
     const auto surroundings = [&] { return Surroundings(*grid_, x, fill); };
@@ -293,11 +293,11 @@ double SplineSystem::advance(const CgFactors& factors, std::span<float> x) {
 
 SolveResult SplineSystem::solve(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill,
                                 std::span<const float> b, std::span<float> x, const SolveOptions& options) {
-    return solve(stencil, unknowns_of(mask), fill, b, x, options);
+    return solve(stencil, unknowns_of(mask), fill, {.values = b}, x, options);
 }
 
-SolveResult SplineSystem::solve(const Stencil& stencil, Unknowns unknowns, const BlockFill& fill,
-                                std::span<const float> b, std::span<float> x, const SolveOptions& options) {
+SolveResult SplineSystem::solve(const Stencil& stencil, Unknowns unknowns, const BlockFill& fill, const RightSide& b,
+                                std::span<float> x, const SolveOptions& options) {
     set_unknowns(std::move(unknowns));
     switch (options.solver) {
         case Solver::Richardson:
@@ -315,7 +315,7 @@ double SplineSystem::root_mean_square(double squared_norm) const {
 }
 
 // residual = b - A x on the unknowns of a layer; returns its squared norm.
-double SplineSystem::find_residual(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
+double SplineSystem::find_residual(const Stencil& stencil, const BlockFill& fill, const RightSide& b,
                                    std::span<const float> x, std::size_t layer) {
     const BlockKernels& kernels = block_kernels();
     const std::size_t first = layers_[layer];
@@ -349,7 +349,7 @@ void SplineSystem::correct(const Stencil& inverse, std::span<float> x, std::size
 // Returns the squared norm of b - A x and, if there is an inverse, adds it, applied to b - A x, to x. One pass over
 // memory: a layer is corrected when the residuals beside it are known, and nobody needs its old values any more.
 double SplineSystem::sweep(const Stencil& stencil, const std::optional<Stencil>& inverse, const BlockFill& fill,
-                           std::span<const float> b, std::span<float> x) {
+                           const RightSide& b, std::span<float> x) {
     const std::size_t layers = layers_.size() - 1;
     double squares = 0.0;
     for (std::size_t l = 0; l < layers; ++l) {
@@ -365,7 +365,7 @@ double SplineSystem::sweep(const Stencil& stencil, const std::optional<Stencil>&
 // roots for cycles of kCycle steps (Young 1953). Works in place: a few layers of a residual are all its memory. On sets
 // of nodes where both stencils miss most of their neighbours the range is another; conjugate gradients end what a cycle
 // does not bring nearer.
-SolveResult SplineSystem::solve_richardson(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
+SolveResult SplineSystem::solve_richardson(const Stencil& stencil, const BlockFill& fill, const RightSide& b,
                                            std::span<float> x, const SolveOptions& options) {
     make_layers();
     const Stencil inverse = approximate_inverse(stencil);
@@ -397,7 +397,7 @@ SolveResult SplineSystem::solve_richardson(const Stencil& stencil, const BlockFi
 // The next residual's norm is known before the step from that of the image, because the residual is orthogonal to the
 // image of the direction before: one pass over memory does all of a step. Only beta rests on it; the norm itself is
 // summed again, or rounding would add up (Meurant 1987; Chen & Carson 2020).
-SolveResult SplineSystem::solve_cg(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
+SolveResult SplineSystem::solve_cg(const Stencil& stencil, const BlockFill& fill, const RightSide& b,
                                    std::span<float> x, const SolveOptions& options) {
     make_krylov_vectors();
     double squared = begin(stencil, fill, b, x);
@@ -444,7 +444,7 @@ void SplineSystem::add_to(std::span<float> x, const Vector& vector, double scale
 }
 
 // Saad & Schultz 1986: Arnoldi by modified Gram-Schmidt, the small least-squares problem by Givens rotations.
-SolveResult SplineSystem::solve_gmres(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
+SolveResult SplineSystem::solve_gmres(const Stencil& stencil, const BlockFill& fill, const RightSide& b,
                                       std::span<float> x, const SolveOptions& options) {
     make_krylov_vectors();
     std::vector<std::vector<float>> basis(kRestart + 1);

@@ -54,6 +54,14 @@ struct SolveResult {
     double residual = 0.0;  ///< root mean square over the unknowns
 };
 
+/// What the stencil applied to x is to be on the unknowns.
+struct RightSide {
+    enum class Blocks { All, WithUnknowns };
+
+    std::span<const float> values;   ///< of all nodes of the blocks, one block after the other
+    Blocks of_blocks = Blocks::All;  ///< of the grid's blocks
+};
+
 /// Solves (stencil applied to x) = b on the nodes of the mask, x given on all others, by Richardson's iteration, by
 /// conjugate gradients or by GMRES restarted every 30 iterations, which needs as many vectors.
 ///
@@ -64,21 +72,20 @@ class SplineSystem {
 public:
     explicit SplineSystem(const BlockGrid& grid);
 
-    /// x: start values on the mask, known values elsewhere; overwritten on the mask only. b: on all nodes of the grid,
-    /// or of the blocks with unknowns alone.
+    /// x: start values on the mask, known values elsewhere; overwritten on the mask only. b: on all nodes of the grid.
     SolveResult solve(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill, std::span<const float> b,
                       std::span<float> x, const SolveOptions& options);
-    SolveResult solve(const Stencil& stencil, Unknowns unknowns, const BlockFill& fill, std::span<const float> b,
+    SolveResult solve(const Stencil& stencil, Unknowns unknowns, const BlockFill& fill, const RightSide& b,
                       std::span<float> x, const SolveOptions& options);
 
 private:
     using Vector = std::vector<float>;  // nodes of the active blocks, one block after the other
 
-    SolveResult solve_richardson(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
-                                 std::span<float> x, const SolveOptions& options);
-    SolveResult solve_cg(const Stencil& stencil, const BlockFill& fill, std::span<const float> b, std::span<float> x,
+    SolveResult solve_richardson(const Stencil& stencil, const BlockFill& fill, const RightSide& b, std::span<float> x,
+                                 const SolveOptions& options);
+    SolveResult solve_cg(const Stencil& stencil, const BlockFill& fill, const RightSide& b, std::span<float> x,
                          const SolveOptions& options);
-    SolveResult solve_gmres(const Stencil& stencil, const BlockFill& fill, std::span<const float> b, std::span<float> x,
+    SolveResult solve_gmres(const Stencil& stencil, const BlockFill& fill, const RightSide& b, std::span<float> x,
                             const SolveOptions& options);
     void set_unknowns(Unknowns unknowns);
     void make_krylov_vectors();
@@ -87,13 +94,13 @@ private:
         return std::span(unknowns_.blocks).subspan(layers_[layer], layers_[layer + 1] - layers_[layer]);
     }
     double sweep(const Stencil& stencil, const std::optional<Stencil>& inverse, const BlockFill& fill,
-                 std::span<const float> b, std::span<float> x);
-    double find_residual(const Stencil& stencil, const BlockFill& fill, std::span<const float> b,
-                         std::span<const float> x, std::size_t layer);
+                 const RightSide& b, std::span<float> x);
+    double find_residual(const Stencil& stencil, const BlockFill& fill, const RightSide& b, std::span<const float> x,
+                         std::size_t layer);
     void correct(const Stencil& inverse, std::span<float> x, std::size_t layer) const;
-    const float* right_side(std::span<const float> b, std::size_t k) const;
+    const float* right_side(const RightSide& b, std::size_t k) const;
     void find_around(BlockId block, const Vector& vector, BlocksAround& around) const;
-    double begin(const Stencil& stencil, const BlockFill& fill, std::span<const float> b, std::span<const float> x);
+    double begin(const Stencil& stencil, const BlockFill& fill, const RightSide& b, std::span<const float> x);
     ImageProducts apply(const Stencil& stencil);
     double advance(const CgFactors& factors, std::span<float> x);
     double root_mean_square(double squared_norm) const;

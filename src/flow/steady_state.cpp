@@ -52,7 +52,8 @@ EvolutionResult solve_steady_state(const BlockGrid& grid, DistanceBand band, con
     const double tolerance = kSolverAccuracy * h * lambda;
     EvolutionResult result;
     NodeField& coefficients = result.state.coefficients;
-    const NodeField b = right_side(band, static_cast<float>(lambda), unknowns);
+    const NodeField values = right_side(band, static_cast<float>(lambda), unknowns);
+    const RightSide b{values, RightSide::Blocks::WithUnknowns};
     coefficients = std::move(band.curvature);  // which b holds now: its memory is used again
     apply_everywhere(grid, spline_quasi_interpolant(), band.distance, fill, coefficients);
     const SolveResult solved =

@@ -199,8 +199,9 @@ TEST(SplineSystem, TakesTheRightSideOfTheBlocksWithUnknownsAlone) {
         Field x(grid.node_count());
         Field x_alone(grid.node_count());
         const SolveOptions options{.solver = solver, .tolerance = 1e-4};
-        SplineSystem(grid).solve(spline_value(), nodes_near(grid, near, 0.7F), fill, b, x, options);
-        SplineSystem(grid).solve(spline_value(), nodes_near(grid, near, 0.7F), fill, b_alone, x_alone, options);
+        SplineSystem(grid).solve(spline_value(), nodes_near(grid, near, 0.7F), fill, {b}, x, options);
+        SplineSystem(grid).solve(spline_value(), nodes_near(grid, near, 0.7F), fill,
+                                 {b_alone, RightSide::Blocks::WithUnknowns}, x_alone, options);
         EXPECT_EQ(x, x_alone);
     }
 }
