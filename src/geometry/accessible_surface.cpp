@@ -241,7 +241,7 @@ void place_vertices(AccessibleSurface::Data& data, const VertexTable& table) {
     parallel_for(data.vertices.size(), kChunk, [&](std::size_t v) {
         const auto& [i, j, k] = table.keys()[v];
         const Vec3 n = rim_crossing(cap_between(data, i, j), cap_between(data, i, k));
-        data.vertices[v] = {{i, j, k}, {}, data.atoms.centres[i] + data.rho[i] * n};
+        data.vertices[v] = {.atoms = {i, j, k}, .position = data.atoms.centres[i] + data.rho[i] * n};
     });
 }
 

@@ -19,10 +19,11 @@ namespace meniscus {
 inline constexpr std::uint32_t kNoVertex = 0xffffffffU;
 inline constexpr std::uint32_t kNoArc = 0xffffffffU;
 
-/// A probe position that touches three atoms; in_order: the contour of atoms[0] passes from atoms[1] to [2].
+/// A probe position that touches three atoms, in this order: the contour of atoms[0] passes from atoms[1] to [2].
 struct SasVertex {
     std::array<std::uint32_t, 3> atoms{};
-    std::array<std::uint32_t, 3> arcs{};  ///< that end here, each opposite to the atom that it does not belong to
+    /// That end here, each opposite to the atom that it does not belong to.
+    std::array<std::uint32_t, 3> arcs{kNoArc, kNoArc, kNoArc};
     Vec3 position;
 };
 

@@ -31,12 +31,8 @@ std::uint32_t find_like(const std::vector<Feature>& features, std::uint32_t plac
     return kNone;
 }
 
-// The edge of a vertex's triangle, numbered as in TrimmedArc, that an arc which starts or ends there runs along.
-std::size_t edge_along(const SasVertex& vertex, const SasArc& arc) {
-    const auto touches = [&](std::uint32_t atom) { return atom == arc.atoms[0] || atom == arc.atoms[1]; };
-    if (!touches(vertex.atoms[2])) return 0;
-    return touches(vertex.atoms[0]) ? 2 : 1;
-}
+// The arc beside an edge of a vertex's triangle: both are of the same two atoms.
+std::uint32_t arc_beside(const SasVertex& vertex, std::uint32_t edge) { return vertex.arcs[(edge + 2) % 3]; }
 
 }  // namespace
 
@@ -128,10 +124,6 @@ void SesPatches::add_reentrant_patches() {
         first_reentrant_.push_back(static_cast<std::uint32_t>(patches_.size()));
     }
     sets_.grow(patches_.size());
-    vertex_arcs_.assign(reentrant_.size(), {kNone, kNone, kNone});
-    for (std::uint32_t a = 0; a < data_->arcs.size(); ++a)
-        for (const std::uint32_t v : {data_->arcs[a].start, data_->arcs[a].end})
-            if (v != kNoVertex) vertex_arcs_[v][edge_along(data_->vertices[v], data_->arcs[a])] = a;
     for (std::uint32_t v = 0; v < reentrant_.size(); ++v)
         for (const TrimmedArc& arc : reentrant_[v].arcs) {
             if (arc.angle < kShortestBorder) continue;
@@ -163,8 +155,8 @@ std::uint32_t SesPatches::patch_across(std::uint32_t vertex, const TrimmedArc& a
     const Vec3& centre = data_->vertices[vertex].position;
     const Vec3 point = centre + data_->probe * arc.middle;
     if (arc.probe == TrimmedArc::kNoProbe) {
-        const std::uint32_t along = vertex_arcs_[vertex][arc.edge];
-        return along == kNone ? kNone : torus_patch_at(along, point);
+        const std::uint32_t beside = arc_beside(data_->vertices[vertex], arc.edge);
+        return beside == kNoArc ? kNone : torus_patch_at(beside, point);
     }
     // The other probe's border along the same circle: the stretch that reaches nearest to the middle of ours.
     const std::uint32_t w = arc.probe;
@@ -203,8 +195,8 @@ void SesPatches::hand_on_sas_components() {
     for (std::size_t p = first_torus_.front(); p < patches_.size(); ++p) {
         SesPatch& patch = patches_[p];
         const std::uint32_t arc =
-            patch.kind == PatchKind::Toroidal ? patch.feature : vertex_arcs_[patch.feature].front();
-        if (arc != kNone) patch.sas_component = of_arc[arc];
+            patch.kind == PatchKind::Toroidal ? patch.feature : arc_beside(data_->vertices[patch.feature], 0);
+        if (arc != kNoArc) patch.sas_component = of_arc[arc];
     }
 }
 

@@ -71,7 +71,6 @@ private:
     std::vector<std::uint32_t> first_torus_;                 // per arc, and the end
     std::vector<std::uint32_t> first_reentrant_;             // per vertex, and the end
     std::vector<std::uint32_t> contact_beside_arc_;          // of each arc of a contour: region of its atom
-    std::vector<std::array<std::uint32_t, 3>> vertex_arcs_;  // of each vertex: the arc beside each edge of its triangle
     std::vector<ReentrantPatch> reentrant_;
     DisjointSets sets_;      // of patches
     DisjointSets sas_sets_;  // of contact patches
