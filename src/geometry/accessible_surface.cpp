@@ -7,7 +7,6 @@
 #include <memory>
 #include <numbers>
 #include <numeric>
-#include <optional>
 #include <stdexcept>
 
 #include "core/parallel.h"
@@ -71,7 +70,6 @@ struct ContourWorkspace {
     NeighbourCaps neighbours;
     ContourBuilder builder;
     CapList caps;
-    std::vector<std::uint32_t> place;  // of the kept caps among themselves
 };
 
 enum class Contour { Exposed, Buried, Inconsistent };
@@ -102,19 +100,6 @@ void reserve(const AccessibleSurface::Data& before, std::size_t begin, std::size
     result.cover.reserve(count(before.cover_begin));
 }
 
-// `place` is memory: of the kept caps among themselves.
-void append_contour(const ContourBuilder& builder, std::vector<std::uint32_t>& place, ChunkResult& result) {
-    const std::span<const std::uint32_t> kept = builder.kept();
-    for (std::uint32_t k = 0; k < kept.size(); ++k) {
-        if (place.size() <= kept[k]) place.resize(2 * kept[k] + 1);
-        place[kept[k]] = k;
-    }
-    const auto among_kept = [&](std::uint32_t k) { return k == kWholeCircle ? k : place[k]; };
-    for (const ContourArc& arc : builder.arcs())
-        result.arcs.push_back({place[arc.cap], among_kept(arc.from), among_kept(arc.to), arc.sweep});
-    result.caps.insert(result.caps.end(), builder.kept_caps().begin(), builder.kept_caps().end());
-}
-
 // Fills exposed, cover, caps and contours; false if the arrangement came out inconsistent on some sphere.
 bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const AccessibleSurface::Data* before) {
     const std::size_t n = data.atoms.size();
@@ -127,7 +112,7 @@ bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const 
     Workspaces workspaces([&] { return std::make_unique<ContourWorkspace>(data, cells); });
     parallel_chunks(n, per_task, [&](std::size_t begin, std::size_t end) {
         workspaces.with_one([&](ContourWorkspace& workspace) {
-            auto& [neighbours, builder, caps, place] = workspace;
+            auto& [neighbours, builder, caps] = workspace;
             ChunkResult& chunk = chunks[begin / per_task];
             if (before != nullptr) reserve(*before, begin, end, chunk);
             for (std::size_t i = begin; i < end; ++i) {
@@ -142,7 +127,8 @@ bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const 
                 data.cover_begin[i + 1] = builder.kept().size();
                 if (contour == Contour::Buried) continue;
                 data.exposed[i] = 1;
-                append_contour(builder, place, chunk);
+                chunk.arcs.insert(chunk.arcs.end(), builder.arcs().begin(), builder.arcs().end());
+                chunk.caps.insert(chunk.caps.end(), builder.kept_caps().begin(), builder.kept_caps().end());
                 data.contour_begin[i + 1] = builder.arcs().size();
                 data.cap_begin[i + 1] = builder.kept().size();
             }

@@ -3,10 +3,8 @@
 #include "geometry/contour.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <utility>
 
 #include "core/bits.h"
 
@@ -105,17 +103,6 @@ bool ContourBuilder::build(const CapColumns& caps) {
     return true;
 }
 
-bool ContourBuilder::build(std::span<const Cap> caps) {
-    given_.resize(caps.size());
-    for (std::size_t k = 0; k < caps.size(); ++k) {
-        given_[0][k] = caps[k].axis.x;
-        given_[1][k] = caps[k].axis.y;
-        given_[2][k] = caps[k].axis.z;
-        given_[3][k] = caps[k].t;
-    }
-    return build(given_);
-}
-
 bool ContourBuilder::build_in_order(const CapColumns& caps) {
     start(caps);
     for (; inserted_ < caps.size() && exposed(); ++inserted_)
@@ -182,15 +169,16 @@ void ContourBuilder::find_rest() {
 
 bool ContourBuilder::insert(std::uint32_t k) {
     const CapPlane cap = plane_of(*caps_, k);
+    const auto place = static_cast<std::uint32_t>(kept_.size());
     entries_.clear();
     exits_.clear();
-    const bool cuts = cut_arcs(cap, k);
+    const bool cuts = cut_arcs(cap, place);
     if (!entries_.empty() || !exits_.empty()) {
-        if (!close_rim(cap, k)) return false;
+        if (!close_rim(cap, place)) return false;
     } else {  // its rim crosses nothing: all of it is exposed or none
         const Vec3 on_rim = point_on_rim(cap);
         if (is_exposed(cuts ? on_rim : cap.axis))
-            append({k, kWholeCircle, kWholeCircle}, cap, on_rim, on_rim);
+            append({place, kWholeCircle, kWholeCircle}, cap, on_rim, on_rim);
         else if (!cuts)
             return true;
     }
@@ -199,8 +187,8 @@ bool ContourBuilder::insert(std::uint32_t k) {
     return true;
 }
 
-// Keeps what of the arcs lies outside cap k; false if that is all of them.
-bool ContourBuilder::cut_arcs(const CapPlane& cap, std::uint32_t k) {
+// Keeps what of the arcs lies outside a cap; whether it holds a part of any.
+bool ContourBuilder::cut_arcs(const CapPlane& cap, std::uint32_t place) {
     if (meetings_.size() < lanes_.size()) meetings_.resize(lanes_.size());
     kernels_->meet_arcs(lanes_, open_.size(), cap, meetings_.data());
     unsigned touched = 0;
@@ -209,80 +197,80 @@ bool ContourBuilder::cut_arcs(const CapPlane& cap, std::uint32_t k) {
         const EightMeetings& meetings = meetings_[block];
         touched |= meetings.start_inside | meetings.end_inside | meetings.twice;
         if (meetings.twice == 0)
-            cut_once(EightArcs::kCount * block, meetings, k);
+            cut_once(EightArcs::kCount * block, meetings, place);
         else
-            cut_one_by_one(EightArcs::kCount * block, meetings, cap, k);
+            cut_one_by_one(EightArcs::kCount * block, meetings, cap, place);
     }
     return touched != 0;
 }
 
 // Cuts eight arcs of which none is cut twice.
-void ContourBuilder::cut_once(std::size_t begin, const EightMeetings& meetings, std::uint32_t k) {
+void ContourBuilder::cut_once(std::size_t begin, const EightMeetings& meetings, std::uint32_t place) {
     for_each_bit_downwards(meetings.end_inside & ~meetings.start_inside,
-                           [&](std::size_t lane) { cut_end(begin + lane, crossing_of(meetings, lane), k); });
+                           [&](std::size_t lane) { cut_end(begin + lane, crossing_of(meetings, lane), place); });
     for_each_bit_downwards(meetings.start_inside & ~meetings.end_inside,
-                           [&](std::size_t lane) { cut_start(begin + lane, crossing_of(meetings, lane), k); });
+                           [&](std::size_t lane) { cut_start(begin + lane, crossing_of(meetings, lane), place); });
     for_each_bit_downwards(meetings.start_inside & meetings.end_inside,
                            [&](std::size_t lane) { remove(begin + lane); });
 }
 
 void ContourBuilder::cut_one_by_one(std::size_t begin, const EightMeetings& meetings, const CapPlane& cap,
-                                    std::uint32_t k) {
+                                    std::uint32_t place) {
     for_each_bit_downwards(meetings.start_inside | meetings.end_inside | meetings.twice, [&](std::size_t lane) {
         const std::size_t a = begin + lane;
         const bool starts_inside = (meetings.start_inside >> lane & 1U) != 0;
         if ((meetings.twice >> lane & 1U) != 0)
-            cut_twice(a, starts_inside, cap, k);
+            cut_twice(a, starts_inside, cap, place);
         else if (!starts_inside)
-            cut_end(a, crossing_of(meetings, lane), k);
+            cut_end(a, crossing_of(meetings, lane), place);
         else if ((meetings.end_inside >> lane & 1U) == 0)
-            cut_start(a, crossing_of(meetings, lane), k);
+            cut_start(a, crossing_of(meetings, lane), place);
         else
             remove(a);
     });
 }
 
-void ContourBuilder::cut_end(std::size_t a, const Vec3& crossing, std::uint32_t k) {
+void ContourBuilder::cut_end(std::size_t a, const Vec3& crossing, std::uint32_t place) {
     OpenArc& arc = open_[a];
-    arc.to = k;
+    arc.to = place;
     arc.settled = false;
     store3(crossing, lane_of(a), EightArcs::kEnd);
     entries_.push_back({arc.cap, crossing});
 }
 
-void ContourBuilder::cut_start(std::size_t a, const Vec3& crossing, std::uint32_t k) {
+void ContourBuilder::cut_start(std::size_t a, const Vec3& crossing, std::uint32_t place) {
     OpenArc& arc = open_[a];
-    arc.from = k;
+    arc.from = place;
     store3(crossing, lane_of(a), EightArcs::kStart);
     exits_.push_back({arc.cap, crossing});
 }
 
 // An arc with both ends inside the cap, or both outside, that is cut at two places.
-void ContourBuilder::cut_twice(std::size_t a, bool starts_inside, const CapPlane& cap, std::uint32_t k) {
+void ContourBuilder::cut_twice(std::size_t a, bool starts_inside, const CapPlane& cap, std::uint32_t place) {
     const CapPlane rim = load_rim(lane_of(a));
     const RimCrossing crossing = cross_rims({rim.axis, rim.t}, {cap.axis, cap.t});
     const OpenArc arc = open_[a];
     const Vec3 end = load3(lane_of(a), EightArcs::kEnd);
-    cut_end(a, crossing.onto, k);
+    cut_end(a, crossing.onto, place);
     if (starts_inside || arc.from == kWholeCircle) {  // one piece is left
-        cut_start(a, crossing.back, k);
+        cut_start(a, crossing.back, place);
     } else {
         exits_.push_back({arc.cap, crossing.back});
-        append({arc.cap, k, arc.to, arc.settled}, rim, crossing.back, end);
+        append({arc.cap, place, arc.to, arc.settled}, rim, crossing.back, end);
     }
 }
 
-// Joins each point where the contour reaches the rim of cap k to the next point where it leaves it.
-bool ContourBuilder::close_rim(const CapPlane& cap, std::uint32_t k) {
+// Joins each point where the contour reaches the rim of a cap to the next point where it leaves it.
+bool ContourBuilder::close_rim(const CapPlane& cap, std::uint32_t place) {
     if (entries_.size() != exits_.size()) return false;
     if (entries_.size() == 1)
-        append({k, entries_[0].cap, exits_[0].cap}, cap, entries_[0].point, exits_[0].point);
+        append({place, entries_[0].cap, exits_[0].cap}, cap, entries_[0].point, exits_[0].point);
     else
-        close_rim_by_angles(cap, k);
+        close_rim_by_angles(cap, place);
     return true;
 }
 
-void ContourBuilder::close_rim_by_angles(const CapPlane& cap, std::uint32_t k) {
+void ContourBuilder::close_rim_by_angles(const CapPlane& cap, std::uint32_t place) {
     const Vec3 e1 = perpendicular(cap.axis);
     for (const Crossing& entry : entries_) {
         const double begin = pseudo_angle(cap.axis, e1, entry.point);
@@ -292,7 +280,7 @@ void ContourBuilder::close_rim_by_angles(const CapPlane& cap, std::uint32_t k) {
         const auto exit = std::min_element(exits_.begin(), exits_.end(), [&](const Crossing& a, const Crossing& b) {
             return sweep_to(a) < sweep_to(b);
         });
-        append({k, entry.cap, exit->cap}, cap, entry.point, exit->point);
+        append({place, entry.cap, exit->cap}, cap, entry.point, exit->point);
         *exit = exits_.back();
         exits_.pop_back();
     }

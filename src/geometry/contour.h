@@ -18,13 +18,13 @@
 
 namespace meniscus {
 
-/// An arc of a cap's rim on the contour. `cap`, `from` and `to` are positions in the list of caps; the arc runs
-/// from where the contour leaves cap `from` to where it enters cap `to`, both kWholeCircle for a whole rim.
+/// An arc of a cap's rim on the contour. `cap`, `from` and `to` are positions among the caps that were kept; the arc
+/// runs from where the contour leaves cap `from` to where it enters cap `to`, both kWholeCircle for a whole rim.
 struct ContourArc {
     std::uint32_t cap = 0;
     std::uint32_t from = kWholeCircle;
     std::uint32_t to = kWholeCircle;
-    double sweep = 4.0;  ///< pseudo-angle from the start to the end, (0, 4]
+    double sweep = 4.0;  ///< pseudo-angle from the start to the end, in [0, 4]
 };
 
 /// Where the rims of two caps meet.
@@ -44,7 +44,6 @@ public:
     /// returns  false if rounding made the arrangement inconsistent: perturb and try again
     /// cost     O(caps · arcs), stops as soon as nothing is exposed
     bool build(const CapColumns& caps);
-    bool build(std::span<const Cap> caps);
 
     /// The same in the order of `caps`: for caps known to bury most, and then for the rest behind them.
     bool build_in_order(const CapColumns& caps);
@@ -53,9 +52,10 @@ public:
 
     /// The contour as build or extend left it; empty when nothing or the whole sphere is exposed.
     std::span<const ContourArc> arcs() const { return arcs_; }
-    /// Positions of caps whose union is that of all caps, in order of insertion.
-    std::span<const std::uint32_t> kept() const { return kept_; }
+    /// Caps whose union is that of all caps, in order of insertion, which arcs number them in; and their positions in
+    /// the list of all.
     std::span<const CapPlane> kept_caps() const { return kept_caps_; }
+    std::span<const std::uint32_t> kept() const { return kept_; }
     bool exposed() const { return kept_.empty() || !open_.empty(); }
 
 private:
@@ -70,6 +70,7 @@ private:
         std::uint32_t cap;  // the other rim
         Vec3 point;
     };
+
     void start(const CapColumns& caps);
     void wait_from(std::size_t first);
     bool insert_waiting(std::size_t k);
@@ -77,14 +78,15 @@ private:
     bool insert_rest();
     void find_rest();
     bool insert(std::uint32_t k);
-    bool cut_arcs(const CapPlane& cap, std::uint32_t k);
-    void cut_once(std::size_t begin, const EightMeetings& meetings, std::uint32_t k);
-    void cut_one_by_one(std::size_t begin, const EightMeetings& meetings, const CapPlane& cap, std::uint32_t k);
-    void cut_end(std::size_t a, const Vec3& crossing, std::uint32_t k);
-    void cut_start(std::size_t a, const Vec3& crossing, std::uint32_t k);
-    void cut_twice(std::size_t a, bool starts_inside, const CapPlane& cap, std::uint32_t k);
-    bool close_rim(const CapPlane& cap, std::uint32_t k);
-    void close_rim_by_angles(const CapPlane& cap, std::uint32_t k);
+    // place: that the cap will have among those kept.
+    bool cut_arcs(const CapPlane& cap, std::uint32_t place);
+    void cut_once(std::size_t begin, const EightMeetings& meetings, std::uint32_t place);
+    void cut_one_by_one(std::size_t begin, const EightMeetings& meetings, const CapPlane& cap, std::uint32_t place);
+    void cut_end(std::size_t a, const Vec3& crossing, std::uint32_t place);
+    void cut_start(std::size_t a, const Vec3& crossing, std::uint32_t place);
+    void cut_twice(std::size_t a, bool starts_inside, const CapPlane& cap, std::uint32_t place);
+    bool close_rim(const CapPlane& cap, std::uint32_t place);
+    void close_rim_by_angles(const CapPlane& cap, std::uint32_t place);
     void append(const OpenArc& arc, const CapPlane& rim, const Vec3& start, const Vec3& end);
     void remove(std::size_t a);
     void list_arcs();
@@ -92,7 +94,6 @@ private:
     double* lane_of(std::size_t a) { return &lanes_[a / EightArcs::kCount].numbers[a % EightArcs::kCount]; }
 
     const CapKernels* kernels_ = &cap_kernels();
-    CapColumns given_;
     const CapColumns* caps_ = nullptr;
     std::size_t inserted_ = 0;          // by build_in_order
     std::vector<double> waiting_;       // t of caps that wait for insertion, else kNoCap

@@ -23,24 +23,17 @@ bool caps_overlap(const CapPlane& a, const CapPlane& b) {
 
 }  // namespace
 
-void SphericalRegions::measure(std::span<const CapPlane> caps, std::span<const ContourArc> arcs,
-                               std::span<const std::uint32_t> kept) {
+void SphericalRegions::measure(std::span<const CapPlane> caps, std::span<const ContourArc> arcs) {
     caps_ = caps;
     contour_ = arcs;
-    kept_ = kept;
     measured_.resize(arcs.size());
     regions_.clear();
-    if (kept.empty()) regions_.push_back({4.0 * kPi, {}});
+    if (caps.empty()) regions_.push_back({4.0 * kPi, {}});
     if (arcs.empty()) return;
     link_loops();
     measure_arcs();
     group_loops();
     add_up();
-}
-
-void SphericalRegions::measure(std::span<const CapPlane> caps, std::span<const ContourArc> arcs) {
-    while (all_.size() < caps.size()) all_.push_back(static_cast<std::uint32_t>(all_.size()));
-    measure(caps, arcs, std::span(all_).first(caps.size()));
 }
 
 void SphericalRegions::link_loops() {
@@ -88,12 +81,11 @@ Vec3 SphericalRegions::point_on(std::size_t arc, double part) const {
 }
 
 std::uint32_t SphericalRegions::count_cap_clusters() const {
-    DisjointSets clusters(kept_.size());
-    auto count = static_cast<std::uint32_t>(kept_.size());
-    for (std::uint32_t a = 0; a < kept_.size(); ++a)
+    DisjointSets clusters(caps_.size());
+    auto count = static_cast<std::uint32_t>(caps_.size());
+    for (std::uint32_t a = 0; a < caps_.size(); ++a)
         for (std::uint32_t b = 0; b < a; ++b)
-            if (clusters.root(a) != clusters.root(b) && caps_overlap(caps_[kept_[a]], caps_[kept_[b]]) &&
-                clusters.join(a, b))
+            if (clusters.root(a) != clusters.root(b) && caps_overlap(caps_[a], caps_[b]) && clusters.join(a, b))
                 --count;
     return count;
 }

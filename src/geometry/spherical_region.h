@@ -24,13 +24,11 @@ struct SphericalRegion {
 /// Measures the exposed ground of one sphere after the other, reusing its memory.
 class SphericalRegions {
 public:
-    /// arcs and kept as a ContourBuilder left them; nothing is exposed if kept is not empty and arcs is. Caps and arcs
-    /// must stay where they are as long as anything is asked.
+    /// Arcs, and the caps that were kept, as a ContourBuilder left them; nothing is exposed if there are caps and no
+    /// arcs. They must stay where they are as long as anything is asked.
     ///
-    /// cost     O(arcs), O(arcs² + kept²) where these are more than one loop
+    /// cost     O(arcs), O(arcs² + caps²) where these are more than one loop
     /// source   Gauss-Bonnet, as for Connolly's contact patches (J. Appl. Cryst. 16, 1983, 548-558)
-    void measure(std::span<const CapPlane> caps, std::span<const ContourArc> arcs, std::span<const std::uint32_t> kept);
-    /// The same where all caps are kept.
     void measure(std::span<const CapPlane> caps, std::span<const ContourArc> arcs);
 
     std::span<const SphericalRegion> regions() const { return regions_; }
@@ -69,8 +67,6 @@ private:
     const RegionKernels* kernels_ = &region_kernels();
     std::span<const CapPlane> caps_;
     std::span<const ContourArc> contour_;
-    std::span<const std::uint32_t> kept_;
-    std::vector<std::uint32_t> all_;  // the numbers of caps, where all are kept
     std::vector<MeasuredArc> measured_;
     std::vector<std::uint32_t> arc_on_;  // of each cap: an arc of its rim
     std::vector<std::uint32_t> next_;    // of each arc: the arc after it on its loop

@@ -8,6 +8,7 @@
 
 #include "core/mix_bits.h"
 #include "core/workspaces.h"
+#include "geometry/neighbour_caps.h"
 #include "measure/reentrant_triangle.h"
 
 namespace meniscus {
@@ -91,17 +92,15 @@ private:
 
     bool cut(std::uint32_t v, int attempt, ReentrantPatch& patch) {
         caps_.clear();
-        for (std::uint32_t k = 0; k < kEdges; ++k) caps_.push_back({near_.triangle().sides[k], 0.0, k});
+        for (std::uint32_t k = 0; k < kEdges; ++k) caps_.add({near_.triangle().sides[k], 0.0, k});
         const double growth = std::pow(10.0, std::max(0, attempt - kMaxAttempts / 2));
         const std::uint64_t seed = seed_ + 977 * static_cast<std::uint64_t>(attempt);
-        for (const Cap& probe : probes_) {
-            caps_.push_back(probe);
-            caps_.back().t += growth * plane_shift(v, probe.atom, seed) / data_.probe;
+        for (Cap probe : probes_) {
+            probe.t += growth * plane_shift(v, probe.atom, seed) / data_.probe;
+            caps_.add(probe);
         }
-        if (!builder_.build(caps_)) return false;
-        planes_.clear();
-        for (const Cap& cap : caps_) planes_.push_back({cap.axis, cap.t});
-        regions_.measure(planes_, builder_.arcs(), builder_.kept());
+        if (!builder_.build(caps_.planes)) return false;
+        regions_.measure(builder_.kept_caps(), builder_.arcs());
         return accept(patch);
     }
 
@@ -123,13 +122,16 @@ private:
     void fill_in_arcs(ReentrantPatch& patch) const {
         for (std::size_t a = 0; a < regions_.arcs().size(); ++a) {
             const MeasuredArc& arc = regions_.arcs()[a];
-            const std::uint32_t k = builder_.arcs()[a].cap;
-            TrimmedArc trimmed{
-                .region = arc.region, .angle = arc.angle, .axis = caps_[k].axis, .middle = regions_.middle(a)};
+            const std::uint32_t cap = builder_.arcs()[a].cap;
+            const std::uint32_t k = builder_.kept()[cap];
+            TrimmedArc trimmed{.region = arc.region,
+                               .angle = arc.angle,
+                               .axis = builder_.kept_caps()[cap].axis,
+                               .middle = regions_.middle(a)};
             if (k < kEdges)
                 trimmed.edge = k;
             else
-                trimmed.probe = caps_[k].atom;
+                trimmed.probe = caps_.atoms[k];
             patch.arcs.push_back(trimmed);
         }
     }
@@ -138,10 +140,9 @@ private:
     std::uint64_t seed_;
     bool fills_arcs_in_;
     NearProbes near_;
-    std::vector<Cap> probes_;       // that may reach into the triangle
-    bool whole_ = false;            // the triangle trimmed last
-    std::vector<Cap> caps_;         // of the sides and of probes_, as it is cut
-    std::vector<CapPlane> planes_;  // of caps_
+    std::vector<Cap> probes_;  // that may reach into the triangle
+    bool whole_ = false;       // the triangle trimmed last
+    CapList caps_;             // of the sides and of probes_, as it is cut
     ContourBuilder builder_;
     SphericalRegions regions_;
 };

@@ -5,26 +5,24 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
+#include <vector>
 
-namespace meniscus {
+#include "geometry/random_caps.h"
+
+namespace meniscus::testing {
 namespace {
 
 // Contours of random caps, with whole rims among them.
 struct Contours {
-    std::vector<Cap> caps;
+    std::vector<Cap> caps;  // that arcs number
     std::vector<CapPlane> planes;
     ContourBuilder builder;
 
     explicit Contours(std::uint64_t seed) {
-        std::mt19937_64 random(seed);
-        std::normal_distribution<double> normal;
-        std::uniform_real_distribution<double> t(0.3, 0.95);
-        for (std::uint32_t k = 0; k < 11; ++k) {
-            caps.push_back({normalised({normal(random), normal(random), normal(random)}), t(random), k});
-            planes.push_back({caps.back().axis, caps.back().t});
-        }
-        EXPECT_TRUE(builder.build(caps));
+        const std::vector<Cap> given = random_caps(seed, 11, 0.3, 0.95);
+        EXPECT_TRUE(builder.build(columns_of(given)));
+        caps = kept_of(builder, given);
+        planes.assign(builder.kept_caps().begin(), builder.kept_caps().end());
     }
     // An arc that each one might be followed by.
     std::vector<std::uint32_t> next() const {
@@ -79,4 +77,4 @@ TEST(RegionKernels, ArcsStartWhereRimsCross) {
 }
 
 }  // namespace
-}  // namespace meniscus
+}  // namespace meniscus::testing

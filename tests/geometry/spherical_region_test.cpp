@@ -8,26 +8,21 @@
 #include <numbers>
 #include <random>
 
-namespace meniscus {
+#include "geometry/random_caps.h"
+
+namespace meniscus::testing {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Vec3 random_direction(std::mt19937_64& random) {
-    std::normal_distribution<double> normal;
-    return normalised({normal(random), normal(random), normal(random)});
-}
-
 struct Built {
     std::vector<Cap> caps;
-    std::vector<CapPlane> planes;
     ContourBuilder builder;
     SphericalRegions regions;
 
     explicit Built(std::vector<Cap> given) : caps(std::move(given)) {
-        EXPECT_TRUE(builder.build(caps));
-        for (const Cap& cap : caps) planes.push_back({cap.axis, cap.t});
-        regions.measure(planes, builder.arcs(), builder.kept());
+        EXPECT_TRUE(builder.build(columns_of(caps)));
+        regions.measure(builder.kept_caps(), builder.arcs());
     }
     double solid_angle() const {
         double sum = 0.0;
@@ -108,11 +103,8 @@ TEST(SphericalRegions, ACapBesideABeltJoinsTheRightRegion) {
 
 TEST(SphericalRegions, RandomCapsAgreeWithSampling) {
     std::mt19937_64 random(4);
-    std::uniform_real_distribution<double> height(0.2, 0.95);
-    for (int round = 0; round < 40; ++round) {
-        std::vector<Cap> caps;
-        for (std::uint32_t k = 0; k < 12; ++k) caps.push_back({random_direction(random), height(random), k});
-        const Built built(caps);
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        const Built built(random_caps(seed, 12, 0.2, 0.95));
         int hits = 0;
         Vec3 sum;
         std::vector<int> region_hits(built.regions.regions().size() + 1, 0);
@@ -133,4 +125,4 @@ TEST(SphericalRegions, RandomCapsAgreeWithSampling) {
 }
 
 }  // namespace
-}  // namespace meniscus
+}  // namespace meniscus::testing
