@@ -37,8 +37,11 @@ Cap cap_between(const AccessibleSurface::Data& data, std::uint32_t i, std::uint3
     const double rho = data.rho[i];
     const double other = data.rho[j];
     const double d2 = squared_norm(between);
+    const double reach = other + rho;
     const double inverse = 1.0 / std::sqrt(d2);
-    return {inverse * between, (d2 + rho * rho - other * other) * (inverse * (0.5 / rho)), j};
+    // As CapKernels::find_caps: whether two spheres meet is said the same of both.
+    const double t = d2 < reach * reach ? (d2 + rho * rho - other * other) * (inverse * (0.5 / rho)) : 1.0;
+    return {inverse * between, t, j};
 }
 
 void CapList::clear() {
