@@ -322,19 +322,21 @@ void place_arcs(AccessibleSurface::Data& data, const VertexTable& table) {
 // From features to those that touch them.
 void link_features(AccessibleSurface::Data& data) {
     data.cap_arc.assign(data.caps.size(), kNoArc);
-    for (std::size_t i = 0; i < data.atoms.size(); ++i)
+    parallel_for(data.atoms.size(), kChunk, [&](std::size_t i) {
         for (std::size_t c = data.contour_begin[i]; c < data.contour_begin[i + 1]; ++c)
             data.cap_arc[data.cap_begin[i] + data.contour[c].cap] = data.contour_arc[c];
-    for (std::uint32_t a = 0; a < data.arcs.size(); ++a) {
+    });
+    // The three arcs that end at a vertex have places of their own.
+    parallel_for(data.arcs.size(), kChunk, [&](std::size_t a) {
         const SasArc& arc = data.arcs[a];
-        if (arc.whole_circle()) continue;
+        if (arc.whole_circle()) return;
         const auto [i, j] = arc.atoms;
         for (const std::uint32_t v : {arc.start, arc.end}) {
             const auto& [first, second, third] = data.vertices[v].atoms;
             const std::size_t other = first != i && first != j ? 0 : second != i && second != j ? 1 : 2;
-            data.vertices[v].arcs[other] = a;
+            data.vertices[v].arcs[other] = static_cast<std::uint32_t>(a);
         }
-    }
+    });
 }
 
 // Box of an arc: its ends, its midpoint, and the extreme points of the circle that lie on it.
@@ -363,8 +365,9 @@ void build_trees(AccessibleSurface::Data& data) {
         std::vector<Box> boxes(data.arcs.size());
         parallel_for(boxes.size(), kChunk, [&](std::size_t a) { boxes[a] = box_of(data, data.arcs[a]); });
         data.arc_tree = BoxTree(boxes);
-        for (std::size_t a = 0; a < boxes.size(); ++a)
+        parallel_for(boxes.size(), kChunk, [&](std::size_t a) {
             for (const std::uint32_t i : data.arcs[a].atoms) boxes[a].include(data.atoms.centres[i]);
+        });
         data.arc_cell_tree = BoxTree(boxes);
     };
     const auto of_points = [&] {

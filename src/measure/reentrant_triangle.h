@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/accessible_surface_data.h"
+#include "geometry/box_tree.h"
 
 namespace meniscus {
 
@@ -65,7 +66,8 @@ private:
     std::uint32_t end_ = 0;
     std::uint32_t visited_ = 0;
     std::array<ReentrantTriangle, kGroup> triangles_;
-    std::vector<std::uint32_t> near_;
+    BoxTree::Lists lists_;
+    std::span<const std::uint32_t> near_;  // in lists_
     struct {
         std::vector<float> x;
         std::vector<float> y;
