@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/pairs.h"
 #include "meniscus/vec3.h"
 
 namespace meniscus {
@@ -62,6 +63,8 @@ struct Box {
 /// A box in single precision, no smaller than the one it stands for; the default one is empty.
 struct SmallBox {
     static constexpr float kLargest = std::numeric_limits<float>::max();
+    using Floats = float __attribute__((vector_size(16)));
+    using Bits = std::int32_t __attribute__((vector_size(16)));
     std::array<float, 3> low{kLargest, kLargest, kLargest};
     std::array<float, 3> high{-kLargest, -kLargest, -kLargest};
 
@@ -85,8 +88,6 @@ struct SmallBox {
 private:
     // Rounded, and a little farther in a direction. In a vector, as compilers make branches of single numbers.
     static std::array<float, 3> moved_out(const Vec3& corner, float direction) {
-        using Floats = float __attribute__((vector_size(16)));
-        using Bits = std::int32_t __attribute__((vector_size(16)));
         constexpr Floats kMost = Floats{} + kLargest;
         Floats x{static_cast<float>(corner.x), static_cast<float>(corner.y), static_cast<float>(corner.z), 0.0F};
         x = x > kMost ? kMost : x;
@@ -144,9 +145,8 @@ public:
     }
 
 private:
-    using Floats = float __attribute__((vector_size(16)));
-    using Bits = std::int32_t __attribute__((vector_size(16)));
-    using Pair = double __attribute__((vector_size(16)));
+    using Floats = SmallBox::Floats;
+    using Bits = SmallBox::Bits;
     using Columns = std::array<std::array<Floats, 2>, 3>;
 
     Bits overlaps(std::size_t half, const SmallBox& query) const {
@@ -213,7 +213,8 @@ public:
     std::span<const std::uint32_t> list_overlapping(const Box& box, Lists& lists) const {
         if (eights_.empty()) return {};
         const SmallBox query = from_origin(box);
-        lists.found.assign(1, 0);
+        if (lists.found.empty()) lists.found.resize(kFanOut);
+        lists.found[0] = 0;
         std::size_t count = 1;
         for (std::size_t level = eights_.size(); level-- > 0;) {
             if (lists.next.size() < count * kFanOut) lists.next.resize(2 * count * kFanOut);
