@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 
 #include "core/bits.h"
@@ -53,20 +52,11 @@ FeatureCell next_from_arc(const Data& data, const FeatureCell& cell, const Vec3&
 
 FeatureCell next_from_vertex(const Data& data, const FeatureCell& cell, const Vec3& p) {
     const SasVertex& vertex = data.vertices[cell.index];
-    const auto [parts, whole] = place_in_vertex_hull(data, vertex, p);
+    const VertexHull hull = vertex_hull(data, vertex);
+    const std::array<double, 3> parts = hull.parts_of(p);
     for (std::size_t k = 0; k < 3; ++k)
         if (parts[k] < kBorder) return {Kind::Arc, vertex.arcs[k]};
-    return parts[0] + parts[1] + parts[2] + kBorder < whole ? cell : FeatureCell{};
-}
-
-VertexHull vertex_hull(const Data& data, const SasVertex& vertex) {
-    const Vec3 a = data.atoms.centres[vertex.atoms[0]] - vertex.position;
-    const Vec3 b = data.atoms.centres[vertex.atoms[1]] - vertex.position;
-    const Vec3 c = data.atoms.centres[vertex.atoms[2]] - vertex.position;
-    const Vec3 bc = cross(b, c);
-    const double whole = dot(a, bc);
-    const double turn = whole < 0.0 ? -1.0 : 1.0;
-    return {vertex.position, {turn * bc, turn * cross(c, a), turn * cross(a, b)}, turn * whole};
+    return parts[0] + parts[1] + parts[2] + kBorder < hull.whole ? cell : FeatureCell{};
 }
 
 FeatureCell next_cell(const Data& data, const FeatureCell& cell, const Vec3& p) {
@@ -101,21 +91,24 @@ FeatureCell deepest_ball(const Data& data, const Vec3& p) {
     return {Kind::Ball, best.atom};
 }
 
-// Walks from a cell to that of p. Whether it got there; `cell` is where it ended.
-bool walk(const Data& data, const Vec3& p, FeatureCell& cell) {
-    bool begun_anew = false;
-    for (int walked = 0;; ++walked) {
+// Goes from cell to cell, to the side of each by which p is outside. Whether it got to that of p; `cell` is where it
+// ended.
+bool follow(const Data& data, const Vec3& p, FeatureCell& cell) {
+    for (int walked = 0; walked < kLongestWalk; ++walked) {
         const FeatureCell next = next_cell(data, cell, p);
-        if (next.kind != Kind::None && walked < kLongestWalk) {
-            if (next == cell) return true;
-            cell = next;
-            continue;
-        }
-        if (begun_anew || beside_ridge(data, cell, p)) return false;
-        begun_anew = true;
-        walked = 0;
-        cell = deepest_ball(data, p);
+        if (next.kind == Kind::None) return false;
+        if (next == cell) return true;
+        cell = next;
     }
+    return false;
+}
+
+// The same, and once more from a ball near p where that led nowhere.
+bool walk(const Data& data, const Vec3& p, FeatureCell& cell) {
+    if (follow(data, p, cell)) return true;
+    if (beside_ridge(data, cell, p)) return false;
+    cell = deepest_ball(data, p);
+    return follow(data, p, cell);
 }
 
 // The number of a cube of space.
@@ -180,24 +173,6 @@ std::uint64_t FeatureWalk::find_in(const FeatureCell& cell, std::uint64_t lanes)
         default:
             return kernels_.find_in_vertex_cell(vertex_hull(*data_, data_->vertices[cell.index]), kBorder, lanes_,
                                                 lanes);
-    }
-}
-
-FeatureLabel label_in(const AccessibleSurface& surface, const FeatureCell& cell, const Vec3& point) {
-    const Data& data = surface.data();
-    switch (cell.kind) {
-        case Kind::Ball: {
-            const double depth = data.rho[cell.index] - norm(point - data.atoms.centres[cell.index]);
-            return {data.probe - depth, data.atoms.original[cell.index], PatchKind::Contact};
-        }
-        case Kind::Arc: {
-            const double distance = std::sqrt(foot_on_arc(data.arcs[cell.index], point).squared_distance);
-            return {data.probe - distance, atom_of_arc(data, cell.index, point), PatchKind::Toroidal};
-        }
-        default: {
-            const double distance = norm(point - data.vertices[cell.index].position);
-            return {data.probe - distance, atom_of_vertex(data, cell.index, point), PatchKind::Reentrant};
-        }
     }
 }
 

@@ -18,14 +18,6 @@
 
 namespace meniscus {
 
-struct FeatureCell {
-    enum class Kind : std::uint32_t { None, Ball, Arc, Vertex };
-    Kind kind = Kind::None;
-    std::uint32_t index = 0;  ///< of the atom, arc or vertex
-
-    friend bool operator==(const FeatureCell&, const FeatureCell&) = default;
-};
-
 class FeatureWalk {
 public:
     static constexpr std::size_t kLandmarks = 512;
@@ -55,8 +47,5 @@ private:
     FeatureCell last_;          // where the last walk ended
     std::array<Landmark, kLandmarks> landmarks_;
 };
-
-/// What a point is labelled with that lies in a cell.
-FeatureLabel label_in(const AccessibleSurface& surface, const FeatureCell& cell, const Vec3& point);
 
 }  // namespace meniscus

@@ -190,6 +190,35 @@ SurfaceStep step_from_vertex(const Data& data, const Vec3& p, std::uint32_t v) {
     return step;
 }
 
+SurfaceStep step_from(const Data& data, const Vec3& p, const FeatureCell& nearest) {
+    switch (nearest.kind) {
+        case FeatureCell::Kind::Ball:
+            return step_from_ball(data, p, nearest.index);
+        case FeatureCell::Kind::Arc:
+            return step_from_arc(data, p, nearest.index);
+        default:
+            return step_from_vertex(data, p, nearest.index);
+    }
+}
+
+FeatureLabel label_in(const AccessibleSurface& surface, const FeatureCell& nearest, const Vec3& p) {
+    const Data& data = surface.data();
+    switch (nearest.kind) {
+        case FeatureCell::Kind::Ball: {
+            const double depth = data.rho[nearest.index] - norm(p - data.atoms.centres[nearest.index]);
+            return {data.probe - depth, data.atoms.original[nearest.index], PatchKind::Contact};
+        }
+        case FeatureCell::Kind::Arc: {
+            const double distance = std::sqrt(foot_on_arc(data.arcs[nearest.index], p).squared_distance);
+            return {data.probe - distance, atom_of_arc(data, nearest.index, p), PatchKind::Toroidal};
+        }
+        default: {
+            const double distance = norm(p - data.vertices[nearest.index].position);
+            return {data.probe - distance, atom_of_vertex(data, nearest.index, p), PatchKind::Reentrant};
+        }
+    }
+}
+
 NearestHit nearest_hit(const AccessibleSurface::Data& data, const Vec3& p) {
     NearestHit hit;
     hit.ball = deepest_ball(data, p);

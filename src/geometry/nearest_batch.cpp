@@ -238,12 +238,7 @@ Vec3 NearestBatch::foot(std::size_t point) const {
 }
 
 SurfaceStep NearestBatch::step_to_surface(std::size_t point) const {
-    const Vec3 p = get_point(*points_, point);
-    const std::size_t lane = lane_of_[point];
-    if (claims_.owned[lane] != 0) return step_from_ball(*data_, p, atoms_[lane]);
-    const std::int64_t tag = tags_[lane];
-    return is_arc(tag) ? step_from_arc(*data_, p, arc_of(tag))
-                       : step_from_vertex(*data_, p, static_cast<std::uint32_t>(tag));
+    return step_from(*data_, get_point(*points_, point), cell_of(lane_of_[point]));
 }
 
 FeatureCell NearestBatch::cell_of(std::size_t lane) const {
@@ -279,14 +274,17 @@ void NearestBatch::steps_to_surface(BatchSteps& steps) {
 }
 
 FeatureLabel NearestBatch::label(std::size_t point) const {
-    const std::size_t lane = lane_of_[point];
-    const double s = claims_.signed_distance[lane];
-    if (claims_.owned[lane] != 0) return {s, data_->atoms.original[atoms_[lane]], PatchKind::Contact};
-    const std::int64_t tag = tags_[lane];
     const Vec3 p = get_point(*points_, point);
-    return is_arc(tag)
-               ? FeatureLabel{s, atom_of_arc(*data_, arc_of(tag), p), PatchKind::Toroidal}
-               : FeatureLabel{s, atom_of_vertex(*data_, static_cast<std::uint32_t>(tag), p), PatchKind::Reentrant};
+    const double s = signed_distance(point);
+    const auto [kind, index] = cell_of(lane_of_[point]);
+    switch (kind) {
+        case FeatureCell::Kind::Ball:
+            return {s, data_->atoms.original[index], PatchKind::Contact};
+        case FeatureCell::Kind::Arc:
+            return {s, atom_of_arc(*data_, index, p), PatchKind::Toroidal};
+        default:
+            return {s, atom_of_vertex(*data_, index, p), PatchKind::Reentrant};
+    }
 }
 
 NearestFeature NearestBatch::feature(std::size_t point) const {

@@ -56,6 +56,15 @@ struct NearestHit {
 };
 NearestHit nearest_hit(const AccessibleSurface::Data& data, const Vec3& p);
 
+/// A feature of the SAS by its number, and the cell where it is known to be the nearest one (feature_walk.h).
+struct FeatureCell {
+    enum class Kind : std::uint32_t { None, Ball, Arc, Vertex };
+    Kind kind = Kind::None;
+    std::uint32_t index = 0;  ///< of the atom, arc or vertex
+
+    friend bool operator==(const FeatureCell&, const FeatureCell&) = default;
+};
+
 /// What a vertex of a mesh is labelled with.
 struct FeatureLabel {
     double signed_distance = 0.0;
@@ -68,6 +77,9 @@ inline FeatureLabel label_of(const NearestFeature& feature) {
 /// Of the atoms of an arc or vertex, the one whose van der Waals sphere is nearest to p; in the caller's order.
 std::uint32_t atom_of_arc(const AccessibleSurface::Data& data, std::uint32_t arc, const Vec3& p);
 std::uint32_t atom_of_vertex(const AccessibleSurface::Data& data, std::uint32_t vertex, const Vec3& p);
+
+/// What p is labelled with whose nearest feature is that.
+FeatureLabel label_in(const AccessibleSurface& surface, const FeatureCell& nearest, const Vec3& p);
 
 NearestFeature contact_feature(const AccessibleSurface::Data& data, const Vec3& p, const NearestBall& ball);
 NearestFeature edge_feature(const AccessibleSurface::Data& data, const Vec3& p, const NearestEdge& edge);
@@ -89,27 +101,33 @@ struct SurfaceStep {
 SurfaceStep step_from_ball(const AccessibleSurface::Data& data, const Vec3& p, std::uint32_t atom);
 SurfaceStep step_from_arc(const AccessibleSurface::Data& data, const Vec3& p, std::uint32_t arc);
 SurfaceStep step_from_vertex(const AccessibleSurface::Data& data, const Vec3& p, std::uint32_t vertex);
+SurfaceStep step_from(const AccessibleSurface::Data& data, const Vec3& p, const FeatureCell& nearest);
 
-/// Where p lies in the hull of a vertex and its three atoms: of each face at the vertex, p's part of the distance of
-/// the opposite atom, times six times the hull's volume, which is `whole`.
-struct VertexHullPlace {
-    std::array<double, 3> parts{};
-    double whole = 0.0;
+/// The hull of a vertex and its three atoms: where all parts, linear in a point's place, are positive and their sum is
+/// less than the whole. A part is that of the distance of an atom from the opposite face, times `whole`.
+struct VertexHull {
+    Vec3 position;                ///< of the vertex
+    std::array<Vec3, 3> normals;  ///< of the faces opposite to the atoms, inwards; as long as to make up the parts
+    double whole = 0.0;           ///< six times the volume, Å³
+
+    std::array<double, 3> parts_of(const Vec3& p) const {
+        const Vec3 q = p - position;
+        return {dot(q, normals[0]), dot(q, normals[1]), dot(q, normals[2])};
+    }
 };
-inline VertexHullPlace place_in_vertex_hull(const AccessibleSurface::Data& data, const SasVertex& vertex,
-                                            const Vec3& p) {
+inline VertexHull vertex_hull(const AccessibleSurface::Data& data, const SasVertex& vertex) {
     const Vec3 a = data.atoms.centres[vertex.atoms[0]] - vertex.position;
     const Vec3 b = data.atoms.centres[vertex.atoms[1]] - vertex.position;
     const Vec3 c = data.atoms.centres[vertex.atoms[2]] - vertex.position;
-    const Vec3 q = p - vertex.position;
     const Vec3 bc = cross(b, c);
     const double whole = dot(a, bc);
     const double turn = whole < 0.0 ? -1.0 : 1.0;
-    return {{turn * dot(q, bc), turn * dot(q, cross(c, a)), turn * dot(q, cross(a, b))}, turn * whole};
+    return {vertex.position, {turn * bc, turn * cross(c, a), turn * cross(a, b)}, turn * whole};
 }
 inline bool in_vertex_cell(const AccessibleSurface::Data& data, const SasVertex& vertex, const Vec3& p) {
-    const auto [parts, whole] = place_in_vertex_hull(data, vertex, p);
-    return parts[0] >= 0.0 && parts[1] >= 0.0 && parts[2] >= 0.0 && parts[0] + parts[1] + parts[2] <= whole;
+    const VertexHull hull = vertex_hull(data, vertex);
+    const std::array<double, 3> parts = hull.parts_of(p);
+    return parts[0] >= 0.0 && parts[1] >= 0.0 && parts[2] >= 0.0 && parts[0] + parts[1] + parts[2] <= hull.whole;
 }
 
 }  // namespace meniscus

@@ -15,6 +15,7 @@
 
 #include "geometry/accessible_surface_data.h"
 #include "geometry/local_features.h"
+#include "geometry/nearest_feature.h"
 
 namespace meniscus {
 
@@ -104,14 +105,6 @@ struct BallOwner {
     double rho = 0.0;
     bool exposed = false;
     std::span<const CapPlane> caps;  ///< where it is exposed
-};
-
-/// The hull of a vertex and its atoms: where all parts, linear in a point's place, are positive and their sum is less
-/// than the whole (place_in_vertex_hull).
-struct VertexHull {
-    Vec3 position;
-    std::array<Vec3, 3> normals;  ///< of the sides opposite to the atoms, inwards; as long as to make up the parts
-    double whole = 0.0;
 };
 
 /// Per point, what its deepest ball says.

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "geometry/feature_walk.h"
+#include "geometry/nearest_feature.h"
 #include "geometry/nearest_kernels.h"
 
 namespace meniscus {

@@ -46,8 +46,9 @@ TEST(FeatureWalk, EndsAtTheNearestFeature) {
             ++found;
             const NearestFeature exact = surface.nearest(points[i]);
             const FeatureLabel label = label_in(surface, cells[i], points[i]);
-            ASSERT_NEAR(label.signed_distance, exact.signed_distance, 1e-12);
+            ASSERT_EQ(label.signed_distance, exact.signed_distance);
             ASSERT_EQ(label.patch, exact.patch);
+            ASSERT_EQ(label.atom, exact.atom);
         }
         EXPECT_GT(found, 50U);
     }
