@@ -14,59 +14,55 @@ namespace {
 using Data = AccessibleSurface::Data;
 using Kind = FeatureCell::Kind;
 
-// How far inside of a cell points must be: Å, or for products of lengths as many Å² and Å³. Two features are equally
-// far but for rounding, some 1e-14 Å², up to 3e-7 Å beside their border, since squared distances part with the square.
-constexpr double kBorder = 1e-6;
-
 constexpr int kLongestWalk = 12;  // cells
 
 // The cell itself, if p is inside; else that beyond a side by which p is outside; none where no cell is there.
-FeatureCell next_from_ball(const Data& data, const FeatureCell& cell, const Vec3& p) {
+FeatureCell next_from_ball(const Data& data, const CellBorder& border, const FeatureCell& cell, const Vec3& p) {
     const std::uint32_t atom = cell.index;
     const Vec3 q = p - data.atoms.centres[atom];
     const double l = norm(q);
-    bool inside = data.exposed[atom] != 0 && l + kBorder < data.rho[atom];
+    bool inside = data.exposed[atom] != 0 && l + border.length < data.rho[atom];
     for (std::uint64_t c = data.cap_begin[atom]; c < data.cap_begin[atom + 1]; ++c) {
         const CapPlane& cap = data.caps[c];
-        if (dot(cap.axis, q) + kBorder < cap.t * l) continue;
+        if (dot(cap.axis, q) + border.length < cap.t * l) continue;
         if (data.cap_arc[c] != kNoArc) return {Kind::Arc, data.cap_arc[c]};
         inside = false;
     }
     return inside ? cell : FeatureCell{};
 }
 
-FeatureCell next_from_arc(const Data& data, const FeatureCell& cell, const Vec3& p) {
+FeatureCell next_from_arc(const Data& data, const CellBorder& border, const FeatureCell& cell, const Vec3& p) {
     const SasArc& arc = data.arcs[cell.index];
     const Vec3 q = p - arc.centre;
     const double height = dot(arc.axis, q);
     const Vec3 radial = q - height * arc.axis;
     const double from_axis = norm(radial);
     const double off = arc.radius - from_axis;
-    if (arc.radius * height + arc.height0 * off < kBorder) return {Kind::Ball, arc.atoms[0]};
-    if (arc.height1 * off - arc.radius * height < kBorder) return {Kind::Ball, arc.atoms[1]};
-    if (from_axis < kBorder || arc.is_a_point()) return {};
-    if (dot(radial, arc.middle) > arc.cos_half * from_axis + kBorder) return cell;
+    if (arc.radius * height + arc.height0 * off < border.area) return {Kind::Ball, arc.atoms[0]};
+    if (arc.height1 * off - arc.radius * height < border.area) return {Kind::Ball, arc.atoms[1]};
+    if (from_axis < border.length || arc.is_a_point()) return {};
+    if (dot(radial, arc.middle) > arc.cos_half * from_axis + border.length) return cell;
     const auto squared_distance = [&](std::uint32_t v) { return squared_norm(p - data.vertices[v].position); };
     return {Kind::Vertex, squared_distance(arc.start) < squared_distance(arc.end) ? arc.start : arc.end};
 }
 
-FeatureCell next_from_vertex(const Data& data, const FeatureCell& cell, const Vec3& p) {
+FeatureCell next_from_vertex(const Data& data, const CellBorder& border, const FeatureCell& cell, const Vec3& p) {
     const SasVertex& vertex = data.vertices[cell.index];
     const VertexHull hull = vertex_hull(data, vertex);
     const std::array<double, 3> parts = hull.parts_of(p);
     for (std::size_t k = 0; k < 3; ++k)
-        if (parts[k] < kBorder) return {Kind::Arc, vertex.arcs[k]};
-    return parts[0] + parts[1] + parts[2] + kBorder < hull.whole ? cell : FeatureCell{};
+        if (parts[k] < border.volume) return {Kind::Arc, vertex.arcs[k]};
+    return parts[0] + parts[1] + parts[2] + border.volume < hull.whole ? cell : FeatureCell{};
 }
 
-FeatureCell next_cell(const Data& data, const FeatureCell& cell, const Vec3& p) {
+FeatureCell next_cell(const Data& data, const CellBorder& border, const FeatureCell& cell, const Vec3& p) {
     switch (cell.kind) {
         case Kind::Ball:
-            return next_from_ball(data, cell, p);
+            return next_from_ball(data, border, cell, p);
         case Kind::Arc:
-            return next_from_arc(data, cell, p);
+            return next_from_arc(data, border, cell, p);
         case Kind::Vertex:
-            return next_from_vertex(data, cell, p);
+            return next_from_vertex(data, border, cell, p);
         default:
             return {};
     }
@@ -81,9 +77,9 @@ bool beside_ridge(const Data& data, const FeatureCell& cell, const Vec3& p) {
 
 // Of the exposed balls of atoms nearby; the first atom's if there is none.
 FeatureCell deepest_ball(const Data& data, const Vec3& p) {
-    constexpr double kNear = 2.5;  // Å
+    constexpr double kNear = 0.7;  // Å from the surface
     NearestBall best;
-    data.atom_tree.for_each_overlapping(Box{p, p}.grown(kNear), [&](std::uint32_t i) {
+    data.atom_tree.for_each_overlapping(Box{p, p}.grown(data.rho_max - data.probe + kNear), [&](std::uint32_t i) {
         if (data.exposed[i] == 0) return;
         const double l = norm(p - data.atoms.centres[i]);
         best.offer(i, data.rho[i] - l, l);
@@ -93,9 +89,9 @@ FeatureCell deepest_ball(const Data& data, const Vec3& p) {
 
 // Goes from cell to cell, to the side of each by which p is outside. Whether it got to that of p; `cell` is where it
 // ended.
-bool follow(const Data& data, const Vec3& p, FeatureCell& cell) {
+bool follow(const Data& data, const CellBorder& border, const Vec3& p, FeatureCell& cell) {
     for (int walked = 0; walked < kLongestWalk; ++walked) {
-        const FeatureCell next = next_cell(data, cell, p);
+        const FeatureCell next = next_cell(data, border, cell, p);
         if (next.kind == Kind::None) return false;
         if (next == cell) return true;
         cell = next;
@@ -104,11 +100,11 @@ bool follow(const Data& data, const Vec3& p, FeatureCell& cell) {
 }
 
 // The same, and once more from a ball near p where that led nowhere.
-bool walk(const Data& data, const Vec3& p, FeatureCell& cell) {
-    if (follow(data, p, cell)) return true;
+bool walk(const Data& data, const CellBorder& border, const Vec3& p, FeatureCell& cell) {
+    if (follow(data, border, p, cell)) return true;
     if (beside_ridge(data, cell, p)) return false;
     cell = deepest_ball(data, p);
-    return follow(data, p, cell);
+    return follow(data, border, p, cell);
 }
 
 // The number of a cube of space.
@@ -155,7 +151,7 @@ FeatureCell FeatureWalk::find_one(const Vec3& point) {
     const std::uint64_t cube = cube_of(point);
     Landmark& landmark = landmarks_[landmark_of(cube)];
     if (landmark.cube == cube) last_ = landmark.cell;
-    const bool inside = walk(*data_, point, last_);
+    const bool inside = walk(*data_, border_, point, last_);
     landmark = {cube, last_};
     return inside ? last_ : FeatureCell{};
 }
@@ -166,12 +162,12 @@ std::uint64_t FeatureWalk::find_in(const FeatureCell& cell, std::uint64_t lanes)
         case Kind::Ball: {
             const BallOwner ball{data_->atoms.centres[cell.index], data_->rho[cell.index], true,
                                  data_->caps_of(cell.index)};
-            return kernels_.find_in_ball_cell(ball, kBorder, lanes_, lanes);
+            return kernels_.find_in_ball_cell(ball, border_, lanes_, lanes);
         }
         case Kind::Arc:
-            return kernels_.find_in_arc_cell(data_->arcs[cell.index], kBorder, lanes_, lanes);
+            return kernels_.find_in_arc_cell(data_->arcs[cell.index], border_, lanes_, lanes);
         default:
-            return kernels_.find_in_vertex_cell(vertex_hull(*data_, data_->vertices[cell.index]), kBorder, lanes_,
+            return kernels_.find_in_vertex_cell(vertex_hull(*data_, data_->vertices[cell.index]), border_, lanes_,
                                                 lanes);
     }
 }

@@ -23,7 +23,7 @@ public:
     static constexpr std::size_t kLandmarks = 512;
 
     explicit FeatureWalk(const AccessibleSurface& surface, const NearestKernels& kernels = nearest_kernels())
-        : data_(&surface.data()), kernels_(kernels) {}
+        : data_(&surface.data()), kernels_(kernels), border_(data_->rho_max) {}
 
     /// The cells of points, best next to each other: of no kind where none is found, for a point may lie in none, or so
     /// near to a border that rounding would decide. Else it is that of the nearest feature, no matter where the walk
@@ -43,6 +43,7 @@ private:
 
     const AccessibleSurface::Data* data_;
     NearestKernels kernels_;
+    CellBorder border_;
     LanePoints<double> lanes_;  // a batch
     FeatureCell last_;          // where the last walk ended
     std::array<Landmark, kLandmarks> landmarks_;

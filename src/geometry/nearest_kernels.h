@@ -107,6 +107,17 @@ struct BallOwner {
     std::span<const CapPlane> caps;  ///< where it is exposed
 };
 
+/// How far inside of a cell (FeatureWalk) points must be, as a length and as products of two and of three. Two features
+/// are equally far but for rounding, some 1e-15 of the squares of lengths, up to 1e-7 of these beside their border,
+/// since squared distances part with the square.
+struct CellBorder {
+    double length;  ///< Å
+    double area;    ///< Å²
+    double volume;  ///< Å³
+
+    explicit CellBorder(double rho_max) : length(3e-7 * rho_max), area(length * rho_max), volume(area * rho_max) {}
+};
+
 /// Per point, what its deepest ball says.
 struct BallClaims {
     LaneArray<double> signed_distance;  ///< were the ball to own it
@@ -212,12 +223,12 @@ struct NearestKernels {
                                std::size_t count, std::size_t to, StepLanes& steps, LaneArray<std::int64_t>& nearest);
     /// Which of some lanes' points lie in a cell (FeatureWalk), further inside than `border`: bit by bit, as the lanes
     /// are given. The ball must be exposed, the arc no point.
-    std::uint64_t (*find_in_ball_cell)(const BallOwner& ball, double border, const LanePoints<double>& points,
-                                       std::uint64_t lanes);
-    std::uint64_t (*find_in_arc_cell)(const SasArc& arc, double border, const LanePoints<double>& points,
+    std::uint64_t (*find_in_ball_cell)(const BallOwner& ball, const CellBorder& border,
+                                       const LanePoints<double>& points, std::uint64_t lanes);
+    std::uint64_t (*find_in_arc_cell)(const SasArc& arc, const CellBorder& border, const LanePoints<double>& points,
                                       std::uint64_t lanes);
-    std::uint64_t (*find_in_vertex_cell)(const VertexHull& hull, double border, const LanePoints<double>& points,
-                                         std::uint64_t lanes);
+    std::uint64_t (*find_in_vertex_cell)(const VertexHull& hull, const CellBorder& border,
+                                         const LanePoints<double>& points, std::uint64_t lanes);
     /// Clamps to ±limit; a NaN (0/0 on the SAS itself) becomes -limit.
     void (*clamp)(const LaneArray<double>& values, double limit, std::size_t count, LaneArray<float>& clamped);
     /// Sets those to 0 whose distance is not within ±margin.

@@ -27,6 +27,16 @@ std::vector<Vec3> lattice_around(const Atoms& atoms, double step) {
     return points;
 }
 
+std::vector<Vec3> near_surface(const AccessibleSurface& surface, std::vector<Vec3> points, double distance) {
+    std::erase_if(points, [&](const Vec3& p) { return !(std::abs(surface.nearest(p).signed_distance) < distance); });
+    return points;
+}
+
+std::size_t count_found(const std::vector<FeatureCell>& cells) {
+    const auto is_found = [](const FeatureCell& cell) { return cell.kind != Kind::None; };
+    return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), is_found));
+}
+
 std::vector<FeatureCell> cells_of(const AccessibleSurface& surface, const std::vector<Vec3>& points,
                                   const NearestKernels& kernels = nearest_kernels()) {
     std::vector<FeatureCell> cells(points.size());
@@ -83,12 +93,31 @@ TEST(FeatureWalk, EveryInstructionSetFindsTheSame) {
 TEST(FeatureWalk, FindsMostPointsOfTheSurface) {
     const Atoms atoms = random_cluster(4, 60, 9.0);
     const AccessibleSurface surface(atoms, 1.4);
-    std::vector<Vec3> near;
-    for (const Vec3& p : lattice_around(atoms, 0.4))
-        if (std::abs(surface.nearest(p).signed_distance) < 0.2) near.push_back(p);
-    const std::vector<FeatureCell> cells = cells_of(surface, near);
-    const auto is_found = [](const FeatureCell& cell) { return cell.kind != Kind::None; };
-    EXPECT_GT(static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), is_found)), near.size() * 8 / 10);
+    const std::vector<Vec3> near = near_surface(surface, lattice_around(atoms, 0.4), 0.2);
+    EXPECT_GT(count_found(cells_of(surface, near)), near.size() * 8 / 10);
+}
+
+// Each walk begins anew, from a ball whose centre is farther away than any of an atom's.
+TEST(FeatureWalk, FindsMostPointsOfTheSurfaceOfLargeBeads) {
+    constexpr double kScale = 8.0;
+    Atoms atoms = random_cluster(4, 60, 9.0);
+    for (Vec3& c : atoms.centres) c = kScale * c;
+    for (double& r : atoms.radii) r *= kScale;
+    const AccessibleSurface surface(atoms, kScale * 1.4);
+    std::vector<Vec3> near = near_surface(surface, lattice_around(atoms, 5.0), 0.7);
+    ASSERT_GT(near.size(), 200U);
+    std::size_t found = 0;
+    for (const Vec3& p : near) found += count_found(cells_of(surface, {p}));
+    EXPECT_GT(found, near.size() * 8 / 10);
+}
+
+// Further inside of a cell than rounding, which grows with the radii, could tell.
+TEST(FeatureWalk, LeavesMoreToASearchTheLargerTheRadii) {
+    const CellBorder small(3.0);
+    const CellBorder large(30.0);
+    EXPECT_DOUBLE_EQ(large.length, 10.0 * small.length);
+    EXPECT_DOUBLE_EQ(large.area, 100.0 * small.area);
+    EXPECT_DOUBLE_EQ(large.volume, 1000.0 * small.volume);
 }
 
 TEST(FeatureWalk, LeavesPointsOnABorderToASearch) {
