@@ -33,11 +33,9 @@ std::size_t StepBatch::step_from_balls(std::size_t to, BatchSteps& steps) {
         const std::uint32_t atom = points.feature[k];
         set_point(ball_lanes_.centre, k, data_->atoms.centres[atom]);
         ball_lanes_.radius[k] = data_->rho[atom] - data_->probe;
-        steps.point[to + k] = points.point[k];
-        steps.atom[to + k] = data_->atoms.original[atom];
-        steps.patch[to + k] = PatchKind::Contact;
     }
     kernels_.step_from_balls(points.places, ball_lanes_, points.count, to, steps.lanes);
+    name(points, PatchKind::Contact, to, steps, [&](std::size_t k) { return points.feature[k]; });
     return points.count;
 }
 
@@ -54,12 +52,8 @@ std::size_t StepBatch::step_from_arcs(std::size_t to, BatchSteps& steps) {
         arc_lanes_.radius1[k] = data_->atoms.radii[arc.atoms[1]];
     }
     kernels_.step_from_arcs(data_->probe, points.places, arc_lanes_, points.count, to, steps.lanes, nearest_);
-    for (std::size_t k = 0; k < points.count; ++k) {
-        const SasArc& arc = data_->arcs[points.feature[k]];
-        steps.point[to + k] = points.point[k];
-        steps.atom[to + k] = data_->atoms.original[arc.atoms[static_cast<std::size_t>(nearest_[k])]];
-        steps.patch[to + k] = PatchKind::Toroidal;
-    }
+    name(points, PatchKind::Toroidal, to, steps,
+         [&](std::size_t k) { return data_->arcs[points.feature[k]].atoms[static_cast<std::size_t>(nearest_[k])]; });
     return points.count;
 }
 
@@ -74,12 +68,9 @@ std::size_t StepBatch::step_from_vertices(std::size_t to, BatchSteps& steps) {
         }
     }
     kernels_.step_from_vertices(data_->probe, points.places, vertex_lanes_, points.count, to, steps.lanes, nearest_);
-    for (std::size_t k = 0; k < points.count; ++k) {
-        const SasVertex& vertex = data_->vertices[points.feature[k]];
-        steps.point[to + k] = points.point[k];
-        steps.atom[to + k] = data_->atoms.original[vertex.atoms[static_cast<std::size_t>(nearest_[k])]];
-        steps.patch[to + k] = PatchKind::Reentrant;
-    }
+    name(points, PatchKind::Reentrant, to, steps, [&](std::size_t k) {
+        return data_->vertices[points.feature[k]].atoms[static_cast<std::size_t>(nearest_[k])];
+    });
     return points.count;
 }
 

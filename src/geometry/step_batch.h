@@ -18,7 +18,8 @@ struct BatchSteps {
     LaneArray<std::uint32_t> point;  ///< where in the batch the step began
     LaneArray<std::uint32_t> atom;   ///< as in NearestFeature
     LaneArray<PatchKind> patch;
-    LaneArray<double> signed_distance;  ///< where the step ends: 0 if it is settled
+    /// As far as known where the step ends: 0 of steps to the surface, settled or not.
+    LaneArray<double> signed_distance;
 
     /// What is nearest to a place that was found otherwise.
     void set(std::size_t lane, const Vec3& place, const NearestFeature& at);
@@ -53,6 +54,15 @@ private:
         LanePoints<double> places;
     };
 
+    // Says whose the points of a kind are from lane `to` on. atom_of(k): the nearest atom of point k's feature.
+    template <class AtomOf>
+    void name(const Points& points, PatchKind patch, std::size_t to, BatchSteps& steps, const AtomOf& atom_of) const {
+        for (std::size_t k = 0; k < points.count; ++k) {
+            steps.point[to + k] = points.point[k];
+            steps.atom[to + k] = data_->atoms.original[atom_of(k)];
+            steps.patch[to + k] = patch;
+        }
+    }
     Points& points_of(FeatureCell::Kind kind) { return points_[static_cast<std::size_t>(kind)]; }
     std::size_t step_from_balls(std::size_t to, BatchSteps& steps);
     std::size_t step_from_arcs(std::size_t to, BatchSteps& steps);

@@ -56,6 +56,12 @@ struct Answers {
     LaneArray<float> within;   // curvatures of those within the margin
     LanePoints<float> small;
     KnownSides sides;
+    StepLanes from_balls;
+    StepLanes from_arcs;
+    StepLanes from_vertices;
+    LaneArray<std::int64_t> nearest_of_arcs;  // atoms
+    LaneArray<std::int64_t> nearest_of_vertices;
+    std::array<std::uint64_t, 3> in_cells{};  // points in cells of a ball, an arc and a vertex
 };
 
 class NearestKernelsTest : public ::testing::Test {
@@ -112,7 +118,47 @@ protected:
         kernels.offer_arcs(data.arcs, items, points_, kPoints, answers.nearest);
         kernels.find_edge_distances(answers.nearest, data.probe, kPoints, answers.edge_distances);
         kernels.find_edge_curvatures(answers.nearest, data.probe, kPoints, answers.edge_curvatures);
+        step(kernels, answers);
         return answers;
+    }
+
+    // From every point in turn from the features next in their lists, whether they are nearest or not.
+    void step(const NearestKernels& kernels, Answers& answers) const {
+        const AccessibleSurface::Data& data = surface_.data();
+        BallLanes balls;
+        ArcLanes arcs;
+        VertexLanes vertices;
+        for (std::size_t k = 0; k < kPoints; ++k) {
+            const std::size_t atom = k % data.atoms.size();
+            set_point(balls.centre, k, data.atoms.centres[atom]);
+            balls.radius[k] = data.atoms.radii[atom];
+            const SasArc& arc = data.arcs[k % data.arcs.size()];
+            set_point(arcs.centre, k, arc.centre);
+            set_point(arcs.axis, k, arc.axis);
+            arcs.radius[k] = arc.radius;
+            arcs.height0[k] = arc.height0;
+            arcs.height1[k] = arc.height1;
+            arcs.radius0[k] = data.atoms.radii[arc.atoms[0]];
+            arcs.radius1[k] = data.atoms.radii[arc.atoms[1]];
+            const SasVertex& vertex = data.vertices[k % data.vertices.size()];
+            set_point(vertices.position, k, vertex.position);
+            for (std::size_t a = 0; a < 3; ++a) {
+                set_point(vertices.centres[a], k, data.atoms.centres[vertex.atoms[a]]);
+                vertices.radii[a][k] = data.atoms.radii[vertex.atoms[a]];
+            }
+        }
+        kernels.step_from_balls(points_, balls, kPoints, 0, answers.from_balls);
+        kernels.step_from_arcs(data.probe, points_, arcs, kPoints, 0, answers.from_arcs, answers.nearest_of_arcs);
+        kernels.step_from_vertices(data.probe, points_, vertices, kPoints, 0, answers.from_vertices,
+                                   answers.nearest_of_vertices);
+        const CellBorder border(data.rho_max);
+        const std::uint64_t all = first_bits(kPoints);
+        const std::uint32_t atom = local_.balls().index(0);
+        const BallOwner ball{data.atoms.centres[atom], data.rho[atom], true, data.caps_of(atom)};
+        answers.in_cells = {kernels.find_in_ball_cell(ball, border, points_, all),
+                            kernels.find_in_arc_cell(data.arcs[local_.arcs().index(0)], border, points_, all),
+                            kernels.find_in_vertex_cell(vertex_hull(data, data.vertices[local_.vertices().index(0)]),
+                                                        border, points_, all)};
     }
 
     DepthLimits limits() const {
@@ -136,6 +182,24 @@ protected:
 template <class T>
 void expect_equal(const LaneArray<T>& a, const LaneArray<T>& b) {
     EXPECT_TRUE(std::equal(a.at, a.at + kPoints, b.at));
+}
+
+void expect_equal(const LanePoints<double>& a, const LanePoints<double>& b) {
+    expect_equal(a.x, b.x);
+    expect_equal(a.y, b.y);
+    expect_equal(a.z, b.z);
+}
+
+// Curvatures mean nothing where the step is not settled.
+void expect_equal(const StepLanes& a, const StepLanes& b) {
+    expect_equal(a.points, b.points);
+    expect_equal(a.normals, b.normals);
+    for (std::size_t k = 0; k < kPoints; ++k) {
+        EXPECT_EQ(a.settled[k], b.settled[k]);
+        if (a.settled[k] == 0) continue;
+        EXPECT_EQ(a.mean[k], b.mean[k]);
+        EXPECT_EQ(a.gaussian[k], b.gaussian[k]);
+    }
 }
 
 TEST_F(NearestKernelsTest, GiveTheSameBitsOnEveryInstructionSet) {
@@ -168,6 +232,12 @@ TEST_F(NearestKernelsTest, GiveTheSameBitsOnEveryInstructionSet) {
         expect_equal(other.edge_curvatures, plain.edge_curvatures);
         expect_equal(other.clamped, plain.clamped);
         expect_equal(other.within, plain.within);
+        expect_equal(other.from_balls, plain.from_balls);
+        expect_equal(other.from_arcs, plain.from_arcs);
+        expect_equal(other.from_vertices, plain.from_vertices);
+        expect_equal(other.nearest_of_arcs, plain.nearest_of_arcs);
+        expect_equal(other.nearest_of_vertices, plain.nearest_of_vertices);
+        EXPECT_EQ(other.in_cells, plain.in_cells);
     }
 }
 
