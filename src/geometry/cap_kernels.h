@@ -69,8 +69,9 @@ struct CapKernels {
     std::string_view instructions;  ///< "plain", "avx2" or "avx512"
     /// Marks the balls that meet one of them, or miss it by no more than `slack`: a bit for each (core/bits.h).
     void (*mark_meeting)(const SmallBallColumns& balls, std::size_t one, float slack, std::uint64_t* marks);
-    /// Appends the caps that listed balls bury on a sphere, as cap_between has them; t >= 1 for a ball that misses the
-    /// sphere. Up to the next multiple of eight the list must repeat its last ball, and caps must have room.
+    /// Writes the caps that listed balls bury on a sphere, as cap_between has them, to the places of `caps` from `at`
+    /// on; t >= 1 for a ball that misses the sphere. Up to the next multiple of eight the list must repeat its last
+    /// ball, and caps must have room.
     ///
     /// returns  whether all balls that are listed bury a part of the sphere
     bool (*find_caps)(const Vec3* centres, const double* rhos, std::span<const std::uint32_t> list, const Vec3& centre,

@@ -67,10 +67,10 @@ private:
     std::uint64_t seed_;
     VolumeOrigins origins_;
     std::vector<SesPatch> patches_;
-    std::vector<std::uint32_t> first_contact_;               // per atom, and the end
-    std::vector<std::uint32_t> first_torus_;                 // per arc, and the end
-    std::vector<std::uint32_t> first_reentrant_;             // per vertex, and the end
-    std::vector<std::uint32_t> contact_beside_arc_;          // of each arc of a contour: region of its atom
+    std::vector<std::uint32_t> first_contact_;       // per atom, and the end
+    std::vector<std::uint32_t> first_torus_;         // per arc, and the end
+    std::vector<std::uint32_t> first_reentrant_;     // per vertex, and the end
+    std::vector<std::uint32_t> contact_beside_arc_;  // of each arc of a contour: region of its atom
     std::vector<ReentrantPatch> reentrant_;
     DisjointSets sets_;      // of patches
     DisjointSets sas_sets_;  // of contact patches
