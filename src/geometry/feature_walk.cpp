@@ -110,7 +110,7 @@ bool walk(const Data& data, const CellBorder& border, const Vec3& p, FeatureCell
 // The number of a cube of space.
 constexpr int kCubeBits = 21;  // of it, for each axis
 std::uint64_t cube_of(const Vec3& p) {
-    constexpr double kCubes = 1.0 / 0.75;  // per Å: cubes are a little smaller than most cells
+    constexpr double kCubes = 1.0 / 1.5;  // per Å: of smaller cubes more are entered for the first time
     const auto along = [](double x) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(kCubes * x)); };
     return along(p.x) + (along(p.y) << kCubeBits) + (along(p.z) << (2 * kCubeBits));
 }
