@@ -163,9 +163,10 @@ private:
         return __builtin_convertvector(two, Pair);
     }
 
-    static constexpr Floats kNone = Floats{} + SmallBox::kLargest;
-    Columns low_{{{kNone, kNone}, {kNone, kNone}, {kNone, kNone}}};
-    Columns high_{{{-kNone, -kNone}, {-kNone, -kNone}, {-kNone, -kNone}}};
+    static constexpr Floats kNone = Floats{} + std::numeric_limits<float>::quiet_NaN();  // no comparison holds
+    static constexpr Columns kUnset{{{kNone, kNone}, {kNone, kNone}, {kNone, kNone}}};
+    Columns low_ = kUnset;
+    Columns high_ = kUnset;
 };
 
 /// Items by their boxes, which are kept in single precision, relative to one of them, and no smaller than they are:

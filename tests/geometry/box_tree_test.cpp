@@ -86,6 +86,18 @@ TEST(BoxTree, FindsWhatOverlapsInTheItemsOrder) {
     }
 }
 
+// As boxes around probes are that are larger than single precision.
+TEST(BoxTree, ABoxAroundEverythingOverlapsTheItemsAlone) {
+    const std::vector<Box> boxes(3, Box{{0, 0, 0}, {1, 1, 1}});
+    const BoxTree tree(boxes);
+    const Box everything = Box{{0, 0, 0}, {1, 1, 1}}.grown(1e100);
+    std::vector<std::uint32_t> visited;
+    tree.for_each_overlapping(everything, [&](std::uint32_t i) { visited.push_back(i); });
+    EXPECT_EQ(visited, (std::vector<std::uint32_t>{0, 1, 2}));
+    BoxTree::Lists lists;
+    EXPECT_EQ(tree.list_overlapping(everything, lists).size(), 3U);
+}
+
 TEST(BoxTree, KeepsTheBoxesAndHardlyMore) {
     const std::vector<Box> boxes = random_boxes(3, 100, 2.0);
     const BoxTree tree(boxes);
