@@ -163,7 +163,8 @@ private:
         return __builtin_convertvector(two, Pair);
     }
 
-    static constexpr Floats kNone = Floats{} + std::numeric_limits<float>::quiet_NaN();  // no comparison holds
+    static constexpr float kNan = std::numeric_limits<float>::quiet_NaN();  // no comparison holds
+    static constexpr Floats kNone{kNan, kNan, kNan, kNan};
     static constexpr Columns kUnset{{{kNone, kNone}, {kNone, kNone}, {kNone, kNone}}};
     Columns low_ = kUnset;
     Columns high_ = kUnset;
