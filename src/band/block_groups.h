@@ -58,18 +58,16 @@ template <class Make, class Visit>
 void for_each_block(const BlockGrid& grid, const Make& make, const Visit& visit) {
     constexpr std::size_t kGroupsPerChunk = 2;
     const BlockGroups groups(grid);
-    Workspaces evaluators(make);
-    parallel_chunks(groups.size(), kGroupsPerChunk, [&](std::size_t begin, std::size_t end) {
-        evaluators.with_one([&](auto& evaluator) {
-            for (std::size_t g = begin; g < end; ++g) {
-                evaluator.enter(groups.box_of(groups.blocks(g)));
-                groups.for_each_part(g, [&](std::span<const BlockId> blocks) {
-                    evaluator.enter_part(groups.box_of(blocks));
-                    for (const BlockId b : blocks) visit(evaluator, b);
-                });
-            }
-        });
-    });
+    parallel_chunks_with(groups.size(), kGroupsPerChunk, make,
+                         [&](std::size_t begin, std::size_t end, auto& evaluator) {
+                             for (std::size_t g = begin; g < end; ++g) {
+                                 evaluator.enter(groups.box_of(groups.blocks(g)));
+                                 groups.for_each_part(g, [&](std::span<const BlockId> blocks) {
+                                     evaluator.enter_part(groups.box_of(blocks));
+                                     for (const BlockId b : blocks) visit(evaluator, b);
+                                 });
+                             }
+                         });
 }
 
 }  // namespace meniscus

@@ -92,12 +92,41 @@ Contour build_contour(const AccessibleSurface::Data& data, NeighbourCaps& neighb
     return builder.exposed() ? Contour::Exposed : Contour::Buried;
 }
 
-// Room for what these atoms had under another perturbation: another one changes little.
-void reserve(const AccessibleSurface::Data& before, std::size_t begin, std::size_t end, ChunkResult& result) {
-    const auto count = [&](const std::vector<std::uint64_t>& begins) { return begins[end] - begins[begin]; };
-    result.arcs.reserve(count(before.contour_begin));
-    result.caps.reserve(count(before.cap_begin));
-    result.cover.reserve(count(before.cover_begin));
+// Room for what these atoms had under another perturbation, which changes little, or else for what they usually have:
+// lists that grow from nothing leave holes behind that later ones do not fit into.
+void reserve(const AccessibleSurface::Data* before, std::size_t begin, std::size_t end, ChunkResult& result) {
+    constexpr std::size_t kUsualArcs = 5;  // per atom; half as many again as proteins have
+    constexpr std::size_t kUsualCaps = 8;
+    constexpr std::size_t kUsualCover = 15;
+    const auto count = [&](const auto& begins, std::size_t usual) {
+        return before == nullptr ? (end - begin) * usual : (before->*begins)[end] - (before->*begins)[begin];
+    };
+    using Data = AccessibleSurface::Data;
+    result.arcs.reserve(count(&Data::contour_begin, kUsualArcs));
+    result.caps.reserve(count(&Data::cap_begin, kUsualCaps));
+    result.cover.reserve(count(&Data::cover_begin, kUsualCover));
+}
+
+// Of some atoms one after the other; gives up at the first that comes out inconsistent.
+void build_contours(AccessibleSurface::Data& data, std::size_t begin, std::size_t end,
+                    const AccessibleSurface::Data* before, ContourWorkspace& workspace, ChunkResult& result) {
+    auto& [neighbours, builder, caps] = workspace;
+    reserve(before, begin, end, result);
+    for (std::size_t i = begin; i < end; ++i) {
+        const auto atom = static_cast<std::uint32_t>(i);
+        const auto cover = before == nullptr ? std::span<const std::uint32_t>{} : before->cover_of(atom);
+        const Contour contour = build_contour(data, neighbours, atom, cover, caps, builder);
+        result.consistent = contour != Contour::Inconsistent;
+        if (!result.consistent) return;
+        for (const std::uint32_t k : builder.kept()) result.cover.push_back(caps.atoms[k]);
+        data.cover_begin[i + 1] = builder.kept().size();
+        if (contour == Contour::Buried) continue;
+        data.exposed[i] = 1;
+        result.arcs.insert(result.arcs.end(), builder.arcs().begin(), builder.arcs().end());
+        result.caps.insert(result.caps.end(), builder.kept_caps().begin(), builder.kept_caps().end());
+        data.contour_begin[i + 1] = builder.arcs().size();
+        data.cap_begin[i + 1] = builder.kept().size();
+    }
 }
 
 // Fills exposed, cover, caps and contours; false if the arrangement came out inconsistent on some sphere.
@@ -109,31 +138,11 @@ bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const 
     data.cap_begin.assign(n + 1, 0);
     data.cover_begin.assign(n + 1, 0);
     data.exposed.assign(n, 0);
-    Workspaces workspaces([&] { return std::make_unique<ContourWorkspace>(data, cells); });
-    parallel_chunks(n, per_task, [&](std::size_t begin, std::size_t end) {
-        workspaces.with_one([&](ContourWorkspace& workspace) {
-            auto& [neighbours, builder, caps] = workspace;
-            ChunkResult& chunk = chunks[begin / per_task];
-            if (before != nullptr) reserve(*before, begin, end, chunk);
-            for (std::size_t i = begin; i < end; ++i) {
-                const auto atom = static_cast<std::uint32_t>(i);
-                const auto cover = before == nullptr ? std::span<const std::uint32_t>{} : before->cover_of(atom);
-                const Contour contour = build_contour(data, neighbours, atom, cover, caps, builder);
-                if (contour == Contour::Inconsistent) {
-                    chunk.consistent = false;
-                    return;
-                }
-                for (const std::uint32_t k : builder.kept()) chunk.cover.push_back(caps.atoms[k]);
-                data.cover_begin[i + 1] = builder.kept().size();
-                if (contour == Contour::Buried) continue;
-                data.exposed[i] = 1;
-                chunk.arcs.insert(chunk.arcs.end(), builder.arcs().begin(), builder.arcs().end());
-                chunk.caps.insert(chunk.caps.end(), builder.kept_caps().begin(), builder.kept_caps().end());
-                data.contour_begin[i + 1] = builder.arcs().size();
-                data.cap_begin[i + 1] = builder.kept().size();
-            }
+    parallel_chunks_with(
+        n, per_task, [&] { return std::make_unique<ContourWorkspace>(data, cells); },
+        [&](std::size_t begin, std::size_t end, ContourWorkspace& workspace) {
+            build_contours(data, begin, end, before, workspace, chunks[begin / per_task]);
         });
-    });
     for (auto* begin : {&data.contour_begin, &data.cap_begin, &data.cover_begin})
         std::partial_sum(begin->begin(), begin->end(), begin->begin());
     data.contour.clear();
