@@ -39,7 +39,9 @@ struct SasArc {
     double height1 = 0.0;                  ///< of atoms[1] above the circle's plane, signed
     Vec3 middle;                           ///< unit vector from the centre to the arc's midpoint
     double angle = 0.0;                    ///< swept, radian
-    double cos_half = -2.0;                ///< cosine of half the angle; of a whole circle below every cosine
+    /// Cosine of half the angle; of a whole circle so far below every cosine that the border of a cell (CellBorder)
+    /// makes no difference.
+    double cos_half = -4.0;
 
     bool whole_circle() const { return start == kNoVertex; }
     /// Of half an angle below 4e-7: where four spheres meet in a point, an arc that only the perturbation made. Its

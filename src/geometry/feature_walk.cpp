@@ -33,15 +33,12 @@ FeatureCell next_from_ball(const Data& data, const CellBorder& border, const Fea
 
 FeatureCell next_from_arc(const Data& data, const CellBorder& border, const FeatureCell& cell, const Vec3& p) {
     const SasArc& arc = data.arcs[cell.index];
-    const Vec3 q = p - arc.centre;
-    const double height = dot(arc.axis, q);
-    const Vec3 radial = q - height * arc.axis;
-    const double from_axis = norm(radial);
-    const double off = arc.radius - from_axis;
-    if (arc.radius * height + arc.height0 * off < border.area) return {Kind::Ball, arc.atoms[0]};
-    if (arc.height1 * off - arc.radius * height < border.area) return {Kind::Ball, arc.atoms[1]};
-    if (from_axis < border.length || arc.is_a_point()) return {};
-    if (dot(radial, arc.middle) > arc.cos_half * from_axis + border.length) return cell;
+    const ArcFoot foot = foot_on_arc(arc, p);
+    const double off = arc.radius - foot.from_axis;
+    if (arc.radius * foot.height + arc.height0 * off < border.area) return {Kind::Ball, arc.atoms[0]};
+    if (arc.height1 * off - arc.radius * foot.height < border.area) return {Kind::Ball, arc.atoms[1]};
+    if (foot.from_axis < border.length || arc.is_a_point()) return {};
+    if (dot(foot.radial, arc.middle) > arc.cos_half * foot.from_axis + border.length) return cell;
     const auto squared_distance = [&](std::uint32_t v) { return squared_norm(p - data.vertices[v].position); };
     return {Kind::Vertex, squared_distance(arc.start) < squared_distance(arc.end) ? arc.start : arc.end};
 }

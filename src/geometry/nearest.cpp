@@ -201,22 +201,29 @@ SurfaceStep step_from(const Data& data, const Vec3& p, const FeatureCell& neares
     }
 }
 
-FeatureLabel label_in(const AccessibleSurface& surface, const FeatureCell& nearest, const Vec3& p) {
-    const Data& data = surface.data();
+FeatureLabel label_in(const Data& data, const Vec3& p, const FeatureCell& nearest, double signed_distance) {
     switch (nearest.kind) {
-        case FeatureCell::Kind::Ball: {
-            const double depth = data.rho[nearest.index] - norm(p - data.atoms.centres[nearest.index]);
-            return {data.probe - depth, data.atoms.original[nearest.index], PatchKind::Contact};
-        }
-        case FeatureCell::Kind::Arc: {
-            const double distance = std::sqrt(foot_on_arc(data.arcs[nearest.index], p).squared_distance);
-            return {data.probe - distance, atom_of_arc(data, nearest.index, p), PatchKind::Toroidal};
-        }
-        default: {
-            const double distance = norm(p - data.vertices[nearest.index].position);
-            return {data.probe - distance, atom_of_vertex(data, nearest.index, p), PatchKind::Reentrant};
-        }
+        case FeatureCell::Kind::Ball:
+            return {signed_distance, data.atoms.original[nearest.index], PatchKind::Contact};
+        case FeatureCell::Kind::Arc:
+            return {signed_distance, atom_of_arc(data, nearest.index, p), PatchKind::Toroidal};
+        default:
+            return {signed_distance, atom_of_vertex(data, nearest.index, p), PatchKind::Reentrant};
     }
+}
+
+FeatureLabel label_in(const Data& data, const Vec3& p, const FeatureCell& nearest) {
+    const auto distance_from_k = [&] {
+        switch (nearest.kind) {
+            case FeatureCell::Kind::Ball:
+                return data.rho[nearest.index] - norm(p - data.atoms.centres[nearest.index]);
+            case FeatureCell::Kind::Arc:
+                return std::sqrt(foot_on_arc(data.arcs[nearest.index], p).squared_distance);
+            default:
+                return norm(p - data.vertices[nearest.index].position);
+        }
+    };
+    return label_in(data, p, nearest, data.probe - distance_from_k());
 }
 
 NearestHit nearest_hit(const AccessibleSurface::Data& data, const Vec3& p) {

@@ -19,7 +19,7 @@ NearestBatch::Claim NearestBatch::start(const LocalFeatures& local, const Box& b
     margin_ = margin;
     beyond_ = std::max(0.0, margin - data_->probe);
     box_ = box;
-    middle_ = 0.5 * (box.low + box.high);
+    middle_ = box.middle();
     half_diagonal_ = 0.5 * norm(box.high - box.low);
     if (local.balls().empty()) return Claim::Above;
     if (depths_in_middle_.size() < local.balls().padded_size()) depths_in_middle_.resize(local.balls().padded_size());
@@ -226,15 +226,20 @@ void NearestBatch::write(std::span<const std::uint32_t> places, double limit, fl
 
 Vec3 NearestBatch::foot(std::size_t point) const {
     const Vec3 p = get_point(*points_, point);
-    const std::size_t lane = lane_of_[point];
-    if (claims_.owned[lane] != 0) {
-        const Vec3& centre = data_->atoms.centres[atoms_[lane]];
-        return centre + (data_->rho[atoms_[lane]] / norm(p - centre)) * (p - centre);
+    const auto [kind, index] = cell_of(lane_of_[point]);
+    switch (kind) {
+        case FeatureCell::Kind::Ball: {
+            const Vec3& centre = data_->atoms.centres[index];
+            return centre + (data_->rho[index] / norm(p - centre)) * (p - centre);
+        }
+        case FeatureCell::Kind::Arc: {
+            const SasArc& arc = data_->arcs[index];
+            const ArcFoot on_arc = foot_on_arc(arc, p);
+            return arc.centre + (arc.radius / on_arc.from_axis) * on_arc.radial;
+        }
+        default:
+            return data_->vertices[index].position;
     }
-    if (!is_arc(tags_[lane])) return data_->vertices[static_cast<std::size_t>(tags_[lane])].position;
-    const SasArc& arc = data_->arcs[arc_of(tags_[lane])];
-    const ArcFoot on_arc = foot_on_arc(arc, p);
-    return arc.centre + (arc.radius / on_arc.from_axis) * on_arc.radial;
 }
 
 SurfaceStep NearestBatch::step_to_surface(std::size_t point) const {
@@ -274,35 +279,25 @@ void NearestBatch::steps_to_surface(BatchSteps& steps) {
 }
 
 FeatureLabel NearestBatch::label(std::size_t point) const {
-    const Vec3 p = get_point(*points_, point);
-    const double s = signed_distance(point);
-    const auto [kind, index] = cell_of(lane_of_[point]);
-    switch (kind) {
-        case FeatureCell::Kind::Ball:
-            return {s, data_->atoms.original[index], PatchKind::Contact};
-        case FeatureCell::Kind::Arc:
-            return {s, atom_of_arc(*data_, index, p), PatchKind::Toroidal};
-        default:
-            return {s, atom_of_vertex(*data_, index, p), PatchKind::Reentrant};
-    }
+    return label_in(*data_, get_point(*points_, point), cell_of(lane_of_[point]), signed_distance(point));
 }
 
 NearestFeature NearestBatch::feature(std::size_t point) const {
     const Vec3 p = get_point(*points_, point);
-    const std::size_t lane = lane_of_[point];
-    if (claims_.owned[lane] != 0) {
-        const std::uint32_t atom = atoms_[lane];
-        const double l = norm(p - data_->atoms.centres[atom]);
-        return contact_feature(*data_, p, {atom, data_->rho[atom] - l, l});
-    }
+    const auto [kind, index] = cell_of(lane_of_[point]);
     NearestEdge edge;
-    const std::int64_t tag = tags_[lane];
-    if (is_arc(tag)) {
-        edge.arc = arc_of(tag);
-        edge.squared_distance = foot_on_arc(data_->arcs[edge.arc], p).squared_distance;
-    } else {
-        edge.vertex = static_cast<std::uint32_t>(tag);
-        edge.squared_distance = squared_norm(p - data_->vertices[edge.vertex].position);
+    switch (kind) {
+        case FeatureCell::Kind::Ball: {
+            const double l = norm(p - data_->atoms.centres[index]);
+            return contact_feature(*data_, p, {index, data_->rho[index] - l, l});
+        }
+        case FeatureCell::Kind::Arc:
+            edge.arc = index;
+            edge.squared_distance = foot_on_arc(data_->arcs[index], p).squared_distance;
+            break;
+        default:
+            edge.vertex = index;
+            edge.squared_distance = squared_norm(p - data_->vertices[index].position);
     }
     return edge_feature(*data_, p, edge);
 }

@@ -79,7 +79,10 @@ std::uint32_t atom_of_arc(const AccessibleSurface::Data& data, std::uint32_t arc
 std::uint32_t atom_of_vertex(const AccessibleSurface::Data& data, std::uint32_t vertex, const Vec3& p);
 
 /// What p is labelled with whose nearest feature is that.
-FeatureLabel label_in(const AccessibleSurface& surface, const FeatureCell& nearest, const Vec3& p);
+FeatureLabel label_in(const AccessibleSurface::Data& data, const Vec3& p, const FeatureCell& nearest);
+/// The same where the signed distance is known, Å.
+FeatureLabel label_in(const AccessibleSurface::Data& data, const Vec3& p, const FeatureCell& nearest,
+                      double signed_distance);
 
 NearestFeature contact_feature(const AccessibleSurface::Data& data, const Vec3& p, const NearestBall& ball);
 NearestFeature edge_feature(const AccessibleSurface::Data& data, const Vec3& p, const NearestEdge& edge);

@@ -203,7 +203,7 @@ private:
         for (std::size_t lane = 0; lane < count; ++lane) {
             const auto v = static_cast<VertexId>(run.begin + lane);
             if (cells[lane].kind != FeatureCell::Kind::None)
-                set_label(v, label_in(accessible_, cells[lane], vertices[lane]));
+                set_label(v, label_in(accessible_.data(), vertices[lane], cells[lane]));
             else
                 left.push_back(v);
         }

@@ -55,7 +55,7 @@ TEST(FeatureWalk, EndsAtTheNearestFeature) {
             if (cells[i].kind == Kind::None) continue;
             ++found;
             const NearestFeature exact = surface.nearest(points[i]);
-            const FeatureLabel label = label_in(surface, cells[i], points[i]);
+            const FeatureLabel label = label_in(surface.data(), points[i], cells[i]);
             ASSERT_EQ(label.signed_distance, exact.signed_distance);
             ASSERT_EQ(label.patch, exact.patch);
             ASSERT_EQ(label.atom, exact.atom);
@@ -111,13 +111,39 @@ TEST(FeatureWalk, FindsMostPointsOfTheSurfaceOfLargeBeads) {
     EXPECT_GT(found, near.size() * 8 / 10);
 }
 
-// Further inside of a cell than rounding, which grows with the radii, could tell.
+// Further inside of a cell than rounding, which grows with the radii, could tell: here outside of a ball's sphere.
 TEST(FeatureWalk, LeavesMoreToASearchTheLargerTheRadii) {
-    const CellBorder small(3.0);
-    const CellBorder large(30.0);
-    EXPECT_DOUBLE_EQ(large.length, 10.0 * small.length);
-    EXPECT_DOUBLE_EQ(large.area, 100.0 * small.area);
-    EXPECT_DOUBLE_EQ(large.volume, 1000.0 * small.volume);
+    for (const double scale : {1.0, 10.0}) {
+        const AccessibleSurface surface(two_spheres(scale * 3.0, scale * 1.7, scale * 1.7), scale * 1.4);
+        const AccessibleSurface::Data& data = surface.data();
+        const double border = CellBorder(data.rho_max).length;
+        EXPECT_GT(border, 1e-16 * data.rho_max);
+        const std::uint32_t atom = data.arcs.front().atoms[0];
+        const Vec3 away = -1.0 * data.arcs.front().axis;  // from the other atom, or towards it
+        const Vec3 outwards = dot(away, data.atoms.centres[atom] - data.arcs.front().centre) > 0.0 ? away : -1.0 * away;
+        const auto inside_by = [&](double depth) {
+            return data.atoms.centres[atom] + (data.rho[atom] - depth) * outwards;
+        };
+        const std::vector<FeatureCell> cells = cells_of(surface, {inside_by(0.5 * border), inside_by(2.0 * border)});
+        EXPECT_EQ(cells[0].kind, Kind::None);
+        EXPECT_EQ(cells[1], (FeatureCell{Kind::Ball, atom}));
+    }
+}
+
+// There the border of the cell, which a point must be inside of, is as long as the way to the axis; the circle has no
+// ends to go on to.
+TEST(FeatureWalk, StaysInTheCellOfAWholeCircleBesideItsAxis) {
+    const AccessibleSurface surface(two_spheres(3.0), 1.4);
+    const SasArc& arc = surface.data().arcs.front();
+    ASSERT_TRUE(arc.whole_circle());
+    double length = CellBorder(surface.data().rho_max).length;
+    for (int ulp = -8; ulp < 0; ++ulp) length = std::nextafter(length, 0.0);
+    for (int ulp = -8; ulp <= 8; ++ulp, length = std::nextafter(length, 1.0))
+        for (const double side : {-1.0, 1.0}) {
+            const FeatureCell cell = cells_of(surface, {arc.centre + side * length * arc.middle}).front();
+            EXPECT_TRUE(cell.kind == Kind::None || cell == (FeatureCell{Kind::Arc, 0})) << ulp;
+            if (ulp > 4) EXPECT_EQ(cell.kind, Kind::Arc);
+        }
 }
 
 TEST(FeatureWalk, LeavesPointsOnABorderToASearch) {
