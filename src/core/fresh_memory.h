@@ -20,10 +20,11 @@ void touch_pages(std::byte* begin, std::size_t size);
 /// Room for a few more than so many: a handful that is added later would else move all of them, into twice the room.
 constexpr std::size_t with_spare(std::size_t size) { return size + size / 1024 + 64; }
 
-/// As vector.reserve(size), with the pages touched of what is not used yet among the first `likely`.
+/// As vector.reserve(size), with the pages touched of what is not used yet among the first `likely` of that room.
 template <class T, class Allocator>
 void reserve_touched(std::vector<T, Allocator>& vector, std::size_t size, std::size_t likely) {
     vector.reserve(size);
+    likely = std::min(likely, vector.capacity());
     if (likely <= vector.size()) return;
     touch_pages(reinterpret_cast<std::byte*>(vector.data() + vector.size()), (likely - vector.size()) * sizeof(T));
 }

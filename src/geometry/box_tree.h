@@ -126,7 +126,7 @@ public:
         return static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3]));
     }
 
-    /// Of a point from each box; 0 inside.
+    /// Of a point from each box; 0 inside, and for those that were never set.
     std::array<double, kCount> squared_distances(const Vec3& point) const {
         const std::array<double, 3> p{point.x, point.y, point.z};
         std::array<double, kCount> squares;

@@ -17,17 +17,17 @@ namespace meniscus {
 
 /// A list of features, each a few numbers and its index: one array per number, which vectors can read. Refilled again
 /// and again without setting its memory.
-template <std::size_t kColumns, class Number = double>
+template <std::size_t kColumns>
 class FeatureList {
 public:
-    using Row = std::array<Number, kColumns>;
-    static constexpr std::size_t kStep = 64 / sizeof(Number);  // arrays are readable up to the next multiple
+    using Row = std::array<double, kColumns>;
+    static constexpr std::size_t kStep = 64 / sizeof(double);  // arrays are readable up to the next multiple
 
     std::size_t size() const { return size_; }
     std::size_t padded_size() const { return (size_ + kStep - 1) / kStep * kStep; }
     bool empty() const { return size_ == 0; }
     std::uint32_t index(std::size_t item) const { return indices_[item]; }
-    const Number* column(std::size_t number) const { return columns_[number].data(); }
+    const double* column(std::size_t number) const { return columns_[number].data(); }
 
     void clear() { size_ = 0; }
     /// Makes room for so many items, each of which is to be set.
@@ -60,11 +60,11 @@ private:
     void reserve(std::size_t count) {
         if (count <= indices_.size()) return;
         const std::size_t room = (2 * count + kStep - 1) / kStep * kStep;
-        for (std::vector<Number>& column : columns_) column.resize(room);
+        for (std::vector<double>& column : columns_) column.resize(room);
         indices_.resize(room);
     }
 
-    std::array<std::vector<Number>, kColumns> columns_;
+    std::array<std::vector<double>, kColumns> columns_;
     std::vector<std::uint32_t> indices_;
     std::size_t size_ = 0;
 };

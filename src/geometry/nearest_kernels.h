@@ -109,13 +109,16 @@ struct BallOwner {
 
 /// How far inside of a cell (FeatureWalk) points must be, as a length and as products of two and of three. Two features
 /// are equally far but for rounding, some 1e-15 of the squares of lengths, up to 1e-7 of these beside their border,
-/// since squared distances part with the square.
+/// since squared distances part with the square; three times that is surely further inside.
 struct CellBorder {
     double length;  ///< Å
     double area;    ///< Å²
     double volume;  ///< Å³
 
-    explicit CellBorder(double rho_max) : length(3e-7 * rho_max), area(length * rho_max), volume(area * rho_max) {}
+    explicit CellBorder(double rho_max) : length(kPart * rho_max), area(length * rho_max), volume(area * rho_max) {}
+
+private:
+    static constexpr double kPart = 3e-7;  // of the largest radius
 };
 
 /// Per point, what its deepest ball says.

@@ -18,7 +18,7 @@ struct BatchSteps {
     LaneArray<std::uint32_t> point;  ///< where in the batch the step began
     LaneArray<std::uint32_t> atom;   ///< as in NearestFeature
     LaneArray<PatchKind> patch;
-    /// As far as known where the step ends: 0 of steps to the surface, settled or not.
+    /// Where the step ends, Å: 0 as StepBatch takes it, settled or not; else what set() was given.
     LaneArray<double> signed_distance;
 
     /// What is nearest to a place that was found otherwise.
@@ -56,7 +56,8 @@ private:
 
     // Says whose the points of a kind are from lane `to` on. atom_of(k): the nearest atom of point k's feature.
     template <class AtomOf>
-    void name(const Points& points, PatchKind patch, std::size_t to, BatchSteps& steps, const AtomOf& atom_of) const {
+    void write_labels(const Points& points, PatchKind patch, std::size_t to, BatchSteps& steps,
+                      const AtomOf& atom_of) const {
         for (std::size_t k = 0; k < points.count; ++k) {
             steps.point[to + k] = points.point[k];
             steps.atom[to + k] = data_->atoms.original[atom_of(k)];

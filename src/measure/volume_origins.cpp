@@ -73,7 +73,7 @@ VolumeOrigins::VolumeOrigins(const AccessibleSurface::Data& data) {
     for (const Vec3& centre : centres) box.include(centre);
     const Vec3 size = box.high - box.low;
     if (std::max({size.x, size.y, size.z}) < kFarApart) {
-        origins_.push_back(0.5 * (box.low + box.high));
+        origins_.push_back(box.middle());
         return;
     }
     // Probes that touch atoms farther apart than this do not overlap.
@@ -81,7 +81,7 @@ VolumeOrigins::VolumeOrigins(const AccessibleSurface::Data& data) {
     std::vector<Box> boxes(clusters.count());
     cluster_ = clusters.take();
     for (std::size_t i = 0; i < centres.size(); ++i) boxes[cluster_[i]].include(centres[i]);
-    for (const Box& b : boxes) origins_.push_back(0.5 * (b.low + b.high));
+    for (const Box& b : boxes) origins_.push_back(b.middle());
 }
 
 }  // namespace meniscus

@@ -23,6 +23,13 @@ TEST(Bits, AreCountedAsTheLibraryDoes) {
     for (int bit = 0; bit < 64; ++bit) EXPECT_EQ(count_bits(std::uint64_t{1} << bit), 1U);
 }
 
+TEST(Bits, FirstOnesAreTheLowest) {
+    static_assert(first_bits(0) == 0);
+    static_assert(first_bits(1) == 1);
+    static_assert(first_bits(63) == ~std::uint64_t{0} >> 1U);
+    static_assert(first_bits(64) == ~std::uint64_t{0});
+}
+
 TEST(Bits, VisitsTheItemsOfASetInOrder) {
     const std::array<std::uint64_t, 2> words{std::uint64_t{1} << 63U | 2U, 1U};
     std::vector<std::size_t> visited;

@@ -28,6 +28,15 @@ TEST(FreshMemory, WhatAVectorHoldsStays) {
     EXPECT_EQ(std::count(numbers.begin() + 1000, numbers.end(), 0), 1'999'000);
 }
 
+TEST(FreshMemory, OnlyALikelyPartOfTheRoomIsTouched) {
+    for (const std::size_t likely : {std::size_t{0}, std::size_t{500}, std::size_t{50'000}, std::size_t{10'000'000}}) {
+        std::vector<int> numbers(1000, 7);
+        reserve_touched(numbers, 100'000, likely);
+        EXPECT_GE(numbers.capacity(), 100'000U);
+        EXPECT_EQ(std::count(numbers.begin(), numbers.end(), 7), 1000);
+    }
+}
+
 TEST(FreshMemory, AFewMoreMoveNothing) {
     std::vector<int> a;
     std::vector<double> b{1.0};

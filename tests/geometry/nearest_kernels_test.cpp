@@ -61,7 +61,7 @@ struct Answers {
     StepLanes from_vertices;
     LaneArray<std::int64_t> nearest_of_arcs;  // atoms
     LaneArray<std::int64_t> nearest_of_vertices;
-    std::array<std::uint64_t, 3> in_cells{};  // points in cells of a ball, an arc and a vertex
+    std::array<std::uint64_t, 3> in_cells{};  // points in cells of balls, arcs and vertices
 };
 
 class NearestKernelsTest : public ::testing::Test {
@@ -153,12 +153,16 @@ protected:
                                    answers.nearest_of_vertices);
         const CellBorder border(data.rho_max);
         const std::uint64_t all = first_bits(kPoints);
-        const std::uint32_t atom = local_.balls().index(0);
-        const BallOwner ball{data.atoms.centres[atom], data.rho[atom], true, data.caps_of(atom)};
-        answers.in_cells = {kernels.find_in_ball_cell(ball, border, points_, all),
-                            kernels.find_in_arc_cell(data.arcs[local_.arcs().index(0)], border, points_, all),
-                            kernels.find_in_vertex_cell(vertex_hull(data, data.vertices[local_.vertices().index(0)]),
-                                                        border, points_, all)};
+        // Of all cells, so that each kind has some of the points.
+        answers.in_cells = {};
+        for (std::uint32_t i = 0; i < data.atoms.size(); ++i)
+            if (data.exposed[i] != 0)
+                answers.in_cells[0] |= kernels.find_in_ball_cell(
+                    {data.atoms.centres[i], data.rho[i], true, data.caps_of(i)}, border, points_, all);
+        for (const SasArc& arc : data.arcs)
+            if (!arc.is_a_point()) answers.in_cells[1] |= kernels.find_in_arc_cell(arc, border, points_, all);
+        for (const SasVertex& vertex : data.vertices)
+            answers.in_cells[2] |= kernels.find_in_vertex_cell(vertex_hull(data, vertex), border, points_, all);
     }
 
     DepthLimits limits() const {
@@ -202,9 +206,16 @@ void expect_equal(const StepLanes& a, const StepLanes& b) {
     }
 }
 
+std::ptrdiff_t count_settled(const StepLanes& lanes) {
+    return kPoints - std::count(lanes.settled.at, lanes.settled.at + kPoints, 0);
+}
+
 TEST_F(NearestKernelsTest, GiveTheSameBitsOnEveryInstructionSet) {
     const std::vector<NearestKernels> all = supported_nearest_kernels();
     const Answers plain = ask(all.front());
+    for (const std::uint64_t in_cells : plain.in_cells) EXPECT_NE(in_cells, 0U);
+    for (const StepLanes* lanes : {&plain.from_balls, &plain.from_arcs, &plain.from_vertices})
+        EXPECT_GT(count_settled(*lanes), 0);
     for (const NearestKernels& kernels : all) {
         const Answers other = ask(kernels);
         EXPECT_EQ(other.reaching, plain.reaching);

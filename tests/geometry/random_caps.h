@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <random>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geometry/contour.h"
+#include "geometry/neighbour_caps.h"
 
 namespace meniscus::testing {
 
@@ -27,15 +29,9 @@ inline std::vector<Cap> random_caps(std::uint64_t seed, std::uint32_t count, dou
 }
 
 inline CapColumns columns_of(std::span<const Cap> caps) {
-    CapColumns columns;
-    columns.resize(caps.size());
-    for (std::size_t k = 0; k < caps.size(); ++k) {
-        columns[0][k] = caps[k].axis.x;
-        columns[1][k] = caps[k].axis.y;
-        columns[2][k] = caps[k].axis.z;
-        columns[3][k] = caps[k].t;
-    }
-    return columns;
+    CapList list;
+    for (const Cap& cap : caps) list.add(cap);
+    return std::move(list.planes);
 }
 
 /// Of the caps that a contour was built from, those that it numbers.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "geometry/random_caps.h"
@@ -14,15 +15,13 @@ namespace {
 
 // Contours of random caps, with whole rims among them.
 struct Contours {
-    std::vector<Cap> caps;  // that arcs number
-    std::vector<CapPlane> planes;
     ContourBuilder builder;
+    std::span<const CapPlane> planes;  // that arcs number
 
     explicit Contours(std::uint64_t seed) {
         const std::vector<Cap> given = random_caps(seed, 11, 0.3, 0.95);
         EXPECT_TRUE(builder.build(columns_of(given)));
-        caps = kept_of(builder, given);
-        planes.assign(builder.kept_caps().begin(), builder.kept_caps().end());
+        planes = builder.kept_caps();
     }
     // An arc that each one might be followed by.
     std::vector<std::uint32_t> next() const {
