@@ -10,6 +10,7 @@
 #include "structure/build_structure.h"
 #include "structure/choose_atoms.h"
 #include "structure/coincident.h"
+#include "structure/gemmi/cif_file.h"
 #include "structure/gemmi/gemmi_reader.h"
 #include "structure/input_file.h"
 #include "structure/pdb_screen.h"

@@ -1,0 +1,395 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure/gemmi/cif_file.h"
+
+// gemmi is not written for our warnings.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wall"
+#pragma GCC diagnostic ignored "-Wextra"
+#include <gemmi/cif.hpp>
+#pragma GCC diagnostic pop
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <new>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include "meniscus/errors.h"
+#include "reading/numbers.h"
+#include "reading/text.h"
+#include "structure/cif_locate.h"
+#include "structure/element.h"
+#include "structure/gemmi/gemmi_shared.h"
+#include "structure/residue_list.h"
+
+namespace meniscus::reading {
+namespace {
+
+// Columns of _atom_site in the order in which gemmi's table has them; those with '?' may be missing.
+// clang-format off
+struct Column {
+    enum Index {
+        X, Y, Z, Group, Id, Symbol, LabelAtom, AuthAtom, AltId, LabelComp, AuthComp, LabelAsym, AuthAsym, Entity,
+        LabelSeq, AuthSeq, Insertion, Occupancy, B, Charge, ModelNumber
+    };
+};
+
+const std::vector<std::string>& atom_tags() {
+    static const std::vector<std::string> tags{
+        "Cartn_x", "Cartn_y", "Cartn_z", "?group_PDB", "?id", "?type_symbol", "?label_atom_id", "?auth_atom_id",
+        "?label_alt_id", "?label_comp_id", "?auth_comp_id", "?label_asym_id", "?auth_asym_id", "?label_entity_id",
+        "?label_seq_id", "?auth_seq_id", "?pdbx_PDB_ins_code", "?occupancy", "?B_iso_or_equiv",
+        "?pdbx_formal_charge", "?pdbx_PDB_model_num"};
+    return tags;
+}
+// clang-format on
+
+// "file:12:5(340): what" of gemmi's CIF parser without the offset in bytes.
+std::string tidy_message(const std::string& message) {
+    const std::size_t open = message.find('(');
+    const std::size_t close = message.find("): ");
+    if (open == std::string::npos || close == std::string::npos || open > close) return message;
+    return message.substr(0, open) + message.substr(close + 1);
+}
+
+// As gemmi fills its document, with room made at once for long loops, as many values as the rest of the text may hold:
+// gemmi's own doubling would move them all again and again, and take three times their memory meanwhile.
+template <class Rule>
+struct RoomyAction : gemmi::cif::Action<Rule> {};
+template <>
+struct RoomyAction<gemmi::cif::rules::loop_value> {
+    template <class Input>
+    static void apply(const Input& in, gemmi::cif::Document& document) {
+        constexpr std::size_t kMany = 4096;
+        std::vector<std::string>& values = document.items_->back().loop.values;
+        if (values.size() == values.capacity() && values.size() >= kMany) {
+            const std::size_t before = in.input().byte();
+            const std::size_t left = in.input().size();
+            values.reserve(values.size() + values.size() * left / before + kMany);
+        }
+        gemmi::cif::Action<gemmi::cif::rules::loop_value>::apply(in, document);
+    }
+};
+
+gemmi::cif::Document parse_cif(const std::string& text, const std::string& file) {
+    try {
+        gemmi::cif::Document document;
+        document.source = file;
+        tao::pegtl::memory_input<> input(text.data(), text.size(), file);
+        tao::pegtl::parse<gemmi::cif::rules::file, RoomyAction, gemmi::cif::Errors>(input, document);
+        gemmi::cif::check_for_missing_values(document);
+        gemmi::cif::check_for_duplicates(document);
+        return document;
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        const std::string message = tidy_message(error.what());
+        const std::string own = gemmi::starts_with(message, file + ":") ? message.substr(file.size()) : ": " + message;
+        throw InputError(file + printable(own, kOfGemmi) +
+                         "; this is not valid CIF, correct it or fetch the file again");
+    }
+}
+
+// A parsed file and what messages about it need.
+struct CifSource {
+    const std::string& file;
+    const std::string& text;
+
+    [[noreturn]] void fail(Column::Index column, std::size_t row, const std::string& value, const char* remedy) const {
+        const std::string tag = tag_of(column);
+        fail_at(file, locate_cif_value(text, tag, row),
+                tag + " " + shown(value) + " is not a finite number; " + remedy);
+    }
+
+    [[noreturn]] void fail_name(Column::Index column, std::size_t row, const std::string& value) const {
+        fail_at(file, locate_cif_value(text, tag_of(column), row),
+                tag_of(column) + " " + shown(value) + " holds a byte that is no printable character; correct it");
+    }
+
+private:
+    static std::string tag_of(Column::Index column) {
+        const std::string& listed = atom_tags()[column];
+        return "_atom_site." + listed.substr(listed[0] == '?' ? 1 : 0);
+    }
+};
+
+// As gemmi::cif::as_string, without a copy.
+std::string_view unquoted(const std::string& value) {
+    std::string_view text = value;
+    if (text.size() < 2 || (text[0] != '"' && text[0] != '\'' && text[0] != ';')) return text;
+    if (text[0] != ';') return text.substr(1, text.size() - 2);
+    if (text[text.size() - 2] != '\n') return text;
+    const std::size_t end = text.size() - (text[text.size() - 3] == '\r' ? 3 : 2);
+    return text.substr(1, end - 1);
+}
+
+// Where the columns of _atom_site stand in gemmi's document, which its own table looks up for every value.
+class AtomColumns {
+public:
+    explicit AtomColumns(gemmi::cif::Table table) {
+        if (const gemmi::cif::Loop* const loop = table.get_loop()) stride_ = loop->width();
+        for (std::size_t c = 0; c < first_.size(); ++c) first_[c] = table[0].ptr_at(static_cast<int>(c));
+    }
+
+    // Null for a column that the file has not.
+    const std::string* at(Column::Index column, std::size_t row) const {
+        const std::string* const first = first_[column];
+        return first == nullptr ? nullptr : first + row * stride_;
+    }
+
+private:
+    std::array<const std::string*, Column::ModelNumber + 1> first_{};
+    std::size_t stride_ = 0;  // an atom that is given in pairs has no other row
+};
+
+// One row of _atom_site.
+class AtomRow {
+public:
+    AtomRow(const CifSource& source, const AtomColumns& columns, std::size_t index)
+        : source_(source), columns_(columns), index_(index) {}
+
+    bool has(Column::Index column) const { return value_of(column) != nullptr; }
+
+    std::string_view text(Column::Index column) const {
+        const std::string* const value = value_of(column);
+        if (value == nullptr) return {};
+        const std::string_view text = unquoted(*value);
+        if (find_unprintable(text) != std::string_view::npos) source_.fail_name(column, index_, std::string(text));
+        return text;
+    }
+
+    // The first of two columns that has a value: author's names before label names.
+    std::string_view text(Column::Index first, Column::Index second) const { return text(has(first) ? first : second); }
+
+    char letter(Column::Index column) const {
+        const std::string_view value = text(column);
+        return value.empty() ? ' ' : value[0];
+    }
+
+    double coordinate(Column::Index column) const {
+        const std::string* const text = value_of(column);
+        const auto value = text != nullptr ? finite_number(unquoted(*text)) : std::nullopt;
+        if (!value) source_.fail(column, index_, *columns_.at(column, index_), "correct it or leave the atom out");
+        return *value;
+    }
+
+    double number(Column::Index column, double otherwise) const {
+        const std::string* const text = value_of(column);
+        if (text == nullptr) return otherwise;
+        const auto value = finite_number(unquoted(*text));
+        if (!value) source_.fail(column, index_, *text, "'?' is allowed");
+        return *value;
+    }
+
+    // A residue number; old files write the insertion code behind it ("15A").
+    void residue_number(RawResidue& residue) const {
+        const Column::Index column = has(Column::AuthSeq) ? Column::AuthSeq : Column::LabelSeq;
+        std::string_view digits = text(column);
+        if (digits.empty()) return;
+        if (!integer(digits) && residue.insertion_code == ' ') {
+            residue.insertion_code = digits.back();
+            digits.remove_suffix(1);
+        }
+        const auto value = integer(digits);
+        if (!value) source_.fail(column, index_, *columns_.at(column, index_), "residue numbers are integers");
+        residue.number = *value;
+    }
+
+    // Whether all that a residue is made of is the same text.
+    bool is_of_residue_of(const AtomRow& other) const {
+        constexpr std::array kColumns{Column::AuthAsym, Column::LabelAsym, Column::AuthComp,  Column::LabelComp,
+                                      Column::AuthSeq,  Column::LabelSeq,  Column::Insertion, Column::Entity};
+        return std::all_of(kColumns.begin(), kColumns.end(), [&](Column::Index column) {
+            const std::string* const a = columns_.at(column, index_);
+            return a == nullptr || *a == *columns_.at(column, other.index_);
+        });
+    }
+
+private:
+    // None where the file has no such column, or says that there is no value.
+    const std::string* value_of(Column::Index column) const {
+        const std::string* const value = columns_.at(column, index_);
+        return value == nullptr || gemmi::cif::is_null(*value) ? nullptr : value;
+    }
+
+    const CifSource& source_;
+    const AtomColumns& columns_;
+    std::size_t index_;
+};
+
+using EntityIds = std::set<std::string, std::less<>>;
+
+RawResidue to_residue(const AtomRow& row, const EntityIds& polymers) {
+    RawResidue residue;
+    residue.chain = row.text(Column::AuthAsym, Column::LabelAsym);
+    residue.label_chain = row.text(Column::LabelAsym);
+    residue.name = upper_case(row.text(Column::AuthComp, Column::LabelComp));
+    residue.insertion_code = row.letter(Column::Insertion);
+    row.residue_number(residue);
+    residue.in_sequence = polymers.count(row.text(Column::Entity)) > 0;
+    return residue;
+}
+
+RawAtom to_atom(const AtomRow& row, const std::string& residue_name) {
+    RawAtom atom;
+    atom.centre = {row.coordinate(Column::X), row.coordinate(Column::Y), row.coordinate(Column::Z)};
+    atom.name = upper_case(row.text(Column::AuthAtom, Column::LabelAtom));
+    atom.element = element_symbol(row.text(Column::Symbol));
+    if (atom.element.empty()) atom.element = element_from_name(atom.name, residue_name);
+    atom.altloc = row.letter(Column::AltId);
+    atom.hetatm = row.text(Column::Group) == "HETATM";
+    atom.serial = integer(row.text(Column::Id)).value_or(0);
+    atom.occupancy = row.number(Column::Occupancy, 1.0);
+    atom.b_factor = row.number(Column::B, 0.0);
+    atom.charge = row.number(Column::Charge, 0.0);
+    return atom;
+}
+
+// The first block with coordinates; an error if none has any.
+gemmi::cif::Block& coordinate_block(gemmi::cif::Document& document, const std::string& file) {
+    gemmi::cif::Block* other = nullptr;
+    for (gemmi::cif::Block& block : document.blocks) {
+        if (block.find("_atom_site.", {"Cartn_x"}).length() > 0) return block;
+        if (block.find_mmcif_category("_atom_site.").length() > 0) other = &block;
+        if (block.find_values("_atom_site_fract_x").length() > 0) {
+            throw InputError(file + ": a small-molecule CIF with fractional coordinates; convert it to PDB or mmCIF");
+        }
+    }
+    if (other != nullptr) throw InputError(file + ": no column _atom_site.Cartn_x; the file has no coordinates to use");
+    throw InputError(file + ": no _atom_site loop, so no atoms; take the coordinate file of the entry");
+}
+
+bool all_begin_with(const gemmi::cif::Loop& loop, const std::string& prefix) {
+    return std::all_of(loop.tags.begin(), loop.tags.end(),
+                       [&](const std::string& tag) { return gemmi::istarts_with(tag, prefix); });
+}
+
+[[noreturn]] void refuse(const std::string& file, const gemmi::cif::Item& item, const std::string& why) {
+    throw InputError(file + ":" + std::to_string(item.line_number) + ":1: " + why);
+}
+
+// Which values belong to one atom is known only where all columns stand in one loop of their own, or one atom is given
+// in pairs.
+void check_one_table(const gemmi::cif::Block& block, const std::string& file) {
+    const std::string prefix = "_atom_site.";
+    const auto is_of_atoms = [&](const std::string& tag) { return gemmi::istarts_with(tag, prefix); };
+    int loops = 0;
+    int pairs = 0;
+    for (const gemmi::cif::Item& item : block.items) {
+        if (item.type == gemmi::cif::ItemType::Loop) {
+            const bool has_some = std::any_of(item.loop.tags.begin(), item.loop.tags.end(), is_of_atoms);
+            if (has_some && !all_begin_with(item.loop, prefix))
+                refuse(file, item, "a loop of _atom_site has other columns, too; give these a loop of their own");
+            loops += has_some ? 1 : 0;
+        } else if (item.type == gemmi::cif::ItemType::Pair) {
+            pairs += is_of_atoms(item.pair[0]) ? 1 : 0;
+        }
+        if (loops > 1 || (loops == 1 && pairs > 0))
+            refuse(file, item, "_atom_site is given a second time; put all its columns into one loop");
+    }
+}
+
+void check_columns(gemmi::cif::Block& block, const std::string& file) {
+    check_one_table(block, file);
+    const auto needs = [&](std::initializer_list<const char*> tags) {
+        const auto has_column = [&](const char* tag) { return block.find_values(tag).length() > 0; };
+        if (std::any_of(tags.begin(), tags.end(), has_column)) return;
+        throw InputError(file + ": no column " + *tags.begin() + "; the _atom_site loop is incomplete");
+    };
+    needs({"_atom_site.Cartn_y"});
+    needs({"_atom_site.Cartn_z"});
+    needs({"_atom_site.label_atom_id", "_atom_site.auth_atom_id"});
+    needs({"_atom_site.label_comp_id", "_atom_site.auth_comp_id"});
+}
+
+// Only what assemblies are made of goes to gemmi's interpretation of a block.
+std::vector<RawAssembly> read_assemblies(const gemmi::cif::Block& block) {
+    gemmi::cif::Block clean(block.name);
+    for (const gemmi::cif::Item& item : block.items) {
+        const auto is_all = [&](const std::string& category) {
+            if (item.type == gemmi::cif::ItemType::Pair) return gemmi::istarts_with(item.pair[0], category);
+            return item.type == gemmi::cif::ItemType::Loop && all_begin_with(item.loop, category);
+        };
+        const bool wanted = is_all("_pdbx_struct_assembly.") || is_all("_pdbx_struct_assembly_gen.") ||
+                            is_all("_pdbx_struct_assembly_prop.") || is_all("_pdbx_struct_oper_list.");
+        if (wanted) clean.items.push_back(item);
+    }
+    std::vector<RawAssembly> assemblies = assemblies_of(clean);
+    // gemmi reads only the first factor of a product of operators, "(1-60)(61-88)": better none than half of it.
+    for (auto row : clean.find("_pdbx_struct_assembly_gen.", {"assembly_id", "oper_expression"})) {
+        if (row.str(1).find(")(") == std::string::npos) continue;
+        for (RawAssembly& assembly : assemblies) {
+            if (assembly.name == row.str(0)) assembly.generators.assign(1, RawGenerator{});
+        }
+    }
+    return assemblies;
+}
+
+}  // namespace
+
+struct CifFile::Content {
+    std::string file;
+    const std::string& text;
+    gemmi::cif::Document document;
+    gemmi::cif::Block& block;
+    std::vector<std::string> model_numbers;  // in file order
+    EntityIds polymers;
+
+    Content(const std::string& content, const std::string& name)
+        : file(name), text(content), document(parse_cif(content, name)), block(coordinate_block(document, name)) {
+        check_columns(block, file);
+        for (auto row : block.find("_entity.", {"id", "type"})) {
+            if (row.str(1) == "polymer") polymers.insert(row.str(0));
+        }
+        for (const std::string& number : block.find_values("_atom_site.pdbx_PDB_model_num")) {
+            if (model_numbers.empty() || number != model_numbers.back()) add_model(number);
+        }
+    }
+
+    void add_model(const std::string& number) {
+        const auto found = std::find(model_numbers.begin(), model_numbers.end(), number);
+        if (found == model_numbers.end()) model_numbers.push_back(number);
+    }
+
+    int model_count() const { return std::max<int>(1, static_cast<int>(model_numbers.size())); }
+
+    RawModel model(int position) {
+        RawModel model;
+        model.model_count = model_count();
+        ResidueList residues(model.residues);
+        const CifSource source{file, text};
+        gemmi::cif::Table table = block.find("_atom_site.", atom_tags());
+        const AtomColumns columns(table);
+        const std::size_t rows = table.length();
+        model.atoms.reserve(rows / static_cast<std::size_t>(model_count()));
+        std::optional<AtomRow> before;
+        for (std::size_t i = 0; i < rows; ++i) {
+            if (!model_numbers.empty() && *columns.at(Column::ModelNumber, i) != model_numbers[position - 1]) continue;
+            const AtomRow row(source, columns, i);
+            const bool as_before = before && row.is_of_residue_of(*before);
+            const std::uint32_t residue =
+                as_before ? model.atoms.back().residue : residues.index_of(to_residue(row, polymers));
+            model.atoms.push_back(to_atom(row, model.residues[residue].name));
+            model.atoms.back().residue = residue;
+            before.emplace(row);
+        }
+        model.assemblies = read_assemblies(block);
+        return model;
+    }
+};
+
+CifFile::CifFile(const std::string& text, const std::string& file)
+    : content_(with_input_errors(file, [&] { return std::make_unique<Content>(text, file); })) {}
+
+CifFile::~CifFile() = default;
+
+int CifFile::model_count() const { return content_->model_count(); }
+
+RawModel CifFile::model(int position) const {
+    return with_input_errors(content_->file, [&] { return content_->model(position); });
+}
+
+}  // namespace meniscus::reading

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// mmCIF files. cif_file.cpp is the only file that includes gemmi's parser of CIF, which compiles slowly.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "structure/raw_model.h"
+
+namespace meniscus::reading {
+
+/// An mmCIF file, parsed; its atoms are checked when a model is asked for.
+class CifFile {
+public:
+    /// throws   InputError with the place of a syntax error; if there are no coordinates
+    CifFile(const std::string& text, const std::string& file);
+    ~CifFile();
+    CifFile(const CifFile&) = delete;
+    CifFile& operator=(const CifFile&) = delete;
+
+    /// Models in the file, told apart by pdbx_PDB_model_num.
+    int model_count() const;
+
+    /// The model at a position, from 1. Precondition: 1 <= position <= model_count().
+    /// throws   InputError with the line and column of a value that is no finite number
+    RawModel model(int position) const;
+
+private:
+    struct Content;
+    std::unique_ptr<Content> content_;
+};
+
+}  // namespace meniscus::reading

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure/gemmi/cif_file.h"
+
+#include <gtest/gtest.h>
+
+#include "fragments.h"
+
+namespace meniscus::reading {
+namespace {
+
+using meniscus::testing::expect_contains;
+
+constexpr const char* kHead =
+    "data_x\nloop_\n_atom_site.group_PDB\n_atom_site.id\n_atom_site.type_symbol\n_atom_site.label_atom_id\n"
+    "_atom_site.label_alt_id\n_atom_site.label_comp_id\n_atom_site.label_asym_id\n_atom_site.auth_seq_id\n"
+    "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n_atom_site.pdbx_PDB_model_num\n";
+
+RawModel cif(const std::string& text, int position = 1) { return CifFile(text, "f.cif").model(position); }
+
+std::string cif_error(const std::string& text) {
+    try {
+        cif(text);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(GemmiCif, ReadsAtomsAndDefaults) {
+    const RawModel model = cif(std::string(kHead) + "HETATM 7 FE \"FE\" . HEM B 12 1.5 -2 3e0 1\n");
+    ASSERT_EQ(model.atoms.size(), 1U);
+    const RawAtom& atom = model.atoms[0];
+    EXPECT_EQ(atom.centre, (Vec3{1.5, -2, 3}));
+    EXPECT_EQ(atom.name, "FE");
+    EXPECT_EQ(atom.element, "FE");
+    EXPECT_EQ(atom.altloc, ' ');
+    EXPECT_EQ(atom.serial, 7);
+    EXPECT_TRUE(atom.hetatm);
+    EXPECT_EQ(atom.occupancy, 1.0);
+    EXPECT_EQ(model.residues[0].chain, "B");
+    EXPECT_EQ(model.residues[0].number, 12);
+}
+
+TEST(GemmiCif, ModelsAreToldApartByNumberAndCountedByPosition) {
+    const std::string text = std::string(kHead) + "ATOM 1 C C . ALA A 1 1 0 0 4\nATOM 2 C C . ALA A 1 2 0 0 9\n";
+    EXPECT_EQ(CifFile(text, "f").model_count(), 2);
+    EXPECT_EQ(cif(text, 2).atoms.at(0).centre.x, 2.0);
+}
+
+TEST(GemmiCif, ABadCoordinateIsAnErrorWithItsPlace) {
+    const std::string good = "ATOM 1 C C . ALA A 1 1 0 0 1\n";
+    for (const char* value : {"?", ".", "nan", "1e400", "11,104", "'1 2'", "********"}) {
+        const std::string error = cif_error(kHead + good + "ATOM 2 C C . ALA A 1 0 " + value + " 0 1\n");
+        EXPECT_TRUE(error.starts_with("f.cif:16:24: _atom_site.Cartn_y")) << error;
+    }
+    expect_contains(cif_error(std::string(kHead) + "ATOM 2 C C . ALA A x9x 0 0 0 1\n"),
+                    "f.cif:15:20: _atom_site.auth_seq");
+}
+
+TEST(GemmiCif, QuotedAndMultiLineValuesAreValues) {
+    const RawModel model = cif(std::string("data_0\n_struct.title\n;two\nloop_ _atom_site.id\n;\n") + (kHead + 7) +
+                               "ATOM 1 O 'O5'' . DA A 1 \"1.0\"\n;2.0\n;\n3.0 1\n");
+    EXPECT_EQ(model.atoms.at(0).name, "O5'");
+    EXPECT_EQ(model.atoms.at(0).centre, (Vec3{1, 2, 3}));
+}
+
+// Room for the rest of a loop is made by what its beginning took.
+TEST(GemmiCif, LongLoopsAreReadWholeWhetherTheirRowsGrowOrShrink) {
+    constexpr int kRows = 2000;
+    for (const bool grow : {false, true}) {
+        std::string text(kHead);
+        for (int i = 0; i < kRows; ++i) {
+            const std::string number = std::to_string(i);
+            const bool wide = grow == (i > kRows / 2);
+            text += "ATOM " + number + " C CA . ALA A " + std::to_string(i / 5) + " " + number +
+                    (wide ? ".00000000000000000000000000" : ".0") + " 0 0 1\n";
+        }
+        const RawModel model = cif(text);
+        ASSERT_EQ(model.atoms.size(), static_cast<std::size_t>(kRows));
+        ASSERT_EQ(model.residues.size(), static_cast<std::size_t>(kRows / 5));
+        for (int i = 0; i < kRows; ++i) {
+            const RawAtom& atom = model.atoms[static_cast<std::size_t>(i)];
+            ASSERT_EQ(atom.centre.x, i);
+            ASSERT_EQ(atom.serial, i);
+            ASSERT_EQ(model.residue_of(atom).number, i / 5);
+        }
+    }
+}
+
+// Alternatives of one site may take turns, and a residue may come back.
+TEST(GemmiCif, ResiduesOfNeighbouringRowsAreToldApart) {
+    const RawModel model = cif(std::string(kHead) +
+                               "ATOM 1 N N A SER A 1 0 0 0 1\nATOM 2 N N B THR A 1 0 0 1 1\n"
+                               "ATOM 3 C CA A SER A 1 1 0 0 1\nATOM 4 C CA A SER B 1 2 0 0 1\n"
+                               "ATOM 5 C CA A SER B 2 3 0 0 1\nATOM 6 C CB A SER B 2 4 0 0 1\n");
+    std::vector<std::uint32_t> residues;
+    for (const RawAtom& atom : model.atoms) residues.push_back(atom.residue);
+    EXPECT_EQ(residues, (std::vector<std::uint32_t>{0, 1, 0, 2, 3, 3}));
+}
+
+TEST(GemmiCif, OneAtomMayBeGivenInPairs) {
+    const RawModel model =
+        cif("data_x\n_atom_site.label_atom_id CA\n_atom_site.label_comp_id CA\n_atom_site.Cartn_x 1\n"
+            "_atom_site.Cartn_y 2\n_atom_site.Cartn_z 3\n");
+    EXPECT_EQ(model.atoms.at(0).centre, (Vec3{1, 2, 3}));
+    EXPECT_EQ(model.atoms.at(0).element, "CA");
+}
+
+TEST(GemmiCif, BrokenFilesAreErrors) {
+    expect_contains(cif_error("data_x\n_a.b 1\n"), "no _atom_site loop");
+    expect_contains(cif_error("data_x\nloop_\n_atom_site.id\n_atom_site.Cartn_x\n1 2\n"), "Cartn_y");
+    expect_contains(cif_error("data_x\nloop_\n_atom_site.id\n_atom_site.label_atom_id\n1 C\n"), "Cartn_x");
+    expect_contains(cif_error("data_x\n_atom_site_fract_x 0.5\n"), "small-molecule");
+    const std::string atom = "ATOM 1 C C . ALA A 1 1 0 0 1\n";
+    expect_contains(cif_error(kHead + atom + "ATOM 2 C C\n"), "f.cif:");
+    expect_contains(cif_error(kHead + atom + (kHead + 7) + atom), "f.cif:");
+    expect_contains(cif_error(kHead + atom + "data_x\n_a.b 'never closed\n"), "f.cif:");
+    expect_contains(cif_error("no data here\n"), "not valid CIF");
+}
+
+TEST(GemmiCif, ColumnsInTwoLoopsAreAnError) {
+    const std::string atom = "ATOM 1 C C . ALA A 1 1 0 0 1\n";
+    expect_contains(cif_error(kHead + atom + "loop_\n_atom_site.B_iso_or_equiv\n1\n"),
+                    "f.cif:16:1: _atom_site is given a second time");
+    // The models stand in another loop than the atoms: found by fuzzing, what was before the values was taken for
+    // theirs.
+    const std::string coordinates =
+        "data_x\nloop_\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+        "_atom_site.Cartn_z\nC ALA 0 0 0\n";
+    expect_contains(cif_error(coordinates + "loop_\n_atom_site.pdbx_PDB_model_num\n1\n"), "a second time");
+    expect_contains(cif_error(coordinates + "loop_\n_other.id\n_atom_site.pdbx_PDB_model_num\n1 1\n"),
+                    "has other columns");
+    expect_contains(cif_error(coordinates + "_Atom_Site.pdbx_PDB_model_num 1\n"), "a second time");
+    EXPECT_EQ(cif_error(coordinates + "loop_\n_atom_site_anisotrop.id\n1\n"), "");
+}
+
+TEST(GemmiCif, LoopsOfSeveralCategoriesAreNoAssemblies) {
+    // Found by fuzzing: gemmi, which is to see assemblies alone, got the number of a residue beyond all integers.
+    const std::string mixed =
+        "data_x\nloop_\n_pdbx_struct_assembly_gen.assembly_id\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n"
+        "_atom_site.label_seq_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n1 C ALA 15555555555 0 0 "
+        "0\n";
+    expect_contains(cif_error(mixed), "f.cif:2:1: a loop of _atom_site has other columns");
+    const RawModel model =
+        cif(std::string(kHead) + "ATOM 1 C C . ALA A 1 1 0 0 1\n" +
+            "loop_\n_pdbx_struct_assembly_gen.assembly_id\n_struct_ref_seq.seq_align_beg\n1 15555555555\n");
+    EXPECT_TRUE(model.assemblies.empty());
+}
+
+TEST(GemmiCif, PolymersAreKnownByTheirEntities) {
+    const RawModel model =
+        cif("data_x\nloop_\n_entity.id\n_entity.type\n1 polymer\n2 non-polymer\nloop_\n_atom_site.label_entity_id\n"
+            "_atom_site.label_atom_id\n_atom_site.label_comp_id\n_atom_site.label_asym_id\n_atom_site.Cartn_x\n"
+            "_atom_site.Cartn_y\n_atom_site.Cartn_z\n1 C CRO A 0 0 0\n2 C HEM B 0 0 0\n");
+    EXPECT_TRUE(model.residues.at(0).in_sequence);
+    EXPECT_FALSE(model.residues.at(1).in_sequence);
+}
+
+constexpr const char* kAssembly =
+    "_pdbx_struct_assembly.id 1\n_pdbx_struct_assembly.details author_defined_assembly\n"
+    "_pdbx_struct_assembly.method_details ?\n_pdbx_struct_assembly.oligomeric_details dimeric\n"
+    "_pdbx_struct_assembly.oligomeric_count 2\n_pdbx_struct_assembly_gen.assembly_id 1\n"
+    "_pdbx_struct_assembly_gen.asym_id_list A\nloop_\n_pdbx_struct_oper_list.id\n_pdbx_struct_oper_list.type\n"
+    "_pdbx_struct_oper_list.matrix[1][1]\n_pdbx_struct_oper_list.matrix[1][2]\n_pdbx_struct_oper_list.matrix[1][3]\n"
+    "_pdbx_struct_oper_list.matrix[2][1]\n_pdbx_struct_oper_list.matrix[2][2]\n_pdbx_struct_oper_list.matrix[2][3]\n"
+    "_pdbx_struct_oper_list.matrix[3][1]\n_pdbx_struct_oper_list.matrix[3][2]\n_pdbx_struct_oper_list.matrix[3][3]\n"
+    "_pdbx_struct_oper_list.vector[1]\n_pdbx_struct_oper_list.vector[2]\n_pdbx_struct_oper_list.vector[3]\n"
+    "1 x 1 0 0 0 1 0 0 0 1 0 0 0\n2 x 1 0 0 0 1 0 0 0 1 5 0 0\n";
+
+TEST(GemmiCif, ReadsAssemblies) {
+    const std::string atom = "ATOM 1 C C . ALA A 1 1 0 0 1\n";
+    const RawModel model = cif(kHead + atom + kAssembly + "_pdbx_struct_assembly_gen.oper_expression 1,2\n");
+    ASSERT_EQ(model.assemblies.at(0).generators.at(0).operators.size(), 2U);
+    EXPECT_TRUE(model.assemblies[0].generators[0].label_names);
+    EXPECT_EQ(model.assemblies[0].generators[0].operators[1].apply({1, 0, 0}).x, 6.0);
+}
+
+TEST(GemmiCif, ProductsOfOperatorsAreNotHalfRead) {
+    const std::string atom = "ATOM 1 C C . ALA A 1 1 0 0 1\n";
+    const RawModel model = cif(kHead + atom + kAssembly + "_pdbx_struct_assembly_gen.oper_expression (1)(2)\n");
+    EXPECT_TRUE(model.assemblies.at(0).generators.at(0).operators.empty());
+}
+
+}  // namespace
+}  // namespace meniscus::reading
