@@ -65,7 +65,7 @@ TEST(GemmiCif, QuotedAndMultiLineValuesAreValues) {
     EXPECT_EQ(model.atoms.at(0).centre, (Vec3{1, 2, 3}));
 }
 
-// Room for the rest of a loop is made by what its beginning took.
+// Room for the rest of a loop is made by how many values the text before gave to it.
 TEST(GemmiCif, LongLoopsAreReadWholeWhetherTheirRowsGrowOrShrink) {
     constexpr int kRows = 2000;
     for (const bool grow : {false, true}) {

@@ -52,6 +52,15 @@ TEST(ReadStructure, LineEndsMarksAndCompressionChangeNothing) {
     EXPECT_EQ(read_text(gzipped(kGlycine), "g.pdb.gz").atoms.centres, plain.atoms.centres);
 }
 
+TEST(ReadStructure, LineEndsBelongToNoValueOfMmcif) {
+    const Structure s = read_text(
+        "data_x\r\nloop_\r\n_atom_site.label_atom_id\r\n_atom_site.label_comp_id\r\n_atom_site.Cartn_x\r\n"
+        "_atom_site.Cartn_y\r\n_atom_site.Cartn_z\r\n;CA\r\n;\r\nGLY 1\r\n;2.5\r\n;\r\n3\r\n",
+        "dos.cif");
+    EXPECT_EQ(s.labels.at(0).name, "CA");
+    EXPECT_EQ(s.atoms.centres.at(0), (Vec3{1, 2.5, 3}));
+}
+
 TEST(ReadStructure, ModelsByPosition) {
     const std::string text =
         "MODEL        1\n" + kGlycine + "ENDMDL\nMODEL        2\n" + pdb_line({.x = 7.0}) + "ENDMDL\n";

@@ -55,8 +55,11 @@ std::string tidy_message(const std::string& message) {
     return message.substr(0, open) + message.substr(close + 1);
 }
 
-// As gemmi fills its document, with room made at once for long loops, as many values as the rest of the text may hold:
-// gemmi's own doubling would move them all again and again, and take three times their memory meanwhile.
+// As gemmi fills its document, with room made for the rest of a long loop, where gemmi's own doubling would move all
+// values again and again, and take three times their memory meanwhile. How many there will be is told from how many
+// the loop has given to all the text before: too few behind a long header, so that the loop grows in several steps
+// there. By its own text alone every long loop would reserve for all those behind it, too, which adds up to the square
+// of their number.
 template <class Rule>
 struct RoomyAction : gemmi::cif::Action<Rule> {};
 template <>
@@ -118,12 +121,11 @@ private:
 
 // As gemmi::cif::as_string, without a copy.
 std::string_view unquoted(const std::string& value) {
-    std::string_view text = value;
+    const std::string_view text = value;
     if (text.size() < 2 || (text[0] != '"' && text[0] != '\'' && text[0] != ';')) return text;
     if (text[0] != ';') return text.substr(1, text.size() - 2);
     if (text[text.size() - 2] != '\n') return text;
-    const std::size_t end = text.size() - (text[text.size() - 3] == '\r' ? 3 : 2);
-    return text.substr(1, end - 1);
+    return text.substr(1, text.size() - 3);  // there is no '\r' before '\n' (CifFile)
 }
 
 // Where the columns of _atom_site stand in gemmi's document, which its own table looks up for every value.

@@ -13,6 +13,7 @@ namespace meniscus::reading {
 /// An mmCIF file, parsed; its atoms are checked when a model is asked for.
 class CifFile {
 public:
+    /// text     lines end with '\n' alone, as load_bytes leaves them; has to outlive the CifFile
     /// throws   InputError with the place of a syntax error; if there are no coordinates
     CifFile(const std::string& text, const std::string& file);
     ~CifFile();
