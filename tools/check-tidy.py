@@ -10,11 +10,13 @@ import pathlib
 import subprocess
 import sys
 
-from sources import ROOT, Cache, sources
+from sources import ROOT, Cache, configurations, sources
 
 
 # Compiled only where the library that they are about is installed (packages.txt, section [full]).
 OPTIONAL = {pathlib.Path("src/volume/vdb_module.cpp")}
+# -Wno-unknown-warning-option: the commands are GCC's.
+ARGUMENTS = ["--quiet", "--extra-arg=-Wno-unknown-warning-option", "--extra-arg=-Wreserved-identifier"]
 
 
 def main():
@@ -26,12 +28,8 @@ def main():
     for path in forgotten:
         print(f"{path}: not in any target")
     version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
-    configurations = [path.read_text() for path in sorted(ROOT.glob(".clang-tidy")) + sorted(ROOT.glob("*/.clang-tidy"))]
-    cache = Cache("tidy", version, *configurations)
-    # -Wno-unknown-warning-option: the commands are GCC's.
-    failed = cache.run(paths, lambda path: ["clang-tidy", "--quiet", "-p", str(build),
-                                            "--extra-arg=-Wno-unknown-warning-option",
-                                            "--extra-arg=-Wreserved-identifier", str(path)])
+    cache = Cache("tidy", version, *ARGUMENTS, *configurations(".clang-tidy"))
+    failed = cache.run(paths, lambda path: ["clang-tidy", "-p", str(build), *ARGUMENTS, str(path)])
     return 1 if failed or forgotten else 0
 
 

@@ -11,7 +11,8 @@ import subprocess
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDERS = ("include", "src", "cli", "python", "tests", "bench", "fuzz")
 INCLUDE_PATHS = ("include", "src", "cli", "tests")
-INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
+# A file may also be named by a macro, for another to include (src/core/kernel_sets.inc).
+INCLUDE = re.compile(r'^\s*#\s*(?:include|define\s+\w+)\s*"([^"]+)"', re.MULTILINE)
 
 
 def sources(*suffixes):
@@ -22,8 +23,14 @@ def sources(*suffixes):
     return sorted(p.relative_to(ROOT) for p in found)
 
 
+def configurations(name):
+    """What every file of this name says, in the root and in all folders of sources, with its place."""
+    found = [ROOT / name] + [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob(name))]
+    return [f"{path.relative_to(ROOT)}\n{path.read_text()}" for path in found if path.is_file()]
+
+
 def includes(path):
-    """Project files that a file includes directly, relative to the root."""
+    """Project files that a file includes directly, or names for another one to include, relative to the root."""
     found = []
     for name in INCLUDE.findall((ROOT / path).read_text()):
         for base in (path.parent, *INCLUDE_PATHS):
