@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "meniscus/surface.h"
+#include "support/arrangements.h"
 #include "support/rounded.h"
 
 namespace meniscus::testing {
 namespace {
 
-// Three atoms around which probes meet: patches of every kind, ridges outside and inside.
-const Atoms kRidged{{{0, 0, 0}, {5.0, 0.3, 0.1}, {2.4, 4.2, 0.2}}, {1.7, 1.6, 1.8}};
+const Atoms kRidged = ridged_spheres();
 
 TEST(FinishVertices, LabelsAreThoseOfTheNearestFeatureWhereTheVertexHasComeToLie) {
     const AccessibleSurface exact(kRidged, 1.4);

@@ -45,6 +45,9 @@ inline Atoms octahedron(double from_centre, double radius) {
 /// Three spheres in a triangle: with a probe of 1.4 Å necks of 0.8 Å join them, and a web of 0.2 Å in the middle.
 inline Atoms spheres_with_narrow_necks() { return equal_spheres({{0, -1.9, 0}, {0, 1.9, 0}, {3.1, 0, 0}}, 1.2); }
 
+/// Three spheres around which probes of 1.4 Å meet: patches of every kind, ridges outside and inside.
+inline Atoms ridged_spheres() { return {{{0, 0, 0}, {5.0, 0.3, 0.1}, {2.4, 4.2, 0.2}}, {1.7, 1.6, 1.8}}; }
+
 inline Atoms line(int count, double step, double radius) {
     std::vector<Vec3> centres;
     centres.reserve(static_cast<std::size_t>(count));
