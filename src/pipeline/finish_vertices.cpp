@@ -375,16 +375,7 @@ private:
     std::vector<Vec3> points_;    // of them
 };
 
-}  // namespace
-
-VertexDistances finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
-                                Mesh& mesh) {
-    resize_all_touched(mesh.vertices.size(), mesh.normals, mesh.atoms, mesh.patches, mesh.mean_curvatures,
-                       mesh.gaussian_curvatures, mesh.shape_indices);
-    if (level_set != nullptr) return LevelSetFinisher(accessible, *level_set, spacing, mesh).run();
-    return ExactFinisher(accessible, spacing, mesh).run();
-}
-
+// Gives some vertices of a mesh what another one, with a vertex for each of them, holds.
 void replace_vertices(Mesh& mesh, std::span<const VertexId> places, const Mesh& with) {
     for (std::size_t i = 0; i < places.size(); ++i) {
         const VertexId v = places[i];
@@ -396,6 +387,25 @@ void replace_vertices(Mesh& mesh, std::span<const VertexId> places, const Mesh& 
         mesh.gaussian_curvatures[v] = with.gaussian_curvatures[i];
         mesh.shape_indices[v] = with.shape_indices[i];
     }
+}
+
+}  // namespace
+
+VertexDistances finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
+                                Mesh& mesh) {
+    resize_all_touched(mesh.vertices.size(), mesh.normals, mesh.atoms, mesh.patches, mesh.mean_curvatures,
+                       mesh.gaussian_curvatures, mesh.shape_indices);
+    if (level_set != nullptr) return LevelSetFinisher(accessible, *level_set, spacing, mesh).run();
+    return ExactFinisher(accessible, spacing, mesh).run();
+}
+
+void finish_again(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
+                  std::span<const VertexId> places, std::vector<Vec3> from, Mesh& mesh, VertexDistances& distances) {
+    Mesh again;
+    again.vertices = std::move(from);
+    const VertexDistances found = finish_vertices(accessible, level_set, spacing, again);
+    replace_vertices(mesh, places, again);
+    for (VertexId i = 0; i < places.size(); ++i) distances.set(places[i], found[i]);
 }
 
 }  // namespace meniscus

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "meniscus/accessible_surface.h"
 #include "meniscus/level_set.h"
@@ -21,7 +22,12 @@ namespace meniscus {
 VertexDistances finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
                                 Mesh& mesh);
 
-/// Gives some vertices of a mesh what another one, with a vertex for each of them, holds after finish_vertices().
-void replace_vertices(Mesh& mesh, std::span<const VertexId> places, const Mesh& with);
+/// The same for some vertices of a mesh that is finished, which start from other places; all others stay as they are.
+///
+/// places      which vertices
+/// from        where each of them starts, Å
+/// distances   of all vertices to the exact SES
+void finish_again(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
+                  std::span<const VertexId> places, std::vector<Vec3> from, Mesh& mesh, VertexDistances& distances);
 
 }  // namespace meniscus

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/memory.h"
@@ -85,15 +86,14 @@ private:
         for (int attempt = 1; attempt <= kTries; ++attempt) {
             const std::vector<VertexId> lost = strays(points, distances);
             if (lost.empty()) return;
-            Mesh again;
+            std::vector<Vec3> from;
+            from.reserve(lost.size());
             for (const VertexId i : lost) {
                 const Vec3& corner = surface_.mesh.vertices[surface_.mesh.triangles[spread.triangles[i]][0]];
-                again.vertices.push_back(spread.points[i] +
-                                         (static_cast<double>(attempt) / kTries) * (corner - spread.points[i]));
+                from.push_back(spread.points[i] +
+                               (static_cast<double>(attempt) / kTries) * (corner - spread.points[i]));
             }
-            const VertexDistances found = finish_vertices(accessible_, level_set_, spacing(), again);
-            replace_vertices(points, lost, again);
-            for (VertexId k = 0; k < lost.size(); ++k) distances.set(lost[k], found[k]);
+            finish_again(accessible_, level_set_, spacing(), lost, std::move(from), points, distances);
         }
     }
 

@@ -12,6 +12,7 @@
 #include "mesh/components.h"
 #include "pipeline/finish_vertices.h"
 #include "pipeline/surface_projector.h"
+#include "pipeline/vertex_distances.h"
 #include "remesh/first_look.h"
 #include "remesh/mend_slivers.h"
 
@@ -43,11 +44,10 @@ MeshChanges mend(const AccessibleSurface& accessible, const LevelSet* level_set,
     renumber_entries(changes, mesh.gaussian_curvatures);
     renumber_entries(changes, mesh.shape_indices);
     distances.renumber(changes);
-    Mesh moved;
-    for (const VertexId v : changes.moved) moved.vertices.push_back(mesh.vertices[v]);
-    const VertexDistances moved_distances = finish_vertices(accessible, level_set, spacing, moved);
-    replace_vertices(mesh, changes.moved, moved);
-    for (VertexId i = 0; i < changes.moved.size(); ++i) distances.set(changes.moved[i], moved_distances[i]);
+    std::vector<Vec3> from;
+    from.reserve(changes.moved.size());
+    for (const VertexId v : changes.moved) from.push_back(mesh.vertices[v]);
+    finish_again(accessible, level_set, spacing, changes.moved, std::move(from), mesh, distances);
     return changes;
 }
 

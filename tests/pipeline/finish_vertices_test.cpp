@@ -41,29 +41,47 @@ TEST(FinishVertices, NormalsOfTheFlowAreGradientsAtTheVertices) {
     }
 }
 
-TEST(FinishVertices, SomeOfAMeshAreReplacedByOthers) {
+void expect_same_vertex(const Mesh& mesh, VertexId v, const Mesh& other, VertexId w) {
+    EXPECT_EQ(mesh.vertices[v], other.vertices[w]);
+    EXPECT_EQ(mesh.normals[v], other.normals[w]);
+    EXPECT_EQ(mesh.atoms[v], other.atoms[w]);
+    EXPECT_EQ(mesh.patches[v], other.patches[w]);
+    EXPECT_EQ(mesh.mean_curvatures[v], other.mean_curvatures[w]);
+    EXPECT_EQ(mesh.gaussian_curvatures[v], other.gaussian_curvatures[w]);
+    EXPECT_EQ(mesh.shape_indices[v], other.shape_indices[w]);
+}
+
+// Of every array some entry is another one.
+void expect_changed(const Mesh& mesh, const Mesh& before) {
+    EXPECT_NE(mesh.vertices, before.vertices);
+    EXPECT_NE(mesh.normals, before.normals);
+    EXPECT_NE(mesh.atoms, before.atoms);
+    EXPECT_NE(mesh.patches, before.patches);
+    EXPECT_NE(mesh.mean_curvatures, before.mean_curvatures);
+    EXPECT_NE(mesh.gaussian_curvatures, before.gaussian_curvatures);
+    EXPECT_NE(mesh.shape_indices, before.shape_indices);
+}
+
+TEST(FinishAgain, SomeVerticesBecomeWhatTheyAreFromWhereTheyStartAndOthersStay) {
     const AccessibleSurface exact(kRidged, 1.4);
-    Mesh mesh = compute_surface(kRidged, {.method = Method::Direct, .spacing = 0.5}).mesh;
-    const Mesh before = mesh;
+    const double spacing = 0.5;
+    const Mesh before = compute_surface(kRidged, {.method = Method::Direct, .spacing = spacing}).mesh;
     std::vector<VertexId> places;
-    Mesh again;
-    for (VertexId v = 1; v < mesh.vertices.size(); v += 3) {
+    Mesh alone;
+    for (VertexId v = 1; v < before.vertices.size(); v += 3) {
         places.push_back(v);
-        again.vertices.push_back(mesh.vertices[v] + 0.1 * normalised({1, 2, 3}));
+        alone.vertices.push_back(before.vertices[v] + 0.1 * normalised({1, 2, 3}));
     }
-    const VertexDistances distances = finish_vertices(exact, nullptr, 0.5, again);
-    replace_vertices(mesh, places, again);
+    Mesh mesh = before;
+    VertexDistances distances(std::vector<float>(mesh.vertices.size(), 7.0F));
+    finish_again(exact, nullptr, spacing, places, alone.vertices, mesh, distances);
+    const VertexDistances distances_alone = finish_vertices(exact, nullptr, spacing, alone);
+    expect_changed(mesh, before);
     for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
-        if (v % 3 != 1) {
-            EXPECT_EQ(mesh.vertices[v], before.vertices[v]);
-            EXPECT_EQ(mesh.normals[v], before.normals[v]);
-            continue;
-        }
-        const NearestFeature at = exact.nearest(mesh.vertices[v]);
-        EXPECT_LT(std::abs(at.signed_distance), 1e-6);
-        EXPECT_NEAR(distances[v / 3], std::abs(at.signed_distance), 1e-6);
-        EXPECT_EQ(mesh.atoms[v], at.atom);
-        EXPECT_EQ(mesh.patches[v], at.patch);
+        const bool again = v % 3 == 1;
+        expect_same_vertex(mesh, v, again ? alone : before, again ? v / 3 : v);
+        EXPECT_EQ(distances[v], again ? distances_alone[v / 3] : 7.0F);
+        EXPECT_LT(std::abs(exact.nearest(mesh.vertices[v]).signed_distance), 1e-6);
     }
 }
 
