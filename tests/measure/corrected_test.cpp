@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/corrected.h"
-#include "core/tangent_planes.h"
 
 #include <gtest/gtest.h>
 
@@ -93,21 +92,6 @@ TEST(Corrected, FourthOrderOnATorusByNormals) {
     expect_fourth_order(
         projected_torus, [](const Mesh& mesh) { return corrected_measures(mesh); }, 4.0 * kPi * kPi * 1.6,
         2.0 * kPi * kPi * 2.0 * 0.64);
-}
-
-TEST(Corrected, ArcMiddleLiesOnTheSphere) {
-    const double angle = 0.1;
-    const Vec3 a{1, 0, 0};
-    const Vec3 b{std::cos(angle), std::sin(angle), 0};
-    EXPECT_NEAR(norm(arc_middle<Vec3>(a, a, b, b)), 1.0, 0.01 * std::pow(angle, 6));
-    // The wall of a cavity: the normals point to the centre and the middle is the same.
-    EXPECT_NEAR(norm(arc_middle<Vec3>(a, -a, b, -b)), 1.0, 0.01 * std::pow(angle, 6));
-    EXPECT_EQ(arc_middle<Vec3>(a, a, b, b), arc_middle(b, b, a, a));
-}
-
-TEST(Corrected, ArcMiddleIsTheChordsWhereNormalsSayNothing) {
-    EXPECT_EQ(arc_middle<Vec3>({0, 0, 0}, {0, 0, 1}, {2, 0, 0}, {0, 0, 1}), (Vec3{1, 0, 0}));
-    EXPECT_EQ(arc_middle<Vec3>({0, 0, 0}, {0, 0, 1}, {2, 0, 0}, {0, 0, -1}), (Vec3{1, 0, 0}));
 }
 
 TEST(Corrected, TheProjectorIsGivenPlacesNearTheSurface) {
