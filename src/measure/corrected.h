@@ -39,8 +39,9 @@ using Projector = std::function<void(std::span<Vec3> points, std::span<Vec3> nor
 CorrectedMeasures corrected_measures(const Mesh& mesh, const Projector& project, int divisions = 1);
 
 /// The same with the middles left where corners and normals tell (core/tangent_planes.inc), which costs no projection:
-/// order h⁴ too, but with a larger factor, and of no use next to creases. throws   UsageError if the mesh has no
-/// normals
+/// order h⁴ too, but with a larger factor, and of no use next to creases.
+///
+/// throws   UsageError if the mesh has no normals
 CorrectedMeasures corrected_measures(const Mesh& mesh);
 
 }  // namespace meniscus

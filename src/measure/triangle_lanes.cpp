@@ -12,7 +12,6 @@
 #include "core/bits.h"
 #include "core/instructions.h"
 #include "core/sign_bits.h"
-#include "measure/corrected.h"
 #include "measure/creases.h"
 
 #define MENISCUS_KERNELS "measure/triangle_kernels.inc"

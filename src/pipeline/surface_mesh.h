@@ -8,8 +8,8 @@
 #include "meniscus/accessible_surface.h"
 #include "meniscus/level_set.h"
 #include "meniscus/mesh.h"
+#include "meniscus/mesh_quality.h"
 #include "meniscus/surface.h"
-#include "pipeline/vertex_distances.h"
 
 namespace meniscus {
 

@@ -15,7 +15,6 @@
 
 #include "core/instructions.h"
 #include "core/tangent_planes.h"
-#include "measure/corrected.h"
 #include "support/shapes.h"
 
 namespace meniscus::testing {
