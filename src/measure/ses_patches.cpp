@@ -31,7 +31,8 @@ std::uint32_t find_like(const std::vector<Feature>& features, std::uint32_t plac
     return kNone;
 }
 
-// The arc beside an edge of a vertex's triangle: both are of the same two atoms.
+// The arc beside an edge of a vertex's triangle, which runs from atom `edge` to the next one: the arc of these two is
+// opposite to the third atom, as SasVertex::arcs[k] is to atom k.
 std::uint32_t arc_beside(const SasVertex& vertex, std::uint32_t edge) { return vertex.arcs[(edge + 2) % 3]; }
 
 }  // namespace
@@ -186,7 +187,7 @@ void SesPatches::number_components() {
     hand_on_sas_components();
 }
 
-// A torus has the piece of the SAS that its arc lies on, a reentrant patch that of its vertex's arcs.
+// A torus has the piece of the SAS that its arc lies on, a reentrant patch that of any of its vertex's arcs: they meet.
 void SesPatches::hand_on_sas_components() {
     std::vector<std::uint32_t> of_arc(data_->arcs.size(), kNone);
     for (std::uint32_t i = 0; i < data_->atoms.size(); ++i)
@@ -195,7 +196,7 @@ void SesPatches::hand_on_sas_components() {
     for (std::size_t p = first_torus_.front(); p < patches_.size(); ++p) {
         SesPatch& patch = patches_[p];
         const std::uint32_t arc =
-            patch.kind == PatchKind::Toroidal ? patch.feature : arc_beside(data_->vertices[patch.feature], 0);
+            patch.kind == PatchKind::Toroidal ? patch.feature : data_->vertices[patch.feature].arcs.back();
         if (arc != kNoArc) patch.sas_component = of_arc[arc];
     }
 }

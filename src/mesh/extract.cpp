@@ -144,8 +144,7 @@ public:
         roots_.fetch(block + 1);
         const NodesAround nodes = nodes_around(grid_, inside_, block);
         const LayerBits cut = cut_cells(nodes);
-        const bool is_cut = std::any_of(cut.begin(), cut.end(), [](std::uint64_t layer) { return layer != 0; });
-        if (!is_cut && edges_[block + 1].first_vertex == edges_[block].first_vertex) return;
+        if (cut == LayerBits{} && edges_[block + 1].first_vertex == edges_[block].first_vertex) return;
         LocalVertices local;
         place_vertices(block, local, mesh.vertices);
         enter_neighbours(block, nodes.exists, local, std::make_index_sequence<6>());
