@@ -40,8 +40,10 @@ function(meniscus_part target)
   set_property(GLOBAL APPEND PROPERTY MENISCUS_PARTS ${target})
 endfunction()
 
-# One test program per room: meniscus_test(ROOM SOURCES ... USES ...). The tests themselves are optimised little: a quarter
-# of their compilation is saved, and what they test is in the libraries.
+# One test program per room: meniscus_test(ROOM SOURCES ... USES ...). The tests themselves are optimised little, which
+# saves a quarter of their compilation: most of what they test is in the libraries. Inline functions of headers are
+# compiled with them, too, and where a library has not put such a one in place either, the linker takes the test's for
+# both.
 function(meniscus_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;USES" ${ARGN})
   add_executable(test_${name} ${ARG_SOURCES})
