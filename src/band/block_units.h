@@ -3,6 +3,7 @@
 // The nodes of one block after the other in units, and what the middle of each unit tells of its nodes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -60,7 +61,7 @@ private:
     LocalFeatures block_;
     NearestBatch batch_;
     Vec3 corner_;  // of the block
-    int unit_ = 0;
+    std::size_t unit_ = 0;
     Middle middles_[kUnits];
 
     LanePoints<double> offsets_;  // of a unit's nodes from its first

@@ -9,6 +9,7 @@
 
 #include "band/block_groups.h"
 #include "band/side_kernels.h"
+#include "band/unit_places.h"
 #include "core/bits.h"
 #include "geometry/accessible_surface_data.h"
 #include "geometry/nearest_batch.h"
@@ -17,21 +18,6 @@ namespace meniscus {
 namespace {
 
 constexpr double kMargin = 1e-6;  // Å: nobody asks for distances, but a search wants one
-
-// Of a cube's point from its first one, in steps between them.
-Vec3 place_in_cube(std::size_t number, std::size_t edge) {
-    const auto steps = [](std::size_t count) { return static_cast<double>(count); };
-    return {steps(number % edge), steps(number / edge % edge), steps(number / (edge * edge))};
-}
-// Of a unit's first node from the block's, and of a node of a unit from its first one, in spacings.
-Vec3 unit_steps(std::size_t u) { return kUnitEdge * place_in_cube(u, kBlockEdge / kUnitEdge); }
-Vec3 node_steps(std::size_t n) { return place_in_cube(n, kUnitEdge); }
-
-// From the first node to the middle of as many along each axis, in spacings.
-constexpr Vec3 to_middle(int edge) { return (0.5 * (edge - 1)) * Vec3{1.0, 1.0, 1.0}; }
-
-// Å: from there to the farthest node. What rounding takes from it is far less than the slack of SideLimits.
-double half_diagonal(int edge, double spacing) { return spacing * norm(to_middle(edge)); }
 
 // Å: no length that decides is longer. From the middle of a block to a point it is half a diagonal; from there to the
 // centre of a ball less than its radius and, in K, what a unit's middle may be deep there with nodes outside K; to an
