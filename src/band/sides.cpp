@@ -28,16 +28,23 @@ double longest_length(const AccessibleSurface::Data& data, double spacing) {
            std::max(data.rho_max, data.probe + half_diagonal(kUnitEdge, spacing));
 }
 
+// Where what is within `radius` is to have its side, of points up to `reach` from their middle. What rounding takes
+// from half diagonals, which these are, is far less than the slack.
+SideLimits limits_of(const AccessibleSurface::Data& data, double spacing, double radius, double reach) {
+    return {data.probe, radius, reach, longest_length(data, spacing)};
+}
+
+// From the middle of a block to the farthest middle of a unit, Å.
+double to_units(double spacing) { return half_diagonal(kBlockEdge, spacing) - half_diagonal(kUnitEdge, spacing); }
+
 // Finds the sides of all nodes of one block after the other.
 class BlockSides {
 public:
     BlockSides(const AccessibleSurface& surface, const SideCaps& caps, double spacing)
         : caps_(caps),
           spacing_(spacing),
-          half_unit_(half_diagonal(kUnitEdge, spacing)),
-          longest_(longest_length(surface.data(), spacing)),
-          unit_limits_(surface.data().probe, half_unit_, half_diagonal(kBlockEdge, spacing) - half_unit_, longest_),
-          node_limits_(surface.data().probe, 0.0, half_unit_, longest_),
+          unit_limits_(limits_of(surface.data(), spacing, half_diagonal(kUnitEdge, spacing), to_units(spacing))),
+          node_limits_(limits_of(surface.data(), spacing, 0.0, half_diagonal(kUnitEdge, spacing))),
           margin_(unit_limits_.far + unit_limits_.slack - surface.data().probe),
           around_(surface, margin_),
           part_(surface, margin_),
@@ -70,12 +77,9 @@ private:
         set_point(points, i, spacing_ * steps);
     }
 
-    // Å
-    float half_edge(int edge) const { return static_cast<float>(0.5 * (edge - 1) * spacing_); }
-
     UnitBits inside_of_unit(std::size_t unit, const Vec3& corner) {
         const SideCube cube{{unit_middles_.x[unit], unit_middles_.y[unit], unit_middles_.z[unit]},
-                            half_edge(kUnitEdge)};
+                            static_cast<float>(0.5 * (kUnitEdge - 1) * spacing_)};
         kernels_.choose(block_, cube, node_limits_, static_cast<std::size_t>(deepest_[unit]), unit_features_);
         const auto [inside, settled] = kernels_.settle(caps_, unit_features_, node_limits_, nodes_, kUnitNodes, work_);
         return ~settled == 0 ? inside : inside | inside_exactly(~settled, corner);
@@ -97,8 +101,6 @@ private:
     const SideCaps& caps_;
     const SideKernels& kernels_ = side_kernels();
     double spacing_;
-    double half_unit_;  // Å: half a unit's diagonal
-    double longest_;    // Å
     SideLimits unit_limits_;
     SideLimits node_limits_;
     double margin_;                   // of what is gathered, Å
