@@ -17,22 +17,23 @@ constexpr std::size_t kChunk = 1024;  // blocks per task: some tens of microseco
 // do: one place for each of the nine rows goes along with them.
 class NeighbourSearch {
 public:
-    // Begins at a block; `around` has room for what is found of each block.
-    NeighbourSearch(std::span<const BlockCoord> blocks, std::size_t first, std::span<std::array<BlockId, 27>> around)
-        : blocks_(blocks), around_(around), first_(first) {
+    // `around` has room for what is found of each block.
+    NeighbourSearch(std::span<const BlockCoord> blocks, std::span<std::array<BlockId, 27>> around)
+        : blocks_(blocks), around_(around) {}
+
+    // Of the blocks from one on, up to another.
+    void find(std::size_t begin, std::size_t end) {
         for_each_row([&](std::size_t row, int dy, int dz) {
-            const auto place = std::lower_bound(blocks_.begin(), blocks_.end(), beside(blocks_[first], -1, dy, dz));
+            const auto place = std::lower_bound(blocks_.begin(), blocks_.end(), beside(blocks_[begin], -1, dy, dz));
             places_[row] = static_cast<BlockId>(place - blocks_.begin());
         });
-    }
-
-    // Of the first block, then of the one after it, and so on.
-    void find(std::size_t block) {
-        const BlockCoord at = blocks_[block];
-        if (block > first_ && at == beside(blocks_[block - 1], 1, 0, 0))
-            go_on(at, around_[block - 1], around_[block]);
-        else
-            begin_anew(at, around_[block]);
+        begin_anew(begin);
+        for (std::size_t b = begin + 1; b < end; ++b) {
+            if (blocks_[b] == beside(blocks_[b - 1], 1, 0, 0))
+                go_on(b);
+            else
+                begin_anew(b);
+        }
     }
 
 private:
@@ -46,7 +47,10 @@ private:
     }
 
     // Two thirds of what is around a block is around the next one in its row.
-    void go_on(const BlockCoord& at, const std::array<BlockId, 27>& before, std::array<BlockId, 27>& around) {
+    void go_on(std::size_t block) {
+        const BlockCoord at = blocks_[block];
+        const std::array<BlockId, 27>& before = around_[block - 1];
+        std::array<BlockId, 27>& around = around_[block];
         for_each_row([&](std::size_t row, int dy, int dz) {
             around[3 * row] = before[3 * row + 1];
             around[3 * row + 1] = before[3 * row + 2];
@@ -54,7 +58,9 @@ private:
         });
     }
 
-    void begin_anew(const BlockCoord& at, std::array<BlockId, 27>& around) {
+    void begin_anew(std::size_t block) {
+        const BlockCoord at = blocks_[block];
+        std::array<BlockId, 27>& around = around_[block];
         for_each_row([&](std::size_t row, int dy, int dz) {
             const BlockCoord first = beside(at, -1, dy, dz);
             BlockId& place = places_[row];
@@ -78,8 +84,7 @@ private:
 
     std::span<const BlockCoord> blocks_;
     std::span<std::array<BlockId, 27>> around_;
-    std::size_t first_;
-    std::array<BlockId, 9> places_;  // by row, of the first block after those around the block before
+    std::array<BlockId, 9> places_{};  // by row, of the first block after those around the block before
 };
 
 }  // namespace
@@ -96,8 +101,7 @@ BlockGrid::BlockGrid(double spacing, const Vec3& origin, std::vector<BlockCoord>
     }
     neighbours_.resize(blocks_.size());
     parallel_chunks(blocks_.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-        NeighbourSearch search(blocks_, begin, neighbours_);
-        for (std::size_t b = begin; b < end; ++b) search.find(b);
+        NeighbourSearch(blocks_, neighbours_).find(begin, end);
     });
 }
 
