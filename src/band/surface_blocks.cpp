@@ -3,13 +3,13 @@
 #include "band/surface_blocks.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <optional>
 #include <unordered_set>
 
+#include "core/bits.h"
 #include "core/parallel.h"
 #include "core/workspaces.h"
 #include "geometry/accessible_surface_data.h"
@@ -108,12 +108,12 @@ private:
 BlockCoord cube_of(const BlockCoord& block) { return {.z = block.z >> 2, .y = block.y >> 2, .x = block.x >> 2}; }
 
 void add_blocks(const BlockCoord& cube, CubeMask mask, std::vector<BlockCoord>& blocks) {
-    for (; mask != 0; mask &= mask - 1) {
-        const int bit = std::countr_zero(mask);
+    for_each_bit(mask, [&](std::size_t number) {
+        const int bit = static_cast<int>(number);
         blocks.push_back({.z = kCubeEdge * cube.z + bit / (kCubeEdge * kCubeEdge),
                           .y = kCubeEdge * cube.y + bit / kCubeEdge % kCubeEdge,
                           .x = kCubeEdge * cube.x + bit % kCubeEdge});
-    }
+    });
 }
 
 // At least one point of the van der Waals spheres on every piece of the surface.

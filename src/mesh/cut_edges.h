@@ -53,7 +53,7 @@ struct CutEdges {
 
     /// Number of the vertex on the cut edge from a node along a direction.
     std::size_t vertex(std::size_t direction, std::size_t bit, std::size_t z) const {
-        const std::uint64_t before = bits[direction][z] & ((std::uint64_t{1} << bit) - 1);
+        const std::uint64_t before = bits[direction][z] & first_bits(bit);
         return first_vertex + rank[direction][z] + count_bits(before);
     }
 };
