@@ -39,7 +39,7 @@ Unknowns nodes_near(const BlockGrid& grid, std::span<const float> field, float n
 /// ±margin, by the sign that prevails in each block: what its missing neighbours would hold.
 BlockFill fill_by_sign(const BlockGrid& grid, std::span<const float> field, double margin);
 
-/// The same on the unknowns; the other nodes keep what they have.
+/// result = stencil applied to field, on the unknowns; the other nodes keep what they have.
 void apply_within(const BlockGrid& grid, const Stencil& stencil, std::span<const float> field, const BlockFill& fill,
                   const Unknowns& unknowns, std::span<float> result);
 
@@ -75,6 +75,8 @@ public:
     /// x: start values on the mask, known values elsewhere; overwritten on the mask only. b: on all nodes of the grid.
     SolveResult solve(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill, std::span<const float> b,
                       std::span<float> x, const SolveOptions& options);
+
+    /// The same on the unknowns that are listed, with b on those blocks that it says.
     SolveResult solve(const Stencil& stencil, Unknowns unknowns, const BlockFill& fill, const RightSide& b,
                       std::span<float> x, const SolveOptions& options);
 
