@@ -13,13 +13,6 @@ namespace {
 
 constexpr std::size_t kAtomsPerChunk = 4096;
 
-template <std::size_t kColumns>
-void set_position(Columns<kColumns, float, kSideStep>& columns, std::size_t item, const SmallVec3& p) {
-    columns[0][item] = p.x;
-    columns[1][item] = p.y;
-    columns[2][item] = p.z;
-}
-
 void take_balls(const SphereList& balls, std::span<const std::uint32_t> items, const Vec3& middle, SideFeatures& near) {
     near.balls.resize(items.size());
     near.atoms.resize(items.size());

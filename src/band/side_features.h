@@ -10,14 +10,12 @@
 #include <span>
 #include <vector>
 
+#include "core/columns.h"
 #include "geometry/accessible_surface_data.h"
-#include "geometry/cap_kernels.h"
 #include "geometry/local_features.h"
 #include "meniscus/vec3.h"
 
 namespace meniscus {
-
-inline constexpr std::size_t kSideStep = 16;  ///< columns are readable up to the next multiple
 
 struct SideArc {
     SmallVec3 centre;
@@ -29,16 +27,16 @@ struct SideArc {
 
 /// All features that can be nearest to some points.
 struct SideFeatures {
-    Columns<4, float, kSideStep> balls;  ///< x, y, z, rho
-    std::vector<std::uint32_t> atoms;    ///< whose balls they are; there may be more
+    Columns<4, float> balls;           ///< x, y, z, rho
+    std::vector<std::uint32_t> atoms;  ///< whose balls they are; there may be more
     std::vector<SideArc> arcs;
-    Columns<3, float, kSideStep> vertices;  ///< x, y, z
+    Columns<3, float> vertices;  ///< x, y, z
 };
 
 /// The features that can be nearest to points of a box, relative to its middle, with what to choose from them by.
 struct SideFeaturesOfBox {
     SideFeatures features;
-    Columns<6, float, kSideStep> cells;  ///< of the arcs: low x, y, z, high x, y, z
+    Columns<6, float> cells;  ///< of the arcs: low x, y, z, high x, y, z
 };
 
 /// Gathers them for one box after the other, reusing its memory.

@@ -13,31 +13,10 @@
 #include <string_view>
 #include <vector>
 
+#include "core/columns.h"
 #include "geometry/contour_types.h"
 
 namespace meniscus {
-
-/// Numbers of many items side by side, `kCount` of each. Columns are readable up to the next multiple of kStep.
-template <std::size_t kCount, class Number = double, std::size_t kStepOfItems = 8>
-class Columns {
-public:
-    static constexpr std::size_t kStep = kStepOfItems;
-
-    /// What is added is without sense until it is written.
-    void resize(std::size_t items) {
-        size_ = items;
-        if (columns_[0].size() >= padded_size()) return;
-        for (std::vector<Number>& column : columns_) column.resize(padded_size());
-    }
-    std::size_t size() const { return size_; }
-    std::size_t padded_size() const { return (size_ + kStep - 1) / kStep * kStep; }
-    Number* operator[](std::size_t column) { return columns_[column].data(); }
-    const Number* operator[](std::size_t column) const { return columns_[column].data(); }
-
-private:
-    std::size_t size_ = 0;
-    std::array<std::vector<Number>, kCount> columns_;
-};
 
 using SmallBallColumns = Columns<4, float, 64>;  ///< centre, enlarged radius
 using CapColumns = Columns<4>;                   ///< axis, t
