@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/bits.h"
+#include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "geometry/nearest_kernels.h"
 
@@ -72,7 +73,7 @@ SideCaps::SideCaps(const AccessibleSurface::Data& data) : exposed_(data.exposed)
         const std::size_t caps = is_exposed(i) ? data.caps_of(i).size() : 0;
         begins_[i + 1] = begins_[i] + (caps + EightCaps::kCount - 1) / EightCaps::kCount;
     }
-    caps_.resize(begins_.back());
+    resize_touched(caps_, begins_.back());
     parallel_for(data.atoms.size(), kAtomsPerChunk, [&](std::size_t i) {
         const auto atom = static_cast<std::uint32_t>(i);
         const std::span<const CapPlane> caps = data.caps_of(atom);
