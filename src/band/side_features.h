@@ -18,14 +18,14 @@
 namespace meniscus {
 
 struct SideArc {
-    SmallVec3 centre;
-    SmallVec3 axis;
-    SmallVec3 middle;
-    float radius;
-    float cos_half;  ///< below -1 for a whole circle
+    SmallVec3 centre;  ///< of the circle, Å
+    SmallVec3 axis;    ///< unit vector
+    SmallVec3 middle;  ///< unit vector from the centre to the arc's midpoint
+    float radius;      ///< of the circle, Å
+    float cos_half;    ///< cosine of half the angle; below -1 for a whole circle
 };
 
-/// All features that can be nearest to some points.
+/// All features that can be nearest to some points. Lengths in Å.
 struct SideFeatures {
     Columns<4, float> balls;           ///< x, y, z, rho
     std::vector<std::uint32_t> atoms;  ///< whose balls they are; there may be more
@@ -53,9 +53,10 @@ private:
     std::vector<std::uint32_t> items_;
 };
 
-/// Caps of one ball side by side; those without numbers bury nothing.
+/// Caps of one ball side by side. Those without numbers bury nothing: a point at l from the ball's centre exceeds
+/// others, whose |t| <= 1, by no less than -2 l, and these by -kNothing l.
 struct EightCaps {
-    static constexpr float kNothing = 1e6F;
+    static constexpr float kNothing = 1e6F;  ///< for t
     static constexpr std::size_t kCount = 8;
     std::array<float, kCount> x{};
     std::array<float, kCount> y{};
@@ -69,7 +70,7 @@ public:
     explicit SideCaps(const AccessibleSurface::Data& data);
 
     bool is_exposed(std::uint32_t atom) const { return exposed_[atom] != 0; }
-    /// Of an exposed ball.
+    /// Of an exposed ball; none of others.
     std::span<const EightCaps> of(std::uint32_t atom) const {
         return std::span(caps_).subspan(begins_[atom], begins_[atom + 1] - begins_[atom]);
     }
