@@ -3,7 +3,6 @@
 // Hashes that stand in for chance: the same for the same thing, on any machine.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 
 namespace meniscus {
@@ -17,11 +16,6 @@ constexpr std::uint64_t mix_bits(std::uint64_t h) {
 
 /// The increment of splitmix64, to tell successive inputs apart.
 inline constexpr std::uint64_t kMixIncrement = 0x9E3779B97F4A7C15ULL;
-
-/// A hash that a number is added to; -0 and 0 are the same number.
-constexpr std::uint64_t mix_in(std::uint64_t h, double v) {
-    return mix_bits(h ^ std::bit_cast<std::uint64_t>(v + 0.0)) + kMixIncrement;  // -0 + 0 is 0
-}
 
 /// A number in [-1, 1) from a mixed hash.
 constexpr double signed_unit(std::uint64_t mixed) { return static_cast<double>(mixed >> 11U) * 0x1p-52 - 1.0; }

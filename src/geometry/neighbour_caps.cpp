@@ -39,7 +39,7 @@ Cap cap_between(const AccessibleSurface::Data& data, std::uint32_t i, std::uint3
     const double d2 = squared_norm(between);
     const double reach = other + rho;
     const double inverse = 1.0 / std::sqrt(d2);
-    // As CapKernels::find_caps: whether two spheres meet is said the same of both.
+    // By the same test as in CapKernels::find_caps, so that both say the same of spheres that touch but for rounding.
     const double t = d2 < reach * reach ? (d2 + rho * rho - other * other) * (inverse * (0.5 / rho)) : 1.0;
     return {inverse * between, t, j};
 }

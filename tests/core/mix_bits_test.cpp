@@ -15,14 +15,6 @@ TEST(MixBits, TellsNeighboursApart) {
     EXPECT_EQ(seen.size(), 10000U);
 }
 
-TEST(MixBits, EveryNumberMixedInCountsAndZeroHasNoSign) {
-    EXPECT_EQ(mix_in(1, 0.0), mix_in(1, -0.0));
-    EXPECT_EQ(mix_in(0, 0.0), kMixIncrement);
-    EXPECT_NE(mix_in(1, 0.0), mix_in(2, 0.0));
-    EXPECT_NE(mix_in(1, 2.0), mix_in(1, -2.0));
-    EXPECT_NE(mix_in(mix_in(1, 2.0), 3.0), mix_in(mix_in(1, 3.0), 2.0));
-}
-
 TEST(MixBits, SignedUnitFillsItsRangeEvenly) {
     double sum = 0.0;
     double squares = 0.0;

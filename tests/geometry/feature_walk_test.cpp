@@ -142,7 +142,9 @@ TEST(FeatureWalk, StaysInTheCellOfAWholeCircleBesideItsAxis) {
         for (const double side : {-1.0, 1.0}) {
             const FeatureCell cell = cells_of(surface, {arc.centre + side * length * arc.middle}).front();
             EXPECT_TRUE(cell.kind == Kind::None || cell == (FeatureCell{Kind::Arc, 0})) << ulp;
-            if (ulp > 4) EXPECT_EQ(cell.kind, Kind::Arc);
+            if (ulp > 4) {
+                EXPECT_EQ(cell.kind, Kind::Arc);
+            }
         }
 }
 

@@ -64,9 +64,10 @@ TEST(RegionKernels, ArcsStartWhereRimsCross) {
     for (std::size_t a = 0; a < measured.size(); ++a) {
         const ContourArc& arc = contours.builder.arcs()[a];
         if (arc.from == kWholeCircle) continue;
-        const Cap& from = contours.caps[arc.from];
-        const Cap& onto = contours.caps[arc.cap];
-        EXPECT_NEAR(norm(measured[a].start - rim_crossing(from, onto)), 0.0, 1e-14);
+        const CapPlane& from = contours.planes[arc.from];
+        const CapPlane& onto = contours.planes[arc.cap];
+        const Vec3 crossing = rim_crossing({from.axis, from.t, arc.from}, {onto.axis, onto.t, arc.cap});
+        EXPECT_NEAR(norm(measured[a].start - crossing), 0.0, 1e-14);
         // The corner is the angle of both rims' directions there.
         const Vec3 before = normalised(cross(measured[a].start, from.axis));
         const Vec3 after = normalised(cross(measured[a].start, onto.axis));
