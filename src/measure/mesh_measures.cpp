@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/corner_numbers.h"
 #include "core/parallel.h"
 #include "measure/corner_sums.h"
 #include "measure/surface_measures.h"
@@ -35,9 +36,8 @@ void check(const Mesh& mesh) {
     if (!mesh.components.empty() && mesh.components.size() != n)
         throw UsageError("a mesh needs one component number per vertex, or none at all");
     if (!all_below(mesh.components, n)) throw UsageError("a component number is larger than the mesh has vertices");
-    const std::span corners(mesh.triangles.empty() ? nullptr : mesh.triangles.front().data(),
-                            3 * mesh.triangles.size());
-    if (!all_below(corners, n)) throw UsageError("a triangle names a vertex that the mesh does not have");
+    if (!all_below(all_corners(mesh.triangles), n))
+        throw UsageError("a triangle names a vertex that the mesh does not have");
 }
 
 void add_topology(const Mesh& mesh, const MeshTopology& topology, MeshMeasures& measures) {

@@ -14,6 +14,7 @@
 #include <span>
 #include <utility>
 
+#include "core/corner_numbers.h"
 #include "core/local_corners.h"
 #include "core/parallel.h"
 #include "core/parallel_list.h"
@@ -30,7 +31,7 @@ namespace {
 constexpr std::size_t kChunk = TriangleBoxes::kChunk;
 constexpr std::size_t kStretch = TriangleBoxes::kStretch;
 
-constexpr std::size_t kRenumbered = 8192;  // triangles per task
+constexpr std::size_t kRenumbered = 1024;  // triangles per task
 
 constexpr std::size_t kLeaningPerTask = 256;
 constexpr double kNeighbours = 4.0;  // usual lengths of edges: triangles within a cube of these look round together
@@ -86,12 +87,14 @@ public:
         : mesh_(mesh),
           options_(options),
           project_(project),
-          needed_(tangent_of_degrees(options.needed_angle_deg)),
+          needed_(tangent_of_degrees(std::min(options.needed_angle_deg, options.smallest_angle_deg))),
           wanted_(tangent_of_degrees(options.smallest_angle_deg)) {}
 
     MeshChanges run(FirstLook::Suspects suspects) {
         std::erase_if(suspects.bad, [this](std::uint32_t t) { return !is_bad(mesh_.triangles[t]); });
         boxes_ = std::move(suspects.boxes);
+        may_be_low_.resize(mesh_.triangles.size());
+        for (const std::uint32_t t : suspects.bad) may_be_low_[t] = true;
         tangled_ = options_.search_everywhere ? self_intersecting_triangles(mesh_) : tangled_of(suspects.leaning);
         was_tangled_ = !tangled_.empty();
         MeshChanges nothing;
@@ -274,9 +277,15 @@ private:
         });
         for (std::size_t i = 0; i < places.size(); ++i) {
             paste(cuttings[i], mended[i]);
-            for (const std::uint32_t t : cuttings[i].triangles)
-                if (!is_removed(mesh_.triangles[t]) && goodness(mesh_.triangles[t]) < needed_) left_.push_back(t);
+            list_left(cuttings[i].triangles);
         }
+    }
+
+    // Those below the needed angle. Only they can be that were so once, or have changed.
+    void list_left(const std::vector<std::uint32_t>& triangles) {
+        for (const std::uint32_t t : triangles)
+            if (may_be_low_[t] && !is_removed(mesh_.triangles[t]) && goodness(mesh_.triangles[t]) < needed_)
+                left_.push_back(t);
     }
 
     bool has_tangled(const Cutting& cutting) const {
@@ -370,6 +379,7 @@ private:
             const Triangle triangle{cutting.vertices[a], cutting.vertices[b], cutting.vertices[c]};
             mesh_.triangles[number] = triangle;
             changed_.push_back(number);
+            may_be_low_[number] = true;
             if (is_removed(triangle))
                 removed_.push_back(number);
             else
@@ -395,6 +405,7 @@ private:
             cutting.triangles.push_back(static_cast<std::uint32_t>(mesh_.triangles.size()));
             mesh_.triangles.push_back({0, 0, 0});
             boxes_.resize(mesh_.triangles.size());
+            may_be_low_.push_back(true);
         }
         if (!mesh_.components.empty()) label_new(cutting, after, known);
     }
@@ -456,10 +467,13 @@ private:
         std::erase_if(moved_, [this](VertexId v) { return std::binary_search(holes_.begin(), holes_.end(), v); });
         for (VertexId& v : moved_)
             if (v >= changes.left) v = number[v - changes.left];
+        const auto left = static_cast<VertexId>(changes.left);
         parallel_chunks(mesh_.triangles.size(), kRenumbered, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t t = begin; t < end; ++t)
-                for (VertexId& v : mesh_.triangles[t])
-                    if (v >= changes.left) v = number[v - changes.left];
+            const auto triangles = std::span(mesh_.triangles).subspan(begin, end - begin);
+            if (triangle_kernels().find_largest_index(all_corners(triangles)) < left) return;
+            for (Triangle& triangle : triangles)
+                for (VertexId& v : triangle)
+                    if (v >= left) v = number[v - left];
         });
         renumber_entries(changes, mesh_.vertices);
         renumber_entries(changes, mesh_.normals);
@@ -473,6 +487,7 @@ private:
     double wanted_;
     double reach_ = 1.0;               // of kFree and kRoom
     std::vector<std::uint32_t> left_;  // triangles below the needed angle near places that have been mended
+    std::vector<bool> may_be_low_;     // per triangle, whether it may be below the needed angle
     TriangleBoxes boxes_;
     std::vector<std::uint32_t> tangled_;  // triangles, as they were found, that have not had their turn
     bool was_tangled_ = false;

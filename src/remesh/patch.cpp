@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/corner_numbers.h"
 #include "geometry/box_tree.h"
 #include "remesh/self_intersections.h"
 #include "remesh/working_mesh.h"
@@ -29,13 +30,12 @@ double facing_of(const SurfacePoint& a, const SurfacePoint& b, const SurfacePoin
     return cosine_between(area_vector(a.position, b.position, c.position), a.normal + b.normal + c.normal);
 }
 
-// Empty for removed triangles: they overlap nothing.
-std::vector<Box> boxes_of(const Patch& patch) {
-    std::vector<Box> boxes(patch.triangles.size());
-    for (std::size_t t = 0; t < boxes.size(); ++t)
-        if (patch.has(t))
-            for (const VertexId v : patch.triangles[t]) boxes[t].include(patch.at(v));
-    return boxes;
+// Empty for a removed triangle: it overlaps nothing.
+Box box_of(const Patch& patch, std::size_t triangle) {
+    Box box;
+    if (patch.has(triangle))
+        for (const VertexId v : patch.triangles[triangle]) box.include(patch.at(v));
+    return box;
 }
 
 bool cross_each_other(const Patch& patch, const Triangle& s, const Triangle& t) {
@@ -57,8 +57,7 @@ double tangent_of_degrees(double degrees) { return std::tan(degrees * std::numbe
 
 std::vector<std::size_t> Patch::star(VertexId v) const {
     std::vector<std::size_t> found;
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-        if (has_corner(triangles[t], v) && has(t)) found.push_back(t);
+    for_each_corner(v, [&](std::size_t t, std::size_t /*corner*/) { found.push_back(t); });
     return found;
 }
 
@@ -79,23 +78,19 @@ double Patch::goodness(const Triangle& triangle, double shortest) const {
 std::optional<Patch::Sides> Patch::sides(VertexId a, VertexId b) const {
     Sides found;
     int count = 0;
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-        if (!has(t)) continue;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const VertexId from = triangles[t][k];
-            const VertexId to = triangles[t][(k + 1) % 3];
-            const VertexId corner = triangles[t][(k + 2) % 3];
-            if (from == a && to == b) {
-                found.left = t;
-                found.left_corner = corner;
-                ++count;
-            } else if (from == b && to == a) {
-                found.right = t;
-                found.right_corner = corner;
-                ++count;
-            }
+    for_each_corner(a, [&](std::size_t t, std::size_t k) {
+        const VertexId next = triangles[t][(k + 1) % 3];
+        const VertexId last = triangles[t][(k + 2) % 3];
+        if (next == b) {
+            found.left = t;
+            found.left_corner = last;
+            ++count;
+        } else if (last == b) {
+            found.right = t;
+            found.right_corner = next;
+            ++count;
         }
-    }
+    });
     if (count != 2) return std::nullopt;
     return found;
 }
@@ -166,21 +161,23 @@ PatchShape shape_of(const Patch& patch, std::span<const std::size_t> triangles, 
 }
 
 std::vector<std::size_t> changed_triangles(const Patch& before, const Patch& after) {
-    std::vector<bool> moved(after.points.size());
-    for (std::size_t v = 0; v < moved.size(); ++v)
-        moved[v] = v >= before.points.size() || !(before.points[v].position == after.points[v].position);
     std::vector<std::size_t> changed;
-    for (std::size_t t = 0; t < after.triangles.size(); ++t) {
-        const auto& [a, b, c] = after.triangles[t];
-        if (t >= before.triangles.size() || before.triangles[t] != after.triangles[t] ||
-            (after.has(t) && (moved[a] || moved[b] || moved[c])))
-            changed.push_back(t);
+    for_each_unequal(all_corners(before.triangles), all_corners(after.triangles),
+                     [&](std::size_t corner) { changed.push_back(corner / 3); });
+    for (std::size_t t = before.triangles.size(); t < after.triangles.size(); ++t) changed.push_back(t);
+    for (std::size_t v = 0; v < after.points.size(); ++v) {
+        if (v < before.points.size() && before.points[v].position == after.points[v].position) continue;
+        after.for_each_corner(static_cast<VertexId>(v),
+                              [&](std::size_t t, std::size_t /*corner*/) { changed.push_back(t); });
     }
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
     return changed;
 }
 
 std::optional<std::pair<std::size_t, std::size_t>> first_crossing(const Patch& patch, const std::vector<bool>& marked) {
-    const std::vector<Box> boxes = boxes_of(patch);
+    std::vector<Box> boxes;
+    for (std::size_t t = 0; t < patch.triangles.size(); ++t) boxes.push_back(box_of(patch, t));
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         const Triangle& s = patch.triangles[i];
         if (!patch.has(i) || !(marked[s[0]] || marked[s[1]] || marked[s[2]])) continue;
@@ -192,15 +189,24 @@ std::optional<std::pair<std::size_t, std::size_t>> first_crossing(const Patch& p
 }
 
 std::size_t count_crossings(const Patch& patch, std::span<const std::size_t> triangles) {
-    const std::vector<Box> boxes = boxes_of(patch);
-    std::vector<bool> counted(boxes.size());
+    struct Near {
+        std::size_t triangle;
+        Box box;
+        bool counted;  // with all others
+    };
+    Box all;
+    for (const std::size_t t : triangles) all.include(box_of(patch, t));
+    std::vector<Near> near;
+    for (std::size_t t = 0; t < patch.triangles.size(); ++t)
+        if (const Box box = box_of(patch, t); box.overlaps(all)) near.push_back({t, box, false});
     std::size_t count = 0;
-    for (const std::size_t i : triangles) {
-        if (!patch.has(i)) continue;
-        counted[i] = true;
-        for (std::size_t j = 0; j < boxes.size(); ++j)
-            if (!counted[j] && boxes[i].overlaps(boxes[j]) &&
-                cross_each_other(patch, patch.triangles[i], patch.triangles[j]))
+    for (const std::size_t t : triangles) {
+        const auto found = std::ranges::lower_bound(near, t, {}, &Near::triangle);
+        if (found == near.end() || found->triangle != t) continue;  // removed
+        found->counted = true;
+        for (const Near& other : near)
+            if (!other.counted && found->box.overlaps(other.box) &&
+                cross_each_other(patch, patch.triangles[t], patch.triangles[other.triangle]))
                 ++count;
     }
     return count;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/corner_numbers.h"
 #include "meniscus/mesh.h"
 #include "remesh/remesher.h"
 
@@ -34,6 +35,14 @@ struct Patch {
     const Vec3& at(VertexId v) const { return points[v].position; }
     bool has(std::size_t triangle) const {
         return triangle < triangles.size() && triangles[triangle][0] != triangles[triangle][1];
+    }
+
+    /// Calls visit(triangle, which of its corners) for the triangles round a vertex.
+    template <class Visit>
+    void for_each_corner(VertexId v, const Visit& visit) const {
+        for_each_equal(all_corners(triangles), v, [&](std::size_t corner) {
+            if (has(corner / 3)) visit(corner / 3, corner % 3);
+        });
     }
 
     /// The triangles round a vertex; all of them, if the vertex lies within the patch.

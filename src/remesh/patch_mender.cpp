@@ -81,11 +81,10 @@ bool PatchMender::part(const std::pair<std::size_t, std::size_t>& crossing) {
         corners.insert(corners.end(), triangle.begin(), triangle.end());
         for (std::size_t k = 0; k < 3; ++k) {
             const Edge edge{triangle[k], triangle[(k + 1) % 3]};
-            if (Patch patch = patch_; split(patch, edge)) candidates.push_back(std::move(patch));
-            if (Patch patch = patch_; flip(patch, edge)) candidates.push_back(std::move(patch));
-            if (Patch patch = patch_; collapse(patch, edge)) candidates.push_back(std::move(patch));
-            if (Patch patch = patch_; collapse(patch, {edge.second, edge.first}))
-                candidates.push_back(std::move(patch));
+            if (auto patch = split(edge)) candidates.push_back(std::move(*patch));
+            if (auto patch = flipped(edge)) candidates.push_back(std::move(*patch));
+            if (auto patch = collapsed(edge)) candidates.push_back(std::move(*patch));
+            if (auto patch = collapsed({edge.second, edge.first})) candidates.push_back(std::move(*patch));
         }
     }
     for (std::size_t i = candidates.size(); i-- > 0;) {
@@ -146,8 +145,8 @@ bool PatchMender::mend_triangle(std::size_t triangle) {
 
 bool PatchMender::try_flips(const Triangle& corners, std::size_t triangle) {
     for (std::size_t k = 0; k < 3; ++k) {
-        Patch candidate = patch_;
-        if (flip(candidate, {corners[k], corners[(k + 1) % 3]}) && take_if_enough(candidate, triangle)) return true;
+        auto candidate = flipped({corners[k], corners[(k + 1) % 3]});
+        if (candidate && take_if_enough(*candidate, triangle)) return true;
     }
     return false;
 }
@@ -164,8 +163,8 @@ bool PatchMender::try_moves(const Triangle& corners, std::size_t triangle) {
 bool PatchMender::try_collapses(const Triangle& corners, std::size_t triangle) {
     for (std::size_t k = 0; k < 3; ++k)
         for (const Edge& edge : {Edge{corners[k], corners[(k + 1) % 3]}, Edge{corners[(k + 1) % 3], corners[k]}}) {
-            Patch candidate = patch_;
-            if (collapse(candidate, edge) && take_if_enough(candidate, triangle)) return true;
+            auto candidate = collapsed(edge);
+            if (candidate && take_if_enough(*candidate, triangle)) return true;
         }
     return false;
 }
@@ -174,14 +173,15 @@ bool PatchMender::try_collapses(const Triangle& corners, std::size_t triangle) {
 // of all is taken.
 bool PatchMender::try_together(const Triangle& corners, std::size_t triangle, bool splits) {
     std::vector<Candidate> candidates;
-    const auto add = [&](Patch&& patch) {
-        const double goodness = shape_of(patch, changed_triangles(patch_, patch), kShortestEdge).least_goodness;
-        candidates.push_back({std::move(patch), goodness});
+    const auto add = [&](std::optional<Patch>&& patch) {
+        if (!patch) return;
+        const double goodness = shape_of(*patch, changed_triangles(patch_, *patch), kShortestEdge).least_goodness;
+        candidates.push_back({std::move(*patch), goodness});
     };
     for (const auto& [a, b] : edges_round(corners)) {
-        if (Patch patch = patch_; !splits && a < b && flip(patch, {a, b})) add(std::move(patch));
-        if (Patch patch = patch_; !splits && collapse(patch, {a, b})) add(std::move(patch));
-        if (Patch patch = patch_; splits && a < b && split(patch, {a, b})) add(std::move(patch));
+        if (!splits && a < b) add(flipped({a, b}));
+        if (!splits) add(collapsed({a, b}));
+        if (splits && a < b) add(split({a, b}));
     }
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.goodness > b.goodness; });
@@ -216,38 +216,43 @@ std::vector<PatchMender::Edge> PatchMender::edges_round(const Triangle& corners)
     return edges;
 }
 
-bool PatchMender::flip(Patch& patch, const Edge& edge) const {
-    if (!free_[edge.first] || !free_[edge.second] || is_held(edge)) return false;
-    const std::optional<Patch::Sides> sides = patch.sides(edge.first, edge.second);
-    return sides && free_[sides->left_corner] && free_[sides->right_corner] && patch.flip(edge.first, edge.second);
+std::optional<Patch> PatchMender::flipped(const Edge& edge) const {
+    if (is_held(edge) || !is_between_free(edge)) return std::nullopt;
+    Patch patch = patch_;
+    return patch.flip(edge.first, edge.second) ? std::optional(std::move(patch)) : std::nullopt;
 }
 
-bool PatchMender::collapse(Patch& patch, const Edge& edge) const {
-    if (!free_[edge.first] || !free_[edge.second] || (held_[edge.first] && !is_along_ridge(patch, edge))) return false;
-    const std::optional<Patch::Sides> sides = patch.sides(edge.first, edge.second);
-    return sides && free_[sides->left_corner] && free_[sides->right_corner] && patch.collapse(edge.first, edge.second);
+std::optional<Patch> PatchMender::collapsed(const Edge& edge) const {
+    if ((held_[edge.first] && !is_along_ridge(edge)) || !is_between_free(edge)) return std::nullopt;
+    Patch patch = patch_;
+    return patch.collapse(edge.first, edge.second) ? std::optional(std::move(patch)) : std::nullopt;
+}
+
+bool PatchMender::is_between_free(const Edge& edge) const {
+    if (!free_[edge.first] || !free_[edge.second]) return false;
+    const std::optional<Patch::Sides> sides = patch_.sides(edge.first, edge.second);
+    return sides && free_[sides->left_corner] && free_[sides->right_corner];
 }
 
 // Ridges may become shorter along themselves; their ends and forks stay.
-bool PatchMender::is_along_ridge(const Patch& patch, const Edge& edge) const {
+bool PatchMender::is_along_ridge(const Edge& edge) const {
     if (!is_held(edge)) return false;
     std::size_t corners = 0;  // each neighbour is one of two triangles
-    for (const std::size_t t : patch.star(edge.first))
-        for (const VertexId v : patch.triangles[t]) corners += v != edge.first && held_[v] ? 1 : 0;
+    for (const std::size_t t : patch_.star(edge.first))
+        for (const VertexId v : patch_.triangles[t]) corners += v != edge.first && held_[v] ? 1 : 0;
     return corners == 4;
 }
 
-bool PatchMender::split(Patch& patch, const Edge& edge) {
-    if (!free_[edge.first] || !free_[edge.second] || is_held(edge)) return false;
-    const std::optional<Patch::Sides> sides = patch.sides(edge.first, edge.second);
-    if (!sides || !free_[sides->left_corner] || !free_[sides->right_corner]) return false;
-    if (!patch.split(edge.first, edge.second)) return false;
+std::optional<Patch> PatchMender::split(const Edge& edge) {
+    if (is_held(edge) || !is_between_free(edge)) return std::nullopt;
+    Patch patch = patch_;
+    if (!patch.split(edge.first, edge.second)) return std::nullopt;
     project_(std::span(&patch.points.back(), 1));
     if (free_.size() < patch.points.size()) {
         free_.push_back(true);
         held_.push_back(false);
     }
-    return is_inside(room_, patch.points.back().position);
+    return is_inside(room_, patch.points.back().position) ? std::optional(std::move(patch)) : std::nullopt;
 }
 
 std::optional<double> PatchMender::judge(const Patch& candidate, std::size_t triangle, double at_least) const {

@@ -47,10 +47,14 @@ private:
     std::vector<Edge> edges_round(const Triangle& corners) const;
     bool is_free(const Triangle& corners) const { return free_[corners[0]] && free_[corners[1]] && free_[corners[2]]; }
     bool is_held(const Edge& edge) const { return held_[edge.first] && held_[edge.second]; }
-    bool is_along_ridge(const Patch& patch, const Edge& edge) const;
-    bool flip(Patch& patch, const Edge& edge) const;
-    bool collapse(Patch& patch, const Edge& edge) const;
-    bool split(Patch& patch, const Edge& edge);
+    bool is_along_ridge(const Edge& edge) const;
+    /// Whether its ends and the corners opposite to it are free.
+    bool is_between_free(const Edge& edge) const;
+    /// The patch with an edge turned, with the edge's first end in its second, or with a vertex on the edge; nothing
+    /// where that may not be.
+    std::optional<Patch> flipped(const Edge& edge) const;
+    std::optional<Patch> collapsed(const Edge& edge) const;
+    std::optional<Patch> split(const Edge& edge);
 
     /// What a candidate makes of the triangle and all that it changes, if that is allowed, better than before and
     /// `at_least` so good.
