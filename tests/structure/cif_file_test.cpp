@@ -65,6 +65,25 @@ TEST(GemmiCif, QuotedAndMultiLineValuesAreValues) {
     EXPECT_EQ(model.atoms.at(0).centre, (Vec3{1, 2, 3}));
 }
 
+// Plain values are taken without gemmi's grammar, which has the last one of a row of them: here in front of every other
+// thing that there may be.
+TEST(GemmiCif, PlainValuesEndWhereOthersBegin) {
+    const std::string head =
+        "data_x\nloop_\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+        "_atom_site.Cartn_z\n";
+    for (const char* behind : {"", "\n", " # C ALA\n", "\n#C ALA 4 5 6\n", "\nloop_\n_a.b\n1 2\n", "\t_a.b 1\n",
+                               "\n_a.b\n;1\n;\n", "\nstop_\n", "\nsave_y\n_a.b 1\nsave_\n", "\r\ndata_y\n"}) {
+        SCOPED_TRACE(behind);
+        const RawModel model = cif(head + "CA  ALA\t1 2 3\nCB \"ALA\" 2 3\n;4\n;\nCG ALA 3 4 5" + behind);
+        ASSERT_EQ(model.atoms.size(), 3U);
+        EXPECT_EQ(model.atoms[0].centre, (Vec3{1, 2, 3}));
+        EXPECT_EQ(model.atoms[1].centre, (Vec3{2, 3, 4}));
+        EXPECT_EQ(model.atoms[2].centre, (Vec3{3, 4, 5}));
+        EXPECT_EQ(model.atoms[2].name, "CG");
+    }
+    expect_contains(cif_error(head + "C ALA 1 2 3\nC ALA 4 5 6 loop_\n_a.b\n1\nloop_\n1\n"), "f.cif:13:1: ");
+}
+
 // Room for the rest of a loop is made by how many values the text before gave to it.
 TEST(GemmiCif, LongLoopsAreReadWholeWhetherTheirRowsGrowOrShrink) {
     constexpr int kRows = 2000;

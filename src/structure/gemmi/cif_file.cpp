@@ -55,24 +55,54 @@ std::string tidy_message(const std::string& message) {
     return message.substr(0, open) + message.substr(close + 1);
 }
 
-// As gemmi fills its document, with room made for the rest of a long loop, where gemmi's own doubling would move all
-// values again and again, and take three times their memory meanwhile. How many there will be is told from how many
-// the loop has given to all the text before: too few behind a long header, so that the loop grows in several steps
-// there. By its own text alone every long loop would reserve for all those behind it, too, which adds up to the square
-// of their number.
+// Room is made for the rest of a long loop, where gemmi's own doubling would move all values again and again, and take
+// three times their memory meanwhile. How many there will be is told from how many the loop has given to all the text
+// before: too few behind a long header, so that the loop grows in several steps there. By its own text alone every long
+// loop would reserve for all those behind it, too, which adds up to the square of their number.
+template <class Input>
+void make_room(std::vector<std::string>& values, const Input& in) {
+    constexpr std::size_t kMany = 4096;
+    if (values.size() == values.capacity() && values.size() >= kMany)
+        values.reserve(values.size() + values.size() * in.size() / in.byte() + kMany);
+}
+
+bool is_ordinary(char c) { return gemmi::cif::char_table(c) == 1; }
+bool is_space(char c) { return gemmi::cif::char_table(c) == 2; }
+
+// Takes values of a loop that are of ordinary characters alone, as nearly all are, as long as another such follows: the
+// last one may be the beginning of something else.
+template <class Input>
+void take_plain_values(Input& in, std::vector<std::string>& values) {
+    const char* const end = in.end();
+    const char* value = in.current();
+    const char* behind = std::find_if_not(value, end, is_ordinary);
+    while (behind != value && behind != end && is_space(*behind)) {
+        const char* const next = std::find_if_not(behind, end, is_space);
+        const char* const behind_next = std::find_if_not(next, end, is_ordinary);
+        if (behind_next == next || behind_next == end || !is_space(*behind_next)) return;
+        make_room(values, in);
+        values.emplace_back(value, behind);
+        in.bump_in_this_line(static_cast<std::size_t>(behind - value));
+        in.bump(static_cast<std::size_t>(next - behind));
+        value = next;
+        behind = behind_next;
+    }
+}
+
+// As gemmi fills its document, but sooner.
 template <class Rule>
-struct RoomyAction : gemmi::cif::Action<Rule> {};
+struct QuickAction : gemmi::cif::Action<Rule> {};
 template <>
-struct RoomyAction<gemmi::cif::rules::loop_value> {
+struct QuickAction<gemmi::cif::rules::loop_value> {
+    template <class Rule, tao::pegtl::apply_mode kApply, tao::pegtl::rewind_mode kRewind,
+              template <class...> class Action, template <class...> class Control, class Input>
+    static bool match(Input& in, gemmi::cif::Document& document) {
+        take_plain_values(in, document.items_->back().loop.values);
+        return tao::pegtl::match<Rule, kApply, kRewind, Action, Control>(in, document);
+    }
     template <class Input>
     static void apply(const Input& in, gemmi::cif::Document& document) {
-        constexpr std::size_t kMany = 4096;
-        std::vector<std::string>& values = document.items_->back().loop.values;
-        if (values.size() == values.capacity() && values.size() >= kMany) {
-            const std::size_t before = in.input().byte();
-            const std::size_t left = in.input().size();
-            values.reserve(values.size() + values.size() * left / before + kMany);
-        }
+        make_room(document.items_->back().loop.values, in.input());
         gemmi::cif::Action<gemmi::cif::rules::loop_value>::apply(in, document);
     }
 };
@@ -82,7 +112,7 @@ gemmi::cif::Document parse_cif(const std::string& text, const std::string& file)
         gemmi::cif::Document document;
         document.source = file;
         tao::pegtl::memory_input<> input(text.data(), text.size(), file);
-        tao::pegtl::parse<gemmi::cif::rules::file, RoomyAction, gemmi::cif::Errors>(input, document);
+        tao::pegtl::parse<gemmi::cif::rules::file, QuickAction, gemmi::cif::Errors>(input, document);
         gemmi::cif::check_for_missing_values(document);
         gemmi::cif::check_for_duplicates(document);
         return document;
