@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,11 @@ void write_field(AtomicFile& file, std::string_view text) {
     write_csv_field(file, text);
 }
 
+void write_number_field(AtomicFile& file, std::int64_t number) {
+    file.write(',');
+    file.number(number);
+}
+
 // One-letter fields are empty where there is nothing to tell.
 void write_letter(AtomicFile& file, char c) { write_field(file, c == ' ' || c == '\0' ? "" : std::string_view(&c, 1)); }
 
@@ -26,12 +32,12 @@ void write_row(AtomicFile& file, const Structure& structure, std::size_t i) {
     file.number(i);
     write_field(file, residue.chain);
     write_field(file, residue.name);
-    write_field(file, std::to_string(residue.number));
+    write_number_field(file, residue.number);
     write_letter(file, residue.insertion_code);
     write_field(file, label.name);
     write_field(file, label.element);
     write_letter(file, label.altloc);
-    write_field(file, std::to_string(label.serial));
+    write_number_field(file, label.serial);
     for (const double value :
          {centre.x, centre.y, centre.z, structure.atoms.radii[i], label.b_factor, label.occupancy, label.charge}) {
         file.write(',');

@@ -88,6 +88,16 @@ std::string temporary_name_beside(const std::string& target) {
     return folder + ".meniscus-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
 }
 
+// Those of 0 to 999, three each, and a fourth byte that makes them as long as a register.
+constexpr std::size_t kThousand = 1000;
+constexpr std::array<std::array<char, 4>, kThousand> kThreeDigits = [] {
+    std::array<std::array<char, 4>, kThousand> all{};
+    for (std::size_t i = 0; i < kThousand; ++i)
+        all[i] = {static_cast<char>('0' + i / 100), static_cast<char>('0' + i / 10 % 10),
+                  static_cast<char>('0' + i % 10)};
+    return all;
+}();
+
 // A number with at most three decimals, as coordinates have, in the same digits as any other but sooner; empty if it
 // has more, or none of the usual size. Doubles are so close to each other there that no shorter digits give the same
 // one.
@@ -95,16 +105,24 @@ std::string_view digits_of_thousandths(double value, std::array<char, 32>& digit
     constexpr double kLargest = 1e5;  // from there on powers of ten are shorter
     constexpr double kLeast = 1e-2;
     const double size = std::abs(value);
-    if (!(size >= kLeast && size < kLargest)) return {};
-    const auto thousandths = static_cast<std::uint32_t>(std::lround(size * 1000.0));
+    if (!(size >= kLeast && size < kLargest) && size != 0.0) return {};
+    const auto thousandths = static_cast<std::uint32_t>(size * 1000.0 + 0.5);
     if (static_cast<double>(thousandths) / 1000.0 != size) return {};
+    const std::uint32_t whole = thousandths / 1000;
+    const std::uint32_t rest = thousandths % 1000;
     char* end = digits.data();
-    if (value < 0.0) *end++ = '-';
-    end = std::to_chars(end, digits.data() + digits.size(), thousandths / 1000).ptr;
-    if (std::uint32_t rest = thousandths % 1000; rest > 0) {
+    if (std::signbit(value)) *end++ = '-';
+    if (whole < kThousand) {
+        const std::size_t leading_zeros = (whole < 100 ? 1 : 0) + (whole < 10 ? 1 : 0);
+        std::memcpy(end, kThreeDigits[whole].data() + leading_zeros, 3 - leading_zeros);
+        end += 3 - leading_zeros;
+    } else {
+        end = std::to_chars(end, digits.data() + digits.size(), whole).ptr;
+    }
+    if (rest > 0) {
         *end++ = '.';
-        for (std::uint32_t place = 100; rest > 0; rest %= place, place /= 10)
-            *end++ = static_cast<char>('0' + rest / place);
+        std::memcpy(end, kThreeDigits[rest].data(), 3);
+        end += 3 - (rest % 10 == 0 ? 1 : 0) - (rest % 100 == 0 ? 1 : 0);
     }
     return {digits.data(), static_cast<std::size_t>(end - digits.data())};
 }
@@ -181,6 +199,11 @@ void AtomicFile::number(double value) {
 }
 
 void AtomicFile::number(std::uint64_t value) {
+    std::array<char, 32> digits;
+    write(digits_of(value, digits));
+}
+
+void AtomicFile::number(std::int64_t value) {
     std::array<char, 32> digits;
     write(digits_of(value, digits));
 }

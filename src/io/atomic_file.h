@@ -40,6 +40,7 @@ public:
     void number(float value);
     void number(double value);
     void number(std::uint64_t value);
+    void number(std::int64_t value);
 
     /// The bytes of a value as they are in memory.
     template <class T>

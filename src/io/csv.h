@@ -12,7 +12,9 @@ namespace meniscus {
 
 /// A field as RFC 4180 wants it: in quotes if it holds a comma, a quote or a line end.
 inline void write_csv_field(AtomicFile& file, std::string_view text) {
-    const auto is_special = [](char c) { return c == ',' || c == '"' || c == '\r' || c == '\n'; };
+    const auto is_special = [](char c) {
+        return c <= ',' && (c == ',' || c == '"' || c == '\r' || c == '\n');  // letters and digits are above
+    };
     if (std::none_of(text.begin(), text.end(), is_special)) return file.write(text);
     file.write('"');
     for (const char c : text) {
