@@ -6,7 +6,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -76,24 +75,28 @@ CanonicalAtoms canonical_atoms(const Atoms& atoms, double cell) {
     result.corner = corner;
     result.cell = std::max(cell, extent / kMaxCells);
 
-    std::vector<std::uint64_t> keys(atoms.size());
-    for (std::size_t i = 0; i < atoms.size(); ++i) {
-        const Vec3 at = (1.0 / result.cell) * (atoms.centres[i] - corner);
-        keys[i] = morton_key(static_cast<std::uint32_t>(at.x), static_cast<std::uint32_t>(at.y),
-                             static_cast<std::uint32_t>(at.z));
-    }
-    std::vector<std::uint32_t> order(atoms.size());
-    std::iota(order.begin(), order.end(), 0U);
-    const auto rank = [&](std::uint32_t i) {
-        const Vec3& c = atoms.centres[i];
-        return std::tuple(keys[i], c.x, c.y, c.z, atoms.radii[i]);
+    // What decides nearly always lies together: half of what it takes to look it up by index.
+    struct Ranked {
+        std::uint64_t key;
+        double x;
+        std::uint32_t index;
     };
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        const auto ra = rank(a);
-        const auto rb = rank(b);
-        return ra < rb || (ra == rb && a < b);
+    std::vector<Ranked> order(atoms.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+        const Vec3 at = (1.0 / result.cell) * (atoms.centres[i] - corner);
+        order[i] = {morton_key(static_cast<std::uint32_t>(at.x), static_cast<std::uint32_t>(at.y),
+                               static_cast<std::uint32_t>(at.z)),
+                    atoms.centres[i].x, i};
+    }
+    const auto rest = [&](std::uint32_t i) {
+        return std::tuple(atoms.centres[i].y, atoms.centres[i].z, atoms.radii[i], i);
+    };
+    std::sort(order.begin(), order.end(), [&](const Ranked& a, const Ranked& b) {
+        if (a.key != b.key) return a.key < b.key;
+        if (a.x != b.x) return a.x < b.x;
+        return rest(a.index) < rest(b.index);
     });
-    for (const std::uint32_t i : order) {
+    for (const auto& [key, x, i] : order) {
         // Of one centre the largest comes last, and of equal ones the caller's first.
         if (!result.original.empty() && atoms.centres[i] == result.centres.back()) {
             if (atoms.radii[i] == result.radii.back()) continue;
@@ -104,7 +107,7 @@ CanonicalAtoms canonical_atoms(const Atoms& atoms, double cell) {
         result.centres.push_back(atoms.centres[i]);
         result.radii.push_back(atoms.radii[i]);
         result.original.push_back(i);
-        result.cell_keys.push_back(keys[i]);
+        result.cell_keys.push_back(key);
     }
     return result;
 }

@@ -338,30 +338,30 @@ private:
 
     Cutting cut_out(const BoxTree& chunks, const Place& place) const {
         Cutting cutting;
-        for_each_near(chunks, place.room, [&](std::uint32_t t, const Box&) { cutting.triangles.push_back(t); });
-        for (const std::uint32_t t : cutting.triangles)
-            cutting.vertices.insert(cutting.vertices.end(), mesh_.triangles[t].begin(), mesh_.triangles[t].end());
-        const LocalCorners corners(std::move(cutting.vertices));
+        std::vector<VertexId> vertices;
+        for_each_near(chunks, place.room, [&](std::uint32_t t, const Box&) {
+            cutting.triangles.push_back(t);
+            vertices.insert(vertices.end(), mesh_.triangles[t].begin(), mesh_.triangles[t].end());
+        });
+        const LocalCorners corners(std::move(vertices));
         cutting.vertices = corners.vertices();
+        cutting.patch.points.reserve(cutting.vertices.size());
+        std::vector<bool> sticks_out;
         for (const VertexId v : cutting.vertices) {
-            cutting.patch.points.push_back({mesh_.vertices[v], mesh_.normals[v], 0.0});
-            cutting.free.push_back(place.free.squared_distance(mesh_.vertices[v]) == 0.0);
+            const Vec3& place_of_v = mesh_.vertices[v];
+            cutting.patch.points.push_back({place_of_v, mesh_.normals[v], 0.0});
+            cutting.free.push_back(place.free.contains({place_of_v, place_of_v}));
             cutting.held.push_back(v < options_.held.size() && options_.held[v]);
+            sticks_out.push_back(!place.room.contains({place_of_v, place_of_v}));
         }
-        for (const std::uint32_t t : cutting.triangles)
-            cutting.patch.triangles.push_back(corners.local(mesh_.triangles[t]));
-        hold_what_sticks_out(place.room, cutting);
+        cutting.patch.triangles.reserve(cutting.triangles.size());
+        for (const std::uint32_t number : cutting.triangles) {
+            const Triangle& t = cutting.patch.triangles.emplace_back(corners.local(mesh_.triangles[number]));
+            // Only vertices whose triangles lie wholly in the room are free: no other patch knows these.
+            if (sticks_out[t[0]] || sticks_out[t[1]] || sticks_out[t[2]])
+                for (const VertexId v : t) cutting.free[v] = false;
+        }
         return cutting;
-    }
-
-    // Only vertices whose triangles lie wholly in the room are free: no other patch knows these.
-    static void hold_what_sticks_out(const Box& room, Cutting& cutting) {
-        for (const Triangle& t : cutting.patch.triangles) {
-            const bool inside = std::all_of(
-                t.begin(), t.end(), [&](VertexId v) { return room.squared_distance(cutting.patch.at(v)) == 0.0; });
-            if (inside) continue;
-            for (const VertexId v : t) cutting.free[v] = false;
-        }
     }
 
     // Puts a patch back, with what it has more than before at the end of the mesh.

@@ -62,9 +62,9 @@ std::string tidy_message(const std::string& message) {
 template <class Input>
 void make_room(std::vector<std::string>& values, const Input& in) {
     constexpr std::size_t kMany = 4096;
-    if (values.size() == values.capacity() && values.size() >= kMany)
-        values.reserve(values.size() + values.size() * in.size() / in.byte() + kMany);
+    if (values.size() >= kMany) values.reserve(values.size() + values.size() * in.size() / in.byte() + kMany);
 }
+bool is_full(const std::vector<std::string>& values) { return values.size() == values.capacity(); }
 
 bool is_ordinary(char c) { return gemmi::cif::char_table(c) == 1; }
 bool is_space(char c) { return gemmi::cif::char_table(c) == 2; }
@@ -80,7 +80,7 @@ void take_plain_values(Input& in, std::vector<std::string>& values) {
         const char* const next = std::find_if_not(behind, end, is_space);
         const char* const behind_next = std::find_if_not(next, end, is_ordinary);
         if (behind_next == next || behind_next == end || !is_space(*behind_next)) return;
-        make_room(values, in);
+        if (is_full(values)) make_room(values, in);
         values.emplace_back(value, behind);
         in.bump_in_this_line(static_cast<std::size_t>(behind - value));
         in.bump(static_cast<std::size_t>(next - behind));
@@ -102,7 +102,8 @@ struct QuickAction<gemmi::cif::rules::loop_value> {
     }
     template <class Input>
     static void apply(const Input& in, gemmi::cif::Document& document) {
-        make_room(document.items_->back().loop.values, in.input());
+        std::vector<std::string>& values = document.items_->back().loop.values;
+        if (is_full(values)) make_room(values, in.input());
         gemmi::cif::Action<gemmi::cif::rules::loop_value>::apply(in, document);
     }
 };
