@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "radii/aliases.h"
@@ -238,12 +239,15 @@ bool is_atom_record(std::string_view line) {
 std::string hybrid36_serial(std::size_t n) {
     constexpr std::size_t kDecimal = 100000;
     constexpr std::size_t kFirstUpper = 16796160;  // "A0000" in base 36
-    const std::size_t base = n < kDecimal ? 10 : 36;
-    std::size_t rest = n < kDecimal ? n : n - kDecimal + kFirstUpper;
     std::string text(5, ' ');
-    for (std::size_t i = 5; i-- > 0 && (rest > 0 || i == 4); rest /= base) {
-        text[i] = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ"[rest % base];
-    }
+    const auto write = [&text]<std::size_t kBase>(std::size_t rest, std::integral_constant<std::size_t, kBase>) {
+        for (std::size_t i = text.size(); i-- > 0 && (rest > 0 || i + 1 == text.size()); rest /= kBase)
+            text[i] = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ"[rest % kBase];
+    };
+    if (n < kDecimal)
+        write(n, std::integral_constant<std::size_t, 10>());
+    else
+        write(n - kDecimal + kFirstUpper, std::integral_constant<std::size_t, 36>());
     return text;
 }
 
