@@ -85,15 +85,21 @@ struct SmallBox {
     }
     Box box() const { return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}; }
 
-private:
-    // Rounded, and a little farther in a direction. In a vector, as compilers make branches of single numbers.
-    static std::array<float, 3> moved_out(const Vec3& corner, float direction) {
+    // Coordinates a little farther in a direction than rounding has left them. In a vector, as compilers make branches
+    // of single numbers.
+    static Floats moved_out(Floats x, float direction) {
         constexpr Floats kMost = Floats{} + kLargest;
-        Floats x{static_cast<float>(corner.x), static_cast<float>(corner.y), static_cast<float>(corner.z), 0.0F};
         x = x > kMost ? kMost : x;
         x = x < -kMost ? -kMost : x;
         const auto size = reinterpret_cast<Floats>(reinterpret_cast<Bits>(x) & 0x7FFFFFFF);
-        x += direction * (0x1p-22F * size + std::numeric_limits<float>::min());
+        return x + direction * (0x1p-22F * size + std::numeric_limits<float>::min());
+    }
+
+private:
+    static std::array<float, 3> moved_out(const Vec3& corner, float direction) {
+        const Floats x = moved_out(
+            Floats{static_cast<float>(corner.x), static_cast<float>(corner.y), static_cast<float>(corner.z), 0.0F},
+            direction);
         return {x[0], x[1], x[2]};
     }
 };
@@ -108,6 +114,43 @@ public:
             low_[axis][i / 4][i % 4] = box.low[axis];
             high_[axis][i / 4][i % 4] = box.high[axis];
         }
+    }
+
+    /// All of them at once, relative to an origin.
+    void set_all(std::span<const Box, kCount> boxes, const Vec3& origin) {
+        const auto set_axis = [&](std::size_t axis, double Vec3::*along) {
+            const double from = origin.*along;
+            for (std::size_t half = 0; half < 2; ++half) {
+                const std::span four = boxes.subspan(4 * half, 4);
+                const auto lanes = [&](Vec3 Box::*corner) {
+                    const auto at = [&](std::size_t i) { return static_cast<float>(four[i].*corner.*along - from); };
+                    return Floats{at(0), at(1), at(2), at(3)};
+                };
+                low_[axis][half] = SmallBox::moved_out(lanes(&Box::low), -1.0F);
+                high_[axis][half] = SmallBox::moved_out(lanes(&Box::high), 1.0F);
+            }
+        };
+        set_axis(0, &Vec3::x);
+        set_axis(1, &Vec3::y);
+        set_axis(2, &Vec3::z);
+    }
+
+    /// Round all that were set.
+    SmallBox hull() const {
+        SmallBox hull;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Floats& a = low_[axis][0];
+            const Floats& b = low_[axis][1];
+            const Floats low = b < a ? b : a;  // the first one where the second is unset
+            const Floats& c = high_[axis][0];
+            const Floats& d = high_[axis][1];
+            const Floats high = d > c ? d : c;
+            for (std::size_t i = 0; i < 4; ++i) {
+                hull.low[axis] = std::min(hull.low[axis], low[i]);
+                hull.high[axis] = std::max(hull.high[axis], high[i]);
+            }
+        }
+        return hull;
     }
 
     /// As it was set.
@@ -176,19 +219,20 @@ class BoxTree {
 public:
     BoxTree() = default;
     explicit BoxTree(std::span<const Box> boxes) {
-        if (!boxes.empty() && is_finite(boxes[boxes.size() / 2].low)) origin_ = boxes[boxes.size() / 2].low;
-        std::vector<SmallBox> level;
-        level.reserve(boxes.size());
-        for (const Box& box : boxes) level.push_back(from_origin(box));
-        while (!level.empty()) {
-            sizes_.push_back(level.size());
-            std::vector<EightBoxes>& eights = eights_.emplace_back((level.size() + kFanOut - 1) / kFanOut);
-            std::vector<SmallBox> above(level.size() > kFanOut ? eights.size() : 0);
-            for (std::size_t i = 0; i < level.size(); ++i) {
-                eights[i / kFanOut].set(i % kFanOut, level[i]);
-                if (!above.empty()) above[i / kFanOut].include(level[i]);
-            }
-            level = std::move(above);
+        if (boxes.empty()) return;
+        if (is_finite(boxes[boxes.size() / 2].low)) origin_ = boxes[boxes.size() / 2].low;
+        sizes_.push_back(boxes.size());
+        std::vector<EightBoxes>& items = eights_.emplace_back((boxes.size() + kFanOut - 1) / kFanOut);
+        const std::size_t whole = boxes.size() / kFanOut;
+        for (std::size_t e = 0; e < whole; ++e) items[e].set_all(boxes.subspan(e * kFanOut).first<kFanOut>(), origin_);
+        for (std::size_t i = whole * kFanOut; i < boxes.size(); ++i)
+            items[whole].set(i % kFanOut, from_origin(boxes[i]));
+        while (eights_.back().size() > 1) {
+            const std::size_t size = eights_.back().size();
+            sizes_.push_back(size);
+            std::vector<EightBoxes> above((size + kFanOut - 1) / kFanOut);
+            for (std::size_t i = 0; i < size; ++i) above[i / kFanOut].set(i % kFanOut, eights_.back()[i].hull());
+            eights_.push_back(std::move(above));
         }
     }
 

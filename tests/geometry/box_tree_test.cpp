@@ -67,6 +67,36 @@ TEST(SmallBox, GrowsFromNothing) {
     EXPECT_TRUE(SmallBox({{-far, 0, 0}, {far, 1, 1}}).overlaps(SmallBox({{1e38, 0.5, 0.5}, {1e39, 0.6, 0.6}})));
 }
 
+TEST(EightBoxes, AreTheSameSetTogetherOrOneByOne) {
+    const Vec3 origin{1e3, -2.0, 0.1};
+    std::vector<Box> boxes = random_boxes(9, EightBoxes::kCount, 3.0);
+    boxes[2].high.x = kInfinity;
+    boxes[5].low.z = -1e300;
+    EightBoxes together;
+    together.set_all(std::span(boxes).first<EightBoxes::kCount>(), origin);
+    for (std::size_t i = 0; i < EightBoxes::kCount; ++i) {
+        const SmallBox alone({boxes[i].low - origin, boxes[i].high - origin});
+        EXPECT_EQ(together.box(i).low, alone.low);
+        EXPECT_EQ(together.box(i).high, alone.high);
+    }
+}
+
+TEST(EightBoxes, HaveAHullOfThoseThatWereSet) {
+    EightBoxes eight;
+    SmallBox all;
+    const auto expect_same = [&] {
+        EXPECT_EQ(eight.hull().low, all.low);
+        EXPECT_EQ(eight.hull().high, all.high);
+    };
+    expect_same();
+    const std::vector<Box> boxes = random_boxes(10, EightBoxes::kCount, 3.0);
+    for (std::size_t i = 0; i < EightBoxes::kCount; ++i) {
+        eight.set(i, SmallBox(boxes[i]));
+        all.include(SmallBox(boxes[i]));
+        expect_same();
+    }
+}
+
 TEST(BoxTree, FindsWhatOverlapsInTheItemsOrder) {
     BoxTree::Lists lists;
     for (const std::size_t count : {1U, 7U, 8U, 9U, 64U, 65U, 700U}) {
