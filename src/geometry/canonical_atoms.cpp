@@ -75,7 +75,7 @@ CanonicalAtoms canonical_atoms(const Atoms& atoms, double cell) {
     result.corner = corner;
     result.cell = std::max(cell, extent / kMaxCells);
 
-    // What decides nearly always lies together: half of what it takes to look it up by index.
+    // What decides nearly always is sorted along: two thirds of what it takes to look it up by index.
     struct Ranked {
         std::uint64_t key;
         double x;

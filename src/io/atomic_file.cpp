@@ -88,10 +88,10 @@ std::string temporary_name_beside(const std::string& target) {
     return folder + ".meniscus-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
 }
 
-// Those of 0 to 999, three each, and a fourth byte that makes them as long as a register.
+// Those of 0 to 999, three each.
 constexpr std::size_t kThousand = 1000;
-constexpr std::array<std::array<char, 4>, kThousand> kThreeDigits = [] {
-    std::array<std::array<char, 4>, kThousand> all{};
+constexpr std::array<std::array<char, 3>, kThousand> kThreeDigits = [] {
+    std::array<std::array<char, 3>, kThousand> all{};
     for (std::size_t i = 0; i < kThousand; ++i)
         all[i] = {static_cast<char>('0' + i / 100), static_cast<char>('0' + i / 10 % 10),
                   static_cast<char>('0' + i % 10)};
@@ -128,9 +128,10 @@ std::string_view digits_of_thousandths(double value, std::array<char, 32>& digit
 }
 
 template <class T>
-std::string_view digits_of(T value, std::array<char, 32>& digits) {
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    return {digits.data(), static_cast<std::size_t>(end - digits.data())};
+void write_digits_of(T value, AtomicFile& file) {
+    std::array<char, 32> digits;
+    const auto* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    file.write({digits.data(), static_cast<std::size_t>(end - digits.data())});
 }
 
 }  // namespace
@@ -187,26 +188,18 @@ void AtomicFile::reserve([[maybe_unused]] std::size_t size) {
 #endif
 }
 
-void AtomicFile::number(float value) {
-    std::array<char, 32> digits;
-    write(digits_of(value, digits));
-}
+void AtomicFile::number(float value) { write_digits_of(value, *this); }
 
 void AtomicFile::number(double value) {
     std::array<char, 32> digits;
     const std::string_view few = digits_of_thousandths(value, digits);
-    write(few.empty() ? digits_of(value, digits) : few);
+    if (few.empty()) return write_digits_of(value, *this);
+    write(few);
 }
 
-void AtomicFile::number(std::uint64_t value) {
-    std::array<char, 32> digits;
-    write(digits_of(value, digits));
-}
+void AtomicFile::number(std::uint64_t value) { write_digits_of(value, *this); }
 
-void AtomicFile::number(std::int64_t value) {
-    std::array<char, 32> digits;
-    write(digits_of(value, digits));
-}
+void AtomicFile::number(std::int64_t value) { write_digits_of(value, *this); }
 
 void AtomicFile::append_over_the_end(const char* data, std::size_t size) {
     flush();

@@ -9,20 +9,19 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <numeric>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/memory.h"
 #include "core/parallel.h"
-#include "geometry/box_tree.h"
 #include "grid/block_grid.h"
 #include "meniscus/errors.h"
 #include "meniscus/remesh.h"
 #include "meniscus/surface.h"
 #include "pipeline/band_size.h"
 #include "pipeline/flow_stage.h"
+#include "pipeline/point_cells.h"
 
 namespace meniscus {
 namespace {
@@ -48,65 +47,11 @@ std::array<Vec3, kDirections> spiral() {
     return directions;
 }
 
-// Atoms in columns along z: those near to one are in few of them.
-class AtomsInColumns {
-public:
-    explicit AtomsInColumns(const Atoms& atoms) : items_(atoms.size()) {
-        constexpr double kWidth = 3.0;  // Å; wider where there would be far more columns than atoms
-        Box box;
-        for (const Vec3& centre : atoms.centres) box.include(centre);
-        const Vec3 size = box.high - box.low;
-        const auto count = static_cast<double>(atoms.size());
-        per_width_ = 1.0 / std::max({kWidth, std::sqrt(size.x * size.y / count), size.x / count, size.y / count});
-        low_ = box.low;
-        last_x_ = number(size.x, kMost);
-        last_y_ = number(size.y, kMost);
-
-        begins_.resize((last_x_ + 1) * (last_y_ + 1) + 1);
-        for (const Vec3& centre : atoms.centres) ++begins_[column(centre) + 1];
-        std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
-        std::vector<std::uint32_t> next(begins_.begin(), begins_.end() - 1);
-        for (std::uint32_t i = 0; i < items_.size(); ++i) items_[next[column(atoms.centres[i])]++] = i;
-    }
-
-    // Calls visit(atoms) for some that are all within a reach of a point, and others, along x and y.
-    template <class Visit>
-    void for_each_near(const Vec3& point, double reach, const Visit& visit) const {
-        const Vec3 low = point - low_ - Vec3{reach, reach, reach};
-        const Vec3 high = point - low_ + Vec3{reach, reach, reach};
-        const std::size_t first_y = number(low.y, last_y_);
-        const std::size_t last_y = number(high.y, last_y_);
-        for (std::size_t x = number(low.x, last_x_); x <= number(high.x, last_x_); ++x) {
-            const std::size_t begin = begins_[x * (last_y_ + 1) + first_y];
-            visit(std::span(items_).subspan(begin, begins_[x * (last_y_ + 1) + last_y + 1] - begin));
-        }
-    }
-
-private:
-    static constexpr std::size_t kMost = std::size_t{1} << 31U;
-
-    // Of a column, from a distance from the first one's begin; anything will do for what is no number.
-    std::size_t number(double distance, std::size_t last) const {
-        const double columns = distance * per_width_;
-        return !(columns > 0.0) ? 0 : columns >= static_cast<double>(last) ? last : static_cast<std::size_t>(columns);
-    }
-    std::size_t column(const Vec3& centre) const {
-        return number(centre.x - low_.x, last_x_) * (last_y_ + 1) + number(centre.y - low_.y, last_y_);
-    }
-
-    Vec3 low_;
-    double per_width_ = 0.0;  // 1/Å
-    std::size_t last_x_ = 0;
-    std::size_t last_y_ = 0;
-    std::vector<std::uint32_t> begins_;  // per column, and the end: of its part of the items
-    std::vector<std::uint32_t> items_;
-};
-
 // What the other atoms leave of enlarged spheres.
 class Exposure {
 public:
-    Exposure(const Atoms& atoms, const AtomsInColumns& columns, double largest, double probe)
-        : atoms_(atoms), columns_(columns), largest_(largest), probe_(probe) {}
+    Exposure(const Atoms& atoms, const PointCells& cells, double largest, double probe)
+        : atoms_(atoms), cells_(cells), largest_(largest), probe_(probe) {}
 
     /// The part of an atom's enlarged sphere that is accessible, 0 to 1.
     double of(std::size_t atom) {
@@ -130,14 +75,14 @@ private:
     bool find_neighbours(std::size_t atom) {
         const Vec3 centre = atoms_.centres[atom];
         const double rho = atoms_.radii[atom] + 2.0 * probe_;
+        const double farthest = rho + largest_;
+        const Vec3 aside{farthest, farthest, 0.0};
         std::size_t count = 0;
-        columns_.for_each_near(centre, rho + largest_, [&](std::span<const std::uint32_t> candidates) {
-            if (near_.size() < count + candidates.size()) near_.resize(2 * (count + candidates.size()));
-            for (const std::uint32_t j : candidates) {
-                const double reach = rho + atoms_.radii[j];
-                near_[count] = j;
-                count += squared_norm(atoms_.centres[j] - centre) < reach * reach ? 1 : 0;
-            }
+        cells_.for_each_within(cells_.cell_of(centre - aside), cells_.cell_of(centre + aside), [&](std::uint32_t j) {
+            const double reach = rho + atoms_.radii[j];
+            if (count == near_.size()) near_.resize(2 * count + 64);
+            near_[count] = j;
+            count += squared_norm(atoms_.centres[j] - centre) < reach * reach ? 1 : 0;
         });
         neighbours_.clear();
         for (const std::uint32_t j : std::span(near_).first(count)) {
@@ -156,7 +101,7 @@ private:
     }
 
     const Atoms& atoms_;
-    const AtomsInColumns& columns_;
+    const PointCells& cells_;
     double largest_;  // radius
     double probe_;
     std::array<Vec3, kDirections> directions_ = spiral();
@@ -186,10 +131,10 @@ double surface_area(const Atoms& atoms, double probe) {
         }
     };
     const std::size_t looked_at = (atoms.size() + step - 1) / step;
-    const AtomsInColumns columns(atoms);
+    const PointCells cells(atoms.centres, 1.0);
     const double largest = *std::max_element(atoms.radii.begin(), atoms.radii.end());
     const Sums sums = parallel_sum<Sums>(looked_at, kSamplesPerTask, [&](std::size_t begin, std::size_t end) {
-        Exposure exposure(atoms, columns, largest, probe);
+        Exposure exposure(atoms, cells, largest, probe);
         Sums of_these;
         for (std::size_t k = begin; k < end; ++k) {
             const double part = exposure.of(k * step);

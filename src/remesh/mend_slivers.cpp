@@ -281,7 +281,8 @@ private:
         }
     }
 
-    // Those below the needed angle. Only they can be that were so once, or have changed.
+    // Those below the needed angle: suspects from the start, as that is no larger than the wanted one, or changed
+    // since.
     void list_left(const std::vector<std::uint32_t>& triangles) {
         for (const std::uint32_t t : triangles)
             if (may_be_low_[t] && !is_removed(mesh_.triangles[t]) && goodness(mesh_.triangles[t]) < needed_)
