@@ -96,6 +96,9 @@ public:
     /// How far beyond a ball points are still within the margin, Å: 0 unless the margin exceeds the probe radius.
     double beyond_balls() const;
 
+    /// Whether they answer for all points of a box.
+    bool holds(const Box& box) const { return box_.contains(box); }
+
     const SphereList& balls() const { return balls_; }
     const BoxList& arcs() const { return arcs_; }
     const SphereList& vertices() const { return vertices_; }

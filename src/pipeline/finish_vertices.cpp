@@ -110,25 +110,48 @@ public:
             batch_.find(points);
             batch_.steps_to_surface(steps);
         }
+        short_.clear();
+        places_.clear();
         for (std::uint32_t lane = 0; lane < points.size(); ++lane) {
             if (!open) steps.point[lane] = lane;
             if (open && steps.lanes.settled[lane] != 0) continue;
             const std::uint32_t i = steps.point[lane];
-            const bool stepped = open && batch_.found(i);
-            Vec3 place = points[i];
-            if (stepped) place = get_point(steps.lanes.points, lane);
-            const NearestFeature at = walk_to_surface(local_, place, stepped ? 1 : 0);
-            steps.set(lane, place, at);
+            if (open && batch_.found(i)) {
+                short_.push_back(lane);
+                places_.push_back(get_point(steps.lanes.points, lane));
+            } else {
+                Vec3 place = points[i];
+                const NearestFeature at = walk_to_surface(local_, place, 0);
+                steps.set(lane, place, at);
+            }
         }
+        walk_on(steps);
     }
 
 private:
     static constexpr double kRoom = 0.25;   // Å: most points move less
     static constexpr double kMargin = 0.5;  // Å: points of a mesh are far nearer to the surface than this
 
+    // From where a step has led points that may have fallen short of the surface: most have not.
+    void walk_on(BatchSteps& steps) {
+        if (places_.empty()) return;
+        Box box;
+        for (const Vec3& place : places_) box.include(place);
+        const bool open = local_.holds(box) && batch_.start(local_, box, kMargin) == NearestBatch::Claim::Open;
+        if (open) batch_.find(places_);
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            Vec3 place = places_[i];
+            const NearestFeature nearest = open && batch_.found(i) ? batch_.feature(i) : local_.nearest(place);
+            const NearestFeature at = walk_from(local_, place, nearest, 1);
+            steps.set(short_[i], place, at);
+        }
+    }
+
     LocalFeatures around_;  // of many runs
     LocalFeatures local_;
     NearestBatch batch_;
+    std::vector<std::uint32_t> short_;  // lanes of points that have taken a step and are not known to be settled
+    std::vector<Vec3> places_;          // where that step led
 };
 
 constexpr std::size_t kGroupsPerTask = 2;

@@ -96,7 +96,10 @@ private:
 }  // namespace
 
 NearestFeature walk_to_surface(const LocalFeatures& near, Vec3& point, int taken) {
-    NearestFeature at = near.nearest(point);
+    return walk_from(near, point, near.nearest(point), taken);
+}
+
+NearestFeature walk_from(const LocalFeatures& near, Vec3& point, NearestFeature at, int taken) {
     for (; taken < kStepsToSurface && std::abs(at.signed_distance) > kOnSurface; ++taken) {
         point = point - at.signed_distance * at.normal;
         at = near.nearest(point);

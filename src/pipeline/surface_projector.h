@@ -25,6 +25,8 @@ inline constexpr int kStepsToSurface = 60;
 ///
 /// near    gathered round the point: quick as long as it stays there
 NearestFeature walk_to_surface(const LocalFeatures& near, Vec3& point, int taken);
+/// The same where it is known what is nearest to the point.
+NearestFeature walk_from(const LocalFeatures& near, Vec3& point, NearestFeature nearest, int taken);
 
 /// Whether the projector tells curvatures. Those of a level set cost a third of its time.
 enum class Curvatures : std::uint8_t { FilledIn, LeftOut };

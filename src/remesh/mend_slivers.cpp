@@ -14,11 +14,14 @@
 #include <span>
 #include <utility>
 
+#include "core/bits.h"
 #include "core/corner_numbers.h"
 #include "core/local_corners.h"
 #include "core/parallel.h"
 #include "core/parallel_list.h"
 #include "geometry/box_tree.h"
+#include "geometry/local_features.h"
+#include "geometry/nearest_kernels.h"
 #include "geometry/triangle_tree.h"
 #include "remesh/first_look.h"
 #include "remesh/patch.h"
@@ -54,10 +57,10 @@ struct Place {
     Box room;
 };
 
-// A triangle that others may pass through.
-struct Near {
-    std::uint32_t triangle;
-    SmallBox box;
+// Triangles that others may pass through, by their boxes. Filled again and again.
+struct NearTriangles {
+    BoxList boxes;
+    std::vector<std::uint64_t> marks;
 };
 
 // The part of a mesh round a place, and the mesh's numbers for it.
@@ -148,7 +151,7 @@ private:
         const BoxTree chunks(boxes_.boxes);
         auto all = parallel_list<std::uint32_t>(
             leaning.size(), kLeaningPerTask, [&](std::size_t begin, std::size_t end, auto& numbers) {
-                std::vector<Near> near;
+                NearTriangles near;
                 while (begin < end) {
                     const std::size_t count = neighbours_among(std::span(leaning).subspan(begin, end - begin));
                     find_tangled(chunks, std::span(leaning).subspan(begin, count), near, numbers);
@@ -173,18 +176,23 @@ private:
     }
 
     // Appends those of some neighbours and of all other triangles that pass through each other. near: memory
-    void find_tangled(const BoxTree& chunks, std::span<const std::uint32_t> neighbours, std::vector<Near>& near,
+    void find_tangled(const BoxTree& chunks, std::span<const std::uint32_t> neighbours, NearTriangles& near,
                       std::vector<std::uint32_t>& numbers) const {
         Box all;
         for (const std::uint32_t t : neighbours) all.include(box_of(mesh_, mesh_.triangles[t]));
-        near.clear();
-        for_each_near(chunks, all, [&](std::uint32_t t, const Box& box) { near.push_back({t, SmallBox(box)}); });
+        auto& [boxes, marks] = near;
+        boxes.clear();
+        for_each_near(chunks, all, [&](std::uint32_t t, const Box& box) {
+            boxes.add({box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z}, t);
+        });
+        marks.resize(std::max(marks.size(), words_for(boxes.size())));
         for (const std::uint32_t t : neighbours) {
-            const SmallBox box(box_of(mesh_, mesh_.triangles[t]));
-            for (const Near& other : near)
-                if (box.overlaps(other.box) && other.triangle != t &&
-                    meeting(mesh_, mesh_.triangles[t], mesh_.triangles[other.triangle]))
-                    numbers.insert(numbers.end(), {t, other.triangle});
+            nearest_kernels().mark_overlapping(boxes, box_of(mesh_, mesh_.triangles[t]), marks.data());
+            for_each_item(marks.data(), boxes.size(), [&](std::size_t i) {
+                const std::uint32_t other = boxes.index(i);
+                if (other != t && meeting(mesh_, mesh_.triangles[t], mesh_.triangles[other]))
+                    numbers.insert(numbers.end(), {t, other});
+            });
         }
     }
 
