@@ -13,68 +13,96 @@
 #include <tuple>
 #include <vector>
 
+#include "core/bits.h"
 #include "core/parallel.h"
+#include "measure/triangle_lanes.h"
 
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kChunk = 256;  // triangles per task
+constexpr std::size_t kChunk = 128 * kLanes;  // triangles per task
+constexpr std::size_t kSampled = 64;          // of so many triangles one tells where percentiles are looked for
 
-// Values that are not negative by their leading bits, which have the order of the values: so that few need sorting.
-class LeadingBits {
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr std::array<double, 3> kParts{0.05, 0.5, 0.95};
+// Of the values that such parts of all are below.
+using Brackets = std::array<Bracket, kParts.size()>;
+constexpr Bracket kAll{-kInfinity, kInfinity};
+constexpr Brackets kNoBrackets{kAll, kAll, kAll};
+
+// What Percentiles tells of many values: of most it is only seen on which side of a bracket they are.
+class Distribution {
 public:
-    static constexpr std::size_t kBins = 4096;  // 16 octaves from the least value; all beyond share the last one
+    // Those that are marked, of lanes that all hold values.
+    void add(const Lanes& values, std::uint64_t which, const Brackets& brackets) {
+        const TriangleKernels& kernels = triangle_kernels();
+        count_ += static_cast<std::size_t>(std::popcount(which));
+        least_ = std::min(least_, kernels.find_least(values));
+        largest_ = std::max(largest_, kernels.find_largest(values));
+        for (std::size_t k = 0; k < kParts.size(); ++k) {
+            const auto [below, within] = kernels.bracket(values, brackets[k]);
+            below_[k] += static_cast<std::size_t>(std::popcount(below & which));
+            for_each_bit(within & which, [&](std::size_t i) { within_[k].push_back(values[i]); });
+        }
+    }
+    Distribution& operator+=(const Distribution& other) {
+        count_ += other.count_;
+        least_ = std::min(least_, other.least_);
+        largest_ = std::max(largest_, other.largest_);
+        for (std::size_t k = 0; k < kParts.size(); ++k) {
+            below_[k] += other.below_[k];
+            within_[k].insert(within_[k].end(), other.within_[k].begin(), other.within_[k].end());
+        }
+        return *this;
+    }
 
-    explicit LeadingBits(double least) : first_(leading(least)) {}
-    std::size_t bin_of(double value) const { return std::min<std::uint64_t>(leading(value) - first_, kBins - 1); }
+    // Whether the brackets held what they were for.
+    bool is_complete() const {
+        for (std::size_t k = 0; k < kParts.size(); ++k)
+            if (rank(k) < below_[k] || rank(k) - below_[k] >= within_[k].size()) return false;
+        return true;
+    }
+    // Precondition: is_complete.
+    Percentiles percentiles() {
+        const auto value = [this](std::size_t k) { return *nth_within(k, 0, rank(k) - below_[k]); };
+        return {least_, value(0), value(1), value(2), largest_};
+    }
+    // For many more, of which these are a sample: six standard deviations of a rank among values that do not depend on
+    // each other, which the sides of a triangle do. Precondition: there were no brackets.
+    Brackets brackets() {
+        constexpr double kDeviations = 6.0;
+        Brackets brackets = kNoBrackets;
+        for (std::size_t k = 0; k < kParts.size(); ++k) {
+            const double variance = kParts[k] * (1.0 - kParts[k]) * static_cast<double>(count_);
+            const std::size_t off = 1 + static_cast<std::size_t>(kDeviations * std::sqrt(variance));
+            const std::size_t low = rank(k) - std::min(rank(k), off);
+            const std::size_t high = rank(k) + off;
+            if (low > 0) brackets[k].low = *nth_within(k, 0, low);
+            if (high < count_) brackets[k].high = *nth_within(k, low, high);
+        }
+        return brackets;
+    }
 
 private:
-    // Sign, exponent and eight bits of the fraction.
-    static std::uint64_t leading(double value) { return std::bit_cast<std::uint64_t>(value) >> 44U; }
-
-    std::uint64_t first_;
-};
-
-// The values that would stand at rising places if all were sorted.
-std::array<double, 3> values_at(std::array<std::size_t, 3> places, std::span<const double> values, double least) {
-    const LeadingBits bits(least);
-    std::array<std::size_t, LeadingBits::kBins> counts{};
-    for (const double v : values) ++counts[bits.bin_of(v)];
-    std::array<bool, LeadingBits::kBins> wanted{};
-    std::size_t bin = 0;
-    std::size_t below = 0;    // values of bins before
-    std::size_t skipped = 0;  // of these, not wanted
-    for (std::size_t& place : places) {
-        for (; below + counts[bin] <= place; ++bin) {
-            below += counts[bin];
-            if (!wanted[bin]) skipped += counts[bin];
-        }
-        wanted[bin] = true;
-        place -= skipped;
+    // Of the values that a part of all is below, if all were sorted.
+    std::size_t rank(std::size_t k) const {
+        return static_cast<std::size_t>(std::lround(kParts[k] * static_cast<double>(count_ - 1)));
     }
-    std::vector<double> some;
-    for (const double v : values)
-        if (wanted[bits.bin_of(v)]) some.push_back(v);
-    std::sort(some.begin(), some.end());
-    return {some[places[0]], some[places[1]], some[places[2]]};
-}
+    // Those before `from` are known to be no larger than the others.
+    std::vector<double>::const_iterator nth_within(std::size_t k, std::size_t from, std::size_t place) {
+        const auto begin = within_[k].begin();
+        const auto at = begin + static_cast<std::ptrdiff_t>(place);
+        std::nth_element(begin + static_cast<std::ptrdiff_t>(from), at, within_[k].end());
+        return at;
+    }
 
-// Values that so many parts of all are below; none may be negative.
-Percentiles percentiles(std::span<const double> values) {
-    if (values.empty()) return {};
-    const auto [least, largest] = std::minmax_element(values.begin(), values.end());
-    const auto place = [&](double part) {
-        return static_cast<std::size_t>(std::lround(part * static_cast<double>(values.size() - 1)));
-    };
-    const auto [low, middle, high] = values_at({place(0.05), place(0.5), place(0.95)}, values, *least);
-    return {*least, low, middle, high, *largest};
-}
-
-// Between the sides a and b of a triangle, opposite c; of a side without length the angle is 0.
-double cosine_of_angle(double a, double b, double c) {
-    const double product = a * b;
-    return product > 0.0 ? std::clamp((a * a + b * b - c * c) / (2.0 * product), -1.0, 1.0) : 1.0;
-}
+    std::size_t count_ = 0;
+    double least_ = kInfinity;
+    double largest_ = -kInfinity;
+    std::array<std::size_t, kParts.size()> below_{};  // per bracket
+    std::array<std::vector<double>, kParts.size()> within_;
+};
 
 double degrees(double cosine) { return std::acos(cosine) * (180.0 / std::numbers::pi); }
 
@@ -82,12 +110,6 @@ double degrees(double cosine) { return std::acos(cosine) * (180.0 / std::numbers
 Percentiles angles_of(const Percentiles& p) {
     const auto angle = [](double one_less_cosine) { return degrees(1.0 - one_less_cosine); };
     return {angle(p.min), angle(p.p5), angle(p.p50), angle(p.p95), angle(p.max)};
-}
-
-// R / 2 r of sides a, b, c: a b c / ((b + c - a) (c + a - b) (a + b - c)).
-double aspect_ratio(double a, double b, double c) {
-    const double product = (b + c - a) * (c + a - b) * (a + b - c);
-    return product > 0.0 ? a * b * c / product : std::numeric_limits<double>::infinity();
 }
 
 // Corners by their angles, see MeshQuality.
@@ -126,39 +148,73 @@ private:
     std::array<std::uint8_t, kCells> first_{};  // per cell: the bin of its highest cosine
 };
 
+// What is said about triangles.
+struct Shapes {
+    Distribution edges;     // of a closed mesh every one is there twice
+    Distribution smallest;  // angles, as 1 - cosine
+    Distribution ratios;
+    AngleCounts angles;
+
+    struct Where {
+        Brackets edges = kNoBrackets;
+        Brackets smallest = kNoBrackets;
+        Brackets ratios = kNoBrackets;
+    };
+
+    Shapes& operator+=(const Shapes& other) {
+        edges += other.edges;
+        smallest += other.smallest;
+        ratios += other.ratios;
+        angles += other.angles;
+        return *this;
+    }
+    bool is_complete() const { return edges.is_complete() && smallest.is_complete() && ratios.is_complete(); }
+    Where brackets() { return {edges.brackets(), smallest.brackets(), ratios.brackets()}; }
+};
+
+Shapes shapes_of(const Mesh& mesh, std::span<const Triangle> triangles, const Shapes::Where& brackets) {
+    const AngleBins bins;
+    const TriangleKernels& kernels = triangle_kernels();
+    return parallel_sum<Shapes>(triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+        Shapes seen;
+        TriangleLanes lanes;
+        TriangleShapes shapes;
+        for (std::size_t first = begin; first < end; first += kLanes) {
+            std::array<Triangle, kLanes> some;  // the last one again and again where there are fewer
+            const std::size_t count = std::min(kLanes, end - first);
+            std::copy_n(&triangles[first], count, some.begin());
+            std::fill(some.begin() + static_cast<std::ptrdiff_t>(count), some.end(), triangles[first + count - 1]);
+            kernels.gather(mesh.vertices.data(), nullptr, some, {}, lanes);
+            kernels.measure_shapes(lanes, shapes);
+            const std::uint64_t which = first_bits(count);
+            for (const Lanes& sides : shapes.sides) seen.edges.add(sides, which, brackets.edges);
+            seen.smallest.add(shapes.one_less_cosine, which, brackets.smallest);
+            seen.ratios.add(shapes.aspect_ratio, which, brackets.ratios);
+            for (const Lanes& cosines : shapes.cosines)
+                for (std::size_t i = 0; i < count; ++i) ++seen.angles.of[bins.of(cosines[i])];
+        }
+        return seen;
+    });
+}
+
+// Where the percentiles of a large mesh are: between those of a sample.
+Shapes::Where brackets_of(const Mesh& mesh) {
+    constexpr std::size_t kFewest = 1000;  // triangles of a sample
+    if (mesh.triangles.size() < kFewest * kSampled) return {};
+    std::vector<Triangle> sample;
+    sample.reserve(mesh.triangles.size() / kSampled + 1);
+    for (std::size_t t = 0; t < mesh.triangles.size(); t += kSampled) sample.push_back(mesh.triangles[t]);
+    return shapes_of(mesh, sample, {}).brackets();
+}
+
 }  // namespace
 
 MeshQuality measure_quality(const Mesh& mesh) {
-    const std::size_t count = mesh.triangles.size();
-    const AngleBins bins;
-    std::vector<double> smallest(count);  // angles, as 1 - cosine
-    std::vector<double> ratios(count);
-    std::vector<double> lengths(3 * count);  // of a closed mesh every edge is there twice
-    const auto angles = parallel_sum<AngleCounts>(count, kChunk, [&](std::size_t begin, std::size_t end) {
-        AngleCounts counts;
-        for (std::size_t t = begin; t < end; ++t) {
-            const auto& [i, j, k] = mesh.triangles[t];
-            const double a = norm(mesh.vertices[k] - mesh.vertices[j]);
-            const double b = norm(mesh.vertices[i] - mesh.vertices[k]);
-            const double c = norm(mesh.vertices[j] - mesh.vertices[i]);
-            const double cosines[] = {cosine_of_angle(b, c, a), cosine_of_angle(c, a, b), cosine_of_angle(a, b, c)};
-            for (const double cosine : cosines) ++counts.of[bins.of(cosine)];
-            smallest[t] = 1.0 - std::max({cosines[0], cosines[1], cosines[2]});
-            ratios[t] = aspect_ratio(a, b, c);
-            lengths[3 * t] = a;
-            lengths[3 * t + 1] = b;
-            lengths[3 * t + 2] = c;
-        }
-        return counts;
-    });
-    MeshQuality quality;
-    quality.angles = angles.of;
-    parallel_both([&] { quality.edges = percentiles(lengths); },
-                  [&] {
-                      quality.smallest_angles = angles_of(percentiles(smallest));
-                      quality.aspect_ratios = percentiles(ratios);
-                  });
-    return quality;
+    if (mesh.triangles.empty()) return {};
+    Shapes shapes = shapes_of(mesh, mesh.triangles, brackets_of(mesh));
+    if (!shapes.is_complete()) shapes = shapes_of(mesh, mesh.triangles, {});
+    return {shapes.angles.of, angles_of(shapes.smallest.percentiles()), shapes.edges.percentiles(),
+            shapes.ratios.percentiles()};
 }
 
 }  // namespace meniscus

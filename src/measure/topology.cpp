@@ -26,55 +26,8 @@ struct Step {
 };
 
 // Stars of fewer steps than this are examined quickly; longer ones are rare.
-constexpr std::uint32_t kHalfStar = 8;
+constexpr std::uint32_t kHalfStar = HalfStar::kSteps;
 constexpr std::uint32_t kShortStar = 2 * kHalfStar;
-
-// Some steps round a vertex; where there are fewer, its own number stands in the rest.
-struct HalfStar {
-    std::array<VertexId, kHalfStar> from;
-    std::array<VertexId, kHalfStar> to;
-};
-
-// The usual case, quickly: fewer than kHalfStar steps that form one ring. Which step begins where another ends is found
-// by comparing all with all; the number of the only one is known from the sum over those found. Nothing branches until
-// all is known: how many steps there are cannot be foreseen.
-bool is_single_ring(const HalfStar& star, std::uint32_t size) {
-    std::array<std::uint32_t, kHalfStar> sums{};
-    for (std::uint32_t j = 0; j < kHalfStar; ++j)
-        for (std::uint32_t k = 0; k < kHalfStar; ++k) sums[k] += star.from[j] == star.to[k] ? kHalfStar + j : 0;
-    std::uint32_t wrong = 0;  // ends where none begins or several, or at the vertex itself
-    std::uint64_t next = 0;   // a byte each
-    for (std::uint32_t k = 0; k < kHalfStar; ++k) {
-        const std::uint32_t found = sums[k] - kHalfStar;
-        wrong |= static_cast<std::uint32_t>(k < size) & static_cast<std::uint32_t>(found >= size);
-        next |= std::uint64_t{found % kHalfStar} << (8 * k);
-    }
-    // The way from the first step: it takes every one, and comes back.
-    std::uint32_t taken = 0;
-    std::uint32_t back = 0;
-    std::uint64_t at = 0;
-    for (std::uint32_t i = 0; i < kHalfStar; ++i) {
-        taken |= 1U << at;
-        at = next >> (8 * at) & 0xFFU;
-        back |= static_cast<std::uint32_t>(at == 0);
-    }
-    return wrong == 0 && back != 0 && taken == (1U << size) - 1;
-}
-
-// The same for fewer than kShortStar steps, in two halves.
-bool is_single_ring(const HalfStar& first, const HalfStar& second, std::uint32_t size) {
-    const auto from = [&](std::uint32_t j) { return (j < kHalfStar ? first : second).from[j % kHalfStar]; };
-    std::uint32_t at = 0;
-    for (std::uint32_t taken = 1; taken <= size; ++taken) {
-        const VertexId end = (at < kHalfStar ? first : second).to[at % kHalfStar];
-        std::uint32_t sum = 0;
-        for (std::uint32_t j = 0; j < kShortStar; ++j) sum += from(j) == end ? kShortStar + j : 0;
-        at = sum - kShortStar;
-        if (at >= size) return false;  // none, several, or the vertex itself
-        if (at == 0) return taken == size;
-    }
-    return false;
-}
 
 // One end of a step: a triangle that has the edge v-neighbour, as its first side (leaving v) or its last (coming to v).
 struct Spoke {
@@ -175,16 +128,23 @@ public:
     MeshTopology examine() {
         std::stable_sort(more_.begin(), more_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
         MeshTopology seen;
-        for (std::size_t i = 0; i < count_; ++i) {
-            if (forms_a_ring(i))
-                seen.edges += sizes_[i];
-            else
-                examine_star(steps(i), vertex(i), seen);
+        for (std::size_t begin = 0; begin < count_; begin += kStarsAtOnce) {
+            const std::size_t count = std::min<std::size_t>(kStarsAtOnce, count_ - begin);
+            const std::uint64_t rings =
+                triangle_kernels().find_rings({&stars_[begin], count}, &second_halves_[begin], {&sizes_[begin], count});
+            for (std::size_t i = begin; i < begin + count; ++i) {
+                if ((rings >> (i - begin) & 1) != 0)
+                    seen.edges += sizes_[i];
+                else
+                    examine_star(steps(i), vertex(i), seen);
+            }
         }
         return seen;
     }
 
 private:
+    static constexpr std::size_t kStarsAtOnce = 64;
+
     VertexId vertex(std::size_t i) const { return first_ + static_cast<VertexId>(i); }
 
     void clear(HalfStar& star, std::size_t i) const {
@@ -215,13 +175,6 @@ private:
             put(step, n - kHalfStar, second_halves_[i]);
         else
             more_.emplace_back(i, step);
-    }
-
-    bool forms_a_ring(std::size_t i) const {
-        const std::uint32_t size = sizes_[i];
-        if (size < 3 || size >= kShortStar) return false;
-        if (size < kHalfStar) return is_single_ring(stars_[i], size);
-        return is_single_ring(stars_[i], second_halves_[i], size);
     }
 
     std::vector<Step> steps(std::size_t i) const {

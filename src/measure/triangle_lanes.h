@@ -44,6 +44,24 @@ struct TriangleLanes {
     Lanes parts_six_volumes{};
 };
 
+/// What the shapes of kLanes triangles are like (meniscus/mesh_quality.h).
+struct TriangleShapes {
+    std::array<Lanes, 3> sides;    ///< lengths, opposite to each corner, Å
+    std::array<Lanes, 3> cosines;  ///< of the angle at each corner; 1 at an end of a side without length
+    Lanes one_less_cosine;         ///< of the smallest angle
+    Lanes aspect_ratio;            ///< infinite without an area
+};
+
+/// What some of kLanes values are, bit by bit, beside the numbers of a bracket.
+struct Bracket {
+    double low = 0.0;
+    double high = 0.0;
+};
+struct BracketMarks {
+    std::uint64_t below = 0;   ///< less than the lower one
+    std::uint64_t within = 0;  ///< neither that nor more than the higher one
+};
+
 /// Some triangles of a surface that may have creases over their sides (measure/creases.h), side by side.
 struct CreasedLanes {
     static constexpr std::size_t kCount = 8;
@@ -107,12 +125,23 @@ static_assert(kLanes == 64);
 inline constexpr std::size_t kStretchLanes = 16;
 using StretchBoxes = std::array<Box, kLanes / kStretchLanes>;
 
+/// The triangles (v, from, to) round a vertex v: what lies behind them, a step each. Where there are fewer, v stands in
+/// the rest.
+struct HalfStar {
+    static constexpr std::uint32_t kSteps = 8;
+    std::array<VertexId, kSteps> from;
+    std::array<VertexId, kSteps> to;
+};
+
 struct TriangleKernels {
     std::string_view instructions;  ///< "plain", "avx2" or "avx512"
 
     /// Where the corners of at most kLanes triangles are, from an origin, and the normals there unless they are null.
     void (*gather)(const Vec3* points, const SmallVec3* normals, std::span<const Triangle> triangles,
                    const Vec3& origin, TriangleLanes& lanes);
+    /// After gather.
+    void (*measure_shapes)(const TriangleLanes& lanes, TriangleShapes& shapes);
+    BracketMarks (*bracket)(const Lanes& values, const Bracket& bracket);
     /// All that needs no normals.
     void (*measure)(TriangleLanes& lanes);
     /// All but the parts.
@@ -126,11 +155,16 @@ struct TriangleKernels {
     void (*add_up)(const TriangleLanes& lanes, LaneSums& sums);
     /// After measure_with_normals.
     SuspectMarks (*mark)(const TriangleLanes& lanes, const SuspectLimits& limits);
-    /// The largest of all lanes.
+    /// The least and the largest of all lanes.
+    double (*find_least)(const Lanes& lanes);
     double (*find_largest)(const Lanes& lanes);
     void (*bound)(const VectorLanes& points, StretchBoxes& boxes);
     /// The largest of some indices, 0 of none.
     std::uint32_t (*find_largest_index)(std::span<const std::uint32_t> indices);
+    /// Which of at most 64 stars are one ring each: bit by bit. Stars are as long as their sizes tell, with their first
+    /// steps in one half star, and from kSteps on the others in a second one; from 2 kSteps on none is a ring.
+    std::uint64_t (*find_rings)(std::span<const HalfStar> stars, const HalfStar* second_halves,
+                                std::span<const std::uint32_t> sizes);
     /// Twice the signed areas of triangles whose corners are sent to any places of the parabola y = x², modulo 2^64.
     std::uint64_t (*sum_signed_areas)(std::span<const Triangle> triangles);
 };

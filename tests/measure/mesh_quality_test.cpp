@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <random>
+#include <vector>
 
 #include "measure/mesh_distance.h"
 #include "support/shapes.h"
@@ -51,6 +54,63 @@ TEST(MeshQuality, PercentilesAreThoseOfSortedValues) {
     EXPECT_NEAR(angles.p50, 25.0, 1e-9);
     EXPECT_NEAR(angles.p95, 47.5, 1e-9);
     EXPECT_NEAR(angles.max, 50.0, 1e-9);
+}
+
+// Lengths and aspect ratios of all triangles of a mesh, sorted.
+std::array<std::vector<double>, 2> sorted_shapes(const Mesh& mesh) {
+    std::vector<double> edges;
+    std::vector<double> ratios;
+    for (const Triangle& triangle : mesh.triangles) {
+        const auto side = [&](std::size_t k) {
+            return norm(mesh.vertices[triangle[(k + 2) % 3]] - mesh.vertices[triangle[(k + 1) % 3]]);
+        };
+        const double a = side(0);
+        const double b = side(1);
+        const double c = side(2);
+        edges.insert(edges.end(), {a, b, c});
+        ratios.push_back(a * b * c / ((b + c - a) * (c + a - b) * (a + b - c)));
+    }
+    std::sort(edges.begin(), edges.end());
+    std::sort(ratios.begin(), ratios.end());
+    return {edges, ratios};
+}
+void expect_percentiles(const Percentiles& found, const std::vector<double>& sorted) {
+    const auto at = [&](double part) {
+        return sorted[static_cast<std::size_t>(std::lround(part * static_cast<double>(sorted.size() - 1)))];
+    };
+    EXPECT_EQ(found.min, sorted.front());
+    EXPECT_EQ(found.p5, at(0.05));
+    EXPECT_EQ(found.p50, at(0.5));
+    EXPECT_EQ(found.p95, at(0.95));
+    EXPECT_EQ(found.max, sorted.back());
+}
+
+TEST(MeshQuality, PercentilesOfALargeMeshAreThoseOfSortedValues) {
+    Mesh mesh = extracted_sphere({.centre = {0.1, 0.2, 0.3}, .radius = 4.0}, 0.05);
+    ASSERT_GT(mesh.triangles.size(), 100000U);  // so many that a sample tells where to look
+    const auto [edges, ratios] = sorted_shapes(mesh);
+    const MeshQuality quality = measure_quality(mesh);
+    expect_percentiles(quality.edges, edges);
+    expect_percentiles(quality.aspect_ratios, ratios);
+    EXPECT_EQ(std::accumulate(quality.angles.begin(), quality.angles.end(), std::size_t{0}), edges.size());
+}
+
+// Triangles that stand where samples are taken may be like no others.
+TEST(MeshQuality, PercentilesDoNotDependOnTheSample) {
+    for (const VertexId period : {1U, 2U, 4U, 16U, 32U, 64U, 128U}) {
+        Mesh mesh;
+        std::mt19937 random(1);
+        std::uniform_real_distribution<double> length(1.0, 2.0);
+        for (VertexId t = 0; t < 70000; ++t) {
+            const double width = length(random) * (t % period == 0 ? 0.01 : 1.0);
+            mesh.vertices.insert(mesh.vertices.end(), {{0, 0, 0}, {width, 0, 0}, {0, length(random), 0}});
+            mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+        }
+        const auto [edges, ratios] = sorted_shapes(mesh);
+        const MeshQuality quality = measure_quality(mesh);
+        expect_percentiles(quality.edges, edges);
+        expect_percentiles(quality.aspect_ratios, ratios);
+    }
 }
 
 TEST(MeshQuality, CornersAreCountedByTheirAngles) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <random>
@@ -180,6 +181,7 @@ TEST(TriangleLanes, MarkWhatHardlyLooksTheSurfacesWay) {
 TEST(TriangleLanes, AreBoundedByStretches) {
     const TriangleLanes lanes = random_triangles();
     for (const TriangleKernels& kernels : supported_triangle_kernels()) {
+        EXPECT_EQ(kernels.find_least(lanes.points[1].y), *std::ranges::min_element(lanes.points[1].y));
         EXPECT_EQ(kernels.find_largest(lanes.points[1].y), *std::ranges::max_element(lanes.points[1].y));
         StretchBoxes boxes;
         kernels.bound(lanes.points[0], boxes);
@@ -188,6 +190,116 @@ TEST(TriangleLanes, AreBoundedByStretches) {
             for (std::size_t i = 0; i < kStretchLanes; ++i) expected.include(lanes.points[0].at(s * kStretchLanes + i));
             EXPECT_EQ(boxes[s].low, expected.low);
             EXPECT_EQ(boxes[s].high, expected.high);
+        }
+    }
+}
+
+TEST(TriangleLanes, MeasureTheShapeOfEveryTriangle) {
+    const TriangleLanes lanes = random_triangles();
+    const std::vector<TriangleKernels> all = supported_triangle_kernels();
+    TriangleShapes plain;
+    all.front().measure_shapes(lanes, plain);
+    for (const TriangleKernels& kernels : all) {
+        TriangleShapes shapes;
+        kernels.measure_shapes(lanes, shapes);
+        EXPECT_EQ(shapes.sides, plain.sides) << kernels.instructions;
+        EXPECT_EQ(shapes.cosines, plain.cosines);
+        EXPECT_EQ(shapes.one_less_cosine, plain.one_less_cosine);
+        EXPECT_EQ(shapes.aspect_ratio, plain.aspect_ratio);
+    }
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const std::array<Vec3, 3> at{lanes.points[0].at(i), lanes.points[1].at(i), lanes.points[2].at(i)};
+        if (i == 7) {
+            EXPECT_EQ(plain.one_less_cosine[i], 0.0);
+            EXPECT_EQ(plain.aspect_ratio[i], std::numeric_limits<double>::infinity());
+            continue;
+        }
+        double perimeter = 0.0;
+        double product = 1.0;
+        double largest_cosine = -1.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double side = norm(at[(k + 1) % 3] - at[(k + 2) % 3]);
+            const double cosine = std::cos(corner_at(at[k], at[(k + 1) % 3], at[(k + 2) % 3]));
+            EXPECT_EQ(plain.sides[k][i], side);
+            EXPECT_NEAR(plain.cosines[k][i], cosine, 1e-12);
+            perimeter += side;
+            product *= side;
+            largest_cosine = std::max(largest_cosine, cosine);
+        }
+        EXPECT_NEAR(plain.one_less_cosine[i], 1.0 - largest_cosine, 1e-12);
+        const double two_areas = norm(cross(at[1] - at[0], at[2] - at[0]));
+        EXPECT_NEAR(plain.aspect_ratio[i], product / (2.0 * two_areas) * perimeter / (2.0 * two_areas), 1e-9);
+    }
+}
+
+TEST(TriangleLanes, TellOnWhichSideOfABracketValuesAre) {
+    Lanes values;
+    std::iota(values.begin(), values.end(), 0.0);
+    values[3] = std::numeric_limits<double>::infinity();
+    for (const TriangleKernels& kernels : supported_triangle_kernels()) {
+        const BracketMarks marks = kernels.bracket(values, {10.0, 12.0});
+        EXPECT_EQ(marks.below, 0b11'1111'0111U) << kernels.instructions;
+        EXPECT_EQ(marks.within, 0b1'1100'0000'0000U);
+        const double infinity = std::numeric_limits<double>::infinity();
+        EXPECT_EQ(kernels.bracket(values, {-infinity, infinity}).below, 0U);
+        EXPECT_EQ(kernels.bracket(values, {-infinity, infinity}).within, ~std::uint64_t{0});
+    }
+}
+
+// A vertex whose steps go from each neighbour to the next, the last one to the first.
+struct Star {
+    std::array<HalfStar, 2> halves;
+    std::uint32_t size = 0;
+
+    explicit Star(VertexId vertex) {
+        for (HalfStar& half : halves) {
+            half.from.fill(vertex);
+            half.to.fill(vertex);
+        }
+    }
+    void add(VertexId from, VertexId to) {
+        if (size < 2 * HalfStar::kSteps) {
+            halves[size / HalfStar::kSteps].from[size % HalfStar::kSteps] = from;
+            halves[size / HalfStar::kSteps].to[size % HalfStar::kSteps] = to;
+        }
+        ++size;
+    }
+    void add_ring(std::vector<VertexId> ring, std::mt19937& random) {
+        std::vector<std::pair<VertexId, VertexId>> steps;
+        for (std::size_t i = 0; i < ring.size(); ++i) steps.emplace_back(ring[i], ring[(i + 1) % ring.size()]);
+        std::shuffle(steps.begin(), steps.end(), random);
+        for (const auto& [from, to] : steps) add(from, to);
+    }
+    bool is_ring(const TriangleKernels& kernels) const {
+        return kernels.find_rings({halves.data(), 1}, &halves[1], {&size, 1}) != 0;
+    }
+};
+
+TEST(TriangleLanes, TellRingsFromOtherStars) {
+    std::mt19937 random(4);
+    for (const TriangleKernels& kernels : supported_triangle_kernels()) {
+        for (std::uint32_t size = 0; size < 20; ++size) {
+            std::vector<VertexId> ring(size);
+            std::iota(ring.begin(), ring.end(), 10U);
+            Star whole(5);
+            whole.add_ring(ring, random);
+            EXPECT_EQ(whole.is_ring(kernels), size > 2 && size < 2 * HalfStar::kSteps) << kernels.instructions << size;
+            if (size < 3 || size >= 2 * HalfStar::kSteps) continue;
+            for (std::uint32_t k = 0; k < size; ++k)  // a step to or from where there is none, one twice, itself
+                for (const VertexId other : {VertexId{99}, ring[0], ring[size - 1], VertexId{5}})
+                    for (const auto end : {&HalfStar::from, &HalfStar::to}) {
+                        Star damaged = whole;
+                        VertexId& place = (damaged.halves[k / HalfStar::kSteps].*end)[k % HalfStar::kSteps];
+                        if (std::exchange(place, other) != other) {
+                            EXPECT_FALSE(damaged.is_ring(kernels)) << size << ' ' << k << ' ' << other;
+                        }
+                    }
+            for (std::uint32_t first = 1; first < size; ++first) {  // two rings
+                Star two(5);
+                two.add_ring({ring.begin(), ring.begin() + first}, random);
+                two.add_ring({ring.begin() + first, ring.end()}, random);
+                EXPECT_FALSE(two.is_ring(kernels)) << size << ' ' << first;
+            }
         }
     }
 }
