@@ -12,6 +12,15 @@
 
 namespace meniscus {
 
+/// Of sums of terms: see find_values.
+struct DensityLimits {
+    double unit = 0.0;
+    double per_length = 1.0;
+    double margin = 0.0;
+    double most = 0.0;
+    double least = 0.0;
+};
+
 /// Terms exp(C (d² - r²)) of the density (Pan & Tai 2009, eq. 3.1), C in Å^-2, lengths in Å; atoms are spheres with
 /// their radii. Within 3 units in the last place of the rounded exponent's exponential; 0 below e^-700, e^700 above it.
 struct DensityKernels {
@@ -25,6 +34,11 @@ struct DensityKernels {
     /// The terms of one atom at the nodes of a block, divided by exp(unit). `from` leads from the atom's centre to the
     /// first node. No table overflows where unit is at least the exponent at the nearest node.
     void (*find_terms)(double c, double radius, const Vec3& from, double spacing, double unit, AxisProduct& terms);
+
+    /// Φ0 = -(unit + ln sum) / per_length of the sums at a block's nodes, divided by exp(unit); -margin from `most` on
+    /// and margin down from `least`, which are positive. Within 4 units in the last place of the logarithm's single
+    /// precision.
+    void (*find_values)(const DensityLimits& limits, const double* sums, float* values);
 };
 
 /// Those that this machine can run, the plainest first.

@@ -155,14 +155,14 @@ void GaussianDensity::evaluate(const BlockNodes& block, double margin, const Sph
         density_kernels().find_terms(c_, atoms.column(3)[i], from, block.spacing, largest, terms);
         block_kernels().add_product(terms, negligible, sums);
     }
+    if (least >= std::numeric_limits<double>::min()) {
+        density_kernels().find_values({largest, per_length, margin, most, least}, sums, values.data());
+        return;
+    }
     for (int n = 0; n < kBlockNodes; ++n) {
-        double value = 0.0;
-        if (sums[n] > 0.0 && sums[n] >= most)
-            value = -margin;
-        else if (least > 0.0 && sums[n] <= least)
-            value = margin;
-        else
-            value = -(sums[n] > 0.0 ? largest + std::log(sums[n]) : largest_exponent(block, n, atoms)) / per_length;
+        const double sum = sums[n];
+        const double exponent = sum > 0.0 ? largest + std::log(sum) : largest_exponent(block, n, atoms);
+        const double value = sum > 0.0 && sum >= most ? -margin : -exponent / per_length;
         values[static_cast<std::size_t>(n)] = static_cast<float>(std::clamp(value, -margin, margin));
     }
 }

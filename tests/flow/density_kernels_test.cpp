@@ -97,6 +97,43 @@ TEST(DensityKernels, TermsAreExponentialsAtTheNodes) {
     }
 }
 
+TEST(DensityKernels, ValuesAreLogarithmsWithinTheMargin) {
+    const DensityLimits limits{.unit = 2.5, .per_length = 1.7, .margin = 3.0, .most = 20.0, .least = 1e-3};
+    std::vector<double> sums(kBlockNodes, 1.0);
+    for (std::size_t n = 0; n + 4 < sums.size(); ++n) sums[n] = 2e-4 * std::pow(1.026, static_cast<double>(n));
+    sums[sums.size() - 1] = 0.0;
+    sums[sums.size() - 2] = std::numeric_limits<double>::infinity();
+    sums[sums.size() - 3] = std::sqrt(0.5);
+    for (const DensityKernels& kernels : supported_density_kernels()) {
+        std::vector<float> values(kBlockNodes);
+        kernels.find_values(limits, sums.data(), values.data());
+        for (std::size_t n = 0; n < sums.size(); ++n) {
+            double value = std::clamp(-(2.5 + std::log(sums[n])) / 1.7, -3.0, 3.0);
+            if (sums[n] >= limits.most) value = -3.0;
+            if (sums[n] <= limits.least) value = 3.0;
+            EXPECT_NEAR(values[n], value, 3e-7) << kernels.instructions << ' ' << sums[n];
+        }
+    }
+}
+
+// All the way from the smallest to the largest numbers.
+TEST(DensityKernels, LogarithmsAreThoseOfAllNumbers) {
+    std::vector<double> sums(kBlockNodes);
+    for (std::size_t n = 0; n < sums.size(); ++n)
+        sums[n] = std::ldexp(1.0 + 0.9 * std::sin(static_cast<double>(n)) * std::sin(static_cast<double>(n)),
+                             static_cast<int>(4 * n) - 1022);
+    const double largest = std::numeric_limits<double>::max();
+    const DensityLimits limits{.unit = 0.0, .per_length = -1.0, .margin = 1e3, .most = largest, .least = 0x1p-1022};
+    std::vector<float> plain(kBlockNodes);
+    supported_density_kernels().front().find_values(limits, sums.data(), plain.data());
+    for (std::size_t n = 1; n < sums.size(); ++n) EXPECT_EQ(plain[n], static_cast<float>(std::log(sums[n]))) << n;
+    for (const DensityKernels& kernels : supported_density_kernels()) {
+        std::vector<float> values(kBlockNodes);
+        kernels.find_values(limits, sums.data(), values.data());
+        EXPECT_EQ(values, plain) << kernels.instructions;
+    }
+}
+
 TEST(DensityKernels, AllInstructionsGiveTheSameBits) {
     const SphereList atoms = random_spheres(53);
     const std::vector<DensityKernels> all = supported_density_kernels();
