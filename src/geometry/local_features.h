@@ -87,6 +87,11 @@ public:
     LocalFeatures(const AccessibleSurface& surface, double margin) : surface_(&surface), margin_(margin) {}
 
     void gather(const Box& box);
+    /// With another margin from now on.
+    void gather(const Box& box, double margin) {
+        margin_ = margin;
+        gather(box);
+    }
 
     /// The same lists, sooner, from those of a box around this one and of no smaller margin.
     void gather_from(const LocalFeatures& wider, const Box& box);

@@ -14,7 +14,8 @@
 #include <vector>
 
 #include "core/memory.h"
-#include "core/parallel.h"
+#include "core/workspaces.h"
+#include "geometry/box_distances.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "pipeline/filled_space.h"
@@ -23,7 +24,10 @@ namespace meniscus {
 namespace {
 
 constexpr double kMegabyte = 1024.0 * 1024.0;
-constexpr std::size_t kRowsPerTask = 4;
+
+constexpr std::size_t kEdge = 8;  // nodes along each edge of a block: a slab of one is a batch
+static_assert(kEdge * kEdge == kBatchLanes);
+constexpr std::size_t kBlocksPerTask = 4;
 
 constexpr double kSafe = 1e-6;  // Å: rounding of distances
 
@@ -33,7 +37,7 @@ constexpr double kBlend = 1.0;  // spacings before the end of the band's half wi
 // No direction that atoms or lattices have.
 constexpr Vec3 kRay{0.5477225, 0.6324555, 0.5477226};
 
-// The signed distance that a surface means at any point of space, negative inside.
+// The signed distance that a surface means at any point of space, negative inside. Told the exact one to its SES.
 class SurfaceDistance {
 public:
     SurfaceDistance(const Surface& surface, const SesProblem& problem)
@@ -48,7 +52,11 @@ public:
         begin_ = end_ - kBlend * options.spacing;
     }
 
-    double operator()(const Vec3& point) const { return filled_.distance(point, with_cavities(point)); }
+    const AccessibleSurface& accessible() const { return accessible_; }
+
+    double operator()(const Vec3& point, double exact) const {
+        return filled_.distance(point, with_cavities(point, exact));
+    }
 
     /// Nodes lie on the same side as a point whose value is above this by more than their distance from it, Å.
     double slack() const {
@@ -58,8 +66,7 @@ public:
     }
 
 private:
-    double with_cavities(const Vec3& point) const {
-        const double exact = accessible_.nearest(point).signed_distance;
+    double with_cavities(const Vec3& point, double exact) const {
         if (level_set_ == nullptr) return exact;
         return anchored_ ? blended(point, exact) : from_level_set(point, exact);
     }
@@ -95,18 +102,19 @@ private:
     double end_ = 0.0;
 };
 
-// Å to the atoms enlarged by the ion radius, negative in them and in cavities that are filled.
+// Å to the atoms enlarged by the ion radius, negative in them and in cavities that are filled. Told that to the atoms.
 class IonDistance {
 public:
     IonDistance(const Surface& surface, const Atoms& atoms, double ion_radius)
         : enlarged_(enlarged(atoms, ion_radius), 0.0), filled_(surface) {}
 
-    double slack() const { return filled_.empty() ? kSafe : std::numeric_limits<double>::infinity(); }
+    const AccessibleSurface& accessible() const { return enlarged_; }
 
-    double operator()(const Vec3& point) const {
-        const double distance = enlarged_.nearest(point).signed_distance;
-        return distance >= 0.0 && filled_.contains(point) ? -kSafe : distance;
+    double operator()(const Vec3& point, double exact) const {
+        return exact >= 0.0 && filled_.contains(point) ? -kSafe : exact;
     }
+
+    double slack() const { return filled_.empty() ? kSafe : std::numeric_limits<double>::infinity(); }
 
 private:
     static Atoms enlarged(Atoms atoms, double by) {
@@ -118,47 +126,110 @@ private:
     FilledSpace filled_;
 };
 
-// Calls row(i, j) for every row of nodes along z.
-template <class Row>
-void for_each_row(const VolumeGrid& grid, const Row& row) {
-    parallel_for(grid.counts[0] * grid.counts[1], kRowsPerTask,
-                 [&](std::size_t r) { row(r / grid.counts[1], r % grid.counts[1]); });
-}
+// Neighbouring nodes of a grid.
+struct NodeBlock {
+    std::array<std::size_t, 3> begin;
+    std::array<std::size_t, 3> end;
 
-template <class Distance>
-Volume distances(const VolumeGrid& grid, const Distance& distance) {
-    Volume volume{grid, std::vector<float>(grid.size())};
-    for_each_row(grid, [&](std::size_t i, std::size_t j) {
-        for (std::size_t k = 0; k < grid.counts[2]; ++k)
-            volume.values[grid.index(i, j, k)] = static_cast<float>(-distance(grid.node(i, j, k)));
-    });
-    return volume;
-}
-
-struct Sides {
-    float inner;
-    float outer;
+    Box box(const VolumeGrid& grid) const {
+        return {grid.node(begin[0], begin[1], begin[2]), grid.node(end[0] - 1, end[1] - 1, end[2] - 1)};
+    }
 };
 
-// A distance changes by no more than 1 per Å: nodes that are nearer than that along a row lie on the same side.
-template <class Distance>
-Volume two_valued(const VolumeGrid& grid, const Distance& distance, Sides sides) {
-    Volume volume{grid, std::vector<float>(grid.size())};
-    const std::size_t count = grid.counts[2];
-    for_each_row(grid, [&](std::size_t i, std::size_t j) {
-        for (std::size_t k = 0; k < count;) {
-            const double d = distance(grid.node(i, j, k));
-            const double alike = std::max(0.0, std::abs(d) - distance.slack()) / grid.spacing.z;
-            const auto more = static_cast<std::size_t>(std::min(alike, static_cast<double>(count)));
-            const std::size_t end = std::min(count, k + 1 + more);
-            std::fill(volume.values.begin() + static_cast<std::ptrdiff_t>(grid.index(i, j, k)),
-                      volume.values.begin() + static_cast<std::ptrdiff_t>(grid.index(i, j, 0) + end),
-                      d < 0.0 ? sides.inner : sides.outer);
-            k = end;
+// Blocks that hold all nodes of a grid.
+class NodeBlocks {
+public:
+    explicit NodeBlocks(const VolumeGrid& grid) : counts_(grid.counts) {
+        for (std::size_t axis = 0; axis < 3; ++axis) blocks_[axis] = (counts_[axis] + kEdge - 1) / kEdge;
+    }
+    std::size_t size() const { return blocks_[0] * blocks_[1] * blocks_[2]; }
+    NodeBlock operator[](std::size_t number) const {
+        const std::array at{number / (blocks_[1] * blocks_[2]), number / blocks_[2] % blocks_[1], number % blocks_[2]};
+        NodeBlock block{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            block.begin[axis] = at[axis] * kEdge;
+            block.end[axis] = std::min(block.begin[axis] + kEdge, counts_[axis]);
         }
-    });
-    return volume;
-}
+        return block;
+    }
+
+private:
+    std::array<std::size_t, 3> counts_;
+    std::array<std::size_t, 3> blocks_{};
+};
+
+// Sets the nodes of a grid to what follows from the distances there, block by block.
+template <class Distance>
+class FieldFiller {
+public:
+    FieldFiller(const VolumeGrid& grid, const Distance& distance)
+        : distance_(distance), volume_{grid, std::vector<float>(grid.size())} {}
+
+    Volume distances() && {
+        for_each_block([&](const NodeBlock& block, BoxDistances& exact) {
+            exact.enter(block.box(volume_.grid));
+            set_nodes(block, exact, [](double d) { return static_cast<float>(-d); });
+        });
+        return std::move(volume_);
+    }
+
+    // A distance changes by no more than 1 per Å: blocks that are smaller than that lie on one side.
+    Volume sides(float inner, float outer) && {
+        const auto side = [&](double d) { return d < 0.0 ? inner : outer; };
+        for_each_block([&](const NodeBlock& block, BoxDistances& exact) {
+            const Box box = block.box(volume_.grid);
+            const double d = distance_(box.middle(), exact.enter(box));
+            if (std::abs(d) - distance_.slack() > 0.5 * norm(box.high - box.low))
+                fill(block, side(d));
+            else
+                set_nodes(block, exact, side);
+        });
+        return std::move(volume_);
+    }
+
+private:
+    template <class Visit>
+    void for_each_block(const Visit& visit) const {
+        const NodeBlocks blocks(volume_.grid);
+        parallel_chunks_with(
+            blocks.size(), kBlocksPerTask, [&] { return std::make_unique<BoxDistances>(distance_.accessible()); },
+            [&](std::size_t begin, std::size_t end, BoxDistances& exact) {
+                for (std::size_t b = begin; b < end; ++b) visit(blocks[b], exact);
+            });
+    }
+
+    float* row(const NodeBlock& block, std::size_t i, std::size_t j) {
+        return &volume_.values[volume_.grid.index(i, j, block.begin[2])];
+    }
+
+    void fill(const NodeBlock& block, float value) {
+        for (std::size_t i = block.begin[0]; i < block.end[0]; ++i)
+            for (std::size_t j = block.begin[1]; j < block.end[1]; ++j)
+                std::fill_n(row(block, i, j), block.end[2] - block.begin[2], value);
+    }
+
+    template <class Value>
+    void set_nodes(const NodeBlock& block, BoxDistances& exact, const Value& value) {
+        std::array<Vec3, kBatchLanes> points;
+        std::array<double, kBatchLanes> found;
+        for (std::size_t i = block.begin[0]; i < block.end[0]; ++i) {
+            std::size_t count = 0;
+            for (std::size_t j = block.begin[1]; j < block.end[1]; ++j)
+                for (std::size_t k = block.begin[2]; k < block.end[2]; ++k)
+                    points[count++] = volume_.grid.node(i, j, k);
+            exact.find(std::span(points).first(count), found);
+            std::size_t n = 0;
+            for (std::size_t j = block.begin[1]; j < block.end[1]; ++j) {
+                float* const values = row(block, i, j);
+                for (std::size_t k = 0; k < block.end[2] - block.begin[2]; ++k, ++n)
+                    values[k] = value(distance_(points[n], found[n]));
+            }
+        }
+    }
+
+    const Distance& distance_;
+    Volume volume_;
+};
 
 bool positive(double v) { return std::isfinite(v) && v > 0.0; }
 
@@ -224,17 +295,17 @@ Volume surface_field(const Surface& surface, const Atoms& atoms, const VolumeGri
     check(grid, options);
     const ThreadLimit limit(options.threads);
     if (options.content == VolumeContent::Ions)
-        return two_valued(grid, IonDistance(surface, atoms, options.ion_radius), {0.0F, 1.0F});
+        return FieldFiller(grid, IonDistance(surface, atoms, options.ion_radius)).sides(0.0F, 1.0F);
     const SurfaceDistance distance(surface, ses_problem(atoms, surface.options));
+    FieldFiller filler(grid, distance);
     switch (options.content) {
         case VolumeContent::Mask:
-            return two_valued(grid, distance, {1.0F, 0.0F});
+            return std::move(filler).sides(1.0F, 0.0F);
         case VolumeContent::Dielectric:
-            return two_valued(
-                grid, distance,
-                {static_cast<float>(options.inner_dielectric), static_cast<float>(options.outer_dielectric)});
+            return std::move(filler).sides(static_cast<float>(options.inner_dielectric),
+                                           static_cast<float>(options.outer_dielectric));
         default:
-            return distances(grid, distance);
+            return std::move(filler).distances();
     }
 }
 

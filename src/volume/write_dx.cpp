@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstdint>
 #include <iterator>
+#include <string_view>
 
 #include "io/atomic_file.h"
 #include "volume/writers.h"
@@ -26,6 +31,25 @@ std::string header(const VolumeGrid& grid, VolumeContent content) {
     return text;
 }
 
+// The shortest that tell a number from all others. Fields of two values repeat them.
+class Digits {
+public:
+    std::string_view of(float value) {
+        const auto bits = std::bit_cast<std::uint32_t>(value);
+        if (size_ == 0 || bits != bits_) {
+            const auto end = std::to_chars(digits_.data(), digits_.data() + digits_.size(), value).ptr;
+            size_ = static_cast<std::size_t>(end - digits_.data());
+            bits_ = bits;
+        }
+        return {digits_.data(), size_};
+    }
+
+private:
+    std::array<char, 32> digits_{};
+    std::size_t size_ = 0;
+    std::uint32_t bits_ = 0;
+};
+
 constexpr const char* kFooter =
     "attribute \"dep\" string \"positions\"\n"
     "object \"regular positions regular connections\" class field\n"
@@ -38,8 +62,9 @@ constexpr const char* kFooter =
 void write_dx(const std::string& path, const Volume& volume, VolumeContent content) {
     AtomicFile file(path);
     file.write(header(volume.grid, content));
+    Digits digits;
     for (std::size_t i = 0; i < volume.values.size(); ++i) {
-        file.number(volume.values[i]);
+        file.write(digits.of(volume.values[i]));
         file.write(i % kPerLine == kPerLine - 1 || i + 1 == volume.values.size() ? '\n' : ' ');
     }
     file.write(kFooter);

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Exact signed distances of the points of a box, however far from the surface.
+#pragma once
+
+#include <span>
+
+#include "geometry/local_features.h"
+#include "geometry/nearest_batch.h"
+
+namespace meniscus {
+
+/// Goes to one box after the other, reusing its memory.
+class BoxDistances {
+public:
+    explicit BoxDistances(const AccessibleSurface& surface)
+        : surface_(surface), local_(surface, 0.0), batch_(surface) {}
+
+    /// Goes to a box. Returns the signed distance of its middle, Å: those of its points differ from it by no more than
+    /// half its diagonal.
+    double enter(const Box& box);
+
+    /// The same as AccessibleSurface::nearest tells of points of that box, at most kBatchLanes.
+    ///
+    /// cost     some 0.1 µs per point for boxes of a few Å
+    void find(std::span<const Vec3> points, std::span<double> distances);
+
+private:
+    const AccessibleSurface& surface_;
+    Box box_;
+    double middle_distance_ = 0.0;
+    bool gathered_ = false;  // for this box
+    LocalFeatures local_;
+    NearestBatch batch_;
+};
+
+}  // namespace meniscus
