@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/parallel.h"
+#include "geometry/cell_order.h"
 #include "geometry/nearest_batch.h"
 #include "geometry/nearest_kernels.h"
 
@@ -20,58 +20,6 @@ constexpr std::size_t kPointsPerChunk = 8192;
 constexpr double kCellEdge = 8.0;             // Å: the points of a cell share their lists of features
 constexpr std::size_t kMostCells = 1U << 14;  // more mean that points are far apart
 constexpr std::size_t kFewPoints = 4;         // cheaper one by one
-
-Box box_of(std::span<const Vec3> points) {
-    Box box;
-    for (const Vec3& p : points) box.include(p);
-    return box;
-}
-
-// Points of one neighbourhood after the other: a counting sort by cells.
-class CellOrder {
-public:
-    // False, and nothing done, where the points are too far apart.
-    bool sort(std::span<const Vec3> points, const Box& box) {
-        const Vec3 extent = (1.0 / kCellEdge) * (box.high - box.low);
-        const double nx = std::floor(extent.x) + 1.0;
-        const double ny = std::floor(extent.y) + 1.0;
-        const double nz = std::floor(extent.z) + 1.0;
-        if (!(nx * ny * nz <= static_cast<double>(kMostCells))) return false;
-        begins_.assign(static_cast<std::size_t>(nx * ny * nz) + 1, 0);
-        cells_.resize(points.size());
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const Vec3 q = (1.0 / kCellEdge) * (points[i] - box.low);
-            cells_[i] = static_cast<std::uint32_t>(std::floor(q.x) + nx * (std::floor(q.y) + ny * std::floor(q.z)));
-            ++begins_[cells_[i]];
-        }
-        std::exclusive_scan(begins_.begin(), begins_.end(), begins_.begin(), std::uint32_t{0});
-        order_.resize(points.size());
-        points_.resize(points.size());
-        for (std::uint32_t i = 0; i < points.size(); ++i) {
-            const std::uint32_t to = begins_[cells_[i]]++;
-            order_[to] = i;
-            points_[to] = points[i];
-        }
-        return true;
-    }
-
-    // Calls visit(points, their positions in the list that was sorted) for every cell that holds some.
-    template <class Visit>
-    void for_each_cell(const Visit& visit) const {
-        std::size_t begin = 0;
-        for (const std::uint32_t end : begins_) {
-            if (end > begin)
-                visit(std::span(points_).subspan(begin, end - begin), std::span(order_).subspan(begin, end - begin));
-            begin = end;
-        }
-    }
-
-private:
-    std::vector<std::uint32_t> begins_;  // per cell; after sorting where it ends
-    std::vector<std::uint32_t> cells_;   // per point
-    std::vector<std::uint32_t> order_;
-    std::vector<Vec3> points_;
-};
 
 // What a search tells of a point: found with others near it, or alone.
 struct FeatureAnswer {
@@ -99,18 +47,24 @@ public:
         if (points.size() <= kFewPoints)
             return find_one_by_one(points, [&](std::size_t i) -> Result& { return result[i]; });
         CellOrder cells;
-        if (!cells.sort(points, box_of(points))) {
+        if (!cells.sort(points, kCellEdge, kMostCells)) {
             const std::size_t half = points.size() / 2;
             find(points.first(half), result.first(half));
             return find(points.subspan(half), result.subspan(half));
         }
         LocalFeatures local(surface_, kMargin);
-        cells.for_each_cell([&](std::span<const Vec3> group, std::span<const std::uint32_t> positions) {
-            const auto place = [&](std::size_t i) -> Result& { return result[positions[i]]; };
-            if (group.size() <= kFewPoints) return find_one_by_one(group, place);
+        for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+            const auto [group, positions] = cells[cell];
+            const auto place = [&positions = positions, result](std::size_t i) -> Result& {
+                return result[positions[i]];
+            };
+            if (group.size() <= kFewPoints) {
+                find_one_by_one(group, place);
+                continue;
+            }
             local.gather(box_of(group));
             find_within(local, group, place);
-        });
+        }
     }
 
     // Where place(i) is the one for the answer to points[i].

@@ -3,8 +3,6 @@
 // The nearest feature of the SAS for any point of space, by branch and bound.
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 #include "geometry/nearest_feature.h"
 #include "geometry/parallel_curvature.h"
@@ -238,15 +236,6 @@ NearestHit nearest_hit(const AccessibleSurface::Data& data, const Vec3& p) {
 NearestFeature AccessibleSurface::nearest(const Vec3& point) const {
     const NearestHit hit = nearest_hit(*data_, point);
     return hit.by_ball ? contact_feature(*data_, point, hit.ball) : edge_feature(*data_, point, hit.edge);
-}
-
-std::vector<double> signed_distance(const AccessibleSurface& surface, std::span<const Vec3> points) {
-    std::vector<double> distances(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!is_finite(points[i])) throw std::invalid_argument("point " + std::to_string(i) + " is not finite");
-        distances[i] = surface.nearest(points[i]).signed_distance;
-    }
-    return distances;
 }
 
 }  // namespace meniscus

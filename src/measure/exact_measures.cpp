@@ -330,8 +330,8 @@ std::vector<std::string> name_disputed(const Evaluation& a, const Evaluation& b,
 }
 
 void add_depths(const AccessibleSurface& surface, const Atoms& atoms, Measures& measures) {
-    parallel_for(atoms.size(), 64,
-                 [&](std::size_t i) { measures.atoms[i].depth = -surface.nearest(atoms.centres[i]).signed_distance; });
+    const std::vector<double> distances = signed_distance(surface, atoms.centres);
+    for (std::size_t i = 0; i < atoms.size(); ++i) measures.atoms[i].depth = -distances[i];
 }
 
 Measures describe(const Atoms& atoms, const MeasureOptions& options, const Evaluation& evaluation, const Check* check) {

@@ -31,7 +31,7 @@ void expect_exact(const AccessibleSurface& surface, BoxDistances& distances, con
         std::array<double, kBatchLanes> found{};
         distances.find(points, found);
         for (std::size_t i = 0; i < count; ++i) {
-            EXPECT_NEAR(found[i], surface.nearest(points[i]).signed_distance, 1e-12);
+            EXPECT_EQ(found[i], surface.nearest(points[i]).signed_distance);
             EXPECT_LE(std::abs(found[i] - middle), 0.5 * norm(box.high - box.low) + 1e-9);
         }
     }
@@ -51,6 +51,22 @@ TEST(BoxDistances, AreTheExactOnesHoweverFarAway) {
                 for (const double edge : {0.0, 0.4, 3.5, 12.0})
                     for (const Vec3& corner : random_points(all.grown(reach), 4, random))
                         expect_exact(surface, distances, {corner, corner + Vec3{edge, 0.7 * edge, edge}}, random);
+        }
+}
+
+// In the order of the points, wherever they are, alone or many.
+TEST(BoxDistances, OfPointsAllOverSpaceAreTheExactOnes) {
+    std::mt19937 random(5);
+    const AccessibleSurface surface(random_cluster(3, 150, 14.0), 1.4);
+    EXPECT_TRUE(signed_distance(surface, {}).empty());
+    for (const double reach : {8.0, 1e3, 1e9})
+        for (const std::size_t count : {std::size_t{1}, std::size_t{300}, std::size_t{3000}}) {
+            std::vector<Vec3> points = random_points({{-reach, -reach, -reach}, {reach, reach, reach}}, count, random);
+            points.push_back(points[count / 2]);
+            const std::vector<double> found = signed_distance(surface, points);
+            ASSERT_EQ(found.size(), points.size());
+            for (std::size_t i = 0; i < points.size(); ++i)
+                ASSERT_EQ(found[i], surface.nearest(points[i]).signed_distance) << reach << ' ' << i;
         }
 }
 
