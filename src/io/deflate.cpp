@@ -21,8 +21,8 @@ constexpr std::size_t kFlushRoom = 16;                 // bytes that ending at a
 // All of `bytes`, and whether the stream ends with them.
 std::string deflated_piece(std::string_view bytes, bool is_last) {
     z_stream stream{};
-    if (::deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kRawDeflate, kMemoryLevel, Z_DEFAULT_STRATEGY) !=
-        Z_OK)
+    // What a mesh's numbers leave to gain is 4 % of the bytes, for three times the time.
+    if (::deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, kRawDeflate, kMemoryLevel, Z_DEFAULT_STRATEGY) != Z_OK)
         throw std::bad_alloc();
     std::string result(::deflateBound(&stream, static_cast<uLong>(bytes.size())) + kFlushRoom, '\0');
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));  // zlib does not write there

@@ -21,7 +21,7 @@ struct Deflated {
 
 /// Compresses what the parts hold one after the other. Pieces of 1 MiB are compressed on their own, each to a whole
 /// number of bytes, which costs less than 0.1 % of the size.
-/// cost     25 ns per byte and core; memory for the compressed bytes
+/// cost     some 30 ns per byte and core; memory for the compressed bytes
 Deflated deflated(std::span<const std::string_view> parts);
 
 }  // namespace meniscus
