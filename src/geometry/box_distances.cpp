@@ -21,15 +21,26 @@ double BoxDistances::enter(const Box& box) {
     return middle_distance_;
 }
 
-void BoxDistances::find(std::span<const Vec3> points, std::span<double> distances) {
+bool BoxDistances::search(std::span<const Vec3> points) {
     constexpr double kSlack = 1e-6;  // Å, for rounding
     if (!gathered_) local_.gather(box_, std::abs(middle_distance_) + 0.5 * norm(box_.high - box_.low) + kSlack);
     gathered_ = true;
     const bool open = batch_.start(local_, box_of(points), local_.margin()) == NearestBatch::Claim::Open;
     if (open) batch_.find(points);
+    return open;
+}
+
+void BoxDistances::find(std::span<const Vec3> points, std::span<double> distances) {
+    const bool open = search(points);
     for (std::size_t i = 0; i < points.size(); ++i)
         distances[i] =
             open && batch_.found(i) ? batch_.signed_distance(i) : surface_.nearest(points[i]).signed_distance;
+}
+
+void BoxDistances::find(std::span<const Vec3> points, std::span<FeatureLabel> labels) {
+    const bool open = search(points);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        labels[i] = open && batch_.found(i) ? batch_.label(i) : label_of(surface_.nearest(points[i]));
 }
 
 std::vector<double> signed_distance(const AccessibleSurface& surface, std::span<const Vec3> points) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Exact signed distances of the points of a box, however far from the surface.
+// The nearest features of the points of a box, however far from the surface.
 #pragma once
 
 #include <span>
@@ -24,8 +24,13 @@ public:
     ///
     /// cost     some 0.1 µs per point for boxes of a few Å
     void find(std::span<const Vec3> points, std::span<double> distances);
+    /// The same of what they are labelled with.
+    void find(std::span<const Vec3> points, std::span<FeatureLabel> labels);
 
 private:
+    // Whether the batch knows of any of the points.
+    bool search(std::span<const Vec3> points);
+
     const AccessibleSurface& surface_;
     Box box_;
     double middle_distance_ = 0.0;

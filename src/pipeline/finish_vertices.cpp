@@ -15,6 +15,8 @@
 #include "core/group_by.h"
 #include "core/parallel_list.h"
 #include "core/workspaces.h"
+#include "geometry/box_distances.h"
+#include "geometry/cell_order.h"
 #include "geometry/feature_walk.h"
 #include "geometry/local_features.h"
 #include "geometry/nearest_batch.h"
@@ -88,7 +90,7 @@ private:
 class ExactProjector {
 public:
     explicit ExactProjector(const AccessibleSurface& surface)
-        : around_(surface, kMargin), local_(surface, kMargin), batch_(surface) {}
+        : around_(surface, kMargin), local_(surface, kMargin), batch_(surface), far_(surface) {}
 
     // Goes to a box whose points will be treated.
     void enter(const Box& box) { around_.gather(box.grown(kRoom)); }
@@ -98,8 +100,17 @@ public:
         local_.gather_from(around_, box);
         const bool open = batch_.start(local_, box, kMargin) == NearestBatch::Claim::Open;
         if (open) batch_.find(points);
-        for (std::size_t i = 0; i < points.size(); ++i)
-            labels[i] = open && batch_.found(i) ? batch_.label(i) : label_of(local_.nearest(points[i]));
+        others_.clear();
+        places_.clear();
+        for (std::uint32_t i = 0; i < points.size(); ++i) {
+            if (open && batch_.found(i)) {
+                labels[i] = batch_.label(i);
+            } else {
+                others_.push_back(i);
+                places_.push_back(points[i]);
+            }
+        }
+        if (!others_.empty()) label_others(labels);
     }
 
     // Moves at most kBatchLanes points of a box to where they stay.
@@ -110,14 +121,14 @@ public:
             batch_.find(points);
             batch_.steps_to_surface(steps);
         }
-        short_.clear();
+        others_.clear();
         places_.clear();
         for (std::uint32_t lane = 0; lane < points.size(); ++lane) {
             if (!open) steps.point[lane] = lane;
             if (open && steps.lanes.settled[lane] != 0) continue;
             const std::uint32_t i = steps.point[lane];
             if (open && batch_.found(i)) {
-                short_.push_back(lane);
+                others_.push_back(lane);
                 places_.push_back(get_point(steps.lanes.points, lane));
             } else {
                 Vec3 place = points[i];
@@ -132,26 +143,34 @@ private:
     static constexpr double kRoom = 0.25;   // Å: most points move less
     static constexpr double kMargin = 0.5;  // Å: points of a mesh are far nearer to the surface than this
 
+    // Those farther from the surface than the margin: a level set need not follow it.
+    void label_others(std::span<FeatureLabel> labels) {
+        far_.enter(box_of(places_));
+        far_.find(places_, std::span(labels_));
+        for (std::size_t i = 0; i < others_.size(); ++i) labels[others_[i]] = labels_[i];
+    }
+
     // From where a step has led points that may have fallen short of the surface: most have not.
     void walk_on(BatchSteps& steps) {
         if (places_.empty()) return;
-        Box box;
-        for (const Vec3& place : places_) box.include(place);
+        const Box box = box_of(places_);
         const bool open = local_.holds(box) && batch_.start(local_, box, kMargin) == NearestBatch::Claim::Open;
         if (open) batch_.find(places_);
         for (std::size_t i = 0; i < places_.size(); ++i) {
             Vec3 place = places_[i];
             const NearestFeature nearest = open && batch_.found(i) ? batch_.feature(i) : local_.nearest(place);
             const NearestFeature at = walk_from(local_, place, nearest, 1);
-            steps.set(short_[i], place, at);
+            steps.set(others_[i], place, at);
         }
     }
 
     LocalFeatures around_;  // of many runs
     LocalFeatures local_;
     NearestBatch batch_;
-    std::vector<std::uint32_t> short_;  // lanes of points that have taken a step and are not known to be settled
-    std::vector<Vec3> places_;          // where that step led
+    BoxDistances far_;
+    std::vector<std::uint32_t> others_;             // lanes of points that what is done for all is not enough for
+    std::vector<Vec3> places_;                      // where these are
+    std::array<FeatureLabel, kBatchLanes> labels_;  // of them
 };
 
 constexpr std::size_t kGroupsPerTask = 2;

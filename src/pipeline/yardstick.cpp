@@ -102,14 +102,13 @@ std::vector<DeepPoint> scattered_points(const AccessibleSurface& accessible, con
         const double turns = step * static_cast<double>(i + 1);
         return turns - std::floor(turns);
     };
+    const Vec3 size = box.high - box.low;
+    std::vector<Vec3> points(kPoints);
+    for (std::size_t i = 0; i < kPoints; ++i)
+        points[i] = box.low + Vec3{part(kSteps.x, i) * size.x, part(kSteps.y, i) * size.y, part(kSteps.z, i) * size.z};
+    const std::vector<double> distances = signed_distance(accessible, points);
     std::vector<DeepPoint> all(kPoints);
-    parallel_for(kPoints, 256, [&](std::size_t i) {
-        const Vec3 size = box.high - box.low;
-        const Vec3 p =
-            box.low + Vec3{part(kSteps.x, i) * size.x, part(kSteps.y, i) * size.y, part(kSteps.z, i) * size.z};
-        const double distance = accessible.nearest(p).signed_distance;
-        all[i] = {p, std::abs(distance), distance < 0.0};
-    });
+    for (std::size_t i = 0; i < kPoints; ++i) all[i] = {points[i], std::abs(distances[i]), distances[i] < 0.0};
     std::erase_if(all, [&](const DeepPoint& p) { return !(p.radius > kResolved * options.spacing); });
     return all;
 }
