@@ -34,6 +34,9 @@ constexpr double kSafe = 1e-6;  // Å: rounding of distances
 // From the inner part of the band, which the flow has shaped, to the exact distance around it.
 constexpr double kBlend = 1.0;  // spacings before the end of the band's half width
 
+// The band is wider on either side of the surface.
+constexpr double kBeside = 2.0;  // spacings
+
 // No direction that atoms or lattices have.
 constexpr Vec3 kRay{0.5477225, 0.6324555, 0.5477226};
 
@@ -54,8 +57,14 @@ public:
 
     const AccessibleSurface& accessible() const { return accessible_; }
 
-    double operator()(const Vec3& point, double exact) const {
-        return filled_.distance(point, with_cavities(point, exact));
+    /// A point outside of the level set's band, and its side of the surface: those within two spacings lie on it, too.
+    struct Beside {
+        Vec3 point;
+        bool known = false;
+        bool inside = false;
+    };
+    double operator()(const Vec3& point, double exact, Beside& last) const {
+        return filled_.distance(point, with_cavities(point, exact, last));
     }
 
     /// Nodes lie on the same side as a point whose value is above this by more than their distance from it, Å.
@@ -66,9 +75,9 @@ public:
     }
 
 private:
-    double with_cavities(const Vec3& point, double exact) const {
+    double with_cavities(const Vec3& point, double exact, Beside& last) const {
         if (level_set_ == nullptr) return exact;
-        return anchored_ ? blended(point, exact) : from_level_set(point, exact);
+        return anchored_ ? blended(point, exact) : from_level_set(point, exact, last);
     }
 
     double blended(const Vec3& point, double exact) const {
@@ -81,10 +90,14 @@ private:
         return (1.0 - share) * value + share * exact;
     }
 
-    double from_level_set(const Vec3& point, double exact) const {
+    double from_level_set(const Vec3& point, double exact, Beside& last) const {
         const double value = level_set_->value(point);
         if (!std::isnan(value)) return value;
-        return std::copysign(std::max(std::abs(exact), end_), is_inside(point) ? -1.0 : 1.0);
+        const double reach = kBeside * spacing_;
+        if (!last.known || squared_norm(point - last.point) > reach * reach) last.inside = is_inside(point);
+        last.known = true;
+        last.point = point;
+        return std::copysign(std::max(std::abs(exact), end_), last.inside ? -1.0 : 1.0);
     }
 
     // Outside the band: whether what a ray meets first is the surface seen from within.
@@ -110,7 +123,8 @@ public:
 
     const AccessibleSurface& accessible() const { return enlarged_; }
 
-    double operator()(const Vec3& point, double exact) const {
+    struct Beside {};
+    double operator()(const Vec3& point, double exact, Beside& /*last*/) const {
         return exact >= 0.0 && filled_.contains(point) ? -kSafe : exact;
     }
 
@@ -178,7 +192,8 @@ public:
         const auto side = [&](double d) { return d < 0.0 ? inner : outer; };
         for_each_block([&](const NodeBlock& block, BoxDistances& exact) {
             const Box box = block.box(volume_.grid);
-            const double d = distance_(box.middle(), exact.enter(box));
+            typename Distance::Beside last;
+            const double d = distance_(box.middle(), exact.enter(box), last);
             if (std::abs(d) - distance_.slack() > 0.5 * norm(box.high - box.low))
                 fill(block, side(d));
             else
@@ -212,6 +227,7 @@ private:
     void set_nodes(const NodeBlock& block, BoxDistances& exact, const Value& value) {
         std::array<Vec3, kBatchLanes> points;
         std::array<double, kBatchLanes> found;
+        typename Distance::Beside last;
         for (std::size_t i = block.begin[0]; i < block.end[0]; ++i) {
             std::size_t count = 0;
             for (std::size_t j = block.begin[1]; j < block.end[1]; ++j)
@@ -222,7 +238,7 @@ private:
             for (std::size_t j = block.begin[1]; j < block.end[1]; ++j) {
                 float* const values = row(block, i, j);
                 for (std::size_t k = 0; k < block.end[2] - block.begin[2]; ++k, ++n)
-                    values[k] = value(distance_(points[n], found[n]));
+                    values[k] = value(distance_(points[n], found[n], last));
             }
         }
     }
