@@ -190,8 +190,9 @@ void add_remeshing(Cost& cost, double edge) {
 }
 
 // What is looked at for reports, per vertex.
-constexpr double kBytesOfQuality = 80.0;
-constexpr double kNanosecondsOfQuality = 115.0;
+constexpr double kBytesOfQuality = 20.0;
+constexpr double kBytesOfStart = 60.0;  // with the mesh of a Gaussian start beside it
+constexpr double kNanosecondsOfQuality = 80.0;
 constexpr double kNanosecondsOfDistance = 7000.0;
 
 void add_quality(Cost& cost, const SurfaceOptions& options) {
@@ -199,6 +200,8 @@ void add_quality(Cost& cost, const SurfaceOptions& options) {
         cost.memory_mb += kBytesOfQuality * cost.vertices / kMegabyte;
         cost.seconds += 1e-9 * kNanosecondsOfQuality * cost.vertices;
     }
+    if (options.method == Method::Flow && options.initial_area)
+        cost.memory_mb += kBytesOfStart * cost.vertices / kMegabyte;
     if (options.two_sided_distance) cost.seconds += 1e-9 * kNanosecondsOfDistance * cost.vertices;
 }
 
