@@ -180,16 +180,15 @@ private:
                       std::vector<std::uint32_t>& numbers) const {
         Box all;
         for (const std::uint32_t t : neighbours) all.include(box_of(mesh_, mesh_.triangles[t]));
-        auto& [boxes, marks] = near;
-        boxes.clear();
+        near.boxes.clear();
         for_each_near(chunks, all, [&](std::uint32_t t, const Box& box) {
-            boxes.add({box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z}, t);
+            near.boxes.add({box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z}, t);
         });
-        marks.resize(std::max(marks.size(), words_for(boxes.size())));
+        near.marks.resize(std::max(near.marks.size(), words_for(near.boxes.size())));
         for (const std::uint32_t t : neighbours) {
-            nearest_kernels().mark_overlapping(boxes, box_of(mesh_, mesh_.triangles[t]), marks.data());
-            for_each_item(marks.data(), boxes.size(), [&](std::size_t i) {
-                const std::uint32_t other = boxes.index(i);
+            nearest_kernels().mark_overlapping(near.boxes, box_of(mesh_, mesh_.triangles[t]), near.marks.data());
+            for_each_item(near.marks.data(), near.boxes.size(), [&](std::size_t i) {
+                const std::uint32_t other = near.boxes.index(i);
                 if (other != t && meeting(mesh_, mesh_.triangles[t], mesh_.triangles[other]))
                     numbers.insert(numbers.end(), {t, other});
             });
