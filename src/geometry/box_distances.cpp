@@ -23,7 +23,7 @@ double BoxDistances::enter(const Box& box) {
 
 bool BoxDistances::search(std::span<const Vec3> points) {
     constexpr double kSlack = 1e-6;    // Å, for rounding
-    constexpr double kLargest = 40.0;  // Å: in larger boxes too many features are the nearest somewhere
+    constexpr double kLargest = 60.0;  // Å: in larger boxes too many features are the nearest somewhere
     if (norm(box_.high - box_.low) > kLargest) return false;
     if (!gathered_) local_.gather(box_, std::abs(middle_distance_) + 0.5 * norm(box_.high - box_.low) + kSlack);
     gathered_ = true;
