@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
+#include <cstdlib>
 #include <limits>
 #include <numeric>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "io/atomic_file.h"
@@ -32,13 +34,13 @@ constexpr std::int64_t kMost = 99999999;
 using Place = std::array<std::int64_t, 3>;
 
 // What MSMS calls the patches.
-int kind_of(PatchKind patch) {
-    constexpr std::array kKinds{3, 1, 2};  // contact, toroidal, reentrant
+std::uint64_t kind_of(PatchKind patch) {
+    constexpr std::array<std::uint64_t, 3> kKinds{3, 1, 2};  // contact, toroidal, reentrant
     return kKinds[static_cast<std::size_t>(patch)];
 }
 
 // Of the corners' patches the one that two share; where all differ, the toroidal one, which lies between the others.
-int kind_of(const Mesh& mesh, const Triangle& triangle) {
+std::uint64_t kind_of(const Mesh& mesh, const Triangle& triangle) {
     const auto [a, b, c] = std::array{mesh.patches[triangle[0]], mesh.patches[triangle[1]], mesh.patches[triangle[2]]};
     if (a == b || a == c) return kind_of(a);
     return b == c ? kind_of(b) : kind_of(PatchKind::Toroidal);
@@ -93,9 +95,29 @@ std::vector<Place> places_of(const Mesh& mesh) {
     return places;
 }
 
-// "%9.3f" of a number of units, without a sign before zero.
+// At the right of so many columns.
+void append_right(std::string& line, std::string_view text, std::size_t columns) {
+    line.append(columns - std::min(columns, text.size()), ' ');
+    line += text;
+}
+
+void append_number(std::string& line, std::uint64_t number, std::size_t columns) {
+    std::array<char, 20> digits;
+    const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+    append_right(line, {digits.data(), end}, columns);
+}
+
+// "%9.3f" of a number of units, without a sign before zero. fmt would take three times as long.
 void append_units(std::string& line, std::int64_t units) {
-    fmt::format_to(std::back_inserter(line), "{:9.3f} ", static_cast<double>(units) / kUnitsPerAngstrom);
+    const auto magnitude = static_cast<std::uint64_t>(std::abs(units));
+    std::array<char, 32> text;
+    char* at = text.data();
+    if (units < 0) *at++ = '-';
+    at = std::to_chars(at, text.data() + text.size(), magnitude / 1000).ptr;
+    *at++ = '.';
+    for (const std::uint64_t unit : {100, 10, 1}) *at++ = static_cast<char>('0' + magnitude / unit % 10);
+    append_right(line, {text.data(), at}, 9);
+    line += ' ';
 }
 
 std::int64_t units_of(double component) { return std::llround(component * kUnitsPerAngstrom); }
@@ -152,8 +174,10 @@ void write_vertices(AtomicFile& file, const Mesh& mesh, const MsmsOptions& optio
         for (const std::int64_t units : places[v]) append_units(line, units);
         const Vec3& normal = mesh.normals[v];
         for (const double component : {normal.x, normal.y, normal.z}) append_units(line, units_of(component));
-        fmt::format_to(std::back_inserter(line), "{:7} {:7} {:2} ", 0, std::uint64_t{mesh.atoms[v]} + 1,
-                       kind_of(mesh.patches[v]));
+        line += "      0 ";
+        append_number(line, std::uint64_t{mesh.atoms[v]} + 1, 7);
+        append_number(line, kind_of(mesh.patches[v]), 3);
+        line += ' ';
         if (!options.names.empty()) line += options.names[mesh.atoms[v]];
         line += '\n';
         file.write(line);
@@ -164,9 +188,12 @@ void write_faces(AtomicFile& file, const Mesh& mesh) {
     std::string line;
     for (const Triangle& triangle : mesh.triangles) {
         line.clear();
-        for (const VertexId corner : triangle)
-            fmt::format_to(std::back_inserter(line), "{:6} ", std::uint64_t{corner} + 1);
-        fmt::format_to(std::back_inserter(line), "{:2} {:6}\n", kind_of(mesh, triangle), 1);
+        for (const VertexId corner : triangle) {
+            append_number(line, std::uint64_t{corner} + 1, 6);
+            line += ' ';
+        }
+        append_number(line, kind_of(mesh, triangle), 2);
+        line += "      1\n";
         file.write(line);
     }
 }
