@@ -255,15 +255,18 @@ def signed_distance(
     radii: npt.ArrayLike | None = None,
     points: npt.ArrayLike | None = None,
     probe: float = 1.4,
+    threads: int = 0,
 ) -> Floats:
     """Signed distances from the exact solvent-excluded surface, (m,), Å; negative inside.
 
-    atoms   a Structure, or centres (n, 3), Å
-    radii   (n,), Å, with centres
-    points  (m, 3), Å; anywhere; needed
-    probe   radius, Å
+    atoms     a Structure, or centres (n, 3), Å
+    radii     (n,), Å, with centres
+    points    (m, 3), Å; anywhere; needed
+    probe     radius, Å
+    threads   0: all cores; results do not depend on it
 
-    Exact inside and on the surface; outside, next to ridges, a lower bound with the right zero set.
+    Exact inside and on the surface; outside, next to ridges, a lower bound with the right zero set. About 0.1 µs per
+    point where points lie as close together as those of a grid, 3 µs for single ones, beside the geometry of the atoms.
 
     >>> meniscus.signed_distance([[0, 0, 0]], [2.0], [[0, 0, 5], [1, 0, 0]]).round(6).tolist()
     [3.0, -1.0]
@@ -273,4 +276,5 @@ def signed_distance(
     structure = as_structure(atoms, radii)
     if points is None:
         raise TypeError("points: needed, (m, 3) in Å")
-    return _core.signed_distance(structure._core, _options.number("probe", probe), positions("points", points))
+    return _core.signed_distance(structure._core, _options.number("probe", probe), positions("points", points),
+                                 _options.count("threads", threads))

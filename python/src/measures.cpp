@@ -11,6 +11,7 @@
 #include "held_surface.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/tables.h"
+#include "meniscus/threads.h"
 #include "meniscus/write.h"
 #include "options.h"
 
@@ -110,11 +111,12 @@ void save_table(const Measures& measures, const Structure& structure, const std:
 }
 
 /// Negative inside.
-py::array distances(const Structure& structure, double probe, const Positions& points) {
+py::array distances(const Structure& structure, double probe, const Positions& points, int threads) {
     const std::span<const Vec3> places = points_of(points);
     std::vector<double> result;
     {
         const py::gil_scoped_release release;
+        const ThreadLimit limit(threads);
         result = signed_distance(AccessibleSurface(structure.atoms, probe), places);
     }
     return owning(std::move(result));
@@ -145,7 +147,8 @@ void bind_measures(py::module_& module) {
     type.def("save", &save_table, py::arg("structure"), py::arg("path"), py::arg("per"));
     module.def("measure", &measure_structure, py::arg("structure"), py::arg("options"));
     module.def("measure_surface", &measure_surface, py::arg("surface"), py::arg("options"));
-    module.def("signed_distance", &distances, py::arg("structure"), py::arg("probe"), py::arg("points"));
+    module.def("signed_distance", &distances, py::arg("structure"), py::arg("probe"), py::arg("points"),
+               py::arg("threads"));
 }
 
 }  // namespace meniscus::python

@@ -11,6 +11,7 @@
 #include "bindings.h"
 #include "held_surface.h"
 #include "meniscus/sample.h"
+#include "meniscus/threads.h"
 #include "options.h"
 
 namespace meniscus::python {
@@ -173,6 +174,7 @@ py::array values(const HeldSurface& held, const Positions& points) {
     std::vector<double> result;
     {
         const py::gil_scoped_release release;
+        const ThreadLimit limit(held.surface().options.threads);
         const auto& level_set = held.surface().level_set;
         result = level_set ? level_set->values(places) : signed_distance(held.accessible(), places);
     }

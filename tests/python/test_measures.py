@@ -84,6 +84,15 @@ class Measuring(InScratchFolder):
         with self.assertRaisesRegex(ValueError, "points: must have shape"):
             meniscus.signed_distance(CENTRES, RADII, [1, 2, 3])
 
+    def test_signed_distances_do_not_depend_on_threads_or_company(self):
+        points = np.random.default_rng(1).uniform(-8, 8, (2000, 3))
+        one = meniscus.signed_distance(CENTRES, RADII, points, threads=1)
+        self.assertTrue(np.array_equal(one, meniscus.signed_distance(CENTRES, RADII, points)))
+        alone = [meniscus.signed_distance(CENTRES, RADII, points[i:i + 1])[0] for i in range(50)]
+        self.assertTrue(np.array_equal(one[:50], alone))
+        with self.assertRaisesRegex(ValueError, "threads"):
+            meniscus.signed_distance(CENTRES, RADII, points, threads=-1)
+
 
 if __name__ == "__main__":
     unittest.main()
