@@ -192,12 +192,13 @@ public:
         const auto side = [&](double d) { return d < 0.0 ? inner : outer; };
         for_each_block([&](const NodeBlock& block, BoxDistances& exact) {
             const Box box = block.box(volume_.grid);
-            typename Distance::Beside last;
-            const double d = distance_(box.middle(), exact.enter(box), last);
-            if (std::abs(d) - distance_.slack() > 0.5 * norm(box.high - box.low))
-                fill(block, side(d));
-            else
-                set_nodes(block, exact, side);
+            const double middle = exact.enter(box);
+            if (std::isfinite(distance_.slack())) {
+                typename Distance::Beside last;
+                const double d = distance_(box.middle(), middle, last);
+                if (std::abs(d) - distance_.slack() > 0.5 * norm(box.high - box.low)) return fill(block, side(d));
+            }
+            set_nodes(block, exact, side);
         });
         return std::move(volume_);
     }
