@@ -12,13 +12,13 @@
 
 namespace meniscus {
 
-/// Of sums of terms: see find_values.
+/// From sums of terms to Φ0 at the nodes of a block.
 struct DensityLimits {
-    double unit = 0.0;
-    double per_length = 1.0;
-    double margin = 0.0;
-    double most = 0.0;
-    double least = 0.0;
+    double unit = 0.0;        ///< sums are divided by exp(unit)
+    double per_length = 1.0;  ///< logarithm of the sum per Å of Φ0: -2 C times the mean radius, Å^-1
+    double margin = 0.0;      ///< Å, of |Φ0|
+    double most = 0.0;        ///< the sum from which on Φ0 is -margin
+    double least = 0.0;       ///< the sum down from which it is margin; a normal number
 };
 
 /// Terms exp(C (d² - r²)) of the density (Pan & Tai 2009, eq. 3.1), C in Å^-2, lengths in Å; atoms are spheres with
@@ -35,9 +35,8 @@ struct DensityKernels {
     /// first node. No table overflows where unit is at least the exponent at the nearest node.
     void (*find_terms)(double c, double radius, const Vec3& from, double spacing, double unit, AxisProduct& terms);
 
-    /// Φ0 = -(unit + ln sum) / per_length of the sums at a block's nodes, divided by exp(unit); -margin from `most` on
-    /// and margin down from `least`, which are positive. Within 4 units in the last place of the logarithm's single
-    /// precision.
+    /// Φ0 = -(unit + ln sum) / per_length at the kBlockNodes nodes of a block, Å, in single precision, of a logarithm
+    /// within 2 units in the last place of double precision (of the larger of it and 1).
     void (*find_values)(const DensityLimits& limits, const double* sums, float* values);
 };
 

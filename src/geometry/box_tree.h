@@ -60,6 +60,13 @@ struct Box {
     }
 };
 
+/// The box round some points.
+inline Box box_of(std::span<const Vec3> points) {
+    Box box;
+    for (const Vec3& p : points) box.include(p);
+    return box;
+}
+
 /// A box in single precision, no smaller than the one it stands for; the default one is empty.
 struct SmallBox {
     static constexpr float kLargest = std::numeric_limits<float>::max();

@@ -15,13 +15,7 @@
 
 namespace meniscus {
 
-/// The box round some points.
-inline Box box_of(std::span<const Vec3> points) {
-    Box box;
-    for (const Vec3& p : points) box.include(p);
-    return box;
-}
-
+/// Points sorted by the cubes they lie in: what is near to those of a cube is looked for once for all of them.
 class CellOrder {
 public:
     /// Sorts points, all of them finite, into cubes of an edge, Å.

@@ -16,8 +16,7 @@ namespace {
 // By their first corners.
 std::vector<std::uint32_t> triangles_in_spatial_order(const Mesh& mesh) {
     constexpr double kCells = (1 << 21) - 1;  // along the longest edge of the box round the mesh
-    Box all;
-    for (const Vec3& p : mesh.vertices) all.include(p);
+    const Box all = box_of(mesh.vertices);
     const Vec3 extent = all.high - all.low;
     const double scale = kCells / std::max({extent.x, extent.y, extent.z, 1e-9});
     const auto cell = [scale](double offset) { return static_cast<std::uint32_t>(scale * offset); };

@@ -26,8 +26,8 @@
 namespace meniscus {
 namespace {
 
-constexpr double kUnitsPerAngstrom = 1000.0;  // three decimals
-constexpr std::int64_t kLeast = -9999999;     // units; "-9999.999" fills its nine columns
+constexpr std::uint64_t kUnitsPerAngstrom = 1000;  // three decimals
+constexpr std::int64_t kLeast = -9999999;          // units; "-9999.999" fills its nine columns
 constexpr std::int64_t kMost = 99999999;
 
 // A place in units of the last decimal.
@@ -50,7 +50,7 @@ Place rounded(const Vec3& point) {
     Place place{};
     const std::array coordinates{point.x, point.y, point.z};
     for (std::size_t i = 0; i < place.size(); ++i) {
-        const double units = std::round(coordinates[i] * kUnitsPerAngstrom);
+        const double units = std::round(coordinates[i] * double{kUnitsPerAngstrom});
         if (!(units >= static_cast<double>(kLeast) && units <= static_cast<double>(kMost)))
             throw LimitError("MSMS files have no room for a coordinate of " + std::to_string(coordinates[i]) +
                              " Å; move the structure nearer to the origin, or write .ply");
@@ -113,14 +113,14 @@ void append_units(std::string& line, std::int64_t units) {
     std::array<char, 32> text;
     char* at = text.data();
     if (units < 0) *at++ = '-';
-    at = std::to_chars(at, text.data() + text.size(), magnitude / 1000).ptr;
+    at = std::to_chars(at, text.data() + text.size(), magnitude / kUnitsPerAngstrom).ptr;
     *at++ = '.';
     for (const std::uint64_t unit : {100, 10, 1}) *at++ = static_cast<char>('0' + magnitude / unit % 10);
     append_right(line, {text.data(), at}, 9);
     line += ' ';
 }
 
-std::int64_t units_of(double component) { return std::llround(component * kUnitsPerAngstrom); }
+std::int64_t units_of(double component) { return std::llround(component * double{kUnitsPerAngstrom}); }
 
 std::string one_line(std::string text) {
     std::replace_if(

@@ -141,6 +141,7 @@ struct TriangleKernels {
                    const Vec3& origin, TriangleLanes& lanes);
     /// After gather.
     void (*measure_shapes)(const TriangleLanes& lanes, TriangleShapes& shapes);
+    /// Of all lanes.
     BracketMarks (*bracket)(const Lanes& values, const Bracket& bracket);
     /// All that needs no normals.
     void (*measure)(TriangleLanes& lanes);

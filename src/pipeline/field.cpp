@@ -15,7 +15,7 @@
 
 #include "core/memory.h"
 #include "core/workspaces.h"
-#include "geometry/box_distances.h"
+#include "geometry/box_features.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "pipeline/filled_space.h"
@@ -180,7 +180,7 @@ public:
         : distance_(distance), volume_{grid, std::vector<float>(grid.size())} {}
 
     Volume distances() && {
-        for_each_block([&](const NodeBlock& block, BoxDistances& exact) {
+        for_each_block([&](const NodeBlock& block, BoxFeatures& exact) {
             exact.enter(block.box(volume_.grid));
             set_nodes(block, exact, [](double d) { return static_cast<float>(-d); });
         });
@@ -190,7 +190,7 @@ public:
     // A distance changes by no more than 1 per Å: blocks that are smaller than that lie on one side.
     Volume sides(float inner, float outer) && {
         const auto side = [&](double d) { return d < 0.0 ? inner : outer; };
-        for_each_block([&](const NodeBlock& block, BoxDistances& exact) {
+        for_each_block([&](const NodeBlock& block, BoxFeatures& exact) {
             const Box box = block.box(volume_.grid);
             const double middle = exact.enter(box);
             if (std::isfinite(distance_.slack())) {
@@ -208,8 +208,8 @@ private:
     void for_each_block(const Visit& visit) const {
         const NodeBlocks blocks(volume_.grid);
         parallel_chunks_with(
-            blocks.size(), kBlocksPerTask, [&] { return std::make_unique<BoxDistances>(distance_.accessible()); },
-            [&](std::size_t begin, std::size_t end, BoxDistances& exact) {
+            blocks.size(), kBlocksPerTask, [&] { return std::make_unique<BoxFeatures>(distance_.accessible()); },
+            [&](std::size_t begin, std::size_t end, BoxFeatures& exact) {
                 for (std::size_t b = begin; b < end; ++b) visit(blocks[b], exact);
             });
     }
@@ -225,7 +225,7 @@ private:
     }
 
     template <class Value>
-    void set_nodes(const NodeBlock& block, BoxDistances& exact, const Value& value) {
+    void set_nodes(const NodeBlock& block, BoxFeatures& exact, const Value& value) {
         std::array<Vec3, kBatchLanes> points;
         std::array<double, kBatchLanes> found;
         typename Distance::Beside last;

@@ -15,8 +15,7 @@
 #include "core/group_by.h"
 #include "core/parallel_list.h"
 #include "core/workspaces.h"
-#include "geometry/box_distances.h"
-#include "geometry/cell_order.h"
+#include "geometry/box_features.h"
 #include "geometry/feature_walk.h"
 #include "geometry/local_features.h"
 #include "geometry/nearest_batch.h"
@@ -167,7 +166,7 @@ private:
     LocalFeatures around_;  // of many runs
     LocalFeatures local_;
     NearestBatch batch_;
-    BoxDistances far_;
+    BoxFeatures far_;
     std::vector<std::uint32_t> others_;             // lanes of points that what is done for all is not enough for
     std::vector<Vec3> places_;                      // where these are
     std::array<FeatureLabel, kBatchLanes> labels_;  // of them

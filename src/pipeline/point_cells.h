@@ -33,8 +33,7 @@ public:
           begins_(edge_ * edge_ + 1, 0),
           near_(edge_ * edge_, 0),
           points_(points.size()) {
-        Box box;
-        for (const Vec3& p : points) box.include(p);
+        const Box box = box_of(points);
         low_ = box.low;
         const Vec3 size = box.high - box.low;
         per_angstrom_ = {cells_per_angstrom(size.x), cells_per_angstrom(size.y), 0.0};

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/parallel.h"
 #include "geometry/accessible_surface_data.h"
 #include "measure/exact_once.h"
 #include "measure/patch_totals.h"

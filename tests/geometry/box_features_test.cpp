@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/box_distances.h"
+#include "geometry/box_features.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ std::vector<Vec3> random_points(const Box& box, std::size_t count, std::mt19937&
     return points;
 }
 
-void expect_exact(const AccessibleSurface& surface, BoxDistances& distances, const Box& box, std::mt19937& random) {
+void expect_exact(const AccessibleSurface& surface, BoxFeatures& distances, const Box& box, std::mt19937& random) {
     const double middle = distances.enter(box);
     EXPECT_EQ(middle, surface.nearest(box.middle()).signed_distance);
     for (const std::size_t count : {std::size_t{1}, std::size_t{7}, kBatchLanes}) {
@@ -38,13 +38,13 @@ void expect_exact(const AccessibleSurface& surface, BoxDistances& distances, con
 }
 
 // From deep inside to far outside, in boxes smaller and larger than atoms.
-TEST(BoxDistances, AreTheExactOnesHoweverFarAway) {
+TEST(BoxFeatures, AreTheExactOnesHoweverFarAway) {
     std::mt19937 random(2);
     for (const Atoms& atoms : {equal_spheres({{1, 2, 3}}, 1.7), two_spheres(2.0), ridged_spheres(),
                                octahedron(3.0, 1.7), hollow_shell(90, 9.0, 1.7), random_cluster(3, 150, 14.0)})
         for (const double probe : {0.0, 1.4, 3.0}) {
             const AccessibleSurface surface(atoms, probe);
-            BoxDistances distances(surface);
+            BoxFeatures distances(surface);
             Box all;
             for (const Vec3& centre : atoms.centres) all.include(centre);
             for (const double reach : {0.5, 6.0, 40.0})
@@ -55,7 +55,7 @@ TEST(BoxDistances, AreTheExactOnesHoweverFarAway) {
 }
 
 // In the order of the points, wherever they are, alone or many.
-TEST(BoxDistances, OfPointsAllOverSpaceAreTheExactOnes) {
+TEST(BoxFeatures, OfPointsAllOverSpaceAreTheExactOnes) {
     std::mt19937 random(5);
     const AccessibleSurface surface(random_cluster(3, 150, 14.0), 1.4);
     EXPECT_TRUE(signed_distance(surface, {}).empty());

@@ -11,10 +11,9 @@
 namespace meniscus {
 
 /// Goes to one box after the other, reusing its memory.
-class BoxDistances {
+class BoxFeatures {
 public:
-    explicit BoxDistances(const AccessibleSurface& surface)
-        : surface_(surface), local_(surface, 0.0), batch_(surface) {}
+    explicit BoxFeatures(const AccessibleSurface& surface) : surface_(surface), local_(surface, 0.0), batch_(surface) {}
 
     /// Goes to a box. Returns the signed distance of its middle, Å: those of its points differ from it by no more than
     /// half its diagonal.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "geometry/box_distances.h"
+#include "geometry/box_features.h"
 
 #include <algorithm>
 #include <array>
@@ -14,14 +14,14 @@
 
 namespace meniscus {
 
-double BoxDistances::enter(const Box& box) {
+double BoxFeatures::enter(const Box& box) {
     box_ = box;
     gathered_ = false;
     middle_distance_ = surface_.nearest(box.middle()).signed_distance;
     return middle_distance_;
 }
 
-bool BoxDistances::search(std::span<const Vec3> points) {
+bool BoxFeatures::search(std::span<const Vec3> points) {
     constexpr double kSlack = 1e-6;    // Å, for rounding
     constexpr double kLargest = 60.0;  // Å: in larger boxes too many features are the nearest somewhere
     if (norm(box_.high - box_.low) > kLargest) return false;
@@ -32,19 +32,20 @@ bool BoxDistances::search(std::span<const Vec3> points) {
     return open;
 }
 
-void BoxDistances::find(std::span<const Vec3> points, std::span<double> distances) {
+void BoxFeatures::find(std::span<const Vec3> points, std::span<double> distances) {
     const bool open = search(points);
     for (std::size_t i = 0; i < points.size(); ++i)
         distances[i] =
             open && batch_.found(i) ? batch_.signed_distance(i) : surface_.nearest(points[i]).signed_distance;
 }
 
-void BoxDistances::find(std::span<const Vec3> points, std::span<FeatureLabel> labels) {
+void BoxFeatures::find(std::span<const Vec3> points, std::span<FeatureLabel> labels) {
     const bool open = search(points);
     for (std::size_t i = 0; i < points.size(); ++i)
         labels[i] = open && batch_.found(i) ? batch_.label(i) : label_of(surface_.nearest(points[i]));
 }
 
+// Points of one cube after the other, those of a cube together.
 std::vector<double> signed_distance(const AccessibleSurface& surface, std::span<const Vec3> points) {
     constexpr double kCellEdge = 6.0;  // Å
     constexpr std::size_t kMostCells = std::size_t{1} << 21;
@@ -56,8 +57,8 @@ std::vector<double> signed_distance(const AccessibleSurface& surface, std::span<
     CellOrder cells;
     for (double edge = kCellEdge; !cells.sort(points, edge, kMostCells);) edge *= 2.0;
     parallel_chunks_with(
-        cells.size(), kCellsPerTask, [&] { return std::make_unique<BoxDistances>(surface); },
-        [&](std::size_t begin, std::size_t end, BoxDistances& exact) {
+        cells.size(), kCellsPerTask, [&] { return std::make_unique<BoxFeatures>(surface); },
+        [&](std::size_t begin, std::size_t end, BoxFeatures& exact) {
             std::array<double, kBatchLanes> found;
             for (std::size_t cell = begin; cell < end; ++cell) {
                 const auto [group, positions] = cells[cell];
