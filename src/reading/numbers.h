@@ -3,8 +3,10 @@
 // Numbers from text, all or nothing, without regard to the locale.
 #pragma once
 
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -35,8 +37,33 @@ std::optional<Number> whole_number(std::string_view text) {
     return value;
 }
 
+/// Digits with a minus sign before them and a point among them, both of which may be absent: 15 characters at most. The
+/// digits as a whole number and the power of ten below them are exact, so their quotient is the nearest number.
+inline std::optional<double> short_decimal(std::string_view text) {
+    constexpr std::array kPowers{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14};
+    if (text.size() > kPowers.size()) return std::nullopt;
+    const bool negative = text.starts_with('-');
+    if (negative) text.remove_prefix(1);
+    std::int64_t digits = 0;
+    std::size_t point = text.size();
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] >= '0' && text[i] <= '9')
+            digits = 10 * digits + (text[i] - '0');
+        else if (text[i] == '.' && point == text.size())
+            point = i;
+        else
+            return std::nullopt;
+    }
+    const std::size_t decimals = point < text.size() ? text.size() - point - 1 : 0;
+    if (text.size() == static_cast<std::size_t>(point < text.size())) return std::nullopt;  // no digit
+    const double value = static_cast<double>(digits) / kPowers[decimals];
+    return negative ? -value : value;
+}
+
 /// The whole text as a finite number; nothing for `********`, blanks, nan, inf, 1e400, 11,104.
 inline std::optional<double> finite_number(std::string_view text) {
+    text = trimmed(text);
+    if (const std::optional<double> value = short_decimal(text)) return value;
     const std::optional<double> value = whole_number<double>(text);
     return value && std::isfinite(*value) ? value : std::nullopt;
 }

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "structure/pdb_screen.h"
 
-#include <algorithm>
-#include <optional>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -17,16 +16,6 @@ namespace {
 
 constexpr std::size_t kRecordLength = 80;
 constexpr std::size_t kCoordinatesEnd = 54;  // column 54 is the last of z
-
-// Whether a few columns hold nothing but digits with a point and perhaps a minus sign, as coordinates do: a finite
-// number, which need not be found to know that. Others may be numbers, too.
-bool is_plain_decimal(std::string_view field) {
-    field = trimmed(field);
-    if (field.starts_with('-')) field.remove_prefix(1);
-    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-    const auto* const point = std::find_if_not(field.begin(), field.end(), is_digit);
-    return field.size() > 1 && point != field.end() && *point == '.' && std::all_of(point + 1, field.end(), is_digit);
-}
 
 // An ATOM or HETATM line under examination; columns are those of the format, from 1.
 class AtomLine {
@@ -48,6 +37,8 @@ public:
 
     std::string_view text() const { return line_; }
 
+    bool is_hetatm() const { return line_.starts_with("HETATM"); }
+
     [[noreturn]] void fail(std::size_t column, const std::string& message) const {
         fail_at(file_, {number_, column}, message);
     }
@@ -66,9 +57,9 @@ public:
         fail(13 + place, "a byte that is no printable character among the names of an atom; correct it");
     }
 
-    void check_coordinate(std::size_t first, char axis) const {
+    double coordinate(std::size_t first, char axis) const {
         const std::string_view field = columns(first, first + 7);
-        if (is_plain_decimal(field) || finite_number(field)) return;
+        if (const auto value = finite_number(field)) return *value;
         fail(first, std::string(1, axis) + " coordinate " + shown(field) +
                         " is not a finite number; correct it or leave the atom out");
     }
@@ -102,21 +93,6 @@ ResidueColumns residue_columns(const AtomLine& line) {
     return {upper_case(trimmed(columns.substr(0, 3))), columns.substr(3, 2)};
 }
 
-// Atoms of a residue follow each other: its columns are read anew where they change.
-class ResidueReader {
-public:
-    const ResidueColumns& read(const AtomLine& line) {
-        const std::string_view columns = line.columns(18, 22);
-        if (columns != columns_) residue_ = residue_columns(line);
-        columns_ = columns;
-        return residue_;
-    }
-
-private:
-    std::string_view columns_;
-    ResidueColumns residue_;
-};
-
 // Old files have an entry name and a line number in columns 73-80: text there is an element only if it is a symbol.
 std::string element_columns(const AtomLine& line) {
     const std::string_view field = line.columns(77, 78);
@@ -124,15 +100,22 @@ std::string element_columns(const AtomLine& line) {
     return element_symbol(field);
 }
 
-// "2+", "+2", "1-", "+", "0" or blank.
-void check_charge(const AtomLine& line) {
+// "2+", "+2", "1-", "+", "0" or blank; a sign alone is no charge.
+int charge_columns(const AtomLine& line) {
     const std::string_view field = trimmed(line.columns(79, 80));
+    if (field.empty()) return 0;
     const std::size_t signs = static_cast<std::size_t>(field.find('+') != field.npos || field.find('-') != field.npos);
     std::size_t digits = 0;
-    for (const char c : field) digits += static_cast<std::size_t>(c >= '0' && c <= '9');
+    int charge = 0;
+    for (const char c : field) {
+        if (c < '0' || c > '9') continue;
+        ++digits;
+        charge = c - '0';
+    }
     if (digits + signs != field.size() || digits > 1) {
         line.fail(79, "charge " + shown(field) + " is neither blank nor a digit and a sign; clear columns 79-80");
     }
+    return field.find('-') != field.npos ? -charge : charge;
 }
 
 int serial_columns(const AtomLine& line) {
@@ -141,62 +124,69 @@ int serial_columns(const AtomLine& line) {
     return integer(line.columns(first, 12)).value_or(integer(line.columns(7, 11)).value_or(0));
 }
 
-// `element` is that of its columns.
-PdbAtomExtra read_extra(const AtomLine& line, const ResidueColumns& residue, std::string element, CleanPdb& clean) {
-    PdbAtomExtra extra;
-    extra.residue = residue.name;
-    extra.segment = printable(trimmed(line.columns(73, 76)));
-    extra.element = std::move(element);
-    if (extra.element.empty()) {
-        extra.element = element_from_columns(line.padded(13, 16), residue.name);
-        ++clean.guessed_elements;
-    } else {
-        check_charge(line);
-    }
-    extra.serial = serial_columns(line);
-    extra.occupancy = line.optional_number(55, 60, 1.0, "occupancy");
-    extra.b_factor = line.optional_number(61, 66, 0.0, "B factor");
-    extra.hetatm = line.text().starts_with("HETATM");
-    return extra;
-}
-
-// Appends the record as the parser gets it: full length, one-column chain layout, own serial, known element.
-void append_record(const AtomLine& line, const ResidueColumns& residue, const PdbAtomExtra& extra, bool has_element,
-                   CleanPdb& clean) {
-    const std::size_t begin = clean.text.size();
-    clean.text += line.text().substr(0, kRecordLength);
-    clean.text.resize(begin + kRecordLength, ' ');
-    const auto put = [&](std::size_t column, std::string_view text) {
-        text.copy(&clean.text[begin + column - 1], text.size());
+// Appends the record of a run's first atom as the parser gets it: full length, one-column chain layout, own serial.
+void append_record(const AtomLine& line, const ResidueColumns& residue, std::string_view segment, std::size_t serial,
+                   std::string& text) {
+    const std::size_t begin = text.size();
+    text += line.text().substr(0, kCoordinatesEnd);
+    text.resize(begin + kRecordLength, ' ');
+    const auto put = [&](std::size_t column, std::string_view field) {
+        field.copy(&text[begin + column - 1], field.size());
     };
-    const auto put_to_the_right = [&](std::size_t last, std::string_view text) { put(last + 1 - text.size(), text); };
-    put(1, extra.hetatm ? "HETATM" : "ATOM  ");
-    put(7, hybrid36_serial(clean.atoms.size() + 1));
+    put(1, line.is_hetatm() ? "HETATM" : "ATOM  ");
+    put(7, hybrid36_serial(serial));
     put(12, " ");
     put(18, "   ");
-    put_to_the_right(20, std::string_view(residue.name).substr(0, 3));
+    const std::string_view name = std::string_view(residue.name).substr(0, 3);
+    put(21 - name.size(), name);
     put(21, residue.chain);
     put(28, "   ");
-    put(67, "          ");
-    put(77, " ");
-    put_to_the_right(78, extra.element.empty() ? "X" : extra.element);
-    if (!has_element) put(79, "  ");
-    clean.text += '\n';
+    put(73, segment);
+    text += '\n';
 }
 
-void screen_atom(const AtomLine& line, ResidueReader& residues, CleanPdb& clean) {
-    line.check_length();
-    line.check_names();
-    line.check_coordinate(31, 'x');
-    line.check_coordinate(39, 'y');
-    line.check_coordinate(47, 'z');
-    const ResidueColumns& residue = residues.read(line);
-    std::string element = element_columns(line);
-    const bool has_element = !element.empty();
-    PdbAtomExtra extra = read_extra(line, residue, std::move(element), clean);
-    append_record(line, residue, extra, has_element, clean);
-    clean.atoms.push_back(std::move(extra));
-}
+// Takes the atoms of a model one by one.
+class Screen {
+public:
+    explicit Screen(CleanPdb& clean) : clean_(clean) {}
+
+    void take(const AtomLine& line) {
+        line.check_length();
+        line.check_names();
+        RawAtom atom;
+        atom.centre = {line.coordinate(31, 'x'), line.coordinate(39, 'y'), line.coordinate(47, 'z')};
+        if (clean_.runs.empty() || line.columns(18, 27) != residue_ || line.columns(73, 76) != segment_)
+            begin_run(line);
+        atom.residue = static_cast<std::uint32_t>(clean_.runs.size() - 1);
+        atom.name = upper_case(trimmed(line.columns(13, 16)));
+        atom.altloc = line.columns(17, 17).front();
+        atom.hetatm = line.is_hetatm();
+        atom.element = element_columns(line);
+        if (atom.element.empty()) {
+            atom.element = element_from_columns(line.padded(13, 16), clean_.runs.back().residue);
+            ++clean_.guessed_elements;
+        } else {
+            atom.charge = charge_columns(line);
+        }
+        atom.serial = serial_columns(line);
+        atom.occupancy = line.optional_number(55, 60, 1.0, "occupancy");
+        atom.b_factor = line.optional_number(61, 66, 0.0, "B factor");
+        clean_.atoms.push_back(std::move(atom));
+    }
+
+private:
+    void begin_run(const AtomLine& line) {
+        residue_ = line.columns(18, 27);
+        segment_ = line.columns(73, 76);
+        ResidueColumns residue = residue_columns(line);
+        append_record(line, residue, trimmed(segment_), clean_.runs.size() + 1, clean_.text);
+        clean_.runs.push_back({std::move(residue.name), printable(trimmed(segment_))});
+    }
+
+    CleanPdb& clean_;
+    std::string_view residue_;  // of the last atom
+    std::string_view segment_;
+};
 
 std::string padded_line(std::string_view line) {
     std::string padded(line.substr(0, kRecordLength));
@@ -254,14 +244,13 @@ std::string hybrid36_serial(std::size_t n) {
 CleanPdb screen_pdb(std::string_view text, const PdbModelSpan& model, const std::string& file, bool with_assemblies) {
     CleanPdb clean;
     clean.text = clean_header(text, file, with_assemblies);
-    clean.text.reserve(clean.text.size() + (model.end - model.begin) + (model.end - model.begin) / 8);
     clean.atoms.reserve(model.atoms);
-    ResidueReader residues;
+    Screen screen(clean);
     Lines lines(text.substr(model.begin, model.end - model.begin));
     while (lines.next()) {
         const std::string_view line = lines.line();
         if (is_atom_record(line)) {
-            screen_atom(AtomLine(line, model.first_line + lines.number() - 1, file), residues, clean);
+            screen.take(AtomLine(line, model.first_line + lines.number() - 1, file));
         } else if (line.starts_with("TER")) {
             clean.text += "TER\n";
         }

@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// The strict screen in front of the PDB parser: finds the models, checks every field that counts, and writes a clean
-// text in which each record is complete, so that a parser can do nothing wrong with it.
+// The strict screen in front of the PDB parser: finds the models, checks every field that counts, reads what atoms say
+// of themselves, and writes a clean text of residues, in which each record is complete, so that a parser can do nothing
+// wrong with it.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "structure/raw_model.h"
 
 namespace meniscus::reading {
 
@@ -29,21 +32,17 @@ struct PdbModels {
 
 PdbModels find_pdb_models(std::string_view text);
 
-/// What the clean text has no room for.
-struct PdbAtomExtra {
+/// Atoms that follow each other with the same columns of their residue and segment.
+struct PdbRun {
     std::string residue;  ///< name, up to four letters
     std::string segment;
-    std::string element;  ///< empty if unknown
-    int serial = 0;       ///< as in the file; 0 if it is no number
-    double occupancy = 1.0;
-    double b_factor = 0.0;
-    bool hetatm = false;
 };
 
-/// A model ready for the parser. Atom i of the clean text has serial number i + 1 and its extras in atoms[i].
+/// A model ready for the parser.
 struct CleanPdb {
-    std::string text;
-    std::vector<PdbAtomExtra> atoms;
+    std::string text;                  ///< of run i the record of its first atom, with serial number i + 1
+    std::vector<PdbRun> runs;          ///< what the text has no room for
+    std::vector<RawAtom> atoms;        ///< their `residue` is the number of their run
     std::size_t guessed_elements = 0;  ///< atoms without an element in columns 77-78
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "meniscus/errors.h"
 #include "structure/assign_radii.h"
@@ -68,10 +69,11 @@ private:
     RawModel parse_pdb_model(int position) const {
         if (pdb_.spans.empty()) return {};
         const PdbModelSpan& span = pdb_.spans[static_cast<std::size_t>(position) - 1];
-        const CleanPdb clean = screen_pdb(file_.text, span, file_.path, assemblies_);
-        RawModel model = parse_pdb(clean, file_.path);
-        if (clean.guessed_elements > 0) {
-            model.warnings.push_back(counted(clean.guessed_elements, "element") +
+        CleanPdb clean = screen_pdb(file_.text, span, file_.path, assemblies_);
+        const std::size_t guessed_elements = clean.guessed_elements;
+        RawModel model = parse_pdb(std::move(clean), file_.path);
+        if (guessed_elements > 0) {
+            model.warnings.push_back(counted(guessed_elements, "element") +
                                      " taken from atom names: columns 77-78 hold none");
         }
         return model;

@@ -3,6 +3,7 @@
 #include "structure/pdb_screen.h"
 
 #include <array>
+#include <utility>
 
 #include "fragments.h"
 
@@ -37,12 +38,17 @@ std::string changed(std::size_t column, const std::string& text) {
 TEST(PdbScreen, AGoodRecordPasses) {
     const CleanPdb clean = screen(kPlain);
     ASSERT_EQ(clean.atoms.size(), 1U);
-    EXPECT_EQ(clean.atoms[0].residue, "ALA");
+    EXPECT_EQ(clean.atoms[0].centre, (Vec3{11.104, 6.134, -6.504}));
+    EXPECT_EQ(clean.atoms[0].name, "CA");
     EXPECT_EQ(clean.atoms[0].element, "C");
+    EXPECT_EQ(clean.atoms[0].altloc, ' ');
     EXPECT_EQ(clean.atoms[0].serial, 7);
     EXPECT_EQ(clean.atoms[0].occupancy, 1.0);
     EXPECT_EQ(clean.atoms[0].b_factor, 8.2);
+    EXPECT_EQ(clean.atoms[0].charge, 1.0);
     EXPECT_FALSE(clean.atoms[0].hetatm);
+    ASSERT_EQ(clean.runs.size(), 1U);
+    EXPECT_EQ(clean.runs[0].residue, "ALA");
     EXPECT_EQ(clean.guessed_elements, 0U);
     EXPECT_EQ(clean.text.size(), 81U);
 }
@@ -63,15 +69,33 @@ TEST(PdbScreen, PlainDecimalsNeedADigitAndAPoint) {
         EXPECT_TRUE(error_in(changed(31, text)).starts_with("f.pdb:1:31: x coordinate")) << text;
 }
 
-TEST(PdbScreen, EveryRecordNamesItsOwnResidue) {
+TEST(PdbScreen, AtomsOfOneResidueInARowAreOneRecord) {
     const std::string glycine = changed(18, "GLY");
-    const CleanPdb clean = screen(kPlain + kPlain + glycine + kPlain);
-    ASSERT_EQ(clean.atoms.size(), 4U);
-    const std::array<const char*, 4> names{"ALA", "ALA", "GLY", "ALA"};
+    const CleanPdb clean = screen(kPlain + changed(13, " CB ") + glycine + kPlain);
+    const std::array<std::uint32_t, 4> run_of_atom{0, 0, 1, 2};
+    const std::array<const char*, 3> names{"ALA", "GLY", "ALA"};
+    ASSERT_EQ(clean.atoms.size(), run_of_atom.size());
+    for (std::size_t i = 0; i < run_of_atom.size(); ++i) EXPECT_EQ(clean.atoms[i].residue, run_of_atom[i]);
+    ASSERT_EQ(clean.runs.size(), names.size());
+    ASSERT_EQ(clean.text.size(), 81 * names.size());
     for (std::size_t i = 0; i < names.size(); ++i) {
-        EXPECT_EQ(clean.atoms[i].residue, names[i]);
+        EXPECT_EQ(clean.runs[i].residue, names[i]);
         EXPECT_EQ(clean.text.substr(81 * i + 17, 3), names[i]);
     }
+}
+
+TEST(PdbScreen, ChainNumberInsertionAndSegmentEachBeginARun) {
+    for (const auto& [column, text] : {std::pair(22, "B"), {26, "3"}, {27, "A"}, {73, "SEG"}})
+        EXPECT_EQ(screen(kPlain + changed(column, text)).runs.size(), 2U) << column;
+    EXPECT_EQ(screen(kPlain + changed(17, "B")).runs.size(), 1U) << "an alternative";
+    EXPECT_EQ(screen(changed(73, " SEG")).runs[0].segment, "SEG");
+}
+
+TEST(PdbScreen, ChargesOfOneDigit) {
+    for (const auto& [text, charge] :
+         {std::pair("2+", 2.0), {"+2", 2.0}, {"1-", -1.0}, {"-1", -1.0}, {"3 ", 3.0}, {" +", 0.0}, {"  ", 0.0}})
+        EXPECT_EQ(screen(changed(79, text)).atoms[0].charge, charge) << text;
+    EXPECT_EQ(screen(changed(77, "  2+")).atoms[0].charge, 0.0) << "behind no element there is something else";
 }
 
 TEST(PdbScreen, OccupancyBFactorAndChargeToo) {
@@ -106,11 +130,11 @@ TEST(PdbScreen, SerialsWiderThanTheirColumnsAndHybridOnes) {
 }
 
 TEST(PdbScreen, ResidueNamesOfFourLettersAndChainsOfTwo) {
-    EXPECT_EQ(screen(changed(18, "TIP3 ")).atoms[0].residue, "TIP3");
-    EXPECT_EQ(screen(changed(18, "TIP3W")).atoms[0].residue, "TIP3");
-    EXPECT_EQ(screen(changed(18, "POPC ")).atoms[0].residue, "POPC");
-    EXPECT_EQ(screen(changed(18, "ALAAB")).atoms[0].residue, "ALA");
-    EXPECT_EQ(screen(changed(18, " DA A")).atoms[0].residue, "DA");
+    EXPECT_EQ(screen(changed(18, "TIP3 ")).runs[0].residue, "TIP3");
+    EXPECT_EQ(screen(changed(18, "TIP3W")).runs[0].residue, "TIP3");
+    EXPECT_EQ(screen(changed(18, "POPC ")).runs[0].residue, "POPC");
+    EXPECT_EQ(screen(changed(18, "ALAAB")).runs[0].residue, "ALA");
+    EXPECT_EQ(screen(changed(18, " DA A")).runs[0].residue, "DA");
 }
 
 TEST(PdbScreen, OnlyRecordsThatMatterPass) {

@@ -14,6 +14,7 @@
 #pragma GCC diagnostic pop
 
 #include <algorithm>
+#include <utility>
 
 #include "meniscus/errors.h"
 #include "reading/text.h"
@@ -57,33 +58,32 @@ bool is_listed(const gemmi::Structure& structure, const gemmi::Chain& chain, con
                entity->full_sequence.end();
 }
 
-// Residues of gemmi's Structure for each atom of the clean text, and the atom: the parser groups atoms its own way.
-struct ParsedAtom {
+// Where gemmi's Structure has a run of atoms: the parser groups them its own way.
+struct ParsedRun {
     const gemmi::Chain* chain = nullptr;
     const gemmi::Residue* residue = nullptr;
-    const gemmi::Atom* atom = nullptr;
 };
 
-std::vector<ParsedAtom> in_file_order(const gemmi::Structure& structure, std::size_t count, const std::string& file) {
-    std::vector<ParsedAtom> atoms(count);
+std::vector<ParsedRun> in_file_order(const gemmi::Structure& structure, std::size_t count, const std::string& file) {
+    std::vector<ParsedRun> runs(count);
     std::size_t found = 0;
     for (const gemmi::Chain& chain : structure.models.at(0).chains) {
         for (const gemmi::Residue& residue : chain.residues) {
             for (const gemmi::Atom& atom : residue.atoms) {
-                atoms.at(static_cast<std::size_t>(atom.serial) - 1) = {&chain, &residue, &atom};
+                runs.at(static_cast<std::size_t>(atom.serial) - 1) = {&chain, &residue};
                 ++found;
             }
         }
     }
     if (found != count) throw InputError(file + ": atoms were lost in parsing; please report this file");
-    return atoms;
+    return runs;
 }
 
-RawResidue to_residue(const gemmi::Structure& structure, const ParsedAtom& parsed, const PdbAtomExtra& extra) {
+RawResidue to_residue(const gemmi::Structure& structure, const ParsedRun& parsed, const PdbRun& run) {
     RawResidue residue;
     residue.chain = parsed.chain->name;
-    residue.segment = extra.segment;
-    residue.name = extra.residue;
+    residue.segment = run.segment;
+    residue.name = run.residue;
     residue.number = parsed.residue->seqid.num.has_value() ? *parsed.residue->seqid.num : 0;
     residue.insertion_code = parsed.residue->seqid.icode;
     // Numbers above 9999 as some programs write them, one column too wide.
@@ -95,35 +95,15 @@ RawResidue to_residue(const gemmi::Structure& structure, const ParsedAtom& parse
     return residue;
 }
 
-RawAtom to_atom(const gemmi::Atom& atom, const PdbAtomExtra& extra) {
-    RawAtom raw;
-    raw.centre = {atom.pos.x, atom.pos.y, atom.pos.z};
-    raw.name = upper_case(atom.name);
-    raw.element = extra.element;
-    raw.altloc = atom.altloc == '\0' ? ' ' : atom.altloc;
-    raw.hetatm = extra.hetatm;
-    raw.serial = extra.serial;
-    raw.occupancy = extra.occupancy;
-    raw.b_factor = extra.b_factor;
-    raw.charge = atom.charge;
-    return raw;
-}
-
-RawModel to_model(const gemmi::Structure& structure, const CleanPdb& clean, const std::string& file) {
+RawModel to_model(const gemmi::Structure& structure, CleanPdb clean, const std::string& file) {
     RawModel model;
     ResidueList residues(model.residues);
-    const std::vector<ParsedAtom> parsed = in_file_order(structure, clean.atoms.size(), file);
-    model.atoms.reserve(parsed.size());
-    const auto as_before = [&](std::size_t i) {
-        return i > 0 && parsed[i].residue == parsed[i - 1].residue &&
-               clean.atoms[i].residue == clean.atoms[i - 1].residue &&
-               clean.atoms[i].segment == clean.atoms[i - 1].segment;
-    };
-    std::uint32_t residue = 0;
-    for (std::size_t i = 0; i < parsed.size(); ++i) {
-        if (!as_before(i)) residue = residues.index_of(to_residue(structure, parsed[i], clean.atoms[i]));
-        model.atoms.emplace_back(to_atom(*parsed[i].atom, clean.atoms[i])).residue = residue;
-    }
+    const std::vector<ParsedRun> parsed = in_file_order(structure, clean.runs.size(), file);
+    std::vector<std::uint32_t> residue_of_run(parsed.size());
+    for (std::size_t run = 0; run < parsed.size(); ++run)
+        residue_of_run[run] = residues.index_of(to_residue(structure, parsed[run], clean.runs[run]));
+    model.atoms = std::move(clean.atoms);
+    for (RawAtom& atom : model.atoms) atom.residue = residue_of_run[atom.residue];
     model.assemblies = to_assemblies(structure.assemblies);
     return model;
 }
@@ -199,9 +179,10 @@ std::vector<RawAssembly> assemblies_of(const gemmi::cif::Block& block) {
     return to_assemblies(gemmi::make_structure_from_block(block).assemblies);
 }
 
-RawModel parse_pdb(const CleanPdb& clean, const std::string& file) {
+RawModel parse_pdb(CleanPdb clean, const std::string& file) {
     return with_input_errors(file, [&] {
-        return to_model(gemmi::read_pdb_from_memory(clean.text.data(), clean.text.size(), file), clean, file);
+        const auto structure = gemmi::read_pdb_from_memory(clean.text.data(), clean.text.size(), file);
+        return to_model(structure, std::move(clean), file);
     });
 }
 

@@ -14,7 +14,7 @@ namespace meniscus::reading {
 
 /// Parses a screened PDB model.
 /// throws   InputError
-RawModel parse_pdb(const CleanPdb& clean, const std::string& file);
+RawModel parse_pdb(CleanPdb clean, const std::string& file);
 
 /// For each atom, whether it is in the selection (gemmi's syntax: /model/chain/10-50/CA[C]:A;q>0.5).
 ///
