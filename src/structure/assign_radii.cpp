@@ -80,6 +80,7 @@ public:
 private:
     // Of -NH3+; proline, which has one hydrogen less, shows its second.
     bool is_third_hydrogen(const RawAtom& atom) const {
+        if (!atom.name.starts_with('H')) return false;
         const RawResidue& residue = model_.residue_of(atom);
         const bool is_proline = residue.name == "PRO";
         return is_amino(residue.name) &&

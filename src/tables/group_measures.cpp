@@ -45,11 +45,18 @@ std::vector<GroupMeasure> residue_measures(const Structure& structure, const Mea
 Chains chains_of(const Structure& structure) {
     Chains chains;
     std::map<std::string, std::uint32_t> places;
+    chains.of_atom.reserve(structure.labels.size());
+    const Residue* residue = nullptr;  // of the atom before
+    std::uint32_t chain = 0;
     for (std::size_t i = 0; i < structure.labels.size(); ++i) {
-        const std::string& name = residue_at(structure, i).chain;
-        const auto [place, is_new] = places.emplace(name, static_cast<std::uint32_t>(chains.names.size()));
-        if (is_new) chains.names.push_back(name);
-        chains.of_atom.push_back(place->second);
+        if (residue != &residue_at(structure, i)) {
+            residue = &residue_at(structure, i);
+            const auto [place, is_new] =
+                places.emplace(residue->chain, static_cast<std::uint32_t>(chains.names.size()));
+            if (is_new) chains.names.push_back(residue->chain);
+            chain = place->second;
+        }
+        chains.of_atom.push_back(chain);
     }
     return chains;
 }
