@@ -27,6 +27,7 @@ Embree load() {
     library->find("rtcAttachGeometry", found.attach_geometry);
     library->find("rtcReleaseGeometry", found.release_geometry);
     library->find("rtcIntersect1", found.intersect_1);
+    library->find("rtcIntersect16", found.intersect_16);
     return found;
 }
 

@@ -24,6 +24,7 @@ struct Embree {
     decltype(&::rtcAttachGeometry) attach_geometry;
     decltype(&::rtcReleaseGeometry) release_geometry;
     decltype(&::rtcIntersect1) intersect_1;
+    decltype(&::rtcIntersect16) intersect_16;
 };
 
 /// throws   std::runtime_error where the library is not installed, and as LoadedLibrary

@@ -3,6 +3,7 @@
 #include "render/ray_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <new>
 #include <stdexcept>
 
@@ -76,10 +77,15 @@ RayScene::RayScene(const Mesh& mesh, const std::optional<HalfSpace>& kept)
     handles_ = handles;
 }
 
-std::optional<RayHit> RayScene::first_hit(const Ray& ray, double reach) const {
+/// Where along a ray something can be hit; empty if its end is not behind its beginning.
+Interval RayScene::kept_part(const Ray& ray, double reach) const {
     const Interval part = kept_ ? kept_->part_of_ray(ray.origin, ray.direction) : Interval{};
-    const double end = std::min(part.end, reach);
-    if (part.begin >= end) return std::nullopt;
+    return {part.begin, std::min(part.end, reach)};
+}
+
+std::optional<RayHit> RayScene::first_hit(const Ray& ray, double reach) const {
+    const Interval part = kept_part(ray, reach);
+    if (part.begin >= part.end) return std::nullopt;
     const Vec3 origin = ray.origin - centre_;
     RTCRayHit query{};
     query.ray.org_x = single(origin.x);
@@ -89,7 +95,7 @@ std::optional<RayHit> RayScene::first_hit(const Ray& ray, double reach) const {
     query.ray.dir_y = single(ray.direction.y);
     query.ray.dir_z = single(ray.direction.z);
     query.ray.tnear = single(part.begin);
-    query.ray.tfar = single(end);
+    query.ray.tfar = single(part.end);
     query.ray.mask = ~0U;
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     RTCIntersectContext context;
@@ -97,6 +103,35 @@ std::optional<RayHit> RayScene::first_hit(const Ray& ray, double reach) const {
     embree().intersect_1(handles_->scene, &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return RayHit{query.ray.tfar, query.hit.primID, query.hit.u, query.hit.v};
+}
+
+void RayScene::first_hits(std::span<const Ray> rays, double reach, std::span<std::optional<RayHit>> hits) const {
+    alignas(64) std::array<int, kTogether> is_sent{};
+    RTCRayHit16 query{};
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Interval part = kept_part(rays[i], reach);
+        const Vec3 origin = rays[i].origin - centre_;
+        query.ray.org_x[i] = single(origin.x);
+        query.ray.org_y[i] = single(origin.y);
+        query.ray.org_z[i] = single(origin.z);
+        query.ray.dir_x[i] = single(rays[i].direction.x);
+        query.ray.dir_y[i] = single(rays[i].direction.y);
+        query.ray.dir_z[i] = single(rays[i].direction.z);
+        query.ray.tnear[i] = single(part.begin);
+        query.ray.tfar[i] = single(part.end);
+        query.ray.mask[i] = ~0U;
+        query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        is_sent[i] = part.begin < part.end ? -1 : 0;
+    }
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    embree().intersect_16(is_sent.data(), handles_->scene, &context, &query);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        hits[i].reset();
+        if (query.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+        hits[i] = {query.ray.tfar[i], query.hit.primID[i], query.hit.u[i], query.hit.v[i]};
+    }
 }
 
 }  // namespace meniscus

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "meniscus/mesh.h"
 #include "render/half_space.h"
@@ -37,8 +38,17 @@ public:
     /// The nearest triangle that a ray hits within `reach` (Å), seen from either side. From several threads at once.
     std::optional<RayHit> first_hit(const Ray& ray, double reach) const;
 
+    /// Rays that first_hits() takes.
+    static constexpr std::size_t kTogether = 16;
+
+    /// The same of several rays that run close to each other, up to kTogether, at a third of the cost.
+    /// hits     one for each ray
+    void first_hits(std::span<const Ray> rays, double reach, std::span<std::optional<RayHit>> hits) const;
+
 private:
     struct Handles;
+    Interval kept_part(const Ray& ray, double reach) const;
+
     std::shared_ptr<const Handles> handles_;
     Vec3 centre_;
     std::optional<HalfSpace> kept_;

@@ -3,6 +3,7 @@
 #include "render/scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "render/cut_plane.h"
@@ -92,15 +93,22 @@ Glimpse Scene::glimpse(Glimpse::Kind kind, const Light& light, const Vec3& point
 }
 
 /// A ray that meets the far side of the surface first has entered the cut molecule in its section.
-Glimpse Scene::look(double x, double y) const {
-    const Ray ray = camera_.ray(x, y);
-    const std::optional<RayHit> hit = rays_.first_hit(ray, std::numeric_limits<double>::infinity());
+Glimpse Scene::glimpse_of(const std::optional<RayHit>& hit, const Ray& ray) const {
     if (!hit) return {.light = background_};
     const auto point_at = [&ray](double distance) { return ray.origin + distance * ray.direction; };
     if (has_section_ && faces_away(mesh_.triangles[hit->triangle], ray.direction))
         return glimpse(Glimpse::Kind::Section, to_light(kSection),
                        point_at(kept_->part_of_ray(ray.origin, ray.direction).begin));
     return glimpse(Glimpse::Kind::Surface, light_from(*hit, ray), point_at(hit->distance));
+}
+
+void Scene::look(std::span<const Spot> spots, std::span<Glimpse> seen) const {
+    std::array<Ray, RayScene::kTogether> rays;
+    std::array<std::optional<RayHit>, RayScene::kTogether> hits;
+    std::transform(spots.begin(), spots.end(), rays.begin(),
+                   [this](const Spot& spot) { return camera_.ray(spot.x, spot.y); });
+    rays_.first_hits(std::span(rays).first(spots.size()), std::numeric_limits<double>::infinity(), hits);
+    for (std::size_t i = 0; i < spots.size(); ++i) seen[i] = glimpse_of(hits[i], rays[i]);
 }
 
 }  // namespace meniscus

@@ -27,6 +27,12 @@ struct Glimpse {
     bool is_background() const { return kind == Kind::Background; }
 };
 
+/// A place in the picture, pixels from its upper left corner.
+struct Spot {
+    double x = 0.0;
+    double y = 0.0;
+};
+
 /// How far the sky is blocked, Å: by a share of the molecule's depth.
 double reach_of_sky(const Camera& camera);
 
@@ -41,11 +47,12 @@ public:
 
     const Camera& camera() const { return camera_; }
 
-    /// x, y   pixels from the picture's upper left corner
-    /// From several threads at once.
-    Glimpse look(double x, double y) const;
+    /// What is seen at some places close to each other, up to RayScene::kTogether. From several threads at once.
+    /// seen   one glimpse for each place
+    void look(std::span<const Spot> spots, std::span<Glimpse> seen) const;
 
 private:
+    Glimpse glimpse_of(const std::optional<RayHit>& hit, const Ray& ray) const;
     bool faces_away(const Triangle& t, const Vec3& direction) const;
     Light albedo(const RayHit& hit, const Vec3& point) const;
     Light light_from(const RayHit& hit, const Ray& ray) const;

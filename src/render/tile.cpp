@@ -30,8 +30,8 @@ constexpr float kLineDarkness = 0.85F;
 constexpr double kMiddle = 0.5;
 
 /// Points of a (0, 2)-sequence (van der Corput and Sobol), scrambled by constants so that few already balance.
-std::array<std::array<double, 2>, kSamples> make_sample_places() {
-    std::array<std::array<double, 2>, kSamples> places;
+std::array<Spot, kSamples> make_sample_places() {
+    std::array<Spot, kSamples> places;
     for (unsigned i = 0; i < kSamples; ++i) {
         unsigned x = 0;
         unsigned y = 0;
@@ -48,15 +48,32 @@ std::array<std::array<double, 2>, kSamples> make_sample_places() {
     return places;
 }
 
-const std::array<std::array<double, 2>, kSamples>& sample_places() {
+const std::array<Spot, kSamples>& sample_places() {
     static const auto places = make_sample_places();
     return places;
 }
 
-bool differ(float a, float b) { return std::abs(std::sqrt(a) - std::sqrt(b)) > kVisibleStep; }
+/// Of what one pixel is looked at by.
+struct Samples {
+    Samples(const Scene& scene, int x, int y, int count) : size(static_cast<std::size_t>(count)) {
+        std::transform(sample_places().begin(), sample_places().begin() + count, spots.begin(), [=](const Spot& place) {
+            return Spot{x + place.x, y + place.y};
+        });
+        scene.look(std::span(spots).first(size), seen);
+    }
+
+    std::size_t size;
+    std::array<Spot, kSamples> spots;
+    std::array<Glimpse, kSamples> seen;
+};
+static_assert(kSamples <= RayScene::kTogether);
+
+/// About as the eye sees it: twice the light is not twice as bright.
+Light brightness(const Light& light) { return {std::sqrt(light.red), std::sqrt(light.green), std::sqrt(light.blue)}; }
 
 bool differ(const Light& a, const Light& b) {
-    return differ(a.red, b.red) || differ(a.green, b.green) || differ(a.blue, b.blue);
+    return std::abs(a.red - b.red) > kVisibleStep || std::abs(a.green - b.green) > kVisibleStep ||
+           std::abs(a.blue - b.blue) > kVisibleStep;
 }
 
 PixelBox grown(const PixelBox& box, int margin) {
@@ -76,15 +93,29 @@ Tile::Tile(const Scene& scene, const PictureOptions& options, const PixelBox& bo
       margin_(reach_ + (options.cut ? 2 : 1)),
       jump_(std::max(kSmallestJump, kJumpShare * scene.camera().depth_range())),
       background_opacity_(static_cast<float>(options.background.alpha) / 255.0F) {
-    const PixelBox all = grown(box, margin_);
-    for (int y = all.y; y < all.y + all.height; ++y)
-        for (int x = all.x; x < all.x + all.width; ++x) centres_.push_back(scene.look(x + kMiddle, y + kMiddle));
+    look_at_centres();
     if (options.cut) find_sections();
     lights_.resize(centres_.size());
+    brightness_.resize(centres_.size());
     const PixelBox neighbours = grown(box, 1);
     for (int y = neighbours.y; y < neighbours.y + neighbours.height; ++y)
-        for (int x = neighbours.x; x < neighbours.x + neighbours.width; ++x)
-            lights_[place(x, y)] = with_lines(centres_[place(x, y)], x + kMiddle, y + kMiddle);
+        for (int x = neighbours.x; x < neighbours.x + neighbours.width; ++x) {
+            const std::size_t here = place(x, y);
+            lights_[here] = with_lines(centres_[here], x + kMiddle, y + kMiddle);
+            brightness_[here] = brightness(lights_[here]);
+        }
+}
+
+void Tile::look_at_centres() {
+    const PixelBox all = grown(box_, margin_);
+    centres_.resize(static_cast<std::size_t>(all.width) * static_cast<std::size_t>(all.height));
+    std::array<Spot, RayScene::kTogether> spots;
+    for (int y = all.y; y < all.y + all.height; ++y)
+        for (int x = all.x; x < all.x + all.width; x += static_cast<int>(spots.size())) {
+            const std::size_t count = std::min(spots.size(), static_cast<std::size_t>(all.x + all.width - x));
+            for (std::size_t i = 0; i < count; ++i) spots[i] = {x + static_cast<double>(i) + kMiddle, y + kMiddle};
+            scene_.look(std::span(spots).first(count), std::span(centres_).subspan(place(x, y), count));
+        }
 }
 
 /// Of a pixel of the box or its margin among the centres.
@@ -110,9 +141,8 @@ float Tile::section_share(int x, int y) const {
     for (int j = y - 1; j <= y + 1; ++j)
         for (int i = x - 1; i <= x + 1; ++i) mixed = mixed || is_section(centres_[place(i, j)]) != here;
     if (!mixed) return here ? 1.0F : 0.0F;
-    int count = 0;
-    for (const auto& [dx, dy] : sample_places()) count += is_section(scene_.look(x + dx, y + dy)) ? 1 : 0;
-    return static_cast<float>(count) / kSamples;
+    const Samples samples(scene_, x, y, kSamples);
+    return static_cast<float>(std::count_if(samples.seen.begin(), samples.seen.end(), is_section)) / kSamples;
 }
 
 /// How far a pixel close to a glimpse calls for a line there, 0 to 1: if it shows something much farther away, or no
@@ -153,22 +183,23 @@ int Tile::samples_needed(int x, int y) const {
             const std::size_t there = place(i, j);
             if (centres_[here].kind != centres_[there].kind) return kSamples;
             if (std::abs(centres_[here].depth - centres_[there].depth) > jump_) return kSamples;
-            if (differ(lights_[here], lights_[there])) needed = kFewSamples;
+            if (differ(brightness_[here], brightness_[there])) needed = kFewSamples;
         }
     return needed;
 }
 
 /// Means are taken of light times opacity, so that a transparent background has no colour.
-Colour Tile::refined_pixel(int x, int y, int samples) const {
+Colour Tile::refined_pixel(int x, int y, int count) const {
+    const Samples samples(scene_, x, y, count);
     Light sum;
     float opacity = 0.0F;
-    for (const auto& [dx, dy] : std::span(sample_places()).first(static_cast<std::size_t>(samples))) {
-        const Glimpse seen = scene_.look(x + dx, y + dy);
+    for (std::size_t i = 0; i < samples.size; ++i) {
+        const Glimpse& seen = samples.seen[i];
         const float share = seen.is_background() ? background_opacity_ : 1.0F;
-        sum += share * with_lines(seen, x + dx, y + dy);
+        sum += share * with_lines(seen, samples.spots[i].x, samples.spots[i].y);
         opacity += share;
     }
-    return to_colour(opacity > 0.0F ? (1.0F / opacity) * sum : sum, opacity / static_cast<float>(samples));
+    return to_colour(opacity > 0.0F ? (1.0F / opacity) * sum : sum, opacity / static_cast<float>(count));
 }
 
 void Tile::draw(Picture& picture) const {

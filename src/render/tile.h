@@ -29,13 +29,14 @@ public:
 
 private:
     std::size_t place(int x, int y) const;
+    void look_at_centres();
     void find_sections();
     float section_share(int x, int y) const;
     double line_towards(std::size_t pixel, double distance, const Glimpse& seen) const;
     double lines_near(double x, double y, const Glimpse& seen) const;
     Light with_lines(const Glimpse& seen, double x, double y) const;
     int samples_needed(int x, int y) const;
-    Colour refined_pixel(int x, int y, int samples) const;
+    Colour refined_pixel(int x, int y, int count) const;
 
     const Scene& scene_;
     PixelBox box_;           // with a margin, in which neighbours of its pixels lie
@@ -46,8 +47,9 @@ private:
     double jump_;            // of depth that makes a line, Å
     float background_opacity_;
     std::vector<Glimpse> centres_;
-    std::vector<float> sections_;  // how much of each pixel is section; empty without a cut
-    std::vector<Light> lights_;    // of the centres, with lines
+    std::vector<float> sections_;    // how much of each pixel is section; empty without a cut
+    std::vector<Light> lights_;      // of the centres, with lines
+    std::vector<Light> brightness_;  // of these lights
 };
 
 }  // namespace meniscus
