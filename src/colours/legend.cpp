@@ -127,9 +127,11 @@ std::vector<LegendEntry> entries_of_components(const Mesh& mesh) {
 /// Where residues have no hydropathy, their colour stands beside the ramp.
 std::vector<LegendEntry> entries_beside_hydropathy(const Mesh& mesh, const Structure& structure) {
     check_atoms(mesh, structure);
+    std::vector<bool> has_value(structure.residues.size());
+    std::transform(structure.residues.begin(), structure.residues.end(), has_value.begin(),
+                   [](const Residue& residue) { return hydropathy(residue.name).has_value(); });
     const bool without = std::any_of(mesh.atoms.begin(), mesh.atoms.end(), [&](std::uint32_t atom) {
-        return structure.residues.empty() ||
-               !hydropathy(structure.residues[structure.labels[atom].residue].name).has_value();
+        return has_value.empty() || !has_value[structure.labels[atom].residue];
     });
     return without ? std::vector<LegendEntry>{{kOther, kNeutral}} : std::vector<LegendEntry>{};
 }

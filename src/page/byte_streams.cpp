@@ -27,10 +27,12 @@ void Streams::add(std::string name, std::string_view bytes) {
 }
 
 std::string deflated(std::string_view bytes) {
+    // Instead of zlib's default of 6: a hundredth more bytes for two thirds of the time.
+    constexpr int kLevel = 4;
     uLongf size = compressBound(bytes.size());
     std::string packed(size, '\0');
     if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-                  bytes.size(), Z_DEFAULT_COMPRESSION) != Z_OK)
+                  bytes.size(), kLevel) != Z_OK)
         throw std::runtime_error("zlib cannot compress a page");
     packed.resize(size);
     return packed;

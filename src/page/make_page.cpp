@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "colours/depths.h"
@@ -50,13 +51,14 @@ void check(const Mesh& mesh, const Structure& structure) {
     for (const VertexValues& values : mesh.values) need(values.values, mesh, values.name.c_str());
 }
 
-std::vector<float> light(const Mesh& mesh) {
-    return mesh.triangles.empty() ? std::vector<float>(mesh.vertices.size()) : openness(mesh);
+std::vector<float> light(const Mesh& mesh, const std::optional<RayScene>& rays) {
+    return rays ? openness(mesh, *rays) : std::vector<float>(mesh.vertices.size());
 }
 
 /// What is seen where scripts or WebGL are missing, as PNG.
-std::string draw(const Mesh& mesh, const Structure& structure, const PageOptions& options, std::span<const float> sky) {
-    return encode_png(draw_picture_by(sky, mesh, colour_vertices(mesh, structure, options.colours),
+std::string draw(const Mesh& mesh, const std::optional<RayScene>& rays, const Structure& structure,
+                 const PageOptions& options, std::span<const float> sky) {
+    return encode_png(draw_picture_by(sky, mesh, rays, colour_vertices(mesh, structure, options.colours),
                                       {.width = kPictureWidth,
                                        .height = kPictureHeight,
                                        .viewpoint = options.viewpoint,
@@ -73,9 +75,10 @@ std::string make_page(const Mesh& mesh, const Structure& structure, const PageOp
     if (!pages_supported()) throw std::runtime_error("pages need three.js; build with MENISCUS_PAGE=ON");
     check(mesh, structure);
     const ThreadLimit limit(options.threads);
-    const page::VertexExtras extras{.sky = light(mesh), .depth = depths(mesh, structure)};
+    const std::optional<RayScene> rays = mesh.triangles.empty() ? std::nullopt : std::optional<RayScene>(mesh);
+    const page::VertexExtras extras{.sky = light(mesh, rays), .depth = depths(mesh, structure)};
     return page::make_html({.title = structure.name + " · Meniscus",
-                            .picture = draw(mesh, structure, options, extras.sky),
+                            .picture = draw(mesh, rays, structure, options, extras.sky),
                             .data = page::page_data(mesh, structure, options, extras),
                             .tables = page::tables_of(options.rows),
                             .description = structure.name});

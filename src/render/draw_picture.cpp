@@ -46,16 +46,18 @@ std::size_t tile_count(const PictureOptions& options) {
     return tiles(options.width) * tiles(options.height);
 }
 
-Picture draw(std::span<const float> sky, const Mesh& mesh, std::span<const Colour> colours,
-             const PictureOptions& options, const ColourField& exact) {
+void check(const Mesh& mesh, std::span<const Colour> colours, const PictureOptions& options) {
     check_mesh(mesh, colours);
     check_options(options);
-    const ThreadLimit limit(options.threads);
+}
+
+Picture blank(const PictureOptions& options) {
     const std::size_t pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
-    Picture picture{options.width, options.height, std::vector<Colour>(pixels, options.background)};
-    if (mesh.triangles.empty()) return picture;
-    Scene scene(mesh, colours, options, exact);
-    scene.take_sky(sky);
+    return {options.width, options.height, std::vector<Colour>(pixels, options.background)};
+}
+
+Picture draw(const Scene& scene, const PictureOptions& options) {
+    Picture picture = blank(options);
     parallel_for(tile_count(options), 1,
                  [&](std::size_t tile) { Tile(scene, options, tile_box(tile, options)).draw(picture); });
     return picture;
@@ -65,12 +67,21 @@ Picture draw(std::span<const float> sky, const Mesh& mesh, std::span<const Colou
 
 Picture draw_picture(const Mesh& mesh, std::span<const Colour> colours, const PictureOptions& options,
                      const ColourField& exact) {
-    return draw({}, mesh, colours, options, exact);
+    check(mesh, colours, options);
+    const ThreadLimit limit(options.threads);
+    if (mesh.triangles.empty()) return blank(options);
+    return draw(Scene(mesh, RayScene(mesh), colours, options, exact), options);
 }
 
-Picture draw_picture_by(std::span<const float> sky, const Mesh& mesh, std::span<const Colour> colours,
-                        const PictureOptions& options) {
-    return draw(sky, mesh, colours, options, {});
+Picture draw_picture_by(std::span<const float> sky, const Mesh& mesh, const std::optional<RayScene>& rays,
+                        std::span<const Colour> colours, const PictureOptions& options) {
+    check(mesh, colours, options);
+    const ThreadLimit limit(options.threads);
+    if (!rays || mesh.triangles.empty()) return blank(options);
+    const ColourField none;
+    Scene scene(mesh, *rays, colours, options, none);
+    scene.take_sky(sky);
+    return draw(scene, options);
 }
 
 }  // namespace meniscus

@@ -88,9 +88,8 @@ int rounds_of_smoothing(const Mesh& mesh) {
 
 }  // namespace
 
-std::vector<float> openness(const Mesh& mesh) {
+std::vector<float> openness(const Mesh& mesh, const RayScene& rays) {
     const Camera camera(mesh.vertices, {});
-    const RayScene rays(mesh);
     const SkyLight sky(rays, mesh, reach_of_sky(camera), SkyLight::Side::Solvent, kFewDirections);
     const Lookouts lookouts = choose_lookouts(mesh);
     std::vector<float> seen(lookouts.vertices.size());

@@ -3,10 +3,12 @@
 // The light of the sky for viewers that cast no rays themselves, and pictures by that light.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "meniscus/picture.h"
+#include "render/ray_scene.h"
 
 namespace meniscus {
 
@@ -15,13 +17,15 @@ namespace meniscus {
 /// Pictures look at the sky from every vertex they show (SkyLight); here one vertex of each cell of a fixed grid does,
 /// for all that face the same way, along fewer rays. The cost hence does not grow with the fineness of the mesh.
 /// mesh     with normals and a triangle
+/// rays     of the mesh
 /// cost     a few dozen rays per Å²
-std::vector<float> openness(const Mesh& mesh);
+std::vector<float> openness(const Mesh& mesh, const RayScene& rays);
 
 /// draw_picture() by light that is known.
 /// sky      one share per vertex
+/// rays     of the mesh; may be absent if that has no triangle
 /// throws   as draw_picture()
-Picture draw_picture_by(std::span<const float> sky, const Mesh& mesh, std::span<const Colour> colours,
-                        const PictureOptions& options);
+Picture draw_picture_by(std::span<const float> sky, const Mesh& mesh, const std::optional<RayScene>& rays,
+                        std::span<const Colour> colours, const PictureOptions& options);
 
 }  // namespace meniscus

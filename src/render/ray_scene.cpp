@@ -62,8 +62,7 @@ struct RayScene::Handles {
     RTCScene scene;
 };
 
-RayScene::RayScene(const Mesh& mesh, const std::optional<HalfSpace>& kept)
-    : centre_(centre_of(mesh.vertices)), kept_(kept) {
+RayScene::RayScene(const Mesh& mesh) : centre_(centre_of(mesh.vertices)) {
     const LibraryOnOneThread one_thread;  // builds the tree, so that ties between triangles are always decided alike
     const auto handles = std::make_shared<Handles>();
     RTCGeometry geometry = embree().new_geometry(handles->device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -75,6 +74,12 @@ RayScene::RayScene(const Mesh& mesh, const std::optional<HalfSpace>& kept)
     embree().set_scene_flags(handles->scene, RTC_SCENE_FLAG_ROBUST);  // no holes along edges
     embree().commit_scene(handles->scene);
     handles_ = handles;
+}
+
+RayScene RayScene::cut(const HalfSpace& kept) const {
+    RayScene copy = *this;
+    copy.kept_ = kept;
+    return copy;
 }
 
 /// Where along a ray something can be hit; empty if its end is not behind its beginning.

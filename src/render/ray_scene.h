@@ -30,10 +30,12 @@ struct RayHit {
 class RayScene {
 public:
     /// mesh     with at least one triangle; not needed later
-    /// kept     what lies outside is not hit
     /// throws   std::runtime_error if Embree cannot work here
-    /// cost     O(n log n)
-    explicit RayScene(const Mesh& mesh, const std::optional<HalfSpace>& kept = {});
+    /// cost     O(n log n); copies share what is prepared
+    explicit RayScene(const Mesh& mesh);
+
+    /// The same mesh where nothing is hit that lies outside of what is kept.
+    RayScene cut(const HalfSpace& kept) const;
 
     /// The nearest triangle that a ray hits within `reach` (Å), seen from either side. From several threads at once.
     std::optional<RayHit> first_hit(const Ray& ray, double reach) const;

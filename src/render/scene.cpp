@@ -38,7 +38,8 @@ double reach_of_sky(const Camera& camera) {
     return std::clamp(kReachShare * camera.depth_range(), kShortestReach, kLongestReach);
 }
 
-Scene::Scene(const Mesh& mesh, std::span<const Colour> colours, const PictureOptions& options, const ColourField& exact)
+Scene::Scene(const Mesh& mesh, const RayScene& rays, std::span<const Colour> colours, const PictureOptions& options,
+             const ColourField& exact)
     : mesh_(mesh),
       colours_(colours),
       options_(options),
@@ -46,7 +47,7 @@ Scene::Scene(const Mesh& mesh, std::span<const Colour> colours, const PictureOpt
       camera_(mesh.vertices, options),
       kept_(options.cut ? std::optional(find_cut(mesh, *options.cut, camera_)) : std::nullopt),
       has_section_(kept_ && is_body(mesh)),
-      rays_(mesh, kept_),
+      rays_(kept_ ? rays.cut(*kept_) : rays),
       sky_(rays_, mesh, reach_of_sky(camera_)),
       sky_from_inside_(rays_, mesh, reach_of_sky(camera_), SkyLight::Side::Molecule),
       lamps_(camera_.frame()),

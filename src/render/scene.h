@@ -38,9 +38,11 @@ double reach_of_sky(const Camera& camera);
 
 class Scene {
 public:
-    /// All arguments must outlive the scene. Precondition: they have passed the checks of draw_picture(), and the mesh
-    /// has a triangle.
-    Scene(const Mesh& mesh, std::span<const Colour> colours, const PictureOptions& options, const ColourField& exact);
+    /// All arguments but the rays must outlive the scene. Precondition: they have passed the checks of draw_picture(),
+    /// and the mesh has a triangle.
+    /// rays   of the mesh as it is, without a cut
+    Scene(const Mesh& mesh, const RayScene& rays, std::span<const Colour> colours, const PictureOptions& options,
+          const ColourField& exact);
 
     /// Light of the sky that is known already, one share per vertex.
     void take_sky(std::span<const float> shares) { sky_.take(shares); }

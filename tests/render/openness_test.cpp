@@ -17,7 +17,8 @@ using testing::blue_sphere;
 using testing::ColouredMesh;
 
 TEST(Openness, NothingHidesTheSkyFromABall) {
-    for (const float share : openness(blue_sphere({{0, 0, 0}, 3.0}, 0.5).mesh)) EXPECT_GT(share, 0.97F);
+    const Mesh ball = blue_sphere({{0, 0, 0}, 3.0}, 0.5).mesh;
+    for (const float share : openness(ball, RayScene(ball))) EXPECT_GT(share, 0.97F);
 }
 
 TEST(Openness, IsNearWhatPicturesSee) {
@@ -25,7 +26,7 @@ TEST(Openness, IsNearWhatPicturesSee) {
     append(scene, blue_sphere({{5.0, 0, 0}, 3.0}, 0.4));
     const RayScene rays(scene.mesh);
     const SkyLight sky(rays, scene.mesh, reach_of_sky(Camera(scene.mesh.vertices, {})));
-    const std::vector<float> shares = openness(scene.mesh);
+    const std::vector<float> shares = openness(scene.mesh, rays);
     double sum = 0.0;
     for (std::size_t v = 0; v < shares.size(); ++v)
         sum += std::abs(double{shares[v]} - double{sky.at(static_cast<VertexId>(v))});
@@ -37,7 +38,7 @@ TEST(DrawPictureBy, UsesTheSkyItIsGiven) {
     const ColouredMesh scene = blue_sphere({{0, 0, 0}, 3.0}, 0.5);
     const std::vector<float> night(scene.mesh.vertices.size(), 0.0F);
     const PictureOptions options{.width = 20, .height = 20};
-    const Picture dark = draw_picture_by(night, scene.mesh, scene.colours, options);
+    const Picture dark = draw_picture_by(night, scene.mesh, RayScene(scene.mesh), scene.colours, options);
     const Picture light = draw_picture(scene.mesh, scene.colours, options);
     EXPECT_LT(testing::pixel(dark, 10, 10).blue, testing::pixel(light, 10, 10).blue);
 }

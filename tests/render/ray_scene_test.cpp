@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <vector>
+
 #include "support/shapes.h"
 
 namespace meniscus {
@@ -34,12 +37,31 @@ TEST(RayScene, ReachEndsARay) {
 
 TEST(RayScene, WhatIsCutOffIsNotHit) {
     const Mesh mesh = testing::extracted_sphere({.centre = {}, .radius = 2.0}, 0.3);
-    const RayScene lower(mesh, HalfSpace{.point = {0, 0, 1}, .normal = {0, 0, 1}});
+    const RayScene lower = RayScene(mesh).cut({.point = {0, 0, 1}, .normal = {0, 0, 1}});
     const auto from_above = lower.first_hit({{0.1, 0.2, 5.0}, {0, 0, -1}}, kFar);
     ASSERT_TRUE(from_above.has_value());
     EXPECT_NEAR(from_above->distance, 7.0, 0.05);
     EXPECT_FALSE(lower.first_hit({{0.1, 0.2, 0.0}, {0, 0, 1}}, kFar).has_value());
     EXPECT_FALSE(lower.first_hit({{0.1, 0.2, 5.0}, {0, 0, -1}}, 3.5).has_value());
+}
+
+TEST(RayScene, RaysTogetherHitWhatEachHitsAlone) {
+    const Mesh mesh = testing::extracted_sphere({.centre = {}, .radius = 2.0}, 0.3);
+    for (const RayScene& scene : {RayScene(mesh), RayScene(mesh).cut({.point = {0, 0, 1}, .normal = {0, 0, 1}})})
+        for (const std::size_t count : {std::size_t{1}, std::size_t{7}, RayScene::kTogether}) {
+            std::vector<Ray> rays;
+            for (std::size_t i = 0; i < count; ++i)
+                rays.push_back({{0.3 * static_cast<double>(i) - 1.7, 0.1, 5.0}, {0, 0, -1}});
+            std::vector<std::optional<RayHit>> hits(count, RayHit{});
+            scene.first_hits(rays, 6.8, hits);
+            for (std::size_t i = 0; i < count; ++i) {
+                const auto alone = scene.first_hit(rays[i], 6.8);
+                ASSERT_EQ(hits[i].has_value(), alone.has_value()) << i;
+                if (!alone) continue;
+                EXPECT_EQ(hits[i]->triangle, alone->triangle) << i;
+                EXPECT_NEAR(hits[i]->distance, alone->distance, 1e-5) << i;
+            }
+        }
 }
 
 TEST(RayScene, FarFromTheOriginNothingIsLost) {

@@ -29,7 +29,7 @@ TEST(SkyLight, InsideASphereItIsDark) {
 TEST(SkyLight, WhatIsCutOffDarkensNothing) {
     Mesh mesh = testing::turned_inside_out(testing::projected_sphere({.centre = {}, .radius = 1.0}, 0.2));
     for (SmallVec3& normal : mesh.normals) normal = -normal;
-    const RayScene scene(mesh, HalfSpace{.point = {}, .normal = {0, 0, 1}});
+    const RayScene scene = RayScene(mesh).cut({.point = {}, .normal = {0, 0, 1}});
     const SkyLight sky(scene, mesh, 1e3);
     for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
         if (mesh.vertices[v].z > -0.99) continue;
