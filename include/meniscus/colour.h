@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 
 #include "meniscus/vec3.h"
 
@@ -20,7 +21,8 @@ struct Colour {
     bool operator==(const Colour&) const = default;
 };
 
-/// The colour of any point of a surface. May be called from several threads at once.
-using ColourField = std::function<Colour(const Vec3&)>;
+/// Finds the colours of points of a surface, one for each: soonest for many that lie next to each other. May be called
+/// from several threads at once.
+using ColourField = std::function<void(std::span<const Vec3> points, std::span<Colour> colours)>;
 
 }  // namespace meniscus

@@ -10,6 +10,7 @@
 #include "colours/feature_colours.h"
 #include "colours/palettes.h"
 #include "core/parallel.h"
+#include "geometry/local_features.h"
 #include "meniscus/vertex_values.h"
 
 namespace meniscus {
@@ -58,6 +59,14 @@ std::vector<Colour> by_component(const Mesh& mesh) {
     return colours;
 }
 
+template <class ColourOf>
+ColourField field_of(const AccessibleSurface& surface, const ColourOf& colour_of) {
+    return [&surface, colour_of](std::span<const Vec3> points, std::span<Colour> colours) {
+        const std::vector<NearestFeature> nearest = nearest_features(surface, points);
+        std::transform(nearest.begin(), nearest.end(), colours.begin(), colour_of);
+    };
+}
+
 }  // namespace
 
 std::vector<Colour> colour_vertices(const Mesh& mesh, const Structure& structure, const ColourOptions& options) {
@@ -75,22 +84,22 @@ ColourField colour_by_feature(const AccessibleSurface& surface, const Structure&
                               const ColourOptions& options) {
     check_options(options);
     if (options.scheme == ColourScheme::Curvature)
-        return [&surface, range = range_in_force(options, structure)](const Vec3& point) {
-            return curvature_colour(range, surface.nearest(point).mean_curvature);
-        };
+        return field_of(surface, [range = range_in_force(options, structure)](const NearestFeature& nearest) {
+            return curvature_colour(range, nearest.mean_curvature);
+        });
     auto features = feature_colours(structure, options);
     if (!features) return {};
-    return [&surface, shared = std::make_shared<const FeatureColours>(std::move(*features))](const Vec3& point) {
-        const NearestFeature nearest = surface.nearest(point);
-        return shared->at(nearest.atom, nearest.patch);
-    };
+    return field_of(surface, [shared = std::make_shared<const FeatureColours>(std::move(*features))](
+                                 const NearestFeature& nearest) { return shared->at(nearest.atom, nearest.patch); });
 }
 
 ColourField colour_by_level_set(const LevelSet& level_set, const ColourOptions& options) {
     check_options(options);
     if (options.scheme != ColourScheme::Curvature) return {};
-    return [&level_set, range = range_in_force(options, {})](const Vec3& point) {
-        return curvature_colour(range, level_set.sample(point).mean_curvature());
+    return [&level_set, range = range_in_force(options, {})](std::span<const Vec3> points, std::span<Colour> colours) {
+        std::transform(points.begin(), points.end(), colours.begin(), [&](const Vec3& point) {
+            return curvature_colour(range, level_set.sample(point).mean_curvature());
+        });
     };
 }
 

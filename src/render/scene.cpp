@@ -62,28 +62,21 @@ double Scene::nearest_kept() const {
     return nearest;
 }
 
-Light Scene::albedo(const RayHit& hit, const Vec3& point) const {
-    const Triangle& t = mesh_.triangles[hit.triangle];
-    const bool uniform = colours_[t[0]] == colours_[t[1]] && colours_[t[1]] == colours_[t[2]];
-    if (uniform) return to_light(colours_[t[0]]);
-    return exact_ ? to_light(exact_(point)) : interpolated_light(t, hit, colours_);
-}
-
 /// True where a ray meets the side of the molecule: walls of cavities shown alone, meshes that are not closed.
 bool Scene::faces_away(const Triangle& t, const Vec3& direction) const {
     const Vec3& corner = mesh_.vertices[t[0]];
     return dot(cross(mesh_.vertices[t[1]] - corner, mesh_.vertices[t[2]] - corner), direction) > 0.0;
 }
 
-Light Scene::light_from(const RayHit& hit, const Ray& ray) const {
+Light Scene::light_from(const Sight& sight) const {
+    const RayHit& hit = *sight.hit;
     const Triangle& t = mesh_.triangles[hit.triangle];
     Vec3 normal = normalised(interpolated<Vec3>(t, hit, [this](VertexId v) { return mesh_.normals[v]; }));
-    const bool inside = faces_away(t, ray.direction);
+    const bool inside = faces_away(t, sight.ray.direction);
     if (inside) normal = -normal;
     const SkyLight& seen_sky = inside ? sky_from_inside_ : sky_;
     const auto sky = interpolated<double>(t, hit, [&seen_sky](VertexId v) { return double{seen_sky.at(v)}; });
-    const Vec3 point = ray.origin + hit.distance * ray.direction;
-    return lamps_.shade(albedo(hit, point), normal, -ray.direction, static_cast<float>(sky));
+    return lamps_.shade(sight.albedo, normal, -sight.ray.direction, static_cast<float>(sky));
 }
 
 Glimpse Scene::glimpse(Glimpse::Kind kind, const Light& light, const Vec3& point) const {
@@ -93,23 +86,58 @@ Glimpse Scene::glimpse(Glimpse::Kind kind, const Light& light, const Vec3& point
     return {mixed(light, background_, static_cast<float>(haze)), static_cast<float>(depth), kind};
 }
 
-/// A ray that meets the far side of the surface first has entered the cut molecule in its section.
-Glimpse Scene::glimpse_of(const std::optional<RayHit>& hit, const Ray& ray) const {
-    if (!hit) return {.light = background_};
-    const auto point_at = [&ray](double distance) { return ray.origin + distance * ray.direction; };
-    if (has_section_ && faces_away(mesh_.triangles[hit->triangle], ray.direction))
-        return glimpse(Glimpse::Kind::Section, to_light(kSection),
-                       point_at(kept_->part_of_ray(ray.origin, ray.direction).begin));
-    return glimpse(Glimpse::Kind::Surface, light_from(*hit, ray), point_at(hit->distance));
-}
-
-void Scene::look(std::span<const Spot> spots, std::span<Glimpse> seen) const {
+std::vector<Scene::Sight> Scene::sights_at(std::span<const Spot> spots) const {
+    std::vector<Sight> sights;
+    sights.reserve(spots.size());
     std::array<Ray, RayScene::kTogether> rays;
     std::array<std::optional<RayHit>, RayScene::kTogether> hits;
-    std::transform(spots.begin(), spots.end(), rays.begin(),
-                   [this](const Spot& spot) { return camera_.ray(spot.x, spot.y); });
-    rays_.first_hits(std::span(rays).first(spots.size()), std::numeric_limits<double>::infinity(), hits);
-    for (std::size_t i = 0; i < spots.size(); ++i) seen[i] = glimpse_of(hits[i], rays[i]);
+    for (; !spots.empty(); spots = spots.subspan(std::min(rays.size(), spots.size()))) {
+        const std::span<const Spot> few = spots.first(std::min(rays.size(), spots.size()));
+        std::transform(few.begin(), few.end(), rays.begin(),
+                       [this](const Spot& spot) { return camera_.ray(spot.x, spot.y); });
+        rays_.first_hits(std::span(rays).first(few.size()), std::numeric_limits<double>::infinity(), hits);
+        for (std::size_t i = 0; i < few.size(); ++i) sights.push_back({.ray = rays[i], .hit = hits[i]});
+    }
+    return sights;
+}
+
+/// Where the corners of triangles differ the exact colours are asked for, all at once.
+void Scene::find_albedos(std::span<Sight> sights) const {
+    std::vector<std::size_t> asked;
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i < sights.size(); ++i) {
+        if (!sights[i].hit) continue;
+        const Triangle& t = mesh_.triangles[sights[i].hit->triangle];
+        const bool uniform = colours_[t[0]] == colours_[t[1]] && colours_[t[1]] == colours_[t[2]];
+        if (uniform || !exact_) {
+            sights[i].albedo = uniform ? to_light(colours_[t[0]]) : interpolated_light(t, *sights[i].hit, colours_);
+            continue;
+        }
+        asked.push_back(i);
+        points.push_back(sights[i].point());
+    }
+    if (asked.empty()) return;
+    std::vector<Colour> colours(asked.size());
+    exact_(points, colours);
+    for (std::size_t i = 0; i < asked.size(); ++i) sights[asked[i]].albedo = to_light(colours[i]);
+}
+
+/// A ray that meets the far side of the surface first has entered the cut molecule in its section.
+Glimpse Scene::glimpse_of(const Sight& sight) const {
+    if (!sight.hit) return {.light = background_};
+    const Ray& ray = sight.ray;
+    if (has_section_ && faces_away(mesh_.triangles[sight.hit->triangle], ray.direction))
+        return glimpse(Glimpse::Kind::Section, to_light(kSection),
+                       ray.origin + kept_->part_of_ray(ray.origin, ray.direction).begin * ray.direction);
+    return glimpse(Glimpse::Kind::Surface, light_from(sight), sight.point());
+}
+
+std::vector<Glimpse> Scene::look(std::span<const Spot> spots) const {
+    std::vector<Sight> sights = sights_at(spots);
+    find_albedos(sights);
+    std::vector<Glimpse> seen(sights.size());
+    std::transform(sights.begin(), sights.end(), seen.begin(), [this](const Sight& s) { return glimpse_of(s); });
+    return seen;
 }
 
 }  // namespace meniscus

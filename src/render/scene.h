@@ -4,7 +4,9 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "meniscus/picture.h"
 #include "render/camera.h"
@@ -49,15 +51,24 @@ public:
 
     const Camera& camera() const { return camera_; }
 
-    /// What is seen at some places close to each other, up to RayScene::kTogether. From several threads at once.
-    /// seen   one glimpse for each place
-    void look(std::span<const Spot> spots, std::span<Glimpse> seen) const;
+    /// What is seen at every place: soonest for many next to each other. From several threads at once.
+    std::vector<Glimpse> look(std::span<const Spot> spots) const;
 
 private:
-    Glimpse glimpse_of(const std::optional<RayHit>& hit, const Ray& ray) const;
+    /// What a ray hits, with the light that the surface sends back there.
+    struct Sight {
+        Ray ray;
+        std::optional<RayHit> hit{};
+        Light albedo{};
+
+        Vec3 point() const { return ray.origin + hit->distance * ray.direction; }
+    };
+
+    std::vector<Sight> sights_at(std::span<const Spot> spots) const;
+    void find_albedos(std::span<Sight> sights) const;
+    Glimpse glimpse_of(const Sight& sight) const;
     bool faces_away(const Triangle& t, const Vec3& direction) const;
-    Light albedo(const RayHit& hit, const Vec3& point) const;
-    Light light_from(const RayHit& hit, const Ray& ray) const;
+    Light light_from(const Sight& sight) const;
     Glimpse glimpse(Glimpse::Kind kind, const Light& light, const Vec3& point) const;
     double nearest_kept() const;
 

@@ -14,6 +14,9 @@ namespace {
 constexpr int kSamples = 16;
 constexpr int kFewSamples = 8;
 
+/// Rows of pixels whose samples are looked at together: enough of them, in little memory.
+constexpr int kRowsAtOnce = 8;
+
 /// Neighbours that differ by more are looked at again: a step that the eye sees, on a scale where white is 1.
 constexpr float kVisibleStep = 0.03F;
 
@@ -53,20 +56,11 @@ const std::array<Spot, kSamples>& sample_places() {
     return places;
 }
 
-/// Of what one pixel is looked at by.
-struct Samples {
-    Samples(const Scene& scene, int x, int y, int count) : size(static_cast<std::size_t>(count)) {
-        std::transform(sample_places().begin(), sample_places().begin() + count, spots.begin(), [=](const Spot& place) {
-            return Spot{x + place.x, y + place.y};
-        });
-        scene.look(std::span(spots).first(size), seen);
-    }
-
-    std::size_t size;
-    std::array<Spot, kSamples> spots;
-    std::array<Glimpse, kSamples> seen;
-};
-static_assert(kSamples <= RayScene::kTogether);
+/// Adds the places by which a pixel is looked at.
+void add_samples(int x, int y, int count, std::vector<Spot>& spots) {
+    for (const Spot& place : std::span(sample_places()).first(static_cast<std::size_t>(count)))
+        spots.push_back({x + place.x, y + place.y});
+}
 
 /// About as the eye sees it: twice the light is not twice as bright.
 Light brightness(const Light& light) { return {std::sqrt(light.red), std::sqrt(light.green), std::sqrt(light.blue)}; }
@@ -108,14 +102,11 @@ Tile::Tile(const Scene& scene, const PictureOptions& options, const PixelBox& bo
 
 void Tile::look_at_centres() {
     const PixelBox all = grown(box_, margin_);
-    centres_.resize(static_cast<std::size_t>(all.width) * static_cast<std::size_t>(all.height));
-    std::array<Spot, RayScene::kTogether> spots;
+    std::vector<Spot> spots;
+    spots.reserve(static_cast<std::size_t>(all.width) * static_cast<std::size_t>(all.height));
     for (int y = all.y; y < all.y + all.height; ++y)
-        for (int x = all.x; x < all.x + all.width; x += static_cast<int>(spots.size())) {
-            const std::size_t count = std::min(spots.size(), static_cast<std::size_t>(all.x + all.width - x));
-            for (std::size_t i = 0; i < count; ++i) spots[i] = {x + static_cast<double>(i) + kMiddle, y + kMiddle};
-            scene_.look(std::span(spots).first(count), std::span(centres_).subspan(place(x, y), count));
-        }
+        for (int x = all.x; x < all.x + all.width; ++x) spots.push_back({x + kMiddle, y + kMiddle});
+    centres_ = scene_.look(spots);
 }
 
 /// Of a pixel of the box or its margin among the centres.
@@ -141,8 +132,10 @@ float Tile::section_share(int x, int y) const {
     for (int j = y - 1; j <= y + 1; ++j)
         for (int i = x - 1; i <= x + 1; ++i) mixed = mixed || is_section(centres_[place(i, j)]) != here;
     if (!mixed) return here ? 1.0F : 0.0F;
-    const Samples samples(scene_, x, y, kSamples);
-    return static_cast<float>(std::count_if(samples.seen.begin(), samples.seen.end(), is_section)) / kSamples;
+    std::vector<Spot> spots;
+    add_samples(x, y, kSamples, spots);
+    const std::vector<Glimpse> seen = scene_.look(spots);
+    return static_cast<float>(std::count_if(seen.begin(), seen.end(), is_section)) / kSamples;
 }
 
 /// How far a pixel close to a glimpse calls for a line there, 0 to 1: if it shows something much farther away, or no
@@ -189,28 +182,44 @@ int Tile::samples_needed(int x, int y) const {
 }
 
 /// Means are taken of light times opacity, so that a transparent background has no colour.
-Colour Tile::refined_pixel(int x, int y, int count) const {
-    const Samples samples(scene_, x, y, count);
+Colour Tile::mean_colour(std::span<const Glimpse> seen, std::span<const Spot> spots) const {
     Light sum;
     float opacity = 0.0F;
-    for (std::size_t i = 0; i < samples.size; ++i) {
-        const Glimpse& seen = samples.seen[i];
-        const float share = seen.is_background() ? background_opacity_ : 1.0F;
-        sum += share * with_lines(seen, samples.spots[i].x, samples.spots[i].y);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const float share = seen[i].is_background() ? background_opacity_ : 1.0F;
+        sum += share * with_lines(seen[i], spots[i].x, spots[i].y);
         opacity += share;
     }
-    return to_colour(opacity > 0.0F ? (1.0F / opacity) * sum : sum, opacity / static_cast<float>(count));
+    return to_colour(opacity > 0.0F ? (1.0F / opacity) * sum : sum, opacity / static_cast<float>(seen.size()));
+}
+
+void Tile::draw_part(const PixelBox& part, Picture& picture) const {
+    std::vector<std::size_t> counts;
+    std::vector<Spot> spots;
+    for (int y = part.y; y < part.y + part.height; ++y)
+        for (int x = part.x; x < part.x + part.width; ++x) {
+            const int count = samples_needed(x, y);
+            counts.push_back(static_cast<std::size_t>(count));
+            add_samples(x, y, count, spots);
+        }
+    const std::vector<Glimpse> seen = scene_.look(spots);
+    std::size_t pixel = 0;
+    std::size_t first = 0;
+    for (int y = part.y; y < part.y + part.height; ++y)
+        for (int x = part.x; x < part.x + part.width; ++x) {
+            const std::size_t here = place(x, y);
+            const std::size_t count = counts[pixel++];
+            const float opacity = centres_[here].is_background() ? background_opacity_ : 1.0F;
+            picture.pixels[static_cast<std::size_t>(y) * picture.width + x] =
+                count > 0 ? mean_colour(std::span(seen).subspan(first, count), std::span(spots).subspan(first, count))
+                          : to_colour(lights_[here], opacity);
+            first += count;
+        }
 }
 
 void Tile::draw(Picture& picture) const {
-    for (int y = box_.y; y < box_.y + box_.height; ++y)
-        for (int x = box_.x; x < box_.x + box_.width; ++x) {
-            const std::size_t here = place(x, y);
-            Colour& pixel = picture.pixels[static_cast<std::size_t>(y) * picture.width + x];
-            const float opacity = centres_[here].is_background() ? background_opacity_ : 1.0F;
-            const int samples = samples_needed(x, y);
-            pixel = samples > 0 ? refined_pixel(x, y, samples) : to_colour(lights_[here], opacity);
-        }
+    for (int y = 0; y < box_.height; y += kRowsAtOnce)
+        draw_part({box_.x, box_.y + y, box_.width, std::min(kRowsAtOnce, box_.height - y)}, picture);
 }
 
 }  // namespace meniscus

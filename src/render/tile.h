@@ -3,6 +3,7 @@
 // A rectangle of the picture: looked at once per pixel, and again where that is not enough.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "meniscus/picture.h"
@@ -36,7 +37,8 @@ private:
     double lines_near(double x, double y, const Glimpse& seen) const;
     Light with_lines(const Glimpse& seen, double x, double y) const;
     int samples_needed(int x, int y) const;
-    Colour refined_pixel(int x, int y, int count) const;
+    Colour mean_colour(std::span<const Glimpse> seen, std::span<const Spot> spots) const;
+    void draw_part(const PixelBox& part, Picture& picture) const;
 
     const Scene& scene_;
     PixelBox box_;           // with a margin, in which neighbours of its pixels lie

@@ -93,14 +93,20 @@ TEST(ColourVertices, AnEmptyMeshHasNoColours) {
         EXPECT_TRUE(colour_vertices({}, small_complex(), {.scheme = scheme}).empty());
 }
 
+Colour colour_at(const ColourField& field, const Vec3& point) {
+    Colour colour;
+    field({&point, 1}, {&colour, 1});
+    return colour;
+}
+
 TEST(ColourByFeature, BordersAreWhereThePatchesEnd) {
     const Structure structure = small_complex();
     const AccessibleSurface surface(structure.atoms, 1.4);
     const ColourOptions options{.scheme = ColourScheme::Chain};
     const ColourField field = colour_by_feature(surface, structure, options);
-    EXPECT_EQ(field({-1.7, 0.0, 0.0}), distinct_colour(0));
-    EXPECT_EQ(field({3.0, 5.7, 0.0}), distinct_colour(1));
-    EXPECT_EQ(field({32.0, 0.0, 0.0}), distinct_colour(2));
+    EXPECT_EQ(colour_at(field, {-1.7, 0.0, 0.0}), distinct_colour(0));
+    EXPECT_EQ(colour_at(field, {3.0, 5.7, 0.0}), distinct_colour(1));
+    EXPECT_EQ(colour_at(field, {32.0, 0.0, 0.0}), distinct_colour(2));
     EXPECT_FALSE(colour_by_feature(surface, structure, {.scheme = ColourScheme::Component}));
 }
 
@@ -108,7 +114,7 @@ TEST(ColourByFeature, CurvatureIsThatOfTheExactSurface) {
     const Structure structure = small_complex();
     const AccessibleSurface surface(structure.atoms, 1.4);
     const ColourField field = colour_by_feature(surface, structure, {.scheme = ColourScheme::Curvature});
-    EXPECT_EQ(field({32.0, 0.0, 0.0}), ramp_colour(diverging_ramp(), (0.5 + 0.7) / 1.4));
+    EXPECT_EQ(colour_at(field, {32.0, 0.0, 0.0}), ramp_colour(diverging_ramp(), (0.5 + 0.7) / 1.4));
 }
 
 }  // namespace

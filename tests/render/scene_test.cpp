@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "render/small_scenes.h"
 
 namespace meniscus {
@@ -19,9 +21,7 @@ const ColourField kNone;
 
 Glimpse look(const Scene& scene, double x, double y) {
     const Spot spot{x, y};
-    Glimpse seen;
-    scene.look({&spot, 1}, {&seen, 1});
-    return seen;
+    return scene.look({&spot, 1}).front();
 }
 
 TEST(Scene, TheMiddleIsNearAndTheCornerIsBackground) {
@@ -35,7 +35,9 @@ TEST(Scene, TheMiddleIsNearAndTheCornerIsBackground) {
 
 TEST(Scene, ColoursAreAskedForOnlyWhereCornersDiffer) {
     ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.3);
-    const ColourField red = [](const Vec3&) { return Colour{255, 0, 0, 255}; };
+    const ColourField red = [](auto, std::span<Colour> colours) {
+        std::fill(colours.begin(), colours.end(), Colour{255, 0, 0, 255});
+    };
     const Scene uniform(ball.mesh, RayScene(ball.mesh), ball.colours, kOptions, red);
     EXPECT_GT(look(uniform, 50, 50).light.blue, 0.1F);
     for (std::size_t v = 0; v < ball.colours.size(); ++v) ball.colours[v].green = static_cast<std::uint8_t>(v % 256);
