@@ -97,9 +97,9 @@ ColourField colour_by_level_set(const LevelSet& level_set, const ColourOptions& 
     check_options(options);
     if (options.scheme != ColourScheme::Curvature) return {};
     return [&level_set, range = range_in_force(options, {})](std::span<const Vec3> points, std::span<Colour> colours) {
-        std::transform(points.begin(), points.end(), colours.begin(), [&](const Vec3& point) {
-            return curvature_colour(range, level_set.sample(point).mean_curvature());
-        });
+        const std::vector<LevelSetSample> samples = level_set.samples(points);
+        std::transform(samples.begin(), samples.end(), colours.begin(),
+                       [&](const LevelSetSample& sample) { return curvature_colour(range, sample.mean_curvature()); });
     };
 }
 

@@ -149,6 +149,12 @@ double Tile::line_towards(std::size_t pixel, double distance, const Glimpse& see
     return std::max(line, nearness(radius_) * std::clamp(jump - 1.0, 0.0, 1.0));
 }
 
+/// False where line_towards() is 0 at any distance, as it is in most places.
+bool Tile::may_have_line(std::size_t pixel, const Glimpse& seen) const {
+    return (seen.kind == Glimpse::Kind::Section && sections_[pixel] < 1.0F) ||
+           (radius_ > 0.0 && centres_[pixel].depth - seen.depth > jump_);
+}
+
 /// How much of a line is at a place, 0 to 1.
 double Tile::lines_near(double x, double y, const Glimpse& seen) const {
     const int column = static_cast<int>(std::floor(x));
@@ -156,6 +162,7 @@ double Tile::lines_near(double x, double y, const Glimpse& seen) const {
     double strongest = 0.0;
     for (int j = row - reach_; j <= row + reach_; ++j)
         for (int i = column - reach_; i <= column + reach_; ++i) {
+            if (!may_have_line(place(i, j), seen)) continue;
             const double distance = std::hypot(i + kMiddle - x, j + kMiddle - y);
             strongest = std::max(strongest, line_towards(place(i, j), distance, seen));
         }

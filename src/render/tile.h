@@ -33,6 +33,7 @@ private:
     void look_at_centres();
     void find_sections();
     float section_share(int x, int y) const;
+    bool may_have_line(std::size_t pixel, const Glimpse& seen) const;
     double line_towards(std::size_t pixel, double distance, const Glimpse& seen) const;
     double lines_near(double x, double y, const Glimpse& seen) const;
     Light with_lines(const Glimpse& seen, double x, double y) const;
