@@ -43,12 +43,24 @@ endfunction()
 # One test program per room: meniscus_test(ROOM SOURCES ... USES ...). The tests themselves are optimised little, which
 # saves a quarter of their compilation: most of what they test is in the libraries. Inline functions of headers are
 # compiled with them, too, and where a library has not put such a one in place either, the linker takes the test's for
-# both.
+# both. Headers of the standard library and of GoogleTest are compiled once for all of them, which saves half of the rest;
+# no source leans on that, for clang-tidy sees them without (tools/check-tidy.py).
 function(meniscus_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;USES" ${ARGN})
+  # GCC 12 takes what comes from precompiled headers for ours, and warns falsely of joined strings (-Wno-restrict above).
+  set(options $<$<CONFIG:Release>:-O1> "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow>")
+  if(NOT TARGET test_headers)
+    file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/test_headers.cpp CONTENT "int main() {}\n" @ONLY)
+    add_executable(test_headers EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/test_headers.cpp)
+    target_link_libraries(test_headers PRIVATE GTest::gtest)
+    target_compile_options(test_headers PRIVATE ${options})
+    target_precompile_headers(test_headers PRIVATE <gtest/gtest.h> <algorithm> <array> <cmath> <limits> <map> <numbers>
+      <numeric> <optional> <random> <set> <span> <stdexcept> <string> <utility> <vector>)
+  endif()
   add_executable(test_${name} ${ARG_SOURCES})
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(test_${name} PRIVATE ${ARG_USES} GTest::gtest GTest::gtest_main)
-  target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(test_${name} PRIVATE ${options})
+  target_precompile_headers(test_${name} REUSE_FROM test_headers)
   gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60)
 endfunction()
