@@ -42,6 +42,11 @@ class AccessibleSurface;
 /// cost     O(log n) per point, parallel; 0.1 µs where points lie as close together as those of a grid
 std::vector<double> signed_distance(const AccessibleSurface& surface, std::span<const Vec3> points);
 
+/// What AccessibleSurface::nearest finds for each of the points.
+///
+/// cost     O(log n) per point, parallel; 0.1 µs near the surface where points lie next to those before them
+std::vector<NearestFeature> nearest_features(const AccessibleSurface& surface, std::span<const Vec3> points);
+
 /// Where the exposed features are, and the index to find the nearest one.
 class AccessibleSurface {
 public:

@@ -10,7 +10,6 @@
 #include "colours/feature_colours.h"
 #include "colours/palettes.h"
 #include "core/parallel.h"
-#include "geometry/local_features.h"
 #include "meniscus/vertex_values.h"
 
 namespace meniscus {

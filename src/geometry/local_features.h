@@ -122,11 +122,6 @@ private:
     std::vector<std::uint64_t> marks_;
 };
 
-/// The nearest feature of each point; quick for points near the surface in spatial order.
-///
-/// cost     parallel over points
-std::vector<NearestFeature> nearest_features(const AccessibleSurface& surface, std::span<const Vec3> points);
-
 /// A step of each point to the surface.
 ///
 /// cost     that of nearest_features
