@@ -106,7 +106,9 @@ std::string_view digits_of_thousandths(double value, std::array<char, 32>& digit
     constexpr double kLeast = 1e-2;
     const double size = std::abs(value);
     if (!(size >= kLeast && size < kLargest) && size != 0.0) return {};
-    const auto thousandths = static_cast<std::uint32_t>(size * 1000.0 + 0.5);
+    const double scaled = size * 1000.0;
+    auto thousandths = static_cast<std::uint32_t>(scaled);
+    if (scaled - thousandths > 0.5) ++thousandths;
     if (static_cast<double>(thousandths) / 1000.0 != size) return {};
     const std::uint32_t whole = thousandths / 1000;
     const std::uint32_t rest = thousandths % 1000;

@@ -42,7 +42,7 @@ std::optional<Number> whole_number(std::string_view text) {
 inline std::optional<double> short_decimal(std::string_view text) {
     constexpr std::array kPowers{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14};
     if (text.size() > kPowers.size()) return std::nullopt;
-    const bool negative = text.starts_with('-');
+    const bool negative = !text.empty() && text.front() == '-';
     if (negative) text.remove_prefix(1);
     std::int64_t digits = 0;
     std::size_t point = text.size();

@@ -151,7 +151,7 @@ class LargeFiles(FaultTest):
             for _ in range(1600):  # 100 MB
                 file.write(line.replace(b"END", b"REM"))
         refused = 0
-        for limit in range(600 << 20, 1040 << 20, 30 << 20):  # up to what it needs: no step of reading takes it ill
+        for limit in range(500 << 20, 940 << 20, 30 << 20):  # up to what it needs: no step of reading takes it ill
 
             def with_little_memory():
                 resource.setrlimit(resource.RLIMIT_AS, (limit, limit))

@@ -4,6 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/srgb.h"
+
 namespace meniscus {
 namespace {
 
@@ -14,6 +19,20 @@ TEST(Shading, EveryColourSurvivesTheWayToLightAndBack) {
     for (int i = 0; i < 256; ++i) {
         const Colour c{static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(255 - i), 77, 255};
         EXPECT_EQ(to_colour(to_light(c), 1.0F), c);
+    }
+}
+
+TEST(Shading, LightBecomesTheNearestByte) {
+    const auto expect_nearest = [](float light) {
+        const double encoded = srgb_from_linear(std::clamp(static_cast<double>(light), 0.0, 1.0));
+        EXPECT_EQ(to_colour({light, light, light}, 1.0F).green, std::lround(255.0 * encoded)) << light;
+    };
+    for (int i = -100; i <= 70000; ++i) expect_nearest(static_cast<float>(i) / 65536.0F);
+    for (int i = 0; i < 255; ++i) {  // about where one byte ends and the next begins
+        const auto border = static_cast<float>(linear_from_srgb((i + 0.5) / 255.0));
+        for (float light = border * (1.0F - 1e-6F); light < border * (1.0F + 1e-6F);
+             light = std::nextafter(light, 2.0F))
+            expect_nearest(light);
     }
 }
 
