@@ -248,25 +248,20 @@ Mesh extract(const BlockGrid& grid, std::span<const LayerBits> inside, const Roo
         for (std::size_t b = 0; b < grid.block_count(); ++b) filler.fill(b, mesh);
         return mesh;
     }
-    // While some blocks are filled, what those before them have become is appended.
-    constexpr std::size_t kBlocks = kTasks * kGrain;
     std::vector<Mesh> parts(kTasks);
-    std::vector<Mesh> parts_before(kTasks);
-    const auto append = [&](auto Mesh::*list) {
-        for (const Mesh& part : parts_before)
-            (mesh.*list).insert((mesh.*list).end(), (part.*list).begin(), (part.*list).end());
-    };
-    for (std::size_t first = 0; first < grid.block_count() + kBlocks; first += kBlocks) {
-        parallel_for(2 + kTasks, 1, [&](std::size_t task) {
-            if (task == 0) return append(&Mesh::vertices);
-            if (task == 1) return append(&Mesh::triangles);
-            Mesh& part = parts[task - 2];
-            part.vertices.clear();
-            part.triangles.clear();
-            const std::size_t begin = first + (task - 2) * kGrain;
-            for (std::size_t b = begin; b < std::min(begin + kGrain, grid.block_count()); ++b) filler.fill(b, part);
+    for (std::size_t first = 0; first < grid.block_count(); first += kTasks * kGrain) {
+        parallel_for(kTasks, 1, [&](std::size_t task) {
+            parts[task].vertices.clear();
+            parts[task].triangles.clear();
+            const std::size_t begin = first + task * kGrain;
+            for (std::size_t b = begin; b < std::min(begin + kGrain, grid.block_count()); ++b)
+                filler.fill(b, parts[task]);
         });
-        std::swap(parts, parts_before);
+        const auto append = [&](auto Mesh::*list) {
+            for (const Mesh& part : parts)
+                (mesh.*list).insert((mesh.*list).end(), (part.*list).begin(), (part.*list).end());
+        };
+        parallel_both([&] { append(&Mesh::vertices); }, [&] { append(&Mesh::triangles); });
     }
     return mesh;
 }
