@@ -21,8 +21,11 @@ struct Colour {
     bool operator==(const Colour&) const = default;
 };
 
-/// Finds the colours of points of a surface, one for each: soonest for many that lie next to each other. May be called
-/// from several threads at once.
+/// Finds the colours of points of a surface: soonest for many that lie next to each other. May be called from several
+/// threads at once.
+///
+/// points   Å, in the frame of the input
+/// colours  where the colour of each point goes; as many as points
 using ColourField = std::function<void(std::span<const Vec3> points, std::span<Colour> colours)>;
 
 }  // namespace meniscus

@@ -77,7 +77,7 @@ Picture draw_picture_by(std::span<const float> sky, const Mesh& mesh, const std:
                         std::span<const Colour> colours, const PictureOptions& options) {
     check(mesh, colours, options);
     const ThreadLimit limit(options.threads);
-    if (!rays || mesh.triangles.empty()) return blank(options);
+    if (!rays) return blank(options);
     const ColourField none;
     Scene scene(mesh, *rays, colours, options, none);
     scene.take_sky(sky);

@@ -23,7 +23,7 @@ std::vector<float> openness(const Mesh& mesh, const RayScene& rays);
 
 /// draw_picture() by light that is known.
 /// sky      one share per vertex
-/// rays     of the mesh; may be absent if that has no triangle
+/// rays     of the mesh; none if that has no triangle
 /// throws   as draw_picture()
 Picture draw_picture_by(std::span<const float> sky, const Mesh& mesh, const std::optional<RayScene>& rays,
                         std::span<const Colour> colours, const PictureOptions& options);

@@ -72,9 +72,8 @@ Light Scene::light_from(const Sight& sight) const {
     const RayHit& hit = *sight.hit;
     const Triangle& t = mesh_.triangles[hit.triangle];
     Vec3 normal = normalised(interpolated<Vec3>(t, hit, [this](VertexId v) { return mesh_.normals[v]; }));
-    const bool inside = faces_away(t, sight.ray.direction);
-    if (inside) normal = -normal;
-    const SkyLight& seen_sky = inside ? sky_from_inside_ : sky_;
+    if (sight.from_inside) normal = -normal;
+    const SkyLight& seen_sky = sight.from_inside ? sky_from_inside_ : sky_;
     const auto sky = interpolated<double>(t, hit, [&seen_sky](VertexId v) { return double{seen_sky.at(v)}; });
     return lamps_.shade(sight.albedo, normal, -sight.ray.direction, static_cast<float>(sky));
 }
@@ -96,7 +95,10 @@ std::vector<Scene::Sight> Scene::sights_at(std::span<const Spot> spots) const {
         std::transform(few.begin(), few.end(), rays.begin(),
                        [this](const Spot& spot) { return camera_.ray(spot.x, spot.y); });
         rays_.first_hits(std::span(rays).first(few.size()), std::numeric_limits<double>::infinity(), hits);
-        for (std::size_t i = 0; i < few.size(); ++i) sights.push_back({.ray = rays[i], .hit = hits[i]});
+        for (std::size_t i = 0; i < few.size(); ++i) {
+            const bool inside = hits[i] && faces_away(mesh_.triangles[hits[i]->triangle], rays[i].direction);
+            sights.push_back({.ray = rays[i], .hit = hits[i], .from_inside = inside});
+        }
     }
     return sights;
 }
@@ -106,7 +108,7 @@ void Scene::find_albedos(std::span<Sight> sights) const {
     std::vector<std::size_t> asked;
     std::vector<Vec3> points;
     for (std::size_t i = 0; i < sights.size(); ++i) {
-        if (!sights[i].hit) continue;
+        if (!sights[i].hit || shows_section(sights[i])) continue;
         const Triangle& t = mesh_.triangles[sights[i].hit->triangle];
         const bool uniform = colours_[t[0]] == colours_[t[1]] && colours_[t[1]] == colours_[t[2]];
         if (uniform || !exact_) {
@@ -122,11 +124,10 @@ void Scene::find_albedos(std::span<Sight> sights) const {
     for (std::size_t i = 0; i < asked.size(); ++i) sights[asked[i]].albedo = to_light(colours[i]);
 }
 
-/// A ray that meets the far side of the surface first has entered the cut molecule in its section.
 Glimpse Scene::glimpse_of(const Sight& sight) const {
     if (!sight.hit) return {.light = background_};
     const Ray& ray = sight.ray;
-    if (has_section_ && faces_away(mesh_.triangles[sight.hit->triangle], ray.direction))
+    if (shows_section(sight))
         return glimpse(Glimpse::Kind::Section, to_light(kSection),
                        ray.origin + kept_->part_of_ray(ray.origin, ray.direction).begin * ray.direction);
     return glimpse(Glimpse::Kind::Surface, light_from(sight), sight.point());

@@ -59,6 +59,7 @@ private:
     struct Sight {
         Ray ray;
         std::optional<RayHit> hit{};
+        bool from_inside = false;  // it meets the side of the molecule
         Light albedo{};
 
         Vec3 point() const { return ray.origin + hit->distance * ray.direction; }
@@ -68,6 +69,8 @@ private:
     void find_albedos(std::span<Sight> sights) const;
     Glimpse glimpse_of(const Sight& sight) const;
     bool faces_away(const Triangle& t, const Vec3& direction) const;
+    /// A ray that meets the far side of the surface first has entered the cut molecule in its section.
+    bool shows_section(const Sight& sight) const { return has_section_ && sight.from_inside; }
     Light light_from(const Sight& sight) const;
     Glimpse glimpse(Glimpse::Kind kind, const Light& light, const Vec3& point) const;
     double nearest_kept() const;

@@ -18,7 +18,6 @@
 
 #include "meniscus/errors.h"
 #include "reading/text.h"
-#include "structure/element.h"
 #include "structure/gemmi/gemmi_shared.h"
 #include "structure/residue_list.h"
 
