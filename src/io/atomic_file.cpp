@@ -64,9 +64,10 @@ NotedNames noted_names;
 
 constexpr int kAttempts = 100;  // at a temporary name that nobody else uses
 
-// Bytes per call. Larger calls make Linux cache the file in larger pieces of memory, and those it may first have to get
-// from the host of a virtual machine, at ten times the cost.
-constexpr std::size_t kPerCall = std::size_t{1} << 16U;
+// Every call ends at a multiple of so many bytes. Linux caches a file in pieces of memory no larger than the call and
+// aligned to their size, at a cost of each; pieces of 2 MiB it may first have to get from the host of a virtual machine,
+// at ten times the cost.
+constexpr std::size_t kPerCall = std::size_t{1} << 18U;
 
 // The standard streams under the names they have in /dev; -1 for other paths. They are written through the descriptor
 // that is open, because opening their names again would start at the beginning of a file they were sent to.
@@ -213,9 +214,10 @@ void AtomicFile::flush() { write_out(buffer_.get(), std::exchange(used_, 0)); }
 
 void AtomicFile::write_out(const char* data, std::size_t size) {
     while (size > 0) {
-        const ssize_t written = ::write(descriptor_, data, std::min(size, kPerCall));
+        const ssize_t written = ::write(descriptor_, data, std::min(size, kPerCall - written_ % kPerCall));
         if (written < 0 && errno != EINTR) fail(errno);
         if (written <= 0) continue;
+        written_ += static_cast<std::size_t>(written);
         data += written;
         size -= static_cast<std::size_t>(written);
     }

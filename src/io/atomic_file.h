@@ -73,7 +73,8 @@ private:
     std::string temporary_;  // empty when written directly
     int noted_ = -1;         // where remove_temporary_files() finds it
     int descriptor_ = -1;
-    std::size_t used_ = 0;  // of the buffer
+    std::size_t written_ = 0;  // bytes
+    std::size_t used_ = 0;     // of the buffer
     std::unique_ptr<char[]> buffer_;
 };
 
