@@ -9,6 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "core/workspaces.h"
 #include "geometry/accessible_surface_data.h"
@@ -148,9 +149,9 @@ bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const 
     data.contour.clear();
     data.caps.clear();
     data.cover.clear();
-    data.contour.reserve(data.contour_begin.back());
-    data.caps.reserve(data.cap_begin.back());
-    data.cover.reserve(data.cover_begin.back());
+    reserve_touched(data.contour, data.contour_begin.back());
+    reserve_touched(data.caps, data.cap_begin.back());
+    reserve_touched(data.cover, data.cover_begin.back());
     for (const ChunkResult& chunk : chunks) {
         if (!chunk.consistent) return false;
         data.contour.insert(data.contour.end(), chunk.arcs.begin(), chunk.arcs.end());
@@ -232,7 +233,7 @@ private:
 };
 
 void place_vertices(AccessibleSurface::Data& data, const VertexTable& table) {
-    data.vertices.resize(table.keys().size());
+    resize_touched(data.vertices, table.keys().size());
     parallel_for(data.vertices.size(), kChunk, [&](std::size_t v) {
         const auto& [i, j, k] = table.keys()[v];
         const Vec3 n = rim_crossing(cap_between(data, i, j), cap_between(data, i, k));
@@ -307,7 +308,7 @@ void place_arcs(AccessibleSurface::Data& data, const VertexTable& table) {
         }
         begin[i + 1] = owned.size();
     }
-    data.arcs.resize(owned.size());
+    resize_touched(data.arcs, owned.size());
     parallel_for(owned.size(), kChunk, [&](std::size_t a) {
         data.arcs[a] =
             make_arc(data, table, owned[a].atom, view_of(data, owned[a].atom, data.contour[owned[a].contour]));
