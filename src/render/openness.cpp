@@ -3,62 +3,25 @@
 #include "render/openness.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <unordered_map>
+#include <numbers>
 
-#include "core/mix_bits.h"
 #include "core/parallel.h"
 #include "render/camera.h"
 #include "render/scene.h"
+#include "render/sky_light.h"
 
 namespace meniscus {
 namespace {
 
-/// Edge of the cells of which one vertex looks at the sky, Å: the sky changes little over half an atom.
-constexpr double kCell = 1.0;
+/// Rays per Å² of the surface: however fine the mesh is, the light costs the same.
+constexpr double kRaysPerArea = 36.0;
+constexpr double kFewestRays = 2.0;  // of a vertex
+constexpr double kMostRays = 64.0;
 
-constexpr std::size_t kFewDirections = 64;
-
-/// Rounds of smoothing times the square of an edge, Å²: they blur the cells, however fine the mesh.
+/// Rounds of smoothing times the square of an edge, Å²: they blur the rays, however fine the mesh.
 constexpr double kBlur = 0.4;
 constexpr double kMostRounds = 20.0;
-
-/// Place in the grid, and the octant of the normal.
-using Cell = std::array<std::int64_t, 4>;
-
-Cell cell_of(const Vec3& point, const Vec3& normal) {
-    const auto along = [](double x) { return static_cast<std::int64_t>(std::floor(x / kCell)); };
-    const int octant = (normal.x < 0.0 ? 1 : 0) + (normal.y < 0.0 ? 2 : 0) + (normal.z < 0.0 ? 4 : 0);
-    return {along(point.x), along(point.y), along(point.z), octant};
-}
-
-struct CellHash {
-    std::size_t operator()(const Cell& cell) const {
-        std::uint64_t hash = 0;
-        for (const std::int64_t part : cell) hash = mix_bits(hash ^ static_cast<std::uint64_t>(part));
-        return hash;
-    }
-};
-
-/// Vertices that look at the sky, and of every vertex the one that does so for it.
-struct Lookouts {
-    std::vector<VertexId> vertices{};
-    std::vector<std::uint32_t> of_vertex{};
-};
-
-Lookouts choose_lookouts(const Mesh& mesh) {
-    Lookouts lookouts;
-    std::unordered_map<Cell, std::uint32_t, CellHash> cells;
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-        const auto next = static_cast<std::uint32_t>(lookouts.vertices.size());
-        const auto [cell, is_new] = cells.try_emplace(cell_of(mesh.vertices[v], mesh.normals[v]), next);
-        if (is_new) lookouts.vertices.push_back(static_cast<VertexId>(v));
-        lookouts.of_vertex.push_back(cell->second);
-    }
-    return lookouts;
-}
 
 /// Every value becomes the mean of itself and those along the edges of its triangles.
 std::vector<float> smoothed(const Mesh& mesh, const std::vector<float>& values) {
@@ -75,28 +38,26 @@ std::vector<float> smoothed(const Mesh& mesh, const std::vector<float>& values) 
     return sum;
 }
 
-double mean_edge(const Mesh& mesh) {
-    double sum = 0.0;
-    for (const Triangle& t : mesh.triangles) sum += norm(mesh.vertices[t[1]] - mesh.vertices[t[0]]);
-    return sum / static_cast<double>(mesh.triangles.size());
+int rounds_of_smoothing(double edge) {
+    return static_cast<int>(std::clamp(std::round(kBlur / (edge * edge)), 1.0, kMostRounds));
 }
 
-int rounds_of_smoothing(const Mesh& mesh) {
-    const double edge = mean_edge(mesh);
-    return static_cast<int>(std::clamp(std::round(kBlur / (edge * edge)), 1.0, kMostRounds));
+/// Twice as many equilateral triangles as vertices cover the surface.
+std::size_t rays_of_vertex(double edge) {
+    const double area = 0.5 * std::numbers::sqrt3 * edge * edge;
+    return static_cast<std::size_t>(std::clamp(std::round(kRaysPerArea * area), kFewestRays, kMostRays));
 }
 
 }  // namespace
 
 std::vector<float> openness(const Mesh& mesh, const RayScene& rays) {
     const Camera camera(mesh.vertices, {});
-    const SkyLight sky(rays, mesh, reach_of_sky(camera), SkyLight::Side::Solvent, kFewDirections);
-    const Lookouts lookouts = choose_lookouts(mesh);
-    std::vector<float> seen(lookouts.vertices.size());
-    parallel_for(seen.size(), 256, [&](std::size_t i) { seen[i] = sky.at(lookouts.vertices[i]); });
+    const SkyRays sky(rays, mesh, reach_of_sky(camera));
+    const double edge = mean_edge(mesh);
     std::vector<float> shares(mesh.vertices.size());
-    for (std::size_t v = 0; v < shares.size(); ++v) shares[v] = seen[lookouts.of_vertex[v]];
-    for (int round = rounds_of_smoothing(mesh); round > 0; --round) shares = smoothed(mesh, shares);
+    parallel_for(shares.size(), 256,
+                 [&](std::size_t v) { shares[v] = sky.open_share(static_cast<VertexId>(v), rays_of_vertex(edge)); });
+    for (int round = rounds_of_smoothing(edge); round > 0; --round) shares = smoothed(mesh, shares);
     return shares;
 }
 

@@ -14,8 +14,8 @@ namespace meniscus {
 
 /// About the share of the sky that every vertex sees, smoothed over its neighbours.
 ///
-/// Pictures look at the sky from every vertex they show (SkyLight); here one vertex of each cell of a fixed grid does,
-/// for all that face the same way, along fewer rays. The cost hence does not grow with the fineness of the mesh.
+/// Pictures ask for the light of what they show (SkyLight); here it is that of the whole surface, along fewer rays and
+/// blurred more. The cost does not grow with the fineness of the mesh.
 /// mesh     with normals and a triangle
 /// rays     of the mesh
 /// cost     a few dozen rays per Å²

@@ -48,8 +48,8 @@ Scene::Scene(const Mesh& mesh, const RayScene& rays, std::span<const Colour> col
       kept_(options.cut ? std::optional(find_cut(mesh, *options.cut, camera_)) : std::nullopt),
       has_section_(kept_ && is_body(mesh)),
       rays_(kept_ ? rays.cut(*kept_) : rays),
-      sky_(rays_, mesh, reach_of_sky(camera_)),
-      sky_from_inside_(rays_, mesh, reach_of_sky(camera_), SkyLight::Side::Molecule),
+      sky_({rays_, mesh, reach_of_sky(camera_)}),
+      sky_from_inside_({rays_, mesh, reach_of_sky(camera_), SkyRays::Side::Molecule}),
       lamps_(camera_.frame()),
       background_(to_light(options.background)),
       front_(nearest_kept()) {}

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -12,39 +14,70 @@
 
 namespace meniscus {
 
-/// The share of the sky over a vertex that the mesh leaves open, worked out when it is first asked for.
-///
-/// The sky is a fixed set of directions, weighted by the cosine to the normal. What blocks one counts less the farther
-/// it is away, and nothing beyond `reach`. The result depends on the vertex alone.
-class SkyLight {
+/// Rays from the vertices of a mesh to the sky, which is weighted by the cosine to the normal. What blocks a direction
+/// counts less the farther it is away, and nothing beyond `reach`.
+class SkyRays {
 public:
     /// Of the surface, from which the sky is seen.
     enum class Side { Solvent, Molecule };
 
-    /// Directions over the whole sphere; a vertex sees half of them.
-    static constexpr std::size_t kDirections = 200;
-
     /// scene, mesh   must outlive this; the mesh has normals
     /// reach         Å
-    SkyLight(const RayScene& scene, const Mesh& mesh, double reach, Side side = Side::Solvent,
-             std::size_t directions = kDirections);
+    SkyRays(const RayScene& scene, const Mesh& mesh, double reach, Side side = Side::Solvent)
+        : scene_(scene), mesh_(mesh), reach_(reach), sign_(side == Side::Solvent ? 1.0 : -1.0) {}
 
-    /// Takes the shares as they are, one per vertex, instead of working them out.
-    void take(std::span<const float> shares);
+    const Mesh& mesh() const { return mesh_; }
 
-    /// 0 (all blocked) to 1 (all open). May be called from several threads at once.
-    /// cost     a ray for half of the directions the first time
-    float at(VertexId vertex) const;
+    /// The share that is open, 0 to 1, as so many rays tell. Every vertex has directions of its own: what they miss,
+    /// those of its neighbours find.
+    float open_share(VertexId vertex, std::size_t rays) const;
 
 private:
-    float open_share(VertexId vertex) const;
-
     const RayScene& scene_;
     const Mesh& mesh_;
     double reach_;
     double sign_;  // of normals
-    std::vector<Vec3> directions_;
-    mutable std::vector<std::atomic<float>> known_;  // negative: not yet
 };
+
+/// The share of the sky over a vertex that the mesh leaves open, worked out when it is first asked for: a few rays of
+/// each vertex, smoothed over its neighbours. The finer the mesh, the fewer.
+class SkyLight {
+public:
+    /// The mesh has a triangle.
+    explicit SkyLight(const SkyRays& rays) : rays_(rays) {}
+
+    /// Takes the shares as they are, one per vertex, instead of working them out. They must outlive this.
+    void take(std::span<const float> shares) { given_ = shares; }
+
+    /// 0 (all blocked) to 1 (all open), the same for any number of threads. May be called from several at once.
+    /// cost     the first time a dozen or two rays, where neighbours are asked for as well
+    float at(VertexId vertex) const {
+        if (!given_.empty()) return given_[vertex];
+        if (!is_prepared_.load(std::memory_order_acquire)) prepare();
+        return smoothed(vertex, rounds_);
+    }
+
+private:
+    using Shares = std::vector<std::atomic<float>>;  // negative: not yet
+
+    void prepare() const;
+    void list_neighbours() const;
+    std::span<const VertexId> neighbours(VertexId vertex) const;
+    float smoothed(VertexId vertex, std::size_t rounds) const;
+    float mean_around(VertexId vertex, std::size_t rounds) const;
+
+    SkyRays rays_;
+    std::span<const float> given_;
+    // Prepared when they are first needed, which those of a side that nobody sees never are.
+    mutable std::once_flag preparation_;
+    mutable std::atomic<bool> is_prepared_{false};
+    mutable std::size_t rounds_ = 0;                    // of smoothing
+    mutable std::vector<std::size_t> neighbour_begin_;  // of each vertex
+    mutable std::vector<VertexId> neighbours_;          // along the edges of triangles
+    mutable std::vector<Shares> known_;                 // after so many rounds
+};
+
+/// Mean length of the edges of triangles, of which there must be one, Å.
+double mean_edge(const Mesh& mesh);
 
 }  // namespace meniscus

@@ -25,7 +25,7 @@ TEST(Openness, IsNearWhatPicturesSee) {
     ColouredMesh scene = blue_sphere({{0, 0, 0}, 3.0}, 0.4);
     append(scene, blue_sphere({{5.0, 0, 0}, 3.0}, 0.4));
     const RayScene rays(scene.mesh);
-    const SkyLight sky(rays, scene.mesh, reach_of_sky(Camera(scene.mesh.vertices, {})));
+    const SkyLight sky({rays, scene.mesh, reach_of_sky(Camera(scene.mesh.vertices, {}))});
     const std::vector<float> shares = openness(scene.mesh, rays);
     double sum = 0.0;
     for (std::size_t v = 0; v < shares.size(); ++v)
