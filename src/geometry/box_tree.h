@@ -325,8 +325,10 @@ private:
         std::size_t count = 0;
         const std::size_t begin = eight * kFanOut;
         const std::array<double, kFanOut> distances = eights_[level][eight].squared_distances(point);
+        const double most = bound();
         for (std::size_t i = begin; i < std::min(begin + kFanOut, sizes_[level]); ++i) {
             const Child child{distances[i - begin], i};
+            if (!(child.distance2 < most)) continue;
             std::size_t at = count++;
             for (; at > 0 && children[at - 1].distance2 > child.distance2; --at) children[at] = children[at - 1];
             children[at] = child;

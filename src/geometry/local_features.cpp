@@ -3,10 +3,12 @@
 #include "geometry/local_features.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/parallel.h"
 #include "geometry/cell_order.h"
+#include "geometry/feature_walk.h"
 #include "geometry/nearest_batch.h"
 #include "geometry/nearest_kernels.h"
 
@@ -20,16 +22,22 @@ constexpr std::size_t kPointsPerChunk = 8192;
 constexpr double kCellEdge = 8.0;             // Å: the points of a cell share their lists of features
 constexpr std::size_t kMostCells = 1U << 14;  // more mean that points are far apart
 constexpr std::size_t kFewPoints = 4;         // cheaper one by one
+constexpr std::size_t kTriedFirst = 256;      // points that walk in any case
+constexpr std::size_t kWorthWalking = 4;      // no more do where fewer than one of so many came to their cell
 
-// What a search tells of a point: found with others near it, or alone.
+// What a search tells of a point: of its nearest feature, or where that is not known yet.
 struct FeatureAnswer {
     using Result = NearestFeature;
-    static Result of(const NearestBatch& batch, std::size_t i) { return batch.feature(i); }
+    static Result of(const AccessibleSurface& surface, const Vec3& point, const FeatureCell& nearest) {
+        return feature_in(surface.data(), point, nearest);
+    }
     static Result of(const AccessibleSurface& surface, const Vec3& point) { return surface.nearest(point); }
 };
 struct StepAnswer {
     using Result = SurfaceStep;
-    static Result of(const NearestBatch& batch, std::size_t i) { return batch.step_to_surface(i); }
+    static Result of(const AccessibleSurface& surface, const Vec3& point, const FeatureCell& nearest) {
+        return step_from(surface.data(), point, nearest);
+    }
     static Result of(const AccessibleSurface& surface, const Vec3& point) {
         const NearestFeature at = surface.nearest(point);
         return {point - at.signed_distance * at.normal, at, at.signed_distance == 0.0};
@@ -75,7 +83,8 @@ public:
             const bool open = batch_.start(local, box_of(batch), local.margin()) == NearestBatch::Claim::Open;
             if (open) batch_.find(batch);
             for (std::size_t i = 0; i < batch.size(); ++i)
-                place(at + i) = open && batch_.found(i) ? Answer::of(batch_, i) : Answer::of(surface_, batch[i]);
+                place(at + i) = open && batch_.found(i) ? Answer::of(surface_, batch[i], batch_.nearest(i))
+                                                        : Answer::of(surface_, batch[i]);
         }
     }
 
@@ -89,12 +98,40 @@ private:
     NearestBatch batch_;
 };
 
+// Points near the surface are mostly in the cell of a feature that a walk from the one before finds; the others are
+// searched for in groups.
+template <class Answer>
+void find_answers(const AccessibleSurface& surface, std::span<const Vec3> points,
+                  std::span<typename Answer::Result> result) {
+    FeatureWalk walk(surface);
+    std::array<FeatureCell, kBatchLanes> cells;
+    std::vector<std::uint32_t> left;
+    std::vector<Vec3> places;
+    for (std::size_t begin = 0; begin < points.size(); begin += kBatchLanes) {
+        const std::span<const Vec3> batch = points.subspan(begin, std::min(kBatchLanes, points.size() - begin));
+        const bool walks = begin < kTriedFirst || kWorthWalking * left.size() < (kWorthWalking - 1) * begin;
+        cells.fill({});
+        if (walks) walk.find(batch, cells);
+        for (std::size_t i = 0; i < batch.size(); ++i) {
+            if (cells[i].kind != FeatureCell::Kind::None) {
+                result[begin + i] = Answer::of(surface, batch[i], cells[i]);
+                continue;
+            }
+            left.push_back(static_cast<std::uint32_t>(begin + i));
+            places.push_back(batch[i]);
+        }
+    }
+    std::vector<typename Answer::Result> found(left.size());
+    GroupSearch<Answer>(surface).find(places, found);
+    for (std::size_t i = 0; i < left.size(); ++i) result[left[i]] = found[i];
+}
+
 template <class Answer>
 std::vector<typename Answer::Result> answers(const AccessibleSurface& surface, std::span<const Vec3> points) {
     std::vector<typename Answer::Result> result(points.size());
     parallel_chunks(points.size(), kPointsPerChunk, [&](std::size_t begin, std::size_t end) {
-        GroupSearch<Answer>(surface).find(points.subspan(begin, end - begin),
-                                          std::span(result).subspan(begin, end - begin));
+        find_answers<Answer>(surface, points.subspan(begin, end - begin),
+                             std::span(result).subspan(begin, end - begin));
     });
     return result;
 }

@@ -199,6 +199,21 @@ SurfaceStep step_from(const Data& data, const Vec3& p, const FeatureCell& neares
     }
 }
 
+NearestFeature feature_in(const Data& data, const Vec3& p, const FeatureCell& nearest) {
+    switch (nearest.kind) {
+        case FeatureCell::Kind::Ball: {
+            const double l = norm(p - data.atoms.centres[nearest.index]);
+            return contact_feature(data, p, {nearest.index, data.rho[nearest.index] - l, l});
+        }
+        case FeatureCell::Kind::Arc: {
+            const ArcFoot foot = foot_on_arc(data.arcs[nearest.index], p);
+            return arc_feature(data, p, nearest.index, foot, std::sqrt(foot.squared_distance));
+        }
+        default:
+            return vertex_feature(data, p, nearest.index, norm(p - data.vertices[nearest.index].position));
+    }
+}
+
 FeatureLabel label_in(const Data& data, const Vec3& p, const FeatureCell& nearest, double signed_distance) {
     switch (nearest.kind) {
         case FeatureCell::Kind::Ball:

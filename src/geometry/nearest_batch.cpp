@@ -282,24 +282,4 @@ FeatureLabel NearestBatch::label(std::size_t point) const {
     return label_in(*data_, get_point(*points_, point), cell_of(lane_of_[point]), signed_distance(point));
 }
 
-NearestFeature NearestBatch::feature(std::size_t point) const {
-    const Vec3 p = get_point(*points_, point);
-    const auto [kind, index] = cell_of(lane_of_[point]);
-    NearestEdge edge;
-    switch (kind) {
-        case FeatureCell::Kind::Ball: {
-            const double l = norm(p - data_->atoms.centres[index]);
-            return contact_feature(*data_, p, {index, data_->rho[index] - l, l});
-        }
-        case FeatureCell::Kind::Arc:
-            edge.arc = index;
-            edge.squared_distance = foot_on_arc(data_->arcs[index], p).squared_distance;
-            break;
-        default:
-            edge.vertex = index;
-            edge.squared_distance = squared_norm(p - data_->vertices[index].position);
-    }
-    return edge_feature(*data_, p, edge);
-}
-
 }  // namespace meniscus

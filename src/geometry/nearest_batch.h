@@ -61,7 +61,10 @@ public:
     /// Precondition of the others: found.
     double signed_distance(std::size_t point) const { return claims_.signed_distance[lane_of_[point]]; }
     double mean_curvature(std::size_t point) const { return curvatures_[lane_of_[point]]; }  ///< once they were found
-    NearestFeature feature(std::size_t point) const;
+    FeatureCell nearest(std::size_t point) const { return cell_of(lane_of_[point]); }
+    NearestFeature feature(std::size_t point) const {
+        return feature_in(*data_, get_point(*points_, point), nearest(point));
+    }
     FeatureLabel label(std::size_t point) const;
     /// The nearest point of K. Not finite in the centre of a ball and on the axis of an arc.
     Vec3 foot(std::size_t point) const;

@@ -78,6 +78,9 @@ inline FeatureLabel label_of(const NearestFeature& feature) {
 std::uint32_t atom_of_arc(const AccessibleSurface::Data& data, std::uint32_t arc, const Vec3& p);
 std::uint32_t atom_of_vertex(const AccessibleSurface::Data& data, std::uint32_t vertex, const Vec3& p);
 
+/// What is nearest to p, where it is known which feature is.
+NearestFeature feature_in(const AccessibleSurface::Data& data, const Vec3& p, const FeatureCell& nearest);
+
 /// What p is labelled with whose nearest feature is that.
 FeatureLabel label_in(const AccessibleSurface::Data& data, const Vec3& p, const FeatureCell& nearest);
 /// The same where the signed distance is known, Å.

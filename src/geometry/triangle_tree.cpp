@@ -149,11 +149,13 @@ double TriangleTree::distance(const Mesh& mesh, const Vec3& point, std::uint32_t
     return std::sqrt(least);
 }
 
-NearestOnMesh TriangleTree::nearest(const Mesh& mesh, const Vec3& point) const {
+NearestOnMesh TriangleTree::nearest(const Mesh& mesh, const Vec3& point, std::uint32_t near) const {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     std::vector<Candidate> candidates;
     Candidate best;
-    best.distance2 = std::numeric_limits<double>::infinity();
-    double most = std::numeric_limits<double>::infinity();
+    best.distance2 = kInfinity;
+    const double to_near = squared_distance(mesh, mesh.triangles[near], point);
+    double most = to_near < kInfinity ? tied(to_near) : kInfinity;  // not a number where that has no area
     tree.search_nearest(
         point, [&most] { return most; },
         [&](std::uint32_t i) {
@@ -169,7 +171,7 @@ NearestOnMesh TriangleTree::nearest(const Mesh& mesh, const Vec3& point) const {
             candidates.push_back(found);
         });
     const double side = dot(point - best.point, normal_at(mesh, candidates, best));
-    return {best.point, std::copysign(std::sqrt(best.distance2), side)};
+    return {best.point, std::copysign(std::sqrt(best.distance2), side), best.triangle};
 }
 
 }  // namespace meniscus

@@ -16,6 +16,7 @@ struct NearestOnMesh {
     Vec3 point;
     /// Å; negative behind the mesh, as seen from where its triangles are counter-clockwise: inside, if it is closed.
     double signed_distance = 0.0;
+    std::uint32_t triangle = 0;  ///< one that it lies on
 };
 
 struct TriangleTree {
@@ -29,7 +30,8 @@ struct TriangleTree {
 
     /// The nearest point itself, for a mesh with triangles. Where it lies on several triangles, each counts for the
     /// side by the angle that it takes up there (Bærentzen & Aanæs 2005); they need not share vertices.
-    NearestOnMesh nearest(const Mesh& mesh, const Vec3& point) const;
+    /// near   a triangle of the mesh: the nearer to the point, the sooner
+    NearestOnMesh nearest(const Mesh& mesh, const Vec3& point, std::uint32_t near = 0) const;
 
     std::vector<std::uint32_t> order;  ///< the triangle of each item: along a space-filling curve, ties as in the mesh
     BoxTree tree;

@@ -52,7 +52,12 @@ std::vector<double> SurfaceDistance::operator()(std::span<const Vec3> points) co
     std::vector<double> result(points.size());
     parallel_chunks(points.size(), kChunk, [&](std::size_t begin, std::size_t end) {
         if (exact_ == nullptr) {
-            for (std::size_t i = begin; i < end; ++i) result[i] = triangles_.nearest(mesh_, points[i]).signed_distance;
+            std::uint32_t near = 0;  // points that follow each other are mostly neighbours
+            for (std::size_t i = begin; i < end; ++i) {
+                const NearestOnMesh nearest = triangles_.nearest(mesh_, points[i], near);
+                result[i] = nearest.signed_distance;
+                near = nearest.triangle;
+            }
             return;
         }
         const auto features = nearest_features(*exact_, points.subspan(begin, end - begin));
