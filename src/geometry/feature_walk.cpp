@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 
 #include "core/bits.h"
@@ -108,7 +109,11 @@ bool walk(const Data& data, const CellBorder& border, const Vec3& p, FeatureCell
 constexpr int kCubeBits = 21;  // of it, for each axis
 std::uint64_t cube_of(const Vec3& p) {
     constexpr double kCubes = 1.0 / 1.5;  // per Å: of smaller cubes more are entered for the first time
-    const auto along = [](double x) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(kCubes * x)); };
+    constexpr double kFarthest = 1e15;    // Å; what is farther, or no number, has no cube of its own
+    const auto along = [](double x) {
+        const double from_origin = std::abs(x) < kFarthest ? kCubes * x : 0.0;
+        return static_cast<std::uint64_t>(static_cast<std::int64_t>(from_origin));
+    };
     return along(p.x) + (along(p.y) << kCubeBits) + (along(p.z) << (2 * kCubeBits));
 }
 

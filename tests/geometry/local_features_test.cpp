@@ -51,6 +51,15 @@ TEST(LocalFeatures, EqualTheGlobalSearchFarFromTheSurface) {
     expect_same_as_one_by_one(surface, random_points_around(atoms, 3000, 12.0));
 }
 
+TEST(LocalFeatures, PointsFarFromAllOthersAreNoHindrance) {
+    const Atoms atoms = random_cluster(5, 120, 14.0);
+    const AccessibleSurface surface(atoms, 1.4);
+    std::vector<Vec3> points(1000, Vec3{60.0, 0.0, 0.0});
+    for (const Vec3& p : near_surface(surface, random_points_around(atoms, 4000, 3.0), 0.4)) points.push_back(p);
+    points.push_back({1e100, -1e100, 0.0});
+    expect_same_as_one_by_one(surface, points);
+}
+
 TEST(LocalFeatures, StepsLeadToTheSurfaceOrSayThatTheyDoNot) {
     const Atoms atoms = random_cluster(4, 120, 14.0);
     const AccessibleSurface surface(atoms, 1.4);

@@ -85,5 +85,25 @@ TEST(TriangleTree, NearestPointsKnowTheirSide) {
     EXPECT_NEAR(tree.nearest(mesh, {}).signed_distance, -1.0 / std::sqrt(3.0), 1e-12);
 }
 
+TEST(TriangleTree, NearestPointsDoNotDependOnWhereTheSearchBegins) {
+    Mesh mesh = random_triangles(60);
+    const auto last = static_cast<VertexId>(mesh.vertices.size() - 1);
+    mesh.triangles.push_back({last, last, last});  // without an area: nothing is said of how near it is
+    const TriangleTree tree(mesh);
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> within(-8.0, 8.0);
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 point{within(random), within(random), within(random)};
+        const NearestOnMesh nearest = tree.nearest(mesh, point);
+        EXPECT_EQ(std::abs(nearest.signed_distance), tree.distance(mesh, point));
+        for (const std::uint32_t near : {17U, 59U, 60U, nearest.triangle}) {
+            const NearestOnMesh again = tree.nearest(mesh, point, near);
+            EXPECT_EQ(again.signed_distance, nearest.signed_distance);
+            EXPECT_EQ(again.point, nearest.point);
+            EXPECT_EQ(again.triangle, nearest.triangle);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace meniscus::testing
