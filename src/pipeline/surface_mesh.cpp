@@ -4,10 +4,12 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "core/parallel.h"
 #include "measure/surface_measures.h"
 #include "mesh/components.h"
 #include "pipeline/finish_vertices.h"
@@ -21,11 +23,8 @@ namespace {
 
 constexpr std::size_t kLargestCrumb = 8;  // triangles: those round a node
 
-void label_and_choose(Mesh& mesh, Pieces pieces) {
-    if (pieces == Pieces::All) {
-        mesh.components = pieces_by_first_vertex(mesh);
-        return;
-    }
+// Leaves the pieces that are wanted, with their numbers.
+void choose_pieces(Mesh& mesh, Pieces pieces) {
     const std::vector<MeshComponent> components = label_components(mesh);
     std::vector<bool> keep(components.size());
     for (std::size_t c = 0; c < keep.size(); ++c) keep[c] = (components[c].volume > 0.0) == (pieces == Pieces::Outer);
@@ -71,8 +70,15 @@ TriangleSurvey survey_of(const Mesh& mesh, const LevelSet* level_set) {
 SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, const LevelSet* level_set,
                          const MeshingOptions& options) {
     Mesh mesh = std::move(zero_set);
-    label_and_choose(mesh, options.pieces);
-    VertexDistances distances = finish_vertices(accessible, level_set, options.spacing, mesh);
+    const bool has_all = options.pieces == Pieces::All;
+    if (!has_all) choose_pieces(mesh, options.pieces);
+    std::optional<VertexDistances> found;
+    parallel_both(  // one looks at triangles, the other at vertices
+        [&] {
+            if (has_all) mesh.components = pieces_by_first_vertex(mesh);
+        },
+        [&] { found = finish_vertices(accessible, level_set, options.spacing, mesh); });
+    VertexDistances& distances = *found;
     const double edge = options.edge > 0.0 ? options.edge : options.spacing;
     const SliverOptions slivers{.edge = edge, .longest_edge = 2.0 * edge, .largest_crumb = kLargestCrumb};
     FirstLook look(mesh, slivers.smallest_angle_deg);
