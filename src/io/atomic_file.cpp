@@ -65,9 +65,9 @@ NotedNames noted_names;
 constexpr int kAttempts = 100;  // at a temporary name that nobody else uses
 
 // Every call ends at a multiple of so many bytes. Linux caches a file in pieces of memory no larger than the call and
-// aligned to their size, at a cost of each; pieces of 2 MiB it may first have to get from the host of a virtual machine,
-// at ten times the cost.
-constexpr std::size_t kPerCall = std::size_t{1} << 18U;
+// aligned to their size, at a cost of each. Larger ones it may first have to get from the host of a virtual machine, at
+// ten times the cost.
+constexpr std::size_t kPerCall = std::size_t{1} << 16U;
 
 // The standard streams under the names they have in /dev; -1 for other paths. They are written through the descriptor
 // that is open, because opening their names again would start at the beginning of a file they were sent to.
