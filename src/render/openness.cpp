@@ -54,9 +54,9 @@ std::vector<float> openness(const Mesh& mesh, const RayScene& rays) {
     const Camera camera(mesh.vertices, {});
     const SkyRays sky(rays, mesh, reach_of_sky(camera));
     const double edge = mean_edge(mesh);
+    const std::size_t few = rays_of_vertex(edge);
     std::vector<float> shares(mesh.vertices.size());
-    parallel_for(shares.size(), 256,
-                 [&](std::size_t v) { shares[v] = sky.open_share(static_cast<VertexId>(v), rays_of_vertex(edge)); });
+    parallel_for(shares.size(), 256, [&](std::size_t v) { shares[v] = sky.open_share(static_cast<VertexId>(v), few); });
     for (int round = rounds_of_smoothing(edge); round > 0; --round) shares = smoothed(mesh, shares);
     return shares;
 }
