@@ -11,6 +11,7 @@
 
 #include "core/fresh_memory.h"
 #include "core/parallel.h"
+#include "core/perpendicular.h"
 #include "core/workspaces.h"
 #include "geometry/accessible_surface_data.h"
 #include "geometry/cell_list.h"

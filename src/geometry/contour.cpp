@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/bits.h"
+#include "core/perpendicular.h"
 
 namespace meniscus {
 namespace {
@@ -64,13 +65,6 @@ void for_each_bit_downwards(unsigned bits, const Visit& visit) {
 }
 
 }  // namespace
-
-// Duff et al. 2017, "Building an orthonormal basis, revisited": no root and no case near a pole.
-Vec3 perpendicular(const Vec3& axis) {
-    const double sign = std::copysign(1.0, axis.z);
-    const double a = -1.0 / (sign + axis.z);
-    return {1.0 + sign * axis.x * axis.x * a, sign * axis.x * axis.y * a, -sign * axis.x};
-}
 
 RimCrossing cross_rims(const Cap& a, const Cap& b) {
     const RimLine<double, Vec3> line = line_of_rims(a.axis, a.t, b.axis, b.t);

@@ -109,9 +109,6 @@ private:
     std::vector<CapPlane> kept_caps_;
 };
 
-/// A unit vector perpendicular to the unit vector `axis`.
-Vec3 perpendicular(const Vec3& axis);
-
 /// RimCrossing::onto. Precondition: the rims cross.
 Vec3 rim_crossing(const Cap& a, const Cap& b);
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/perpendicular.h"
+
 namespace meniscus {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/perpendicular.h"
 #include "geometry/nearest_feature.h"
 
 namespace meniscus {

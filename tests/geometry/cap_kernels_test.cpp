@@ -12,6 +12,7 @@
 #include <random>
 
 #include "core/bits.h"
+#include "core/perpendicular.h"
 #include "geometry/contour.h"
 #include "geometry/random_caps.h"
 #include "support/arrangements.h"

@@ -11,6 +11,7 @@
 #include <set>
 #include <span>
 
+#include "core/perpendicular.h"
 #include "geometry/random_caps.h"
 
 namespace meniscus::testing {

@@ -10,6 +10,7 @@
 #include <set>
 #include <span>
 
+#include "core/perpendicular.h"
 #include "geometry/random_caps.h"
 #include "support/arrangements.h"
 

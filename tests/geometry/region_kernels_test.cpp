@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/perpendicular.h"
 #include "geometry/random_caps.h"
 
 namespace meniscus::testing {

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/perpendicular.h"
+
 namespace meniscus {
 namespace {
 
