@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "core/mix_bits.h"
+#include "core/perpendicular.h"
 
 namespace meniscus {
 namespace {
@@ -30,10 +31,6 @@ constexpr std::array<std::size_t, 3> kRays{96, 16, 10};
 
 const double kGoldenAngle = std::numbers::pi * (3.0 - std::sqrt(5.0));
 
-Vec3 perpendicular_to(const Vec3& v) {
-    return normalised(cross(v, std::abs(v.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
-}
-
 std::size_t rounds_of_smoothing(const Mesh& mesh) {
     const double edge = mean_edge(mesh);
     return static_cast<std::size_t>(std::min(std::round(kBlur / (edge * edge)), double{kRays.size() - 1}));
@@ -51,7 +48,7 @@ double mean_edge(const Mesh& mesh) {
 float SkyRays::open_share(VertexId vertex, std::size_t rays) const {
     const Vec3 up = sign_ * mesh_.normals[vertex];
     if (up == Vec3{}) return 1.0F;  // of no triangle that has an area
-    const Vec3 east = perpendicular_to(up);
+    const Vec3 east = perpendicular(up);
     const Vec3 north = cross(up, east);
     const Vec3 origin = mesh_.vertices[vertex] + kLift * up;
     const std::uint64_t chance = mix_bits((std::uint64_t{vertex} + 1) * kMixIncrement);
@@ -71,52 +68,52 @@ float SkyRays::open_share(VertexId vertex, std::size_t rays) const {
     return static_cast<float>(open / static_cast<double>(rays));
 }
 
-void SkyLight::prepare() const {
-    std::call_once(preparation_, [this] {
-        rounds_ = rounds_of_smoothing(rays_.mesh());
-        for (std::size_t round = 0; round <= rounds_; ++round)
-            for (std::atomic<float>& share : known_.emplace_back(rays_.mesh().vertices.size()))
-                share.store(kUnknown, std::memory_order_relaxed);
-        if (rounds_ > 0) list_neighbours();
-        is_prepared_.store(true, std::memory_order_release);
-    });
-}
-
-void SkyLight::list_neighbours() const {
-    const Mesh& mesh = rays_.mesh();
-    neighbour_begin_.assign(mesh.vertices.size() + 1, 0);
+SkyLight::Prepared::Prepared(const Mesh& mesh) : rounds(rounds_of_smoothing(mesh)) {
+    for (std::size_t round = 0; round <= rounds; ++round)
+        for (std::atomic<float>& share : known.emplace_back(mesh.vertices.size()))
+            share.store(kUnknown, std::memory_order_relaxed);
+    if (rounds == 0) return;
+    begins.assign(mesh.vertices.size() + 1, 0);
     for (const Triangle& t : mesh.triangles)
-        for (const VertexId v : t) ++neighbour_begin_[v + std::size_t{1}];
-    std::partial_sum(neighbour_begin_.begin(), neighbour_begin_.end(), neighbour_begin_.begin());
-    neighbours_.resize(neighbour_begin_.back());
-    std::vector<std::size_t> next(neighbour_begin_.begin(), neighbour_begin_.end() - 1);
+        for (const VertexId v : t) ++begins[v + std::size_t{1}];
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    neighbours.resize(begins.back());
+    std::vector<std::size_t> next(begins.begin(), begins.end() - 1);
     for (const auto& [a, b, c] : mesh.triangles) {
-        neighbours_[next[a]++] = b;
-        neighbours_[next[b]++] = c;
-        neighbours_[next[c]++] = a;
+        neighbours[next[a]++] = b;
+        neighbours[next[b]++] = c;
+        neighbours[next[c]++] = a;
     }
 }
 
-std::span<const VertexId> SkyLight::neighbours(VertexId vertex) const {
-    const std::size_t begin = neighbour_begin_[vertex];
-    return std::span(neighbours_).subspan(begin, neighbour_begin_[vertex + std::size_t{1}] - begin);
+std::span<const VertexId> SkyLight::Prepared::around(VertexId vertex) const {
+    return std::span(neighbours).subspan(begins[vertex], begins[vertex + std::size_t{1}] - begins[vertex]);
+}
+
+SkyLight::Prepared& SkyLight::prepare() const {
+    std::call_once(preparation_, [this] {
+        owned_ = std::make_unique<Prepared>(rays_.mesh());
+        prepared_.store(owned_.get(), std::memory_order_release);
+    });
+    return *owned_;
 }
 
 /// Two threads may work out the same vertex: they find the same.
-float SkyLight::smoothed(VertexId vertex, std::size_t rounds) const {
-    std::atomic<float>& known = known_[rounds][vertex];
+float SkyLight::smoothed(Prepared& prepared, VertexId vertex, std::size_t rounds) const {
+    std::atomic<float>& known = prepared.known[rounds][vertex];
     float share = known.load(std::memory_order_relaxed);
     if (share == kUnknown) {
-        share = rounds > 0 ? mean_around(vertex, rounds - 1) : rays_.open_share(vertex, kRays[rounds_]);
+        share =
+            rounds > 0 ? mean_around(prepared, vertex, rounds - 1) : rays_.open_share(vertex, kRays[prepared.rounds]);
         known.store(share, std::memory_order_relaxed);
     }
     return share;
 }
 
-float SkyLight::mean_around(VertexId vertex, std::size_t rounds) const {
-    const std::span<const VertexId> around = neighbours(vertex);
-    float sum = smoothed(vertex, rounds);
-    for (const VertexId v : around) sum += smoothed(v, rounds);
+float SkyLight::mean_around(Prepared& prepared, VertexId vertex, std::size_t rounds) const {
+    const std::span<const VertexId> around = prepared.around(vertex);
+    float sum = smoothed(prepared, vertex, rounds);
+    for (const VertexId v : around) sum += smoothed(prepared, v, rounds);
     return sum / static_cast<float>(around.size() + 1);
 }
 

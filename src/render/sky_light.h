@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <memory>
 #include <mutex>
 #include <span>
 #include <vector>
@@ -53,28 +54,32 @@ public:
     /// cost     the first time a dozen or two rays, where neighbours are asked for as well
     float at(VertexId vertex) const {
         if (!given_.empty()) return given_[vertex];
-        if (!is_prepared_.load(std::memory_order_acquire)) prepare();
-        return smoothed(vertex, rounds_);
+        Prepared* prepared = prepared_.load(std::memory_order_acquire);
+        if (prepared == nullptr) prepared = &prepare();
+        return smoothed(*prepared, vertex, prepared->rounds);
     }
 
 private:
-    using Shares = std::vector<std::atomic<float>>;  // negative: not yet
+    // What is made when the light is first needed, which that of a side that nobody sees never is.
+    struct Prepared {
+        explicit Prepared(const Mesh& mesh);
+        std::span<const VertexId> around(VertexId vertex) const;
 
-    void prepare() const;
-    void list_neighbours() const;
-    std::span<const VertexId> neighbours(VertexId vertex) const;
-    float smoothed(VertexId vertex, std::size_t rounds) const;
-    float mean_around(VertexId vertex, std::size_t rounds) const;
+        std::size_t rounds;                                  // of smoothing
+        std::vector<std::size_t> begins;                     // of the neighbours of each vertex
+        std::vector<VertexId> neighbours;                    // along the edges of triangles
+        std::vector<std::vector<std::atomic<float>>> known;  // shares after so many rounds; negative: not yet
+    };
+
+    Prepared& prepare() const;
+    float smoothed(Prepared& prepared, VertexId vertex, std::size_t rounds) const;
+    float mean_around(Prepared& prepared, VertexId vertex, std::size_t rounds) const;
 
     SkyRays rays_;
     std::span<const float> given_;
-    // Prepared when they are first needed, which those of a side that nobody sees never are.
     mutable std::once_flag preparation_;
-    mutable std::atomic<bool> is_prepared_{false};
-    mutable std::size_t rounds_ = 0;                    // of smoothing
-    mutable std::vector<std::size_t> neighbour_begin_;  // of each vertex
-    mutable std::vector<VertexId> neighbours_;          // along the edges of triangles
-    mutable std::vector<Shares> known_;                 // after so many rounds
+    mutable std::unique_ptr<Prepared> owned_;
+    mutable std::atomic<Prepared*> prepared_{nullptr};
 };
 
 /// Mean length of the edges of triangles, of which there must be one, Å.
