@@ -109,7 +109,7 @@ void find_answers(const AccessibleSurface& surface, std::span<const Vec3> points
     std::vector<Vec3> places;
     for (std::size_t begin = 0; begin < points.size(); begin += kBatchLanes) {
         const std::span<const Vec3> batch = points.subspan(begin, std::min(kBatchLanes, points.size() - begin));
-        const bool walks = begin < kTriedFirst || kWorthWalking * left.size() < (kWorthWalking - 1) * begin;
+        const bool walks = begin < kTriedFirst || kWorthWalking * (begin - left.size()) > begin;
         cells.fill({});
         if (walks) walk.find(batch, cells);
         for (std::size_t i = 0; i < batch.size(); ++i) {

@@ -113,9 +113,10 @@ NearestFeature contact_feature(const Data& data, const Vec3& p, const NearestBal
 }
 
 NearestFeature edge_feature(const Data& data, const Vec3& p, const NearestEdge& edge) {
-    const double distance = std::sqrt(edge.squared_distance);
-    if (edge.vertex != kNoVertex) return vertex_feature(data, p, edge.vertex, distance);
-    return arc_feature(data, p, edge.arc, foot_on_arc(data.arcs[edge.arc], p), distance);
+    const bool by_vertex = edge.vertex != kNoVertex;
+    return feature_in(data, p,
+                      by_vertex ? FeatureCell{FeatureCell::Kind::Vertex, edge.vertex}
+                                : FeatureCell{FeatureCell::Kind::Arc, edge.arc});
 }
 
 // Where a step is settled, the feature's foot and the direction to it are those of p, and the distance from it is the

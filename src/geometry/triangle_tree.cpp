@@ -78,6 +78,12 @@ double squared_distance(const Mesh& mesh, const Triangle& triangle, const Vec3& 
     return squared_norm(point - nearest_in_triangle(point, mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]).first);
 }
 
+// No distance is longer than that to a triangle, which is not a number where that has no area.
+double bound_by(const Mesh& mesh, const Triangle& triangle, const Vec3& point) {
+    const double distance2 = squared_distance(mesh, triangle, point);
+    return std::isnan(distance2) ? std::numeric_limits<double>::infinity() : distance2;
+}
+
 double angle_of(Part part, const Vec3& a, const Vec3& b, const Vec3& c) {
     switch (part) {
         case Part::A:
@@ -141,7 +147,7 @@ double TriangleTree::distance(const Mesh& mesh, const Vec3& point) const {
 }
 
 double TriangleTree::distance(const Mesh& mesh, const Vec3& point, std::uint32_t near) const {
-    double least = squared_distance(mesh, mesh.triangles[near], point);
+    double least = bound_by(mesh, mesh.triangles[near], point);
     const Box reached = Box{point, point}.grown(std::sqrt(tied(least)));
     tree.for_each_overlapping(reached, [&](std::uint32_t i) {
         least = std::min(least, squared_distance(mesh, mesh.triangles[order[i]], point));
@@ -150,12 +156,10 @@ double TriangleTree::distance(const Mesh& mesh, const Vec3& point, std::uint32_t
 }
 
 NearestOnMesh TriangleTree::nearest(const Mesh& mesh, const Vec3& point, std::uint32_t near) const {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     std::vector<Candidate> candidates;
     Candidate best;
-    best.distance2 = kInfinity;
-    const double to_near = squared_distance(mesh, mesh.triangles[near], point);
-    double most = to_near < kInfinity ? tied(to_near) : kInfinity;  // not a number where that has no area
+    best.distance2 = std::numeric_limits<double>::infinity();
+    double most = tied(bound_by(mesh, mesh.triangles[near], point));
     tree.search_nearest(
         point, [&most] { return most; },
         [&](std::uint32_t i) {

@@ -25,7 +25,7 @@ struct TriangleTree {
 
     /// From a point to the nearest one of the mesh that the tree was made of, Å; infinite where that has no triangles.
     double distance(const Mesh& mesh, const Vec3& point) const;
-    /// The same, sooner the nearer to the point that triangle of the mesh is.
+    /// The same, sooner than that if a triangle of the mesh is as near as the next ones.
     double distance(const Mesh& mesh, const Vec3& point, std::uint32_t near) const;
 
     /// The nearest point itself, for a mesh with triangles. Where it lies on several triangles, each counts for the

@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t kLargestCrumb = 8;  // triangles: those round a node
 
 // Leaves the pieces that are wanted, with their numbers.
-void choose_pieces(Mesh& mesh, Pieces pieces) {
+void keep_pieces(Mesh& mesh, Pieces pieces) {
     const std::vector<MeshComponent> components = label_components(mesh);
     std::vector<bool> keep(components.size());
     for (std::size_t c = 0; c < keep.size(); ++c) keep[c] = (components[c].volume > 0.0) == (pieces == Pieces::Outer);
@@ -71,7 +71,7 @@ SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, con
                          const MeshingOptions& options) {
     Mesh mesh = std::move(zero_set);
     const bool has_all = options.pieces == Pieces::All;
-    if (!has_all) choose_pieces(mesh, options.pieces);
+    if (!has_all) keep_pieces(mesh, options.pieces);
     std::optional<VertexDistances> found;
     parallel_both(  // one looks at triangles, the other at vertices
         [&] {
