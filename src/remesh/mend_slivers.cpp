@@ -202,16 +202,25 @@ private:
             const std::size_t end = std::min((chunk + 1) * kChunk, mesh_.triangles.size());
             const Box near = box.grown(boxes_.longest[chunk]);
             const SmallBox small_near(near);
-            for (std::size_t begin = chunk * kChunk; begin < end; begin += kStretch) {
-                if (!small_near.overlaps(boxes_.first_corners[begin / kStretch])) continue;
-                for (std::size_t t = begin; t < std::min(begin + kStretch, end); ++t) {
-                    const Triangle& triangle = mesh_.triangles[t];
-                    const Vec3& corner = mesh_.vertices[triangle[0]];
-                    if (!near.overlaps({corner, corner}) || is_removed(triangle)) continue;
-                    const Box of_triangle = box_of(mesh_, triangle);
-                    if (of_triangle.overlaps(box)) visit(static_cast<std::uint32_t>(t), of_triangle);
+            const std::size_t first = chunk * kChunk;
+            std::uint64_t stretches = 0;
+            for (std::size_t s = 0; s < kChunk / kStretch; ++s)
+                stretches |= std::uint64_t{small_near.overlaps(boxes_.first_corners[first / kStretch + s])} << s;
+            for_each_bit(stretches, [&](std::size_t s) {
+                const std::size_t begin = first + s * kStretch;
+                const std::size_t count = std::min(kStretch, end - std::min(begin, end));
+                std::uint64_t bits = 0;
+                for (std::size_t i = 0; i < count; ++i) {
+                    const Vec3& corner = mesh_.vertices[mesh_.triangles[begin + i][0]];
+                    bits |= std::uint64_t{near.overlaps({corner, corner})} << i;
                 }
-            }
+                for_each_bit(bits, [&](std::size_t i) {
+                    const Triangle& triangle = mesh_.triangles[begin + i];
+                    const Box of_triangle = box_of(mesh_, triangle);
+                    if (of_triangle.overlaps(box) && !is_removed(triangle))
+                        visit(static_cast<std::uint32_t>(begin + i), of_triangle);
+                });
+            });
         });
     }
 
