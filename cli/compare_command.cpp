@@ -32,6 +32,7 @@ public:
     Outcome operator()() {
         const ThreadLimit limit(request_.compare.threads);
         prepare_heaps_of_threads(request_.compare.threads);
+        start_threads();
         check_all_paths();
         read(request_.input, facts_.a);
         read(request_.second, facts_.b);

@@ -42,6 +42,7 @@ void print_warnings(const std::vector<Job>& jobs) {
 Outcome StructureRun::operator()() {
     const ThreadLimit limit(threads_);
     prepare_heaps_of_threads(threads_);
+    start_threads();
     check_asked_paths();
     progress_.update("read", 0.0);
     const std::vector<Job> jobs = read_jobs();

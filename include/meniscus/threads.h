@@ -22,4 +22,11 @@ private:
     std::unique_ptr<Control> control_;
 };
 
+/// Starts the threads that later calls of this one will use, while it does something else first, such as reading; it
+/// does not wait for them. Nothing happens under a limit of one thread.
+///
+/// The kernel of Linux may begin a thread on the processor of the one that starts it and leave both there for 30 ms:
+/// such a thread is moved to another processor that it may use (docs/design/performance.md).
+void start_threads();
+
 }  // namespace meniscus

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Loops and sums whose results do not depend on the threads. This file and thread_limit.cpp alone name the thread
-// library.
+// Loops and sums whose results do not depend on the threads. This file, thread_limit.cpp and start_threads.cpp
+// alone name the thread library.
 #pragma once
 
 #include <tbb/blocked_range.h>

@@ -4,11 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <filesystem>
+#include <iterator>
 #include <mutex>
 #include <set>
 #include <thread>
 
 #include "core/parallel.h"
+
+#ifdef __linux__
+#include <sched.h>
+#endif
 
 namespace meniscus::testing {
 namespace {
@@ -55,6 +62,39 @@ TEST(ThreadLimit, IsThatOfItsOwnThread) {
     std::thread([&] { other_is_alone = is_alone(); }).join();
     EXPECT_FALSE(other_is_alone);
 }
+
+#ifdef __linux__
+std::ptrdiff_t count_threads() {
+    return std::distance(std::filesystem::directory_iterator("/proc/self/task"), std::filesystem::directory_iterator());
+}
+
+// How many processors the threads of a loop may use, each number once.
+std::set<int> processors_of_a_loop() {
+    std::mutex mutex;
+    std::set<int> counts;
+    parallel_for(1000, 1, [&](std::size_t) {
+        cpu_set_t allowed;
+        if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return;
+        const std::lock_guard lock(mutex);
+        counts.insert(CPU_COUNT(&allowed));
+    });
+    return counts;
+}
+
+TEST(StartThreads, NoneUnderALimitOfOne) {
+    const ThreadLimit limit(1);
+    const auto before = count_threads();
+    start_threads();
+    EXPECT_EQ(count_threads(), before);
+}
+
+TEST(StartThreads, LeavesThemAllProcessors) {
+    cpu_set_t allowed;
+    ASSERT_EQ(sched_getaffinity(0, sizeof allowed, &allowed), 0);
+    for (int i = 0; i < 3; ++i) start_threads();
+    for (int i = 0; i < 20; ++i) EXPECT_EQ(processors_of_a_loop(), std::set{CPU_COUNT(&allowed)});
+}
+#endif
 
 }  // namespace
 }  // namespace meniscus::testing

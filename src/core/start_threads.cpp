@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include <tbb/task_scheduler_observer.h>
+
+#include <cstddef>
+#include <utility>
+
+#include "core/parallel.h"
+#include "meniscus/threads.h"
+
+#ifdef __linux__
+#include <sched.h>
+#endif
+
+namespace meniscus {
+namespace {
+
+#ifdef __linux__
+int this_processor() { return sched_getcpu(); }
+
+// Moves this thread to another of the processors it may use, if there is one. Which it may use stays as it was.
+void leave(int processor) {
+    cpu_set_t allowed;
+    if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return;
+    cpu_set_t others = allowed;
+    CPU_CLR(static_cast<std::size_t>(processor), &others);
+    if (CPU_COUNT(&others) == 0 || sched_setaffinity(0, sizeof others, &others) != 0) return;
+    sched_setaffinity(0, sizeof allowed, &allowed);
+}
+#else
+int this_processor() { return -1; }
+void leave(int /*processor*/) {}
+#endif
+
+// Sees threads begin, and sends those elsewhere that share the processor of the one that started them.
+class Beginnings : public tbb::task_scheduler_observer {
+public:
+    Beginnings() : processor_(this_processor()) { observe(true); }
+
+    void on_scheduler_entry(bool is_worker) override {
+        thread_local bool is_new = true;  // later both may long have moved
+        if (is_worker && std::exchange(is_new, false) && processor_ >= 0 && this_processor() == processor_)
+            leave(processor_);
+    }
+
+private:
+    int processor_;
+};
+
+}  // namespace
+
+void start_threads() {
+    if (is_alone()) return;
+    static const Beginnings beginnings;  // they may be over after this call
+    parallel_for(2, 1, [](std::size_t) {});
+}
+
+}  // namespace meniscus
