@@ -186,10 +186,11 @@ private:
         });
         near.marks.resize(std::max(near.marks.size(), words_for(near.boxes.size())));
         for (const std::uint32_t t : neighbours) {
+            const HeldTriangle held(mesh_, mesh_.triangles[t]);
             nearest_kernels().mark_overlapping(near.boxes, box_of(mesh_, mesh_.triangles[t]), near.marks.data());
             for_each_item(near.marks.data(), near.boxes.size(), [&](std::size_t i) {
                 const std::uint32_t other = near.boxes.index(i);
-                if (other != t && meeting(mesh_, mesh_.triangles[t], mesh_.triangles[other]))
+                if (other != t && held.meeting(mesh_, mesh_.triangles[other]))
                     numbers.insert(numbers.end(), {t, other});
             });
         }

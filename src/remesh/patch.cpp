@@ -38,8 +38,10 @@ Box box_of(const Patch& patch, std::size_t triangle) {
     return box;
 }
 
-bool cross_each_other(const Patch& patch, const Triangle& s, const Triangle& t) {
-    return meeting(s, corners_of(patch, s), t, corners_of(patch, t)).has_value();
+HeldTriangle held_triangle(const Patch& patch, const Triangle& t) { return {t, corners_of(patch, t)}; }
+
+bool meets(const HeldTriangle& held, const Patch& patch, const Triangle& t) {
+    return held.meeting(t, corners_of(patch, t)).has_value();
 }
 
 }  // namespace
@@ -181,9 +183,9 @@ std::optional<std::pair<std::size_t, std::size_t>> first_crossing(const Patch& p
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         const Triangle& s = patch.triangles[i];
         if (!patch.has(i) || !(marked[s[0]] || marked[s[1]] || marked[s[2]])) continue;
+        const HeldTriangle held = held_triangle(patch, s);
         for (std::size_t j = 0; j < boxes.size(); ++j)
-            if (i != j && boxes[i].overlaps(boxes[j]) && cross_each_other(patch, s, patch.triangles[j]))
-                return std::pair(i, j);
+            if (i != j && boxes[i].overlaps(boxes[j]) && meets(held, patch, patch.triangles[j])) return std::pair(i, j);
     }
     return std::nullopt;
 }
@@ -204,9 +206,9 @@ std::size_t count_crossings(const Patch& patch, std::span<const std::size_t> tri
         const auto found = std::ranges::lower_bound(near, t, {}, &Near::triangle);
         if (found == near.end() || found->triangle != t) continue;  // removed
         found->counted = true;
+        const HeldTriangle held = held_triangle(patch, patch.triangles[t]);
         for (const Near& other : near)
-            if (!other.counted && found->box.overlaps(other.box) &&
-                cross_each_other(patch, patch.triangles[t], patch.triangles[other.triangle]))
+            if (!other.counted && found->box.overlaps(other.box) && meets(held, patch, patch.triangles[other.triangle]))
                 ++count;
     }
     return count;

@@ -21,10 +21,15 @@ double orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     return dot(cross(b - a, c - a), d - a);
 }
 
-// On which side of a triangle's plane the corners of another are.
-std::array<double, 3> sides_of(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t) {
-    const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
+Vec3 normal_of(const std::array<Vec3, 3>& t) { return cross(t[1] - t[0], t[2] - t[0]); }
+
+// On which side of a triangle's plane the corners of another are. normal: of the plane
+std::array<double, 3> sides_of(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t, const Vec3& normal) {
     return {dot(normal, s[0] - t[0]), dot(normal, s[1] - t[0]), dot(normal, s[2] - t[0])};
+}
+
+std::array<Vec3, 3> corners_of(const Mesh& mesh, const Triangle& t) {
+    return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
 }
 
 // Where the inside of a segment passes through the inside of a triangle, on whose sides its ends are.
@@ -41,6 +46,11 @@ bool contains(const Triangle& t, VertexId v) { return t[0] == v || t[1] == v || 
 
 std::array<bool, 3> shared_corners(const Triangle& s, const Triangle& t) {
     return {contains(t, s[0]), contains(t, s[1]), contains(t, s[2])};
+}
+
+bool share_an_edge(const Triangle& s, const Triangle& t) {
+    const auto [a, b, c] = shared_corners(s, t);
+    return int{a} + int{b} + int{c} >= 2;
 }
 
 // One of two triangles that may meet. At most one corner is the other's, too.
@@ -103,10 +113,11 @@ private:
         });
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t number = triangles_.order[i];
+            const HeldTriangle held(mesh_, mesh_.triangles[number]);
             for (const std::uint32_t j : near) {
                 if (j <= i || !boxes_[i].overlaps(boxes_[j])) continue;
                 const std::uint32_t other = triangles_.order[j];
-                if (const auto place = meeting(mesh_, mesh_.triangles[number], mesh_.triangles[other]))
+                if (const auto place = held.meeting(mesh_, mesh_.triangles[other]))
                     found.push_back({*place, {number, other}});
             }
         }
@@ -119,23 +130,27 @@ private:
 
 }  // namespace
 
-std::optional<Vec3> meeting(const Triangle& s, const std::array<Vec3, 3>& s_at, const Triangle& t,
-                            const std::array<Vec3, 3>& t_at) {
-    const std::array<bool, 3> shared = shared_corners(s, t);
-    if (std::count(shared.begin(), shared.end(), true) >= 2) return std::nullopt;
-    const Candidate first{s_at, shared, sides_of(s_at, t_at)};
-    if (first.is_aside()) return std::nullopt;
-    const Candidate second{t_at, shared_corners(t, s), sides_of(t_at, s_at)};
-    if (second.is_aside()) return std::nullopt;
-    if (const auto place = sides_through(first, t_at)) return place;
-    return sides_through(second, s_at);
+HeldTriangle::HeldTriangle(const Triangle& corners, const std::array<Vec3, 3>& at)
+    : corners_(corners), at_(at), normal_(normal_of(at)) {}
+
+HeldTriangle::HeldTriangle(const Mesh& mesh, const Triangle& corners)
+    : HeldTriangle(corners, corners_of(mesh, corners)) {}
+
+std::optional<Vec3> HeldTriangle::meeting(const Triangle& other, const std::array<Vec3, 3>& at) const {
+    return share_an_edge(corners_, other) ? std::nullopt : place_of_meeting(other, at);
 }
 
-std::optional<Vec3> meeting(const Mesh& mesh, const Triangle& s, const Triangle& t) {
-    const auto corners_of = [&mesh](const Triangle& triangle) -> std::array<Vec3, 3> {
-        return {mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]};
-    };
-    return meeting(s, corners_of(s), t, corners_of(t));
+std::optional<Vec3> HeldTriangle::meeting(const Mesh& mesh, const Triangle& other) const {
+    return share_an_edge(corners_, other) ? std::nullopt : place_of_meeting(other, corners_of(mesh, other));
+}
+
+std::optional<Vec3> HeldTriangle::place_of_meeting(const Triangle& other, const std::array<Vec3, 3>& at) const {
+    const Candidate second{at, shared_corners(other, corners_), sides_of(at, at_, normal_)};
+    if (second.is_aside()) return std::nullopt;
+    const Candidate first{at_, shared_corners(corners_, other), sides_of(at_, at, normal_of(at))};
+    if (first.is_aside()) return std::nullopt;
+    if (const auto place = sides_through(first, at)) return place;
+    return sides_through(second, at_);
 }
 
 std::vector<Vec3> places_of_self_intersections(const Mesh& mesh) {

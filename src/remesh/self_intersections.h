@@ -12,12 +12,27 @@
 
 namespace meniscus {
 
-/// Where two triangles, told by the numbers and the places of their corners, meet where they should not: without a
-/// shared vertex, or with one and beyond it. Triangles that only touch, that lie in one plane or share an edge do not.
-std::optional<Vec3> meeting(const Triangle& s, const std::array<Vec3, 3>& s_at, const Triangle& t,
-                            const std::array<Vec3, 3>& t_at);
-/// The same of two triangles of a mesh.
-std::optional<Vec3> meeting(const Mesh& mesh, const Triangle& s, const Triangle& t);
+/// A triangle that others are held against.
+class HeldTriangle {
+public:
+    /// By the numbers and the places of its corners.
+    HeldTriangle(const Triangle& corners, const std::array<Vec3, 3>& at);
+    HeldTriangle(const Mesh& mesh, const Triangle& corners);
+
+    /// Where another meets it and should not: without a shared vertex, or with one and beyond it. Triangles that only
+    /// touch, that lie in one plane or share an edge do not.
+    std::optional<Vec3> meeting(const Triangle& other, const std::array<Vec3, 3>& at) const;
+    /// The same of another of a mesh.
+    std::optional<Vec3> meeting(const Mesh& mesh, const Triangle& other) const;
+
+private:
+    // With one that shares no edge.
+    std::optional<Vec3> place_of_meeting(const Triangle& other, const std::array<Vec3, 3>& at) const;
+
+    Triangle corners_;
+    std::array<Vec3, 3> at_;
+    Vec3 normal_;  // as long as twice the area
+};
 
 /// A point for every pair of triangles that meet where they should not.
 ///
