@@ -20,10 +20,9 @@
 #include "core/parallel.h"
 #include "core/parallel_list.h"
 #include "geometry/box_tree.h"
-#include "geometry/local_features.h"
-#include "geometry/nearest_kernels.h"
 #include "geometry/triangle_tree.h"
 #include "remesh/first_look.h"
+#include "remesh/near_triangles.h"
 #include "remesh/patch.h"
 #include "remesh/patch_mender.h"
 #include "remesh/self_intersections.h"
@@ -55,12 +54,6 @@ struct Place {
     std::uint32_t triangle = 0;
     Box free;
     Box room;
-};
-
-// Triangles that others may pass through, by their boxes. Filled again and again.
-struct NearTriangles {
-    BoxList boxes;
-    std::vector<std::uint64_t> marks;
 };
 
 // The part of a mesh round a place, and the mesh's numbers for it.
@@ -180,16 +173,11 @@ private:
                       std::vector<std::uint32_t>& numbers) const {
         Box all;
         for (const std::uint32_t t : neighbours) all.include(box_of(mesh_, mesh_.triangles[t]));
-        near.boxes.clear();
-        for_each_near(chunks, all, [&](std::uint32_t t, const Box& box) {
-            near.boxes.add({box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z}, t);
-        });
-        near.marks.resize(std::max(near.marks.size(), words_for(near.boxes.size())));
+        near.clear();
+        for_each_near(chunks, all, [&](std::uint32_t t, const Box& box) { near.add(box, t); });
         for (const std::uint32_t t : neighbours) {
             const HeldTriangle held(mesh_, mesh_.triangles[t]);
-            nearest_kernels().mark_overlapping(near.boxes, box_of(mesh_, mesh_.triangles[t]), near.marks.data());
-            for_each_item(near.marks.data(), near.boxes.size(), [&](std::size_t i) {
-                const std::uint32_t other = near.boxes.index(i);
+            near.for_each_overlapping(box_of(mesh_, mesh_.triangles[t]), [&](std::uint32_t other) {
                 if (other != t && held.meeting(mesh_, mesh_.triangles[other]))
                     numbers.insert(numbers.end(), {t, other});
             });

@@ -10,12 +10,13 @@
 
 #include "core/parallel.h"
 #include "geometry/triangle_tree.h"
+#include "remesh/near_triangles.h"
 
 namespace meniscus {
 namespace {
 
 constexpr std::size_t kChunk = 256;
-constexpr std::size_t kTogether = 8;  // neighbours that descend the tree as one
+constexpr std::size_t kTogether = 16;  // neighbours that share what is near them
 
 double orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     return dot(cross(b - a, c - a), d - a);
@@ -42,7 +43,8 @@ std::optional<Vec3> piercing(const Vec3& p, double from, const Vec3& q, double t
     return p + (from / (from - to)) * (q - p);
 }
 
-bool contains(const Triangle& t, VertexId v) { return t[0] == v || t[1] == v || t[2] == v; }
+// All of them always: nobody could predict which.
+bool contains(const Triangle& t, VertexId v) { return ((t[0] == v) | (t[1] == v)) | (t[2] == v); }
 
 std::array<bool, 3> shared_corners(const Triangle& s, const Triangle& t) {
     return {contains(t, s[0]), contains(t, s[1]), contains(t, s[2])};
@@ -61,9 +63,9 @@ struct Candidate {
 
     // Whether all of it but a shared corner is on one side of the other's plane.
     bool is_aside() const {
-        const auto above = [this](std::size_t k) { return shared[k] || side[k] > 0.0; };
-        const auto below = [this](std::size_t k) { return shared[k] || side[k] < 0.0; };
-        return (above(0) && above(1) && above(2)) || (below(0) && below(1) && below(2));
+        const auto above = [this](std::size_t k) { return shared[k] | (side[k] > 0.0); };
+        const auto below = [this](std::size_t k) { return shared[k] | (side[k] < 0.0); };
+        return (above(0) & above(1) & above(2)) | (below(0) & below(1) & below(2));
     }
 };
 
@@ -92,7 +94,7 @@ public:
     std::vector<Crossing> run() const {
         std::vector<std::vector<Crossing>> found((triangles_.order.size() + kChunk - 1) / kChunk);
         parallel_chunks(triangles_.order.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-            std::vector<std::uint32_t> near;
+            NearTriangles near;
             for (std::size_t i = begin; i < end; i += kTogether)
                 find_after(i, std::min(i + kTogether, end), near, found[begin / kChunk]);
         });
@@ -103,23 +105,22 @@ public:
 
 private:
     // Meetings of some triangles, which are neighbours, with all that follow them. `near` is memory.
-    void find_after(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& near,
-                    std::vector<Crossing>& found) const {
+    void find_after(std::size_t begin, std::size_t end, NearTriangles& near, std::vector<Crossing>& found) const {
         Box box;
         for (std::size_t i = begin; i < end; ++i) box.include(boxes_[i]);
         near.clear();
         triangles_.tree.for_each_overlapping(box, [&](std::uint32_t j) {
-            if (j > begin) near.push_back(j);
+            if (j > begin) near.add(boxes_[j], j);
         });
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t number = triangles_.order[i];
             const HeldTriangle held(mesh_, mesh_.triangles[number]);
-            for (const std::uint32_t j : near) {
-                if (j <= i || !boxes_[i].overlaps(boxes_[j])) continue;
+            near.for_each_overlapping(boxes_[i], [&](std::uint32_t j) {
+                if (j <= i) return;
                 const std::uint32_t other = triangles_.order[j];
                 if (const auto place = held.meeting(mesh_, mesh_.triangles[other]))
                     found.push_back({*place, {number, other}});
-            }
+            });
         }
     }
 
