@@ -15,7 +15,7 @@ namespace meniscus {
 ///
 /// of_triangle   one number per triangle
 /// Precondition: every corner is below vertex_count.
-/// cost     O(n) for n triangles, 2 ns each, on one thread
+/// cost     O(n) for n triangles, 2 ns each, on up to two threads
 std::vector<float> sums_at_corners(std::size_t vertex_count, std::span<const Triangle> triangles,
                                    std::span<const float> of_triangle);
 

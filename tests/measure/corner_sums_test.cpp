@@ -4,9 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
+#include <random>
 
+#include "meniscus/threads.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 
@@ -34,6 +38,15 @@ TEST(CornerSums, OfAreasSumToTheAreaOfTheMesh) {
     const std::vector<float> areas = areas_at_vertices(mesh);
     EXPECT_EQ(areas.back(), 0.0F);
     EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0) / area_of(mesh), 1.0, 1e-7);
+}
+
+TEST(CornerSums, AreTheSameForAnyNumberOfThreads) {
+    Mesh mesh = projected_sphere({.centre = {1, 2, 3}, .radius = 2.0}, 0.1);
+    const auto half = static_cast<std::ptrdiff_t>(mesh.triangles.size() / 2);
+    std::shuffle(mesh.triangles.begin(), mesh.triangles.begin() + half, std::mt19937(1));  // no more next to neighbours
+    const std::vector<float> of_several = areas_at_vertices(mesh);
+    const ThreadLimit limit(1);
+    EXPECT_EQ(areas_at_vertices(mesh), of_several);
 }
 
 }  // namespace
