@@ -35,12 +35,12 @@ void leave(int /*processor*/) {}
 // Sees threads begin, and sends those elsewhere that share the processor of the one that started them.
 class Beginnings : public tbb::task_scheduler_observer {
 public:
-    Beginnings() : processor_(this_processor()) { observe(true); }
+    explicit Beginnings(int processor) : processor_(processor) {}
 
     void on_scheduler_entry(bool is_worker) override {
         thread_local bool is_new = true;  // later both may long have moved
-        if (is_worker && std::exchange(is_new, false) && processor_ >= 0 && this_processor() == processor_)
-            leave(processor_);
+        if (!is_worker || !std::exchange(is_new, false)) return;
+        if (processor_ >= 0 && this_processor() == processor_) leave(processor_);
     }
 
 private:
@@ -51,7 +51,10 @@ private:
 
 void start_threads() {
     if (is_alone()) return;
-    static const Beginnings beginnings;  // they may be over after this call
+    // Never destroyed: threads may begin after this call, and the library's destructor fails if observe() ran out of
+    // memory.
+    static auto& beginnings = *new Beginnings(this_processor());
+    beginnings.observe(true);
     parallel_for(2, 1, [](std::size_t) {});
 }
 
