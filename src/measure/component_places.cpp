@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/golden_angle.h"
 #include "core/perpendicular.h"
 #include "geometry/nearest_feature.h"
 
@@ -105,7 +106,7 @@ private:
 
 // A frame that turns from call to call, so that a search along its axes does not stall in a crease.
 std::array<Vec3, 3> turning_frame(int turn) {
-    const double angle = 2.399963229728653 * turn;
+    const double angle = kGoldenAngle * turn;
     const Vec3 e1 = normalised({std::cos(angle), std::sin(angle), 0.6 * std::cos(1.7 * angle)});
     const Vec3 e2 = perpendicular(e1);
     return {e1, e2, cross(e1, e2)};

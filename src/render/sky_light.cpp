@@ -9,6 +9,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/golden_angle.h"
 #include "core/mix_bits.h"
 #include "core/perpendicular.h"
 
@@ -29,7 +30,8 @@ constexpr double kBlur = 0.2;
 /// Rays of each vertex by rounds of smoothing, which take the mean of 1, 7 and 19 of them.
 constexpr std::array<std::size_t, 3> kRays{96, 16, 10};
 
-const double kGoldenAngle = std::numbers::pi * (3.0 - std::sqrt(5.0));
+const double kTurnCosine = std::cos(kGoldenAngle);
+const double kTurnSine = std::sin(kGoldenAngle);
 
 std::size_t rounds_of_smoothing(const Mesh& mesh) {
     const double edge = mean_edge(mesh);
@@ -48,22 +50,20 @@ double mean_edge(const Mesh& mesh) {
 float SkyRays::open_share(VertexId vertex, std::size_t rays) const {
     const Vec3 up = sign_ * mesh_.normals[vertex];
     if (up == Vec3{}) return 1.0F;  // of no triangle that has an area
-    const Vec3 east = perpendicular(up);
-    const Vec3 north = cross(up, east);
     const Vec3 origin = mesh_.vertices[vertex] + kLift * up;
     const std::uint64_t chance = mix_bits((std::uint64_t{vertex} + 1) * kMixIncrement);
     const double turn = std::numbers::pi * signed_unit(chance);
     const double start = 0.5 + 0.5 * signed_unit(mix_bits(chance + kMixIncrement));
     const double step = (1.0 - kSmallestCosine * kSmallestCosine) / static_cast<double>(rays);
+    const Vec3 east = perpendicular(up);
+    Vec3 level = std::cos(turn) * east + std::sin(turn) * cross(up, east);
     double open = 0.0;
     for (std::size_t i = 0; i < rays; ++i) {
-        const auto number = static_cast<double>(i);
-        const double squared_sine = step * (number + start);
-        const double angle = turn + kGoldenAngle * number;
-        const Vec3 level = std::cos(angle) * east + std::sin(angle) * north;
+        const double squared_sine = step * (static_cast<double>(i) + start);
         const Vec3 direction = std::sqrt(squared_sine) * level + std::sqrt(1.0 - squared_sine) * up;
         const std::optional<RayHit> hit = scene_.first_hit({origin, direction}, reach_);
         open += hit ? hit->distance / reach_ : 1.0;
+        level = kTurnCosine * level + kTurnSine * cross(up, level);
     }
     return static_cast<float>(open / static_cast<double>(rays));
 }
