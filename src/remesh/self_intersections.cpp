@@ -44,7 +44,10 @@ std::optional<Vec3> piercing(const Vec3& p, double from, const Vec3& q, double t
 }
 
 // All of them always: nobody could predict which.
-bool contains(const Triangle& t, VertexId v) { return ((t[0] == v) | (t[1] == v)) | (t[2] == v); }
+bool contains(const Triangle& t, VertexId v) {
+    const auto& [a, b, c] = t;
+    return (a == v) | (b == v) | (c == v);
+}
 
 std::array<bool, 3> shared_corners(const Triangle& s, const Triangle& t) {
     return {contains(t, s[0]), contains(t, s[1]), contains(t, s[2])};
@@ -63,9 +66,11 @@ struct Candidate {
 
     // Whether all of it but a shared corner is on one side of the other's plane.
     bool is_aside() const {
-        const auto above = [this](std::size_t k) { return shared[k] | (side[k] > 0.0); };
-        const auto below = [this](std::size_t k) { return shared[k] | (side[k] < 0.0); };
-        return (above(0) & above(1) & above(2)) | (below(0) & below(1) & below(2));
+        const auto [shared_a, shared_b, shared_c] = shared;
+        const auto [a, b, c] = side;
+        const bool above = (shared_a | (a > 0.0)) & (shared_b | (b > 0.0)) & (shared_c | (c > 0.0));
+        const bool below = (shared_a | (a < 0.0)) & (shared_b | (b < 0.0)) & (shared_c | (c < 0.0));
+        return above | below;
     }
 };
 
