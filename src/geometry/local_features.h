@@ -72,6 +72,10 @@ private:
 using SphereList = FeatureList<4>;  ///< x, y, z, radius: balls, and vertices with the probe's radius
 using BoxList = FeatureList<6>;     ///< boxes: low x, y, z, high x, y, z
 
+inline BoxList::Row row_of(const Box& box) {
+    return {box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z};
+}
+
 template <std::size_t kColumns>
 Vec3 position_in(const FeatureList<kColumns>& list, std::size_t item) {
     return {list.column(0)[item], list.column(1)[item], list.column(2)[item]};

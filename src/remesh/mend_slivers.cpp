@@ -188,22 +188,10 @@ private:
     template <class Visit>
     void for_each_near(const BoxTree& chunks, const Box& box, const Visit& visit) const {
         chunks.for_each_overlapping(box, [&](std::uint32_t chunk) {
-            const std::size_t end = std::min((chunk + 1) * kChunk, mesh_.triangles.size());
             const Box near = box.grown(boxes_.longest[chunk]);
-            const SmallBox small_near(near);
-            const std::size_t first = chunk * kChunk;
-            std::uint64_t stretches = 0;
-            for (std::size_t s = 0; s < kChunk / kStretch; ++s)
-                stretches |= std::uint64_t{small_near.overlaps(boxes_.first_corners[first / kStretch + s])} << s;
-            for_each_bit(stretches, [&](std::size_t s) {
-                const std::size_t begin = first + s * kStretch;
-                const std::size_t count = std::min(kStretch, end - std::min(begin, end));
-                std::uint64_t bits = 0;
-                for (std::size_t i = 0; i < count; ++i) {
-                    const Vec3& corner = mesh_.vertices[mesh_.triangles[begin + i][0]];
-                    bits |= std::uint64_t{near.overlaps({corner, corner})} << i;
-                }
-                for_each_bit(bits, [&](std::size_t i) {
+            for_each_bit(stretches_near(near, chunk), [&](std::size_t stretch) {
+                const std::size_t begin = chunk * kChunk + stretch * kStretch;
+                for_each_bit(triangles_near(near, begin), [&](std::size_t i) {
                     const Triangle& triangle = mesh_.triangles[begin + i];
                     const Box of_triangle = box_of(mesh_, triangle);
                     if (of_triangle.overlaps(box) && !is_removed(triangle))
@@ -211,6 +199,26 @@ private:
                 });
             });
         });
+    }
+    // Bit by bit, the stretches of a chunk that may have first corners in a box. Without a branch, as the next one:
+    // they would often be guessed wrong.
+    std::uint64_t stretches_near(const Box& box, std::size_t chunk) const {
+        constexpr std::size_t kStretches = kChunk / kStretch;
+        const SmallBox small(box);
+        std::uint64_t near = 0;
+        for (std::size_t s = 0; s < kStretches; ++s)
+            near |= std::uint64_t{small.overlaps(boxes_.first_corners[chunk * kStretches + s])} << s;
+        return near;
+    }
+    // The triangles of a stretch that have.
+    std::uint64_t triangles_near(const Box& box, std::size_t begin) const {
+        const std::size_t end = std::min(begin + kStretch, mesh_.triangles.size());
+        std::uint64_t near = 0;
+        for (std::size_t t = begin; t < end; ++t) {
+            const Vec3& corner = mesh_.vertices[mesh_.triangles[t][0]];
+            near |= std::uint64_t{box.overlaps({corner, corner})} << (t - begin);
+        }
+        return near;
     }
 
     // Mends in rounds; what it leaves below the needed angle is in left_ afterwards.

@@ -19,9 +19,7 @@ namespace meniscus {
 class NearTriangles {
 public:
     void clear() { boxes_.clear(); }
-    void add(const Box& box, std::uint32_t number) {
-        boxes_.add({box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z}, number);
-    }
+    void add(const Box& box, std::uint32_t number) { boxes_.add(row_of(box), number); }
 
     /// Calls visit(number) for those whose boxes overlap one, in the order in which they were added.
     template <class Visit>

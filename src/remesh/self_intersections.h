@@ -19,8 +19,8 @@ public:
     HeldTriangle(const Triangle& corners, const std::array<Vec3, 3>& at);
     HeldTriangle(const Mesh& mesh, const Triangle& corners);
 
-    /// Where another meets it and should not: without a shared vertex, or with one and beyond it. Triangles that only
-    /// touch, that lie in one plane or share an edge do not.
+    /// Where another meets it and should not, Å: without a shared vertex, or with one and beyond it. Triangles that
+    /// only touch, that lie in one plane or share an edge do not.
     std::optional<Vec3> meeting(const Triangle& other, const std::array<Vec3, 3>& at) const;
     /// The same of another of a mesh.
     std::optional<Vec3> meeting(const Mesh& mesh, const Triangle& other) const;
