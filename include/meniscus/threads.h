@@ -27,6 +27,8 @@ private:
 ///
 /// The kernel of Linux may begin a thread on the processor of the one that starts it and leave both there for 30 ms:
 /// such a thread is moved to another processor that it may use (docs/design/performance.md).
+///
+/// throws   std::bad_alloc without memory for them, and what the thread library does where no thread can be started
 void start_threads();
 
 }  // namespace meniscus
