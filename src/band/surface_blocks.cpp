@@ -6,11 +6,12 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <optional>
+#include <span>
 #include <unordered_set>
 
 #include "core/bits.h"
 #include "core/parallel.h"
+#include "core/parallel_list.h"
 #include "core/workspaces.h"
 #include "geometry/accessible_surface_data.h"
 #include "geometry/nearest_batch.h"
@@ -107,27 +108,62 @@ private:
 
 BlockCoord cube_of(const BlockCoord& block) { return {.z = block.z >> 2, .y = block.y >> 2, .x = block.x >> 2}; }
 
-void add_blocks(const BlockCoord& cube, CubeMask mask, std::vector<BlockCoord>& blocks) {
-    for_each_bit(mask, [&](std::size_t number) {
-        const int bit = static_cast<int>(number);
-        blocks.push_back({.z = kCubeEdge * cube.z + bit / (kCubeEdge * kCubeEdge),
-                          .y = kCubeEdge * cube.y + bit / kCubeEdge % kCubeEdge,
-                          .x = kCubeEdge * cube.x + bit % kCubeEdge});
-    });
+// The blocks of a cube near the surface, one bit for each.
+struct MarkedCube {
+    BlockCoord cube;
+    CubeMask blocks = 0;
+};
+
+// Calls visit(run) for each run of cubes that are equal along an axis.
+template <class Visit>
+void for_each_run(std::span<const MarkedCube> cubes, std::int32_t BlockCoord::*axis, const Visit& visit) {
+    for (std::size_t begin = 0, end = 0; begin < cubes.size(); begin = end) {
+        while (end < cubes.size() && cubes[end].cube.*axis == cubes[begin].cube.*axis) ++end;
+        visit(cubes.subspan(begin, end - begin));
+    }
 }
 
-// At least one point of the van der Waals spheres on every piece of the surface.
-std::vector<Vec3> points_on_surface(const AccessibleSurface::Data& data) {
-    std::vector<Vec3> points;
-    const auto add = [&](std::uint32_t atom, const Vec3& towards) {
-        const Vec3& centre = data.atoms.centres[atom];
-        points.push_back(centre + (data.atoms.radii[atom] / norm(towards - centre)) * (towards - centre));
+// The blocks of ascending cubes, ascending themselves: they are not sorted, which would take longer than to find them.
+std::vector<BlockCoord> list_blocks(std::span<const MarkedCube> cubes) {
+    constexpr CubeMask kRow = (CubeMask{1} << kCubeEdge) - 1;
+    std::vector<BlockCoord> blocks;
+    const auto list_row = [&](std::span<const MarkedCube> row, int y, int z) {
+        for (const auto& [cube, mask] : row)
+            for_each_bit(mask >> cube_bit(0, y, z) & kRow, [&](std::size_t x) {
+                blocks.push_back({.z = kCubeEdge * cube.z + z,
+                                  .y = kCubeEdge * cube.y + y,
+                                  .x = kCubeEdge * cube.x + static_cast<std::int32_t>(x)});
+            });
     };
-    for (const SasArc& arc : data.arcs)
-        for (const std::uint32_t atom : arc.atoms) add(atom, arc.centre + arc.radius * arc.middle);
+    for_each_run(cubes, &BlockCoord::z, [&](std::span<const MarkedCube> layer) {
+        for (int z = 0; z < kCubeEdge; ++z)
+            for_each_run(layer, &BlockCoord::y, [&](std::span<const MarkedCube> row) {
+                for (int y = 0; y < kCubeEdge; ++y) list_row(row, y, z);
+            });
+    });
+    return blocks;
+}
+
+// Cubes with at least one point of the van der Waals spheres on every piece of the surface; some more than once.
+std::vector<BlockCoord> cubes_on_surface(const AccessibleSurface::Data& data, const Lattice& lattice) {
+    constexpr std::size_t kPerChunk = 1024;
+    const auto add = [&](std::uint32_t atom, const Vec3& towards, std::vector<BlockCoord>& cubes) {
+        const Vec3& centre = data.atoms.centres[atom];
+        const Vec3 point = centre + (data.atoms.radii[atom] / norm(towards - centre)) * (towards - centre);
+        const BlockCoord cube = cube_of(lattice.block_of(point));
+        if (cubes.empty() || cubes.back() != cube) cubes.push_back(cube);  // most are in that of the one before
+    };
+    using Cubes = std::vector<BlockCoord>;
+    Cubes cubes = parallel_list<BlockCoord>(data.arcs.size(), kPerChunk, [&](auto begin, auto end, Cubes& list) {
+        for (std::size_t a = begin; a < end; ++a) {
+            const SasArc& arc = data.arcs[a];
+            for (const std::uint32_t atom : arc.atoms) add(atom, arc.centre + arc.radius * arc.middle, list);
+        }
+    });
     for (std::uint32_t i = 0; i < data.atoms.size(); ++i)
-        if (data.exposed[i] != 0 && data.caps_of(i).empty()) add(i, data.atoms.centres[i] + Vec3{0.0, 0.0, 1.0});
-    return points;
+        if (data.exposed[i] != 0 && data.caps_of(i).empty())
+            add(i, data.atoms.centres[i] + Vec3{0.0, 0.0, 1.0}, cubes);
+    return cubes;
 }
 
 }  // namespace
@@ -149,15 +185,12 @@ std::vector<BlockCoord> blocks_near_surface(const AccessibleSurface& surface, co
     const std::vector<Direction> around = directions();
     CubeSet seen;
     std::vector<BlockCoord> frontier;
-    std::optional<BlockCoord> last;  // most points are in the cube of the one before
-    for (const Vec3& point : points_on_surface(surface.data())) {
-        const BlockCoord cube = cube_of(lattice.block_of(point));
-        if (cube != last && seen.insert(cube).second) frontier.push_back(cube);
-        last = cube;
-    }
+    for (const BlockCoord& cube : cubes_on_surface(surface.data(), lattice))
+        if (seen.insert(cube).second) frontier.push_back(cube);
 
     Workspaces searches([&] { return std::make_unique<CubeSearch>(surface, lattice, reach); });
-    std::vector<BlockCoord> result;
+    std::vector<MarkedCube> found;
+    std::size_t blocks = 0;
     std::vector<CubeMask> near;
     while (!frontier.empty()) {
         near.resize(frontier.size());
@@ -169,18 +202,21 @@ std::vector<BlockCoord> blocks_near_surface(const AccessibleSurface& surface, co
         std::vector<BlockCoord> next;
         for (std::size_t c = 0; c < frontier.size(); ++c) {
             const BlockCoord& at = frontier[c];
-            add_blocks(at, near[c], result);
+            if (near[c] == 0) continue;
+            found.push_back({at, near[c]});
+            blocks += count_bits(near[c]);
             for (const auto& [step, facing] : around) {
                 const BlockCoord beside{.z = at.z + step.z, .y = at.y + step.y, .x = at.x + step.x};
                 if ((near[c] & facing) != 0 && seen.insert(beside).second) next.push_back(beside);
             }
         }
-        if (result.size() > max_blocks)
+        if (blocks > max_blocks)
             throw LimitError("the narrow band would not fit into memory; enlarge --spacing or raise --memory");
         frontier = std::move(next);
     }
-    std::sort(result.begin(), result.end());
-    return result;
+    std::sort(found.begin(), found.end(),
+              [](const MarkedCube& a, const MarkedCube& b) { return a.cube < b.cube; });
+    return list_blocks(found);
 }
 
 }  // namespace meniscus

@@ -74,6 +74,7 @@ public:
     std::span<const BlockCoord> coords() const { return blocks_; }
 
     /// The block at a position, or kNoBlock.
+    /// cost     O(log blocks)
     BlockId find(const BlockCoord& coord) const;
 
     /// The 27 blocks around and including `block` (see neighbour_slot); kNoBlock where there is none.
@@ -97,7 +98,6 @@ private:
     double spacing_;
     Vec3 origin_;
     std::vector<BlockCoord> blocks_;
-    std::vector<BlockId> slots_;  // open-addressing hash table over blocks_
     std::vector<std::array<BlockId, 27>> neighbours_;
 };
 
