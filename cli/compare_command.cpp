@@ -31,12 +31,13 @@ public:
 
     Outcome operator()() {
         const ThreadLimit limit(request_.compare.threads);
-        prepare_heaps_of_threads(request_.compare.threads);
-        start_threads();
-        check_all_paths();
-        read(request_.input, facts_.a);
-        read(request_.second, facts_.b);
-        print_warnings();
+        {
+            const WarmStart warm_start(request_.compare.threads);
+            check_all_paths();
+            read(request_.input, facts_.a);
+            read(request_.second, facts_.b);
+            print_warnings();
+        }
         facts_.read_seconds += watch_.lap();
         show("compare", 0.0);
         facts_.comparison = compare_surfaces(facts_.a.surface, facts_.b.surface, request_.compare);

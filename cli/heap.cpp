@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "heap.h"
 
+#include <atomic>
 #include <cstdlib>  // tells whether this is glibc
+
+#include "meniscus/threads.h"
 
 // Sanitizers have heaps of their own.
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -16,8 +19,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
+#include <cerrno>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <fstream>
 #include <latch>
@@ -28,10 +32,11 @@
 #endif
 
 namespace meniscus::cli {
-
-#ifdef MENISCUS_HEAP_OF_GLIBC
 namespace {
 
+std::atomic<bool> is_warm_enough = false;
+
+#ifdef MENISCUS_HEAP_OF_GLIBC
 constexpr std::size_t kHugePage = std::size_t{1} << 21U;
 
 // A page costs 0.5 to 2 µs where the processor keeps the page tables of virtual machines, too, and 8 to 11 µs where
@@ -87,15 +92,7 @@ void reserve_huge_pages(std::size_t size) {
 
 bool pages_are_dear = false;
 
-}  // namespace
-
-void prepare_heap() {
-    keep_freed_memory();
-    pages_are_dear = seconds_per_page() > kDearPage && !are_addresses_limited();
-    if (!pages_are_dear) return;
-    const std::size_t memory = page_size() * static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES));
-    reserve_huge_pages(memory / 2);
-}
+std::byte* beginning = nullptr;  // of what had no use when the program began, a whole page
 
 // Heaps outlive their threads and are taken over by later ones.
 void prepare_heaps_of_threads(int threads) {
@@ -116,9 +113,48 @@ void prepare_heaps_of_threads(int threads) {
         all_have_one.count_down(others - static_cast<int>(started.size()));
     }
 }
-#else
-void prepare_heap() {}
-void prepare_heaps_of_threads(int /*threads*/) {}
+
+// What the heap has not grown to yet the kernel refuses: it is waited for.
+void touch_heap() {
+#ifdef MADV_POPULATE_WRITE
+    constexpr std::size_t kStep = 1 << 17;
+    constexpr auto kWait = std::chrono::microseconds(50);
+    if (pages_are_dear || beginning == nullptr) return;
+    for (std::byte* next = beginning; !is_warm_enough;) {
+        if (madvise(next, kStep, MADV_POPULATE_WRITE) == 0)
+            next += kStep;
+        else if (errno == ENOMEM)
+            std::this_thread::sleep_for(kWait);
+        else
+            return;  // not known to this kernel
+    }
 #endif
+}
+
+void prepare() {
+    keep_freed_memory();
+    beginning = static_cast<std::byte*>(sbrk(0));
+    beginning += -reinterpret_cast<std::uintptr_t>(beginning) % page_size();
+    pages_are_dear = seconds_per_page() > kDearPage && !are_addresses_limited();
+    if (!pages_are_dear) return;
+    const std::size_t memory = page_size() * static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES));
+    reserve_huge_pages(memory / 2);
+}
+#else
+void prepare() {}
+void prepare_heaps_of_threads(int /*threads*/) {}
+void touch_heap() {}
+#endif
+
+}  // namespace
+
+void prepare_heap() { prepare(); }
+
+WarmStart::WarmStart(int threads) {
+    prepare_heaps_of_threads(threads);
+    start_threads(touch_heap);
+}
+
+WarmStart::~WarmStart() { is_warm_enough = true; }
 
 }  // namespace meniscus::cli

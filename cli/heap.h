@@ -14,8 +14,18 @@ namespace meniscus::cli {
 /// (docs/design/performance.md). Takes a tenth of a millisecond.
 void prepare_heap();
 
-/// The same for the heaps of the threads that will be started, this one included; 0 means all cores. To be called
-/// before they are. Does nothing where pages are not dear, else it takes a tenth of a millisecond for each.
-void prepare_heaps_of_threads(int threads);
+/// Starts the threads that will be used, while the first one reads.
+///
+/// Their heaps are prepared, too: where pages are dear that takes a tenth of a millisecond for each. Where they are
+/// not, one of the threads touches, as long as this lives, what the heap will hand out next; the first touch of a page
+/// takes longer than to fill it.
+class WarmStart {
+public:
+    /// threads   how many there will be, this one included; 0 means all cores
+    explicit WarmStart(int threads);
+    ~WarmStart();
+    WarmStart(const WarmStart&) = delete;
+    WarmStart& operator=(const WarmStart&) = delete;
+};
 
 }  // namespace meniscus::cli

@@ -41,19 +41,23 @@ void print_warnings(const std::vector<Job>& jobs) {
 
 Outcome StructureRun::operator()() {
     const ThreadLimit limit(threads_);
-    prepare_heaps_of_threads(threads_);
-    start_threads();
+    for (const Job& job : prepare_jobs()) run(job);
+    finish();
+    return outcome_;
+}
+
+/// Reads the input; every output can be written.
+std::vector<Job> StructureRun::prepare_jobs() {
+    const WarmStart warm_start(threads_);
     check_asked_paths();
     progress_.update("read", 0.0);
-    const std::vector<Job> jobs = read_jobs();
+    std::vector<Job> jobs = read_jobs();
     progress_.update("read", 1.0);
     check_all_paths(jobs);
     progress_.clear();
     print_warnings(jobs);
     read_seconds_ += watch_.lap();
-    for (const Job& job : jobs) run(job);
-    finish();
-    return outcome_;
+    return jobs;
 }
 
 void StructureRun::warn(const std::string& line) {

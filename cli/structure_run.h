@@ -81,6 +81,7 @@ private:
     void check_all_paths(const std::vector<Job>& jobs) const;
     std::vector<Job> read_structures() const;
     std::vector<Job> read_jobs() const;
+    std::vector<Job> prepare_jobs();
     void run(const Job& job);
     void write_outputs(const Job& job);
     void record(const Job& job, const RunFacts& facts);

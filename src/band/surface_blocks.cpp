@@ -161,8 +161,7 @@ std::vector<BlockCoord> cubes_on_surface(const AccessibleSurface::Data& data, co
         }
     });
     for (std::uint32_t i = 0; i < data.atoms.size(); ++i)
-        if (data.exposed[i] != 0 && data.caps_of(i).empty())
-            add(i, data.atoms.centres[i] + Vec3{0.0, 0.0, 1.0}, cubes);
+        if (data.exposed[i] != 0 && data.caps_of(i).empty()) add(i, data.atoms.centres[i] + Vec3{0.0, 0.0, 1.0}, cubes);
     return cubes;
 }
 
@@ -214,8 +213,7 @@ std::vector<BlockCoord> blocks_near_surface(const AccessibleSurface& surface, co
             throw LimitError("the narrow band would not fit into memory; enlarge --spacing or raise --memory");
         frontier = std::move(next);
     }
-    std::sort(found.begin(), found.end(),
-              [](const MarkedCube& a, const MarkedCube& b) { return a.cube < b.cube; });
+    std::sort(found.begin(), found.end(), [](const MarkedCube& a, const MarkedCube& b) { return a.cube < b.cube; });
     return list_blocks(found);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
+#include <tbb/task_arena.h>
 #include <tbb/task_scheduler_observer.h>
 
 #include <cstddef>
@@ -49,13 +50,13 @@ private:
 
 }  // namespace
 
-void start_threads() {
+void start_threads(void (*meanwhile)()) {
     if (is_alone()) return;
     // Never destroyed: threads may begin after this call, and the library's destructor fails if observe() ran out of
     // memory.
     static auto& beginnings = *new Beginnings(this_processor());
     beginnings.observe(true);
-    parallel_for(2, 1, [](std::size_t) {});
+    tbb::this_task_arena::enqueue(meanwhile);
 }
 
 }  // namespace meniscus

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/corner_numbers.h"
+#include "core/fresh_memory.h"
 #include "core/parallel.h"
 
 namespace meniscus {
@@ -48,7 +49,8 @@ void add_within(const VertexRange& range, std::span<const Triangle> triangles, s
 
 std::vector<float> sums_at_corners(std::size_t vertex_count, std::span<const Triangle> triangles,
                                    std::span<const float> of_triangle) {
-    std::vector<float> sums(vertex_count);
+    std::vector<float> sums;
+    resize_touched(sums, vertex_count);
     if (is_alone()) {
         add_to_all(triangles, of_triangle, sums);
         return sums;

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/bits.h"
 #include "core/fresh_memory.h"
 #include "core/group_by.h"
 #include "core/parallel_list.h"
@@ -176,9 +177,12 @@ constexpr std::size_t kGroupsPerTask = 2;
 constexpr double kLongestRun = 9.0;  // spacings: little more than a block
 
 std::vector<Vec3> places_of(const Mesh& mesh, const std::vector<VertexId>& vertices) {
+    constexpr std::size_t kPerChunk = 1 << 14;
     std::vector<Vec3> places;
-    places.reserve(vertices.size());
-    for (const VertexId v : vertices) places.push_back(mesh.vertices[v]);
+    resize_touched(places, vertices.size());
+    parallel_chunks(vertices.size(), kPerChunk, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) places[i] = mesh.vertices[vertices[i]];
+    });
     return places;
 }
 
@@ -305,12 +309,12 @@ public:
     VertexDistances run() {
         left_ = accessible_.probe() > 0.0 ? walk() : all();  // a StepBatch needs a probe
         points_ = places_of(mesh_, left_);
-        return {mesh_.vertices.size(), search()};
+        distances_.resize(left_.size());
+        search();
+        return {mesh_.vertices.size(), off()};
     }
 
 private:
-    using Off = VertexDistances::Off;
-
     static constexpr std::size_t kVerticesPerTask = 1 << 12;
 
     // What is used again for the next vertices.
@@ -336,48 +340,49 @@ private:
         return vertices;
     }
 
-    // Returns those that are left.
+    // Returns those that are left, in rising order.
     std::vector<VertexId> walk() {
         return parallel_list_with<VertexId>(
             mesh_.vertices.size(), kVerticesPerTask, [&] { return std::make_unique<StepRoom>(accessible_); },
             [&](std::size_t begin, std::size_t end, StepRoom& room, std::vector<VertexId>& left) {
                 FeatureWalk walk(accessible_);
                 for (std::size_t v = begin; v < end; v += kBatchLanes)
-                    step(v, std::min(end, v + kBatchLanes), walk, room, left);
+                    for_each_bit(step(v, std::min(end, v + kBatchLanes), walk, room),
+                                 [&](std::size_t i) { left.push_back(static_cast<VertexId>(v + i)); });
             });
     }
-    void step(std::size_t begin, std::size_t end, FeatureWalk& walk, StepRoom& room, std::vector<VertexId>& left) {
+    // Returns, bit by bit, which are left.
+    std::uint64_t step(std::size_t begin, std::size_t end, FeatureWalk& walk, StepRoom& room) {
+        static_assert(kBatchLanes <= 64);
         auto& [cells, stepper, steps, shapes] = room;
         walk.find(std::span(mesh_.vertices).subspan(begin, end - begin), cells);
         stepper.clear();
+        std::uint64_t left = first_bits(end - begin);
         for (std::size_t v = begin; v < end; ++v) {
             const FeatureCell& cell = cells[v - begin];
             if (cell.kind != FeatureCell::Kind::None)
                 stepper.add(static_cast<std::uint32_t>(v - begin), mesh_.vertices[v], cell);
-            else
-                left.push_back(static_cast<VertexId>(v));
         }
         const std::size_t count = stepper.take(steps);
         cap_curvatures(steps, count, shapes);
         for (std::size_t lane = 0; lane < count; ++lane) {
-            const std::size_t v = begin + steps.point[lane];
-            if (steps.lanes.settled[lane] != 0)
-                write(steps, shapes, lane, v);
-            else
-                left.push_back(static_cast<VertexId>(v));
+            if (steps.lanes.settled[lane] == 0) continue;
+            write(steps, shapes, lane, begin + steps.point[lane]);
+            left &= ~(std::uint64_t{1} << steps.point[lane]);
         }
+        return left;
     }
 
-    // Of the vertices that are left; returns the distances that are not 0.
-    std::vector<Off> search() {
+    // Of the vertices that are left.
+    void search() {
         const RunGroups groups(points_, kLongestRun * spacing_);
-        return parallel_list_with<Off>(
+        parallel_chunks_with(
             groups.size(), kGroupsPerTask, [&] { return std::make_unique<SearchRoom>(accessible_); },
-            [&](std::size_t begin, std::size_t end, SearchRoom& room, std::vector<Off>& off) {
-                for (std::size_t g = begin; g < end; ++g) search(groups.runs(g), room, off);
+            [&](std::size_t begin, std::size_t end, SearchRoom& room) {
+                for (std::size_t g = begin; g < end; ++g) search(groups.runs(g), room);
             });
     }
-    void search(std::span<const VertexRun> runs, SearchRoom& room, std::vector<Off>& off) {
+    void search(std::span<const VertexRun> runs, SearchRoom& room) {
         auto& [projector, steps, shapes] = room;
         projector.enter(box_of(runs).box());
         for (const VertexRun& run : runs) {
@@ -385,12 +390,19 @@ private:
             projector.project(run.box.box(), std::span(points_).subspan(run.begin, count), steps);
             cap_curvatures(steps, count, shapes);
             for (std::size_t lane = 0; lane < count; ++lane) {
-                const VertexId v = left_[run.begin + steps.point[lane]];
-                write(steps, shapes, lane, v);
-                const auto distance = static_cast<float>(std::abs(steps.signed_distance[lane]));
-                if (distance != 0.0F) off.push_back({v, distance});
+                const std::size_t i = run.begin + steps.point[lane];
+                write(steps, shapes, lane, left_[i]);
+                distances_[i] = static_cast<float>(std::abs(steps.signed_distance[lane]));
             }
         }
+    }
+
+    // Those that are not on the surface, in rising order.
+    std::vector<VertexDistances::Off> off() const {
+        std::vector<VertexDistances::Off> list;
+        for (std::size_t i = 0; i < left_.size(); ++i)
+            if (distances_[i] != 0.0F) list.push_back({left_[i], distances_[i]});
+        return list;
     }
 
     // At cusps there is no limit to them.
@@ -414,6 +426,7 @@ private:
     Mesh& mesh_;
     std::vector<VertexId> left_;  // for search()
     std::vector<Vec3> points_;    // of them
+    std::vector<float> distances_;
 };
 
 // Gives some vertices of a mesh what another one, with a vertex for each of them, holds.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -66,34 +65,35 @@ DistanceSummary summary_of(std::span<const float> distances) {
 
 // The same where all but some are 0.
 DistanceSummary summary_of(std::vector<float> some, std::size_t count) {
-    std::sort(some.begin(), some.end());
+    DistanceSummary summary;
+    for (const double d : some) {
+        summary.mean += d / static_cast<double>(count);
+        summary.max = std::max(summary.max, d);
+    }
     const auto place = static_cast<std::size_t>(0.99 * static_cast<double>(count - 1));
     const std::size_t zeros = count - some.size();
-    return {.mean = std::accumulate(some.begin(), some.end(), 0.0) / static_cast<double>(count),
-            .p99 = place < zeros ? 0.0 : some[place - zeros],
-            .max = some.empty() ? 0.0 : some.back()};
+    if (place >= zeros) {
+        const auto at = some.begin() + static_cast<std::ptrdiff_t>(place - zeros);
+        std::nth_element(some.begin(), at, some.end());
+        summary.p99 = *at;
+    }
+    return summary;
 }
 
 }  // namespace
 
-VertexDistances::VertexDistances(std::size_t vertices, std::span<const Off> off) : count_(vertices) {
-    off_.reserve(off.size());
-    for (const auto& [vertex, distance] : off) off_[vertex] = distance;
-}
-
 float VertexDistances::operator[](VertexId vertex) const {
     if (!all_.empty()) return all_[vertex];
-    const auto found = off_.find(vertex);
-    return found == off_.end() ? 0.0F : found->second;
+    if (const auto found = set_.find(vertex); found != set_.end()) return found->second;
+    const auto place = std::ranges::lower_bound(off_, vertex, {}, &Off::vertex);
+    return place == off_.end() || place->vertex != vertex ? 0.0F : place->distance;
 }
 
 void VertexDistances::set(VertexId vertex, float distance) {
     if (!all_.empty())
         all_[vertex] = distance;
-    else if (distance != 0.0F)
-        off_[vertex] = distance;
     else
-        off_.erase(vertex);
+        set_[vertex] = distance;
 }
 
 void VertexDistances::renumber(const MeshChanges& changes) {
@@ -101,15 +101,19 @@ void VertexDistances::renumber(const MeshChanges& changes) {
     renumber_entries(changes, all_);
     if (!all_.empty()) return;
     for (const auto& [hole, from] : changes.refilled) set(hole, (*this)[from]);
-    std::erase_if(off_, [this](const auto& entry) { return entry.first >= count_; });
+    off_.erase(std::ranges::lower_bound(off_, count_, {}, &Off::vertex), off_.end());
+    std::erase_if(set_, [this](const auto& entry) { return entry.first >= count_; });
 }
 
 DistanceSummary VertexDistances::summarise() const {
     if (count_ == 0) return {};
     if (!all_.empty()) return summary_of(all_);
     std::vector<float> some;
-    some.reserve(off_.size());
-    for (const auto& entry : off_) some.push_back(entry.second);
+    some.reserve(off_.size() + set_.size());
+    for (const auto& [vertex, distance] : off_)
+        if (!set_.contains(vertex)) some.push_back(distance);
+    for (const auto& [vertex, distance] : set_)
+        if (distance != 0.0F) some.push_back(distance);
     return summary_of(std::move(some), count_);
 }
 

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -24,8 +23,8 @@ public:
     };
 
     explicit VertexDistances(std::vector<float> of_all) : count_(of_all.size()), all_(std::move(of_all)) {}
-    /// Of so many vertices, which are on the surface but for some.
-    VertexDistances(std::size_t vertices, std::span<const Off> off);
+    /// Of so many vertices, which are on the surface but for some, in rising order.
+    VertexDistances(std::size_t vertices, std::vector<Off> off) : count_(vertices), off_(std::move(off)) {}
 
     float operator[](VertexId vertex) const;
     void set(VertexId vertex, float distance);
@@ -35,8 +34,9 @@ public:
 
 private:
     std::size_t count_;
-    std::vector<float> all_;                   // or empty
-    std::unordered_map<VertexId, float> off_;  // else those that are not 0
+    std::vector<float> all_;                   // or empty,
+    std::vector<Off> off_;                     // and then of those off the surface, but for
+    std::unordered_map<VertexId, float> set_;  // those that were set since, which may be on it
 };
 
 }  // namespace meniscus

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/bits.h"
+#include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "geometry/triangle_tree.h"
 #include "remesh/patch.h"
@@ -26,6 +27,14 @@ constexpr std::size_t kStretch = TriangleBoxes::kStretch;
 static_assert(kChunk % kLanes == 0);
 
 std::size_t chunks_of(std::size_t triangles) { return (triangles + kChunk - 1) / kChunk; }
+std::size_t looks_at(std::size_t triangles) { return (triangles + kLanes - 1) / kLanes; }
+
+std::vector<std::uint32_t> items_of(const std::vector<std::uint64_t>& words) {
+    std::vector<std::uint32_t> items;
+    for_each_item(words.data(), 64 * words.size(),
+                  [&](std::size_t item) { items.push_back(static_cast<std::uint32_t>(item)); });
+    return items;
+}
 
 }  // namespace
 
@@ -45,7 +54,10 @@ void TriangleBoxes::include(const Mesh& mesh, std::uint32_t triangle) {
 }
 
 FirstLook::FirstLook(const Mesh& mesh, double smallest_angle_deg)
-    : mesh_(mesh), chunks_(chunks_of(mesh.triangles.size())), first_corners_(chunks_.size() * (kChunk / kStretch)) {
+    : mesh_(mesh), bad_(looks_at(mesh.triangles.size())), leaning_(bad_.size()) {
+    const std::size_t chunks = chunks_of(mesh.triangles.size());
+    boxes_.longest.resize(chunks);
+    resize_touched(boxes_.first_corners, chunks * (kChunk / kStretch));
     const double tangent = tangent_of_degrees(smallest_angle_deg);
     limits_ = {.squared_tangent = kAboveOne * tangent * tangent,
                .squared_edge = kShortestEdge * kShortestEdge,
@@ -53,39 +65,37 @@ FirstLook::FirstLook(const Mesh& mesh, double smallest_angle_deg)
 }
 
 void FirstLook::look(std::size_t first, std::span<const Triangle> triangles, const TriangleLanes& lanes) {
-    Chunk& chunk = chunks_[first / kChunk];
-    const auto number = [first](std::size_t lane) { return static_cast<std::uint32_t>(first + lane); };
     const std::uint64_t looked_at = first_bits(triangles.size());
     const auto [may_be_bad, leaning] = triangle_kernels().mark(lanes, limits_);
-    for_each_bit(may_be_bad & looked_at, [&](std::size_t lane) { chunk.bad.push_back(number(lane)); });
-    for_each_bit(leaning & looked_at, [&](std::size_t lane) { chunk.leaning.push_back(number(lane)); });
+    bad_[first / kLanes] = may_be_bad & looked_at;
+    leaning_[first / kLanes] = leaning & looked_at;
     if (triangles.size() == kLanes && lanes.origin)
-        bound_all(first, lanes, chunk);
+        bound_all(first, lanes);
     else
-        bound_some(first, triangles, lanes, chunk);
+        bound_some(first, triangles, lanes);
 }
 
-void FirstLook::bound_all(std::size_t first, const TriangleLanes& lanes, Chunk& chunk) {
+void FirstLook::bound_all(std::size_t first, const TriangleLanes& lanes) {
     constexpr double kRounding = 1e-9;  // Å, of coordinates from an origin
-    chunk.longest = std::max(chunk.longest, triangle_kernels().find_largest(lanes.longest));
+    double& longest = boxes_.longest[first / kChunk];
+    longest = std::max(longest, triangle_kernels().find_largest(lanes.longest));
     StretchBoxes boxes;
     triangle_kernels().bound(lanes.points[0], boxes);
     for (std::size_t s = 0; s < boxes.size(); ++s) {
         const Box from_origin = boxes[s].grown(kRounding);
-        first_corners_[first / kStretch + s] =
+        boxes_.first_corners[first / kStretch + s] =
             SmallBox({*lanes.origin + from_origin.low, *lanes.origin + from_origin.high});
     }
 }
 
-void FirstLook::bound_some(std::size_t first, std::span<const Triangle> triangles, const TriangleLanes& lanes,
-                           Chunk& chunk) {
-    for (std::size_t lane = 0; lane < triangles.size(); ++lane)
-        chunk.longest = std::max(chunk.longest, lanes.longest[lane]);
+void FirstLook::bound_some(std::size_t first, std::span<const Triangle> triangles, const TriangleLanes& lanes) {
+    double& longest = boxes_.longest[first / kChunk];
+    for (std::size_t lane = 0; lane < triangles.size(); ++lane) longest = std::max(longest, lanes.longest[lane]);
     for (std::size_t lane = 0; lane < triangles.size(); lane += kStretch) {
         Box box;
         for (const Triangle& triangle : triangles.subspan(lane, std::min(kStretch, triangles.size() - lane)))
             box.include(mesh_.vertices[triangle[0]]);
-        first_corners_[(first + lane) / kStretch] = SmallBox(box);
+        boxes_.first_corners[(first + lane) / kStretch] = SmallBox(box);
     }
 }
 
@@ -103,18 +113,14 @@ void FirstLook::look_at_all() {
 }
 
 FirstLook::Suspects FirstLook::suspects() && {
-    Suspects all;
-    all.boxes.first_corners = std::move(first_corners_);
-    const std::vector<Chunk> chunks = std::move(chunks_);
-    for (std::size_t c = 0; c < chunks.size(); ++c) {
-        const Chunk& chunk = chunks[c];
-        all.bad.insert(all.bad.end(), chunk.bad.begin(), chunk.bad.end());
-        all.leaning.insert(all.leaning.end(), chunk.leaning.begin(), chunk.leaning.end());
-        all.boxes.longest.push_back(kAboveOne * std::sqrt(chunk.longest));
+    Suspects all{.bad = items_of(bad_), .leaning = items_of(leaning_), .boxes = std::move(boxes_)};
+    auto& [boxes, longest, first_corners] = all.boxes;
+    boxes.resize(longest.size());
+    for (std::size_t c = 0; c < boxes.size(); ++c) {
+        longest[c] = kAboveOne * std::sqrt(longest[c]);
         SmallBox box;
-        for (std::size_t s = 0; s < kChunk / kStretch; ++s)
-            box.include(all.boxes.first_corners[c * (kChunk / kStretch) + s]);
-        all.boxes.boxes.push_back(box.box().grown(all.boxes.longest.back()));
+        for (std::size_t s = 0; s < kChunk / kStretch; ++s) box.include(first_corners[c * (kChunk / kStretch) + s]);
+        boxes[c] = box.box().grown(longest[c]);
     }
     return all;
 }

@@ -48,19 +48,14 @@ public:
     Suspects suspects() &&;
 
 private:
-    struct Chunk {
-        double longest = 0.0;  // squared
-        std::vector<std::uint32_t> bad;
-        std::vector<std::uint32_t> leaning;
-    };
-
-    void bound_all(std::size_t first, const TriangleLanes& lanes, Chunk& chunk);
-    void bound_some(std::size_t first, std::span<const Triangle> triangles, const TriangleLanes& lanes, Chunk& chunk);
+    void bound_all(std::size_t first, const TriangleLanes& lanes);
+    void bound_some(std::size_t first, std::span<const Triangle> triangles, const TriangleLanes& lanes);
 
     const Mesh& mesh_;
     SuspectLimits limits_;
-    std::vector<Chunk> chunks_;
-    std::vector<SmallBox> first_corners_;
+    std::vector<std::uint64_t> bad_;      // a word for each look, a bit for each triangle
+    std::vector<std::uint64_t> leaning_;  // likewise
+    TriangleBoxes boxes_;                 // not `boxes` yet, and of `longest` the squares
 };
 
 }  // namespace meniscus

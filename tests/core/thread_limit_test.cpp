@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <future>
 #include <iterator>
 #include <mutex>
 #include <set>
@@ -84,8 +86,16 @@ std::set<int> processors_of_a_loop() {
 TEST(StartThreads, NoneUnderALimitOfOne) {
     const ThreadLimit limit(1);
     const auto before = count_threads();
-    start_threads();
+    start_threads([] { ADD_FAILURE() << "called without a thread"; });
     EXPECT_EQ(count_threads(), before);
+}
+
+TEST(StartThreads, OneOfThemDoesWhatItIsGiven) {
+    static std::promise<std::thread::id> done_by;
+    auto found = done_by.get_future();
+    start_threads([] { done_by.set_value(std::this_thread::get_id()); });
+    ASSERT_EQ(found.wait_for(std::chrono::minutes(1)), std::future_status::ready);
+    EXPECT_NE(found.get(), std::this_thread::get_id());
 }
 
 TEST(StartThreads, LeavesThemAllProcessors) {
