@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/bits.h"
+#include "core/fresh_memory.h"
 #include "core/parallel.h"
 
 namespace meniscus {
@@ -161,7 +162,9 @@ Unknowns unknowns_of(const NodeMask& mask) {
 }  // namespace
 
 Unknowns nodes_near(const BlockGrid& grid, std::span<const float> field, float near) {
-    std::vector<NodeBits> sets(grid.block_count());
+    Unknowns unknowns;
+    std::vector<NodeBits>& sets = unknowns.nodes;
+    resize_touched(sets, grid.block_count());
     std::vector<std::uint16_t> counts(grid.block_count());
     parallel_for(grid.block_count(), kBlocksPerChunk, [&](std::size_t b) {
         sets[b] = block_kernels().find_near(near, field.data() + b * kBlockNodes);
@@ -169,13 +172,13 @@ Unknowns nodes_near(const BlockGrid& grid, std::span<const float> field, float n
         std::memcpy(words.data(), sets[b].rows, sizeof(NodeBits));
         for (const std::uint64_t word : words) counts[b] = static_cast<std::uint16_t>(counts[b] + count_bits(word));
     });
-    Unknowns unknowns;
-    for (std::size_t b = 0; b < sets.size(); ++b) {
+    for (std::size_t b = 0; b < counts.size(); ++b) {
         if (counts[b] == 0) continue;
+        sets[unknowns.blocks.size()] = sets[b];
         unknowns.blocks.push_back(static_cast<BlockId>(b));
-        unknowns.nodes.push_back(sets[b]);
         unknowns.count += counts[b];
     }
+    sets.resize(unknowns.blocks.size());
     return unknowns;
 }
 
@@ -234,15 +237,14 @@ void SplineSystem::make_layers() {
     for (std::size_t l = 0; l + 1 < layers_.size(); ++l)
         for (std::size_t k = layers_[l]; k < layers_[l + 1]; ++k)
             place_[blocks[k]] = static_cast<std::uint32_t>(l % kLayersKept * largest + (k - layers_[l]));
-    residual_.resize(std::min(kLayersKept, layers_.size() - 1) * largest * kBlockNodes);
+    resize_touched(residual_, std::min(kLayersKept, layers_.size() - 1) * largest * kBlockNodes);
 }
 
 void SplineSystem::make_krylov_vectors() {
     for (std::size_t k = 0; k < unknowns_.blocks.size(); ++k)
         place_[unknowns_.blocks[k]] = static_cast<std::uint32_t>(k);
-    residual_.resize(unknowns_.blocks.size() * kBlockNodes);  // may keep old values: all are overwritten
-    direction_.resize(residual_.size());
-    image_.resize(residual_.size());
+    // They may keep old values: all are overwritten.
+    resize_all_touched(unknowns_.blocks.size() * kBlockNodes, residual_, direction_, image_);
 }
 
 // Where the k-th block with unknowns has its part of b.

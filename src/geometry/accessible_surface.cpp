@@ -377,7 +377,9 @@ void build_trees(AccessibleSurface::Data& data) {
         parallel_for(boxes.size(), kChunk, [&](std::size_t a) { boxes[a] = box_of(data, data.arcs[a]); });
         data.arc_tree = BoxTree(boxes);
         parallel_for(boxes.size(), kChunk, [&](std::size_t a) {
-            for (const std::uint32_t i : data.arcs[a].atoms) boxes[a].include(data.atoms.centres[i]);
+            const SasArc& arc = data.arcs[a];
+            for (const std::uint32_t i : arc.atoms) boxes[a].include(data.atoms.centres[i]);
+            if (arc.is_a_point()) boxes[a] = {};  // nothing is nearest to it
         });
         data.arc_cell_tree = BoxTree(boxes);
     };

@@ -70,7 +70,7 @@ struct AccessibleSurface::Data {
 
     BoxTree atom_tree;      ///< centres
     BoxTree arc_tree;       ///< points of the arcs
-    BoxTree arc_cell_tree;  ///< the arcs' cells, the hulls of an arc and both atoms
+    BoxTree arc_cell_tree;  ///< the arcs' cells, the hulls of an arc and both atoms; none for a point
     BoxTree vertex_tree;    ///< positions
 
     std::span<const CapPlane> caps_of(std::uint32_t atom) const {

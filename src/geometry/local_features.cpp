@@ -154,7 +154,7 @@ void LocalFeatures::gather(const Box& box) {
     arcs_.clear();
     for (const std::uint32_t a : data.arc_cell_tree.list_overlapping(box.grown(kCellSlack), lists_)) {
         const Box cell = data.arc_cell_tree.box(a).grown(kCellSlack);
-        arcs_.add_if(!data.arcs[a].is_a_point(), row_of(cell), a);
+        arcs_.add(row_of(cell), a);
     }
     vertices_.clear();
     const double reach = data.probe + margin_;
