@@ -11,6 +11,7 @@
 #include "band/side_kernels.h"
 #include "band/unit_places.h"
 #include "core/bits.h"
+#include "core/fresh_memory.h"
 #include "geometry/accessible_surface_data.h"
 #include "geometry/nearest_batch.h"
 
@@ -120,7 +121,8 @@ private:
 }  // namespace
 
 std::vector<InsideBits> find_sides(const AccessibleSurface& surface, const BlockGrid& grid) {
-    std::vector<InsideBits> sides(grid.block_count());
+    std::vector<InsideBits> sides;
+    resize_touched(sides, grid.block_count());
     const SideCaps caps(surface.data());
     for_each_block(
         grid, [&] { return std::make_unique<BlockSides>(surface, caps, grid.spacing()); },

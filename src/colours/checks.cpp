@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "colours/checks.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "core/parallel.h"
 
 namespace meniscus {
 
@@ -21,8 +22,7 @@ void check_options(const ColourOptions& options) {
 void check_atoms(const Mesh& mesh, const Structure& structure) {
     check_values(mesh.atoms, mesh, "atom");
     const std::size_t n = structure.labels.size();
-    if (n != structure.atoms.size() ||
-        std::any_of(mesh.atoms.begin(), mesh.atoms.end(), [n](auto a) { return a >= n; }))
+    if (n != structure.atoms.size() || parallel_any_of(mesh.atoms, [n](std::uint32_t a) { return a >= n; }))
         throw UsageError("the mesh names an atom that the structure does not have");
 }
 

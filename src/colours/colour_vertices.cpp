@@ -9,6 +9,7 @@
 #include "colours/depths.h"
 #include "colours/feature_colours.h"
 #include "colours/palettes.h"
+#include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "meniscus/vertex_values.h"
 
@@ -20,7 +21,8 @@ constexpr std::size_t kGrain = 1 << 14;  // vertices per task: some tens of micr
 std::vector<Colour> by_feature(const Mesh& mesh, const Structure& structure, const FeatureColours& features) {
     check_atoms(mesh, structure);
     check_values(mesh.patches, mesh, "patch");
-    std::vector<Colour> colours(mesh.vertices.size());
+    std::vector<Colour> colours;
+    resize_touched(colours, mesh.vertices.size());
     parallel_for(colours.size(), kGrain,
                  [&](std::size_t v) { colours[v] = features.at(mesh.atoms[v], mesh.patches[v]); });
     return colours;

@@ -54,23 +54,14 @@ std::unique_ptr<const float[]> rounded_x(const Mesh& mesh) {
     return x;
 }
 
-// Whether a test holds for any of the items.
-template <class Item, class Test>
-bool any_of(const std::vector<Item>& items, const Test& test) {
-    return parallel_sum<std::size_t>(items.size(), kItemsPerChunk, [&](std::size_t begin, std::size_t end) {
-               const auto at = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
-               return std::any_of(at(begin), at(end), test) ? std::size_t{1} : std::size_t{0};
-           }) > 0;
-}
-
 }  // namespace
 
 Precision precision_needed(const Mesh& mesh, double shortest_edge) {
-    if (any_of(mesh.vertices, [](const Vec3& p) { return is_far_off(p); })) return Precision::Double;
+    if (parallel_any_of(mesh.vertices, [](const Vec3& p) { return is_far_off(p); })) return Precision::Double;
     if (shortest_edge > kTooLongToVanish) return Precision::Single;
     const std::unique_ptr<const float[]> x = rounded_x(mesh);
     const auto same_x = [&x](VertexId a, VertexId b) { return static_cast<unsigned>(x[a] == x[b]); };
-    const bool collapses = any_of(mesh.triangles, [&](const Triangle& t) {
+    const bool collapses = parallel_any_of(mesh.triangles, [&](const Triangle& t) {
         return (same_x(t[0], t[1]) | same_x(t[1], t[2]) | same_x(t[2], t[0])) != 0 && collapses_when_rounded(mesh, t);
     });
     return collapses ? Precision::Double : Precision::Single;

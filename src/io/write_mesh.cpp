@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/fresh_memory.h"
 #include "core/lower_case.h"
 #include "core/parallel.h"
 #include "io/atomic_file.h"
@@ -71,11 +72,13 @@ void check(const Mesh& mesh, const WriteOptions& options) {
 std::vector<std::uint32_t> residues_of_vertices(const Mesh& mesh, const Structure& structure) {
     constexpr std::size_t kGrain = 1 << 14;  // vertices per task: some tens of microseconds
     const std::size_t atoms = structure.labels.size();
-    const auto beyond = std::find_if(mesh.atoms.begin(), mesh.atoms.end(), [&](std::uint32_t a) { return a >= atoms; });
-    if (beyond != mesh.atoms.end())
-        throw UsageError("vertex array 'atom' names atom " + std::to_string(*beyond) + " of a structure with " +
+    const auto is_beyond = [&](std::uint32_t a) { return a >= atoms; };
+    if (parallel_any_of(mesh.atoms, is_beyond))
+        throw UsageError("vertex array 'atom' names atom " +
+                         std::to_string(*std::ranges::find_if(mesh.atoms, is_beyond)) + " of a structure with " +
                          std::to_string(atoms));
-    std::vector<std::uint32_t> residues(mesh.atoms.size());
+    std::vector<std::uint32_t> residues;
+    resize_touched(residues, mesh.atoms.size());
     parallel_for(residues.size(), kGrain,
                  [&](std::size_t v) { residues[v] = structure.labels[mesh.atoms[v]].residue; });
     return residues;

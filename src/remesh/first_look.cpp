@@ -114,14 +114,16 @@ void FirstLook::look_at_all() {
 
 FirstLook::Suspects FirstLook::suspects() && {
     Suspects all{.bad = items_of(bad_), .leaning = items_of(leaning_), .boxes = std::move(boxes_)};
-    auto& [boxes, longest, first_corners] = all.boxes;
-    boxes.resize(longest.size());
-    for (std::size_t c = 0; c < boxes.size(); ++c) {
-        longest[c] = kAboveOne * std::sqrt(longest[c]);
+    TriangleBoxes& round = all.boxes;
+    round.boxes.resize(round.longest.size());
+    parallel_for(round.boxes.size(), kChunk, [&](std::size_t c) {
+        constexpr std::size_t kStretches = kChunk / kStretch;
+        double& longest = round.longest[c];
+        longest = kAboveOne * std::sqrt(longest);
         SmallBox box;
-        for (std::size_t s = 0; s < kChunk / kStretch; ++s) box.include(first_corners[c * (kChunk / kStretch) + s]);
-        boxes[c] = box.box().grown(longest[c]);
-    }
+        for (std::size_t s = 0; s < kStretches; ++s) box.include(round.first_corners[c * kStretches + s]);
+        round.boxes[c] = box.box().grown(longest);
+    });
     return all;
 }
 
