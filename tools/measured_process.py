@@ -19,6 +19,7 @@ class Run:
     code: int        # exit code; negative: the number of the signal that ended it
     timed_out: bool  # it was ended because it took longer than its limit
     cpu: float       # user + system, seconds
+    kernel: float    # of that the system's
     wall: float      # seconds
     memory: float    # at most, MB
     output: str
@@ -58,8 +59,8 @@ def run_process(command, folder, environment=None, time_limit=None):
             watch.cancel()
         process.returncode = os.waitstatus_to_exitcode(status)
         wall = time.monotonic() - start
-        return Run(process.returncode, late.is_set(), usage.ru_utime + usage.ru_stime, wall, usage.ru_maxrss / 1024,
-                   text_of(output), text_of(errors))
+        return Run(process.returncode, late.is_set(), usage.ru_utime + usage.ru_stime, usage.ru_stime, wall,
+                   usage.ru_maxrss / 1024, text_of(output), text_of(errors))
 
 
 def end_group(leader):

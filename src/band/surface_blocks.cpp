@@ -123,16 +123,16 @@ void for_each_run(std::span<const MarkedCube> cubes, std::int32_t BlockCoord::*a
     }
 }
 
-// The blocks of ascending cubes, ascending themselves: they are not sorted, which would take longer than to find them.
+// The blocks of ascending cubes, ascending themselves.
 std::vector<BlockCoord> list_blocks(std::span<const MarkedCube> cubes) {
     constexpr CubeMask kRow = (CubeMask{1} << kCubeEdge) - 1;
     std::vector<BlockCoord> blocks;
     const auto list_row = [&](std::span<const MarkedCube> row, int y, int z) {
-        for (const auto& [cube, mask] : row)
-            for_each_bit(mask >> cube_bit(0, y, z) & kRow, [&](std::size_t x) {
-                blocks.push_back({.z = kCubeEdge * cube.z + z,
-                                  .y = kCubeEdge * cube.y + y,
-                                  .x = kCubeEdge * cube.x + static_cast<std::int32_t>(x)});
+        for (const MarkedCube& marked : row)
+            for_each_bit(marked.blocks >> cube_bit(0, y, z) & kRow, [&](std::size_t x) {
+                blocks.push_back({.z = kCubeEdge * marked.cube.z + z,
+                                  .y = kCubeEdge * marked.cube.y + y,
+                                  .x = kCubeEdge * marked.cube.x + static_cast<std::int32_t>(x)});
             });
     };
     for_each_run(cubes, &BlockCoord::z, [&](std::span<const MarkedCube> layer) {

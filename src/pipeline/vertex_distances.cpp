@@ -67,9 +67,10 @@ DistanceSummary summary_of(std::span<const float> distances) {
 DistanceSummary summary_of(std::vector<float> some, std::size_t count) {
     DistanceSummary summary;
     for (const double d : some) {
-        summary.mean += d / static_cast<double>(count);
+        summary.mean += d;
         summary.max = std::max(summary.max, d);
     }
+    summary.mean /= static_cast<double>(count);
     const auto place = static_cast<std::size_t>(0.99 * static_cast<double>(count - 1));
     const std::size_t zeros = count - some.size();
     if (place >= zeros) {
