@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// The loops of parallel.h on the threads of the standard library, for builds with the thread sanitizer: it does not see
-// how a TBB that was built without it hands work from one thread to another, and would take all of that for races.
+// What parallel.h and start_threads() do, on the threads of the standard library, for builds with the thread sanitizer:
+// it does not see how a TBB that was built without it hands work from one thread to another, and would take all of that
+// for races.
 #pragma once
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <future>
+#include <thread>
 
 namespace meniscus::plain {
 
@@ -18,6 +20,9 @@ void invoke(const First& first, const Second& second) {
     first();
     other.get();
 }
+
+/// Calls it on a thread that nobody waits for.
+inline void enqueue(void (*task)()) { std::thread(task).detach(); }
 
 /// Calls body(i) for i in [0, n) on two threads, which take chunks of `grain` in turn.
 template <class Body>

@@ -56,7 +56,11 @@ void start_threads(void (*meanwhile)()) {
     // memory.
     static auto& beginnings = *new Beginnings(this_processor());
     beginnings.observe(true);
+#if defined(__SANITIZE_THREAD__)
+    plain::enqueue(meanwhile);
+#else
     tbb::this_task_arena::enqueue(meanwhile);
+#endif
 }
 
 }  // namespace meniscus
