@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "core/fresh_memory.h"
 #include "core/parallel.h"
@@ -92,16 +93,30 @@ private:
 BlockGrid::BlockGrid(double spacing, const Vec3& origin, std::vector<BlockCoord> blocks)
     : spacing_(spacing), origin_(origin), blocks_(std::move(blocks)) {
     if (!std::is_sorted(blocks_.begin(), blocks_.end())) std::sort(blocks_.begin(), blocks_.end());
-    resize_touched(neighbours_, blocks_.size());
-    parallel_chunks(blocks_.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-        NeighbourSearch(blocks_, neighbours_).find(begin, end);
-    });
+    parallel_both([&] { fill_slots(); },
+                  [&] {
+                      resize_touched(neighbours_, blocks_.size());
+                      parallel_chunks(blocks_.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+                          NeighbourSearch(blocks_, neighbours_).find(begin, end);
+                      });
+                  });
+}
+
+void BlockGrid::fill_slots() {
+    slots_.assign(std::bit_ceil(2 * blocks_.size() + 1), kNoBlock);
+    const std::size_t mask = slots_.size() - 1;
+    for (BlockId b = 0; b < blocks_.size(); ++b) {
+        std::size_t slot = BlockCoordHash{}(blocks_[b]) & mask;
+        while (slots_[slot] != kNoBlock) slot = (slot + 1) & mask;
+        slots_[slot] = b;
+    }
 }
 
 BlockId BlockGrid::find(const BlockCoord& coord) const {
-    const auto place = std::lower_bound(blocks_.begin(), blocks_.end(), coord);
-    if (place == blocks_.end() || *place != coord) return kNoBlock;
-    return static_cast<BlockId>(place - blocks_.begin());
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t slot = BlockCoordHash{}(coord)&mask; slots_[slot] != kNoBlock; slot = (slot + 1) & mask)
+        if (blocks_[slots_[slot]] == coord) return slots_[slot];
+    return kNoBlock;
 }
 
 Vec3 BlockGrid::corner(const BlockCoord& coord) const {

@@ -74,7 +74,6 @@ public:
     std::span<const BlockCoord> coords() const { return blocks_; }
 
     /// The block at a position, or kNoBlock.
-    /// cost     O(log blocks)
     BlockId find(const BlockCoord& coord) const;
 
     /// The 27 blocks around and including `block` (see neighbour_slot); kNoBlock where there is none.
@@ -95,9 +94,12 @@ public:
     }
 
 private:
+    void fill_slots();
+
     double spacing_;
     Vec3 origin_;
     std::vector<BlockCoord> blocks_;
+    std::vector<BlockId> slots_;  // open-addressing hash table over blocks_
     std::vector<std::array<BlockId, 27>> neighbours_;
 };
 
