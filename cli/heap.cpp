@@ -3,7 +3,9 @@
 #include "heap.h"
 
 #include <atomic>
+#include <condition_variable>
 #include <cstdlib>  // tells whether this is glibc
+#include <mutex>
 
 #include "meniscus/threads.h"
 
@@ -34,7 +36,9 @@
 namespace meniscus::cli {
 namespace {
 
-std::atomic<bool> is_warm_enough = false;
+std::mutex mutex;
+std::condition_variable has_ended;  // a WarmStart
+std::atomic<bool> is_warm = true;   // but while one lives
 
 #ifdef MENISCUS_HEAP_OF_GLIBC
 constexpr std::size_t kHugePage = std::size_t{1} << 21U;
@@ -114,19 +118,24 @@ void prepare_heaps_of_threads(int threads) {
     }
 }
 
-// What the heap has not grown to yet the kernel refuses: it is waited for.
+// What the heap has not grown to yet the kernel refuses: it is waited for, longer and longer, as input may be slow.
 void touch_heap() {
 #ifdef MADV_POPULATE_WRITE
     constexpr std::size_t kStep = 1 << 17;
-    constexpr auto kWait = std::chrono::microseconds(50);
+    constexpr auto kFirstWait = std::chrono::microseconds(50);
+    auto wait = kFirstWait;
     if (pages_are_dear || beginning == nullptr) return;
-    for (std::byte* next = beginning; !is_warm_enough;) {
-        if (madvise(next, kStep, MADV_POPULATE_WRITE) == 0)
+    for (std::byte* next = beginning; !is_warm;) {
+        if (madvise(next, kStep, MADV_POPULATE_WRITE) == 0) {
             next += kStep;
-        else if (errno == ENOMEM)
-            std::this_thread::sleep_for(kWait);
-        else
+            wait = kFirstWait;
+        } else if (errno == ENOMEM) {
+            std::unique_lock lock(mutex);
+            has_ended.wait_for(lock, wait, [] { return is_warm.load(); });
+            wait *= 2;
+        } else {
             return;  // not known to this kernel
+        }
     }
 #endif
 }
@@ -152,9 +161,16 @@ void prepare_heap() { prepare(); }
 
 WarmStart::WarmStart(int threads) {
     prepare_heaps_of_threads(threads);
+    is_warm = false;
     start_threads(touch_heap);
 }
 
-WarmStart::~WarmStart() { is_warm_enough = true; }
+WarmStart::~WarmStart() {
+    {
+        const std::lock_guard lock(mutex);
+        is_warm = true;
+    }
+    has_ended.notify_all();
+}
 
 }  // namespace meniscus::cli
