@@ -44,7 +44,7 @@ public:
         std::vector<std::uint32_t> leaning;  ///< one of two that pass through each other is among these; rising
         TriangleBoxes boxes;
     };
-    /// After a look at every triangle; nothing of it is left behind.
+    /// After a look at every triangle.
     Suspects suspects() &&;
 
 private:
