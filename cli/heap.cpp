@@ -38,7 +38,7 @@ namespace {
 
 std::mutex mutex;
 std::condition_variable has_ended;  // a WarmStart
-std::atomic<bool> is_warm = true;   // but while one lives
+std::atomic<bool> is_warming = false;
 
 #ifdef MENISCUS_HEAP_OF_GLIBC
 constexpr std::size_t kHugePage = std::size_t{1} << 21U;
@@ -125,13 +125,13 @@ void touch_heap() {
     constexpr auto kFirstWait = std::chrono::microseconds(50);
     auto wait = kFirstWait;
     if (pages_are_dear || beginning == nullptr) return;
-    for (std::byte* next = beginning; !is_warm;) {
+    for (std::byte* next = beginning; is_warming;) {
         if (madvise(next, kStep, MADV_POPULATE_WRITE) == 0) {
             next += kStep;
             wait = kFirstWait;
         } else if (errno == ENOMEM) {
             std::unique_lock lock(mutex);
-            has_ended.wait_for(lock, wait, [] { return is_warm.load(); });
+            has_ended.wait_for(lock, wait, [] { return !is_warming; });
             wait *= 2;
         } else {
             return;  // not known to this kernel
@@ -161,14 +161,14 @@ void prepare_heap() { prepare(); }
 
 WarmStart::WarmStart(int threads) {
     prepare_heaps_of_threads(threads);
-    is_warm = false;
+    is_warming = true;
     start_threads(touch_heap);
 }
 
 WarmStart::~WarmStart() {
     {
         const std::lock_guard lock(mutex);
-        is_warm = true;
+        is_warming = false;
     }
     has_ended.notify_all();
 }

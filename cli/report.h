@@ -34,7 +34,7 @@ struct RunFacts {
     double picture_seconds = 0.0;          ///< of colours and pictures, without writing them
     double page_seconds = 0.0;             ///< of pages, without writing them
     double volume_seconds = 0.0;           ///< of volumes, without writing them
-    double write_seconds = 0.0;            ///< of the files of -o
+    double write_seconds = 0.0;            ///< of the files of -o and of making the report
     double total_seconds = 0.0;            ///< wall clock
     double peak_memory_mb = 0.0;           ///< of the process so far, in units of 2^20 bytes
     std::string chain{};                   ///< the only one, with --per-chain

@@ -133,13 +133,21 @@ void StructureRun::write_outputs(const Job& job) {
     progress_.update("write", 1.0);
 }
 
-void StructureRun::record(const Job& job, const RunFacts& facts) {
+/// Making a report takes time that the report itself is to tell.
+void StructureRun::record(const Job& job, RunFacts facts) {
     if (const std::string checks = failed(); !checks.empty()) {
         print_warning(std::cerr, fmt::format("{}: the result failed its checks: {}; outputs are written all the same",
                                              input_label(job.structure.file), checks));
         outcome_ = Outcome::ChecksFailed;
     }
-    if (!request_.report.empty()) reports_.push_back(report(job, facts));
+    if (!request_.report.empty()) {
+        ordered_json& made = reports_.emplace_back(report(job, facts));
+        const double making = watch_.lap();
+        facts.write_seconds += making;
+        facts.total_seconds += making;
+        made["time_s"]["write"] = facts.write_seconds;
+        made["time_s"]["total"] = facts.total_seconds;
+    }
     summary_ += summary(job, facts);
 }
 

@@ -84,7 +84,7 @@ private:
     std::vector<Job> prepare_jobs();
     void run(const Job& job);
     void write_outputs(const Job& job);
-    void record(const Job& job, const RunFacts& facts);
+    void record(const Job& job, RunFacts facts);
     void finish();
 
     const CommonRequest& request_;

@@ -27,7 +27,7 @@ constexpr std::size_t kStretch = TriangleBoxes::kStretch;
 static_assert(kChunk % kLanes == 0);
 
 std::size_t chunks_of(std::size_t triangles) { return (triangles + kChunk - 1) / kChunk; }
-std::size_t looks_at(std::size_t triangles) { return (triangles + kLanes - 1) / kLanes; }
+std::size_t looks_of(std::size_t triangles) { return (triangles + kLanes - 1) / kLanes; }
 
 std::vector<std::uint32_t> items_of(const std::vector<std::uint64_t>& words) {
     std::vector<std::uint32_t> items;
@@ -54,7 +54,7 @@ void TriangleBoxes::include(const Mesh& mesh, std::uint32_t triangle) {
 }
 
 FirstLook::FirstLook(const Mesh& mesh, double smallest_angle_deg)
-    : mesh_(mesh), bad_(looks_at(mesh.triangles.size())), leaning_(bad_.size()) {
+    : mesh_(mesh), bad_(looks_of(mesh.triangles.size())), leaning_(bad_.size()) {
     const std::size_t chunks = chunks_of(mesh.triangles.size());
     boxes_.longest.resize(chunks);
     resize_touched(boxes_.first_corners, chunks * (kChunk / kStretch));
