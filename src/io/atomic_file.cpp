@@ -64,11 +64,6 @@ NotedNames noted_names;
 
 constexpr int kAttempts = 100;  // at a temporary name that nobody else uses
 
-// Every call ends at a multiple of so many bytes. Linux caches a file in pieces of memory no larger than the call and
-// aligned to their size, at a cost of each. Larger ones it may first have to get from the host of a virtual machine, at
-// ten times the cost.
-constexpr std::size_t kPerCall = std::size_t{1} << 16U;
-
 // The standard streams under the names they have in /dev; -1 for other paths. They are written through the descriptor
 // that is open, because opening their names again would start at the beginning of a file they were sent to.
 int standard_stream(const std::string& path) {
@@ -167,6 +162,7 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::open_directly(int descriptor) {
     if (descriptor < 0) fail(errno);
     descriptor_ = descriptor;
+    writer_ = DescriptorWriter(descriptor_, false);
 }
 
 void AtomicFile::open_temporary() {
@@ -181,6 +177,7 @@ void AtomicFile::open_temporary() {
         if (error == 0) temporary_ = name;
     }
     if (error != 0) fail_without_temporary(error);
+    writer_ = DescriptorWriter(descriptor_, true);
 }
 
 void AtomicFile::reserve([[maybe_unused]] std::size_t size) {
@@ -213,14 +210,7 @@ void AtomicFile::append_over_the_end(const char* data, std::size_t size) {
 void AtomicFile::flush() { write_out(buffer_.get(), std::exchange(used_, 0)); }
 
 void AtomicFile::write_out(const char* data, std::size_t size) {
-    while (size > 0) {
-        const ssize_t written = ::write(descriptor_, data, std::min(size, kPerCall - written_ % kPerCall));
-        if (written < 0 && errno != EINTR) fail(errno);
-        if (written <= 0) continue;
-        written_ += static_cast<std::size_t>(written);
-        data += written;
-        size -= static_cast<std::size_t>(written);
-    }
+    if (const int error = writer_.write(data, size); error != 0) fail(error);
 }
 
 void AtomicFile::close_descriptor() {
@@ -231,6 +221,7 @@ void AtomicFile::close_descriptor() {
 
 void AtomicFile::commit() {
     flush();
+    if (const int error = writer_.finish(); error != 0) fail(error);
     close_descriptor();
     if (temporary_.empty()) return;
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);

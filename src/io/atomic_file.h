@@ -11,6 +11,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include "io/descriptor_writer.h"
+
 namespace meniscus {
 
 /// Removes the temporary files of every AtomicFile that has not been committed: for programs that a signal ends. May be
@@ -73,7 +75,7 @@ private:
     std::string temporary_;  // empty when written directly
     int noted_ = -1;         // where remove_temporary_files() finds it
     int descriptor_ = -1;
-    std::size_t written_ = 0;  // bytes
+    DescriptorWriter writer_;  // to it
     std::size_t used_ = 0;     // of the buffer
     std::unique_ptr<char[]> buffer_;
 };
