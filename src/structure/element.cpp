@@ -24,6 +24,8 @@ constexpr auto kIons = std::to_array<Ion>({
     {"FE2", "FE"}, {"FE3", "FE"}, {"3CO", "CO"}, {"3NI", "NI"}, {"CU1", "CU"}, {"MN3", "MN"}, {"IOD", "I"},
 });
 
+constexpr std::string_view kCommon = "CNOSPHD";  // elements of the standard residues
+
 bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
 
 std::string without_leading_digits(std::string_view name) {
@@ -36,7 +38,7 @@ std::string one_letter_element(std::string_view letters) { return element_symbol
 // In the standard residues the first letter is the element, selenium aside.
 std::string standard_element(std::string_view letters) {
     if (letters == "SE" || letters == "SED") return "SE";
-    const bool common = !letters.empty() && std::string_view("CNOSPHD").find(letters[0]) != std::string_view::npos;
+    const bool common = !letters.empty() && kCommon.find(letters[0]) != std::string_view::npos;
     return common ? std::string(letters.substr(0, 1)) : std::string();
 }
 
@@ -73,6 +75,7 @@ std::string upper_case(std::string_view text) {
 }
 
 std::string element_symbol(std::string_view text) {
+    if (text.size() == 1 && kCommon.find(text[0]) != std::string_view::npos) return std::string(text);
     const std::string symbol = upper_case(trimmed(text));
     return !symbol.empty() && symbol.size() <= 2 && is_element(symbol) ? symbol : std::string();
 }

@@ -126,6 +126,17 @@ TEST(GemmiCif, OneAtomMayBeGivenInPairs) {
     EXPECT_EQ(model.atoms.at(0).element, "CA");
 }
 
+TEST(GemmiCif, AtomsAreThoseOfTheFirstBlockThatHasSomeOutsideOfFrames) {
+    const std::string loop = kHead + 7;  // without the name of a block
+    const auto atom = [](int x) { return "ATOM 1 C CA . ALA A 1 " + std::to_string(x) + " 0 0 1\n"; };
+    const auto first_x = [](const std::string& text) { return cif(text).atoms.at(0).centre.x; };
+    EXPECT_EQ(first_x("data_a\n_a.b 1\ndata_b\n" + loop + atom(2) + "data_c\n" + loop + atom(3)), 2.0);
+    EXPECT_EQ(first_x("data_a\nsave_f\n" + loop + atom(1) + "save_\n" + loop + atom(2)), 2.0);
+    expect_contains(cif_error("data_a\nsave_f\n" + loop + atom(1) + "save_\n"), "no _atom_site loop");
+    expect_contains(cif_error("data_a\n" + loop + atom(1) + "data_b\n" + loop + "ATOM 1\n"),
+                    "f.cif:17:1: Wrong number of values");
+}
+
 TEST(GemmiCif, BrokenFilesAreErrors) {
     expect_contains(cif_error("data_x\n_a.b 1\n"), "no _atom_site loop");
     expect_contains(cif_error("data_x\nloop_\n_atom_site.id\n_atom_site.Cartn_x\n1 2\n"), "Cartn_y");

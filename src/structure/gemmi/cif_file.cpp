@@ -11,11 +11,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <new>
 #include <optional>
 #include <set>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "meniscus/errors.h"
 #include "reading/numbers.h"
@@ -55,38 +58,89 @@ std::string tidy_message(const std::string& message) {
     return message.substr(0, open) + message.substr(close + 1);
 }
 
-// Room is made for the rest of a long loop, where gemmi's own doubling would move all values again and again, and take
-// three times their memory meanwhile. How many there will be is told from how many the loop has given to all the text
-// before: too few behind a long header, so that the loop grows in several steps there. By its own text alone every long
-// loop would reserve for all those behind it, too, which adds up to the square of their number.
-template <class Input>
-void make_room(std::vector<std::string>& values, const Input& in) {
-    constexpr std::size_t kMany = 4096;
-    if (values.size() >= kMany) values.reserve(values.size() + values.size() * in.size() / in.byte() + kMany);
+bool all_begin_with(const gemmi::cif::Loop& loop, const std::string& prefix) {
+    return std::all_of(loop.tags.begin(), loop.tags.end(),
+                       [&](const std::string& tag) { return gemmi::istarts_with(tag, prefix); });
 }
-bool is_full(const std::vector<std::string>& values) { return values.size() == values.capacity(); }
+
+// The atoms of a block. gemmi's loop holds the first row of them alone: of a large structure all of them, as strings of
+// their own, take more time and memory than everything else about reading it.
+struct AtomLoop {
+    std::size_t block;                     // its place in the document
+    std::vector<std::string_view> values;  // row after row, in the file's text
+};
+
+// What gemmi's rules fill.
+struct Document : gemmi::cif::Document {
+    std::vector<AtomLoop> atom_loops;  // in the order of their blocks
+    bool is_of_atoms = false;          // the loop that is being read, from its first value on
+
+    std::vector<std::string>& values() { return items_->back().loop.values; }
+    std::vector<std::string_view>& atom_values() { return atom_loops.back().values; }
+
+    // Before the first value of a loop, and perhaps before later ones.
+    void begin_values() {
+        const gemmi::cif::Loop& loop = items_->back().loop;
+        if (is_of_atoms || !loop.values.empty()) return;
+        is_of_atoms = items_ == &blocks.back().items && all_begin_with(loop, "_atom_site.");
+        if (is_of_atoms) atom_loops.push_back({blocks.size() - 1, {}});
+    }
+
+    // How many values the loop has that ends here.
+    std::size_t end_values() {
+        gemmi::cif::Loop& loop = items_->back().loop;
+        if (!std::exchange(is_of_atoms, false)) return loop.values.size();
+        const std::vector<std::string_view>& all = atom_values();
+        loop.values.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), loop.width())));
+        return all.size();
+    }
+};
+
+// Room is made for the rest of a long loop, where doubling would move all values again and again, and take three times
+// their memory meanwhile. How many there will be is told from how many the loop has given to all the text before: too
+// few behind a long header, so that the loop grows in several steps there. By its own text alone every long loop would
+// reserve for all those behind it, too, which adds up to the square of their number.
+template <class Value, class Input>
+void add_value(std::vector<Value>& values, const char* begin, const char* end, const Input& in) {
+    constexpr std::size_t kMany = 4096;
+    if (values.size() == values.capacity() && values.size() >= kMany)
+        values.reserve(values.size() + values.size() * in.size() / in.byte() + kMany);
+    values.emplace_back(begin, end);
+}
 
 bool is_ordinary(char c) { return gemmi::cif::char_table(c) == 1; }
 bool is_space(char c) { return gemmi::cif::char_table(c) == 2; }
 
+// No character of the text's end is ordinary.
+const char* behind_ordinary(const char* at) {
+    while (is_ordinary(*at)) ++at;
+    return at;
+}
+
 // Takes values of a loop that are of ordinary characters alone, as nearly all are, as long as another such follows: the
 // last one may be the beginning of something else.
-template <class Input>
-void take_plain_values(Input& in, std::vector<std::string>& values) {
-    const char* const end = in.end();
-    const char* value = in.current();
-    const char* behind = std::find_if_not(value, end, is_ordinary);
-    while (behind != value && behind != end && is_space(*behind)) {
-        const char* const next = std::find_if_not(behind, end, is_space);
-        const char* const behind_next = std::find_if_not(next, end, is_ordinary);
-        if (behind_next == next || behind_next == end || !is_space(*behind_next)) return;
-        if (is_full(values)) make_room(values, in);
-        values.emplace_back(value, behind);
-        in.bump_in_this_line(static_cast<std::size_t>(behind - value));
-        in.bump(static_cast<std::size_t>(next - behind));
+template <class Value, class Input>
+void take_plain_values(Input& in, std::vector<Value>& values) {
+    const char* told = in.current();  // behind what the input knows to be taken
+    const char* value = told;
+    const char* behind = behind_ordinary(value);
+    while (behind != value && is_space(*behind)) {
+        const char* next = behind;
+        bool ends_line = false;
+        do ends_line |= *next == '\n';
+        while (is_space(*++next));
+        const char* const behind_next = behind_ordinary(next);
+        if (behind_next == next || !is_space(*behind_next)) break;
+        add_value(values, value, behind, in);
+        if (ends_line) {
+            in.bump_in_this_line(static_cast<std::size_t>(behind - told));
+            in.bump(static_cast<std::size_t>(next - behind));
+            told = next;
+        }
         value = next;
         behind = behind_next;
     }
+    in.bump_in_this_line(static_cast<std::size_t>(value - told));
 }
 
 // As gemmi fills its document, but sooner.
@@ -96,21 +150,34 @@ template <>
 struct QuickAction<gemmi::cif::rules::loop_value> {
     template <class Rule, tao::pegtl::apply_mode kApply, tao::pegtl::rewind_mode kRewind,
               template <class...> class Action, template <class...> class Control, class Input>
-    static bool match(Input& in, gemmi::cif::Document& document) {
-        take_plain_values(in, document.items_->back().loop.values);
+    static bool match(Input& in, Document& document) {
+        document.begin_values();
+        if (document.is_of_atoms)
+            take_plain_values(in, document.atom_values());
+        else
+            take_plain_values(in, document.values());
         return tao::pegtl::match<Rule, kApply, kRewind, Action, Control>(in, document);
     }
     template <class Input>
-    static void apply(const Input& in, gemmi::cif::Document& document) {
-        std::vector<std::string>& values = document.items_->back().loop.values;
-        if (is_full(values)) make_room(values, in.input());
-        gemmi::cif::Action<gemmi::cif::rules::loop_value>::apply(in, document);
+    static void apply(const Input& in, Document& document) {
+        if (document.is_of_atoms)
+            add_value(document.atom_values(), in.begin(), in.end(), in.input());
+        else
+            add_value(document.values(), in.begin(), in.end(), in.input());
+    }
+};
+template <>
+struct QuickAction<gemmi::cif::rules::loop> {
+    template <class Input>
+    static void apply(const Input& in, Document& document) {
+        if (document.end_values() % document.items_->back().loop.width() != 0)
+            throw tao::pegtl::parse_error("Wrong number of values in the loop", in);
     }
 };
 
-gemmi::cif::Document parse_cif(const std::string& text, const std::string& file) {
+Document parse_cif(const std::string& text, const std::string& file) {
     try {
-        gemmi::cif::Document document;
+        Document document;
         document.source = file;
         tao::pegtl::memory_input<> input(text.data(), text.size(), file);
         tao::pegtl::parse<gemmi::cif::rules::file, QuickAction, gemmi::cif::Errors>(input, document);
@@ -132,13 +199,13 @@ struct CifSource {
     const std::string& file;
     const std::string& text;
 
-    [[noreturn]] void fail(Column::Index column, std::size_t row, const std::string& value, const char* remedy) const {
+    [[noreturn]] void fail(Column::Index column, std::size_t row, std::string_view value, const char* remedy) const {
         const std::string tag = tag_of(column);
         fail_at(file, locate_cif_value(text, tag, row),
                 tag + " " + shown(value) + " is not a finite number; " + remedy);
     }
 
-    [[noreturn]] void fail_name(Column::Index column, std::size_t row, const std::string& value) const {
+    [[noreturn]] void fail_name(Column::Index column, std::size_t row, std::string_view value) const {
         fail_at(file, locate_cif_value(text, tag_of(column), row),
                 tag_of(column) + " " + shown(value) + " holds a byte that is no printable character; correct it");
     }
@@ -151,31 +218,50 @@ private:
 };
 
 // As gemmi::cif::as_string, without a copy.
-std::string_view unquoted(const std::string& value) {
-    const std::string_view text = value;
+std::string_view unquoted(std::string_view text) {
     if (text.size() < 2 || (text[0] != '"' && text[0] != '\'' && text[0] != ';')) return text;
     if (text[0] != ';') return text.substr(1, text.size() - 2);
     if (text[text.size() - 2] != '\n') return text;
     return text.substr(1, text.size() - 3);  // there is no '\r' before '\n' (CifFile)
 }
 
-// Where the columns of _atom_site stand in gemmi's document, which its own table looks up for every value.
+// The columns of _atom_site.
 class AtomColumns {
 public:
-    explicit AtomColumns(gemmi::cif::Table table) {
-        if (const gemmi::cif::Loop* const loop = table.get_loop()) stride_ = loop->width();
-        for (std::size_t c = 0; c < first_.size(); ++c) first_[c] = table[0].ptr_at(static_cast<int>(c));
+    // values   of all atoms; none for an atom that is given in pairs
+    AtomColumns(gemmi::cif::Table table, std::vector<std::string_view> values)
+        : values_(std::move(values)), stride_(table.get_loop() != nullptr ? table.get_loop()->width() : 0) {
+        for (std::size_t c = 0; c < first_.size(); ++c) {
+            const std::string* const first = table[0].ptr_at(static_cast<int>(c));
+            if (first == nullptr) continue;
+            if (const gemmi::cif::Loop* const loop = table.get_loop()) {
+                first_[c] = static_cast<std::size_t>(first - loop->values.data());
+            } else {
+                first_[c] = values_.size();
+                values_.push_back(*first);
+            }
+        }
     }
 
+    std::size_t rows() const { return stride_ == 0 ? 1 : values_.size() / stride_; }
+
     // Null for a column that the file has not.
-    const std::string* at(Column::Index column, std::size_t row) const {
-        const std::string* const first = first_[column];
-        return first == nullptr ? nullptr : first + row * stride_;
+    const std::string_view* at(Column::Index column, std::size_t row) const {
+        const std::size_t first = first_[column];
+        return first == kNone ? nullptr : &values_[first + row * stride_];
     }
 
 private:
-    std::array<const std::string*, Column::ModelNumber + 1> first_{};
-    std::size_t stride_ = 0;  // an atom that is given in pairs has no other row
+    static constexpr std::size_t kNone = ~std::size_t{0};
+    std::array<std::size_t, Column::ModelNumber + 1> first_ = filled();
+    std::vector<std::string_view> values_;
+    std::size_t stride_;
+
+    static constexpr std::array<std::size_t, Column::ModelNumber + 1> filled() {
+        std::array<std::size_t, Column::ModelNumber + 1> all{};
+        all.fill(kNone);
+        return all;
+    }
 };
 
 // One row of _atom_site.
@@ -187,10 +273,10 @@ public:
     bool has(Column::Index column) const { return value_of(column) != nullptr; }
 
     std::string_view text(Column::Index column) const {
-        const std::string* const value = value_of(column);
+        const std::string_view* const value = value_of(column);
         if (value == nullptr) return {};
         const std::string_view text = unquoted(*value);
-        if (find_unprintable(text) != std::string_view::npos) source_.fail_name(column, index_, std::string(text));
+        if (find_unprintable(text) != std::string_view::npos) source_.fail_name(column, index_, text);
         return text;
     }
 
@@ -203,14 +289,14 @@ public:
     }
 
     double coordinate(Column::Index column) const {
-        const std::string* const text = value_of(column);
+        const std::string_view* const text = value_of(column);
         const auto value = text != nullptr ? finite_number(unquoted(*text)) : std::nullopt;
         if (!value) source_.fail(column, index_, *columns_.at(column, index_), "correct it or leave the atom out");
         return *value;
     }
 
     double number(Column::Index column, double otherwise) const {
-        const std::string* const text = value_of(column);
+        const std::string_view* const text = value_of(column);
         if (text == nullptr) return otherwise;
         const auto value = finite_number(unquoted(*text));
         if (!value) source_.fail(column, index_, *text, "'?' is allowed");
@@ -236,16 +322,16 @@ public:
         constexpr std::array kColumns{Column::AuthAsym, Column::LabelAsym, Column::AuthComp,  Column::LabelComp,
                                       Column::AuthSeq,  Column::LabelSeq,  Column::Insertion, Column::Entity};
         return std::all_of(kColumns.begin(), kColumns.end(), [&](Column::Index column) {
-            const std::string* const a = columns_.at(column, index_);
+            const std::string_view* const a = columns_.at(column, index_);
             return a == nullptr || *a == *columns_.at(column, other.index_);
         });
     }
 
 private:
     // None where the file has no such column, or says that there is no value.
-    const std::string* value_of(Column::Index column) const {
-        const std::string* const value = columns_.at(column, index_);
-        return value == nullptr || gemmi::cif::is_null(*value) ? nullptr : value;
+    const std::string_view* value_of(Column::Index column) const {
+        const std::string_view* const value = columns_.at(column, index_);
+        return value == nullptr || *value == "?" || *value == "." ? nullptr : value;
     }
 
     const CifSource& source_;
@@ -295,11 +381,6 @@ gemmi::cif::Block& coordinate_block(gemmi::cif::Document& document, const std::s
     throw InputError(file + ": no _atom_site loop, so no atoms; take the coordinate file of the entry");
 }
 
-bool all_begin_with(const gemmi::cif::Loop& loop, const std::string& prefix) {
-    return std::all_of(loop.tags.begin(), loop.tags.end(),
-                       [&](const std::string& tag) { return gemmi::istarts_with(tag, prefix); });
-}
-
 [[noreturn]] void refuse(const std::string& file, const gemmi::cif::Item& item, const std::string& why) {
     throw InputError(file + ":" + std::to_string(item.line_number) + ":1: " + why);
 }
@@ -325,7 +406,8 @@ void check_one_table(const gemmi::cif::Block& block, const std::string& file) {
     }
 }
 
-void check_columns(gemmi::cif::Block& block, const std::string& file) {
+// The table of atoms; an error if it has not all that is needed.
+gemmi::cif::Table checked_columns(gemmi::cif::Block& block, const std::string& file) {
     check_one_table(block, file);
     const auto needs = [&](std::initializer_list<const char*> tags) {
         const auto has_column = [&](const char* tag) { return block.find_values(tag).length() > 0; };
@@ -336,6 +418,7 @@ void check_columns(gemmi::cif::Block& block, const std::string& file) {
     needs({"_atom_site.Cartn_z"});
     needs({"_atom_site.label_atom_id", "_atom_site.auth_atom_id"});
     needs({"_atom_site.label_comp_id", "_atom_site.auth_comp_id"});
+    return block.find("_atom_site.", atom_tags());
 }
 
 // Only what assemblies are made of goes to gemmi's interpretation of a block.
@@ -366,23 +449,37 @@ std::vector<RawAssembly> read_assemblies(const gemmi::cif::Block& block) {
 struct CifFile::Content {
     std::string file;
     const std::string& text;
-    gemmi::cif::Document document;
+    Document document;
     gemmi::cif::Block& block;
-    std::vector<std::string> model_numbers;  // in file order
+    AtomColumns atoms;
+    std::vector<std::string_view> model_numbers;  // in file order
     EntityIds polymers;
 
     Content(const std::string& content, const std::string& name)
-        : file(name), text(content), document(parse_cif(content, name)), block(coordinate_block(document, name)) {
-        check_columns(block, file);
+        : file(name),
+          text(content),
+          document(parse_cif(content, name)),
+          block(coordinate_block(document, name)),
+          atoms(checked_columns(block, name), values_of(block)) {
         for (auto row : block.find("_entity.", {"id", "type"})) {
             if (row.str(1) == "polymer") polymers.insert(row.str(0));
         }
-        for (const std::string& number : block.find_values("_atom_site.pdbx_PDB_model_num")) {
+        if (atoms.at(Column::ModelNumber, 0) == nullptr) return;
+        for (std::size_t i = 0; i < atoms.rows(); ++i) {
+            const std::string_view number = *atoms.at(Column::ModelNumber, i);
             if (model_numbers.empty() || number != model_numbers.back()) add_model(number);
         }
     }
 
-    void add_model(const std::string& number) {
+    // Of the loop of atoms in a block.
+    std::vector<std::string_view> values_of(const gemmi::cif::Block& of) {
+        const auto place = static_cast<std::size_t>(&of - document.blocks.data());
+        const auto found = std::find_if(document.atom_loops.begin(), document.atom_loops.end(),
+                                        [place](const AtomLoop& loop) { return loop.block == place; });
+        return found == document.atom_loops.end() ? std::vector<std::string_view>() : std::move(found->values);
+    }
+
+    void add_model(std::string_view number) {
         const auto found = std::find(model_numbers.begin(), model_numbers.end(), number);
         if (found == model_numbers.end()) model_numbers.push_back(number);
     }
@@ -394,14 +491,11 @@ struct CifFile::Content {
         model.model_count = model_count();
         ResidueList residues(model.residues);
         const CifSource source{file, text};
-        gemmi::cif::Table table = block.find("_atom_site.", atom_tags());
-        const AtomColumns columns(table);
-        const std::size_t rows = table.length();
-        model.atoms.reserve(rows / static_cast<std::size_t>(model_count()));
+        model.atoms.reserve(atoms.rows() / static_cast<std::size_t>(model_count()));
         std::optional<AtomRow> before;
-        for (std::size_t i = 0; i < rows; ++i) {
-            if (!model_numbers.empty() && *columns.at(Column::ModelNumber, i) != model_numbers[position - 1]) continue;
-            const AtomRow row(source, columns, i);
+        for (std::size_t i = 0; i < atoms.rows(); ++i) {
+            if (!model_numbers.empty() && *atoms.at(Column::ModelNumber, i) != model_numbers[position - 1]) continue;
+            const AtomRow row(source, atoms, i);
             const bool as_before = before && row.is_of_residue_of(*before);
             const std::uint32_t residue =
                 as_before ? model.atoms.back().residue : residues.index_of(to_residue(row, polymers));
