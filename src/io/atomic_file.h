@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -12,6 +11,7 @@
 #include <type_traits>
 
 #include "io/descriptor_writer.h"
+#include "io/digits.h"
 
 namespace meniscus {
 
@@ -38,11 +38,12 @@ public:
     void write(std::string_view text) { append(text.data(), text.size()); }
     void write(char c) { append(&c, 1); }
 
-    /// The number in as few digits as give the same number back; nan and inf as such.
-    void number(float value);
-    void number(double value);
-    void number(std::uint64_t value);
-    void number(std::int64_t value);
+    /// As digits_of says.
+    template <class Number>
+    void number(Number value) {
+        Digits digits;
+        write(digits_of(value, digits));
+    }
 
     /// The bytes of a value as they are in memory.
     template <class T>

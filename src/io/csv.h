@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <string_view>
 
-#include "io/atomic_file.h"
-
 namespace meniscus {
 
-/// A field as RFC 4180 wants it: in quotes if it holds a comma, a quote or a line end.
-inline void write_csv_field(AtomicFile& file, std::string_view text) {
+/// A field as RFC 4180 wants it: in quotes if it holds a comma, a quote or a line end. file: also a TextBuffer
+template <class File>
+void write_csv_field(File& file, std::string_view text) {
     const auto is_special = [](char c) {
         return c <= ',' && (c == ',' || c == '"' || c == '\r' || c == '\n');  // letters and digits are above
     };

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <array>
 #include <bit>
-#include <charconv>
 #include <cstdint>
 #include <iterator>
 #include <string_view>
 
 #include "io/atomic_file.h"
+#include "io/digits.h"
 #include "volume/writers.h"
 
 namespace meniscus {
@@ -31,22 +30,19 @@ std::string header(const VolumeGrid& grid, VolumeContent content) {
     return text;
 }
 
-// The shortest that tell a number from all others. Fields of two values repeat them.
-class Digits {
+// Fields of two values repeat them.
+class RepeatedNumber {
 public:
-    std::string_view of(float value) {
+    std::string_view text(float value) {
         const auto bits = std::bit_cast<std::uint32_t>(value);
-        if (size_ == 0 || bits != bits_) {
-            const auto end = std::to_chars(digits_.data(), digits_.data() + digits_.size(), value).ptr;
-            size_ = static_cast<std::size_t>(end - digits_.data());
-            bits_ = bits;
-        }
-        return {digits_.data(), size_};
+        if (text_.empty() || bits != bits_) text_ = digits_of(value, digits_);
+        bits_ = bits;
+        return text_;
     }
 
 private:
-    std::array<char, 32> digits_{};
-    std::size_t size_ = 0;
+    Digits digits_{};
+    std::string_view text_;
     std::uint32_t bits_ = 0;
 };
 
@@ -62,9 +58,9 @@ constexpr const char* kFooter =
 void write_dx(const std::string& path, const Volume& volume, VolumeContent content) {
     AtomicFile file(path);
     file.write(header(volume.grid, content));
-    Digits digits;
+    RepeatedNumber number;
     for (std::size_t i = 0; i < volume.values.size(); ++i) {
-        file.write(digits.of(volume.values[i]));
+        file.write(number.text(volume.values[i]));
         file.write(i % kPerLine == kPerLine - 1 || i + 1 == volume.values.size() ? '\n' : ' ');
     }
     file.write(kFooter);

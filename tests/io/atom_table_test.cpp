@@ -35,6 +35,22 @@ TEST(AtomTable, FieldsAreQuotedWhereTheyMustBe) {
               std::string::npos);
 }
 
+// Rows are made by several threads, some thousand at a time.
+TEST(AtomTable, ManyRowsStandInTheirOrder) {
+    const ScratchFolder folder;
+    constexpr std::size_t kAtoms = 20'001;
+    const Structure two = testing::two_atoms();
+    Structure many = two;
+    many.atoms.centres.assign(kAtoms, two.atoms.centres[0]);
+    many.atoms.radii.assign(kAtoms, two.atoms.radii[0]);
+    many.labels.assign(kAtoms, two.labels[0]);
+    write_atom_table(folder / "a.atoms.csv", many);
+    std::string expected = kHeader;
+    for (std::size_t i = 0; i < kAtoms; ++i)
+        expected += std::to_string(i) + ",A,GLY,-3,B,CA,C,A,17,1.5,-2.25,0.1,1.7,12.5,0.5,-0.25\n";
+    EXPECT_TRUE(testing::read_file(folder / "a.atoms.csv") == expected);
+}
+
 TEST(AtomTable, NoAtomsGiveTheHeaderOnly) {
     const ScratchFolder folder;
     write_atom_table(folder / "a.atoms.csv", {});

@@ -4,18 +4,15 @@
 
 #include <gtest/gtest.h>
 
-#include "support/scratch_folder.h"
+#include "io/text_buffer.h"
 
 namespace meniscus {
 namespace {
 
-std::string written(std::string_view text) {
-    const testing::ScratchFolder folder;
-    const std::string path = folder / "field.csv";
-    AtomicFile file(path);
-    write_csv_field(file, text);
-    file.commit();
-    return testing::read_file(path);
+std::string written(std::string_view field) {
+    TextBuffer text;
+    write_csv_field(text, field);
+    return std::string(text.text());
 }
 
 TEST(Csv, FieldsAreQuotedOnlyWhereTheyMustBe) {
