@@ -87,7 +87,10 @@ bool DescriptorWriter::write_waiting() {
         if (written > 0) done = static_cast<std::size_t>(written);
         written_ += done;
     }
-    if (done < waiting_ && !turn_to_cache()) return false;
+    if (done < waiting_) {
+        may_change_way_ = false;
+        if (!turn_to_cache()) return false;
+    }
     while (done < waiting_) {
         const ssize_t written = give_to_cache(for_the_disk_.get() + done, waiting_ - done);
         if (written < 0) return false;
