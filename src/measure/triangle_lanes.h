@@ -121,7 +121,7 @@ struct SuspectMarks {
 };
 static_assert(kLanes == 64);
 
-/// Boxes round kStretchLanes points each.
+/// Boxes round kStretchLanes triangles each.
 inline constexpr std::size_t kStretchLanes = 16;
 using StretchBoxes = std::array<Box, kLanes / kStretchLanes>;
 
@@ -159,7 +159,8 @@ struct TriangleKernels {
     /// The least and the largest of all lanes.
     double (*find_least)(const Lanes& lanes);
     double (*find_largest)(const Lanes& lanes);
-    void (*bound)(const VectorLanes& points, StretchBoxes& boxes);
+    /// From the origin of the lanes.
+    void (*bound)(const TriangleLanes& lanes, StretchBoxes& boxes);
     /// The largest of some indices, 0 of none.
     std::uint32_t (*find_largest_index)(std::span<const std::uint32_t> indices);
     /// Which of at most 64 stars are one ring each: bit by bit. Stars are as long as their sizes tell, with their first

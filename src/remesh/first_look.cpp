@@ -39,25 +39,24 @@ std::vector<std::uint32_t> items_of(const std::vector<std::uint64_t>& words) {
 }  // namespace
 
 void TriangleBoxes::resize(std::size_t triangles) {
-    boxes.resize(chunks_of(triangles));
-    longest.resize(boxes.size());
-    first_corners.resize(boxes.size() * (kChunk / kStretch));
+    chunks.resize(chunks_of(triangles));
+    longest.resize(chunks.size());
+    stretches.resize(chunks.size() * (kChunk / kStretch));
 }
 
 void TriangleBoxes::include(const Mesh& mesh, std::uint32_t triangle) {
     const Box box = box_of(mesh, mesh.triangles[triangle]);
     double& longest_side = longest[triangle / kChunk];
-    boxes[triangle / kChunk].include(box);
+    chunks[triangle / kChunk].include(box);
     longest_side = std::max(longest_side, norm(box.high - box.low));
-    const Vec3& corner = mesh.vertices[mesh.triangles[triangle][0]];
-    first_corners[triangle / kStretch].include(SmallBox({corner, corner}));
+    stretches[triangle / kStretch].include(SmallBox(box));
 }
 
 FirstLook::FirstLook(const Mesh& mesh, double smallest_angle_deg)
     : mesh_(mesh), bad_(looks_of(mesh.triangles.size())), leaning_(bad_.size()) {
     const std::size_t chunks = chunks_of(mesh.triangles.size());
     boxes_.longest.resize(chunks);
-    resize_touched(boxes_.first_corners, chunks * (kChunk / kStretch));
+    resize_touched(boxes_.stretches, chunks * (kChunk / kStretch));
     const double tangent = tangent_of_degrees(smallest_angle_deg);
     limits_ = {.squared_tangent = kAboveOne * tangent * tangent,
                .squared_edge = kShortestEdge * kShortestEdge,
@@ -80,10 +79,10 @@ void FirstLook::bound_all(std::size_t first, const TriangleLanes& lanes) {
     double& longest = boxes_.longest[first / kChunk];
     longest = std::max(longest, triangle_kernels().find_largest(lanes.longest));
     StretchBoxes boxes;
-    triangle_kernels().bound(lanes.points[0], boxes);
+    triangle_kernels().bound(lanes, boxes);
     for (std::size_t s = 0; s < boxes.size(); ++s) {
         const Box from_origin = boxes[s].grown(kRounding);
-        boxes_.first_corners[first / kStretch + s] =
+        boxes_.stretches[first / kStretch + s] =
             SmallBox({*lanes.origin + from_origin.low, *lanes.origin + from_origin.high});
     }
 }
@@ -94,8 +93,8 @@ void FirstLook::bound_some(std::size_t first, std::span<const Triangle> triangle
     for (std::size_t lane = 0; lane < triangles.size(); lane += kStretch) {
         Box box;
         for (const Triangle& triangle : triangles.subspan(lane, std::min(kStretch, triangles.size() - lane)))
-            box.include(mesh_.vertices[triangle[0]]);
-        boxes_.first_corners[(first + lane) / kStretch] = SmallBox(box);
+            box.include(box_of(mesh_, triangle));
+        boxes_.stretches[(first + lane) / kStretch] = SmallBox(box);
     }
 }
 
@@ -115,14 +114,13 @@ void FirstLook::look_at_all() {
 FirstLook::Suspects FirstLook::suspects() && {
     Suspects all{.bad = items_of(bad_), .leaning = items_of(leaning_), .boxes = std::move(boxes_)};
     TriangleBoxes& round = all.boxes;
-    round.boxes.resize(round.longest.size());
-    parallel_for(round.boxes.size(), kChunk, [&](std::size_t c) {
+    round.chunks.resize(round.longest.size());
+    parallel_for(round.chunks.size(), kChunk, [&](std::size_t c) {
         constexpr std::size_t kStretches = kChunk / kStretch;
-        double& longest = round.longest[c];
-        longest = kAboveOne * std::sqrt(longest);
+        round.longest[c] = kAboveOne * std::sqrt(round.longest[c]);
         SmallBox box;
-        for (std::size_t s = 0; s < kStretches; ++s) box.include(round.first_corners[c * kStretches + s]);
-        round.boxes[c] = box.box().grown(longest);
+        for (std::size_t s = 0; s < kStretches; ++s) box.include(round.stretches[c * kStretches + s]);
+        round.chunks[c] = box.box();
     });
     return all;
 }

@@ -19,9 +19,9 @@ struct TriangleBoxes {
     static constexpr std::size_t kChunk = 256;              // triangles
     static constexpr std::size_t kStretch = kStretchLanes;  // of these, nearer to each other still
 
-    std::vector<Box> boxes;               ///< per chunk: round its triangles
-    std::vector<double> longest;          ///< per chunk: Å, no side is longer
-    std::vector<SmallBox> first_corners;  ///< per stretch: round the first corners of its triangles
+    std::vector<Box> chunks;          ///< each round its triangles
+    std::vector<double> longest;      ///< per chunk: Å, no side is longer
+    std::vector<SmallBox> stretches;  ///< each round its triangles
 
     /// Makes room for so many triangles.
     void resize(std::size_t triangles);
@@ -55,7 +55,7 @@ private:
     SuspectLimits limits_;
     std::vector<std::uint64_t> bad_;      // a word for each look, a bit for each triangle
     std::vector<std::uint64_t> leaning_;  // likewise
-    TriangleBoxes boxes_;                 // not `boxes` yet, and of `longest` the squares
+    TriangleBoxes boxes_;                 // not `chunks` yet, and of `longest` the squares
 };
 
 }  // namespace meniscus

@@ -141,7 +141,7 @@ private:
     // Triangles that pass through each other, one of two at least a leaning one.
     std::vector<std::uint32_t> tangled_of(const std::vector<std::uint32_t>& leaning) const {
         if (leaning.empty()) return {};
-        const BoxTree chunks(boxes_.boxes);
+        const BoxTree chunks(boxes_.chunks);
         auto all = parallel_list<std::uint32_t>(
             leaning.size(), kLeaningPerTask, [&](std::size_t begin, std::size_t end, auto& numbers) {
                 NearTriangles near;
@@ -189,7 +189,7 @@ private:
     void for_each_near(const BoxTree& chunks, const Box& box, const Visit& visit) const {
         chunks.for_each_overlapping(box, [&](std::uint32_t chunk) {
             const Box near = box.grown(boxes_.longest[chunk]);
-            for_each_bit(stretches_near(near, chunk), [&](std::size_t stretch) {
+            for_each_bit(stretches_near(box, chunk), [&](std::size_t stretch) {
                 const std::size_t begin = chunk * kChunk + stretch * kStretch;
                 for_each_bit(triangles_near(near, begin), [&](std::size_t i) {
                     const Triangle& triangle = mesh_.triangles[begin + i];
@@ -200,17 +200,17 @@ private:
             });
         });
     }
-    // Bit by bit, the stretches of a chunk that may have first corners in a box. Without a branch, as the next one:
-    // they would often be guessed wrong.
+    // Bit by bit, the stretches of a chunk that overlap a box. Without a branch, as the next one: they would often be
+    // guessed wrong.
     std::uint64_t stretches_near(const Box& box, std::size_t chunk) const {
         constexpr std::size_t kStretches = kChunk / kStretch;
         const SmallBox small(box);
         std::uint64_t near = 0;
         for (std::size_t s = 0; s < kStretches; ++s)
-            near |= std::uint64_t{small.overlaps(boxes_.first_corners[chunk * kStretches + s])} << s;
+            near |= std::uint64_t{small.overlaps(boxes_.stretches[chunk * kStretches + s])} << s;
         return near;
     }
-    // The triangles of a stretch that have.
+    // The triangles of a stretch that have their first corner in a box.
     std::uint64_t triangles_near(const Box& box, std::size_t begin) const {
         const std::size_t end = std::min(begin + kStretch, mesh_.triangles.size());
         std::uint64_t near = 0;
@@ -230,7 +230,7 @@ private:
 
     void drop_crumbs() {
         if (left_.empty() || options_.largest_crumb == 0) return;
-        const BoxTree chunks(boxes_.boxes);
+        const BoxTree chunks(boxes_.chunks);
         for (const std::uint32_t t : left_) {
             if (is_removed(mesh_.triangles[t]) || !is_bad(mesh_.triangles[t])) continue;
             const std::vector<std::uint32_t> crumb = crumb_around(t, chunks);
@@ -269,7 +269,7 @@ private:
     std::vector<std::uint32_t> round(const std::vector<std::uint32_t>& pending) {
         std::vector<std::uint32_t> waiting;
         const std::vector<Place> places = choose_places(pending, waiting);
-        const BoxTree chunks(boxes_.boxes);
+        const BoxTree chunks(boxes_.chunks);
         for (std::size_t begin = 0; begin < places.size(); begin += kTogether)
             mend_places(chunks, std::span(places).subspan(begin, std::min(kTogether, places.size() - begin)));
         forget_tangled(places);

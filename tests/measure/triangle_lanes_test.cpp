@@ -184,10 +184,11 @@ TEST(TriangleLanes, AreBoundedByStretches) {
         EXPECT_EQ(kernels.find_least(lanes.points[1].y), *std::ranges::min_element(lanes.points[1].y));
         EXPECT_EQ(kernels.find_largest(lanes.points[1].y), *std::ranges::max_element(lanes.points[1].y));
         StretchBoxes boxes;
-        kernels.bound(lanes.points[0], boxes);
+        kernels.bound(lanes, boxes);
         for (std::size_t s = 0; s < boxes.size(); ++s) {
             Box expected;
-            for (std::size_t i = 0; i < kStretchLanes; ++i) expected.include(lanes.points[0].at(s * kStretchLanes + i));
+            for (std::size_t i = 0; i < kStretchLanes; ++i)
+                for (const VectorLanes& corners : lanes.points) expected.include(corners.at(s * kStretchLanes + i));
             EXPECT_EQ(boxes[s].low, expected.low);
             EXPECT_EQ(boxes[s].high, expected.high);
         }

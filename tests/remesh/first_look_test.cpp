@@ -65,9 +65,9 @@ TEST(FirstLook, BoxesHoldTheirTriangles) {
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
             const Box box = box_of(mesh, mesh.triangles[t]);
             const std::size_t chunk = t / TriangleBoxes::kChunk;
-            EXPECT_TRUE(boxes.boxes[chunk].contains(box));
+            EXPECT_TRUE(boxes.chunks[chunk].contains(box));
             const Vec3& corner = mesh.vertices[mesh.triangles[t][0]];
-            EXPECT_TRUE(boxes.first_corners[t / TriangleBoxes::kStretch].box().contains({corner, corner}));
+            EXPECT_TRUE(boxes.stretches[t / TriangleBoxes::kStretch].box().contains(box));
             EXPECT_TRUE((Box{corner, corner}.grown(boxes.longest[chunk]).contains(box)));
         }
     };
@@ -93,10 +93,10 @@ TEST(FirstLook, SeesTheSameDuringASurvey) {
     EXPECT_EQ(seen.leaning, expected.leaning);
     for (std::size_t c = 0; c < expected.boxes.longest.size(); ++c)
         EXPECT_NEAR(seen.boxes.longest[c], expected.boxes.longest[c], 1e-12);
-    for (std::size_t s = 0; s < expected.boxes.first_corners.size(); ++s) {
-        const Box box = expected.boxes.first_corners[s].box();
-        EXPECT_TRUE(seen.boxes.first_corners[s].box().grown(1e-6).contains(box));
-        EXPECT_TRUE(box.grown(1e-6).contains(seen.boxes.first_corners[s].box()));
+    for (std::size_t s = 0; s < expected.boxes.stretches.size(); ++s) {
+        const Box box = expected.boxes.stretches[s].box();
+        EXPECT_TRUE(seen.boxes.stretches[s].box().grown(1e-6).contains(box));
+        EXPECT_TRUE(box.grown(1e-6).contains(seen.boxes.stretches[s].box()));
     }
     EXPECT_GT(survey.measures(mesh.components).area, 0.0);
 }
