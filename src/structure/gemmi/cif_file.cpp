@@ -105,7 +105,7 @@ void add_value(std::vector<Value>& values, const char* begin, const char* end, c
     constexpr std::size_t kMany = 4096;
     if (values.size() == values.capacity() && values.size() >= kMany)
         values.reserve(values.size() + values.size() * in.size() / in.byte() + kMany);
-    values.emplace_back(begin, end);
+    values.emplace_back(begin, static_cast<std::size_t>(end - begin));
 }
 
 bool is_ordinary(char c) { return gemmi::cif::char_table(c) == 1; }
@@ -231,6 +231,7 @@ public:
     // values   of all atoms; none for an atom that is given in pairs
     AtomColumns(gemmi::cif::Table table, std::vector<std::string_view> values)
         : values_(std::move(values)), stride_(table.get_loop() != nullptr ? table.get_loop()->width() : 0) {
+        first_.fill(kNone);
         for (std::size_t c = 0; c < first_.size(); ++c) {
             const std::string* const first = table[0].ptr_at(static_cast<int>(c));
             if (first == nullptr) continue;
@@ -253,15 +254,10 @@ public:
 
 private:
     static constexpr std::size_t kNone = ~std::size_t{0};
-    std::array<std::size_t, Column::ModelNumber + 1> first_ = filled();
-    std::vector<std::string_view> values_;
-    std::size_t stride_;
 
-    static constexpr std::array<std::size_t, Column::ModelNumber + 1> filled() {
-        std::array<std::size_t, Column::ModelNumber + 1> all{};
-        all.fill(kNone);
-        return all;
-    }
+    std::array<std::size_t, Column::ModelNumber + 1> first_{};  // places in the first row
+    std::vector<std::string_view> values_;
+    std::size_t stride_;  // an atom that is given in pairs has no other row
 };
 
 // One row of _atom_site.
