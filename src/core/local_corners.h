@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/bits.h"
+#include "core/mix_bits.h"
 #include "meniscus/mesh.h"
 
 namespace meniscus {
@@ -19,17 +20,21 @@ namespace meniscus {
 class LocalCorners {
 public:
     /// corners  of the triangles, as often as they have them
-    /// cost     O(n) where their numbers are near to each other, else O(n log n)
+    /// cost     O(n), and a sort of as many items as there are 64 numbers on end with a corner among them, if these lie
+    ///          far apart
     explicit LocalCorners(std::vector<VertexId> corners) : vertices_(std::move(corners)) {
         if (vertices_.empty()) return;
         const auto [least, largest] = std::minmax_element(vertices_.begin(), vertices_.end());
-        first_ = *least;
-        const std::size_t words = (*largest - first_) / kBits + 1;
-        if (words <= vertices_.size()) {
-            count(words);
+        first_ = *least / kBits;
+        const std::size_t span = *largest / kBits - first_ + 1;
+        is_dense_ = span <= vertices_.size();
+        words_.resize(is_dense_ ? span : std::bit_ceil(vertices_.size() + 1));
+        for (const VertexId v : vertices_) word_of(v).bits |= bit_of(v);
+        vertices_.clear();
+        if (!is_dense_) {
+            number_in_order();
         } else {
-            std::sort(vertices_.begin(), vertices_.end());
-            vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+            for (std::size_t i = 0; i < span; ++i) number(words_[i], first_ + static_cast<VertexId>(i));
         }
     }
 
@@ -38,41 +43,59 @@ public:
 
     /// One of the triangles, given with the mesh's numbers.
     Triangle local(const Triangle& triangle) const {
-        return {number(triangle[0]), number(triangle[1]), number(triangle[2])};
+        return {number_of(triangle[0]), number_of(triangle[1]), number_of(triangle[2])};
     }
 
 private:
     static constexpr std::size_t kBits = 64;
 
-    // Which of the next 64 vertices are there, and how many before them.
+    // Which of 64 vertices on end are there, and how many before them.
     struct Word {
-        std::uint64_t bits = 0;
+        std::uint64_t bits = 0;  // none: the place is free
         VertexId before = 0;
+        VertexId name = 0;  // where places are found by hashing: the number of the first vertex by 64
     };
 
-    void count(std::size_t words) {
-        words_.resize(words);
-        for (const VertexId v : vertices_) words_[(v - first_) / kBits].bits |= 1ULL << (v - first_) % kBits;
-        vertices_.clear();
-        for (std::size_t i = 0; i < words; ++i) {
-            words_[i].before = static_cast<VertexId>(vertices_.size());
-            for (std::uint64_t left = words_[i].bits; left != 0; left &= left - 1)
-                vertices_.push_back(first_ + static_cast<VertexId>(i * kBits) +
-                                    static_cast<VertexId>(std::countr_zero(left)));
-        }
+    static std::uint64_t bit_of(VertexId v) { return std::uint64_t{1} << v % kBits; }
+
+    // The place for a vertex, or a free one for it.
+    std::size_t place_of(VertexId v) const {
+        const auto name = static_cast<VertexId>(v / kBits);
+        if (is_dense_) return name - first_;
+        std::size_t place = mix_bits(name) % words_.size();
+        while (words_[place].bits != 0 && words_[place].name != name) place = (place + 1) % words_.size();
+        return place;
+    }
+    Word& word_of(VertexId v) {
+        Word& word = words_[place_of(v)];
+        word.name = static_cast<VertexId>(v / kBits);
+        return word;
     }
 
-    VertexId number(VertexId v) const {
-        if (words_.empty())
-            return static_cast<VertexId>(std::lower_bound(vertices_.begin(), vertices_.end(), v) - vertices_.begin());
-        const Word& word = words_[(v - first_) / kBits];
-        const std::uint64_t below = word.bits & ((1ULL << (v - first_) % kBits) - 1);
-        return word.before + static_cast<VertexId>(count_bits(below));
+    void number_in_order() {
+        std::vector<std::pair<VertexId, std::size_t>> taken;  // name and place
+        for (std::size_t place = 0; place < words_.size(); ++place)
+            if (words_[place].bits != 0) taken.emplace_back(words_[place].name, place);
+        std::sort(taken.begin(), taken.end());
+        for (const auto& [name, place] : taken) number(words_[place], name);
+    }
+
+    // The vertices of a word, which come next.
+    void number(Word& word, VertexId name) {
+        word.before = static_cast<VertexId>(vertices_.size());
+        for (std::uint64_t left = word.bits; left != 0; left &= left - 1)
+            vertices_.push_back(static_cast<VertexId>(name * kBits) + static_cast<VertexId>(std::countr_zero(left)));
+    }
+
+    VertexId number_of(VertexId v) const {
+        const Word& word = words_[place_of(v)];
+        return word.before + static_cast<VertexId>(count_bits(word.bits & (bit_of(v) - 1)));
     }
 
     std::vector<VertexId> vertices_;
-    VertexId first_ = 0;
-    std::vector<Word> words_;  // empty where the numbers lie far apart
+    std::vector<Word> words_;
+    VertexId first_ = 0;     // name, where they lie one behind the other
+    bool is_dense_ = false;  // whether they do
 };
 
 }  // namespace meniscus
