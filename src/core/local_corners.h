@@ -53,7 +53,7 @@ private:
     struct Word {
         std::uint64_t bits = 0;  // none: the place is free
         VertexId before = 0;
-        VertexId name = 0;  // where places are found by hashing: the number of the first vertex by 64
+        VertexId name = 0;  // the number of its first vertex, divided by 64
     };
 
     static std::uint64_t bit_of(VertexId v) { return std::uint64_t{1} << v % kBits; }
@@ -62,8 +62,9 @@ private:
     std::size_t place_of(VertexId v) const {
         const auto name = static_cast<VertexId>(v / kBits);
         if (is_dense_) return name - first_;
-        std::size_t place = mix_bits(name) % words_.size();
-        while (words_[place].bits != 0 && words_[place].name != name) place = (place + 1) % words_.size();
+        const std::size_t mask = words_.size() - 1;  // a power of two
+        std::size_t place = mix_bits(name) & mask;
+        while (words_[place].bits != 0 && words_[place].name != name) place = (place + 1) & mask;
         return place;
     }
     Word& word_of(VertexId v) {

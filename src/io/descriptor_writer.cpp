@@ -115,8 +115,8 @@ void DescriptorWriter::compare_ways() {
 }
 
 bool DescriptorWriter::turn_to_disk() {
+    if (!for_the_disk_) for_the_disk_.reset(new (kPage) char[kPerCallToDisk]);
     if (!set_direct(descriptor_, true)) return false;
-    for_the_disk_.reset(new (kPage) char[kPerCallToDisk]);
     way_ = Way::Disk;
     return true;
 }
