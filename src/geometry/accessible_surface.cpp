@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 #include "core/fresh_memory.h"
@@ -147,18 +148,17 @@ bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const 
         });
     for (auto* begin : {&data.contour_begin, &data.cap_begin, &data.cover_begin})
         std::partial_sum(begin->begin(), begin->end(), begin->begin());
-    data.contour.clear();
-    data.caps.clear();
-    data.cover.clear();
-    reserve_touched(data.contour, data.contour_begin.back());
-    reserve_touched(data.caps, data.cap_begin.back());
-    reserve_touched(data.cover, data.cover_begin.back());
-    for (const ChunkResult& chunk : chunks) {
-        if (!chunk.consistent) return false;
-        data.contour.insert(data.contour.end(), chunk.arcs.begin(), chunk.arcs.end());
-        data.caps.insert(data.caps.end(), chunk.caps.begin(), chunk.caps.end());
-        data.cover.insert(data.cover.end(), chunk.cover.begin(), chunk.cover.end());
-    }
+    if (!std::ranges::all_of(chunks, &ChunkResult::consistent)) return false;
+    const auto join = [&](auto ChunkResult::*part, auto& whole, std::size_t size) {
+        whole.clear();
+        reserve_touched(whole, size);
+        for (const ChunkResult& chunk : chunks) whole.insert(whole.end(), (chunk.*part).begin(), (chunk.*part).end());
+    };
+    parallel_both([&] { join(&ChunkResult::caps, data.caps, data.cap_begin.back()); },
+                  [&] {
+                      join(&ChunkResult::arcs, data.contour, data.contour_begin.back());
+                      join(&ChunkResult::cover, data.cover, data.cover_begin.back());
+                  });
     return true;
 }
 
@@ -292,27 +292,35 @@ SasArc make_arc(const AccessibleSurface::Data& data, const VertexTable& table, s
     return arc;
 }
 
-void place_arcs(AccessibleSurface::Data& data, const VertexTable& table) {
+// The arcs by the smaller of their atoms, and where each of these has them on its contour.
+struct OwnedArcs {
     struct Owned {
         std::uint32_t atom;
         std::size_t contour;
     };
-    std::vector<Owned> owned;  // each arc by the smaller of its atoms
-    owned.reserve(data.contour.size() / 2);
-    data.contour_arc.assign(data.contour.size(), 0);
-    std::vector<std::uint64_t> begin(data.atoms.size() + 1, 0);
-    for (std::uint32_t i = 0; i < data.atoms.size(); ++i) {
-        for (std::size_t c = data.contour_begin[i]; c < data.contour_begin[i + 1]; ++c) {
-            if (i > data.cover_of(i)[data.contour[c].cap]) continue;
-            data.contour_arc[c] = static_cast<std::uint32_t>(owned.size());
-            owned.push_back({i, c});
+    std::vector<Owned> owned;
+    std::vector<std::uint64_t> begin;  // per atom, and the end
+
+    // Notes in contour_arc which number each gets.
+    explicit OwnedArcs(AccessibleSurface::Data& data) : begin(data.atoms.size() + 1, 0) {
+        owned.reserve(data.contour.size() / 2);
+        data.contour_arc.assign(data.contour.size(), 0);
+        for (std::uint32_t i = 0; i < data.atoms.size(); ++i) {
+            for (std::size_t c = data.contour_begin[i]; c < data.contour_begin[i + 1]; ++c) {
+                if (i > data.cover_of(i)[data.contour[c].cap]) continue;
+                data.contour_arc[c] = static_cast<std::uint32_t>(owned.size());
+                owned.push_back({i, c});
+            }
+            begin[i + 1] = owned.size();
         }
-        begin[i + 1] = owned.size();
     }
-    resize_touched(data.arcs, owned.size());
-    parallel_for(owned.size(), kChunk, [&](std::size_t a) {
-        data.arcs[a] =
-            make_arc(data, table, owned[a].atom, view_of(data, owned[a].atom, data.contour[owned[a].contour]));
+};
+
+void place_arcs(AccessibleSurface::Data& data, const VertexTable& table, const OwnedArcs& all) {
+    resize_touched(data.arcs, all.owned.size());
+    parallel_for(all.owned.size(), kChunk, [&](std::size_t a) {
+        const auto& [atom, contour] = all.owned[a];
+        data.arcs[a] = make_arc(data, table, atom, view_of(data, atom, data.contour[contour]));
     });
     // The larger atom sees the same arc from its other end.
     parallel_for(data.atoms.size(), kChunk, [&](std::size_t atom) {
@@ -321,9 +329,9 @@ void place_arcs(AccessibleSurface::Data& data, const VertexTable& table) {
             const ArcView view = view_of(data, j, data.contour[c]);
             const std::uint32_t i = view.other;
             if (j < i) continue;
-            for (std::size_t a = begin[i]; a < begin[i + 1]; ++a) {
+            for (std::size_t a = all.begin[i]; a < all.begin[i + 1]; ++a) {
                 if (data.arcs[a].atoms[1] != j) continue;
-                const ArcView own = view_of(data, i, data.contour[owned[a].contour]);
+                const ArcView own = view_of(data, i, data.contour[all.owned[a].contour]);
                 if (own.from == view.to && own.to == view.from) data.contour_arc[c] = static_cast<std::uint32_t>(a);
             }
         }
@@ -403,9 +411,11 @@ bool try_build(AccessibleSurface::Data& data, const CellList& cells, std::uint64
             data.perturbation * symmetry_breaking_offset(data.atoms.centres[i], data.atoms.radii[i],
                                                          seed * kMaxAttempts + static_cast<std::uint64_t>(attempt));
     if (!build_contours(data, cells, before) || !contours_agree(data)) return false;
-    const VertexTable table(data);
-    place_vertices(data, table);
-    place_arcs(data, table);
+    std::optional<VertexTable> table;
+    std::optional<OwnedArcs> owned;
+    parallel_both([&] { table.emplace(data); }, [&] { owned.emplace(data); });
+    place_vertices(data, *table);
+    place_arcs(data, *table, *owned);
     link_features(data);
     build_trees(data);
     return true;
