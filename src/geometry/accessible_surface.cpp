@@ -292,34 +292,37 @@ SasArc make_arc(const AccessibleSurface::Data& data, const VertexTable& table, s
     return arc;
 }
 
-// The arcs by the smaller of their atoms, and where each of these has them on its contour.
+// The arcs in their order, each by the smaller of its atoms and its position in `contour`.
 struct OwnedArcs {
     struct Owned {
         std::uint32_t atom;
         std::size_t contour;
     };
-    std::vector<Owned> owned;
+    std::vector<Owned> all;
     std::vector<std::uint64_t> begin;  // per atom, and the end
-
-    // Notes in contour_arc which number each gets.
-    explicit OwnedArcs(AccessibleSurface::Data& data) : begin(data.atoms.size() + 1, 0) {
-        owned.reserve(data.contour.size() / 2);
-        data.contour_arc.assign(data.contour.size(), 0);
-        for (std::uint32_t i = 0; i < data.atoms.size(); ++i) {
-            for (std::size_t c = data.contour_begin[i]; c < data.contour_begin[i + 1]; ++c) {
-                if (i > data.cover_of(i)[data.contour[c].cap]) continue;
-                data.contour_arc[c] = static_cast<std::uint32_t>(owned.size());
-                owned.push_back({i, c});
-            }
-            begin[i + 1] = owned.size();
-        }
-    }
 };
 
-void place_arcs(AccessibleSurface::Data& data, const VertexTable& table, const OwnedArcs& all) {
-    resize_touched(data.arcs, all.owned.size());
-    parallel_for(all.owned.size(), kChunk, [&](std::size_t a) {
-        const auto& [atom, contour] = all.owned[a];
+// Fills contour_arc as far as the smaller atoms see the arcs.
+OwnedArcs number_arcs(AccessibleSurface::Data& data) {
+    OwnedArcs owned;
+    owned.all.reserve(data.contour.size() / 2);
+    owned.begin.assign(data.atoms.size() + 1, 0);
+    data.contour_arc.assign(data.contour.size(), 0);
+    for (std::uint32_t i = 0; i < data.atoms.size(); ++i) {
+        for (std::size_t c = data.contour_begin[i]; c < data.contour_begin[i + 1]; ++c) {
+            if (i > data.cover_of(i)[data.contour[c].cap]) continue;
+            data.contour_arc[c] = static_cast<std::uint32_t>(owned.all.size());
+            owned.all.push_back({i, c});
+        }
+        owned.begin[i + 1] = owned.all.size();
+    }
+    return owned;
+}
+
+void place_arcs(AccessibleSurface::Data& data, const VertexTable& table, const OwnedArcs& owned) {
+    resize_touched(data.arcs, owned.all.size());
+    parallel_for(owned.all.size(), kChunk, [&](std::size_t a) {
+        const auto& [atom, contour] = owned.all[a];
         data.arcs[a] = make_arc(data, table, atom, view_of(data, atom, data.contour[contour]));
     });
     // The larger atom sees the same arc from its other end.
@@ -329,9 +332,9 @@ void place_arcs(AccessibleSurface::Data& data, const VertexTable& table, const O
             const ArcView view = view_of(data, j, data.contour[c]);
             const std::uint32_t i = view.other;
             if (j < i) continue;
-            for (std::size_t a = all.begin[i]; a < all.begin[i + 1]; ++a) {
+            for (std::size_t a = owned.begin[i]; a < owned.begin[i + 1]; ++a) {
                 if (data.arcs[a].atoms[1] != j) continue;
-                const ArcView own = view_of(data, i, data.contour[all.owned[a].contour]);
+                const ArcView own = view_of(data, i, data.contour[owned.all[a].contour]);
                 if (own.from == view.to && own.to == view.from) data.contour_arc[c] = static_cast<std::uint32_t>(a);
             }
         }
@@ -412,10 +415,10 @@ bool try_build(AccessibleSurface::Data& data, const CellList& cells, std::uint64
                                                          seed * kMaxAttempts + static_cast<std::uint64_t>(attempt));
     if (!build_contours(data, cells, before) || !contours_agree(data)) return false;
     std::optional<VertexTable> table;
-    std::optional<OwnedArcs> owned;
-    parallel_both([&] { table.emplace(data); }, [&] { owned.emplace(data); });
+    OwnedArcs owned;
+    parallel_both([&] { table.emplace(data); }, [&] { owned = number_arcs(data); });
     place_vertices(data, *table);
-    place_arcs(data, *table, *owned);
+    place_arcs(data, *table, owned);
     link_features(data);
     build_trees(data);
     return true;

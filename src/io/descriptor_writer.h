@@ -11,12 +11,6 @@
 
 namespace meniscus {
 
-/// Who takes the bytes of a file.
-enum class Way {
-    Cache,  ///< pages of memory, which the system writes to the disk when it likes
-    Disk,   ///< the disk itself (O_DIRECT)
-};
-
 /// Writes to a descriptor whose file is empty so far; does not close it.
 ///
 /// A page of the cache costs a fraction of a microsecond, but ten where a virtual machine has to get it back from its
@@ -24,6 +18,12 @@ enum class Way {
 /// large file goes on in the other one as long as that is quicker. The file is the same.
 class DescriptorWriter {
 public:
+    /// Who takes the bytes.
+    enum class Way {
+        Cache,  ///< pages of memory, which the system writes to the disk when it likes
+        Disk,   ///< the disk itself (O_DIRECT)
+    };
+
     DescriptorWriter() = default;
 
     /// may_change_way   for a regular file whose description nobody shares

@@ -20,6 +20,7 @@ namespace {
 
 using testing::read_file;
 using testing::ScratchFolder;
+using Way = DescriptorWriter::Way;
 
 std::string bytes_for(std::size_t size) {
     std::string bytes(size, '\0');

@@ -111,7 +111,7 @@ void add_value(std::vector<Value>& values, const char* begin, const char* end, c
 bool is_ordinary(char c) { return gemmi::cif::char_table(c) == 1; }
 bool is_space(char c) { return gemmi::cif::char_table(c) == 2; }
 
-// No character of the text's end is ordinary.
+// The zero behind the text's end is not ordinary.
 const char* behind_ordinary(const char* at) {
     while (is_ordinary(*at)) ++at;
     return at;
