@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -112,13 +114,8 @@ int run(int argc, char** argv) {
     return outcome == Outcome::Done ? kDone : kChecksFailed;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    meniscus::cli::prepare_heap();
-    meniscus::cli::hold_standard_streams();
-    meniscus::cli::install_signal_handlers();
-    meniscus::cli::install_last_resort("meniscus");
+/// The exit code.
+int run_or_fail(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const meniscus::cli::Interrupted& interrupted) {
@@ -137,4 +134,24 @@ int main(int argc, char** argv) {
         if (meniscus::cli::is_out_of_threads(error)) return fail(kLimitError, meniscus::cli::kOutOfThreads);
         return fail(kOtherError, error.what());
     }
+}
+
+/// Ends the program without taking apart what libraries hold, threads among it: the kernel takes it back all the same.
+[[noreturn]] void leave(int code) {
+#ifdef __SANITIZE_ADDRESS__
+    std::exit(code);  // leaks are looked for there
+#endif
+    std::cout.flush();
+    std::fflush(nullptr);
+    std::_Exit(code);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    meniscus::cli::prepare_heap();
+    meniscus::cli::hold_standard_streams();
+    meniscus::cli::install_signal_handlers();
+    meniscus::cli::install_last_resort("meniscus");
+    leave(run_or_fail(argc, argv));
 }

@@ -66,9 +66,6 @@ std::string atom_table_beside(const fs::path& path) {
     return (path.parent_path() / (path.stem().string() + ".atoms.csv")).string();
 }
 
-/// Whether the mesh file has the atoms in itself.
-bool holds_atoms(const fs::path& path) { return path.extension() == ".npz"; }
-
 /// The same text for every spelling of one file.
 std::string identity(const std::string& path) {
     std::error_code error;
@@ -93,6 +90,8 @@ OutputKind kind_of(const std::string& path) { return find_kind(kSuffixes, path);
 
 OutputKind measure_kind_of(const std::string& path) { return find_kind(kMeasureSuffixes, path); }
 
+bool holds_structure(const std::string& path) { return fs::path(path).extension() == ".npz"; }
+
 std::vector<Output> plan_outputs(const std::vector<std::string>& asked, const std::string& name,
                                  const std::string& mark) {
     std::vector<Output> plan;
@@ -102,7 +101,7 @@ std::vector<Output> plan_outputs(const std::vector<std::string>& asked, const st
     if (asked.empty() && pages_supported()) plan.push_back({name + ".html", OutputKind::Page});
     const std::size_t count = plan.size();
     for (std::size_t i = 0; i < count; ++i) {
-        if (plan[i].kind != OutputKind::Mesh || holds_atoms(plan[i].path)) continue;
+        if (plan[i].kind != OutputKind::Mesh || holds_structure(plan[i].path)) continue;
         const Output table{atom_table_beside(plan[i].path), OutputKind::AtomTable};
         if (std::find(plan.begin(), plan.end(), table) == plan.end()) plan.push_back(table);
     }

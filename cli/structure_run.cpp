@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <set>
 
 #include "heap.h"
@@ -83,11 +84,14 @@ void StructureRun::check_all_paths(const std::vector<Job>& jobs) const {
 }
 
 std::vector<Job> StructureRun::read_structures() const {
+    const auto& outputs = request_.outputs;
+    ReadOptions options = request_.read;
+    options.checksum = !request_.report.empty() || std::any_of(outputs.begin(), outputs.end(), holds_structure);
     std::vector<Job> jobs;
     if (!request_.all_models) {
-        jobs.push_back({read_structure(request_.input, request_.read), {}, request_.read.model, ""});
+        jobs.push_back({read_structure(request_.input, options), {}, options.model, ""});
     } else {
-        for (Structure& structure : read_all_models(request_.input, request_.read))
+        for (Structure& structure : read_all_models(request_.input, options))
             jobs.push_back({std::move(structure), {}, static_cast<int>(jobs.size()) + 1, ""});
     }
     return jobs;

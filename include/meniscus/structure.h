@@ -39,6 +39,7 @@ struct ReadOptions {
     HeteroPolicy hetero = HeteroPolicy::None;
     bool keep_waters = false;
     bool strict_radii = false;  ///< an unknown atom type is an InputError
+    bool checksum = true;       ///< Structure::sha256 is found, in a millisecond per 1.5 MB
 };
 
 /// A residue that has at least one kept atom.
@@ -65,7 +66,7 @@ struct AtomLabel {
 struct Structure {
     std::string file;       ///< as given; "-" for standard input
     std::string name;       ///< stem for output files: "1ubq" for "dir/1ubq.pdb.gz", "stdin" for "-"
-    std::string sha256;     ///< of the bytes of the file as found, hexadecimal
+    std::string sha256;     ///< of the bytes of the file as found, hexadecimal; empty without ReadOptions::checksum
     std::string radii_set;  ///< the set in use: bondi, united, ..., "file" for radii from PQR or xyzr, or a path
     Atoms atoms;
     std::vector<AtomLabel> labels;

@@ -11,7 +11,8 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kTogether = 16;  // triangles whose corners are compared as vectors
+constexpr std::size_t kTogether = 16;    // triangles whose corners are compared as vectors
+constexpr std::size_t kLookedAt = 1024;  // triangles in a row: they stay in a core's cache
 
 void add_to_all(std::span<const Triangle> triangles, std::span<const float> of_triangle, std::span<float> sums) {
     for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -48,13 +49,21 @@ void add_within(const VertexRange& range, std::span<const Triangle> triangles, s
 }  // namespace
 
 std::vector<float> sums_at_corners(std::size_t vertex_count, std::span<const Triangle> triangles,
-                                   std::span<const float> of_triangle) {
+                                   std::span<const float> of_triangle, const CornerLook& look) {
     std::vector<float> sums;
     resize_touched(sums, vertex_count);
     if (is_alone()) {
-        add_to_all(triangles, of_triangle, sums);
+        for (std::size_t begin = 0; begin < triangles.size(); begin += kLookedAt) {
+            const std::span<const Triangle> some =
+                triangles.subspan(begin, std::min(kLookedAt, triangles.size() - begin));
+            if (look) look(some);
+            add_to_all(some, of_triangle.subspan(begin, some.size()), sums);
+        }
         return sums;
     }
+    if (look)
+        parallel_chunks(triangles.size(), kLookedAt,
+                        [&](std::size_t begin, std::size_t end) { look(triangles.subspan(begin, end - begin)); });
     const auto count = static_cast<VertexId>(vertex_count);
     const VertexId half = count / 2;
     parallel_both(

@@ -1,17 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "core/corner_numbers.h"
 #include "core/parallel.h"
 #include "measure/corner_sums.h"
 #include "measure/surface_measures.h"
 #include "measure/topology.h"
-#include "measure/triangle_lanes.h"
 #include "measure/triangle_survey.h"
 #include "meniscus/errors.h"
 #include "meniscus/mesh.h"
@@ -21,24 +20,6 @@ namespace meniscus {
 namespace {
 
 constexpr std::size_t kChunk = 8192;  // triangles or vertices per task: some tens of microseconds
-
-bool all_below(std::span<const std::uint32_t> indices, std::size_t limit) {
-    if (limit > std::numeric_limits<std::uint32_t>::max()) return true;
-    const auto below = static_cast<std::uint32_t>(limit);
-    return parallel_sum<std::size_t>(indices.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-               return std::size_t{
-                   triangle_kernels().find_largest_index(indices.subspan(begin, end - begin)) < below ? 0U : 1U};
-           }) == 0;
-}
-
-void check(const Mesh& mesh) {
-    const std::size_t n = mesh.vertices.size();
-    if (!mesh.components.empty() && mesh.components.size() != n)
-        throw UsageError("a mesh needs one component number per vertex, or none at all");
-    if (!all_below(mesh.components, n)) throw UsageError("a component number is larger than the mesh has vertices");
-    if (!all_below(all_corners(mesh.triangles), n))
-        throw UsageError("a triangle names a vertex that the mesh does not have");
-}
 
 void add_topology(const Mesh& mesh, const MeshTopology& topology, MeshMeasures& measures) {
     measures.closed = topology.closed;
@@ -51,9 +32,13 @@ void add_topology(const Mesh& mesh, const MeshTopology& topology, MeshMeasures& 
 }  // namespace
 
 MeshMeasures measure_mesh(const Mesh& mesh) {
-    check(mesh);
-    const std::vector<std::uint32_t> found =
-        mesh.components.empty() ? find_components(mesh).of_vertex : std::vector<std::uint32_t>();
+    if (!mesh.components.empty() && mesh.components.size() != mesh.vertices.size())
+        throw UsageError("a mesh needs one component number per vertex, or none at all");
+    std::vector<std::uint32_t> found;
+    if (mesh.components.empty()) {
+        check_corners(mesh, mesh.triangles);
+        found = find_components(mesh).of_vertex;
+    }
     const std::span<const std::uint32_t> of_vertex = mesh.components.empty() ? found : mesh.components;
     MeshMeasures measures = TriangleSurvey(mesh, of_vertex, TriangleSurvey::Parts::LeftOut).measures(of_vertex);
     add_topology(mesh, examine_topology(mesh.vertices.size(), mesh.triangles), measures);
@@ -61,7 +46,6 @@ MeshMeasures measure_mesh(const Mesh& mesh) {
 }
 
 TriangleSurvey survey_surface(const Mesh& mesh, Creases creases, const TriangleLook& look) {
-    check(mesh);
     if (mesh.normals.size() != mesh.vertices.size() || mesh.components.size() != mesh.vertices.size())
         throw UsageError("measures of a surface need one normal and one component number per vertex");
     using Parts = TriangleSurvey::Parts;
@@ -69,13 +53,19 @@ TriangleSurvey survey_surface(const Mesh& mesh, Creases creases, const TriangleL
 }
 
 SurfaceMeasures measure_surface(Mesh& mesh, const TriangleSurvey& survey, Stars stars) {
-    check(mesh);
+    const std::size_t n = mesh.vertices.size();
     SurfaceMeasures measures{.mesh = survey.measures(mesh.components), .corrected = {}, .areas = {}};
     measures.corrected = extrapolate({measures.mesh.area, measures.mesh.volume}, survey.parts());
+    std::atomic<std::uint64_t> areas_of_all = 0;
+    measures.areas = sums_at_corners(n, mesh.triangles, survey.thirds(), [&](std::span<const Triangle> some) {
+        check_corners(mesh, some);
+        if (stars == Stars::Trusted) areas_of_all += signed_areas(some);
+    });
+    add_topology(mesh,
+                 stars == Stars::Trusted ? topology_of_manifold(n, mesh.triangles, areas_of_all)
+                                         : examine_topology(n, mesh.triangles),
+                 measures.mesh);
     renumber(measures.mesh.components, mesh.components);
-    const auto topology = stars == Stars::Examined ? examine_topology : topology_of_manifold;
-    parallel_both([&] { measures.areas = sums_at_corners(mesh.vertices.size(), mesh.triangles, survey.thirds()); },
-                  [&] { add_topology(mesh, topology(mesh.vertices.size(), mesh.triangles), measures.mesh); });
     return measures;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "meniscus/mesh.h"
@@ -24,16 +25,19 @@ struct MeshTopology {
 /// cost     O(n) for a mesh of bounded vertex degree, O(n log n) else; a byte of scratch memory per triangle
 MeshTopology examine_topology(std::size_t vertex_count, std::span<const Triangle> triangles);
 
-/// Whether as many triangles run along every edge in one direction as in the other. A surface for which that holds
-/// covers every place of a plane as often with one side as with the other, wherever its vertices are sent; so the
-/// signed areas there sum to nothing. Vertices are sent by a hash, and the sum is taken modulo 2^64: it does not vanish
-/// by chance in the life of the program.
+/// What tells whether as many triangles run along every edge in one direction as in the other: then the sum over all
+/// of them is 0. A surface for which that holds covers every place of a plane as often with one side as with the other,
+/// wherever its vertices are sent; so the signed areas there sum to nothing. Vertices are sent by a hash, and the sum
+/// is taken modulo 2^64: it does not vanish by chance in the life of the program.
 ///
 /// cost     O(n), a twentieth of examine_topology
-bool is_balanced(std::span<const Triangle> triangles);
+std::uint64_t signed_areas(std::span<const Triangle> some);
 
 /// The same as examine_topology of what is a manifold by the way it was made, open or closed, with every vertex in use:
 /// where such a mesh is balanced nothing else is left to examine.
-MeshTopology topology_of_manifold(std::size_t vertex_count, std::span<const Triangle> triangles);
+///
+/// areas_of_all   signed_areas of all triangles
+MeshTopology topology_of_manifold(std::size_t vertex_count, std::span<const Triangle> triangles,
+                                  std::uint64_t areas_of_all);
 
 }  // namespace meniscus

@@ -8,8 +8,10 @@
 #include <numbers>
 
 #include "core/bits.h"
+#include "core/corner_numbers.h"
 #include "core/fresh_memory.h"
 #include "core/parallel.h"
+#include "meniscus/errors.h"
 #include "mesh/components.h"
 
 namespace meniscus {
@@ -21,6 +23,11 @@ constexpr std::size_t kChunksPerTask = 32;  // some tens of microseconds
 std::size_t chunks_of(std::size_t triangles) { return (triangles + kSurveyChunk - 1) / kSurveyChunk; }
 
 }  // namespace
+
+void check_corners(const Mesh& mesh, std::span<const Triangle> some) {
+    if (!some.empty() && triangle_kernels().find_largest_index(all_corners(some)) >= mesh.vertices.size())
+        throw UsageError("a triangle names a vertex that the mesh does not have");
+}
 
 TriangleSurvey::PieceLanes::PieceLanes(std::span<const Triangle> triangles, std::span<const std::uint32_t> of_vertex) {
     std::uint32_t others = 0;
@@ -71,6 +78,7 @@ void TriangleSurvey::survey(std::size_t chunk, const Mesh& mesh, std::span<const
     ChunkSums sums;
     for (std::size_t first = begin; first < end; first += kLanes) {
         const auto triangles = std::span(mesh.triangles).subspan(first, std::min(kLanes, end - first));
+        check_corners(mesh, triangles);
         const PieceLanes pieces(triangles, of_vertex);
         load(mesh, triangles, pieces, lanes);
         measure(mesh, triangles, lanes);

@@ -26,6 +26,9 @@ using TriangleLook =
     std::function<void(std::size_t first, std::span<const Triangle> triangles, const TriangleLanes& lanes)>;
 inline constexpr std::size_t kSurveyChunk = 256;
 
+/// throws   UsageError where a triangle names a vertex that the mesh does not have
+void check_corners(const Mesh& mesh, std::span<const Triangle> some);
+
 class TriangleSurvey {
 public:
     /// What is measured beside areas, volumes and angles.
@@ -36,7 +39,7 @@ public:
     };
 
     /// of_vertex   number of each vertex's piece
-    /// Precondition: every corner is a vertex of the mesh.
+    /// throws      as check_corners
     /// cost        O(n) for n triangles; 4 bytes are kept of each if parts are measured
     TriangleSurvey(const Mesh& mesh, std::span<const std::uint32_t> of_vertex, Parts parts,
                    const TriangleLook& look = {});

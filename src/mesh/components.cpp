@@ -13,6 +13,7 @@
 #include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "core/parallel_list.h"
+#include "meniscus/errors.h"
 
 namespace meniscus {
 namespace {
@@ -186,6 +187,7 @@ PieceVertices vertices_of_pieces(std::span<const std::uint32_t> of_vertex) {
     PieceVertices pieces;
     for (const PieceRun& run : runs) {
         const std::size_t p = run.piece;
+        if (p >= of_vertex.size()) throw UsageError("a component number is larger than the mesh has vertices");
         if (p >= pieces.counts.size()) {
             pieces.counts.resize(p + 1);
             pieces.first.resize(p + 1);

@@ -43,6 +43,8 @@ std::vector<MeshComponent> label_components(Mesh& mesh);
 void keep_components(Mesh& mesh, const std::vector<bool>& keep);
 
 /// How many vertices each piece of a labelling has, and which comes first.
+///
+/// throws   UsageError for a number that is not smaller than there are vertices
 struct PieceVertices {
     std::vector<std::size_t> counts;
     std::vector<VertexId> first;

@@ -127,11 +127,11 @@ std::string stem_of(const std::string& path) {
     return name.empty() ? "structure" : name;
 }
 
-InputFile load_bytes(std::string bytes, const std::string& path) {
+InputFile load_bytes(std::string bytes, const std::string& path, Checksum checksum) {
     InputFile file;
     file.path = path;
     file.name = stem_of(path);
-    file.sha256 = sha256_hex(bytes);
+    if (checksum == Checksum::Found) file.sha256 = sha256_hex(bytes);
     const bool named_gzip = lower_case(path).ends_with(".gz");
     if (is_gzip(bytes)) {
         file.text = gunzip(bytes, path);
@@ -147,6 +147,8 @@ InputFile load_bytes(std::string bytes, const std::string& path) {
     return file;
 }
 
-InputFile load_input(const std::string& path) { return load_bytes(read_bytes(path, "structure file"), path); }
+InputFile load_input(const std::string& path, Checksum checksum) {
+    return load_bytes(read_bytes(path, "structure file"), path, checksum);
+}
 
 }  // namespace meniscus::reading

@@ -10,12 +10,13 @@
 namespace meniscus::reading {
 
 enum class Format { Pdb, Cif, Pqr, Xyzr, Xyzrn };
+enum class Checksum { LeftOut, Found };
 
 /// A file as text: decompressed, lines ending with '\n', no byte order mark.
 struct InputFile {
     std::string path;    ///< as given; "-" for standard input
     std::string name;    ///< stem for outputs
-    std::string sha256;  ///< of the bytes as found
+    std::string sha256;  ///< of the bytes as found, if asked for
     Format format = Format::Pdb;
     std::string text;
     std::vector<std::string> warnings;
@@ -23,10 +24,10 @@ struct InputFile {
 
 /// Reads a file, or standard input if the path is "-".
 /// throws   InputError if it cannot be read or is of no known format
-InputFile load_input(const std::string& path);
+InputFile load_input(const std::string& path, Checksum checksum = Checksum::Found);
 
 /// The same from bytes already in memory; the path tells name and format as if they came from there.
-InputFile load_bytes(std::string bytes, const std::string& path);
+InputFile load_bytes(std::string bytes, const std::string& path, Checksum checksum = Checksum::Found);
 
 /// "1ubq" for "dir/1ubq.pdb.gz", "stdin" for "-".
 std::string stem_of(const std::string& path);

@@ -26,7 +26,9 @@ using namespace reading;
 // A loaded file that hands out its models one by one.
 class ModelSource {
 public:
-    ModelSource(const std::string& path, bool with_assemblies) : file_(load_input(path)), assemblies_(with_assemblies) {
+    ModelSource(const std::string& path, const ReadOptions& options)
+        : file_(load_input(path, options.checksum ? Checksum::Found : Checksum::LeftOut)),
+          assemblies_(!options.assembly.empty()) {
         if (file_.format == Format::Pdb) pdb_ = find_pdb_models(file_.text);
         if (file_.format == Format::Cif) cif_.emplace(file_.text, file_.path);
     }
@@ -127,7 +129,7 @@ std::string model_suffix(int position) {
 
 Structure read_structure(const std::string& path, const ReadOptions& options) {
     check_options(options);
-    const ModelSource source(path, !options.assembly.empty());
+    const ModelSource source(path, options);
     RawModel model = source.model(options.model);
     if (source.model_count() > 1) {
         model.warnings.push_back("model " + std::to_string(options.model) + " of " +
@@ -138,7 +140,7 @@ Structure read_structure(const std::string& path, const ReadOptions& options) {
 
 std::vector<Structure> read_all_models(const std::string& path, const ReadOptions& options) {
     check_options(options);
-    const ModelSource source(path, !options.assembly.empty());
+    const ModelSource source(path, options);
     std::vector<Structure> structures;
     for (int position = 1; position <= source.model_count(); ++position) {
         ReadOptions own = options;

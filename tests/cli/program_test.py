@@ -6,6 +6,7 @@
 usage: program_test.py PROGRAM SOURCE_DIR [unittest arguments]
 """
 import csv
+import hashlib
 import json
 import math
 import pathlib
@@ -16,6 +17,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import zipfile
 
 import mesh_files
 import schema
@@ -459,6 +461,14 @@ class Report(ProgramTest):
         self.assertEqual(len(report["input"]["sha256"]), 64)
         self.assertEqual(report["options"]["threads"], 1)
         self.assertEqual(report["options"]["chains"], ["A"])
+
+    def test_npz_knows_its_input_with_and_without_a_report(self):
+        fingerprint = hashlib.sha256(UBIQUITIN.read_bytes()).hexdigest()
+        for report in ([], ["--report", "r.json"]):
+            self.surface(UBIQUITIN, "--spacing", "1", "-o", "a.npz", *report)
+            with zipfile.ZipFile(self.folder / "a.npz") as archive:
+                self.assertIn(fingerprint.encode("utf-32-le"), archive.read("options.npy"))
+        self.assertEqual(json.loads((self.folder / "r.json").read_text())["input"]["sha256"], fingerprint)
 
     def test_peak_memory_is_not_that_of_the_caller(self):
         ours = bytearray(b"x") * (400 << 20)

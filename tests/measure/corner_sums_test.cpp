@@ -5,10 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <random>
+#include <span>
+#include <stdexcept>
+#include <vector>
 
 #include "meniscus/threads.h"
 #include "support/mesh_checks.h"
@@ -47,6 +51,33 @@ TEST(CornerSums, AreTheSameForAnyNumberOfThreads) {
     const std::vector<float> of_several = areas_at_vertices(mesh);
     const ThreadLimit limit(1);
     EXPECT_EQ(areas_at_vertices(mesh), of_several);
+}
+
+TEST(CornerSums, HaveAllTrianglesLookedAtOnce) {
+    const Mesh mesh = projected_sphere({.centre = {1, 2, 3}, .radius = 2.0}, 0.1);
+    const std::vector<float> ones(mesh.triangles.size(), 1.0F);
+    for (const int threads : {1, 2}) {
+        const ThreadLimit limit(threads);
+        std::vector<std::atomic<int>> looks(mesh.triangles.size());
+        sums_at_corners(mesh.vertices.size(), mesh.triangles, ones, [&](std::span<const Triangle> some) {
+            for (const Triangle& triangle : some) ++looks[static_cast<std::size_t>(&triangle - mesh.triangles.data())];
+        });
+        EXPECT_TRUE(std::all_of(looks.begin(), looks.end(), [](int looked) { return looked == 1; }));
+    }
+}
+
+TEST(CornerSums, FollowNoTriangleThatTheLookRefuses) {
+    Mesh mesh = projected_sphere({.centre = {1, 2, 3}, .radius = 2.0}, 0.1);
+    mesh.triangles.back()[1] = 4'000'000'000U;
+    const std::vector<float> ones(mesh.triangles.size(), 1.0F);
+    const auto refuse = [&](std::span<const Triangle> some) {
+        for (const Triangle& triangle : some)
+            if (triangle[1] >= mesh.vertices.size()) throw std::out_of_range("a corner");
+    };
+    for (const int threads : {1, 2}) {
+        const ThreadLimit limit(threads);
+        EXPECT_THROW(sums_at_corners(mesh.vertices.size(), mesh.triangles, ones, refuse), std::out_of_range);
+    }
 }
 
 }  // namespace

@@ -36,6 +36,10 @@ TEST(ReadStructure, TellsWhereFromAndWhat) {
     EXPECT_TRUE(has_warning(s, "1 water left out: --waters"));
 }
 
+TEST(ReadStructure, TakesAFingerprintOnlyIfAskedFor) {
+    EXPECT_EQ(read_text(kGlycine, "g.pdb", {.checksum = false}).sha256, "");
+}
+
 TEST(ReadStructure, LineEndsMarksAndCompressionChangeNothing) {
     const Structure plain = read_text(kGlycine, "g.pdb");
     std::string dos;
