@@ -138,8 +138,8 @@ int run_or_fail(int argc, char** argv) {
 
 /// Ends the program without taking apart what libraries hold, threads among it: the kernel takes it back all the same.
 [[noreturn]] void leave(int code) {
-#ifdef __SANITIZE_ADDRESS__
-    std::exit(code);  // leaks are looked for there
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    std::exit(code);  // they report at the end
 #endif
     std::cout.flush();
     std::fflush(nullptr);

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "core/golden_angle.h"
 #include "core/memory.h"
 #include "core/parallel.h"
 #include "grid/block_grid.h"
@@ -40,7 +41,7 @@ std::array<Vec3, kDirections> spiral() {
     std::array<Vec3, kDirections> directions;
     for (std::size_t k = 0; k < kDirections; ++k) {
         const double z = 1.0 - (2.0 * static_cast<double>(k) + 1.0) / static_cast<double>(kDirections);
-        const double angle = 2.0 * std::numbers::pi * std::numbers::phi * static_cast<double>(k);
+        const double angle = kGoldenAngle * static_cast<double>(k);
         const double across = std::sqrt(1.0 - z * z);
         directions[k] = {across * std::cos(angle), across * std::sin(angle), z};
     }
