@@ -181,7 +181,8 @@ TEST(Balance, HoldsForClosedSurfacesAlone) {
 TEST(Balance, TellsTheTopologyOfManifolds) {
     Mesh mesh = testing::extracted_sphere({.centre = {0.1, 0.2, 0.3}, .radius = 2.0}, 0.25);
     const auto expect_same = [&] {
-        const MeshTopology known = topology_of_manifold(mesh.vertices.size(), mesh.triangles, signed_areas(mesh.triangles));
+        const MeshTopology known =
+            topology_of_manifold(mesh.vertices.size(), mesh.triangles, signed_areas(mesh.triangles));
         const MeshTopology examined = examine(mesh);
         EXPECT_EQ(known.closed, examined.closed);
         EXPECT_EQ(known.manifold, examined.manifold);
