@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "core/memory.h"
@@ -68,12 +70,22 @@ private:
     std::array<Bytef, std::size_t{1} << 16U> buffer_{};
 };
 
+// The size that the last member says its content has, where that is plausible; else nothing is foreseen.
+std::size_t likely_size(std::string_view bytes) {
+    std::uint32_t size = 0;  // the last four bytes, the lowest first
+    if (bytes.size() < sizeof size) return 0;
+    for (std::size_t i = 0; i < sizeof size; ++i)
+        size |= std::uint32_t{static_cast<unsigned char>(bytes[bytes.size() - sizeof size + i])} << (8 * i);
+    return size <= kSuspicious && size / kMostGrowth <= bytes.size() ? size : 0;
+}
+
 }  // namespace
 
 bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 
 std::string gunzip(std::string_view bytes, const std::string& file) {
     std::string content;
+    content.reserve(likely_size(bytes));
     Inflater inflater(bytes);
     const std::size_t room = available_memory() / kMemoryPerText;
     while (true) {
