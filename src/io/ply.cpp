@@ -41,6 +41,10 @@ constexpr const char* kTypeName<std::uint32_t> = "uint";
 
 constexpr std::size_t kBatch = std::size_t{1} << 19U;  // bytes packed before they are written: half a core's cache
 
+// Of small meshes less: the memory for it is new, and touching it takes longer than packing.
+constexpr std::size_t kLeastBatch = std::size_t{1} << 15U;  // bytes
+constexpr std::size_t kBatchesOfSmallMesh = 16;
+
 constexpr std::size_t kPackedAtOnce = 256;  // vertices, whose records stay in the innermost cache from column to column
 
 constexpr std::size_t kFaceSize = 1 + sizeof(Triangle);  // bytes
@@ -151,7 +155,8 @@ private:
     // One batch is written while the next one is packed. pack_few(begin, end, to): some records of a batch
     template <class PackFew>
     void pack_in_batches(std::size_t count, std::size_t record_size, const PackFew& pack_few) {
-        const std::size_t batch = kBatch / record_size;
+        const std::size_t few = std::max(kLeastBatch / record_size, count / kBatchesOfSmallMesh);
+        const std::size_t batch = std::min(kBatch / record_size, few);
         std::array<std::unique_ptr<std::byte[]>, 2> records;
         for (auto& buffer : records)
             buffer = std::make_unique_for_overwrite<std::byte[]>(std::min(count, batch) * record_size);

@@ -31,6 +31,7 @@ constexpr double kMegabyte = 1024.0 * 1024.0;
 
 // Enough to know the area within some 15 %; small structures can afford more.
 constexpr std::size_t kLeastSamples = 100;
+constexpr std::size_t kMostSamples = 160;
 constexpr std::size_t kPairs = 500'000;
 constexpr std::size_t kSamplesPerTask = 4;
 
@@ -59,7 +60,8 @@ public:
         if (!find_neighbours(atom)) return 0.0;
         const double rho = atoms_.radii[atom] + probe_;
         std::size_t free = 0;
-        for (const Vec3& direction : directions_) free += is_covered(atoms_.centres[atom] + rho * direction) ? 0 : 1;
+        static const std::array<Vec3, kDirections> directions = spiral();
+        for (const Vec3& direction : directions) free += is_covered(atoms_.centres[atom] + rho * direction) ? 0 : 1;
         return static_cast<double>(free) / static_cast<double>(kDirections);
     }
 
@@ -105,7 +107,6 @@ private:
     const PointCells& cells_;
     double largest_;  // radius
     double probe_;
-    std::array<Vec3, kDirections> directions_ = spiral();
     std::vector<std::uint32_t> near_;
     std::vector<Neighbour> neighbours_;
 };
@@ -120,7 +121,7 @@ double bridged_area(double contact_area, double exposed, double probe) {
 
 double surface_area(const Atoms& atoms, double probe) {
     if (atoms.empty()) return 0.0;
-    const std::size_t samples = std::clamp(kPairs / atoms.size(), kLeastSamples, std::max(kLeastSamples, atoms.size()));
+    const std::size_t samples = std::clamp(kPairs / atoms.size(), kLeastSamples, kMostSamples);
     const std::size_t step = std::max<std::size_t>(1, atoms.size() / samples);
     struct Sums {
         double contact = 0.0;
