@@ -3,11 +3,11 @@
 # Run at installation of the component `bundle`: the shared libraries that `program` needs, and `loaded`, which it loads
 # while running; all but the C library's own, with their licences as Debian's packages bring them.
 set(root "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}")
-file(GET_RUNTIME_DEPENDENCIES EXECUTABLES "${program}" LIBRARIES "${loaded}"
+file(GET_RUNTIME_DEPENDENCIES EXECUTABLES "${program}" LIBRARIES ${loaded}
   RESOLVED_DEPENDENCIES_VAR libraries
   PRE_EXCLUDE_REGEXES "^ld-linux" "^lib(c|m|dl|rt|pthread)\\.so")
 
-list(APPEND libraries "${loaded}")
+list(APPEND libraries ${loaded})
 
 # The thread library's, if it is there: memory is handed out faster with it.
 foreach(library IN LISTS libraries)

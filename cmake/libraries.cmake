@@ -3,13 +3,12 @@
 # The libraries that Meniscus links, the one list: who links the static library links them, too, so that the files for
 # CMake and pkg-config and the Debian package all name them.
 set(libraries
-  # target            find_package  pkg-config  Debian package
-  TBB::tbb            "TBB"         tbb         libtbb-dev
-  ZLIB::ZLIB          "ZLIB"        zlib        zlib1g-dev
-  PNG::PNG            "PNG"         libpng      libpng-dev
-  Nettle::nettle      "Nettle"      nettle      nettle-dev
-  Freetype::Freetype  "Freetype"    freetype2   libfreetype-dev
-  fmt::fmt            "fmt"         fmt         libfmt-dev)
+  # target        find_package  pkg-config  Debian package
+  TBB::tbb        "TBB"         tbb         libtbb-dev
+  ZLIB::ZLIB      "ZLIB"        zlib        zlib1g-dev
+  PNG::PNG        "PNG"         libpng      libpng-dev
+  Nettle::nettle  "Nettle"      nettle      nettle-dev
+  fmt::fmt        "fmt"         fmt         libfmt-dev)
 
 while(libraries)
   list(POP_FRONT libraries target package pc_name debian_package)

@@ -27,7 +27,8 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME meniscus)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS libembree3-3)  # loaded with the first picture
+set(loaded_packages libembree3-3 libfreetype6)  # with the first picture, and with the first text in one
+list(JOIN loaded_packages ", " CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS libarchive13)  # loaded where a batch names an archive
 set(CPACK_DEBIAN_RUNTIME_DESCRIPTION
 "The boundary of the space that a spherical probe, rolling over the atoms of a
@@ -35,7 +36,7 @@ protein or nucleic acid, cannot enter: as a closed triangle mesh, a picture,
 and exact areas and volumes per atom, residue, chain and cavity.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libmeniscus-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-list(APPEND debian_packages libembree3-3)
+list(APPEND debian_packages ${loaded_packages})
 list(JOIN debian_packages ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
 "Headers and library for C++ programs, with files for CMake and pkg-config.")
@@ -53,9 +54,10 @@ endforeach()
 install(TARGETS meniscus_cli ${dropins} RUNTIME DESTINATION lib/meniscus ${of_bundle})
 install(DIRECTORY ${link_dir}/ DESTINATION lib/meniscus/dropins ${of_bundle})
 install_pages(${of_bundle})
+find_library(free_type libfreetype.so.6 REQUIRED)  # by the name under which it is loaded
 install(CODE "
   set(program \"$<TARGET_FILE:meniscus_cli>\")
-  set(loaded \"$<TARGET_SONAME_FILE:embree>\")
+  set(loaded \"$<TARGET_SONAME_FILE:embree>\" \"${free_type}\")
   set(built_in_packages ${built_in_packages})
   set(library_dir lib/meniscus)
   set(licence_dir \"${CMAKE_INSTALL_DOCDIR}/licences\")

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include FT_FREETYPE_H
 
+#include "core/loaded_library.h"
 #include "render/font_file.h"
 
 namespace meniscus {
@@ -17,6 +19,38 @@ namespace {
 constexpr char32_t kReplacement = 0xFFFD;
 constexpr std::u32string_view kEllipsis = U"…";
 constexpr double kUnits = 64.0;  // FreeType's, per pixel
+
+/// The functions of FreeType that are used here, under their names without "FT_". Loaded with the first text, as Embree
+/// is with the first picture: few runs draw any.
+struct FreeType {
+    decltype(&::FT_Init_FreeType) init;
+    decltype(&::FT_Done_FreeType) done;
+    decltype(&::FT_New_Memory_Face) new_memory_face;
+    decltype(&::FT_Done_Face) done_face;
+    decltype(&::FT_Set_Char_Size) set_char_size;
+    decltype(&::FT_Set_Transform) set_transform;
+    decltype(&::FT_Load_Char) load_char;
+};
+
+FreeType load_free_type() {
+    const std::optional<LoadedLibrary> library = LoadedLibrary::load("libfreetype.so.6");
+    if (!library) throw std::runtime_error("text needs FreeType 2 (Debian package libfreetype6); install it");
+    FreeType found{};
+    library->find("FT_Init_FreeType", found.init);
+    library->find("FT_Done_FreeType", found.done);
+    library->find("FT_New_Memory_Face", found.new_memory_face);
+    library->find("FT_Done_Face", found.done_face);
+    library->find("FT_Set_Char_Size", found.set_char_size);
+    library->find("FT_Set_Transform", found.set_transform);
+    library->find("FT_Load_Char", found.load_char);
+    return found;
+}
+
+/// throws   std::runtime_error where the library is not installed, and as LoadedLibrary
+const FreeType& free_type() {
+    static const FreeType functions = load_free_type();
+    return functions;
+}
 
 /// Bytes of the character that begins with this one; 0 for one that begins none.
 std::size_t length_of(unsigned char first) {
@@ -55,16 +89,17 @@ void check(FT_Error error) {
 
 struct Font::Handles {
     explicit Handles(double size) {
-        check(FT_Init_FreeType(&library));
-        const FT_Error error = FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(kFontFile.data()),
+        const FreeType& ft = free_type();
+        check(ft.init(&library));
+        const FT_Error error = ft.new_memory_face(library, reinterpret_cast<const FT_Byte*>(kFontFile.data()),
                                                   static_cast<FT_Long>(kFontFile.size()), 0, &face);
-        if (error != 0) FT_Done_FreeType(library);
+        if (error != 0) ft.done(library);
         check(error);
-        FT_Set_Char_Size(face, std::lround(size * kUnits), 0, 72, 72);
+        ft.set_char_size(face, std::lround(size * kUnits), 0, 72, 72);
     }
     ~Handles() {
-        FT_Done_Face(face);
-        FT_Done_FreeType(library);
+        free_type().done_face(face);
+        free_type().done(library);
     }
     Handles(const Handles&) = delete;
     Handles& operator=(const Handles&) = delete;
@@ -73,8 +108,8 @@ struct Font::Handles {
     /// x   of its origin within a pixel
     FT_GlyphSlot load(char32_t code, double x, FT_Int32 flags) {
         FT_Vector shift{std::lround(x * kUnits), 0};
-        FT_Set_Transform(face, nullptr, &shift);
-        check(FT_Load_Char(face, code, FT_LOAD_NO_HINTING | flags));
+        free_type().set_transform(face, nullptr, &shift);
+        check(free_type().load_char(face, code, FT_LOAD_NO_HINTING | flags));
         return face->glyph;
     }
 

@@ -22,7 +22,7 @@ struct TextPlace {
 class Font {
 public:
     /// size     of the em square, pixels
-    /// throws   std::runtime_error if FreeType does not work
+    /// throws   std::runtime_error if FreeType is not installed or does not work
     explicit Font(double size);
 
     double size() const { return size_; }
