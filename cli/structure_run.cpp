@@ -83,6 +83,7 @@ void StructureRun::check_all_paths(const std::vector<Job>& jobs) const {
     check_paths(paths, request_.input);
 }
 
+/// The checksum is found where something tells it.
 std::vector<Job> StructureRun::read_structures() const {
     const auto& outputs = request_.outputs;
     ReadOptions options = request_.read;

@@ -156,7 +156,7 @@ private:
     template <class PackFew>
     void pack_in_batches(std::size_t count, std::size_t record_size, const PackFew& pack_few) {
         const std::size_t few = std::max(kLeastBatch / record_size, count / kBatchesOfSmallMesh);
-        const std::size_t batch = std::min(kBatch / record_size, few);
+        const std::size_t batch = std::max<std::size_t>(1, std::min(kBatch / record_size, few));
         std::array<std::unique_ptr<std::byte[]>, 2> records;
         for (auto& buffer : records)
             buffer = std::make_unique_for_overwrite<std::byte[]>(std::min(count, batch) * record_size);

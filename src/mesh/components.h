@@ -43,12 +43,11 @@ std::vector<MeshComponent> label_components(Mesh& mesh);
 void keep_components(Mesh& mesh, const std::vector<bool>& keep);
 
 /// How many vertices each piece of a labelling has, and which comes first.
-///
-/// throws   UsageError for a number that is not smaller than there are vertices
 struct PieceVertices {
     std::vector<std::size_t> counts;
     std::vector<VertexId> first;
 };
+/// throws   UsageError for a number that is not smaller than there are vertices
 PieceVertices vertices_of_pieces(std::span<const std::uint32_t> of_vertex);
 
 /// Size, area and signed volume of the pieces that a labelling of the vertices tells apart.

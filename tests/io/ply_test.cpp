@@ -110,6 +110,18 @@ TEST_P(Ply, FarFromTheOriginCoordinatesAreDoubles) {
     EXPECT_EQ(ply.values.at("y")[1], -1024.1);
 }
 
+TEST_P(Ply, RecordsMayBeLongerThanWhatIsPackedAtOnce) {
+    constexpr int kArrays = 9000;  // 36 kB a vertex
+    const std::vector<float> values{0, 1, 2, 3};
+    WriteOptions options{.encoding = GetParam()};
+    for (int i = 0; i < kArrays; ++i)
+        options.extra.push_back({.name = "a" + std::to_string(i), .values = std::span<const float>(values)});
+    const PlyContent ply = round_trip(testing::tetrahedron(), options);
+    EXPECT_EQ(ply.values.at("a8999"), (std::vector<double>{0, 1, 2, 3}));
+    EXPECT_EQ(ply.triangles.size(), 4U);
+    EXPECT_TRUE(ply.read_to_the_end);
+}
+
 TEST_P(Ply, AnEmptyMeshIsAValidFile) {
     const PlyContent ply = round_trip({}, {.encoding = GetParam()});
     EXPECT_TRUE(ply.triangles.empty());
