@@ -65,7 +65,9 @@ private:
             if (input.surface.mesh.triangles.empty())
                 throw InputError(path + ": has no triangles; there is nothing to compare");
         } else {
-            input.structure = read_structure(path, request_.read);
+            ReadOptions reading = request_.read;
+            reading.checksum = false;  // nothing about a comparison tells it
+            input.structure = read_structure(path, reading);
             show("surface", 0.0);
             StructureToCompare options = request_.structure;
             options.threads = request_.compare.threads;

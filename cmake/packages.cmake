@@ -54,10 +54,10 @@ endforeach()
 install(TARGETS meniscus_cli ${dropins} RUNTIME DESTINATION lib/meniscus ${of_bundle})
 install(DIRECTORY ${link_dir}/ DESTINATION lib/meniscus/dropins ${of_bundle})
 install_pages(${of_bundle})
-find_library(free_type libfreetype.so.6 REQUIRED)  # by the name under which it is loaded
+find_library(MENISCUS_FREETYPE libfreetype.so.6 REQUIRED)  # by the name under which it is loaded
 install(CODE "
   set(program \"$<TARGET_FILE:meniscus_cli>\")
-  set(loaded \"$<TARGET_SONAME_FILE:embree>\" \"${free_type}\")
+  set(loaded \"$<TARGET_SONAME_FILE:embree>\" \"${MENISCUS_FREETYPE}\")
   set(built_in_packages ${built_in_packages})
   set(library_dir lib/meniscus)
   set(licence_dir \"${CMAKE_INSTALL_DOCDIR}/licences\")

@@ -35,7 +35,7 @@ MeshMeasures measure_mesh(const Mesh& mesh) {
     if (!mesh.components.empty() && mesh.components.size() != mesh.vertices.size())
         throw UsageError("a mesh needs one component number per vertex, or none at all");
     std::vector<std::uint32_t> found;
-    if (mesh.components.empty()) {
+    if (mesh.components.empty()) {  // found along the triangles, before the survey looks at these
         check_corners(mesh, mesh.triangles);
         found = find_components(mesh).of_vertex;
     }

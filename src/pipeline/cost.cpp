@@ -57,10 +57,10 @@ public:
 
     /// The part of an atom's enlarged sphere that is accessible, 0 to 1.
     double of(std::size_t atom) {
+        static const std::array<Vec3, kDirections> directions = spiral();
         if (!find_neighbours(atom)) return 0.0;
         const double rho = atoms_.radii[atom] + probe_;
         std::size_t free = 0;
-        static const std::array<Vec3, kDirections> directions = spiral();
         for (const Vec3& direction : directions) free += is_covered(atoms_.centres[atom] + rho * direction) ? 0 : 1;
         return static_cast<double>(free) / static_cast<double>(kDirections);
     }
