@@ -32,7 +32,7 @@ public:
     Outcome operator()() {
         const ThreadLimit limit(request_.compare.threads);
         {
-            const WarmStart warm_start(request_.compare.threads);
+            const WarmStart warm_start;
             check_all_paths();
             read(request_.input, facts_.a);
             read(request_.second, facts_.b);

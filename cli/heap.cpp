@@ -26,11 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
-#include <latch>
 #include <limits>
-#include <system_error>
-#include <thread>
-#include <vector>
 #endif
 
 namespace meniscus::cli {
@@ -98,24 +94,9 @@ bool pages_are_dear = false;
 
 std::byte* beginning = nullptr;  // of what had no use when the program began, a whole page
 
-// Heaps outlive their threads and are taken over by later ones.
-void prepare_heaps_of_threads(int threads) {
-    constexpr std::size_t kMostOfHeap = std::size_t{48} << 20U;  // glibc gives them 64 MiB at first
-    if (!pages_are_dear) return;
-    const auto cores = static_cast<int>(std::thread::hardware_concurrency());
-    const int others = (threads > 0 ? std::min(threads, cores) : cores) - 1;
-    if (others < 1) return;
-    std::latch all_have_one(others);
-    std::vector<std::jthread> started;
-    try {
-        while (static_cast<int>(started.size()) < others)
-            started.emplace_back([&] {
-                reserve_huge_pages(kMostOfHeap);
-                all_have_one.arrive_and_wait();
-            });
-    } catch (const std::system_error&) {  // no more threads; whether some are needed others will tell
-        all_have_one.count_down(others - static_cast<int>(started.size()));
-    }
+void prepare_heap_of_thread() {
+    constexpr std::size_t kMostOfHeap = std::size_t{48} << 20U;  // glibc gives it 64 MiB at first
+    if (pages_are_dear) reserve_huge_pages(kMostOfHeap);
 }
 
 // What the heap has not grown to yet the kernel refuses: it is waited for, longer and longer, as input may be slow.
@@ -151,7 +132,7 @@ void prepare() {
 }
 #else
 void prepare() {}
-void prepare_heaps_of_threads(int /*threads*/) {}
+void prepare_heap_of_thread() {}
 void touch_heap() {}
 #endif
 
@@ -159,10 +140,9 @@ void touch_heap() {}
 
 void prepare_heap() { prepare(); }
 
-WarmStart::WarmStart(int threads) {
-    prepare_heaps_of_threads(threads);
+WarmStart::WarmStart() {
     is_warming = true;
-    start_threads(touch_heap);
+    start_threads(touch_heap, prepare_heap_of_thread);
 }
 
 WarmStart::~WarmStart() {

@@ -21,8 +21,7 @@ void prepare_heap();
 /// takes longer than to fill it.
 class WarmStart {
 public:
-    /// threads   how many there will be, this one included; 0 means all cores
-    explicit WarmStart(int threads);
+    WarmStart();
     ~WarmStart();
     WarmStart(const WarmStart&) = delete;
     WarmStart& operator=(const WarmStart&) = delete;

@@ -49,7 +49,7 @@ Outcome StructureRun::operator()() {
 
 /// Reads the input; every output can be written.
 std::vector<Job> StructureRun::prepare_jobs() {
-    const WarmStart warm_start(threads_);
+    const WarmStart warm_start;
     check_asked_paths();
     progress_.update("read", 0.0);
     std::vector<Job> jobs = read_jobs();

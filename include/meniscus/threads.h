@@ -27,11 +27,13 @@ private:
 ///
 /// meanwhile   called by the first that begins, and not waited for: it must use nothing that ends, and return soon
 ///             after the other threads are needed
+/// begin       called by each of them before anything else, and not waited for
 ///
 /// The kernel of Linux may begin a thread on the processor of the one that starts it and leave both there for 30 ms:
 /// such a thread is moved to another processor that it may use (docs/design/performance.md).
 ///
 /// throws   std::bad_alloc without memory for them, and what the thread library does where no thread can be started
-void start_threads(void (*meanwhile)() = [] {});
+void start_threads(
+    void (*meanwhile)() = [] {}, void (*begin)() = [] {});
 
 }  // namespace meniscus

@@ -33,28 +33,30 @@ int this_processor() { return -1; }
 void leave(int /*processor*/) {}
 #endif
 
-// Sees threads begin, and sends those elsewhere that share the processor of the one that started them.
+// Sees threads begin, tells so, and sends those elsewhere that share the processor of the one that started them.
 class Beginnings : public tbb::task_scheduler_observer {
 public:
-    explicit Beginnings(int processor) : processor_(processor) {}
+    Beginnings(int processor, void (*begin)()) : processor_(processor), begin_(begin) {}
 
     void on_scheduler_entry(bool is_worker) override {
         thread_local bool is_new = true;  // later both may long have moved
         if (!is_worker || !std::exchange(is_new, false)) return;
         if (processor_ >= 0 && this_processor() == processor_) leave(processor_);
+        begin_();
     }
 
 private:
     int processor_;
+    void (*begin_)();
 };
 
 }  // namespace
 
-void start_threads(void (*meanwhile)()) {
+void start_threads(void (*meanwhile)(), void (*begin)()) {
     if (is_alone()) return;
     // Never destroyed: threads may begin after this call, and the library's destructor fails if observe() ran out of
     // memory.
-    static auto& beginnings = *new Beginnings(this_processor());
+    static auto& beginnings = *new Beginnings(this_processor(), begin);
     beginnings.observe(true);
 #if defined(__SANITIZE_THREAD__)
     plain::enqueue(meanwhile);
