@@ -96,6 +96,10 @@ CanonicalAtoms canonical_atoms(const Atoms& atoms, double cell) {
         if (a.x != b.x) return a.x < b.x;
         return rest(a.index) < rest(b.index);
     });
+    result.centres.reserve(order.size());
+    result.radii.reserve(order.size());
+    result.original.reserve(order.size());
+    result.cell_keys.reserve(order.size());
     for (const auto& [key, x, i] : order) {
         // Of one centre the largest comes last, and of equal ones the caller's first.
         if (!result.original.empty() && atoms.centres[i] == result.centres.back()) {
