@@ -98,6 +98,29 @@ TEST(StartThreads, OneOfThemDoesWhatItIsGiven) {
     EXPECT_NE(found.get(), std::this_thread::get_id());
 }
 
+#ifndef __SANITIZE_THREAD__
+TEST(StartThreads, EachTellsFirstThatItBegins) {
+    if (count_threads() > 1) GTEST_SKIP() << "they have begun in other tests";
+    static std::mutex mutex;
+    static std::set<std::thread::id> begun;
+    static std::promise<bool> has_begun;
+    auto found = has_begun.get_future();
+    const auto begin = [] {
+        const std::lock_guard lock(mutex);
+        begun.insert(std::this_thread::get_id());
+    };
+    const auto meanwhile = [] {
+        const std::lock_guard lock(mutex);
+        has_begun.set_value(begun.contains(std::this_thread::get_id()));
+    };
+    start_threads(meanwhile, begin);
+    ASSERT_EQ(found.wait_for(std::chrono::minutes(1)), std::future_status::ready);
+    EXPECT_TRUE(found.get());
+    const std::lock_guard lock(mutex);
+    EXPECT_FALSE(begun.contains(std::this_thread::get_id()));
+}
+#endif
+
 TEST(StartThreads, LeavesThemAllProcessors) {
     cpu_set_t allowed;
     ASSERT_EQ(sched_getaffinity(0, sizeof allowed, &allowed), 0);
