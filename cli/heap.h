@@ -11,14 +11,13 @@ namespace meniscus::cli {
 /// The stages take and give back arrays of many megabytes. By default each comes fresh from the kernel, which clears it
 /// page by page; kept on the heap, the next stage gets the same pages. And where it takes the kernel long to hand out a
 /// page, as in virtual machines whose page tables are kept by software, pages are asked for by 512
-/// (docs/design/performance.md). Takes a tenth of a millisecond.
+/// (docs/design/performance.md). Takes a tenth of a millisecond, there half of one.
 void prepare_heap();
 
 /// Starts the threads that will be used, while the first one reads.
 ///
-/// Their heaps are prepared, too: where pages are dear that takes a tenth of a millisecond for each. Where they are
-/// not, one of the threads touches, as long as this lives, what the heap will hand out next; the first touch of a page
-/// takes longer than to fill it.
+/// Each prepares its own heap as it begins. Where pages are not dear, one of the threads touches, as long as this
+/// lives, what the heap will hand out next; the first touch of a page takes longer than to fill it.
 class WarmStart {
 public:
     WarmStart();

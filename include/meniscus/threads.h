@@ -27,8 +27,7 @@ private:
 ///
 /// meanwhile   called by the first that begins, and not waited for: it must use nothing that ends, and return soon
 ///             after the other threads are needed
-/// begin       called by each of them that begins, before anything else; it must not throw. That of the first call of
-///             all is kept
+/// begin       called by each of them before anything else, and not waited for
 ///
 /// The kernel of Linux may begin a thread on the processor of the one that starts it and leave both there for 30 ms:
 /// such a thread is moved to another processor that it may use (docs/design/performance.md).

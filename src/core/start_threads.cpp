@@ -3,6 +3,7 @@
 #include <tbb/task_arena.h>
 #include <tbb/task_scheduler_observer.h>
 
+#include <atomic>
 #include <cstddef>
 #include <utility>
 
@@ -36,18 +37,20 @@ void leave(int /*processor*/) {}
 // Sees threads begin, tells so, and sends those elsewhere that share the processor of the one that started them.
 class Beginnings : public tbb::task_scheduler_observer {
 public:
-    Beginnings(int processor, void (*begin)()) : processor_(processor), begin_(begin) {}
+    explicit Beginnings(int processor) : processor_(processor) {}
+
+    void tell(void (*begin)()) { begin_ = begin; }
 
     void on_scheduler_entry(bool is_worker) override {
         thread_local bool is_new = true;  // later both may long have moved
         if (!is_worker || !std::exchange(is_new, false)) return;
         if (processor_ >= 0 && this_processor() == processor_) leave(processor_);
-        begin_();
+        begin_.load()();
     }
 
 private:
     int processor_;
-    void (*begin_)();
+    std::atomic<void (*)()> begin_;
 };
 
 }  // namespace
@@ -56,7 +59,8 @@ void start_threads(void (*meanwhile)(), void (*begin)()) {
     if (is_alone()) return;
     // Never destroyed: threads may begin after this call, and the library's destructor fails if observe() ran out of
     // memory.
-    static auto& beginnings = *new Beginnings(this_processor(), begin);
+    static auto& beginnings = *new Beginnings(this_processor());
+    beginnings.tell(begin);
     beginnings.observe(true);
 #if defined(__SANITIZE_THREAD__)
     plain::enqueue(meanwhile);
