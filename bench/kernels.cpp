@@ -15,6 +15,7 @@
 #include "measure/corrected.h"
 #include "meniscus/level_set.h"
 #include "meniscus/measures.h"
+#include "meniscus/threads.h"
 #include "mesh/extract.h"
 #include "pipeline/band_size.h"
 

@@ -1,23 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Loops and sums whose results do not depend on the threads. This file, thread_limit.cpp and start_threads.cpp
-// alone name the thread library.
+// Loops and sums whose results do not depend on the threads.
 #pragma once
-
-#include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <vector>
-
-#include "meniscus/threads.h"
-
-#if defined(__SANITIZE_THREAD__)
-#include "core/plain_threads.h"
-#endif
 
 namespace meniscus {
 
@@ -27,23 +16,33 @@ bool is_alone();
 
 /// Limits what else runs on the thread library to one thread while it lives.
 class LibraryOnOneThread {
-    tbb::global_control control_{tbb::global_control::max_allowed_parallelism, 1};
+public:
+    LibraryOnOneThread();
+    ~LibraryOnOneThread();
+    LibraryOnOneThread(const LibraryOnOneThread&) = delete;
+    LibraryOnOneThread& operator=(const LibraryOnOneThread&) = delete;
+
+private:
+    struct Control;
+    std::unique_ptr<Control> control_;
 };
+
+/// Calls run(body, begin, end) for ranges that make up [0, n), in any order, each but the last of at least `grain`.
+void parallel_ranges(std::size_t n, std::size_t grain, void (*run)(const void*, std::size_t, std::size_t),
+                     const void* body);
+
+/// Calls run_first(first) and run_second(second), in any order or at once.
+void parallel_both(void (*run_first)(const void*), const void* first, void (*run_second)(const void*),
+                   const void* second);
 
 /// Calls body(i) for i in [0, n), in any order, in chunks of at least `grain`.
 template <class Body>
 void parallel_for(std::size_t n, std::size_t grain, const Body& body) {
-    if (is_alone()) {
-        for (std::size_t i = 0; i < n; ++i) body(i);
-        return;
-    }
-#if defined(__SANITIZE_THREAD__)
-    plain::for_each(n, grain, body);
-#else
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
-    });
-#endif
+    const auto run = [](const void* any, std::size_t begin, std::size_t end) {
+        const auto& each = *static_cast<const Body*>(any);
+        for (std::size_t i = begin; i < end; ++i) each(i);
+    };
+    parallel_ranges(n, grain, run, &body);
 }
 
 /// Calls body(begin, end) for fixed chunks of [0, n): the same chunks for any number of threads.
@@ -55,16 +54,8 @@ void parallel_chunks(std::size_t n, std::size_t chunk, const Body& body) {
 /// Calls both, in any order or at once.
 template <class First, class Second>
 void parallel_both(const First& first, const Second& second) {
-    if (is_alone()) {
-        first();
-        second();
-        return;
-    }
-#if defined(__SANITIZE_THREAD__)
-    plain::invoke(first, second);
-#else
-    tbb::parallel_invoke(first, second);
-#endif
+    parallel_both([](const void* any) { (*static_cast<const First*>(any))(); }, &first,
+                  [](const void* any) { (*static_cast<const Second*>(any))(); }, &second);
 }
 
 /// Sum of term(begin, end) over fixed chunks, added in their order: the same bits for any number of threads.

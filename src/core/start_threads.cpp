@@ -13,6 +13,9 @@
 #ifdef __linux__
 #include <sched.h>
 #endif
+#if defined(__SANITIZE_THREAD__)
+#include <thread>
+#endif
 
 namespace meniscus {
 namespace {
@@ -63,7 +66,7 @@ void start_threads(void (*meanwhile)(), void (*begin)()) {
     beginnings.tell(begin);
     beginnings.observe(true);
 #if defined(__SANITIZE_THREAD__)
-    plain::enqueue(meanwhile);
+    std::thread(meanwhile).detach();  // as in parallel.cpp
 #else
     tbb::this_task_arena::enqueue(meanwhile);
 #endif

@@ -37,4 +37,12 @@ ThreadLimit::~ThreadLimit() = default;
 
 bool is_alone() { return alone > 0; }
 
+struct LibraryOnOneThread::Control {
+    tbb::global_control limit{tbb::global_control::max_allowed_parallelism, 1};
+};
+
+LibraryOnOneThread::LibraryOnOneThread() : control_(std::make_unique<Control>()) {}
+
+LibraryOnOneThread::~LibraryOnOneThread() = default;
+
 }  // namespace meniscus

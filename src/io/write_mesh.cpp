@@ -22,6 +22,7 @@
 #include "io/stl.h"
 #include "io/vtp.h"
 #include "meniscus/errors.h"
+#include "meniscus/threads.h"
 #include "meniscus/write.h"
 
 namespace meniscus {

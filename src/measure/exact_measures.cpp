@@ -16,6 +16,7 @@
 #include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/measures.h"
+#include "meniscus/threads.h"
 
 namespace meniscus {
 namespace {

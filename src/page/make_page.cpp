@@ -10,6 +10,7 @@
 #include "io/png.h"
 #include "meniscus/errors.h"
 #include "meniscus/page.h"
+#include "meniscus/threads.h"
 #include "page/html.h"
 #include "page/page_data.h"
 #include "page/viewer_files.h"

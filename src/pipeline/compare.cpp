@@ -15,6 +15,7 @@
 #include "meniscus/errors.h"
 #include "meniscus/measures.h"
 #include "meniscus/surface.h"
+#include "meniscus/threads.h"
 #include "mesh/merge_vertices.h"
 
 namespace meniscus {

@@ -18,6 +18,7 @@
 #include "geometry/box_features.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
+#include "meniscus/threads.h"
 #include "pipeline/filled_space.h"
 
 namespace meniscus {

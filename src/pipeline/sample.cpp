@@ -13,6 +13,7 @@
 #include "core/memory.h"
 #include "core/parallel.h"
 #include "meniscus/errors.h"
+#include "meniscus/threads.h"
 #include "mesh/spread_points.h"
 #include "pipeline/finish_vertices.h"
 #include "pipeline/surface_projector.h"

@@ -17,6 +17,7 @@
 #include "measure/surface_measures.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
+#include "meniscus/threads.h"
 #include "mesh/extract.h"
 #include "pipeline/band_size.h"
 #include "pipeline/choose_pieces.h"

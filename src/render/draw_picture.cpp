@@ -6,6 +6,7 @@
 #include "core/parallel.h"
 #include "meniscus/errors.h"
 #include "meniscus/picture.h"
+#include "meniscus/threads.h"
 #include "render/openness.h"
 #include "render/scene.h"
 #include "render/tile.h"

@@ -11,6 +11,7 @@
 
 #include "band/surface_blocks.h"
 #include "core/parallel.h"
+#include "meniscus/threads.h"
 #include "support/arrangements.h"
 #include "support/brute_force_ses.h"
 #include "support/sampled_field.h"

@@ -9,6 +9,7 @@
 
 #include "band/surface_blocks.h"
 #include "core/parallel.h"
+#include "meniscus/threads.h"
 #include "support/arrangements.h"
 #include "support/sampled_field.h"
 

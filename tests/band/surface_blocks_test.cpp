@@ -10,6 +10,7 @@
 
 #include "core/parallel.h"
 #include "meniscus/errors.h"
+#include "meniscus/threads.h"
 #include "support/arrangements.h"
 
 namespace meniscus::testing {

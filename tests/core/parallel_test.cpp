@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "meniscus/threads.h"
+
 namespace meniscus::testing {
 namespace {
 

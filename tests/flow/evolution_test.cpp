@@ -10,6 +10,7 @@
 #include "core/parallel.h"
 #include "flow/small_flow.h"
 #include "flow/spline_system.h"
+#include "meniscus/threads.h"
 
 namespace meniscus::testing {
 namespace {

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "core/parallel.h"
+#include "meniscus/threads.h"
 #include "support/sampled_field.h"
 
 namespace meniscus::testing {

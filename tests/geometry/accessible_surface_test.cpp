@@ -11,6 +11,7 @@
 
 #include "core/parallel.h"
 #include "geometry/accessible_surface_data.h"
+#include "meniscus/threads.h"
 #include "support/arrangements.h"
 #include "support/test_data.h"
 

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "core/parallel.h"
+#include "meniscus/threads.h"
 #include "support/unzip.h"
 
 namespace meniscus {

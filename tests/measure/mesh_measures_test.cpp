@@ -12,6 +12,7 @@
 #include "measure/surface_measures.h"
 #include "meniscus/errors.h"
 #include "meniscus/mesh.h"
+#include "meniscus/threads.h"
 #include "mesh/components.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"

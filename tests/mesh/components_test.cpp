@@ -11,6 +11,7 @@
 
 #include "core/disjoint_sets.h"
 #include "core/parallel.h"
+#include "meniscus/threads.h"
 #include "support/mesh_checks.h"
 #include "support/shapes.h"
 

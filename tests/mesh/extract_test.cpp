@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/parallel.h"
+#include "meniscus/threads.h"
 #include "mesh/cut_edges.h"
 #include "support/inside_bits.h"
 #include "support/mesh_checks.h"

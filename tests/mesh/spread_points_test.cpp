@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "core/parallel.h"
+#include "meniscus/threads.h"
 #include "support/shapes.h"
 
 namespace meniscus::testing {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "meniscus/threads.h"
 #include "remesh/patch.h"
 #include "remesh/self_intersections.h"
 #include "support/mesh_checks.h"

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "meniscus/threads.h"
 #include "remesh/ridges.h"
 #include "remesh/self_intersections.h"
 #include "remesh/working_mesh.h"
