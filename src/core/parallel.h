@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace meniscus {
@@ -14,20 +13,8 @@ namespace meniscus {
 /// three more and start a second thread before its first loop, which takes longer than many a small surface.
 bool is_alone();
 
-/// Limits what else runs on the thread library to one thread while it lives.
-class LibraryOnOneThread {
-public:
-    LibraryOnOneThread();
-    ~LibraryOnOneThread();
-    LibraryOnOneThread(const LibraryOnOneThread&) = delete;
-    LibraryOnOneThread& operator=(const LibraryOnOneThread&) = delete;
-
-private:
-    struct Control;
-    std::unique_ptr<Control> control_;
-};
-
-/// Calls run(body, begin, end) for ranges that make up [0, n), in any order, each but the last of at least `grain`.
+/// Calls run(body, begin, end) for ranges that make up [0, n), in any order; none of `grain` or less is divided
+/// further.
 void parallel_ranges(std::size_t n, std::size_t grain, void (*run)(const void*, std::size_t, std::size_t),
                      const void* body);
 
@@ -35,7 +22,7 @@ void parallel_ranges(std::size_t n, std::size_t grain, void (*run)(const void*, 
 void parallel_both(void (*run_first)(const void*), const void* first, void (*run_second)(const void*),
                    const void* second);
 
-/// Calls body(i) for i in [0, n), in any order, in chunks of at least `grain`.
+/// Calls body(i) for i in [0, n), in any order, in ranges of which none of `grain` or less is divided further.
 template <class Body>
 void parallel_for(std::size_t n, std::size_t grain, const Body& body) {
     const auto run = [](const void* any, std::size_t begin, std::size_t end) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tbb/global_control.h>
 
+#include "core/library_on_one_thread.h"
 #include "core/parallel.h"
 #include "meniscus/threads.h"
 

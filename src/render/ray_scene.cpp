@@ -7,7 +7,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "core/parallel.h"
+#include "core/library_on_one_thread.h"
 #include "render/embree.h"
 
 namespace meniscus {
