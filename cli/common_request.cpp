@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "common_request.h"
 
+#include <fmt/core.h>
+
 #include "help.h"
 #include "option_words.h"
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare_request.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <filesystem>
 

@@ -3,7 +3,8 @@
 // How help is laid out: --help gives a screen of 80 columns per subcommand, --help-all every option with all it does.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
+#include <CLI/Formatter.hpp>
 #include <cstddef>
 #include <string>
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure_request.h"
 
+#include <fmt/core.h>
+
 #include "option_words.h"
 #include "output_plan.h"
 

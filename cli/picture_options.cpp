@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "picture_options.h"
 
+#include <fmt/core.h>
+
 #include <nlohmann/json.hpp>
 
 #include "help.h"

@@ -3,7 +3,7 @@
 // What to say of words on the command line that nothing takes, and what may have been meant.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <string>
 
 namespace meniscus::cli {

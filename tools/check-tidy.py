@@ -4,6 +4,9 @@
 """clang-tidy on every source file that has changed, or includes something that has, since it last passed.
 
 usage: check-tidy.py BUILD    BUILD holds compile_commands.json
+
+Most of its time goes into the headers of the standard library, which it looks through as it does ours. Sources that are
+compiled alike are therefore looked at together, in a file that includes them.
 """
 import json
 import pathlib
@@ -18,27 +21,73 @@ from sources import ROOT, Cache, configurations, sources
 OPTIONAL = {pathlib.Path("src/volume/vdb_module.cpp")}
 # -Wno-unknown-warning-option: the commands are GCC's.
 ARGUMENTS = ["--quiet", "--extra-arg=-Wno-unknown-warning-option", "--extra-arg=-Wreserved-identifier"]
-
+COMMANDS = ROOT / "build" / "checked" / "commands"
+TOGETHER = 12  # sources at most
 
 # What GCC has compiled beforehand clang cannot read, and sources must not need it.
 PRECOMPILED = re.compile(r" -Winvalid-pch -include \S+")
+FILE_ARGUMENTS = re.compile(r" -(?:o|c|MT|MF) \S+| -MD\b")
+# What a line without indentation declares, but for members.
+DECLARED = re.compile(r"^(?!TEST|template|namespace|static_assert)\w[^\n({=;]*?(?<!:)\b(\w+)(?= ?[({=;[]| : | final\b)",
+                      re.MULTILINE)
+
+
+def settings_of(path):
+    """What clang-tidy has been told for this source."""
+    command = ["clang-tidy", "--dump-config", str(path)]
+    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+
+
+class Bundles:
+    """Which sources are looked at together: those that are compiled alike and declare nothing of the same name."""
+
+    def __init__(self, commands):
+        self.commands = commands  # by path
+        self.settings = {path.parent: path for path in commands}
+        self.settings = {folder: settings_of(path) for folder, path in self.settings.items()}
+
+    def __call__(self, paths):
+        bundles = {}
+        for path in paths:
+            text = (ROOT / path).read_text()
+            names = set(DECLARED.findall(text))
+            alike = (FILE_ARGUMENTS.sub("", self.commands[path]), self.settings[path.parent])
+            if '.inc"' in text:  # what is compiled for several sets of instructions declares more than stands there
+                alike += (path,)
+            for together, known in bundles.setdefault(alike, []):
+                if len(together) < TOGETHER and not names & known:
+                    together.append(path)
+                    known |= names
+                    break
+            else:
+                bundles[alike].append(([path], names))
+        return [together for alike in bundles.values() for together, _ in alike]
+
+    def command(self, paths):
+        """What looks at these sources."""
+        if len(paths) == 1:
+            return ["clang-tidy", "-p", str(COMMANDS), *ARGUMENTS, str(paths[0])]
+        bundle = COMMANDS / ("-".join(paths[0].parts) + ".bundle.cpp")
+        bundle.write_text("".join(f'#include "{ROOT / path}"  // NOLINT(bugprone-suspicious-include)\n' for path in paths))
+        compiler = FILE_ARGUMENTS.sub("", self.commands[paths[0]]).split()[1:]
+        return ["clang-tidy", f"--config={self.settings[paths[0].parent]}", *ARGUMENTS, str(bundle), "--", *compiler]
 
 
 def main():
     entries = json.loads((pathlib.Path(sys.argv[1]) / "compile_commands.json").read_text())
     for entry in entries:
         entry["command"] = PRECOMPILED.sub("", entry["command"])
-    commands = ROOT / "build" / "checked" / "commands"
-    commands.mkdir(parents=True, exist_ok=True)
-    (commands / "compile_commands.json").write_text(json.dumps(entries))
-    compiled = {pathlib.Path(entry["file"]) for entry in entries}
-    paths = [path for path in sources(".cpp") if ROOT / path in compiled]
-    forgotten = set(sources(".cpp")) - set(paths) - OPTIONAL
+    COMMANDS.mkdir(parents=True, exist_ok=True)
+    (COMMANDS / "compile_commands.json").write_text(json.dumps(entries))
+    commands = {pathlib.Path(entry["file"]): entry["command"] for entry in entries}
+    commands = {path: commands[ROOT / path] for path in sources(".cpp") if ROOT / path in commands}
+    forgotten = set(sources(".cpp")) - set(commands) - OPTIONAL
     for path in forgotten:
         print(f"{path}: not in any target")
     version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
     cache = Cache("tidy", version, *ARGUMENTS, *configurations(".clang-tidy"))
-    failed = cache.run(paths, lambda path: ["clang-tidy", "-p", str(commands), *ARGUMENTS, str(path)])
+    bundles = Bundles(commands)
+    failed = cache.run(list(commands), bundles.command, bundles)
     return 1 if failed or forgotten else 0
 
 

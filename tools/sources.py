@@ -41,6 +41,12 @@ def includes(path):
     return found
 
 
+def first_include(path):
+    """The project file that a file includes before all else, relative to the root, or None."""
+    found = re.search(r'^#include (\S+)', (ROOT / path).read_text(), re.MULTILINE)
+    return includes(path)[0] if found and found[1].startswith('"') else None
+
+
 def closure(path):
     """The file and every project file it includes, directly or not, sorted."""
     seen, todo = set(), [path]
@@ -66,19 +72,32 @@ class Cache:
             digest.update(str(part).encode() + b"\0" + (ROOT / part).read_bytes())
         return self.folder / digest.hexdigest()
 
-    def run(self, paths, command):
-        """Runs command(path), a list of words, for every path that has not passed yet; returns what failed."""
+    def run(self, paths, command, bundle=lambda todo: [[path] for path in todo]):
+        """Runs command(paths), a list of words, for every path alone that has not passed yet; returns what failed.
+
+        bundle(todo) tells which of them are first looked at together: lists of paths. A list that fails is looked at path
+        by path.
+        """
         stamps = {path: self.stamp(path) for path in paths}
-        todo = [path for path in paths if not stamps[path].exists()]
         failed = []
-        with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
-            for path, result in zip(todo, pool.map(lambda p: run(command(p)), todo)):
-                if result.returncode == 0:
+
+        def check(bundled):
+            if len(bundled) == 1 or run(command(bundled)).returncode != 0:
+                for path in bundled:
+                    result = run(command([path]))
+                    if result.returncode == 0:
+                        stamps[path].touch()
+                    else:
+                        failed.append(path)
+                        print(result.stdout, end="")
+            else:
+                for path in bundled:
                     stamps[path].touch()
-                else:
-                    failed.append(path)
-                    print(result.stdout, end="")
-        return failed
+
+        bundles = bundle([path for path in paths if not stamps[path].exists()])
+        with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
+            list(pool.map(check, bundles))
+        return sorted(failed)
 
 
 def run(words):

@@ -4,7 +4,7 @@
 
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/StringTools.hpp>
 #include <algorithm>
 #include <array>
 #include <filesystem>

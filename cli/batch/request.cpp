@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "batch/request.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <memory>
 #include <set>

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
+#include <CLI/Error.hpp>
 
 #include "meniscus/errors.h"
+#include "parse_options.h"
 
 namespace meniscus::cli {
 
@@ -19,16 +19,15 @@ struct Parsed {
     int threads = 0;
 };
 
-Parsed parse(std::vector<std::string> arguments) {
+Parsed parse(const std::vector<std::string>& words) {
     Parsed parsed;
-    CLI::App app;
-    add_input(app, parsed.request);
-    add_atom_options(app, parsed.request);
-    add_probe(app, parsed.probe);
-    add_output_options(app, parsed.request);
-    add_run_options(app, parsed.request, parsed.threads);
-    std::reverse(arguments.begin(), arguments.end());
-    app.parse(arguments);
+    parse_options(words, [&](CLI::App& command) {
+        add_input(command, parsed.request);
+        add_atom_options(command, parsed.request);
+        add_probe(command, parsed.probe);
+        add_output_options(command, parsed.request);
+        add_run_options(command, parsed.request, parsed.threads);
+    });
     return parsed;
 }
 

@@ -4,22 +4,17 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
+#include <CLI/Error.hpp>
 
 #include "meniscus/errors.h"
+#include "parse_options.h"
 
 namespace meniscus::cli {
 
 namespace {
 
-CompareRequest parse(std::vector<std::string> arguments) {
-    CompareRequest request;
-    CLI::App app;
-    add_compare_options(app, request);
-    arguments = join_negative_values(arguments);
-    std::reverse(arguments.begin(), arguments.end());
-    app.parse(arguments);
+CompareRequest parse(const std::vector<std::string>& words) {
+    const CompareRequest request = request_of(words, add_compare_options);
     check_request(request);
     return request;
 }

@@ -4,24 +4,16 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cmath>
 
 #include "meniscus/errors.h"
+#include "parse_options.h"
 
 namespace meniscus::cli {
 
 namespace {
 
-FlowRequest parse(std::vector<std::string> arguments) {
-    FlowRequest request;
-    CLI::App app;
-    add_flow_options(app, request);
-    std::reverse(arguments.begin(), arguments.end());
-    app.parse(arguments);
-    return request;
-}
+FlowRequest parse(const std::vector<std::string>& words) { return request_of(words, add_flow_options); }
 
 FlowOptions parsed(const std::vector<std::string>& arguments) { return resolve(parse(arguments)); }
 

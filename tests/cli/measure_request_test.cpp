@@ -4,24 +4,16 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
+#include <CLI/Error.hpp>
 
 #include "meniscus/errors.h"
+#include "parse_options.h"
 
 namespace meniscus::cli {
 
 namespace {
 
-MeasureRequest parse(std::vector<std::string> arguments) {
-    MeasureRequest request;
-    CLI::App app;
-    add_measure_options(app, request);
-    arguments = join_negative_values(arguments);
-    std::reverse(arguments.begin(), arguments.end());
-    app.parse(arguments);
-    return request;
-}
+MeasureRequest parse(const std::vector<std::string>& words) { return request_of(words, add_measure_options); }
 
 }  // namespace
 

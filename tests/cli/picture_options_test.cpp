@@ -4,26 +4,17 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "common_request.h"
 #include "meniscus/errors.h"
+#include "parse_options.h"
 
 namespace meniscus::cli {
 
 namespace {
 
-PictureRequest parse(std::vector<std::string> arguments) {
-    PictureRequest request;
-    CLI::App app;
-    add_picture_options(app, request);
-    arguments = join_negative_values(arguments);
-    std::reverse(arguments.begin(), arguments.end());
-    app.parse(arguments);
-    return request;
-}
+PictureRequest parse(const std::vector<std::string>& words) { return request_of(words, add_picture_options); }
 
 std::string refusal(const std::vector<std::string>& arguments) {
     try {

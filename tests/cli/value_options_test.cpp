@@ -4,23 +4,15 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "meniscus/errors.h"
+#include "parse_options.h"
 
 namespace meniscus::cli {
 namespace {
 
-ValueRequest parse(std::vector<std::string> words) {
-    CLI::App app;
-    ValueRequest request;
-    add_value_options(app, request);
-    std::reverse(words.begin(), words.end());
-    app.parse(words);
-    return request;
-}
+ValueRequest parse(const std::vector<std::string>& words) { return request_of(words, add_value_options); }
 
 TEST(ValueOptions, MapsHaveANameAndAFile) {
     const ValueRequest request = parse({"--sample", "phi=a=b.dx", "--sample", "rho=c.mrc", "--interpolation", "cubic"});

@@ -4,24 +4,16 @@
 
 #include <gtest/gtest.h>
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "meniscus/errors.h"
+#include "parse_options.h"
 
 namespace meniscus::cli {
 
 namespace {
 
-VolumeRequest parse(std::vector<std::string> arguments) {
-    VolumeRequest request;
-    CLI::App app;
-    add_volume_options(app, request);
-    std::reverse(arguments.begin(), arguments.end());
-    app.parse(arguments);
-    return request;
-}
+VolumeRequest parse(const std::vector<std::string>& words) { return request_of(words, add_volume_options); }
 
 std::vector<Output> plan(const std::vector<std::string>& arguments, const std::vector<std::string>& outputs) {
     return plan_volumes(parse(arguments), plan_outputs(outputs, "a", ""));
