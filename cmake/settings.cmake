@@ -44,7 +44,7 @@ endfunction()
 # saves a quarter of their compilation: most of what they test is in the libraries. Inline functions of headers are
 # compiled with them, too, and where a library has not put such a one in place either, the linker takes the test's for
 # both. Headers of the standard library and of GoogleTest are compiled once for all of them, which saves half of the rest;
-# no source leans on that, for clang-tidy sees them without (tools/check-tidy.py).
+# no source should lean on that: clang-tidy sees them without, though several together (tools/check-tidy.py).
 function(meniscus_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;USES" ${ARGN})
   # GCC 12 takes what comes from precompiled headers for ours, and warns falsely of joined strings (-Wno-restrict above).

@@ -8,9 +8,11 @@ usage: check-tidy.py BUILD    BUILD holds compile_commands.json
 Most of its time goes into the headers of the standard library, which it looks through as it does ours. Sources that are
 compiled alike are therefore looked at together, in a file that includes them.
 """
+import functools
 import json
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
 
@@ -26,15 +28,27 @@ TOGETHER = 12  # sources at most
 
 # What GCC has compiled beforehand clang cannot read, and sources must not need it.
 PRECOMPILED = re.compile(r" -Winvalid-pch -include \S+")
-FILE_ARGUMENTS = re.compile(r" -(?:o|c|MT|MF) \S+| -MD\b")
 # What a line without indentation declares, but for members.
 DECLARED = re.compile(r"^(?!TEST|template|namespace|static_assert)\w[^\n({=;]*?(?<!:)\b(\w+)(?= ?[({=;[]| : | final\b)",
                       re.MULTILINE)
 
 
-def settings_of(path):
-    """What clang-tidy has been told for this source."""
-    command = ["clang-tidy", "--dump-config", str(path)]
+def arguments_of(command):
+    """What a compiler is told that does not name the source and what is made of it."""
+    words = iter(shlex.split(command)[1:])
+    found = []
+    for word in words:
+        if word in ("-o", "-c", "-MT", "-MF"):
+            next(words)
+        elif word != "-MD":
+            found.append(word)
+    return tuple(found)
+
+
+@functools.cache
+def settings_of(folder):
+    """What clang-tidy has been told for the sources of a folder."""
+    command = ["clang-tidy", "--dump-config", str(folder / "any.cpp")]
     return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
 
 
@@ -43,15 +57,13 @@ class Bundles:
 
     def __init__(self, commands):
         self.commands = commands  # by path
-        self.settings = {path.parent: path for path in commands}
-        self.settings = {folder: settings_of(path) for folder, path in self.settings.items()}
 
     def __call__(self, paths):
         bundles = {}
         for path in paths:
             text = (ROOT / path).read_text()
             names = set(DECLARED.findall(text))
-            alike = (FILE_ARGUMENTS.sub("", self.commands[path]), self.settings[path.parent])
+            alike = (arguments_of(self.commands[path]), settings_of(path.parent))
             if '.inc"' in text:  # what is compiled for several sets of instructions declares more than stands there
                 alike += (path,)
             for together, known in bundles.setdefault(alike, []):
@@ -69,8 +81,8 @@ class Bundles:
             return ["clang-tidy", "-p", str(COMMANDS), *ARGUMENTS, str(paths[0])]
         bundle = COMMANDS / ("-".join(paths[0].parts) + ".bundle.cpp")
         bundle.write_text("".join(f'#include "{ROOT / path}"  // NOLINT(bugprone-suspicious-include)\n' for path in paths))
-        compiler = FILE_ARGUMENTS.sub("", self.commands[paths[0]]).split()[1:]
-        return ["clang-tidy", f"--config={self.settings[paths[0].parent]}", *ARGUMENTS, str(bundle), "--", *compiler]
+        return ["clang-tidy", f"--config={settings_of(paths[0].parent)}", *ARGUMENTS, str(bundle), "--",
+                *arguments_of(self.commands[paths[0]])]
 
 
 def main():
