@@ -124,7 +124,7 @@ private:
 
     const CompareRequest& request_;
     ProgressReport progress_;
-    Stopwatch watch_;
+    Stopwatch watch_ = Stopwatch::of_program();
     CompareFacts facts_;
 };
 

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <chrono>
 #include <set>
 
 #include "heap.h"
@@ -17,6 +18,8 @@ namespace meniscus::cli {
 using nlohmann::ordered_json;
 
 namespace {
+
+const std::chrono::steady_clock::time_point program_start = std::chrono::steady_clock::now();
 
 /// The chains of every structure.
 std::vector<Job> split_by_chain(const std::vector<Job>& jobs) {
@@ -39,6 +42,8 @@ void print_warnings(const std::vector<Job>& jobs) {
 }
 
 }  // namespace
+
+Stopwatch Stopwatch::of_program() { return Stopwatch(program_start); }
 
 Outcome StructureRun::operator()() {
     const ThreadLimit limit(threads_);

@@ -27,6 +27,11 @@ enum class Outcome {
 
 class Stopwatch {
 public:
+    Stopwatch() = default;
+
+    /// One that has run since the program began, before it knew its options.
+    static Stopwatch of_program();
+
     /// Seconds since the stopwatch was made or last read.
     double lap() {
         const auto now = std::chrono::steady_clock::now();
@@ -34,6 +39,8 @@ public:
     }
 
 private:
+    explicit Stopwatch(std::chrono::steady_clock::time_point start) : start_(start) {}
+
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
@@ -90,7 +97,7 @@ private:
     const CommonRequest& request_;
     int threads_;
     ProgressReport progress_;
-    Stopwatch watch_;
+    Stopwatch watch_ = Stopwatch::of_program();
     double read_seconds_ = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;  // so far: the program was loaded
     nlohmann::ordered_json reports_ = nlohmann::ordered_json::array();
     std::string summary_;

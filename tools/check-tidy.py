@@ -8,7 +8,6 @@ usage: check-tidy.py BUILD    BUILD holds compile_commands.json
 Most of its time goes into the headers of the standard library, which it looks through as it does ours. Sources that are
 compiled alike are therefore looked at together, in a file that includes them.
 """
-import functools
 import json
 import pathlib
 import re
@@ -16,13 +15,14 @@ import shlex
 import subprocess
 import sys
 
-from sources import ROOT, Cache, configurations, sources
+from sources import FOLDERS, ROOT, Cache, configurations, sources
 
 
 # Compiled only where the library that they are about is installed (packages.txt, section [full]).
 OPTIONAL = {pathlib.Path("src/volume/vdb_module.cpp")}
 # -Wno-unknown-warning-option: the commands are GCC's.
 ARGUMENTS = ["--quiet", "--extra-arg=-Wno-unknown-warning-option", "--extra-arg=-Wreserved-identifier"]
+SETTINGS = ".clang-tidy"
 COMMANDS = ROOT / "build" / "checked" / "commands"
 TOGETHER = 12  # sources at most
 
@@ -45,11 +45,9 @@ def arguments_of(command):
     return tuple(found)
 
 
-@functools.cache
-def settings_of(folder):
-    """What clang-tidy has been told for the sources of a folder."""
-    command = ["clang-tidy", "--dump-config", str(folder / "any.cpp")]
-    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+def settled_in(folder):
+    """The folder whose settings for clang-tidy hold for a source of this one."""
+    return next(above for above in (folder, *folder.parents) if (ROOT / above / SETTINGS).is_file())
 
 
 class Bundles:
@@ -63,7 +61,7 @@ class Bundles:
         for path in paths:
             text = (ROOT / path).read_text()
             names = set(DECLARED.findall(text))
-            alike = (arguments_of(self.commands[path]), settings_of(path.parent))
+            alike = (arguments_of(self.commands[path]), settled_in(path.parent))
             if '.inc"' in text:  # what is compiled for several sets of instructions declares more than stands there
                 alike += (path,)
             for together, known in bundles.setdefault(alike, []):
@@ -79,17 +77,19 @@ class Bundles:
         """What looks at these sources."""
         if len(paths) == 1:
             return ["clang-tidy", "-p", str(COMMANDS), *ARGUMENTS, str(paths[0])]
-        bundle = COMMANDS / ("-".join(paths[0].parts) + ".bundle.cpp")
+        bundle = COMMANDS / settled_in(paths[0].parent) / f"{'-'.join(paths[0].parts)}.{len(paths)}.cpp"
         bundle.write_text("".join(f'#include "{ROOT / path}"  // NOLINT(bugprone-suspicious-include)\n' for path in paths))
-        return ["clang-tidy", f"--config={settings_of(paths[0].parent)}", *ARGUMENTS, str(bundle), "--",
-                *arguments_of(self.commands[paths[0]])]
+        return ["clang-tidy", *ARGUMENTS, str(bundle), "--", *arguments_of(self.commands[paths[0]])]
 
 
 def main():
     entries = json.loads((pathlib.Path(sys.argv[1]) / "compile_commands.json").read_text())
     for entry in entries:
         entry["command"] = PRECOMPILED.sub("", entry["command"])
-    COMMANDS.mkdir(parents=True, exist_ok=True)
+    for settings in [ROOT / SETTINGS, *(path for folder in FOLDERS for path in (ROOT / folder).rglob(SETTINGS))]:
+        copy = COMMANDS / settings.relative_to(ROOT)  # for what is looked at together
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.write_bytes(settings.read_bytes())
     (COMMANDS / "compile_commands.json").write_text(json.dumps(entries))
     commands = {pathlib.Path(entry["file"]): entry["command"] for entry in entries}
     commands = {path: commands[ROOT / path] for path in sources(".cpp") if ROOT / path in commands}
@@ -97,7 +97,7 @@ def main():
     for path in forgotten:
         print(f"{path}: not in any target")
     version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
-    cache = Cache("tidy", version, *ARGUMENTS, *configurations(".clang-tidy"))
+    cache = Cache("tidy", version, *ARGUMENTS, *configurations(SETTINGS))
     bundles = Bundles(commands)
     failed = cache.run(list(commands), bundles.command, bundles)
     return 1 if failed or forgotten else 0

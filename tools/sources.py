@@ -73,26 +73,25 @@ class Cache:
         return self.folder / digest.hexdigest()
 
     def run(self, paths, command, bundle=lambda todo: [[path] for path in todo]):
-        """Runs command(paths), a list of words, for every path alone that has not passed yet; returns what failed.
+        """Runs command(paths), a list of words, for all paths that have not passed yet; returns those that fail alone.
 
-        bundle(todo) tells which of them are first looked at together: lists of paths. A list that fails is looked at path
-        by path.
+        bundle(todo) tells which of them are looked at together: lists of paths. Both halves of a list that fails are looked
+        at anew.
         """
         stamps = {path: self.stamp(path) for path in paths}
         failed = []
 
-        def check(bundled):
-            if len(bundled) == 1 or run(command(bundled)).returncode != 0:
-                for path in bundled:
-                    result = run(command([path]))
-                    if result.returncode == 0:
-                        stamps[path].touch()
-                    else:
-                        failed.append(path)
-                        print(result.stdout, end="")
-            else:
-                for path in bundled:
+        def check(together):
+            result = run(command(together))
+            if result.returncode == 0:
+                for path in together:
                     stamps[path].touch()
+            elif len(together) > 1:
+                check(together[:len(together) // 2])
+                check(together[len(together) // 2:])
+            else:
+                failed.extend(together)
+                print(result.stdout, end="")
 
         bundles = bundle([path for path in paths if not stamps[path].exists()])
         with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
