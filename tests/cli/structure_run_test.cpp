@@ -103,4 +103,9 @@ TEST_F(StructureRunTest, NothingIsReadBeforePathsAreChecked) {
     EXPECT_THROW(run_once(), InputError);
 }
 
+TEST(Stopwatch, OfTheProgramHasRunBefore) {
+    Stopwatch own;
+    EXPECT_LT(own.lap(), Stopwatch::of_program().lap());
+}
+
 }  // namespace meniscus::cli
