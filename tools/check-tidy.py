@@ -50,6 +50,14 @@ def settled_in(folder):
     return next(above for above in (folder, *folder.parents) if (ROOT / above / SETTINGS).is_file())
 
 
+def copy_settings():
+    """To where the files lie that bundles are."""
+    for settings in [ROOT / SETTINGS, *(path for folder in FOLDERS for path in (ROOT / folder).rglob(SETTINGS))]:
+        copy = COMMANDS / settings.relative_to(ROOT)
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.write_bytes(settings.read_bytes())
+
+
 class Bundles:
     """Which sources are looked at together: those that are compiled alike and declare nothing of the same name."""
 
@@ -86,10 +94,7 @@ def main():
     entries = json.loads((pathlib.Path(sys.argv[1]) / "compile_commands.json").read_text())
     for entry in entries:
         entry["command"] = PRECOMPILED.sub("", entry["command"])
-    for settings in [ROOT / SETTINGS, *(path for folder in FOLDERS for path in (ROOT / folder).rglob(SETTINGS))]:
-        copy = COMMANDS / settings.relative_to(ROOT)  # for what is looked at together
-        copy.parent.mkdir(parents=True, exist_ok=True)
-        copy.write_bytes(settings.read_bytes())
+    copy_settings()
     (COMMANDS / "compile_commands.json").write_text(json.dumps(entries))
     commands = {pathlib.Path(entry["file"]): entry["command"] for entry in entries}
     commands = {path: commands[ROOT / path] for path in sources(".cpp") if ROOT / path in commands}
@@ -103,4 +108,5 @@ def main():
     return 1 if failed or forgotten else 0
 
 
-sys.exit(main())
+if __name__ == "__main__":
+    sys.exit(main())

@@ -5,6 +5,7 @@
 
 usage: sources_test.py SOURCE_DIR
 """
+import importlib.util
 import pathlib
 import shutil
 import sys
@@ -61,6 +62,71 @@ class SourcesTest(unittest.TestCase):
             self.write(name, "// another\n")
             self.assertTrue(checked(), name)
             self.assertFalse(checked(), name)
+
+
+    def test_what_fails_together_is_looked_at_in_halves(self):
+        paths = [pathlib.Path(f"src/flow/{name}.cpp") for name in "abcdefg"]
+        for path in paths:
+            self.write(str(path), f"// {path}\n")
+        bad = paths[2:3] + paths[5:6]
+        looked_at = []
+
+        def command(together):
+            looked_at.append(list(together))
+            return ["false" if set(bad) & set(together) else "true"]
+
+        cache = sources.Cache("test")
+        self.assertEqual(cache.run(paths, command, lambda todo: [todo]), bad)
+        self.assertEqual(looked_at[0], paths)
+        self.assertIn(paths[3:5], looked_at)
+        self.assertNotIn(paths[3:4], looked_at)
+        looked_at.clear()
+        self.assertEqual(cache.run(paths, command), bad)
+        self.assertEqual(sorted(looked_at), [[path] for path in bad])
+
+    def test_what_a_file_includes_first(self):
+        self.write("src/flow/own.cpp", '// What it does.\n#include "core/bits.h"\n#include <vector>\n')
+        self.assertEqual(sources.first_include(pathlib.Path("src/flow/own.cpp")), pathlib.Path("src/core/bits.h"))
+        self.assertIsNone(sources.first_include(pathlib.Path("src/flow/kernels.cpp")))
+
+
+class TidyTest(unittest.TestCase):
+    """Bundles of sources of the project."""
+
+    def setUp(self):
+        if shutil.which("clang-tidy") is None:
+            self.skipTest("clang-tidy is not installed")
+        path = SOURCE / "tools" / "check-tidy.py"
+        spec = importlib.util.spec_from_file_location("check_tidy", path)
+        self.tidy = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(self.tidy)
+        self.addCleanup(setattr, self.tidy, "COMMANDS", self.tidy.COMMANDS)
+        build = SOURCE / "build"
+        build.mkdir(exist_ok=True)
+        self.tidy.COMMANDS = pathlib.Path(tempfile.mkdtemp(prefix="tidy-", dir=build))
+        self.addCleanup(shutil.rmtree, self.tidy.COMMANDS)
+        self.tidy.copy_settings()
+
+    def bundles_of(self, *names):
+        command = f"c++ -I{SOURCE}/src -I{SOURCE}/include -std=c++20 -o x.o -c {{}}"
+        return self.tidy.Bundles({pathlib.Path(name): command.format(SOURCE / name) for name in names})
+
+    def test_sources_pass_together(self):
+        """Else each would be looked at alone, which nobody would see."""
+        names = ["src/core/instructions.cpp", "src/core/memory.cpp"]
+        bundles = self.bundles_of(*names)
+        paths = [pathlib.Path(name) for name in names]
+        self.assertEqual(bundles(paths), [paths])
+        result = sources.run(bundles.command(paths))
+        self.assertEqual(result.returncode, 0, result.stdout)
+
+    def test_what_declares_the_same_stays_apart(self):
+        names = ["src/flow/spline_system.cpp", "src/flow/steady_state.cpp"]  # kBlocksPerChunk
+        self.assertEqual(len(self.bundles_of(*names)([pathlib.Path(name) for name in names])), 2)
+
+    def test_what_is_checked_differently_stays_apart(self):
+        names = ["src/core/memory.cpp", "tests/core/parallel_test.cpp"]
+        self.assertEqual(len(self.bundles_of(*names)([pathlib.Path(name) for name in names])), 2)
 
 
 class ProjectTest(unittest.TestCase):
