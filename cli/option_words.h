@@ -20,6 +20,7 @@ struct WordOption {
     std::string standard;                          ///< the word that holds without it; empty if it is not told
 };
 
+/// An option whose value is one word, which `option.read` may refuse with UsageError.
 CLI::Option* add_word(CLI::App& command, const char* name, const WordOption& option);
 
 /// An option whose value is one of `words`, which must outlive the parser.
@@ -34,6 +35,7 @@ void add_choice(CLI::App& command, const char* name, Target& target, const Words
 void add_number(CLI::App& command, const char* name, double& target, Sign sign, const char* symbol,
                 const std::string& text);
 
+/// An option whose value is a whole number, from 1 on.
 CLI::Option* add_count(CLI::App& command, const char* name, int& target, const std::string& text);
 
 }  // namespace meniscus::cli

@@ -19,7 +19,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-const std::chrono::steady_clock::time_point program_start = std::chrono::steady_clock::now();
+const std::chrono::steady_clock::time_point kProgramStart = std::chrono::steady_clock::now();
 
 /// The chains of every structure.
 std::vector<Job> split_by_chain(const std::vector<Job>& jobs) {
@@ -43,7 +43,7 @@ void print_warnings(const std::vector<Job>& jobs) {
 
 }  // namespace
 
-Stopwatch Stopwatch::of_program() { return Stopwatch(program_start); }
+Stopwatch Stopwatch::of_program() { return Stopwatch(kProgramStart); }
 
 Outcome StructureRun::operator()() {
     const ThreadLimit limit(threads_);

@@ -15,7 +15,7 @@ import shlex
 import subprocess
 import sys
 
-from sources import FOLDERS, ROOT, Cache, configurations, sources
+from sources import ROOT, Cache, configurations, named, sources
 
 
 # Compiled only where the library that they are about is installed (packages.txt, section [full]).
@@ -52,10 +52,10 @@ def settled_in(folder):
 
 def copy_settings():
     """To where the files lie that bundles are."""
-    for settings in [ROOT / SETTINGS, *(path for folder in FOLDERS for path in (ROOT / folder).rglob(SETTINGS))]:
-        copy = COMMANDS / settings.relative_to(ROOT)
+    for settings in named(SETTINGS):
+        copy = COMMANDS / settings
         copy.parent.mkdir(parents=True, exist_ok=True)
-        copy.write_bytes(settings.read_bytes())
+        copy.write_bytes((ROOT / settings).read_bytes())
 
 
 class Bundles:

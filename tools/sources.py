@@ -23,10 +23,15 @@ def sources(*suffixes):
     return sorted(p.relative_to(ROOT) for p in found)
 
 
+def named(name):
+    """Paths relative to the root of all files of this name, in it and in all folders of sources, sorted."""
+    found = [ROOT / name, *(path for folder in FOLDERS for path in (ROOT / folder).rglob(name))]
+    return sorted(path.relative_to(ROOT) for path in found if path.is_file())
+
+
 def configurations(name):
-    """What every file of this name says, in the root and in all folders of sources, with its place."""
-    found = [ROOT / name] + [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob(name))]
-    return [f"{path.relative_to(ROOT)}\n{path.read_text()}" for path in found if path.is_file()]
+    """What every file of this name says, with its place."""
+    return [f"{path}\n{(ROOT / path).read_text()}" for path in named(name)]
 
 
 def includes(path):
