@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <set>
 
 #include "heap.h"
@@ -19,7 +20,13 @@ using nlohmann::ordered_json;
 
 namespace {
 
-const std::chrono::steady_clock::time_point kProgramStart = std::chrono::steady_clock::now();
+/// A process does not know when it was started, but the processor time that loading it took.
+std::chrono::steady_clock::time_point find_program_start() {
+    const std::chrono::duration<double> loading(static_cast<double>(std::clock()) / CLOCKS_PER_SEC);
+    return std::chrono::steady_clock::now() - std::chrono::duration_cast<std::chrono::steady_clock::duration>(loading);
+}
+
+const std::chrono::steady_clock::time_point kProgramStart = find_program_start();
 
 /// The chains of every structure.
 std::vector<Job> split_by_chain(const std::vector<Job>& jobs) {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <chrono>
-#include <ctime>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -29,7 +28,7 @@ class Stopwatch {
 public:
     Stopwatch() = default;
 
-    /// One that has run since the program began, before it knew its options.
+    /// One that has run since the program was started, before it was loaded.
     static Stopwatch of_program();
 
     /// Seconds since the stopwatch was made or last read.
@@ -98,7 +97,7 @@ private:
     int threads_;
     ProgressReport progress_;
     Stopwatch watch_ = Stopwatch::of_program();
-    double read_seconds_ = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;  // so far: the program was loaded
+    double read_seconds_ = 0.0;
     nlohmann::ordered_json reports_ = nlohmann::ordered_json::array();
     std::string summary_;
     Outcome outcome_ = Outcome::Done;

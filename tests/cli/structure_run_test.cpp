@@ -22,6 +22,7 @@ public:
         : StructureRun(request, 1), request_(request), failure_(std::move(failure)) {}
 
     std::vector<std::string> calls;
+    mutable double seconds = 0.0;  ///< that a report tells
 
 private:
     std::vector<Output> plan(const std::string& /*name*/, const std::string& mark) const override {
@@ -33,6 +34,7 @@ private:
     void write(const Output& output, const Job& /*job*/) const override { write_file(output.path, "written"); }
     std::string failed() const override { return failure_; }
     nlohmann::ordered_json report(const Job& job, const RunFacts& facts) const override {
+        seconds = facts.total_seconds;
         return {{"model", job.model}, {"threads", facts.threads}};
     }
     std::string summary(const Job& job, const RunFacts& /*facts*/) const override { return job.structure.name + "\n"; }
@@ -101,6 +103,15 @@ TEST_F(StructureRunTest, NothingIsReadBeforePathsAreChecked) {
     EXPECT_THROW(run_once(), UsageError);
     request_.outputs = {};
     EXPECT_THROW(run_once(), InputError);
+}
+
+TEST_F(StructureRunTest, TellsNoMoreTimeThanThereWas) {
+    request_.quiet = true;
+    const double before = Stopwatch::of_program().lap();
+    CountingRun run(request_);
+    run();
+    EXPECT_GT(run.seconds, before);
+    EXPECT_LT(run.seconds, Stopwatch::of_program().lap());
 }
 
 TEST(Stopwatch, OfTheProgramHasRunBefore) {
