@@ -163,16 +163,15 @@ void ContourBuilder::find_rest() {
 
 bool ContourBuilder::insert(std::uint32_t k) {
     const CapPlane cap = plane_of(*caps_, k);
-    const auto place = static_cast<std::uint32_t>(kept_.size());
     entries_.clear();
     exits_.clear();
-    const bool cuts = cut_arcs(cap, place);
+    const bool cuts = cut_arcs(cap);
     if (!entries_.empty() || !exits_.empty()) {
-        if (!close_rim(cap, place)) return false;
+        if (!close_rim(cap)) return false;
     } else {  // its rim crosses nothing: all of it is exposed or none
         const Vec3 on_rim = point_on_rim(cap);
         if (is_exposed(cuts ? on_rim : cap.axis))
-            append({place, kWholeCircle, kWholeCircle}, cap, on_rim, on_rim);
+            append({place(), kWholeCircle, kWholeCircle}, cap, on_rim, on_rim);
         else if (!cuts)
             return true;
     }
@@ -182,7 +181,7 @@ bool ContourBuilder::insert(std::uint32_t k) {
 }
 
 // Keeps what of the arcs lies outside a cap; whether it holds a part of any.
-bool ContourBuilder::cut_arcs(const CapPlane& cap, std::uint32_t place) {
+bool ContourBuilder::cut_arcs(const CapPlane& cap) {
     if (meetings_.size() < lanes_.size()) meetings_.resize(lanes_.size());
     kernels_->meet_arcs(lanes_, open_.size(), cap, meetings_.data());
     unsigned touched = 0;
@@ -191,80 +190,79 @@ bool ContourBuilder::cut_arcs(const CapPlane& cap, std::uint32_t place) {
         const EightMeetings& meetings = meetings_[block];
         touched |= meetings.start_inside | meetings.end_inside | meetings.twice;
         if (meetings.twice == 0)
-            cut_once(EightArcs::kCount * block, meetings, place);
+            cut_once(EightArcs::kCount * block, meetings);
         else
-            cut_one_by_one(EightArcs::kCount * block, meetings, cap, place);
+            cut_one_by_one(EightArcs::kCount * block, meetings, cap);
     }
     return touched != 0;
 }
 
 // Cuts eight arcs of which none is cut twice.
-void ContourBuilder::cut_once(std::size_t begin, const EightMeetings& meetings, std::uint32_t place) {
+void ContourBuilder::cut_once(std::size_t begin, const EightMeetings& meetings) {
     for_each_bit_downwards(meetings.end_inside & ~meetings.start_inside,
-                           [&](std::size_t lane) { cut_end(begin + lane, crossing_of(meetings, lane), place); });
+                           [&](std::size_t lane) { cut_end(begin + lane, crossing_of(meetings, lane)); });
     for_each_bit_downwards(meetings.start_inside & ~meetings.end_inside,
-                           [&](std::size_t lane) { cut_start(begin + lane, crossing_of(meetings, lane), place); });
+                           [&](std::size_t lane) { cut_start(begin + lane, crossing_of(meetings, lane)); });
     for_each_bit_downwards(meetings.start_inside & meetings.end_inside,
                            [&](std::size_t lane) { remove(begin + lane); });
 }
 
-void ContourBuilder::cut_one_by_one(std::size_t begin, const EightMeetings& meetings, const CapPlane& cap,
-                                    std::uint32_t place) {
+void ContourBuilder::cut_one_by_one(std::size_t begin, const EightMeetings& meetings, const CapPlane& cap) {
     for_each_bit_downwards(meetings.start_inside | meetings.end_inside | meetings.twice, [&](std::size_t lane) {
         const std::size_t a = begin + lane;
         const bool starts_inside = (meetings.start_inside >> lane & 1U) != 0;
         if ((meetings.twice >> lane & 1U) != 0)
-            cut_twice(a, starts_inside, cap, place);
+            cut_twice(a, starts_inside, cap);
         else if (!starts_inside)
-            cut_end(a, crossing_of(meetings, lane), place);
+            cut_end(a, crossing_of(meetings, lane));
         else if ((meetings.end_inside >> lane & 1U) == 0)
-            cut_start(a, crossing_of(meetings, lane), place);
+            cut_start(a, crossing_of(meetings, lane));
         else
             remove(a);
     });
 }
 
-void ContourBuilder::cut_end(std::size_t a, const Vec3& crossing, std::uint32_t place) {
+void ContourBuilder::cut_end(std::size_t a, const Vec3& crossing) {
     OpenArc& arc = open_[a];
-    arc.to = place;
+    arc.to = place();
     arc.settled = false;
     store3(crossing, lane_of(a), EightArcs::kEnd);
     entries_.push_back({arc.cap, crossing});
 }
 
-void ContourBuilder::cut_start(std::size_t a, const Vec3& crossing, std::uint32_t place) {
+void ContourBuilder::cut_start(std::size_t a, const Vec3& crossing) {
     OpenArc& arc = open_[a];
-    arc.from = place;
+    arc.from = place();
     store3(crossing, lane_of(a), EightArcs::kStart);
     exits_.push_back({arc.cap, crossing});
 }
 
 // An arc with both ends inside the cap, or both outside, that is cut at two places.
-void ContourBuilder::cut_twice(std::size_t a, bool starts_inside, const CapPlane& cap, std::uint32_t place) {
+void ContourBuilder::cut_twice(std::size_t a, bool starts_inside, const CapPlane& cap) {
     const CapPlane rim = load_rim(lane_of(a));
     const RimCrossing crossing = cross_rims({rim.axis, rim.t}, {cap.axis, cap.t});
     const OpenArc arc = open_[a];
     const Vec3 end = load3(lane_of(a), EightArcs::kEnd);
-    cut_end(a, crossing.onto, place);
+    cut_end(a, crossing.onto);
     if (starts_inside || arc.from == kWholeCircle) {  // one piece is left
-        cut_start(a, crossing.back, place);
+        cut_start(a, crossing.back);
     } else {
         exits_.push_back({arc.cap, crossing.back});
-        append({arc.cap, place, arc.to, arc.settled}, rim, crossing.back, end);
+        append({arc.cap, place(), arc.to, arc.settled}, rim, crossing.back, end);
     }
 }
 
 // Joins each point where the contour reaches the rim of a cap to the next point where it leaves it.
-bool ContourBuilder::close_rim(const CapPlane& cap, std::uint32_t place) {
+bool ContourBuilder::close_rim(const CapPlane& cap) {
     if (entries_.size() != exits_.size()) return false;
     if (entries_.size() == 1)
-        append({place, entries_[0].cap, exits_[0].cap}, cap, entries_[0].point, exits_[0].point);
+        append({place(), entries_[0].cap, exits_[0].cap}, cap, entries_[0].point, exits_[0].point);
     else
-        close_rim_by_angles(cap, place);
+        close_rim_by_angles(cap);
     return true;
 }
 
-void ContourBuilder::close_rim_by_angles(const CapPlane& cap, std::uint32_t place) {
+void ContourBuilder::close_rim_by_angles(const CapPlane& cap) {
     const Vec3 e1 = perpendicular(cap.axis);
     for (const Crossing& entry : entries_) {
         const double begin = pseudo_angle(cap.axis, e1, entry.point);
@@ -274,7 +272,7 @@ void ContourBuilder::close_rim_by_angles(const CapPlane& cap, std::uint32_t plac
         const auto exit = std::min_element(exits_.begin(), exits_.end(), [&](const Crossing& a, const Crossing& b) {
             return sweep_to(a) < sweep_to(b);
         });
-        append({place, entry.cap, exit->cap}, cap, entry.point, exit->point);
+        append({place(), entry.cap, exit->cap}, cap, entry.point, exit->point);
         *exit = exits_.back();
         exits_.pop_back();
     }

@@ -78,19 +78,20 @@ private:
     bool insert_rest();
     void find_rest();
     bool insert(std::uint32_t k);
-    // place: that the cap will have among those kept.
-    bool cut_arcs(const CapPlane& cap, std::uint32_t place);
-    void cut_once(std::size_t begin, const EightMeetings& meetings, std::uint32_t place);
-    void cut_one_by_one(std::size_t begin, const EightMeetings& meetings, const CapPlane& cap, std::uint32_t place);
-    void cut_end(std::size_t a, const Vec3& crossing, std::uint32_t place);
-    void cut_start(std::size_t a, const Vec3& crossing, std::uint32_t place);
-    void cut_twice(std::size_t a, bool starts_inside, const CapPlane& cap, std::uint32_t place);
-    bool close_rim(const CapPlane& cap, std::uint32_t place);
-    void close_rim_by_angles(const CapPlane& cap, std::uint32_t place);
+    bool cut_arcs(const CapPlane& cap);
+    void cut_once(std::size_t begin, const EightMeetings& meetings);
+    void cut_one_by_one(std::size_t begin, const EightMeetings& meetings, const CapPlane& cap);
+    void cut_end(std::size_t a, const Vec3& crossing);
+    void cut_start(std::size_t a, const Vec3& crossing);
+    void cut_twice(std::size_t a, bool starts_inside, const CapPlane& cap);
+    bool close_rim(const CapPlane& cap);
+    void close_rim_by_angles(const CapPlane& cap);
     void append(const OpenArc& arc, const CapPlane& rim, const Vec3& start, const Vec3& end);
     void remove(std::size_t a);
     void list_arcs();
     bool is_exposed(const Vec3& n) const;
+    // That the cap which is being inserted will have among those kept.
+    std::uint32_t place() const { return static_cast<std::uint32_t>(kept_.size()); }
     double* lane_of(std::size_t a) { return &lanes_[a / EightArcs::kCount].numbers[a % EightArcs::kCount]; }
 
     const CapKernels* kernels_ = &cap_kernels();
