@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "exact_blocks.h"
 #include "messages.h"
@@ -58,6 +59,12 @@ std::string describe_flow(const FlowSummary& flow) {
     return fmt::format("{}, {}{}", steps, flow.converged ? "converged" : "not converged", why);
 }
 
+std::string explain(const Check& check, const FlowSummary& flow) {
+    if (check.name == "converged" && !flow.explanation.empty()) return flow.explanation;
+    if (std::isnan(check.bound)) return fmt::format("{:g}, with nothing to be held against", check.value);
+    return fmt::format("{:g}, bound {:g}", check.value, check.bound);
+}
+
 }  // namespace
 
 std::string make_summary(const Structure& structure, const Surface& surface, const RunFacts& facts,
@@ -91,9 +98,7 @@ std::string failed_checks(const Surface& surface, const Measures& exact) {
     std::string list = disputed_patches(exact.agreed, exact.disputed);
     for (const Check& c : surface.checks) {
         if (c.passed) continue;
-        const bool of_flow = c.name == "converged" && !surface.flow.explanation.empty();
-        list += (list.empty() ? "" : ", ") + c.name + " (" +
-                (of_flow ? surface.flow.explanation : fmt::format("{:g}, bound {:g}", c.value, c.bound)) + ")";
+        list += (list.empty() ? "" : ", ") + c.name + " (" + explain(c, surface.flow) + ")";
     }
     return list;
 }

@@ -103,8 +103,10 @@ struct Collected {
 };
 
 /// Puts the results of all shards into one file, a line of JSON per input by the names of the inputs, and their times
-/// into another. throws   InputError where a shard is missing, is not done, or has been given other inputs; UsageError
-/// where radii are
+/// into another.
+///
+/// throws   InputError where a shard is missing, is not done, or has been given other inputs; UsageError where radii
+/// are
 ///          mixed and were not to be
 Collected collect(const Places& places);
 

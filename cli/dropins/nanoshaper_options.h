@@ -29,9 +29,8 @@ struct NanoShaperRequest {
 /// Keys that steer NanoShaper's own way of computing are passed over. Keys that are unknown, and outputs that are not
 /// written here, are warned of.
 /// path     for messages
-/// throws   InputError "FILE:LINE:COLUMN: ..." for values that cannot be read, and for surfaces and modes other than
-/// the
-///          solvent-excluded surface (skin, blobby, pockets)
+/// throws   InputError "FILE:LINE:COLUMN: ..." for values that cannot be read, and for surfaces and modes other
+///          than the solvent-excluded surface (skin, blobby, pockets)
 NanoShaperRequest read_nanoshaper(std::istream& stream, const std::string& path);
 
 }  // namespace meniscus::dropins

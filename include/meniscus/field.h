@@ -39,8 +39,9 @@ inline constexpr double kFieldMargin = 4.0;
 /// SurfaceOptions::fill_cavities has filled: they are inside, and no ion reaches them.
 ///
 /// surface  of these atoms
-/// throws   UsageError for a grid without nodes or with spacings that are not positive, for dielectric constants and
-///          radii that are not positive; LimitError for a grid that memory has no room for
+/// throws   UsageError for a grid without nodes or with spacings that are not positive, for dielectric constants that
+///          are not positive, an ion radius or a number of threads that is negative, and for any of these or an origin
+///          that is not finite; LimitError for a grid that memory has no room for
 /// cost     an AccessibleSurface, and 0.02 (sides) to 0.1 µs (distances) of processor time per node; level sets without
 ///          an anchor take about 1 µs
 Volume surface_field(const Surface& surface, const Atoms& atoms, const VolumeGrid& grid,

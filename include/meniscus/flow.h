@@ -117,7 +117,7 @@ struct FlowSummary {
     double initial_area = 0.0;  ///< Å², of the Gaussian start; if asked for
     int reinitialisations = 0;
     int kept_step = 0;          ///< whose surface is the result: the last one, without an anchor the nearest to the SES
-    std::string explanation{};  ///< why it did not converge; empty if it did
+    std::string explanation{};  ///< why it did not converge, or how near it came without an anchor; else empty
 };
 
 }  // namespace meniscus

@@ -10,8 +10,10 @@
 namespace meniscus {
 
 /// Writes a level set: grid and coefficients, in the format that docs/conventions.md describes. The suffix is free;
-/// .mls is usual. The file appears whole or not at all, as with write_mesh(). throws   OutputError cost     about 2 kB
-/// per block of 8³ nodes
+/// .mls is usual. The file appears whole or not at all, as with write_mesh().
+///
+/// throws   OutputError
+/// cost     about 2 kB per block of 8³ nodes
 void write_level_set(const std::string& path, const LevelSet& level_set);
 
 /// Reads it back, bit by bit the same.

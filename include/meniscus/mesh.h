@@ -20,7 +20,8 @@ enum class PatchKind : std::uint8_t {
     Reentrant = 2,  ///< on a probe that touches three atoms
 };
 
-/// Vertex number. Unsigned 32-bit: a mesh with more than 2^32 - 1 vertices is refused with LimitError.
+/// Vertex number. Unsigned 32-bit, as numbers of triangles: where there might be more than 2^32 - 1, LimitError is
+/// thrown.
 using VertexId = std::uint32_t;
 
 /// Corners, counter-clockwise seen from the solvent.

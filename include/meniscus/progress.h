@@ -8,8 +8,8 @@
 
 namespace meniscus {
 
-/// Called with the stage's name ("geometry", "band", "flow", "mesh", "write") and the fraction of that
-/// stage that is done, 0 to 1. Always called from the calling thread. May be empty.
+/// Called with the stage's name ("geometry", "band", "flow", "mesh") and the fraction of that stage
+/// that is done, 0 to 1. Always called from the calling thread. May be empty.
 using Progress = std::function<void(std::string_view stage, double fraction)>;
 
 }  // namespace meniscus

@@ -11,9 +11,8 @@ namespace meniscus {
 /// Where the corners of even triangles lie. Normals, curvatures and labels are those of the surface next to a corner.
 enum class Corners : std::uint8_t {
     /// Off the surface by as little as keeps the triangles within kDistancePerSquareEdge edge² of the exact surface, by
-    /// area: on molecules a third of what Balanced takes, and all of it where less does not do. Creases of the SAS and
-    /// of
-    /// van der Waals surfaces may still be farther. With keep_ridges and Method::Gaussian it becomes OnSurface.
+    /// area: on molecules a third of what Balanced takes, and all of it where less does not do. Creases of the SAS
+    /// and of van der Waals surfaces may still be farther. With keep_ridges and Method::Gaussian it becomes OnSurface.
     Near,
     OnSurface,  ///< all of them: on molecules triangles are 0.036 edge² from the surface in the mean (Å, edge in Å)
     Balanced,   ///< so far off the surface that triangles lie on both sides of it, half as far away as by OnSurface

@@ -84,8 +84,8 @@ private:
     // The vertices of a word, which come next.
     void number(Word& word, VertexId name) {
         word.before = static_cast<VertexId>(vertices_.size());
-        for (std::uint64_t left = word.bits; left != 0; left &= left - 1)
-            vertices_.push_back(static_cast<VertexId>(name * kBits) + static_cast<VertexId>(std::countr_zero(left)));
+        for_each_bit(word.bits,
+                     [&](std::size_t bit) { vertices_.push_back(static_cast<VertexId>(name * kBits + bit)); });
     }
 
     VertexId number_of(VertexId v) const {

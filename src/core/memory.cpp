@@ -34,17 +34,6 @@ std::size_t free_in_group(const std::string& folder) {
     return limit - std::min(limit, used);
 }
 
-// What a batch system or a container leaves to this process: the tightest of its group and those around it.
-std::size_t free_in_groups() {
-    std::ifstream groups("/proc/self/cgroup");
-    std::string group;
-    while (std::getline(groups, group) && !group.starts_with("0::")) continue;
-    std::size_t least = kPlenty;
-    for (group.erase(0, 3); group.starts_with('/'); group.resize(group.rfind('/')))
-        least = std::min(least, free_in_group("/sys/fs/cgroup" + group));
-    return least;
-}
-
 // What `ulimit -v` allows.
 std::size_t address_space() {
     rlimit limit{};
@@ -54,6 +43,21 @@ std::size_t address_space() {
 
 }  // namespace
 
-std::size_t available_memory() { return std::min({free_in_machine(), free_in_groups(), address_space()}); }
+std::size_t available_memory() {
+    // Batch systems and containers set the limits of groups.
+    return std::min({free_in_machine(), memory_left_by_groups("/proc/self/cgroup", "/sys/fs/cgroup"), address_space()});
+}
+
+std::size_t memory_left_by_groups(const std::string& groups, const std::string& root) {
+    std::ifstream file(groups);
+    std::string group;
+    while (std::getline(file, group) && !group.starts_with("0::")) continue;
+    // In a container the root is its own group, while the path may be the one that its host knows. A whole machine's
+    // root has no limit.
+    std::size_t least = free_in_group(root);
+    for (group.erase(0, 3); group.size() > 1; group.resize(group.rfind('/')))
+        least = std::min(least, free_in_group(root + group));
+    return least;
+}
 
 }  // namespace meniscus

@@ -29,7 +29,9 @@ struct Components {
 /// Finds the connected pieces of a mesh.
 ///
 /// Pieces are numbered in their final_order, outer pieces and cavities in one row; ties by the smallest vertex number.
-/// A vertex without triangles is a piece of its own. cost     O(n) for n vertices and triangles
+/// A vertex without triangles is a piece of its own.
+///
+/// cost     O(n) for n vertices and triangles
 Components find_components(const Mesh& mesh);
 
 /// Puts the pieces of a labelling into their final order, in which it numbers them anew.

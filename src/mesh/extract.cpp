@@ -235,14 +235,15 @@ template <class Roots>
 Mesh extract(const BlockGrid& grid, std::span<const LayerBits> inside, const Roots& roots) {
     const std::vector<CutEdges> edges = find_cut_edges(grid, inside);
     const CutEdges& totals = edges.back();
-    if (totals.first_vertex > std::numeric_limits<VertexId>::max())
+    // Of a closed surface, whose genus is small against its size. They are numbered by 32 bits, as vertices are.
+    const std::uint64_t triangles = 2 * totals.first_vertex + totals.first_vertex / 16;
+    if (triangles > std::numeric_limits<std::uint32_t>::max())
         throw LimitError("the mesh would have " + std::to_string(totals.first_vertex) +
-                         " vertices, more than 2^32 - 1; choose a larger --spacing");
+                         " vertices, more than are possible with 2^32 - 1 triangles; choose a larger --spacing");
     Mesh mesh;
     reserve_touched(mesh.vertices, with_spare(totals.first_vertex));
-    // Room for the triangles of a closed surface, whose genus is small against its size; else memory is found anew.
-    // Those of a sphere are likely, the others are seldom used.
-    reserve_touched(mesh.triangles, 2 * totals.first_vertex + totals.first_vertex / 16, 2 * totals.first_vertex);
+    // Those of a sphere are likely, the others are seldom used; for more than these memory is found anew.
+    reserve_touched(mesh.triangles, triangles, 2 * totals.first_vertex);
     const BlockFiller<Roots> filler(grid, inside, edges, roots);
     if (is_alone()) {  // every block goes to where it stays, with nothing to append
         for (std::size_t b = 0; b < grid.block_count(); ++b) filler.fill(b, mesh);

@@ -32,7 +32,7 @@ inline constexpr double kSpreadFraction = 0.35;
 ///          see `nearest`), each used by at least one triangle; triangles counter-clockwise seen from outside.
 ///          Always an oriented 2-manifold whose boundary, if any, runs where blocks are missing: closed if every node
 ///          of every cell with both signs exists. Order and bits do not depend on the number of threads.
-/// throws   LimitError for more than 2^32 - 1 vertices
+/// throws   LimitError where triangles might be more than 2^32 - 1
 /// cost     O(nodes), with about 2.5 bytes of scratch memory per node
 /// source   Lorensen & Cline 1987, with the cases of mesh/cell_cases.h
 Mesh extract_zero_set(const BlockGrid& grid, std::span<const float> values, double nearest = kMinEdgeFraction);

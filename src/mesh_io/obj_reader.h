@@ -8,7 +8,9 @@
 namespace meniscus::reading {
 
 /// Corners may also name texture coordinates and normals, and count from the end (-1). A corner names a vertex before
-/// it. throws   InputError
+/// it.
+///
+/// throws   InputError
 Mesh read_obj(const MeshFile& file);
 
 }  // namespace meniscus::reading

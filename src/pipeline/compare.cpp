@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meniscus/compare.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -14,32 +12,36 @@
 #include "measure/weighted_distances.h"
 #include "meniscus/errors.h"
 #include "meniscus/measures.h"
+#include "meniscus/read_mesh.h"
 #include "meniscus/surface.h"
 #include "meniscus/threads.h"
 #include "mesh/merge_vertices.h"
+#include "pipeline/checks.h"
 
 namespace meniscus {
 namespace {
 
 // Squares and products of lengths must stay finite; also refuses what is no number.
 bool is_in_reach(const Vec3& p) {
-    constexpr double kFarthest = 1e9;  // Å, as of meshes that are read
-    return std::abs(p.x) <= kFarthest && std::abs(p.y) <= kFarthest && std::abs(p.z) <= kFarthest;
+    constexpr double kReach = kFarthestCoordinate;
+    return std::abs(p.x) <= kReach && std::abs(p.y) <= kReach && std::abs(p.z) <= kReach;
+}
+
+void check_reach(const Mesh& mesh) {
+    if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_in_reach))
+        throw UsageError("a vertex that is not within 1e9 Å of the origin");
 }
 
 void check_mesh(const Mesh& mesh) {
     if (mesh.triangles.empty()) throw UsageError("a mesh without triangles cannot be compared");
-    if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_in_reach))
-        throw UsageError("a vertex that is not within 1e9 Å of the origin");
+    check_reach(mesh);
 }
 
 void check(const ComparedSurface& a, const ComparedSurface& b, const CompareOptions& options) {
     check_mesh(a.mesh);
     check_mesh(b.mesh);
-    if (!(std::isfinite(options.density) && options.density > 0.0))
-        throw UsageError(fmt::format("points {:g}: must be finite and positive", options.density));
-    if (options.threads < 0)
-        throw UsageError(fmt::format("threads {}: must be 0 (all cores) or more", options.threads));
+    require_positive("points", options.density);
+    check_threads(options.threads);
 }
 
 OneWayDistance summarise(const WeightedPoints& points, const std::vector<double>& distances,
@@ -85,6 +87,7 @@ void take_measures(const MeshMeasures& measures, ComparedSurface& surface) {
 }  // namespace
 
 ComparedSurface mesh_to_compare(Mesh mesh) {
+    check_reach(mesh);
     ComparedSurface surface{.mesh = std::move(mesh), .exact = nullptr};
     MeshMeasures measures = measure_mesh(surface.mesh);
     if (!measures.closed) {

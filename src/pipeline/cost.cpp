@@ -14,20 +14,18 @@
 #include <vector>
 
 #include "core/golden_angle.h"
-#include "core/memory.h"
 #include "core/parallel.h"
 #include "grid/block_grid.h"
 #include "meniscus/errors.h"
 #include "meniscus/remesh.h"
 #include "meniscus/surface.h"
 #include "pipeline/band_size.h"
+#include "pipeline/checks.h"
 #include "pipeline/flow_stage.h"
 #include "pipeline/point_cells.h"
 
 namespace meniscus {
 namespace {
-
-constexpr double kMegabyte = 1024.0 * 1024.0;
 
 // Enough to know the area within some 15 %; small structures can afford more.
 constexpr std::size_t kLeastSamples = 100;
@@ -221,11 +219,6 @@ Cost cost_of(double atoms, double area, const SurfaceOptions& options) {
     if (options.remesh.is_on()) add_remeshing(cost, options.remesh.edge);
     add_quality(cost, options);
     return cost;
-}
-
-double limit_mb(const SurfaceOptions& options) {
-    return options.memory_limit_mb > 0 ? static_cast<double>(options.memory_limit_mb)
-                                       : static_cast<double>(available_memory()) / kMegabyte;
 }
 
 std::string amount(double megabytes) {

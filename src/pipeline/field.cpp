@@ -13,18 +13,16 @@
 #include <span>
 #include <vector>
 
-#include "core/memory.h"
 #include "core/workspaces.h"
 #include "geometry/box_features.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/threads.h"
+#include "pipeline/checks.h"
 #include "pipeline/filled_space.h"
 
 namespace meniscus {
 namespace {
-
-constexpr double kMegabyte = 1024.0 * 1024.0;
 
 constexpr std::size_t kEdge = 8;  // nodes along each edge of a block: a slab of one is a batch
 static_assert(kEdge * kEdge == kBatchLanes);
@@ -249,30 +247,18 @@ private:
     Volume volume_;
 };
 
-bool positive(double v) { return std::isfinite(v) && v > 0.0; }
-
-void require_positive(double value, const char* what) {
-    if (!positive(value)) throw UsageError(fmt::format("{} {:g}: must be finite and positive", what, value));
-}
-
 void check(const VolumeGrid& grid, const FieldOptions& options) {
     for (const std::size_t count : grid.counts)
         if (count == 0) throw UsageError("a grid without nodes; give at least one along each axis");
     for (const double spacing : {grid.spacing.x, grid.spacing.y, grid.spacing.z})
-        require_positive(spacing, "grid spacing");
+        require_positive("grid spacing", spacing);
     if (!is_finite(grid.origin)) throw UsageError("the origin of the grid is not finite; correct it");
-    require_positive(options.inner_dielectric, "inner dielectric constant");
-    require_positive(options.outer_dielectric, "outer dielectric constant");
-    if (!(std::isfinite(options.ion_radius) && options.ion_radius >= 0.0))
-        throw UsageError(fmt::format("ion radius {:g}: must be finite and not negative", options.ion_radius));
-    if (options.threads < 0)
-        throw UsageError(fmt::format("threads {}: must be 0 (all cores) or more", options.threads));
+    require_positive("inner dielectric constant", options.inner_dielectric);
+    require_positive("outer dielectric constant", options.outer_dielectric);
+    require(std::isfinite(options.ion_radius) && options.ion_radius >= 0.0, "ion radius", options.ion_radius,
+            "finite and not negative");
+    check_threads(options.threads);
     refuse_grid_that_would_not_fit(grid, 1, {}, {});
-}
-
-double limit_mb(const SurfaceOptions& options) {
-    return options.memory_limit_mb > 0 ? static_cast<double>(options.memory_limit_mb)
-                                       : static_cast<double>(available_memory()) / kMegabyte;
 }
 
 // Counts may be such that their product has no place in an integer.

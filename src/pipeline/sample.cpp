@@ -6,15 +6,14 @@
 
 #include <cmath>
 #include <limits>
-#include <span>
 #include <utility>
 #include <vector>
 
 #include "core/memory.h"
-#include "core/parallel.h"
 #include "meniscus/errors.h"
 #include "meniscus/threads.h"
 #include "mesh/spread_points.h"
+#include "pipeline/checks.h"
 #include "pipeline/finish_vertices.h"
 #include "pipeline/surface_projector.h"
 
@@ -25,10 +24,8 @@ namespace {
 constexpr double kBytesPerPoint = 320.0 * static_cast<double>(kCandidatesPerPoint);
 
 std::size_t count_of(const Surface& surface, const SampleOptions& options) {
-    if (!(std::isfinite(options.density) && options.density > 0.0))
-        throw UsageError(fmt::format("density {:g}: must be finite and positive", options.density));
-    if (options.threads < 0)
-        throw UsageError(fmt::format("threads {}: must be 0 (all cores) or more", options.threads));
+    require_positive("density", options.density);
+    check_threads(options.threads);
     const double count = std::round(options.density * surface.measures.area);
     constexpr double kMost =
         static_cast<double>(std::numeric_limits<std::uint32_t>::max()) / static_cast<double>(kCandidatesPerPoint);
@@ -36,17 +33,6 @@ std::size_t count_of(const Surface& surface, const SampleOptions& options) {
         throw LimitError(
             fmt::format("density {:g}: {:.3g} points would not fit; choose fewer per Å²", options.density, count));
     return static_cast<std::size_t>(count);
-}
-
-// Nearly all candidates are within a few hundredths of an Å of the surface; those of large triangles may not be.
-void approach(const SurfaceProjector& project, std::vector<Vec3>& points) {
-    std::vector<SurfacePoint> places(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) places[i].position = points[i];
-    constexpr std::size_t kPointsPerTask = 1024;
-    parallel_chunks(places.size(), kPointsPerTask, [&](std::size_t begin, std::size_t end) {
-        project(std::span(places).subspan(begin, end - begin));
-    });
-    for (std::size_t i = 0; i < points.size(); ++i) points[i] = places[i].position;
 }
 
 // Puts points of a mesh's triangles onto the surface.
@@ -57,7 +43,7 @@ public:
 
     Mesh land(PointsOnMesh spread) const {
         if (surface_.options.remesh.is_on())
-            approach(surface_projector(accessible_, level_set_, spacing(), Curvatures::LeftOut), spread.points);
+            put_on_surface(spread.points, surface_projector(accessible_, level_set_, spacing(), Curvatures::LeftOut));
         Mesh result;
         result.vertices = spread.points;
         VertexDistances distances = finish_vertices(accessible_, level_set_, spacing(), result);
@@ -81,7 +67,8 @@ private:
         return result;
     }
 
-    // Strays start again from nearer to a corner of their triangle, which is on the surface, and at last from there.
+    // Strays start again from nearer to a corner of their triangle, which is on the surface or next to it, and at last
+    // from there.
     void bring_home(const PointsOnMesh& spread, VertexDistances& distances, Mesh& points) const {
         constexpr int kTries = 4;
         for (int attempt = 1; attempt <= kTries; ++attempt) {

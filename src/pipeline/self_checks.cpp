@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "pipeline/winding.h"
 
@@ -88,10 +89,11 @@ Check volume_check(const Surface& surface, const Yardstick& yardstick) {
     const double edge = surface.options.remesh.edge;
     const auto changed = static_cast<double>(surface.simplified.handles + surface.simplified.pieces);
     const double difference = std::abs(surface.corrected_volume - yardstick.kept.ses_volume);
+    if (!yardstick.resolved) return {"volume", false, difference, std::numeric_limits<double>::quiet_NaN()};
     // Chords of sharper spheres lie deeper below them, as 1/r.
     const double bound = volume_error_bound(surface.options, yardstick.kept.ses_area) / yardstick.sharpest +
                          yardstick.doubtful + changed * edge * edge * edge;
-    return {"volume", yardstick.resolved && difference <= bound, difference, bound};
+    return {"volume", difference <= bound, difference, bound};
 }
 
 std::vector<Check> mesh_checks(const Surface& surface) {

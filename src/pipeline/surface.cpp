@@ -20,6 +20,7 @@
 #include "meniscus/threads.h"
 #include "mesh/extract.h"
 #include "pipeline/band_size.h"
+#include "pipeline/checks.h"
 #include "pipeline/choose_pieces.h"
 #include "pipeline/even_mesh.h"
 #include "pipeline/flow_stage.h"
@@ -58,12 +59,6 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-void require(bool holds, std::string_view option, double value, std::string_view wanted) {
-    if (!holds) throw UsageError(fmt::format("{} {:g}: must be {}", option, value, wanted));
-}
-
-bool positive(double v) { return std::isfinite(v) && v > 0.0; }
-
 void check_flow(const FlowOptions& flow) {
     require(std::isfinite(flow.anchor) && flow.anchor >= 0.0, "anchor", flow.anchor, "finite and not negative");
     require(flow.time_step > 0.0, "time step", flow.time_step, "positive");
@@ -71,7 +66,7 @@ void check_flow(const FlowOptions& flow) {
             "finite where there is no anchor");
     require(flow.half_width >= 2.0 && flow.half_width <= kWidestBand, "half width", flow.half_width,
             fmt::format("from 2 to {:g}", kWidestBand));
-    require(positive(flow.tolerance), "tolerance", flow.tolerance, "finite and positive");
+    require_positive("tolerance", flow.tolerance);
     require(flow.max_steps >= 1, "max steps", flow.max_steps, "at least 1");
 }
 
@@ -79,11 +74,11 @@ void check_options(const SurfaceOptions& options) {
     require(std::isfinite(options.probe) && options.probe >= 0.0, "probe", options.probe, "finite and not negative");
     if (options.method == Method::Gaussian && options.surface != SurfaceKind::Ses)
         throw UsageError("method gaussian is one envelope of the atoms; surface sas and vdw need flow or direct");
-    require(positive(options.spacing), "spacing", options.spacing, "finite and positive");
-    require(positive(-options.density), "density", options.density, "finite and negative");
+    require_positive("spacing", options.spacing);
+    require(is_positive(-options.density), "density", options.density, "finite and negative");
     if (options.method == Method::Flow) check_flow(options.flow);
     const RemeshOptions& remesh = options.remesh;
-    require(remesh.edge == 0.0 || positive(remesh.edge), "edge", remesh.edge, "finite and positive");
+    require(remesh.edge == 0.0 || is_positive(remesh.edge), "edge", remesh.edge, "finite and positive");
     require(!remesh.is_on() || options.spacing <= kCoarsestForRemeshing, "spacing", options.spacing,
             fmt::format("at most {:g} where triangles are made even", kCoarsestForRemeshing));
     require(remesh.corners == Corners::Near || remesh.is_on(), "edge", remesh.edge,
@@ -94,7 +89,7 @@ void check_options(const SurfaceOptions& options) {
             "finite and not negative");
     require(std::isfinite(options.fill_cavities) && options.fill_cavities >= 0.0, "fill cavities",
             options.fill_cavities, "finite and not negative");
-    require(options.threads >= 0, "threads", options.threads, "0 (all cores) or more");
+    check_threads(options.threads);
 }
 
 // What the methods hand on to meshing.

@@ -8,10 +8,16 @@
 #include "meniscus/errors.h"
 
 namespace meniscus {
+namespace {
+
+[[noreturn]] void refuse_more() {
+    throw LimitError("meshes of more than 1.4e9 triangles cannot be remeshed; choose a larger --spacing or --edge");
+}
+
+}  // namespace
 
 HalfEdges::HalfEdges(std::size_t vertices, std::span<const Triangle> triangles) {
-    if (triangles.size() >= kNoHalfEdge / 3)
-        throw LimitError("meshes of more than 1.4e9 triangles cannot be remeshed; choose a larger --spacing");
+    if (triangles.size() >= kNoHalfEdge / 3) refuse_more();
     origin_.reserve(3 * triangles.size());
     for (const Triangle& t : triangles) origin_.insert(origin_.end(), t.begin(), t.end());
     find_twins(vertices);
@@ -90,6 +96,7 @@ void HalfEdges::flip(HalfEdge h) {
 }
 
 HalfEdge HalfEdges::add_triangle(VertexId a, VertexId b, VertexId c) {
+    if (origin_.size() >= kNoHalfEdge - 3) refuse_more();
     const auto first = static_cast<HalfEdge>(origin_.size());
     origin_.insert(origin_.end(), {a, b, c});
     twin_.resize(origin_.size(), kNoHalfEdge);

@@ -16,6 +16,7 @@
 
 #include "core/group_by.h"
 #include "core/parallel.h"
+#include "core/parallel_list.h"
 #include "geometry/box_tree.h"
 #include "geometry/triangle_tree.h"
 #include "remesh/mend_slivers.h"
@@ -221,15 +222,12 @@ private:
     };
 
     std::vector<LongEdge> long_edges() const {
-        const std::size_t count = mesh_.edges.half_edge_slots();
-        std::vector<std::vector<LongEdge>> parts((count + kHalfEdges - 1) / kHalfEdges);
-        parallel_chunks(count, kHalfEdges, [&](std::size_t begin, std::size_t end) {
+        const auto list_long = [&](std::size_t begin, std::size_t end, std::vector<LongEdge>& list) {
             for (auto h = static_cast<HalfEdge>(begin); h < end; ++h)
                 if (mesh_.edges.has(h) && h < mesh_.edges.twin(h) && is_long(h))
-                    parts[begin / kHalfEdges].push_back({mesh_.squared_length(h), h});
-        });
-        std::vector<LongEdge> found;
-        for (const auto& part : parts) found.insert(found.end(), part.begin(), part.end());
+                    list.push_back({mesh_.squared_length(h), h});
+        };
+        std::vector<LongEdge> found = parallel_list<LongEdge>(mesh_.edges.half_edge_slots(), kHalfEdges, list_long);
         sort_longest_first(found);
         return found;
     }

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/parallel.h"
+#include "core/parallel_list.h"
 #include "geometry/triangle_tree.h"
 #include "remesh/near_triangles.h"
 
@@ -97,15 +97,12 @@ public:
     }
 
     std::vector<Crossing> run() const {
-        std::vector<std::vector<Crossing>> found((triangles_.order.size() + kChunk - 1) / kChunk);
-        parallel_chunks(triangles_.order.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+        const auto find = [&](std::size_t begin, std::size_t end, std::vector<Crossing>& found) {
             NearTriangles near;
             for (std::size_t i = begin; i < end; i += kTogether)
-                find_after(i, std::min(i + kTogether, end), near, found[begin / kChunk]);
-        });
-        std::vector<Crossing> all;
-        for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
-        return all;
+                find_after(i, std::min(i + kTogether, end), near, found);
+        };
+        return parallel_list<Crossing>(triangles_.order.size(), kChunk, find);
     }
 
 private:

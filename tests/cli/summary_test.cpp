@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 
 namespace meniscus::cli {
@@ -72,6 +73,9 @@ TEST(Summary, HasNoFlowLineWithoutAFlow) {
 TEST(Summary, ListsFailedChecksWithTheirBounds) {
     EXPECT_EQ(failed_checks(sample_surface(), {}), "converged (0.25, bound 0.125)");
     EXPECT_EQ(failed_checks({}, {}), "");
+    Surface unresolved;
+    unresolved.checks.push_back({"volume", false, 0.5, std::numeric_limits<double>::quiet_NaN()});
+    EXPECT_EQ(failed_checks(unresolved, {}), "volume (0.5, with nothing to be held against)");
     Measures disputed;
     disputed.agreed = false;
     disputed.disputed = {"patches of atom 3"};

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "meniscus/errors.h"
@@ -131,7 +132,11 @@ TEST(Compare, RefusesWhatCannotBeCompared) {
     EXPECT_THROW(compare_surfaces(sphere(1.0), mesh_to_compare({})), UsageError);
     EXPECT_THROW(compare_surfaces(sphere(1.0), sphere(1.0), {.density = 0.0}), UsageError);
     EXPECT_THROW(compare_surfaces(sphere(1.0), sphere(1.0), {.threads = -1}), UsageError);
-    EXPECT_THROW(compare_surfaces(sphere(1.0), mesh_to_compare(square(1e300))), UsageError);
+    EXPECT_THROW(mesh_to_compare(square(1e300)), UsageError);
+    EXPECT_THROW(mesh_to_compare(square(std::numeric_limits<double>::quiet_NaN())), UsageError);
+    ComparedSurface moved = sphere(1.0);
+    moved.mesh.vertices.front().x = 1e300;
+    EXPECT_THROW(compare_surfaces(sphere(1.0), moved), UsageError);
     EXPECT_THROW(structure_to_compare({}), std::invalid_argument);
 }
 

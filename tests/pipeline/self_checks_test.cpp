@@ -95,7 +95,9 @@ TEST(SelfChecks, AnExactVolumeThatCouldNotBeFoundFails) {
     const Surface surface = compute_surface(shell());
     Measures disputed = measure(shell());
     disputed.agreed = false;
-    EXPECT_FALSE(volume_check(surface, yardstick_of(disputed, shell(), surface.options)).passed);
+    const Check check = volume_check(surface, yardstick_of(disputed, shell(), surface.options));
+    EXPECT_FALSE(check.passed);
+    EXPECT_TRUE(std::isnan(check.bound));
 }
 
 TEST(SelfChecks, BrokenMeshesFailByName) {

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/checks.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/memory.h"
+#include "meniscus/errors.h"
+
+namespace meniscus {
+
+void require(bool holds, std::string_view option, double value, std::string_view wanted) {
+    if (!holds) throw UsageError(fmt::format("{} {:g}: must be {}", option, value, wanted));
+}
+
+bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
+
+void require_positive(std::string_view option, double value) {
+    require(is_positive(value), option, value, "finite and positive");
+}
+
+void check_threads(int threads) { require(threads >= 0, "threads", threads, "0 (all cores) or more"); }
+
+double limit_mb(const SurfaceOptions& options) {
+    return options.memory_limit_mb > 0 ? static_cast<double>(options.memory_limit_mb)
+                                       : static_cast<double>(available_memory()) / kMegabyte;
+}
+
+}  // namespace meniscus
