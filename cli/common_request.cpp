@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
+
 #include "help.h"
 #include "option_words.h"
 
@@ -32,6 +34,13 @@ void set_altloc(CommonRequest& request, const std::string& text) {
 }
 
 }  // namespace
+
+std::vector<ReadFile> files_of_structure(const std::string& input, const ReadOptions& options) {
+    std::vector<ReadFile> files{{"the input", input}};
+    std::error_code error;  // where there is no such file it is the name of a set
+    if (std::filesystem::exists(options.radii, error)) files.push_back({"the file of --radii", options.radii});
+    return files;
+}
 
 void add_input(CLI::App& command, CommonRequest& request) {
     command

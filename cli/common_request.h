@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "meniscus/structure.h"
+#include "output_plan.h"
 #include "progress_report.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
@@ -25,6 +26,9 @@ struct CommonRequest {
     bool quiet = false;
     ProgressMode progress = ProgressMode::Auto;
 };
+
+/// INPUT and the file of --radii, if there is one.
+std::vector<ReadFile> files_of_structure(const std::string& input, const ReadOptions& options);
 
 /// INPUT itself.
 void add_input(CLI::App& command, CommonRequest& request);

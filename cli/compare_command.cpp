@@ -54,7 +54,9 @@ private:
     void check_all_paths() const {
         std::vector<std::string> paths = request_.outputs;
         if (!request_.report.empty()) paths.push_back(request_.report);
-        for (const std::string& input : {request_.input, request_.second}) check_paths(paths, input);
+        std::vector<ReadFile> read = files_of_structure(request_.input, request_.read);
+        read.push_back({"the input", request_.second});
+        check_paths(paths, read);
     }
 
     void read(const std::string& path, ComparedInput& input) {

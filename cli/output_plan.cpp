@@ -9,6 +9,7 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <span>
 #include <utility>
@@ -143,9 +144,11 @@ std::vector<std::string> files_of(const std::string& path) {
     return files;
 }
 
-void check_paths(const std::vector<std::string>& paths, const std::string& input) {
+void check_paths(const std::vector<std::string>& paths, const std::vector<ReadFile>& read) {
     std::set<std::string> seen;
-    const std::string source = input == "-" ? "" : identity(input);
+    std::map<std::string, std::string> sources;
+    for (const ReadFile& file : read)
+        if (file.path != "-") sources.emplace(identity(file.path), file.what);
     std::vector<std::string> files;
     for (const std::string& path : paths)
         for (std::string& file : files_of(path)) files.push_back(std::move(file));
@@ -153,7 +156,8 @@ void check_paths(const std::vector<std::string>& paths, const std::string& input
         if (path == "-" || is_special_file(path)) continue;
         check_writable(path);
         const std::string file = identity(path);
-        if (file == source) throw UsageError(path + ": would overwrite the input; choose another name");
+        if (const auto source = sources.find(file); source != sources.end())
+            throw UsageError(fmt::format("{}: would overwrite {}; choose another name", path, source->second));
         if (!seen.insert(file).second) throw UsageError(path + ": two outputs go to this file; choose another name");
     }
 }

@@ -64,13 +64,18 @@ std::string mark_of_chain(const std::string& chain);
 /// The files that are written where one of this name is asked for: itself, and "a.face" beside "a.vert".
 std::vector<std::string> files_of(const std::string& path);
 
+/// A file that a run reads.
+struct ReadFile {
+    std::string what;  ///< "the input", "the file of --grid"
+    std::string path;  ///< or "-"
+};
+
 /// Refuses what could not be written in the end, or would overwrite something of the same run.
 ///
 /// paths    every file of the run (files_of() of them are looked at); "-" (standard output) and devices are left alone
-/// input    a path, or "-"
 /// throws   OutputError for a folder that is missing or closed, or a path that is a folder; UsageError for a path
-///          that appears twice or is the input
-void check_paths(const std::vector<std::string>& paths, const std::string& input);
+///          that appears twice or is read
+void check_paths(const std::vector<std::string>& paths, const std::vector<ReadFile>& read);
 
 /// True for a path that exists but is no regular file: a device, a pipe. It is written in place.
 bool is_special_file(const std::string& path);

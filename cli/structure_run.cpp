@@ -78,12 +78,18 @@ void StructureRun::warn(const std::string& line) {
     print_warning(std::cerr, line);
 }
 
+/// Whether all these and the report can be written.
+void StructureRun::check(std::vector<std::string> paths) const {
+    if (!request_.report.empty()) paths.push_back(request_.report);
+    std::vector<ReadFile> read = files_read();
+    for (ReadFile& file : files_of_structure(request_.input, request_.read)) read.push_back(std::move(file));
+    check_paths(paths, read);
+}
+
 /// Refuses what can be refused before the input is read.
 void StructureRun::check_asked_paths() const {
     plan("", "");
-    std::vector<std::string> paths = request_.outputs;
-    if (!request_.report.empty()) paths.push_back(request_.report);
-    check_paths(paths, request_.input);
+    check(request_.outputs);
 }
 
 /// Every file of the run, once names of models and tables are known.
@@ -91,8 +97,7 @@ void StructureRun::check_all_paths(const std::vector<Job>& jobs) const {
     std::vector<std::string> paths;
     for (const Job& job : jobs)
         for (const Output& output : job.outputs) paths.push_back(output.path);
-    if (!request_.report.empty()) paths.push_back(request_.report);
-    check_paths(paths, request_.input);
+    check(std::move(paths));
 }
 
 /// The checksum is found where something tells it.

@@ -69,6 +69,8 @@ public:
 protected:
     /// The files of one structure, see plan_outputs().
     virtual std::vector<Output> plan(const std::string& name, const std::string& mark) const = 0;
+    /// Beside the structure and the radii.
+    virtual std::vector<ReadFile> files_read() const { return {}; }
     virtual void compute(const Job& job) = 0;
     virtual void write(const Output& output, const Job& job) const = 0;
     /// Which checks the result failed; empty if it passed them all.
@@ -83,6 +85,7 @@ protected:
     void show(std::string_view stage, double fraction) { progress_.update(stage, fraction); }
 
 private:
+    void check(std::vector<std::string> paths) const;
     void check_asked_paths() const;
     void check_all_paths(const std::vector<Job>& jobs) const;
     std::vector<Job> read_structures() const;

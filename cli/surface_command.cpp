@@ -64,6 +64,14 @@ private:
         return outputs;
     }
 
+    std::vector<ReadFile> files_read() const override {
+        std::vector<ReadFile> files;
+        if (!request_.volume.grid_file.empty()) files.push_back({"the file of --grid", request_.volume.grid_file});
+        for (const std::string& path : request_.values.tables) files.push_back({"the file of --values", path});
+        for (const SampledMap& map : request_.values.maps) files.push_back({"the file of --sample", map.path});
+        return files;
+    }
+
     static bool has(const std::vector<Output>& outputs, OutputKind kind) {
         return std::any_of(outputs.begin(), outputs.end(), [kind](const Output& o) { return o.kind == kind; });
     }

@@ -148,9 +148,6 @@ VolumeGrid find_grid(const VolumeRequest& request, const Atoms& atoms, const Sur
     else
         grid = request.grid ? *request.grid : enclosing_grid(ses_problem(atoms, options).atoms, options.spacing);
     for (const Output& output : outputs) {
-        std::error_code error;
-        if (!request.grid_file.empty() && fs::equivalent(output.path, request.grid_file, error))
-            throw UsageError(output.path + ": would overwrite the file of --grid; choose another name");
         if (suffix_of(output) == ".vdb" && (grid.spacing.x != grid.spacing.y || grid.spacing.x != grid.spacing.z))
             throw UsageError(output.path +
                              ": a level set has one spacing, the --grid has several; ask for .dx or .mrc");

@@ -36,8 +36,8 @@ void add_volume_options(CLI::App& command, VolumeRequest& request);
 std::vector<Output> plan_volumes(const VolumeRequest& request, std::vector<Output> outputs);
 
 /// The grid that is asked for, or the one round all atoms.
-/// throws   InputError for a file that cannot be read; UsageError for one that an output would overwrite, and for
-///          spacings that differ where a .vdb is to be written; LimitError where memory has no room for it
+/// throws   InputError for a file that cannot be read; UsageError for spacings that differ where a .vdb is to be
+///          written; LimitError where memory has no room for it
 VolumeGrid find_grid(const VolumeRequest& request, const Atoms& atoms, const SurfaceOptions& options,
                      const std::vector<Output>& outputs, const Cost& expected);
 

@@ -34,7 +34,8 @@ std::string place_of(const Task& task, const std::string& file) {
 
 class FolderStore : public OutputStore {
 public:
-    FolderStore(std::string root, const std::map<std::string, Entry>& entries) : root_(std::move(root)) {
+    FolderStore(std::string root, const std::map<std::string, Entry>& entries, const ReadFiles& read_files)
+        : root_(std::move(root)), read_files_(read_files) {
         for (const auto& [name, entry] : entries)
             for (const std::string& output : entry.outputs) owners_[output] = name;
     }
@@ -47,6 +48,7 @@ public:
                 !fresh && owner->second != task.input.name)
                 throw OutputError(
                     fmt::format("{}: is an output of {}, too; give them different names", output, owner->second));
+        for (const std::string& output : outputs) read_files_.refuse_as_output((fs::path(root_) / output).string());
         for (const std::string& output : outputs) {
             const fs::path target = fs::path(root_) / output;
             std::error_code error;
@@ -61,6 +63,7 @@ public:
 
 private:
     std::string root_;
+    const ReadFiles& read_files_;
     std::map<std::string, std::string> owners_;  // output -> input
 };
 
@@ -87,8 +90,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<OutputStore> open_outputs(const Places& places, const std::map<std::string, Entry>& entries) {
-    if (!places.is_archive()) return std::make_unique<FolderStore>(places.outputs(), entries);
+std::unique_ptr<OutputStore> open_outputs(const Places& places, const std::map<std::string, Entry>& entries,
+                                          const ReadFiles& read_files) {
+    if (!places.is_archive()) return std::make_unique<FolderStore>(places.outputs(), entries, read_files);
     std::int64_t size = 0;
     for (const auto& [name, entry] : entries) size = std::max(size, entry.archive_end);
     return std::make_unique<ArchiveStore>(places.outputs(), size);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "batch/plan.h"
+#include "batch/read_files.h"
 #include "batch/records.h"
 
 namespace meniscus::cli::batch {
@@ -22,7 +23,7 @@ public:
 
     /// Takes all files of a folder as outputs of a task.
     /// result   their paths below the store, sorted
-    /// throws   OutputError
+    /// throws   OutputError; UsageError for one in the place of a file that the batch reads
     virtual std::vector<std::string> take(const std::string& folder, const Task& task) = 0;
 
     /// Whether tasks must be taken in the order of the plan.
@@ -38,7 +39,9 @@ protected:
     OutputStore() = default;
 };
 
-/// entries   what earlier runs have left
-std::unique_ptr<OutputStore> open_outputs(const Places& places, const std::map<std::string, Entry>& entries);
+/// entries      what earlier runs have left
+/// read_files   must outlive the store
+std::unique_ptr<OutputStore> open_outputs(const Places& places, const std::map<std::string, Entry>& entries,
+                                          const ReadFiles& read_files);
 
 }  // namespace meniscus::cli::batch

@@ -106,8 +106,7 @@ struct Collected {
 /// into another.
 ///
 /// throws   InputError where a shard is missing, is not done, or has been given other inputs; UsageError where radii
-/// are
-///          mixed and were not to be
+///          are mixed and were not to be
 Collected collect(const Places& places);
 
 /// A result as a table of failures shows it.

@@ -143,6 +143,13 @@ ordered_json header_of(const Request& request, const Shard& shard, const std::ve
             {"mixed_radii", request.may_mix_radii}};
 }
 
+std::vector<Task> checked_plan(const Request& request, const Shard& shard, const Places& places,
+                               const std::vector<Input>& inputs, const ReadFiles& read_files) {
+    std::vector<Task> tasks = plan(inputs, shard);
+    check_outputs(request, places, tasks, read_files);
+    return tasks;
+}
+
 }  // namespace
 
 Run::Run(const Request& request, const Shard& shard, const Places& places)
@@ -150,8 +157,9 @@ Run::Run(const Request& request, const Shard& shard, const Places& places)
       shard_(shard),
       places_(places),
       found_(find_inputs({request.inputs, request.list, request.base, {places.outputs(), places.state()}})),
+      read_files_(request, found_.inputs),
       header_(header_of(request, shard, found_.inputs)),
-      tasks_(plan(found_.inputs, shard)),
+      tasks_(checked_plan(request, shard, places, found_.inputs, read_files_)),
       log_(places, header_, request.resume),
       most_jobs_(static_cast<std::size_t>(request.jobs > 0 ? request.jobs : threads_in_use(0))),
       threads_(request.threads > 0 ? request.threads : std::max(1, threads_in_use(0) / static_cast<int>(most_jobs_))) {
@@ -168,7 +176,7 @@ Run::Run(const Request& request, const Shard& shard, const Places& places)
             weight += task.weight;
         }
     }
-    outputs_ = open_outputs(places, log_.entries());
+    outputs_ = open_outputs(places, log_.entries(), read_files_);
     progress_.emplace(resolve(request.progress, request.quiet), std::cerr, open_.size(), weight);
 }
 

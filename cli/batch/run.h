@@ -16,6 +16,7 @@
 #include "batch/plan.h"
 #include "batch/process.h"
 #include "batch/progress.h"
+#include "batch/read_files.h"
 #include "batch/records.h"
 #include "batch/request.h"
 #include "structure_run.h"
@@ -63,6 +64,7 @@ private:
     const Shard shard_;
     const Places& places_;
     const FoundInputs found_;
+    const ReadFiles read_files_;
     const nlohmann::ordered_json header_;
     const std::vector<Task> tasks_;  // of this shard
     Log log_;

@@ -109,12 +109,27 @@ private:
     std::vector<Neighbour> neighbours_;
 };
 
+// Å. Larger ones leave the area of molecules nearly as it is, while they touch ever fewer atoms, of which samples tell
+// nothing.
+constexpr double kLargestProbe = 5.0;
+
 // The sum of the contact patches is known from the exposed parts f. What bridges them grows as the atoms lie closer:
 // on single spheres, peptides, proteins and assemblies alike the whole is near f^-b times as large, with b rising from
 // 0 for the van der Waals surface to 0.38 for water.
 double bridged_area(double contact_area, double exposed, double probe) {
     const double b = std::min(probe, 0.3 + 0.057 * probe);
     return contact_area * std::pow(exposed, -b);
+}
+
+// Of the ball whose atoms were as far from its centre in the mean square, and whose radius is larger by theirs.
+double area_of_ball(const Atoms& atoms, double largest) {
+    const auto count = static_cast<double>(atoms.size());
+    Vec3 centre;
+    for (const Vec3& c : atoms.centres) centre = centre + (1.0 / count) * c;
+    double mean_square = 0.0;
+    for (const Vec3& c : atoms.centres) mean_square += squared_norm(c - centre) / count;
+    const double radius = std::sqrt(5.0 / 3.0 * mean_square) + largest;
+    return 4.0 * std::numbers::pi * radius * radius;
 }
 
 double surface_area(const Atoms& atoms, double probe) {
@@ -143,9 +158,12 @@ double surface_area(const Atoms& atoms, double probe) {
         }
         return of_these;
     });
-    if (sums.exposed == 0.0) return 0.0;
     const auto count = static_cast<double>(looked_at);
-    return bridged_area(sums.contact * static_cast<double>(atoms.size()) / count, sums.exposed / count, probe);
+    const double exposed = sums.exposed / count;
+    const double area =
+        exposed > 0.0 ? bridged_area(sums.contact * static_cast<double>(atoms.size()) / count, exposed, probe) : 0.0;
+    constexpr double kTelling = 0.01;  // a smaller part of the spheres may have been missed
+    return exposed < kTelling ? std::max(area, area_of_ball(atoms, largest)) : area;
 }
 
 // Blocks of the grid within a margin of the surface: those with their centre within half a diagonal more. Layers that
@@ -240,7 +258,8 @@ public:
         SurfaceOptions direct = options_;
         direct.method = Method::Direct;
         if (would_fit(direct)) text += fmt::format("--method direct ({}), ", amount(cost(direct).memory_mb));
-        return text + (options_.memory_limit_mb > 0 ? "a larger --memory, or fewer atoms" : "or fewer atoms");
+        if (options_.memory_limit_mb > 0) text += "a larger --memory, ";
+        return text + "fewer or smaller atoms";
     }
 
 private:
@@ -270,7 +289,8 @@ private:
 
 Cost estimate_cost(const Atoms& atoms, const SurfaceOptions& options) {
     const SesProblem problem = ses_problem(atoms, options);
-    return cost_of(static_cast<double>(atoms.size()), surface_area(problem.atoms, problem.probe), options);
+    const double area = surface_area(problem.atoms, std::min(problem.probe, kLargestProbe));
+    return cost_of(static_cast<double>(atoms.size()), area, options);
 }
 
 bool fits_into_memory(const SurfaceOptions& options, const Cost& cost) {

@@ -307,6 +307,28 @@ class Inputs(BatchTest):
         self.batch("surface", "in", "--out", "in/out", "--spacing", "1", "-o", ".xyzr", "--resume", code=6)
         self.assertEqual(len(self.results("in/out")), 13)
 
+    def test_what_is_read_is_not_overwritten(self):
+        archive = self.archive("s.tar")
+        link = self.folder / "link.tar"
+        link.symlink_to(archive)
+        pdb = self.write("x/a.pdb", UBIQUITIN)
+        rules = self.write("a.atoms.csv", b"* * 1.7\n")
+        words = self.folder / "b.jsonl"
+        words.write_text(f"{self.inputs}/top.XYZR\n")
+        kept = {path: path.read_bytes() for path in (archive, pdb, rules, words)}
+        for command in (("surface", archive, "--out", archive), ("surface", archive, "--out", "./s.tar", "--spacing", "1"),
+                        ("measure", link, "--out", archive), ("measure", archive, "--out", link),
+                        ("measure", "in/x/a.pdb", "--out", "in/x", "-o", ".pdb"), ("measure", "in/x", "--out", "in/x", "-o", ".pdb"),
+                        ("measure", "--list", words, "--out", "b.tar"),
+                        ("measure", "in/x/a.pdb", "--radii", rules, "--out", "in", "-o", ".atoms.csv")):
+            self.assertIn("would overwrite", self.refused(*command))
+        self.assertIn("choose another folder", self.refused("measure", "in/x", "--out", "in/x", "-o", "_sas.pdb"))
+        # A file beside the one that was asked for is known once it is there.
+        self.assertIn("would overwrite", self.refused("surface", "in/x/a.pdb", "--radii", rules, "--out", "in", "--spacing", "2"))
+        for path, content in kept.items():
+            self.assertEqual(path.read_bytes(), content, path)
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["b.jsonl", "in", "link.tar", "s.tar"])
+
     def test_radii_are_not_mixed_unasked(self):
         self.write("x/a.xyzr", b"0 0 0 1.7\n")
         self.write("x/b.pdb", UBIQUITIN)

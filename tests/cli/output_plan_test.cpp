@@ -64,33 +64,40 @@ TEST_F(OutputPlan, MarksModelsBeforeTheSuffix) {
 }
 
 TEST_F(OutputPlan, RefusesAFileNamedTwice) {
-    EXPECT_THROW(check_paths({in_folder("a.ply"), in_folder("sub/../a.ply")}, "-"), UsageError);
-    EXPECT_NO_THROW(check_paths({in_folder("a.ply"), in_folder("sub/a.ply")}, "-"));
+    EXPECT_THROW(check_paths({in_folder("a.ply"), in_folder("sub/../a.ply")}, {}), UsageError);
+    EXPECT_NO_THROW(check_paths({in_folder("a.ply"), in_folder("sub/a.ply")}, {}));
 }
 
 TEST_F(OutputPlan, AVertFileBringsAFaceFileWithIt) {
     EXPECT_EQ(files_of("out/a.b.vert"), (std::vector<std::string>{"out/a.b.vert", "out/a.b.face"}));
     EXPECT_EQ(files_of("a.ply"), std::vector<std::string>{"a.ply"});
-    EXPECT_THROW(check_paths({in_folder("a.vert"), in_folder("a.face")}, "-"), UsageError);
+    EXPECT_THROW(check_paths({in_folder("a.vert"), in_folder("a.face")}, {}), UsageError);
     std::ofstream(in_folder("b.face")) << "0 0 0 1\n";
-    EXPECT_THROW(check_paths({in_folder("b.vert")}, in_folder("b.face")), UsageError);
-    EXPECT_NO_THROW(check_paths({in_folder("a.vert"), in_folder("b.vert")}, "-"));
+    EXPECT_THROW(check_paths({in_folder("b.vert")}, {{"the input", in_folder("b.face")}}), UsageError);
+    EXPECT_NO_THROW(check_paths({in_folder("a.vert"), in_folder("b.vert")}, {}));
 }
 
 TEST_F(OutputPlan, RefusesToOverwriteTheInput) {
     std::ofstream(in_folder("a.xyzr")) << "0 0 0 1\n";
     fs::create_symlink(in_folder("a.xyzr"), in_folder("link.xyzr"));
-    EXPECT_THROW(check_paths({in_folder("a.xyzr")}, in_folder("a.xyzr")), UsageError);
-    EXPECT_THROW(check_paths({in_folder("link.xyzr")}, in_folder("a.xyzr")), UsageError);
+    const std::vector<ReadFile> read{{"the input", "-"}, {"the file of --radii", in_folder("a.xyzr")}};
+    EXPECT_THROW(check_paths({in_folder("a.xyzr")}, read), UsageError);
+    try {
+        check_paths({in_folder("link.xyzr")}, read);
+        FAIL();
+    } catch (const UsageError& error) {
+        EXPECT_NE(std::string(error.what()).find("would overwrite the file of --radii"), std::string::npos);
+    }
+    EXPECT_NO_THROW(check_paths({"-", in_folder("b.xyzr")}, read));
 }
 
 TEST_F(OutputPlan, RefusesFoldersThatAreMissingOrMeantAsFiles) {
-    EXPECT_THROW(check_paths({in_folder("none/a.ply")}, "-"), OutputError);
-    EXPECT_THROW(check_paths({in_folder("sub")}, "-"), OutputError);
+    EXPECT_THROW(check_paths({in_folder("none/a.ply")}, {}), OutputError);
+    EXPECT_THROW(check_paths({in_folder("sub")}, {}), OutputError);
 }
 
 TEST_F(OutputPlan, LeavesDevicesAndStandardOutputAlone) {
-    EXPECT_NO_THROW(check_paths({"-", "/dev/null", "/dev/null"}, "-"));
+    EXPECT_NO_THROW(check_paths({"-", "/dev/null", "/dev/null"}, {}));
 }
 
 TEST_F(OutputPlan, APictureNeedsNeitherMeshNorTable) {

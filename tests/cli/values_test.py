@@ -61,6 +61,17 @@ class Values(ProgramTest):
             self.assertIn(message, result.stderr, words)
         self.assertFalse((self.folder / "a.ply").exists())
 
+    def test_files_that_are_read_are_not_overwritten(self):
+        (self.folder / "gly.pdb").write_text(glycine())
+        self.write_map("phi.dx", "1 1 1 1 1 1 1 1")
+        table = "name,resnum,score\nCA,1,2.5\n"
+        (self.folder / "a.atoms.csv").write_text(table, encoding="ascii")  # as the table beside a mesh is called
+        self.assertIn("a.atoms.csv: would overwrite the file of --values", self.refused("gly.pdb", "--values", "a.atoms.csv", "-o", "a.ply"))
+        self.assertIn("would overwrite the file of --sample", self.refused("gly.pdb", "--sample", "phi=phi.dx", "-o", "phi.dx"))
+        (self.folder / "rules").write_text("* * 1.7\n", encoding="ascii")
+        self.assertIn("would overwrite the file of --radii", self.refused("gly.pdb", "--radii", "rules", "--report", "./rules"))
+        self.assertEqual((self.folder / "a.atoms.csv").read_text(encoding="ascii"), table)
+
     def test_missing_values_are_in_every_format(self):
         (self.folder / "gly.pdb").write_text(glycine())
         (self.folder / "t.csv").write_text("name,resnum,score\nCA,1,2.5\n", encoding="ascii")

@@ -44,6 +44,32 @@ TEST(Cost, IsNearTheTruthForAProtein) {
     EXPECT_NEAR(estimate_cost(atoms, {}).vertices, vertices, 0.25 * vertices);
 }
 
+TEST(Cost, LargeProbesChangeLittle) {
+    const Atoms atoms = ubiquitin();
+    for (const double probe : {5.0, 10.0, 35.0, 1e3, 1e5}) {
+        const double area = measure(atoms, {.probe = std::min(probe, 100.0)}).totals.ses_area;
+        EXPECT_NEAR(estimate_cost(atoms, {.probe = probe}).area, area, 0.4 * area) << probe;
+        EXPECT_EQ(refusal(atoms, {.probe = probe, .memory_limit_mb = 100}), "") << probe;
+    }
+}
+
+TEST(Cost, KnowsSpheresThatNearlyBuryEachOther) {
+    Atoms atoms;  // a ball of 4,000
+    for (int i = 0; i < 4000; ++i) {
+        const double z = 2.0 * std::fmod(0.618034 * i, 1.0) - 1.0;
+        const double angle = 2.0 * std::numbers::pi * std::fmod(0.754878 * i, 1.0);
+        const double r = 30.0 * std::cbrt(std::fmod(0.569840 * i, 1.0));
+        const double across = r * std::sqrt(1.0 - z * z);
+        atoms.centres.push_back({across * std::cos(angle), across * std::sin(angle), r * z});
+        atoms.radii.push_back(1.7);
+    }
+    for (const double probe : {10.0, 30.0, 100.0}) {
+        const double area = measure(atoms, {.probe = probe}).totals.sas_area;
+        EXPECT_NEAR(estimate_cost(atoms, {.surface = SurfaceKind::Sas, .probe = probe}).area, area, 0.4 * area)
+            << probe;
+    }
+}
+
 TEST(Cost, GrowsAsTheGridGetsFiner) {
     const Atoms atoms = ubiquitin();
     const Cost coarse = estimate_cost(atoms, {.spacing = 0.5});
