@@ -81,7 +81,7 @@ SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, con
     VertexDistances& distances = *found;
     const double edge = options.edge > 0.0 ? options.edge : options.spacing;
     const SliverOptions slivers{.edge = edge, .longest_edge = 2.0 * edge, .largest_crumb = kLargestCrumb};
-    FirstLook look(mesh, slivers.smallest_angle_deg);
+    FirstLook look(mesh, slivers.smallest_angle_deg, slivers.shortest_edge());
     TriangleSurvey survey = survey_surface(mesh, creases_of(level_set),
                                            [&look](std::size_t first, std::span<const Triangle> triangles,
                                                    const TriangleLanes& lanes) { look.look(first, triangles, lanes); });

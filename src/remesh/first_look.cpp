@@ -52,14 +52,14 @@ void TriangleBoxes::include(const Mesh& mesh, std::uint32_t triangle) {
     stretches[triangle / kStretch].include(SmallBox(box));
 }
 
-FirstLook::FirstLook(const Mesh& mesh, double smallest_angle_deg)
+FirstLook::FirstLook(const Mesh& mesh, double smallest_angle_deg, double shortest_edge)
     : mesh_(mesh), bad_(looks_of(mesh.triangles.size())), leaning_(bad_.size()) {
     const std::size_t chunks = chunks_of(mesh.triangles.size());
     boxes_.longest.resize(chunks);
     resize_touched(boxes_.stretches, chunks * (kChunk / kStretch));
     const double tangent = tangent_of_degrees(smallest_angle_deg);
     limits_ = {.squared_tangent = kAboveOne * tangent * tangent,
-               .squared_edge = kShortestEdge * kShortestEdge,
+               .squared_edge = shortest_edge * shortest_edge,
                .squared_cosine = kLeaning * kLeaning};
 }
 

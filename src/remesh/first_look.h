@@ -33,7 +33,8 @@ struct TriangleBoxes {
 class FirstLook {
 public:
     /// mesh   with normals; must outlive this and stay as it is until all of it has been looked at
-    FirstLook(const Mesh& mesh, double smallest_angle_deg);
+    /// shortest_edge   Å
+    FirstLook(const Mesh& mesh, double smallest_angle_deg, double shortest_edge);
 
     /// A TriangleLook.
     void look(std::size_t first, std::span<const Triangle> triangles, const TriangleLanes& lanes);

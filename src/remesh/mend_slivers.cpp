@@ -130,7 +130,7 @@ private:
     }
 
     double goodness(const Triangle& triangle) const {
-        return goodness_of(point(triangle[0]), point(triangle[1]), point(triangle[2]), kShortestEdge);
+        return goodness_of(point(triangle[0]), point(triangle[1]), point(triangle[2]), options_.shortest_edge());
     }
     bool is_bad(const Triangle& triangle) const { return goodness(triangle) < wanted_; }
     bool is_tangled(std::uint32_t triangle) const {
@@ -515,7 +515,7 @@ private:
 }  // namespace
 
 MeshChanges mend_slivers(Mesh& mesh, const SliverOptions& options, const SurfaceProjector& project) {
-    FirstLook look(mesh, options.smallest_angle_deg);
+    FirstLook look(mesh, options.smallest_angle_deg, options.shortest_edge());
     look.look_at_all();
     return mend_slivers(mesh, options, project, std::move(look));
 }

@@ -3,6 +3,7 @@
 // The few bad triangles of a mesh, each with its neighbourhood alone: the rest of the mesh stays as it is.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -14,6 +15,11 @@
 #include "remesh/remesher.h"
 
 namespace meniscus {
+
+/// No mesh of ours has shorter edges, Å: coordinates with three decimals, or in single precision, stay apart. Where
+/// usual edges are so short that many would be, this part of theirs counts.
+inline constexpr double kShortestEdge = 0.02;
+inline constexpr double kShortestPart = 0.1;
 
 struct SliverOptions {
     double needed_angle_deg = 5.0;    ///< below this one change alone may not do: more are tried together
@@ -30,6 +36,9 @@ struct SliverOptions {
     /// crumbs where two sheets all but touch.
     std::size_t largest_crumb = 0;
     std::vector<bool> held{};  ///< per vertex, or empty: stays, and edges to others of its kind
+
+    /// Å: triangles with shorter ones are mended, and none is made.
+    double shortest_edge() const { return std::min(kShortestEdge, kShortestPart * edge); }
 };
 
 /// What changed about a mesh.
@@ -57,7 +66,7 @@ void renumber_entries(const MeshChanges& changes, std::vector<T>& entries) {
     entries.resize(changes.left);
 }
 
-/// Mends triangles with small angles, with edges shorter than kShortestEdge, such that face the wrong way and such that
+/// Mends triangles with small angles, with edges that are too short, such that face the wrong way and such that
 /// pass through each other: flips, collapses and splits edges and moves vertices on the surface, where that keeps the
 /// topology and passes the mesh through itself nowhere else. What cannot be mended stays, after a second try with more
 /// round it, or is dropped with its piece if that is a crumb; the pieces that are left keep their order.
@@ -69,7 +78,7 @@ MeshChanges mend_slivers(Mesh& mesh, const SliverOptions& options, const Surface
 
 /// The same, where somebody has looked at all triangles before.
 ///
-/// look   for options.smallest_angle_deg
+/// look   for the smallest angle and the shortest edge of the options
 MeshChanges mend_slivers(Mesh& mesh, const SliverOptions& options, const SurfaceProjector& project, FirstLook look);
 
 }  // namespace meniscus

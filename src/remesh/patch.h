@@ -21,9 +21,6 @@ double tangent_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c);
 
 double tangent_of_degrees(double degrees);
 
-/// No mesh of ours has shorter edges, Å: coordinates with three decimals, or in single precision, stay apart.
-inline constexpr double kShortestEdge = 0.02;
-
 /// Tangent of a triangle's smallest angle; less where an edge is shorter than `shortest`, below 0 where it faces away
 /// from the surface at all its corners.
 double goodness_of(const SurfacePoint& a, const SurfacePoint& b, const SurfacePoint& c, double shortest);

@@ -31,10 +31,6 @@ constexpr int kPerRing = 8;
 constexpr std::size_t kTriedTogether = 16;
 constexpr int kSweeps = 3;
 
-bool makes_short_edges(const PatchShape& before, const PatchShape& after) {
-    return after.shortest < std::min(kShortestEdge * kShortestEdge, before.shortest);
-}
-
 bool is_inside(const Box& box, const Vec3& p) { return box.squared_distance(p) == 0.0; }
 
 }  // namespace
@@ -49,7 +45,8 @@ PatchMender::PatchMender(Patch patch, std::vector<bool> free, std::vector<bool> 
       project_(project),
       needed_(tangent_of_degrees(options.needed_angle_deg)),
       wanted_(tangent_of_degrees(options.smallest_angle_deg)),
-      enough_(tangent_of_degrees(options.mended_angle_deg)) {}
+      enough_(tangent_of_degrees(options.mended_angle_deg)),
+      shortest_(options.shortest_edge()) {}
 
 void PatchMender::mend() {
     std::vector<std::size_t> stuck;
@@ -98,8 +95,8 @@ bool PatchMender::part(const std::pair<std::size_t, std::size_t>& crossing) {
     std::pair<std::ptrdiff_t, double> least{0, 0.0};  // crossings more than before, and goodness with its sign changed
     for (const Patch& candidate : candidates) {
         const std::vector<std::size_t> changed = changed_triangles(patch_, candidate);
-        const PatchShape before = shape_of(patch_, changed, kShortestEdge);
-        const PatchShape after = shape_of(candidate, changed, kShortestEdge);
+        const PatchShape before = shape_of(patch_, changed, shortest_);
+        const PatchShape after = shape_of(candidate, changed, shortest_);
         const double goodness = after.least_goodness;
         if (goodness < std::min(kFlat, before.least_goodness) || makes_short_edges(before, after)) continue;
         const std::pair mark{static_cast<std::ptrdiff_t>(count_crossings(candidate, changed)) -
@@ -128,7 +125,7 @@ std::optional<std::size_t> PatchMender::worst_triangle(const std::vector<std::si
     for (std::size_t t = 0; t < patch_.triangles.size(); ++t) {
         const Triangle& corners = patch_.triangles[t];
         if (!patch_.has(t) || !is_free(corners)) continue;
-        const double goodness = patch_.goodness(corners, kShortestEdge);
+        const double goodness = patch_.goodness(corners, shortest_);
         if (goodness >= least || std::find(stuck.begin(), stuck.end(), t) != stuck.end()) continue;
         least = goodness;
         worst = t;
@@ -139,7 +136,7 @@ std::optional<std::size_t> PatchMender::worst_triangle(const std::vector<std::si
 bool PatchMender::mend_triangle(std::size_t triangle) {
     const Triangle corners = patch_.triangles[triangle];
     return try_flips(corners, triangle) || try_moves(corners, triangle) || try_collapses(corners, triangle) ||
-           (patch_.goodness(corners, kShortestEdge) < needed_ &&
+           (patch_.goodness(corners, shortest_) < needed_ &&
             (try_together(corners, triangle, false) || try_together(corners, triangle, true)));
 }
 
@@ -175,7 +172,7 @@ bool PatchMender::try_together(const Triangle& corners, std::size_t triangle, bo
     std::vector<Candidate> candidates;
     const auto add = [&](std::optional<Patch>&& patch) {
         if (!patch) return;
-        const double goodness = shape_of(*patch, changed_triangles(patch_, *patch), kShortestEdge).least_goodness;
+        const double goodness = shape_of(*patch, changed_triangles(patch_, *patch), shortest_).least_goodness;
         candidates.push_back({std::move(*patch), goodness});
     };
     for (const auto& [a, b] : edges_round(corners)) {
@@ -228,6 +225,10 @@ std::optional<Patch> PatchMender::collapsed(const Edge& edge) const {
     return patch.collapse(edge.first, edge.second) ? std::optional(std::move(patch)) : std::nullopt;
 }
 
+bool PatchMender::makes_short_edges(const PatchShape& before, const PatchShape& after) const {
+    return after.shortest < std::min(shortest_ * shortest_, before.shortest);
+}
+
 bool PatchMender::is_between_free(const Edge& edge) const {
     if (!free_[edge.first] || !free_[edge.second]) return false;
     const std::optional<Patch::Sides> sides = patch_.sides(edge.first, edge.second);
@@ -260,8 +261,8 @@ std::optional<double> PatchMender::judge(const Patch& candidate, std::size_t tri
     if (changed.empty()) return std::nullopt;
     if (!std::binary_search(changed.begin(), changed.end(), triangle))
         changed.insert(std::lower_bound(changed.begin(), changed.end(), triangle), triangle);
-    const PatchShape before = shape_of(patch_, changed, kShortestEdge);
-    const PatchShape after = shape_of(candidate, changed, kShortestEdge);
+    const PatchShape before = shape_of(patch_, changed, shortest_);
+    const PatchShape after = shape_of(candidate, changed, shortest_);
     const double longest = options_.longest_edge * options_.longest_edge;
     const bool new_edges = candidate.triangles != patch_.triangles;
     if (after.least_goodness < std::max(at_least, before.least_goodness + kGain) ||
@@ -290,7 +291,7 @@ void PatchMender::move(Patch& patch, VertexId v) {
     if (!free_[v] || held_[v]) return;
     const std::vector<std::size_t> star = patch.star(v);
     if (star.empty()) return;
-    const PatchShape before = shape_of(patch, star, kShortestEdge);
+    const PatchShape before = shape_of(patch, star, shortest_);
     if (before.least_goodness >= enough_) return;
     double length = 0.0;
     for (const std::size_t t : star)
@@ -300,7 +301,7 @@ void PatchMender::move(Patch& patch, VertexId v) {
     for (const SurfacePoint& place : places_round(best, length / (2.0 * static_cast<double>(star.size())))) {
         if (!is_inside(room_, place.position)) continue;
         patch.points[v] = place;
-        const PatchShape after = shape_of(patch, star, kShortestEdge);
+        const PatchShape after = shape_of(patch, star, shortest_);
         if (after.least_goodness <= least || after.facing < std::min(kFacing, before.facing)) continue;
         least = after.least_goodness;
         best = place;

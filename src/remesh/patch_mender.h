@@ -49,6 +49,7 @@ private:
     bool is_held(const Edge& edge) const { return held_[edge.first] && held_[edge.second]; }
     bool is_along_ridge(const Edge& edge) const;
     /// Whether its ends and the corners opposite to it are free.
+    bool makes_short_edges(const PatchShape& before, const PatchShape& after) const;
     bool is_between_free(const Edge& edge) const;
     /// The patch with an edge turned, with the edge's first end in its second, or with a vertex on the edge; nothing
     /// where that may not be.
@@ -74,6 +75,7 @@ private:
     double needed_;  // tangents
     double wanted_;
     double enough_;
+    double shortest_;  // edge, Å
     std::vector<SurfacePoint> places_;
 };
 

@@ -265,6 +265,15 @@ TEST(Surface, ExtremeInputsStayClosed) {
         }
 }
 
+TEST(Surface, FineGridsHaveNoMoreSliversThanOthers) {  // else this takes minutes
+    constexpr double kFine = 0.02;
+    const Surface surface = compute_surface({{{}}, {1.5}}, {.method = Method::Direct, .spacing = kFine});
+    expect_closed_manifold(surface.mesh);
+    EXPECT_NEAR(surface.measures.area, 4.0 * std::numbers::pi * 1.5 * 1.5, 1e-3);
+    EXPECT_GT(surface.measures.shortest_edge, 0.1 * kFine);
+    EXPECT_LT(surface.measures.shortest_edge, kFine);
+}
+
 TEST(Surface, MissingAnAtomSmallerThanTheGridIsAFailedCheck) {
     const Surface surface = compute_surface({{{0.05, 0.05, 0.05}}, {0.01}}, {.spacing = 0.5});
     EXPECT_FALSE(surface.passed());

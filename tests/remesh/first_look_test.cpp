@@ -10,6 +10,7 @@
 #include "geometry/triangle_tree.h"
 #include "measure/triangle_survey.h"
 #include "mesh/components.h"
+#include "remesh/mend_slivers.h"
 #include "remesh/patch.h"
 #include "remesh/remesher.h"
 #include "support/shapes.h"
@@ -31,7 +32,7 @@ Mesh sphere_with_slivers() {
 
 TEST(FirstLook, SuspectsEveryBadAndEveryLeaningTriangle) {
     const Mesh mesh = sphere_with_slivers();
-    FirstLook look(mesh, kAngle);
+    FirstLook look(mesh, kAngle, kShortestEdge);
     look.look_at_all();
     const FirstLook::Suspects suspects = std::move(look).suspects();
     EXPECT_TRUE(std::is_sorted(suspects.bad.begin(), suspects.bad.end()));
@@ -58,7 +59,7 @@ TEST(FirstLook, SuspectsEveryBadAndEveryLeaningTriangle) {
 
 TEST(FirstLook, BoxesHoldTheirTriangles) {
     Mesh mesh = sphere_with_slivers();
-    FirstLook look(mesh, kAngle);
+    FirstLook look(mesh, kAngle, kShortestEdge);
     look.look_at_all();
     TriangleBoxes boxes = std::move(look).suspects().boxes;
     const auto expect_all_held = [&] {
@@ -81,9 +82,9 @@ TEST(FirstLook, BoxesHoldTheirTriangles) {
 
 TEST(FirstLook, SeesTheSameDuringASurvey) {
     const Mesh mesh = sphere_with_slivers();
-    FirstLook alone(mesh, kAngle);
+    FirstLook alone(mesh, kAngle, kShortestEdge);
     alone.look_at_all();
-    FirstLook during(mesh, kAngle);
+    FirstLook during(mesh, kAngle, kShortestEdge);
     const TriangleSurvey survey(mesh, mesh.components, TriangleSurvey::Parts::Smooth,
                                 [&](std::size_t first, std::span<const Triangle> triangles,
                                     const TriangleLanes& lanes) { during.look(first, triangles, lanes); });
