@@ -56,7 +56,7 @@ ColourOptions parse_colours(const std::string& text) {
     return colours;
 }
 
-constexpr const char* kCutWords = "auto, cavity:N, a depth in Å, or X,Y,Z[:NX,NY,NZ]";
+constexpr const char* kCutWords = "none, auto, cavity:N, a depth in Å, or X,Y,Z[:NX,NY,NZ]";
 
 Vec3 parse_vector(const char* option, const std::string& text, const char* words) {
     const std::vector<std::string> parts = split(text, ',');
@@ -77,17 +77,18 @@ Cut parse_cut_through_point(const std::string& text) {
     return cut;
 }
 
-Cut parse_cut(const std::string& text) {
+std::optional<Cut> parse_cut(const std::string& text) {
     constexpr std::string_view kCavity = "cavity:";
-    if (text == "auto") return {};
+    if (text == "none") return std::nullopt;
+    if (text == "auto") return Cut{};
     if (text.starts_with(kCavity)) {
         const int number = parse_count("--cut", text.substr(kCavity.size()));
-        return {.through = Cut::Through::Cavity, .cavity = static_cast<std::size_t>(number)};
+        return Cut{.through = Cut::Through::Cavity, .cavity = static_cast<std::size_t>(number)};
     }
     if (text.find(',') != std::string::npos) return parse_cut_through_point(text);
     if (text.find_first_not_of("0123456789.+-eE") != std::string::npos)
         throw UsageError(fmt::format("--cut: unknown value '{}'; one of {}", text, kCutWords));
-    return {.through = Cut::Through::Depth, .depth = parse_number("--cut", text, Sign::NotNegative)};
+    return Cut{.through = Cut::Through::Depth, .depth = parse_number("--cut", text, Sign::NotNegative)};
 }
 
 /// Up is y, or where that is the way one looks, away from the viewer of "front".
@@ -215,7 +216,7 @@ void add_picture_options(CLI::App& command, PictureRequest& request) {
         "many Å behind the nearest point; X,Y,Z: a point, and the side that is left out",
         [&](const std::string& text) {
             picture.cut = parse_cut(text);
-            request.cut = text;
+            request.cut = picture.cut ? text : "";
         });
     add_drawing_flag(command, request, "--perspective", rarely("Draw what is nearer larger"),
                      [&] { picture.projection = Projection::Perspective; });

@@ -75,8 +75,11 @@ TEST(PictureOptions, CutsAreWordsDepthsOrPlanes) {
     nlohmann::ordered_json options;
     report_picture(request, {}, {}, true, options);
     EXPECT_EQ(options["cut"], "-1,2,3:0,-1,0");
-    report_picture(parse({}), {}, {}, true, options);
-    EXPECT_TRUE(options["cut"].is_null());
+    for (const auto& none : {parse({}), parse({"--cut", "none"})}) {
+        EXPECT_FALSE(none.picture.cut);
+        report_picture(none, {}, {}, true, options);
+        EXPECT_TRUE(options["cut"].is_null());
+    }
 }
 
 TEST(PictureOptions, WhatMakesNoSenseIsRefusedWithItsOption) {
