@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "meniscus/errors.h"
 
@@ -14,27 +15,42 @@ namespace meniscus::cli::batch {
 
 namespace fs = std::filesystem;
 
-void ReadFiles::refuse_as_output(const std::string& path) const {
+namespace {
+
+using FileNumber = std::pair<dev_t, ino_t>;
+
+/// The same for all names of a regular file; nothing if there is none.
+std::optional<FileNumber> number_of(const std::string& path) {
     struct stat status {};
-    if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return;
-    if (known_.empty()) look_at_all();
-    const auto found = known_.find({status.st_dev, status.st_ino});
-    if (found != known_.end())
-        throw UsageError(fmt::format("{}: would overwrite {}; choose another --out", path, found->second));
+    if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    return FileNumber{status.st_dev, status.st_ino};
 }
 
-void ReadFiles::look_at_all() const {
-    for (const Input& input : inputs_) add(input.path, input.member ? "the archive of inputs" : "an input");
-    if (!request_.list.empty()) add(request_.list, "the file of --list");
-    for (const std::string& option : request_.options)  // --radii=FILE, --sample=NAME=FILE
+}  // namespace
+
+ReadFiles::ReadFiles(const Request& request, const std::vector<Input>& inputs) {
+    const std::string* last = nullptr;  // members of one archive follow each other
+    for (const Input& input : inputs) {
+        if (last != nullptr && *last == input.path) continue;
+        last = &input.path;
+        add(input.path, input.member ? "the archive of inputs" : "an input");
+    }
+    if (!request.list.empty()) add(request.list, "the file of --list");
+    for (const std::string& option : request.options)  // --radii=FILE, --sample=NAME=FILE
         for (std::size_t at = option.find('='); at != std::string::npos; at = option.find('=', at + 1))
             add(option.substr(at + 1), "the file of " + option.substr(0, option.find('=')));
 }
 
-void ReadFiles::add(const std::string& path, const std::string& what) const {
-    struct stat status {};
-    if (stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode))
-        known_.emplace(Number{status.st_dev, status.st_ino}, what);
+void ReadFiles::add(const std::string& path, const std::string& what) {
+    if (const auto number = number_of(path)) known_.emplace(*number, what);
+}
+
+void ReadFiles::refuse_as_output(const std::string& path) const {
+    const auto number = number_of(path);
+    if (!number) return;
+    const auto found = known_.find(*number);
+    if (found != known_.end())
+        throw UsageError(fmt::format("{}: would overwrite {}; choose another --out", path, found->second));
 }
 
 void check_outputs(const Request& request, const Places& places, const std::vector<Task>& tasks,

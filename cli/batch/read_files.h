@@ -18,21 +18,16 @@ namespace meniscus::cli::batch {
 /// The inputs of a batch, its list, and the files that options of the subcommand name, under any of their names.
 class ReadFiles {
 public:
-    ReadFiles(const Request& request, const std::vector<Input>& inputs) : request_(request), inputs_(inputs) {}
+    /// cost   a look at every file
+    ReadFiles(const Request& request, const std::vector<Input>& inputs);
 
     /// throws   UsageError if a path leads to one of them
-    /// cost     a look at a path that does not exist, else at all files once
     void refuse_as_output(const std::string& path) const;
 
 private:
-    using Number = std::pair<dev_t, ino_t>;
+    void add(const std::string& path, const std::string& what);
 
-    void look_at_all() const;
-    void add(const std::string& path, const std::string& what) const;
-
-    const Request& request_;
-    const std::vector<Input>& inputs_;
-    mutable std::map<Number, std::string> known_;  // what they are
+    std::map<std::pair<dev_t, ino_t>, std::string> known_;  // what they are
 };
 
 /// Refuses before anything is written what would overwrite what is read, and a folder of inputs as that of outputs that
