@@ -56,8 +56,8 @@ public:
     ///
     /// Of atoms with exactly the same centre the largest is kept, which holds the others. Degenerate arrangements (four
     /// spheres through a point, tangent and concentric spheres, lattices) are decided by a perturbation of the radii of
-    /// order 1e-10 Å that depends only on the atoms themselves, not on their order. Another seed gives another
-    /// perturbation: what both give is not an accident of either.
+    /// order 1e-10 Å (1e-14 of the largest sphere's, if that is more) that depends only on the atoms themselves, not on
+    /// their order. Another seed gives another perturbation: what both give is not an accident of either.
     ///
     /// throws   std::invalid_argument for no atoms, a radius <= 0 or a coordinate that is not finite
     /// cost     linear at protein density; parallel over atoms

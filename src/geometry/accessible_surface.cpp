@@ -23,6 +23,7 @@ namespace {
 
 // Far above the rounding of the predicates (1e-15 relative) and far below any length that matters.
 constexpr double kPerturbation = 1e-10;
+constexpr double kPerturbationOfRadius = 1e-14;  // relative, so that spheres of more than 10,000 Å are perturbed at all
 constexpr int kMaxAttempts = 6;  // each ten times the perturbation of the one before
 
 constexpr std::size_t kChunk = 512;  // atoms, vertices or arcs per task, where each takes little
@@ -407,7 +408,7 @@ void build_trees(AccessibleSurface::Data& data) {
 
 bool try_build(AccessibleSurface::Data& data, const CellList& cells, std::uint64_t seed, int attempt,
                const AccessibleSurface::Data* before) {
-    data.perturbation = kPerturbation * std::pow(10.0, attempt);
+    data.perturbation = std::max(kPerturbation, kPerturbationOfRadius * data.rho_max) * std::pow(10.0, attempt);
     for (std::size_t i = 0; i < data.atoms.size(); ++i)
         data.rho[i] =
             data.atoms.radii[i] + data.probe +

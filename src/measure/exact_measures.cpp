@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -30,6 +31,16 @@ constexpr double kAgreementOfSplit = 1e-5;
 constexpr std::uint64_t kMostSeeds = 5;
 constexpr std::size_t kMostDisputed = 10;
 
+// What rounding leaves open: patches on spheres of radius rho are differences of terms as large as rho² and rho³.
+struct Rounding {
+    double area;
+    double volume;
+
+    Rounding(double rho, std::size_t patches)
+        : area(std::numeric_limits<double>::epsilon() * std::sqrt(static_cast<double>(patches)) * rho * rho),
+          volume(area * rho) {}
+};
+
 constexpr double SurfaceTotals::*kAllTotals[] = {&SurfaceTotals::sas_area,      &SurfaceTotals::sas_volume,
                                                  &SurfaceTotals::ses_area,      &SurfaceTotals::ses_volume,
                                                  &SurfaceTotals::contact_area,  &SurfaceTotals::toroidal_area,
@@ -55,6 +66,8 @@ struct Evaluation {
         sums.degenerate = patches.degenerate();
         sums.unresolved = patches.unresolved();
     }
+
+    Rounding rounding() const { return {surface.data().rho_max, patches.patches().size()}; }
 };
 
 // One with the surface that it is of.
@@ -82,6 +95,11 @@ double perturbation_of(const Evaluation& first, const Check& second) {
     return std::max(first.surface.data().perturbation, second.perturbation);
 }
 
+bool is_resolved(const SurfaceTotals& totals, const Rounding& rounding) {
+    return rounding.area <= kAgreementIfDegenerate * totals.ses_area &&
+           rounding.volume <= kAgreementIfDegenerate * std::abs(totals.ses_volume);
+}
+
 bool agree(const PatchTotals& a, const PatchTotals& b) {
     const bool degenerate = a.degenerate || b.degenerate;
     const double tolerance = degenerate ? kAgreementIfDegenerate : kAgreement;
@@ -99,13 +117,16 @@ bool agree(const PatchTotals& a, const PatchTotals& b) {
 }
 
 // Difference of two evaluations that share no perturbation, plus what a perturbation of all radii by its amplitude
-// does at first order (dV = A dr, dA = 2 H A dr with |H| about 1 Å^-1), since both might err to the same side.
-SurfaceTotals estimate_errors(const SurfaceTotals& a, const SurfaceTotals& b, double amplitude) {
+// does at first order (dV = A dr, dA = 2 H A dr with |H| about 1 Å^-1), since both might err to the same side, plus
+// what rounding does.
+SurfaceTotals estimate_errors(const SurfaceTotals& a, const SurfaceTotals& b, double amplitude,
+                              const Rounding& rounding) {
     SurfaceTotals errors;
     for (const auto total : kAllTotals) {
         const bool volume = total == &SurfaceTotals::sas_volume || total == &SurfaceTotals::ses_volume;
         const double area = volume ? std::max(a.sas_area, a.ses_area) : a.*total;
-        errors.*total = 3.0 * std::abs(a.*total - b.*total) + 2.0 * amplitude * area + 1e-14 * std::abs(a.*total);
+        errors.*total = 3.0 * std::abs(a.*total - b.*total) + 2.0 * amplitude * area + 1e-14 * std::abs(a.*total) +
+                        (volume ? rounding.volume : rounding.area);
     }
     return errors;
 }
@@ -177,6 +198,7 @@ struct ComponentSums {
     double signed_volume = 0.0;
     Vec3 first_moment;  // about `origin`
     Vec3 origin;
+    std::size_t patches = 0;
     std::vector<std::uint32_t> sas_pieces;
     std::vector<std::uint32_t> atoms;
     // Of cavities:
@@ -190,6 +212,7 @@ std::vector<ComponentSums> sum_components(const SesPatches& patches) {
     std::vector<std::uint32_t> listed_in(data.atoms.size(), kNone);  // of each atom: the component that has it last
     for (const SesPatch& patch : patches.patches()) {
         ComponentSums& sum = sums[patch.component];
+        ++sum.patches;
         sum.component.ses_area += patch.ses.area;
         sum.signed_volume += patch.ses.volume;
         sum.first_moment += patch.ses.first_moment;
@@ -276,7 +299,8 @@ std::vector<SurfaceComponent> make_components(const Evaluation& evaluation, cons
     if (options.cavities) find_rooms_of_cavities(evaluation.patches, sums);
     for (std::size_t c = 0; check != nullptr && c < sums.size(); ++c)
         sums[c].component.errors =
-            estimate_errors(totals_of(sums[c]), check->sums.components[c], perturbation_of(evaluation, *check));
+            estimate_errors(totals_of(sums[c]), check->sums.components[c], perturbation_of(evaluation, *check),
+                            {evaluation.surface.data().rho_max, sums[c].patches});
     parallel_for(sums.size(), 1, [&](std::size_t c) { finish_component(evaluation, sums[c]); });
     std::vector<double> volumes(sums.size());
     std::transform(sums.begin(), sums.end(), volumes.begin(),
@@ -325,7 +349,7 @@ std::vector<std::string> name_disputed(const Evaluation& a, const Evaluation& b,
     for (std::size_t i = 0; i < atom_count; ++i)
         by_difference.emplace(std::abs(of_a[i].ses_area() - of_b[i].ses_area()), i);
     for (const auto& [difference, atom] : by_difference)
-        if (difference > 1e-6 && names.size() < kMostDisputed)
+        if (names.empty() || (difference > 1e-6 && names.size() < kMostDisputed))
             names.push_back(fmt::format("patches of atom {} by {:.3g} Å²", atom, difference));
     return names;
 }
@@ -374,10 +398,17 @@ Measures measure(const AccessibleSurface& surface, const Atoms& atoms, const Mea
     MeasureOptions with_probe = options;
     with_probe.probe = surface.probe();
     Measures measures = describe(atoms, with_probe, evaluation, &check);
-    measures.errors = estimate_errors(evaluation.sums.totals, check.sums.totals, perturbation_of(evaluation, check));
+    const SurfaceTotals& totals = evaluation.sums.totals;
+    measures.errors =
+        estimate_errors(totals, check.sums.totals, perturbation_of(evaluation, check), evaluation.rounding());
     measures.degenerate = evaluation.sums.degenerate || check.sums.degenerate;
-    measures.agreed = agree(evaluation.sums, check.sums);
-    if (!measures.agreed) {
+    const bool agreed = agree(evaluation.sums, check.sums);
+    const bool resolved = is_resolved(totals, evaluation.rounding());
+    measures.agreed = agreed && resolved;
+    if (!resolved)
+        measures.disputed = {fmt::format("spheres of {:.3g} Å are too large for double precision here",
+                                         evaluation.surface.data().rho_max)};
+    else if (!agreed) {
         const OwnEvaluation other(surface.perturbed(check.seed), check.seed);
         measures.disputed = name_disputed(evaluation, other.evaluation, atoms.size());
     }

@@ -324,7 +324,6 @@ TEST(Measure, ACapAtExactContactDividesNothing) {
     EXPECT_NEAR(contact.totals.ses_area, apart.totals.ses_area, 1e-3);
 }
 
-// Each sums its volumes from an origin of its own: what rounding leaves open is not multiplied by the way between.
 // Two rows of four touching spheres, found by fuzzing: the reentrant patches of two evaluations differed by 3.7 Å².
 TEST(Measure, RowsOfTouchingSpheresAreAgreedUpon) {
     Atoms atoms;
@@ -336,6 +335,7 @@ TEST(Measure, RowsOfTouchingSpheresAreAgreedUpon) {
     EXPECT_LT(m.errors.reentrant_area, 1e-5 * m.totals.reentrant_area);
 }
 
+// Each sums its volumes from an origin of its own: what rounding leaves open is not multiplied by the way between.
 TEST(Measure, ClustersFarApartAreMeasuredAsTheyAreAlone) {
     Atoms atoms = random_cluster(20, 6.0, 3);
     const Measures alone = measure(atoms);
@@ -348,6 +348,34 @@ TEST(Measure, ClustersFarApartAreMeasuredAsTheyAreAlone) {
     EXPECT_NEAR(both.totals.ses_volume / alone.totals.ses_volume, 2.0, 1e-8);
     EXPECT_NEAR(both.totals.sas_volume / alone.totals.sas_volume, 2.0, 1e-8);
     EXPECT_NEAR(norm(both.components[0].centre - both.components[1].centre), norm(Vec3{1e6, 7e5, -3e5}), 1e-3);
+}
+
+// The surface is then that of the atoms' convex hull (Steiner's formula), summed of areas that are larger as the probe
+// squared: what they lose by rounding has to be in the errors, and where it is much, evaluations must not agree.
+TEST(Measure, ErrorEstimatesOfHugeProbesHold) {
+    constexpr double kRadius = 1.5;
+    const double edge = 2.0 * std::numbers::sqrt2;
+    const Atoms atoms{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {kRadius, kRadius, kRadius, kRadius}};
+    const double faces = std::sqrt(3.0) * edge * edge;
+    const double curvature = 3.0 * edge * (kPi - std::acos(1.0 / 3.0));
+    const double area = faces + 2.0 * curvature * kRadius + 4.0 * kPi * kRadius * kRadius;
+    const double volume = edge * edge * edge / (6.0 * std::numbers::sqrt2) + faces * kRadius +
+                          curvature * kRadius * kRadius + 4.0 / 3.0 * kPi * std::pow(kRadius, 3);
+    for (const double probe : {1e5, 1e6, 1e7, 1e8, 1e9}) {
+        SCOPED_TRACE(probe);
+        const Measures m = measure(atoms, {.probe = probe});
+        const double sag = 100.0 / probe;  // of what lies between the atoms
+        EXPECT_NEAR(m.totals.ses_area, area, m.errors.ses_area + sag);
+        EXPECT_NEAR(m.totals.ses_volume, volume, m.errors.ses_volume + sag);
+        EXPECT_EQ(m.agreed, m.disputed.empty());
+        EXPECT_TRUE(!m.agreed || std::abs(m.totals.ses_volume - volume) < 1e-5 * volume);
+    }
+}
+
+TEST(Measure, WhatIsDisputedHasAName) {
+    const Measures m = measure({{{0, 0, 0}}, {1e-3}}, {.probe = 1.4});
+    EXPECT_FALSE(m.agreed) << "the perturbation of 1e-10 Å is more than 1e-7 of the area";
+    EXPECT_EQ(m.disputed.size(), 1U);
 }
 
 TEST(Measure, IsRefusedWithoutContours) {
