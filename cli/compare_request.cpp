@@ -8,12 +8,16 @@
 #include <filesystem>
 
 #include "help.h"
+#include "meniscus/read_mesh.h"
 #include "option_words.h"
 #include "output_plan.h"
 
 namespace meniscus::cli {
 
 namespace {
+
+constexpr const char* kAtomGroup = "Atoms";
+constexpr const char* kSurfaceGroup = "Surfaces";
 
 constexpr const char* kFooter =
     "A and B are meshes (.ply .obj .stl .off .glb .vert+.face, each also .gz) or\n"
@@ -46,9 +50,9 @@ void add_surfaces(CLI::App& command, CompareRequest& request) {
 void add_compare_options(CLI::App& command, CompareRequest& request) {
     add_surfaces(command, request);
     command.footer(kFooter);
-    command.option_defaults()->group("Atoms");
+    command.option_defaults()->group(kAtomGroup);
     add_atom_options(command, request);
-    command.option_defaults()->group("Surfaces");
+    command.option_defaults()->group(kSurfaceGroup);
     add_probe(command, request.structure.probe);
     add_number(command, "--spacing", request.structure.spacing, Sign::Positive, "H",
                rarely("Grid spacing of the mesh that tells where points of a structure's surface are, Å"));
@@ -64,12 +68,20 @@ void add_compare_options(CLI::App& command, CompareRequest& request) {
         ->type_name("MIN:MAX");
     command.option_defaults()->group("Running");
     add_run_options(command, request, request.compare.threads);
+    command.parse_complete_callback([&command, &request] {
+        for (const char* group : {kSurfaceGroup, kAtomGroup})
+            if (const std::string name = first_given(command, group); !name.empty()) request.of_structures = name;
+    });
 }
 
 void check_request(const CompareRequest& request) {
     if (request.all_models) throw UsageError("--model all: one model is compared; name it by its number");
     if (request.input == "-" && request.second == "-")
         throw UsageError("A and B cannot both come on standard input; name a file");
+    if (!request.of_structures.empty() && is_mesh_file(request.input) && is_mesh_file(request.second))
+        throw UsageError(request.of_structures + " is about structures; both files are meshes, leave it out");
+    if (request.range && request.outputs.empty())
+        throw UsageError("--range is for the colours of a mesh; ask for one with -o FILE.ply or FILE.glb");
     for (const std::string& path : request.outputs) {
         const std::string suffix = std::filesystem::path(path).extension().string();
         const bool holds_values =

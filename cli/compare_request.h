@@ -17,6 +17,7 @@ struct CompareRequest : CommonRequest {
     std::string second;
     StructureToCompare structure;
     CompareOptions compare;
+    std::string of_structures{};  ///< an option that was given and that only structures heed; empty if there is none
     std::optional<ValueRange> range;  ///< of colours; nothing: as far as 99 % of A's area are from B
 };
 
@@ -24,7 +25,8 @@ struct CompareRequest : CommonRequest {
 /// throws   as add_surface_options
 void add_compare_options(CLI::App& command, CompareRequest& request);
 
-/// Refuses what cannot be done before anything is read: files that hold no distances, more than one model.
+/// Refuses what cannot be done before anything is read: files that hold no distances, more than one model,
+/// options that would do nothing.
 /// throws   UsageError
 void check_request(const CompareRequest& request);
 

@@ -18,6 +18,12 @@ void add_number(CLI::App& command, const char* name, double& target, Sign sign, 
     add_word(command, name, {read, text, symbol, fmt::format("{}", target)});
 }
 
+std::string first_given(const CLI::App& command, const std::string& group) {
+    for (const CLI::Option* option : command.get_options())
+        if (option->get_group() == group && option->count() > 0) return option->get_name();
+    return {};
+}
+
 CLI::Option* add_count(CLI::App& command, const char* name, int& target, const std::string& text) {
     const auto read = [name, &target](const std::string& value) { target = parse_count(name, value); };
     return add_word(command, name, {read, text, "N", ""});

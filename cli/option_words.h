@@ -35,6 +35,9 @@ void add_choice(CLI::App& command, const char* name, Target& target, const Words
 void add_number(CLI::App& command, const char* name, double& target, Sign sign, const char* symbol,
                 const std::string& text);
 
+/// The first option of a group of help that was given; empty if none was.
+std::string first_given(const CLI::App& command, const std::string& group);
+
 /// An option whose value is a whole number, from 1 on.
 CLI::Option* add_count(CLI::App& command, const char* name, int& target, const std::string& text);
 

@@ -56,6 +56,11 @@ private:
         if (has(outputs, OutputKind::Page) && !pages_supported())
             throw UsageError("this build writes no pages; build with MENISCUS_PAGE=ON, or ask for another format");
         const bool has_picture = has(outputs, OutputKind::Picture);
+        const bool shows_surface = has_picture || first_mesh(outputs) != nullptr || has(outputs, OutputKind::Page);
+        if (!request_.show.empty() && !shows_surface)
+            throw UsageError("--show chooses a part of meshes, pictures and pages; ask for one of them with -o");
+        if (request_.encoding == Encoding::Text && std::none_of(outputs.begin(), outputs.end(), has_encoding))
+            throw UsageError("--ascii is for PLY and STL; ask for one with -o FILE.ply or FILE.stl");
         if (!request_.picture.drawn_by.empty() && !has_picture)
             throw UsageError(request_.picture.drawn_by + " shapes a picture; ask for one with -o FILE.png");
         if (!request_.picture.viewed_by.empty() && !has_picture && !has(outputs, OutputKind::Page))
@@ -74,6 +79,10 @@ private:
 
     static bool has(const std::vector<Output>& outputs, OutputKind kind) {
         return std::any_of(outputs.begin(), outputs.end(), [kind](const Output& o) { return o.kind == kind; });
+    }
+
+    static bool has_encoding(const Output& output) {
+        return output.path.ends_with(".ply") || output.path.ends_with(".stl");
     }
 
     static const Output* first_mesh(const std::vector<Output>& outputs) {

@@ -9,6 +9,8 @@ namespace meniscus::cli {
 
 namespace {
 
+constexpr const char* kFlowGroup = "Flow";
+
 constexpr const char* kFooter =
     "-o writes meshes (.ply .obj .stl .off .glb .vtp .vert .npz), pages (.html),\n"
     "pictures (.png), volumes (.dx .mrc .vdb) and the kept atoms (.xyzr .xyzrn).\n"
@@ -94,19 +96,30 @@ void add_memory_limit(CLI::App& command, SurfaceRequest& request) {
         ->type_name("LIMIT");
 }
 
-/// What depends on several options.
-void complete(SurfaceRequest& request) {
-    request.surface.flow = resolve(request.flow);
-    const bool recorded = !request.flow.history.empty() || request.flow.snapshots > 0;
-    if (recorded && request.surface.method != Method::Flow)
-        throw UsageError("--history and --snapshots show the steps of a flow; use --method flow");
-    const RemeshOptions& remesh = request.surface.remesh;
+/// Refuses options that would do nothing.
+void check_together(const CLI::App& command, const SurfaceRequest& request) {
+    const auto is_given = [&](const char* name) { return command.count(name) > 0; };
+    const SurfaceOptions& surface = request.surface;
+    const std::string of_flow = first_given(command, kFlowGroup);
+    if (!of_flow.empty() && surface.method != Method::Flow)
+        throw UsageError(of_flow + " is about the steps of a flow; use --method flow");
+    if (is_given("--density") && surface.method == Method::Direct)
+        throw UsageError("--density is about the initial Gaussian map, which --method direct has not; leave it out");
+    if (is_given("--probe") && surface.surface == SurfaceKind::Vdw && surface.probe != 0.0)
+        throw UsageError("--surface vdw is that of --probe 0; leave --probe out");
     const bool is_shaped =
-        remesh.adaptive || remesh.keep_ridges || remesh.corners != Corners::Near || remesh.simplify_topology;
-    if (is_shaped && !remesh.is_on())
+        is_given("--adaptive") || is_given("--keep-ridges") || is_given("--corners") || is_given("--simplify-topology");
+    if (is_shaped && !surface.remesh.is_on())
         throw UsageError(
             "--adaptive, --keep-ridges, --corners and --simplify-topology shape even triangles; ask for "
             "them with --edge");
+}
+
+/// What depends on several options.
+void complete(const CLI::App& command, SurfaceRequest& request) {
+    check_together(command, request);
+    request.surface.flow = resolve(request.flow);
+    request.surface.remesh.finer_grid = command.count("--spacing") == 0;
     check_picture(request.picture);
     check_values(request.values, request.picture.colours);
     if (request.surface.method == Method::Gaussian && request.surface.surface != SurfaceKind::Ses)
@@ -119,7 +132,7 @@ void complete(SurfaceRequest& request) {
     request.surface.history = !request.flow.history.empty();
     request.surface.initial_area = !request.report.empty();
     request.surface.quality = !request.report.empty();
-    request.surface.two_sided_distance = !request.report.empty() && remesh.is_on();
+    request.surface.two_sided_distance = !request.report.empty() && request.surface.remesh.is_on();
 }
 
 }  // namespace
@@ -131,12 +144,9 @@ void add_surface_options(CLI::App& command, SurfaceRequest& request) {
     add_atom_options(command, request);
     command.option_defaults()->group("Surface");
     add_shape_options(command, request);
-    command.option_defaults()->group("Flow");
+    command.option_defaults()->group(kFlowGroup);
     add_flow_options(command, request.flow);
-    command.parse_complete_callback([&command, &request] {
-        request.surface.remesh.finer_grid = command.count("--spacing") == 0;
-        complete(request);
-    });
+    command.parse_complete_callback([&command, &request] { complete(command, request); });
     command.option_defaults()->group("Triangles");
     add_remesh_options(command, request);
     command.option_defaults()->group("Output");

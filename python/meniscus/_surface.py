@@ -449,6 +449,10 @@ def surface(
     return result
 
 
+_PIECES_OF_THE_FLOW = ("curvature", "anchor", "reinitialise", "solver", "slope", "time_step", "half_width", "max_steps",
+                       "tolerance")
+
+
 def _check_together(options: dict[str, Any]) -> None:
     if "edge" in options and "vertex_density" in options:
         raise UsageError("edge and vertex_density say the same; give one of them")
@@ -458,5 +462,11 @@ def _check_together(options: dict[str, Any]) -> None:
     if shaped and not even:
         raise UsageError("adaptive, keep_ridges, corners and simplify_topology shape even triangles; ask for them with "
                          "edge")
-    if options["history"] and options["method"] != "flow":
-        raise UsageError("history shows the steps of a flow; use method='flow'")
+    if options["method"] != "flow":
+        given = [name for name in _PIECES_OF_THE_FLOW if name in options]
+        if options["flow"] != "anchored":
+            given.append("flow")
+        if options["history"]:
+            given.append("history")
+        if given:
+            raise UsageError(f"{given[0]} is about the steps of a flow; use method='flow'")

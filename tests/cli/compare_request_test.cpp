@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <CLI/Error.hpp>
+#include <utility>
 
 #include "meniscus/errors.h"
 #include "parse_options.h"
@@ -31,7 +32,7 @@ TEST(CompareRequest, HasTheDefaultsOfTheLibrary) {
 }
 
 TEST(CompareRequest, TakesItsOwnOptionsAndThoseOfReading) {
-    const CompareRequest request = parse({"a.ply", "b.obj", "--range", "-1:0.5", "--points", "3", "--probe", "1.5",
+    const CompareRequest request = parse({"a.ply", "b.pdb", "--range", "-1:0.5", "--points", "3", "--probe", "1.5",
                                           "--chains", "A", "-o", "d.glb", "--threads", "2"});
     EXPECT_EQ(request.range, (ValueRange{-1.0, 0.5}));
     EXPECT_EQ(request.compare.density, 3.0);
@@ -49,6 +50,16 @@ TEST(CompareRequest, RefusesWhatMakesNoSense) {
     for (const char* file : {"d.off", "d.stl", "d.obj", "d.png", "d.html", "d", "d.xyzr"})
         EXPECT_THROW(parse({"a.ply", "b.ply", "-o", file}), UsageError) << file;
     EXPECT_THROW(parse({"a.ply", "b.ply", "--points", "0"}), UsageError);
+}
+
+TEST(CompareRequest, RefusesWhatWouldDoNothing) {
+    for (const auto& [option, value] :
+         {std::pair{"--probe", "1.5"}, {"--spacing", "0.5"}, {"--chains", "A"}, {"--radii", "bondi"}}) {
+        EXPECT_THROW(parse({"a.ply", "b.obj", option, value}), UsageError) << option;
+        EXPECT_NO_THROW(parse({"a.ply", "b.pdb", option, value})) << option;
+        EXPECT_NO_THROW(parse({"a.pdb", "b.ply", option, value})) << option;
+    }
+    EXPECT_THROW(parse({"a.ply", "b.pdb", "--range", "-1:1"}), UsageError);
 }
 
 }  // namespace meniscus::cli

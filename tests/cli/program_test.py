@@ -142,6 +142,11 @@ class Usage(ProgramTest):
         self.assertIn("time step", self.refused("three.xyzr", "--flow", "paper", "--time-step", "inf"))
         self.refused("three.xyzr", "--half-width", "100")
 
+    def test_what_no_output_heeds_is_refused(self):
+        self.assertIn("--show", self.refused("three.xyzr", "--show", "//A", "-o", "a.dx"))
+        self.assertIn("--ascii", self.refused("three.xyzr", "--ascii", "-o", "a.glb"))
+        self.assertEqual(self.run_program("surface", "three.xyzr", "--ascii", "-o", "a.glb", "-o", "a.stl").returncode, 0)
+
     def test_unknown_words_are_refused_with_those_that_exist(self):
         self.assertIn("flow, direct, gaussian", self.refused("three.xyzr", "--method", "fast"))
         self.assertIn("anchored", self.refused("three.xyzr", "--flow", "sideways"))

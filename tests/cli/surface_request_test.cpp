@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <CLI/Error.hpp>
+#include <utility>
 
 #include "meniscus/errors.h"
 #include "parse_options.h"
@@ -35,7 +36,7 @@ TEST(SurfaceRequest, TakesValuesOfAllKinds) {
                                           "-.25",
                                           "--spacing=0.25",
                                           "--method",
-                                          "direct",
+                                          "flow",
                                           "-o",
                                           "a.ply",
                                           "-o",
@@ -65,7 +66,7 @@ TEST(SurfaceRequest, TakesValuesOfAllKinds) {
     EXPECT_EQ(request.surface.probe, 0.0);
     EXPECT_EQ(request.surface.density, -0.25);
     EXPECT_EQ(request.surface.spacing, 0.25);
-    EXPECT_EQ(request.surface.method, Method::Direct);
+    EXPECT_EQ(request.surface.method, Method::Flow);
     EXPECT_EQ(request.surface.memory_limit_mb, 4096u);
     EXPECT_EQ(request.surface.threads, 2);
     EXPECT_EQ(request.surface.flow.max_steps, 7);
@@ -125,6 +126,22 @@ TEST(SurfaceRequest, RefusesValuesThatMakeNoSense) {
     EXPECT_THROW(parse({"a.pdb", "--unknown"}), CLI::ParseError);
     EXPECT_THROW(parse({"a.pdb", "--probe", "1", "--probe", "2"}), CLI::ParseError);
     EXPECT_THROW(parse({}), CLI::ParseError);
+}
+
+TEST(SurfaceRequest, RefusesWhatWouldDoNothing) {
+    for (const char* method : {"direct", "gaussian"})
+        for (const auto& [option, value] : {std::pair{"--flow", "anchored"},
+                                            {"--anchor", "1"},
+                                            {"--solver", "gmres"},
+                                            {"--max-steps", "3"},
+                                            {"--history", "a.csv"}})
+            EXPECT_THROW(parse({"a.pdb", "--method", method, option, value}), UsageError) << method << option;
+    EXPECT_THROW(parse({"a.pdb", "--method", "direct", "--density", "-0.5"}), UsageError);
+    EXPECT_EQ(parse({"a.pdb", "--method", "gaussian", "--density", "-0.4"}).surface.density, -0.4);
+    EXPECT_THROW(parse({"a.pdb", "--surface", "vdw", "--probe", "1.4"}), UsageError);
+    EXPECT_EQ(parse({"a.pdb", "--surface", "vdw", "--probe", "0"}).surface.probe, 0.0);
+    EXPECT_THROW(parse({"a.pdb", "--corners", "near"}), UsageError);
+    EXPECT_EQ(parse({"a.pdb", "--edge", "1", "--corners", "near"}).surface.remesh.corners, Corners::Near);
 }
 
 TEST(SurfaceRequest, NamesItsWords) {

@@ -204,6 +204,8 @@ class Options(unittest.TestCase):
                                  ({"edge": 1, "vertex_density": 1}, "give one of them"),
                                  ({"adaptive": True}, "ask for them with edge"),
                                  ({"history": True, "method": "direct"}, "history"),
+                                 ({"flow": "paper", "method": "direct"}, "flow is about the steps of a flow"),
+                                 ({"anchor": 0, "method": "gaussian"}, "anchor is about the steps of a flow"),
                                  ({"memory": "4 sacks"}, "memory: must be an amount"),
                                  ({"components": "some"}, "components: unknown value")):
             with self.assertRaisesRegex(ValueError, message):
