@@ -93,7 +93,9 @@ void add_output_options(CLI::App& command, CommonRequest& request) {
     command.add_option("-o", request.outputs, "File to write; its suffix is the format\n; repeatable")
         ->type_name("FILE")
         ->allow_extra_args(false);
-    command.add_option("--report", request.report, "Report as JSON; - for standard output")->type_name("FILE");
+    const auto report = [&request](const std::string& path) { request.report = path == "/dev/stdout" ? "-" : path; };
+    command.add_option_function<std::string>("--report", report, "Report as JSON; - for standard output")
+        ->type_name("FILE");
     command.add_flag("--quiet", request.quiet, "No summary and no progress bar");
 }
 

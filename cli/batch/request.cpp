@@ -35,6 +35,8 @@ const std::set<std::string> kOwnNames{"INPUTS",        "--list",         "--base
                                       "--mixed-radii", "--quiet",        "--progress", "--threads", "-o",
                                       "--history",     "--help",         "--help-all"};
 
+constexpr std::size_t kLeastMemory = 32;  // MB of address space, in which it starts and reads
+
 /// "90", "90s", "15m", "2h" as seconds.
 double parse_time(const std::string& option, const std::string& text) {
     double unit = 1.0;
@@ -45,7 +47,11 @@ double parse_time(const std::string& option, const std::string& text) {
         if (last == 'm') unit = 60.0;
         if (last == 'h') unit = 3600.0;
     }
-    return unit * parse_number(option, number, Sign::Positive);
+    try {
+        return unit * parse_number(option, number, Sign::Positive);
+    } catch (const UsageError&) {
+        throw UsageError(fmt::format("{}: '{}' is no time; write seconds, or as in 15m and 2h", option, text));
+    }
 }
 
 void check_ending(const char* option, const std::string& ending) {
@@ -61,11 +67,11 @@ void check_ending(const char* option, const std::string& ending) {
 void check_endings(const Request& request) {
     for (const std::string& ending : request.endings) {
         check_ending("-o", ending);
-        request.command == "surface" ? kind_of("a" + ending) : measure_kind_of("a" + ending);
+        request.command == "surface" ? kind_of("NAME" + ending) : measure_kind_of("NAME" + ending);
     }
     if (request.history.empty()) return;
     check_ending("--history", request.history);
-    plan_history("a" + request.history, "");
+    plan_history("NAME" + request.history, "");
 }
 
 /// The words that give an option again what it was given.
@@ -105,6 +111,9 @@ void add_own_options(CLI::App& command, Request& request) {
     command.add_option_function<std::string>("--time-limit", time, "For each input: 90, 15m, 2h")->type_name("T");
     const auto memory = [&request](const std::string& text) {
         request.memory_limit_mb = parse_memory("--memory-limit", text);
+        if (request.memory_limit_mb < kLeastMemory)
+            throw UsageError(fmt::format("--memory-limit: must be at least {}M, which the program takes itself, not {}",
+                                         kLeastMemory, text));
     };
     command.add_option_function<std::string>("--memory-limit", memory, "For each input: 500M, 4G")->type_name("LIMIT");
     command.add_flag("--resume", request.resume, "Skip what is done, retry what failed");

@@ -10,14 +10,13 @@
 #include <string>
 #include <tuple>
 
+#include "core/largest_length.h"
 #include "core/mix_bits.h"
 #include "meniscus/errors.h"
 
 namespace meniscus {
 namespace {
 
-// Å: doubles still tell 1e-4 Å apart there, which no structure comes near.
-constexpr double kLargestCoordinate = 1e12;
 constexpr double kMaxCells = 1 << 20;  // per axis: leaves a bit of the 21 in a Morton key for rounding
 
 std::uint64_t spread_bits(std::uint64_t v) {
@@ -39,7 +38,7 @@ void check(const Atoms& atoms) {
         if (!(atoms.radii[i] > 0.0) || !std::isfinite(atoms.radii[i]))
             throw std::invalid_argument("atom " + std::to_string(i) + ": the radius is not positive and finite");
         const Vec3& c = atoms.centres[i];
-        if (std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z), atoms.radii[i]}) > kLargestCoordinate)
+        if (std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z), atoms.radii[i]}) > kLargestLength)
             throw LimitError("atom " + std::to_string(i) + ": larger or farther from the origin than 1e12 Å");
     }
 }

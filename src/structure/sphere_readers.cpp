@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "structure/sphere_readers.h"
 
+#include <cmath>
 #include <vector>
 
+#include "core/largest_length.h"
 #include "reading/numbers.h"
 #include "reading/text.h"
 #include "structure/element.h"
@@ -49,14 +51,21 @@ public:
         return *value;
     }
 
+    double length(std::size_t i, const char* what) const {
+        const double value = number(i, what);
+        if (std::abs(value) > kLargestLength)
+            fail(i, std::string(what) + " " + shown(words_[i].text) + " is more than 1e12 Å; correct it");
+        return value;
+    }
+
     double radius(std::size_t i) const {
-        const double value = number(i, "radius");
+        const double value = length(i, "radius");
         if (value < 0.0) fail(i, "radius " + shown(words_[i].text) + " is negative; 0 leaves an atom out");
         return value;
     }
 
     Vec3 centre(std::size_t i) const {
-        return {number(i, "x coordinate"), number(i + 1, "y coordinate"), number(i + 2, "z coordinate")};
+        return {length(i, "x coordinate"), length(i + 1, "y coordinate"), length(i + 2, "z coordinate")};
     }
 
 private:

@@ -341,7 +341,8 @@ class Inputs(BatchTest):
     def test_options_are_refused_before_anything_is_computed(self):
         for words, why in ((("-o", "a.ply"), "give the ending alone"), (("-o", ".xyz"), ".xyz"), (("--spacing", "0"), "--spacing"),
                            (("--shard", "4/4"), "0/4, 1/4, 2/4 and 3/4"), (("--time-limit", "soon"), "--time-limit"),
-                           (("--report", "x.json"), "--report"), (("--jobs", "0"), "--jobs"), (("--memory-limt", "1G"), "--memory-limit?")):
+                           (("--report", "x.json"), "--report"), (("--jobs", "0"), "--jobs"), (("--memory-limt", "1G"), "--memory-limit?"),
+                           (("--time-limit", "1ms"), "'1ms'"), (("--memory-limit", "10M"), "at least 32M"), (("-o", ".foo"), "NAME.foo")):
             self.assertIn(why, self.refused("surface", "in", "--out", "out", *words))
         self.assertFalse((self.folder / "out").exists())
 

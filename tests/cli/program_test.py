@@ -447,6 +447,10 @@ class Report(ProgramTest):
         self.assertEqual(schema.problems(self.report("three.xyzr", "--model", "all"), rules), [])
         self.assertNotEqual(schema.problems({"schema": 1}, rules), [])
 
+    def test_standard_output_by_its_path_has_the_report_alone(self):
+        report = json.loads(self.surface("three.xyzr", "-o", "a.ply", "--report", "/dev/stdout").stdout)
+        self.assertEqual(report["input"]["atoms"], 3)
+
     def test_numbers_of_a_mesh_with_two_components(self):
         report = self.report("three.xyzr", "--spacing", "0.25")
         mesh = report["mesh"]

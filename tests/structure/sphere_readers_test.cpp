@@ -59,6 +59,9 @@ TEST(Xyzr, ReadsSpheresCommentsAndBlankLines) {
 
 TEST(Xyzr, ErrorsNameTheirPlace) {
     EXPECT_TRUE(error_in(parse_xyzr, "0 0 0\n").starts_with("f:1:6: the radius is missing"));
+    EXPECT_EQ(error_in(parse_xyzr, "0 0 0 1\n0 1e300 0 1\n"),
+              "f:2:3: y coordinate '1e300' is more than 1e12 Å; correct it");
+    EXPECT_EQ(error_in(parse_xyzr, "0 0 0 2e12\n"), "f:1:7: radius '2e12' is more than 1e12 Å; correct it");
     EXPECT_TRUE(error_in(parse_xyzr, "0 0 0 1\n0 0 0 -1\n").starts_with("f:2:7: radius '-1' is negative"));
     EXPECT_TRUE(error_in(parse_xyzr, "x 0 0 1\n").starts_with("f:1:1: x coordinate 'x'"));
     EXPECT_TRUE(error_in(parse_xyzr, "0 0 1e400 1\n").starts_with("f:1:5: z coordinate '1e400'"));
