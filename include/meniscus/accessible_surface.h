@@ -44,6 +44,7 @@ std::vector<double> signed_distance(const AccessibleSurface& surface, std::span<
 
 /// What AccessibleSurface::nearest finds for each of the points.
 ///
+/// throws   std::invalid_argument if a coordinate is not finite
 /// cost     O(log n) per point, parallel; 0.1 µs near the surface where points lie next to those before them
 std::vector<NearestFeature> nearest_features(const AccessibleSurface& surface, std::span<const Vec3> points);
 
@@ -59,7 +60,9 @@ public:
     /// order 1e-10 Å (1e-14 of the largest sphere's, if that is more) that depends only on the atoms themselves, not on
     /// their order. Another seed gives another perturbation: what both give is not an accident of either.
     ///
-    /// throws   std::invalid_argument for no atoms, a radius <= 0 or a coordinate that is not finite
+    /// throws   std::invalid_argument for no atoms, a radius <= 0 or a coordinate that is not finite; LimitError for
+    ///          coordinates and radii beyond 1e12 Å; std::runtime_error where no perturbation decides the arrangement
+    ///          (never seen)
     /// cost     linear at protein density; parallel over atoms
     AccessibleSurface(const Atoms& atoms, double probe, std::uint64_t seed = 0);
     /// The same atoms and probe radius under the perturbation of another seed. What is exposed is found anew, sooner
@@ -81,7 +84,7 @@ public:
     std::size_t arc_count() const;     ///< exposed arcs, whole circles included
     std::size_t vertex_count() const;  ///< probe positions that touch three atoms
 
-    /// The nearest feature of any point of space.
+    /// The nearest feature of any point of space, whose coordinates must be finite.
     NearestFeature nearest(const Vec3& point) const;
 
     const Data& data() const { return *data_; }

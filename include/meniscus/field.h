@@ -21,6 +21,8 @@ struct FieldOptions {
 
 /// The grid that a surface's field is put on where no other is asked for: nodes at multiples of the spacing, from at
 /// least kFieldMargin spacings before the box round all atoms, those of the ses_problem(), to as many behind it.
+///
+/// throws   std::invalid_argument for no atoms
 VolumeGrid enclosing_grid(const Atoms& atoms, double spacing);
 inline constexpr double kFieldMargin = 4.0;
 

@@ -77,7 +77,7 @@ Interface measure_interface(const Atoms& atoms, const AtomGroup& a, const AtomGr
 ///
 /// group    of each atom, below `groups`; kNone for atoms of no group
 /// returns  pairs {i, j}, i < j, ascending
-/// throws   UsageError for arrays that do not match; std::invalid_argument as AccessibleSurface
+/// throws   UsageError for arrays that do not match; std::invalid_argument and LimitError as AccessibleSurface
 /// cost     O(n log n) at protein density
 std::vector<std::array<std::uint32_t, 2>> touching_groups(const Atoms& atoms, std::span<const std::uint32_t> group,
                                                           std::size_t groups, double probe);

@@ -110,7 +110,7 @@ struct Measures {
 
 /// Exact measures of the SAS and SES.
 ///
-/// throws   UsageError for options out of range; std::invalid_argument as AccessibleSurface
+/// throws   UsageError for options out of range; as AccessibleSurface
 /// cost     linear at protein density, about 25 µs per atom
 /// source   Gauss-Bonnet on spheres (Connolly 1983) with all self-intersections of reentrant patches trimmed;
 ///          docs/design/exact-measures.md

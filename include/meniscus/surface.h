@@ -153,6 +153,7 @@ ExactSurface measure_exactly(const Atoms& atoms, const SurfaceOptions& options =
 ///
 /// throws   UsageError for options out of range, std::invalid_argument for no atoms, a radius that is not
 ///          positive or a coordinate that is not finite, LimitError when it would not fit into memory
+///          or lies too far from the origin for the spacing
 /// cost     linear in the number of atoms; memory proportional to area / spacing²
 /// observer sees every step of a flow; where there is one, steps cost a mesh each
 /// exact    measure_exactly() of the same atoms and options, where somebody has it: not done again, and the result is

@@ -7,8 +7,11 @@
 
 namespace meniscus {
 
-/// Limits the threads of every call that its own thread makes while it lives. Functions with an option `threads` do so
-/// for themselves; the least of several limits holds. Results are the same for any.
+/// Limits the threads of calls while it lives. Functions with an option `threads` do so for themselves; the least of
+/// several limits holds. Results are the same for any.
+///
+/// A limit of one is that of the calls that its own thread makes; one of several threads is the whole process's, so
+/// that calls which other threads make meanwhile have no more either.
 class ThreadLimit {
 public:
     /// threads   0 sets no limit: all cores. With 1 the calling thread does everything itself, and no other is started.
@@ -27,7 +30,7 @@ private:
 ///
 /// meanwhile   called by the first that begins, and not waited for: it must use nothing that ends, and return soon
 ///             after the other threads are needed
-/// begin       called by each of them before anything else, and not waited for
+/// begin       called by each of them before anything else, and not waited for; neither may throw
 ///
 /// The kernel of Linux may begin a thread on the processor of the one that starts it and leave both there for 30 ms:
 /// such a thread is moved to another processor that it may use (docs/design/performance.md).

@@ -56,8 +56,8 @@ T parallel_sum(std::size_t n, std::size_t chunk, const Term& term) {
 }
 
 /// Whether test(item) holds for any of the items, which it is called for in any order, but not for all if so.
-template <class Item, class Test>
-bool parallel_any_of(const std::vector<Item>& items, const Test& test) {
+template <class Items, class Test>
+bool parallel_any_of(const Items& items, const Test& test) {
     constexpr std::size_t kChunk = std::size_t{1} << 14U;  // items that take next to nothing
     return parallel_sum<std::size_t>(items.size(), kChunk, [&](std::size_t begin, std::size_t end) {
                const auto at = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };

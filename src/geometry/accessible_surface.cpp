@@ -24,7 +24,7 @@ namespace {
 // Far above the rounding of the predicates (1e-15 relative) and far below any length that matters.
 constexpr double kPerturbation = 1e-10;
 constexpr double kPerturbationOfRadius = 1e-14;  // relative, so that spheres of more than 10,000 Å are perturbed at all
-constexpr int kMaxAttempts = 6;  // each ten times the perturbation of the one before
+constexpr int kMaxAttempts = 6;                  // each ten times the perturbation of the one before
 
 constexpr std::size_t kChunk = 512;  // atoms, vertices or arcs per task, where each takes little
 

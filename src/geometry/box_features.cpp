@@ -50,8 +50,7 @@ std::vector<double> signed_distance(const AccessibleSurface& surface, std::span<
     constexpr double kCellEdge = 6.0;  // Å
     constexpr std::size_t kMostCells = std::size_t{1} << 21;
     constexpr std::size_t kCellsPerTask = 16;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (!is_finite(points[i])) throw std::invalid_argument("point " + std::to_string(i) + " is not finite");
+    check_finite(points);
     std::vector<double> distances(points.size());
     if (points.empty()) return distances;
     CellOrder cells;

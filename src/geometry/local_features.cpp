@@ -197,7 +197,15 @@ NearestFeature LocalFeatures::nearest(const Vec3& point) const {
     return edge_feature(data, point, edge);
 }
 
+void check_finite(std::span<const Vec3> points) {
+    const auto is_wrong = [](const Vec3& point) { return !is_finite(point); };
+    if (!parallel_any_of(points, is_wrong)) return;
+    const auto first = std::find_if(points.begin(), points.end(), is_wrong) - points.begin();
+    throw std::invalid_argument("point " + std::to_string(first) + " is not finite");
+}
+
 std::vector<NearestFeature> nearest_features(const AccessibleSurface& surface, std::span<const Vec3> points) {
+    check_finite(points);
     return answers<FeatureAnswer>(surface, points);
 }
 

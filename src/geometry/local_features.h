@@ -126,6 +126,9 @@ private:
     std::vector<std::uint64_t> marks_;
 };
 
+/// throws   std::invalid_argument that names the first point which is not finite
+void check_finite(std::span<const Vec3> points);
+
 /// A step of each point to the surface.
 ///
 /// cost     that of nearest_features

@@ -154,10 +154,15 @@ void AtomicFile::close_descriptor() {
     if (::close(descriptor) != 0 && errno != EINTR) fail(errno);
 }
 
-void AtomicFile::commit() {
+void AtomicFile::finish() {
+    if (descriptor_ < 0) return;
     flush();
     if (const int error = writer_.finish(); error != 0) fail(error);
     close_descriptor();
+}
+
+void AtomicFile::commit() {
+    finish();
     if (temporary_.empty()) return;
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
     temporary_.clear();

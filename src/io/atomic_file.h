@@ -52,6 +52,8 @@ public:
         append(reinterpret_cast<const char*>(&value), sizeof value);
     }
 
+    /// Writes what is left; afterwards only commit() can follow, which then can hardly fail.
+    void finish();
     void commit();
 
 private:

@@ -213,6 +213,8 @@ void write_both(const std::string& vert_path, const Mesh& mesh, const MsmsOption
     write_vertices(vert, mesh, options);
     write_header(face, options, mesh.triangles.size(), false);
     write_faces(face, mesh);
+    face.finish();
+    vert.finish();
     face.commit();
     vert.commit();
 }

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -99,7 +100,7 @@ private:
 
     template <class T>
     std::string vectors(const std::string& name, const std::vector<Vec3>& vectors) {
-        return declare<T, 3>(name, vectors.size(), [this, vectors] {
+        return declare<T, 3>(name, vectors.size(), [this, vectors = std::span(vectors)] {
             for (const Vec3& v : vectors)
                 file_.bytes(std::array{static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)});
         });

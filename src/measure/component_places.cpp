@@ -8,7 +8,10 @@
 #include <limits>
 
 #include "core/golden_angle.h"
+#include "core/odd_direction.h"
+#include "core/parallel.h"
 #include "core/perpendicular.h"
+#include "geometry/box_tree.h"
 #include "geometry/nearest_feature.h"
 
 namespace meniscus {
@@ -21,24 +24,35 @@ double signed_distance_at(const AccessibleSurface& surface, const Vec3& p) {
     return surface.nearest(p).signed_distance;
 }
 
-// How often the straight way from `start` to beyond the box crosses each component.
+// How often the straight way from `start` crosses each of these components, in their order.
 std::vector<int> count_crossings(const AccessibleSurface& surface, const SesPatches& patches, const Vec3& start,
-                                 const Vec3& direction, double length) {
-    std::vector<int> crossings(patches.component_count(), 0);
+                                 double length, std::span<const std::uint32_t> components) {
+    std::vector<int> crossings(components.size(), 0);
     double at = kCrossingStep;
-    double distance = signed_distance_at(surface, start + at * direction);
+    double distance = signed_distance_at(surface, start + at * kOddDirection);
     while (at < length) {
         const double next_at = at + std::max(std::abs(distance), kCrossingStep);
-        const Vec3 point = start + next_at * direction;
+        const Vec3 point = start + next_at * kOddDirection;
         const double next = signed_distance_at(surface, point);
         if ((distance < 0.0) != (next < 0.0)) {
-            const std::uint32_t component = patches.component_at(point);
-            if (component != kNone) ++crossings[component];
+            const auto found = std::find(components.begin(), components.end(), patches.component_at(point));
+            if (found != components.end()) ++crossings[static_cast<std::size_t>(found - components.begin())];
         }
         at = next_at;
         distance = next;
     }
     return crossings;
+}
+
+// Boxes round components: a patch lies within the enlarged spheres of its atoms.
+std::vector<Box> boxes_of_components(const SesPatches& patches) {
+    const AccessibleSurface::Data& data = patches.data();
+    std::vector<Box> boxes(patches.component_count());
+    for (const SesPatch& patch : patches.patches())
+        for (const std::uint32_t atom : patches.atoms_of(patch))
+            if (atom != kNone) boxes[patch.component].include(data.atoms.centres[atom]);
+    for (Box& box : boxes) box = box.grown(data.rho_max);
+    return boxes;
 }
 
 // A point of each component: on the contact circle or sphere of one of its patches, if it has a contact patch.
@@ -161,19 +175,26 @@ std::vector<std::uint32_t> nest_components(const AccessibleSurface& surface, con
             if (outer == 1 && c != only) inside_of[c] = only;
         return inside_of;
     }
-    Box box;
-    for (const Vec3& centre : surface.data().atoms.centres) box.include(centre);
-    const double length = norm(box.high - box.low) + 4.0 * surface.data().rho_max;
-    const Vec3 direction = normalised({0.5377, 0.6181, 0.5737});  // no symmetry axis of anything
+    const std::vector<Box> boxes = boxes_of_components(patches);
+    const BoxTree tree(boxes);
     const std::vector<Vec3> points = points_on_components(patches);
-    for (std::uint32_t c = 0; c < n; ++c) {
-        const std::vector<int> crossings = count_crossings(surface, patches, points[c], direction, length);
-        for (std::uint32_t other = 0; other < n; ++other) {
-            const bool holds = other != c && crossings[other] % 2 == 1 && (volumes[other] > 0) != (volumes[c] > 0);
-            if (holds && (inside_of[c] == kNone || std::abs(volumes[other]) < std::abs(volumes[inside_of[c]])))
-                inside_of[c] = other;
+    parallel_for(n, 1, [&](std::size_t c) {
+        std::vector<std::uint32_t> around;  // all that this one may be in
+        Box reach;
+        tree.for_each_overlapping(Box{points[c], points[c]}, [&](std::uint32_t other) {
+            if ((volumes[other] > 0) == (volumes[c] > 0)) return;
+            around.push_back(other);
+            reach.include(boxes[other]);
+        });
+        if (around.empty()) return;
+        const double length = norm(reach.high - reach.low) / norm(kOddDirection);
+        const std::vector<int> crossings = count_crossings(surface, patches, points[c], length, around);
+        for (std::size_t k = 0; k < around.size(); ++k) {
+            const bool smaller =
+                inside_of[c] == kNone || std::abs(volumes[around[k]]) < std::abs(volumes[inside_of[c]]);
+            if (crossings[k] % 2 == 1 && smaller) inside_of[c] = around[k];
         }
-    }
+    });
     return inside_of;
 }
 

@@ -28,17 +28,50 @@ constexpr double kAgreementIfDegenerate = 1e-5;
 // Where two probe positions all but coincide, a perturbation of 1e-10 Å moves 1e-7 of the area from one kind of
 // patch to another without changing the sum: the split is held to this alone, and its error estimate shows it.
 constexpr double kAgreementOfSplit = 1e-5;
+// What double precision may leave open, relative.
+constexpr double kResolved = 1e-6;
 constexpr std::uint64_t kMostSeeds = 5;
 constexpr std::size_t kMostDisputed = 10;
 
-// What rounding leaves open: patches on spheres of radius rho are differences of terms as large as rho² and rho³.
-struct Rounding {
-    double area;
-    double volume;
+// What measures leave open that two evaluations may have in common: that all radii are wrong by the perturbation, and
+// all places by rounding (dV = A dr, dA = 2 H A dr); and that patches on spheres of radius rho are differences of terms
+// as large as rho² and rho³.
+class Precision {
+public:
+    Precision(const AccessibleSurface::Data& data, double perturbation) : rho_(data.rho_max) {
+        for (const Vec3& c : data.atoms.centres)
+            farthest_ = std::max({farthest_, std::abs(c.x), std::abs(c.y), std::abs(c.z)});
+        smallest_ = *std::min_element(data.atoms.radii.begin(), data.atoms.radii.end());
+        amplitude_ = perturbation + kEpsilon * farthest_;
+        curvature_ = std::max(1.0, 1.0 / (data.probe > 0.0 ? std::min(smallest_, data.probe) : smallest_));
+    }
 
-    Rounding(double rho, std::size_t patches)
-        : area(std::numeric_limits<double>::epsilon() * std::sqrt(static_cast<double>(patches)) * rho * rho),
-          volume(area * rho) {}
+    double of_area(double area, std::size_t patches) const {
+        return 2.0 * amplitude_ * curvature_ * area + rounding(patches);
+    }
+    /// Of what an area encloses.
+    double of_volume(double area, std::size_t patches) const {
+        return 2.0 * amplitude_ * area + rho_ * rounding(patches);
+    }
+
+    std::string text() const {
+        return fmt::format(
+            "double precision leaves too much open with spheres of {:.3g} to {:.3g} Å, {:.3g} Å from the origin",
+            smallest_, rho_, farthest_);
+    }
+
+private:
+    static constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+    double rounding(std::size_t patches) const {
+        return kEpsilon * std::sqrt(static_cast<double>(patches)) * rho_ * rho_;
+    }
+
+    double rho_;  // Å, of the largest enlarged sphere
+    double farthest_ = 0.0;
+    double smallest_ = 0.0;
+    double amplitude_ = 0.0;
+    double curvature_ = 1.0;
 };
 
 constexpr double SurfaceTotals::*kAllTotals[] = {&SurfaceTotals::sas_area,      &SurfaceTotals::sas_volume,
@@ -66,8 +99,6 @@ struct Evaluation {
         sums.degenerate = patches.degenerate();
         sums.unresolved = patches.unresolved();
     }
-
-    Rounding rounding() const { return {surface.data().rho_max, patches.patches().size()}; }
 };
 
 // One with the surface that it is of.
@@ -91,13 +122,14 @@ struct Check {
     }
 };
 
-double perturbation_of(const Evaluation& first, const Check& second) {
-    return std::max(first.surface.data().perturbation, second.perturbation);
+Precision precision_of(const Evaluation& first, const Check& second) {
+    const AccessibleSurface::Data& data = first.surface.data();
+    return {data, std::max(data.perturbation, second.perturbation)};
 }
 
-bool is_resolved(const SurfaceTotals& totals, const Rounding& rounding) {
-    return rounding.area <= kAgreementIfDegenerate * totals.ses_area &&
-           rounding.volume <= kAgreementIfDegenerate * std::abs(totals.ses_volume);
+bool is_resolved(const SurfaceTotals& totals, const Precision& precision, std::size_t patches) {
+    return precision.of_area(totals.ses_area, patches) <= kResolved * totals.ses_area &&
+           precision.of_volume(totals.ses_area, patches) <= kResolved * std::abs(totals.ses_volume);
 }
 
 bool agree(const PatchTotals& a, const PatchTotals& b) {
@@ -116,34 +148,26 @@ bool agree(const PatchTotals& a, const PatchTotals& b) {
            close(&SurfaceTotals::reentrant_area, split);
 }
 
-// Difference of two evaluations that share no perturbation, plus what a perturbation of all radii by its amplitude
-// does at first order (dV = A dr, dA = 2 H A dr with |H| about 1 Å^-1), since both might err to the same side, plus
-// what rounding does.
-SurfaceTotals estimate_errors(const SurfaceTotals& a, const SurfaceTotals& b, double amplitude,
-                              const Rounding& rounding) {
+// Difference of two evaluations that share no perturbation, plus what they may have in common.
+SurfaceTotals estimate_errors(const SurfaceTotals& a, const SurfaceTotals& b, const Precision& precision,
+                              std::size_t patches) {
     SurfaceTotals errors;
     for (const auto total : kAllTotals) {
-        const bool volume = total == &SurfaceTotals::sas_volume || total == &SurfaceTotals::ses_volume;
-        const double area = volume ? std::max(a.sas_area, a.ses_area) : a.*total;
-        errors.*total = 3.0 * std::abs(a.*total - b.*total) + 2.0 * amplitude * area + 1e-14 * std::abs(a.*total) +
-                        (volume ? rounding.volume : rounding.area);
+        const bool is_volume = total == &SurfaceTotals::sas_volume || total == &SurfaceTotals::ses_volume;
+        errors.*total = 3.0 * std::abs(a.*total - b.*total) + 1e-14 * std::abs(a.*total) +
+                        (is_volume ? precision.of_volume(std::max(a.sas_area, a.ses_area), patches)
+                                   : precision.of_area(a.*total, patches));
     }
     return errors;
 }
 
 using PatchAtoms = std::array<std::uint32_t, 3>;
 
-PatchAtoms canonical_atoms_of(const AccessibleSurface::Data& data, const SesPatch& patch) {
-    if (patch.kind == PatchKind::Contact) return {patch.feature, kNone, kNone};
-    if (patch.kind == PatchKind::Reentrant) return data.vertices[patch.feature].atoms;
-    const auto& atoms = data.arcs[patch.feature].atoms;
-    return {atoms[0], atoms[1], kNone};
-}
-
-PatchAtoms atoms_of(const AccessibleSurface::Data& data, const SesPatch& patch) {
-    PatchAtoms atoms = canonical_atoms_of(data, patch);
+// In the caller's order.
+PatchAtoms atoms_of(const SesPatches& patches, const SesPatch& patch) {
+    PatchAtoms atoms = patches.atoms_of(patch);
     for (std::uint32_t& atom : atoms)
-        if (atom != kNone) atom = data.atoms.original[atom];
+        if (atom != kNone) atom = patches.data().atoms.original[atom];
     return atoms;
 }
 
@@ -158,7 +182,7 @@ std::vector<PatchMeasure> list_patches(const SesPatches& patches) {
     std::vector<PatchMeasure> list;
     list.reserve(patches.patches().size());
     for (const SesPatch& patch : patches.patches())
-        list.push_back({patch.kind, atoms_of(patches.data(), patch), patch.component, patch.ses.area, patch.sas.area,
+        list.push_back({patch.kind, atoms_of(patches, patch), patch.component, patch.ses.area, patch.sas.area,
                         area_of_first(patch)});
     return list;
 }
@@ -219,7 +243,7 @@ std::vector<ComponentSums> sum_components(const SesPatches& patches) {
         sum.origin = patches.origin_of(patch);
         sum.component.sas_area += patch.sas.area;
         sum.component.sas_volume += patch.sas.volume;
-        for (const std::uint32_t atom : canonical_atoms_of(data, patch)) {
+        for (const std::uint32_t atom : patches.atoms_of(patch)) {
             if (atom == kNone || listed_in[atom] == patch.component) continue;
             listed_in[atom] = patch.component;
             sum.atoms.push_back(data.atoms.original[atom]);
@@ -243,7 +267,7 @@ void find_rooms_of_cavities(const SesPatches& patches, std::vector<ComponentSums
     for (const SesPatch& patch : patches.patches()) {
         ComponentSums& sum = sums[patch.component];
         if (sum.signed_volume > 0.0) continue;
-        for (const std::uint32_t atom : canonical_atoms_of(data, patch)) {
+        for (const std::uint32_t atom : patches.atoms_of(patch)) {
             if (atom == kNone) continue;
             Box ball;
             ball.include(data.atoms.centres[atom]);
@@ -297,10 +321,12 @@ std::vector<SurfaceComponent> make_components(const Evaluation& evaluation, cons
                                               const MeasureOptions& options, std::vector<std::uint32_t>& number) {
     std::vector<ComponentSums> sums = sum_components(evaluation.patches);
     if (options.cavities) find_rooms_of_cavities(evaluation.patches, sums);
-    for (std::size_t c = 0; check != nullptr && c < sums.size(); ++c)
-        sums[c].component.errors =
-            estimate_errors(totals_of(sums[c]), check->sums.components[c], perturbation_of(evaluation, *check),
-                            {evaluation.surface.data().rho_max, sums[c].patches});
+    if (check != nullptr) {
+        const Precision precision = precision_of(evaluation, *check);
+        for (std::size_t c = 0; c < sums.size(); ++c)
+            sums[c].component.errors =
+                estimate_errors(totals_of(sums[c]), check->sums.components[c], precision, sums[c].patches);
+    }
     parallel_for(sums.size(), 1, [&](std::size_t c) { finish_component(evaluation, sums[c]); });
     std::vector<double> volumes(sums.size());
     std::transform(sums.begin(), sums.end(), volumes.begin(),
@@ -399,15 +425,15 @@ Measures measure(const AccessibleSurface& surface, const Atoms& atoms, const Mea
     with_probe.probe = surface.probe();
     Measures measures = describe(atoms, with_probe, evaluation, &check);
     const SurfaceTotals& totals = evaluation.sums.totals;
-    measures.errors =
-        estimate_errors(totals, check.sums.totals, perturbation_of(evaluation, check), evaluation.rounding());
+    const Precision precision = precision_of(evaluation, check);
+    const std::size_t patches = evaluation.patches.patches().size();
+    measures.errors = estimate_errors(totals, check.sums.totals, precision, patches);
     measures.degenerate = evaluation.sums.degenerate || check.sums.degenerate;
     const bool agreed = agree(evaluation.sums, check.sums);
-    const bool resolved = is_resolved(totals, evaluation.rounding());
+    const bool resolved = is_resolved(totals, precision, patches);
     measures.agreed = agreed && resolved;
     if (!resolved)
-        measures.disputed = {fmt::format("spheres of {:.3g} Å are too large for double precision here",
-                                         evaluation.surface.data().rho_max)};
+        measures.disputed = {precision.text()};
     else if (!agreed) {
         const OwnEvaluation other(surface.perturbed(check.seed), check.seed);
         measures.disputed = name_disputed(evaluation, other.evaluation, atoms.size());

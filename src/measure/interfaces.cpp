@@ -76,16 +76,21 @@ Interface make_interface(const Measures& a, const Measures& b, const Measures& b
     return interface;
 }
 
-// The groups that have an atom at the place of each distinct atom.
-std::vector<AtomGroup> groups_of(const CanonicalAtoms& sorted, const Atoms& atoms,
-                                 std::span<const std::uint32_t> group) {
-    using Ball = std::array<double, 4>;
-    const auto ball = [](const Vec3& centre, double radius) { return Ball{centre.x, centre.y, centre.z, radius}; };
-    std::map<Ball, std::uint32_t> places;
-    for (std::uint32_t i = 0; i < sorted.size(); ++i) places[ball(sorted.centres[i], sorted.radii[i])] = i;
-    std::vector<AtomGroup> found(sorted.size());
+struct Member {
+    std::uint32_t group;
+    double radius;
+};
+
+// The atoms of groups that have the centre of each distinct atom.
+std::vector<std::vector<Member>> members_at(const CanonicalAtoms& sorted, const Atoms& atoms,
+                                            std::span<const std::uint32_t> group) {
+    using Place = std::array<double, 3>;
+    const auto place = [](const Vec3& centre) { return Place{centre.x, centre.y, centre.z}; };
+    std::map<Place, std::uint32_t> numbers;
+    for (std::uint32_t i = 0; i < sorted.size(); ++i) numbers[place(sorted.centres[i])] = i;
+    std::vector<std::vector<Member>> found(sorted.size());
     for (std::size_t i = 0; i < atoms.size(); ++i)
-        if (group[i] != kNone) found[places.at(ball(atoms.centres[i], atoms.radii[i]))].push_back(group[i]);
+        if (group[i] != kNone) found[numbers.at(place(atoms.centres[i]))].push_back({group[i], atoms.radii[i]});
     return found;
 }
 
@@ -126,7 +131,7 @@ std::vector<std::array<std::uint32_t, 2>> touching_groups(const Atoms& atoms, st
     const auto known = [&](std::uint32_t g) { return g < groups || g == kNone; };
     if (!std::all_of(group.begin(), group.end(), known)) throw UsageError("an atom's group does not exist");
     const CanonicalAtoms sorted = canonical_atoms(atoms, kSortingCell);
-    const std::vector<AtomGroup> here = groups_of(sorted, atoms, group);
+    const std::vector<std::vector<Member>> here = members_at(sorted, atoms, group);
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < sorted.size(); ++i)
         boxes.push_back(Box{sorted.centres[i], sorted.centres[i]}.grown(sorted.radii[i] + probe));
@@ -134,11 +139,12 @@ std::vector<std::array<std::uint32_t, 2>> touching_groups(const Atoms& atoms, st
     std::set<std::array<std::uint32_t, 2>> pairs;
     for (std::uint32_t i = 0; i < sorted.size(); ++i) {
         tree.for_each_overlapping(boxes[i], [&](std::uint32_t j) {
-            const double reach = sorted.radii[i] + sorted.radii[j] + 2.0 * probe;
-            if (squared_norm(sorted.centres[i] - sorted.centres[j]) > reach * reach) return;
-            for (const std::uint32_t a : here[i])
-                for (const std::uint32_t b : here[j])
-                    if (a < b) pairs.insert({a, b});
+            const double squared_distance = squared_norm(sorted.centres[i] - sorted.centres[j]);
+            for (const Member& a : here[i])
+                for (const Member& b : here[j]) {
+                    const double reach = a.radius + b.radius + 2.0 * probe;
+                    if (a.group < b.group && squared_distance <= reach * reach) pairs.insert({a.group, b.group});
+                }
         });
     }
     return {pairs.begin(), pairs.end()};

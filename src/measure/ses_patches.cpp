@@ -239,6 +239,13 @@ std::uint32_t SesPatches::component_like_reentrant(std::uint32_t vertex, const S
     return component;
 }
 
+std::array<std::uint32_t, 3> SesPatches::atoms_of(const SesPatch& patch) const {
+    if (patch.kind == PatchKind::Contact) return {patch.feature, kNone, kNone};
+    if (patch.kind == PatchKind::Reentrant) return data_->vertices[patch.feature].atoms;
+    const auto& atoms = data_->arcs[patch.feature].atoms;
+    return {atoms[0], atoms[1], kNone};
+}
+
 std::uint32_t SesPatches::component_at(const Vec3& point) const {
     const NearestHit hit = nearest_hit(*data_, point);
     if (hit.by_ball) {

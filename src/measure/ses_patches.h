@@ -34,6 +34,8 @@ public:
 
     const AccessibleSurface::Data& data() const { return *data_; }
     const std::vector<SesPatch>& patches() const { return patches_; }
+    /// In canonical order; kNone behind those of patches with fewer than three.
+    std::array<std::uint32_t, 3> atoms_of(const SesPatch& patch) const;
     /// Of a patch's integrals; the same for all patches of a component.
     const Vec3& origin_of(const SesPatch& patch) const;
     std::size_t component_count() const { return components_; }

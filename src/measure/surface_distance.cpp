@@ -33,12 +33,12 @@ std::vector<std::size_t> numbers_of_points(const Mesh& mesh, double density) {
     const double most = static_cast<double>(available_memory()) / kBytesPerPoint;
     for (const Triangle& t : mesh.triangles) {
         const double area = area_of(mesh, t);
-        total += std::max(4.0, density * area);
+        const auto n = static_cast<double>(divisions_of(area, density));
+        total += n * n;
         if (!(total < most))
             throw LimitError(fmt::format(
                 "{:.3g} points per Å² would be more points than fit into memory; choose fewer (--points)", density));
-        const std::size_t n = divisions_of(area, density);
-        sums.push_back(sums.back() + n * n);
+        sums.push_back(static_cast<std::size_t>(total));
     }
     return sums;
 }

@@ -81,7 +81,7 @@ private:
         double angle = 0.0;
         for (const Triangle& t : mesh_.triangles)
             if (mesh_.components[t[0]] == wall) angle += solid_angle(point, mesh_, t);
-        return std::abs(angle) > 2.0 * std::numbers::pi;  // 4 pi within, 0 without
+        return is_all_round(angle);
     }
 
     const Mesh& mesh_;

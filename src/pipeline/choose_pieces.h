@@ -3,7 +3,9 @@
 // Which closed pieces of a zero set are too small to be meshed.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include "meniscus/mesh.h"
 #include "meniscus/surface.h"
@@ -13,6 +15,9 @@ namespace meniscus {
 
 /// The solid angle of a triangle seen from a point, steradian, positive from behind (Van Oosterom & Strackee 1983).
 double solid_angle(const Vec3& from, const Mesh& mesh, const Triangle& triangle);
+
+/// Whether a closed surface whose triangles fill such a solid angle lies round the point.
+inline bool is_all_round(double angle) { return std::abs(angle) > 2.0 * std::numbers::pi; }  // 4 pi within, 0 without
 
 /// Drops the walls of cavities that enclose less than a volume, and the islands within these.
 ///

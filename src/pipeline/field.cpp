@@ -11,6 +11,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "core/workspaces.h"
@@ -20,6 +21,7 @@
 #include "meniscus/threads.h"
 #include "pipeline/checks.h"
 #include "pipeline/filled_space.h"
+#include "pipeline/level_set_side.h"
 
 namespace meniscus {
 namespace {
@@ -35,9 +37,6 @@ constexpr double kBlend = 1.0;  // spacings before the end of the band's half wi
 
 // The band is wider on either side of the surface.
 constexpr double kBeside = 2.0;  // spacings
-
-// No direction that atoms or lattices have.
-constexpr Vec3 kRay{0.5477225, 0.6324555, 0.5477226};
 
 // The signed distance that a surface means at any point of space, negative inside. Told the exact one to its SES.
 class SurfaceDistance {
@@ -93,16 +92,11 @@ private:
         const double value = level_set_->value(point);
         if (!std::isnan(value)) return value;
         const double reach = kBeside * spacing_;
-        if (!last.known || squared_norm(point - last.point) > reach * reach) last.inside = is_inside(point);
+        if (!last.known || squared_norm(point - last.point) > reach * reach)
+            last.inside = is_inside(*level_set_, point);
         last.known = true;
         last.point = point;
         return std::copysign(std::max(std::abs(exact), end_), last.inside ? -1.0 : 1.0);
-    }
-
-    // Outside the band: whether what a ray meets first is the surface seen from within.
-    bool is_inside(const Vec3& point) const {
-        const double t = level_set_->intersect(point, kRay);
-        return std::isfinite(t) && dot(level_set_->sample(point + t / norm(kRay) * kRay).gradient, kRay) > 0.0;
     }
 
     const LevelSet* level_set_;
@@ -122,7 +116,7 @@ public:
 
     const AccessibleSurface& accessible() const { return enlarged_; }
 
-    struct Beside {};
+    struct Beside {};  // nothing to remember of it
     double operator()(const Vec3& point, double exact, Beside& /*last*/) const {
         return exact >= 0.0 && filled_.contains(point) ? -kSafe : exact;
     }
@@ -270,6 +264,7 @@ double megabytes(const VolumeGrid& grid, std::size_t volumes) {
 }  // namespace
 
 VolumeGrid enclosing_grid(const Atoms& atoms, double spacing) {
+    if (atoms.empty()) throw std::invalid_argument("no atoms");
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     std::array low{kInfinity, kInfinity, kInfinity};
     std::array high{-kInfinity, -kInfinity, -kInfinity};

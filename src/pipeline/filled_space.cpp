@@ -43,7 +43,7 @@ bool FilledSpace::surrounds(std::size_t piece, const Vec3& point) const {
     double angle = 0.0;
     for (const std::uint32_t t : triangles_[piece])
         angle += solid_angle(point, filled_.walls, filled_.walls.triangles[t]);
-    return std::abs(angle) > 2.0 * std::numbers::pi;  // 4 pi within, 0 without
+    return is_all_round(angle);
 }
 
 double FilledSpace::distance(const Vec3& point, double with_cavities) const {

@@ -59,6 +59,7 @@ public:
 
 private:
     static constexpr double kGroupEdge = 10.0;      // Å
+    static constexpr double kMost = 2e9;            // of them along an axis: what is farther shares the last
     static constexpr std::size_t kChunk = 1 << 15;  // points per task
 
     static VertexRun run_from(std::span<const Vec3> points, std::size_t begin, double longest) {
@@ -76,7 +77,9 @@ private:
     }
     // In units of kGroupEdge.
     static BlockCoord place_of(const VertexRun& run) {
-        const auto number = [](double x) { return static_cast<std::int32_t>(std::floor(x / kGroupEdge)); };
+        const auto number = [](double x) {
+            return static_cast<std::int32_t>(std::clamp(std::floor(x / kGroupEdge), -kMost, kMost));
+        };
         const auto& [x, y, z] = run.box.low;
         return {.z = number(z), .y = number(y), .x = number(x)};
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pipeline/level_set_side.h"
 #include "pipeline/winding.h"
 
 namespace meniscus {
@@ -18,16 +19,6 @@ constexpr double kMeanDistanceBound = 0.1;  // in spacings
 // times over: of smooth surfaces, and of those with creases wherever atoms meet.
 constexpr double kVolumeBound = 0.1;         // Å^-1
 constexpr double kCreasedVolumeBound = 0.3;  // Å^-1
-
-bool is_inside(const LevelSet& level_set, const Vec3& point) {
-    const double value = level_set.value(point);
-    if (!std::isnan(value)) return value < 0.0;
-    const Vec3 direction{0.5377, 0.6181, 0.5737};  // no symmetry axis of anything
-    const double distance = level_set.intersect(point, direction);
-    if (std::isinf(distance)) return false;
-    const Vec3 crossing = point + (distance / norm(direction)) * direction;
-    return dot(level_set.sample(crossing).gradient, direction) > 0.0;
-}
 
 bool is_inside(const BlockGrid& grid, std::span<const InsideBits> inside, const Vec3& point) {
     if (grid.coords().empty()) return false;

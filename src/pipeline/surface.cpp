@@ -38,6 +38,8 @@ namespace {
 // radii do not put the surface, or planes of symmetry, exactly onto nodes.
 constexpr Vec3 kGridShift{0.3819660, 0.2360680, 0.1458980};
 
+constexpr double kFinest = 1e-6;  // Å, of grids: no structure's coordinates are finer
+
 constexpr double kWidestBand = 16.0;  // spacings
 
 // Even meshes: areas farther from the exact one than this part of it ask for a finer grid, as long as the surface
@@ -75,6 +77,7 @@ void check_options(const SurfaceOptions& options) {
     if (options.method == Method::Gaussian && options.surface != SurfaceKind::Ses)
         throw UsageError("method gaussian is one envelope of the atoms; surface sas and vdw need flow or direct");
     require_positive("spacing", options.spacing);
+    require(options.spacing >= kFinest, "spacing", options.spacing, "at least 1e-6");
     require(is_positive(-options.density), "density", options.density, "finite and negative");
     if (options.method == Method::Flow) check_flow(options.flow);
     const RemeshOptions& remesh = options.remesh;

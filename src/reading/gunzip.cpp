@@ -12,6 +12,7 @@
 
 #include "core/memory.h"
 #include "meniscus/errors.h"
+#include "reading/read_bytes.h"
 
 namespace meniscus::reading {
 namespace {
@@ -21,8 +22,6 @@ constexpr std::size_t kLargestContent = std::size_t{8} << 30U;
 // Text of structures shrinks to a tenth, rarely to a fiftieth. What grows a thousandfold was made to fill the memory.
 constexpr std::size_t kSuspicious = std::size_t{256} << 20U;
 constexpr std::size_t kMostGrowth = 200;
-// Reading takes up to six times the size of the text until the atoms are chosen.
-constexpr std::size_t kMemoryPerText = 6;
 constexpr int kGzipWindow = 15 + 16;  // largest window, gzip header (zlib.h, inflateInit2)
 
 // A zlib stream that is closed on every way out.

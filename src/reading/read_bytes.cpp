@@ -19,8 +19,6 @@ namespace {
 
 // Files below this are read without asking how much memory there is.
 constexpr std::size_t kSmall = std::size_t{64} << 20U;
-// Reading takes up to six times the size of the text until the atoms are chosen.
-constexpr std::size_t kMemoryPerText = 6;
 
 std::size_t largest_text() { return std::max(kSmall, available_memory() / kMemoryPerText); }
 

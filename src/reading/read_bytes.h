@@ -3,9 +3,13 @@
 // From a path to the bytes of a file.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace meniscus::reading {
+
+/// Reading takes up to six times the size of the text until the atoms are chosen.
+inline constexpr std::size_t kMemoryPerText = 6;
 
 /// All bytes of a file, or of standard input if the path is "-", as they are.
 ///

@@ -117,8 +117,8 @@ private:
     // A corner of each of those triangles of which there are more than `most` in a cube.
     std::vector<Vec3> crowded(const std::vector<std::uint32_t>& triangles, std::size_t most) const {
         if (triangles.size() <= most) return {};
-        std::map<std::array<int, 3>, std::vector<Vec3>> cubes;
-        const auto number = [this](double x) { return static_cast<int>(std::floor(x / (kCube * options_.edge))); };
+        std::map<std::array<std::int64_t, 3>, std::vector<Vec3>> cubes;
+        const auto number = [this](double x) { return std::llround(std::floor(x / (kCube * options_.edge))); };
         for (const std::uint32_t t : triangles) {
             const Vec3& corner = mesh_.vertices[mesh_.triangles[t][0]];
             cubes[{number(corner.z), number(corner.y), number(corner.x)}].push_back(corner);

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
 #include "support/arrangements.h"
 
@@ -96,6 +98,10 @@ TEST(LocalFeatures, AnswerForPointsFarApartInOneBatch) {
 TEST(LocalFeatures, AnswerForNoPointAndForOne) {
     const AccessibleSurface surface(two_spheres(3.0), 1.4);
     EXPECT_TRUE(nearest_features(surface, {}).empty());
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double inf = std::numeric_limits<double>::infinity();
+    EXPECT_THROW(nearest_features(surface, std::vector<Vec3>{{1, 0, 0}, {0, nan, 0}}), std::invalid_argument);
+    EXPECT_THROW(nearest_features(surface, std::vector<Vec3>{{inf, 0, 0}}), std::invalid_argument);
     expect_same_as_one_by_one(surface, {{1.5, 1.2, 0.3}});
     expect_same_as_one_by_one(surface, {{1.5, 1.2, 0.3}, {1.5, 1.2, 0.3}, {1.5, 1.2, 0.3}});
 }

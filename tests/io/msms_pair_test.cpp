@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <set>
 #include <sstream>
 
@@ -114,6 +115,14 @@ TEST(MsmsPair, WhatHasNoRoomIsRefusedAndLeavesNothing) {
     mesh.vertices[2].z = -10000.0;
     EXPECT_THROW(write_msms(folder / "a", mesh, {}), LimitError);
     EXPECT_TRUE(folder.listing().empty());
+}
+
+// The .vert is found to be full when its last bytes are written.
+TEST(MsmsPair, OneFileThatFailsLeavesTheOtherAsItWas) {
+    const ScratchFolder folder;
+    std::filesystem::create_symlink("/dev/full", folder / "a.vert");
+    EXPECT_THROW(write_msms(folder / "a", labelled_tetrahedron(), {}), OutputError);
+    EXPECT_EQ(folder.listing().size(), 1U);
 }
 
 TEST(MsmsPair, AnEmptyMeshIsTwoHeaders) {

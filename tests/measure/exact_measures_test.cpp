@@ -372,6 +372,35 @@ TEST(Measure, ErrorEstimatesOfHugeProbesHold) {
     }
 }
 
+// Places have the rounding of their coordinates, which two evaluations have in common.
+TEST(Measure, ErrorEstimatesFarFromTheOriginHold) {
+    Atoms atoms = random_cluster(60, 9.0, 8);
+    for (Vec3& c : atoms.centres)
+        c = {std::ldexp(std::round(std::ldexp(c.x, 10)), -10), std::ldexp(std::round(std::ldexp(c.y, 10)), -10),
+             std::ldexp(std::round(std::ldexp(c.z, 10)), -10)};
+    const Measures near = measure(atoms);
+    for (const int power : {20, 30, 34, 38}) {
+        SCOPED_TRACE(power);
+        const double far = std::ldexp(1.0, power);
+        Atoms moved = atoms;
+        for (Vec3& c : moved.centres) c = c + Vec3{far, -far, far};
+        const Measures m = measure(moved);
+        EXPECT_NEAR(m.totals.ses_area, near.totals.ses_area, near.errors.ses_area + m.errors.ses_area);
+        EXPECT_NEAR(m.totals.ses_volume, near.totals.ses_volume, near.errors.ses_volume + m.errors.ses_volume);
+        EXPECT_EQ(m.agreed, power < 31);
+        EXPECT_EQ(m.agreed, m.disputed.empty());
+    }
+}
+
+TEST(Measure, ErrorEstimatesOfSmallSpheresHold) {
+    for (const double radius : {1.0, 0.1, 1e-2, 1e-3})
+        for (int k = 0; k < 40; ++k) {
+            const Measures m = measure({{{0.37 * k, 1.0, -0.11 * k}}, {radius}}, {.probe = 0.0});
+            EXPECT_NEAR(m.totals.ses_area, 4.0 * kPi * radius * radius, m.errors.ses_area) << radius << ' ' << k;
+            EXPECT_NEAR(m.totals.ses_volume, 4.0 / 3.0 * kPi * std::pow(radius, 3), m.errors.ses_volume);
+        }
+}
+
 TEST(Measure, WhatIsDisputedHasAName) {
     const Measures m = measure({{{0, 0, 0}}, {1e-3}}, {.probe = 1.4});
     EXPECT_FALSE(m.agreed) << "the perturbation of 1e-10 Å is more than 1e-7 of the area";

@@ -130,9 +130,21 @@ TEST(Interfaces, TouchingPairsAreThoseOfEveryPairOfAtoms) {
     EXPECT_EQ(touching_groups(atoms, group, 7, 0.0), expected);
 }
 
+// The smaller of two atoms at one place is nothing to the surface, but its group touches what it reaches itself.
+TEST(Interfaces, AtomsWithinOthersTouchByTheirOwnRadii) {
+    Atoms atoms = two_spheres(5.5, 1.5, 1.5);
+    atoms.centres.push_back(atoms.centres[0]);
+    atoms.radii.push_back(3.0);
+    const std::vector<std::uint32_t> group{0, 1, 2};
+    EXPECT_EQ(touching_groups(atoms, group, 3, 0.6), (Pairs{{0, 2}, {1, 2}}));
+    EXPECT_EQ(touching_groups(atoms, group, 3, 1.4), (Pairs{{0, 1}, {0, 2}, {1, 2}}));
+}
+
 TEST(Interfaces, AtomsAtOnePlaceTouch) {
     const Atoms atoms = two_spheres(0.0, 1.5, 1.5);
     EXPECT_EQ(touching_groups(atoms, std::vector<std::uint32_t>{1, 0}, 2, kProbe), (Pairs{{0, 1}}));
+    EXPECT_EQ(touching_groups(two_spheres(0.0, 1.5, 1.7), std::vector<std::uint32_t>{0, 1}, 2, kProbe),
+              (Pairs{{0, 1}}));
     EXPECT_THROW(touching_groups(atoms, std::vector<std::uint32_t>{0}, 2, kProbe), UsageError);
     EXPECT_THROW(touching_groups(atoms, std::vector<std::uint32_t>{0, 2}, 2, kProbe), UsageError);
 }

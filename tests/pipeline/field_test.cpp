@@ -130,6 +130,7 @@ TEST(Field, MapsOfApbsAreHalfASpacingBesideTheNodes) {
 
 TEST(Field, FilledCavitiesAreInsideInEveryField) {
     const Atoms atoms = hollow_shell();
+    EXPECT_THROW(enclosing_grid({}, 0.6), std::invalid_argument);
     const VolumeGrid grid = enclosing_grid(atoms, 0.6);
     for (const Method method : {Method::Direct, Method::Flow}) {
         const Surface open = compute_surface(atoms, {.method = method});

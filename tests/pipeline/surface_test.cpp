@@ -285,6 +285,7 @@ TEST(Surface, OptionsOutOfRangeAreUsageErrors) {
     EXPECT_THROW(compute_surface(atoms, {.probe = -1.0}), UsageError);
     EXPECT_THROW(compute_surface(atoms, {.probe = nan}), UsageError);
     EXPECT_THROW(compute_surface(atoms, {.spacing = 0.0}), UsageError);
+    EXPECT_THROW(compute_surface(atoms, {.spacing = 1e-100}), UsageError);
     EXPECT_THROW(compute_surface(atoms, {.density = 0.5}), UsageError);
     EXPECT_THROW(compute_surface(atoms, {.flow = {.max_steps = 0}}), UsageError);
     EXPECT_THROW(compute_surface(atoms, {.min_cavity = -1.0}), UsageError);
