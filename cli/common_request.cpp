@@ -74,7 +74,13 @@ void add_atom_options(CLI::App& command, CommonRequest& request) {
         .add_option_function<std::string>("--chains", chains,
                                           "Chains to keep\n, by author name; label:A for mmCIF label names")
         ->type_name("A,B");
-    command.add_option("--select", read.select, "Atoms to keep, as in //A/10-50\n: gemmi's selection syntax")
+    const auto select = [&read](const std::string& text) {
+        if (text.empty()) throw UsageError("--select: empty; write for instance //A/10-50");
+        read.select = text;
+    };
+    command
+        .add_option_function<std::string>("--select", select,
+                                          "Atoms to keep, as in //A/10-50\n: gemmi's selection syntax")
         ->type_name("EXPR");
     add_choice(command, "--hetero", read.hetero, kHeteroWords,
                "Hetero atoms to keep\n beside the polymer: groups of two or more atoms (ligands), or ions and metals, "

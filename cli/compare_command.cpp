@@ -66,6 +66,8 @@ private:
             input.surface = mesh_to_compare(read_mesh(path));
             if (input.surface.mesh.triangles.empty())
                 throw InputError(path + ": has no triangles; there is nothing to compare");
+            if (!(input.surface.area > 0.0))
+                throw InputError(path + ": its triangles have no area; there is nothing to compare");
         } else {
             ReadOptions reading = request_.read;
             reading.checksum = false;  // nothing about a comparison tells it

@@ -129,7 +129,7 @@ int run_or_fail(int argc, char** argv) {
     } catch (const std::length_error& error) {
         return fail(kLimitError, error.what());
     } catch (const std::bad_alloc&) {
-        return fail(kLimitError, "out of memory; raise --spacing, or keep fewer atoms");
+        return fail(kLimitError, "out of memory; keep fewer atoms, or for a surface raise --spacing");
     } catch (const std::exception& error) {
         if (meniscus::cli::is_out_of_threads(error)) return fail(kLimitError, meniscus::cli::kOutOfThreads);
         return fail(kOtherError, error.what());

@@ -36,14 +36,13 @@ std::string reason(archive* a) {
                     path, why));
 }
 
-/// Reads the archive in `descriptor` from its place on.
+/// Reads the archive in `descriptor` from its place on. Names keep their bytes: in the locale "C" libarchive could turn
+/// none but ASCII into anything else.
 Reader open_reader(const std::string& path, int descriptor) {
     const Libarchive& lib = libarchive();
     Reader reader(lib.read_new(), lib.read_free);
     lib.read_support_format_tar(reader.get());
-    if (lib.read_set_options(reader.get(), "hdrcharset=UTF-8") < ARCHIVE_WARN ||
-        lib.read_open_fd(reader.get(), descriptor, kBlock) != ARCHIVE_OK)
-        refuse(path, reason(reader.get()));
+    if (lib.read_open_fd(reader.get(), descriptor, kBlock) != ARCHIVE_OK) refuse(path, reason(reader.get()));
     return reader;
 }
 

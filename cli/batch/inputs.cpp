@@ -58,6 +58,12 @@ bool is_text(const std::string& name) {
 
 bool is_archive(const std::string& name) { return CLI::detail::to_lower(name).ends_with(".tar"); }
 
+bool is_packed_archive(const std::string& name) {
+    constexpr std::array kPacked{".tar.gz", ".tgz", ".tar.bz2", ".tbz2", ".tar.xz", ".txz", ".tar.zst"};
+    const std::string lower = CLI::detail::to_lower(name);
+    return std::any_of(kPacked.begin(), kPacked.end(), [&](const char* suffix) { return lower.ends_with(suffix); });
+}
+
 [[noreturn]] void refuse(const fs::path& path, const std::error_code& error) {
     throw InputError(fmt::format("{}: cannot be read: {}", path.string(), error.message()));
 }
@@ -103,6 +109,10 @@ public:
             refuse(word, error ? error : std::make_error_code(std::errc::no_such_file_or_directory));
         if (fs::is_directory(status)) return add_folder(word);
         if (is_archive(word)) return add_archive(word);
+        if (is_packed_archive(word))
+            throw InputError(word +
+                             ": an archive that is packed; unpack it to .tar first, so that its members can be "
+                             "reached one by one");
         const fs::path path(word);
         fs::path name = path.filename();
         if (!base_.empty())
@@ -191,7 +201,7 @@ private:
                 const fs::path inner = fs::weakly_canonical(entry->path(), ignored);
                 if (std::find(skip_.begin(), skip_.end(), inner) != skip_.end()) entry.disable_recursion_pending();
             } else if (const std::string name = entry->path().lexically_relative(folder).generic_string();
-                       names_structure(name)) {
+                       names_structure(name) && entry->is_regular_file(ignored)) {
                 found_.inputs.push_back({(root / name).lexically_normal().generic_string(), entry->path().string(),
                                          std::nullopt, size_of(entry->path())});
             } else {

@@ -20,7 +20,6 @@ Libarchive load() {
     library->find("archive_read_new", found.read_new);
     library->find("archive_read_free", found.read_free);
     library->find("archive_read_support_format_tar", found.read_support_format_tar);
-    library->find("archive_read_set_options", found.read_set_options);
     library->find("archive_read_open_fd", found.read_open_fd);
     library->find("archive_read_next_header", found.read_next_header);
     library->find("archive_read_header_position", found.read_header_position);

@@ -16,7 +16,6 @@ struct Libarchive {
     decltype(&::archive_read_new) read_new;
     decltype(&::archive_read_free) read_free;
     decltype(&::archive_read_support_format_tar) read_support_format_tar;
-    decltype(&::archive_read_set_options) read_set_options;
     decltype(&::archive_read_open_fd) read_open_fd;
     decltype(&::archive_read_next_header) read_next_header;
     decltype(&::archive_read_header_position) read_header_position;

@@ -164,8 +164,9 @@ Run::Run(const Request& request, const Shard& shard, const Places& places)
       most_jobs_(static_cast<std::size_t>(request.jobs > 0 ? request.jobs : threads_in_use(0))),
       threads_(request.threads > 0 ? request.threads : std::max(1, threads_in_use(0) / static_cast<int>(most_jobs_))) {
     if (found_.left_out > 0 && !request.quiet)
-        print_warning(std::cerr, fmt::format("files left out because their suffixes are not those of structures: {}",
-                                             found_.left_out));
+        print_warning(std::cerr,
+                      fmt::format("files left out, none of structures by their suffixes or no files at all: {}",
+                                  found_.left_out));
     std::uint64_t weight = 0;
     for (const Task& task : tasks_) {
         const auto found = log_.entries().find(task.input.name);

@@ -72,8 +72,9 @@ struct CompareOptions {
 /// Distances to a mesh are exact; their sign is that of the nearest point's normal (at edges and corners the normal
 /// weighted by angles), so it means outside and inside where the other mesh is closed and oriented. Distances to a SES
 /// are those of signed_distance().
-/// throws   UsageError for a mesh without triangles or options out of range; LimitError for more points than fit into
-///          memory
+///
+/// throws   UsageError for a mesh without triangles or area, or options out of range; LimitError for more points than
+///          fit into memory
 /// cost     some µs per point, parallel
 /// source   sign: Bærentzen & Aanæs 2005, IEEE Trans. Vis. Comput. Graph. 11, 243-253
 Comparison compare_surfaces(const ComparedSurface& a, const ComparedSurface& b, const CompareOptions& options = {});

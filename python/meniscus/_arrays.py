@@ -14,6 +14,8 @@ Floats = npt.NDArray[np.float64]
 
 
 def _numbers(name: str, values: npt.ArrayLike) -> npt.NDArray[Any]:
+    if isinstance(values, np.ma.MaskedArray) and np.any(values.mask):
+        raise UsageError(f"{name}: some entries are masked; leave them out")
     try:
         array = np.asarray(values)
     except ValueError as error:
@@ -51,11 +53,28 @@ def one_per(name: str, values: npt.ArrayLike, count: int) -> Floats:
     return _finite(name, array)
 
 
+def whole_per(name: str, values: npt.ArrayLike, count: int) -> list[int]:
+    """Shape (count,), whole numbers of 32 bits; a single number stands for all."""
+    array = one_per(name, values, count)
+    wrong = (array != np.rint(array)) | (np.abs(array) >= 2**31)
+    if wrong.any():
+        raise UsageError(f"{name}: entry {int(np.argmax(wrong))} is no whole number of 32 bits")
+    return [int(value) for value in array]
+
+
+def _text(name: str, value: Any) -> str:
+    if isinstance(value, bytes):
+        return value.decode("utf-8", "replace")
+    if value is None:
+        raise UsageError(f"{name}: None is no text; write ''")
+    return str(value)
+
+
 def texts(name: str, values: Any, count: int) -> list[str]:
-    """One text per atom; one text stands for all."""
-    if isinstance(values, str):
-        return [values] * count
-    result = [str(value) for value in values]
+    """One text per atom, bytes as UTF-8; one text stands for all."""
+    if isinstance(values, (str, bytes)):
+        return [_text(name, values)] * count
+    result = [_text(name, value) for value in values]
     if len(result) != count:
         raise UsageError(f"{name}: {len(result)} entries for {count} atoms")
     return result

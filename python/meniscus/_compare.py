@@ -9,9 +9,11 @@ from typing import Union
 
 from . import _core, _options
 from ._arrays import Floats
-from ._errors import InputError, text_of_path, unreadable
+from ._errors import InputError, UsageError, text_of_path, unreadable
 from ._structure import Path, Structure, read
 from ._surface import Indices, Singles, Surface
+
+_WITH_VALUES = (".ply", ".glb", ".vtp", ".npz")
 
 Comparable = Union[Path, Surface, Structure]
 
@@ -82,14 +84,17 @@ class Comparison:
         return self._a.mesh.triangles
 
     def save(self, path: Path, range: tuple[float, float] | None = None) -> None:
-        """Writes A's mesh (.ply .glb) with the vertex array ``distance`` and its colours: blue inside B, red outside.
+        """Writes A's mesh (.ply .glb .vtp .npz) with the vertex array ``distance`` and its colours: blue inside B, red outside.
 
         range  distances of full blue and full red, Å; by default what 99 % of A's area are within
         """
+        target = text_of_path(path)
+        if not target.endswith(_WITH_VALUES):
+            raise UsageError(f"{target}: has no room for distances; choose {' '.join(_WITH_VALUES)}")
         reach = max(self.a_to_b.p99, 1e-3)
         low, high = (-reach, reach) if range is None else range
         structure = self._structure
-        _core.write_compared(text_of_path(path), self._a, self.distances,
+        _core.write_compared(target, self._a, self.distances,
                              (_options.number("range", low), _options.number("range", high)),
                              None if structure is None else structure._core, None if structure is None else self._probe)
 

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core, _options
-from ._arrays import Floats, one_per, positions, texts
+from ._arrays import Floats, one_per, positions, texts, whole_per
 from ._errors import InputError, ReadWarning, UsageError, text_of_path, unreadable
 
 Path = Union[str, "os.PathLike[str]"]
@@ -91,7 +91,7 @@ class Structure:
                 columns[key] = texts(key, words, n)
         for key, values in (("resnum", resnum), ("serial", serial)):
             if values is not None:
-                columns[key] = one_per(key, values, n).astype(np.int32).tolist()
+                columns[key] = whole_per(key, values, n)
         for key, values in (("b_factor", b_factor), ("occupancy", occupancy), ("charge", charge)):
             if values is not None:
                 columns[key] = one_per(key, values, n).tolist()

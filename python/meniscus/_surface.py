@@ -6,19 +6,20 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable
 from functools import cached_property
-from typing import Any, Optional
+from typing import Any, Optional, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core, _options, _writing
 from ._arrays import Floats, positions
-from ._errors import CheckWarning, UsageError, text_of_path
+from ._errors import CheckWarning, InputError, UsageError, text_of_path, unreadable
 from ._measures import Component, Measures, checked
 from ._structure import Path, Structure, as_structure
 
 Singles = npt.NDArray[np.float32]
 Indices = npt.NDArray[np.uint32]
+_Read = TypeVar("_Read")
 Progress = Optional[Callable[[str, float], object]]
 
 
@@ -41,7 +42,7 @@ class _Vertices:
 
     @property
     def atom(self) -> Indices:
-        """(n,) uint32, index of the nearest atom."""
+        """(n,) uint32, index of the nearest of the atoms that the vertex's patch touches."""
         return self._mesh.atom
 
     @property
@@ -97,7 +98,7 @@ class _Vertices:
         """
         options = {"offset": _options.number("offset", offset),
                    "interpolation": _options.word("interpolation", interpolation)}
-        return _core.map_values(self._mesh, text_of_path(path), options)
+        return _reading(text_of_path(path), lambda text: _core.map_values(self._mesh, text, options))
 
     def table_values(self, path: Path) -> dict[str, Singles]:
         """By name, (n,) float32: columns of a table of values by atom, residue or chain, NaN where it has none.
@@ -105,7 +106,15 @@ class _Vertices:
         The table is comma-separated with a line of names, as the command line's ``--values`` takes it. Raises
         :class:`InputError` for what is no such table, or one of another structure.
         """
-        return _core.table_values(self._mesh, self._structure._core, text_of_path(path))
+        return _reading(text_of_path(path), lambda text: _core.table_values(self._mesh, self._structure._core, text))
+
+
+def _reading(path: str, read: Callable[[str], _Read]) -> _Read:
+    """What is read of a file; one that cannot be opened is an OSError."""
+    try:
+        return read(path)
+    except InputError as error:
+        raise unreadable(path, str(error)) or error from None
 
 
 class Points(_Vertices):
@@ -161,8 +170,11 @@ class Surface(_Vertices):
 
     @property
     def options(self) -> dict[str, Any]:
-        """What :func:`surface` was asked for, by the names of its arguments."""
-        return dict(self._options)
+        """What :func:`surface` was asked for, by the names of its arguments; what is left out was left open."""
+        options = {name: value for name, value in self._options.items() if name != "finer_grid"}
+        if "memory_mb" in options:
+            options["memory"] = options.pop("memory_mb")
+        return options
 
     @property
     def mesh(self) -> dict[str, Any]:

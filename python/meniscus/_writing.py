@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core, _options
-from ._errors import OutputError, UsageError
+from ._errors import OutputError, UsageError, unreadable
 
 if TYPE_CHECKING:
     from ._surface import Points, Surface
@@ -58,7 +58,12 @@ def value_options(values: Values, count: int) -> dict[str, Any]:
     """Arrays by name, in single precision, one number per vertex."""
     arrays = {}
     for name, array in (values or {}).items():
-        arrays[str(name)] = single = np.ascontiguousarray(array, dtype=np.float32)
+        if np.asarray(array).dtype.kind not in "fiub":
+            raise UsageError(f"values: '{name}' must be numbers, not {np.asarray(array).dtype}")
+        with np.errstate(over="ignore"):
+            arrays[str(name)] = single = np.ascontiguousarray(array, dtype=np.float32)
+        if np.isinf(single).any():
+            raise UsageError(f"values: '{name}' has a number beyond single precision; NaN stands for none")
         if single.shape != (count,):
             raise UsageError(f"values: '{name}' must have the shape ({count},), one number per vertex, not "
                              f"{single.shape}")
@@ -121,8 +126,16 @@ def _cut(cut: Cut) -> dict[str, Any] | None:
     raise UsageError(f"cut: a point has three numbers; shape (3,) or (2, 3) is needed, not {array.shape}")
 
 
+def _pair(name: str, values: Any) -> tuple[Any, Any]:
+    try:
+        first, second = values
+    except (TypeError, ValueError):
+        raise UsageError(f"{name}: two numbers are needed, not {values!r}") from None
+    return first, second
+
+
 def _picture_options(drawing: dict[str, Any]) -> dict[str, Any]:
-    width, height = drawing["size"]
+    width, height = _pair("size", drawing["size"])
     options: dict[str, Any] = {
         "width": _options.whole("size", width),
         "height": _options.whole("size", height),
@@ -165,23 +178,31 @@ def _grid_options(grid: Grid) -> dict[str, Any]:
     if grid is None:
         return {}
     if isinstance(grid, (str, os.PathLike)):
-        return {"grid_file": os.fspath(grid)}
+        path = os.fspath(grid)
+        if (error := unreadable(path, f"{path}: cannot be read")) is not None:
+            raise error
+        return {"grid_file": path}
     array = np.asarray(grid, dtype=np.float64)
     if array.shape != (7,):
         raise UsageError(f"grid: the name of a file or seven numbers (nx, ny, nz, h, cx, cy, cz), not {array.shape}")
+    if not (np.isfinite(array).all() and (array[:3] == np.rint(array[:3])).all()):
+        raise UsageError("grid: nodes along x, y and z are whole numbers, and all seven are finite")
     counts = tuple(_options.whole("grid", int(n)) for n in array[:3])
     return {"grid": (counts, _options.positive("grid", array[3]), tuple(array[4:].tolist()))}
 
 
-def _save_volume(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
-    inner, outer = drawing["eps"]
-    asked = {
-        "threads": options["threads"],
+def _volume_options(drawing: dict[str, Any]) -> dict[str, Any]:
+    inner, outer = _pair("eps", drawing["eps"])
+    return {
         "field": _options.word("field", drawing["field"]),
         "eps": (_options.positive("eps", inner), _options.positive("eps", outer)),
         "ion_radius": _options.number("ion_radius", drawing["ion_radius"]),
         **_grid_options(drawing["grid"]),
     }
+
+
+def _save_volume(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
+    asked = {"threads": options["threads"], **_volume_options(drawing)}
     maps = drawing["maps"]
     if maps is None:
         return _core.write_volume(path, surface._core, asked)
@@ -264,6 +285,8 @@ def save_surface(path: str, surface: Surface, color: Color, values: Values, asci
     writer = _SURFACE_WRITERS.get(pathlib.PurePath(path).suffix)
     if writer is None:
         raise _unknown_suffix(path, list(_SURFACE_WRITERS))
+    for check in (_picture_options, _volume_options):  # of every format: one set of options may go to several files
+        check(drawing)
     options = {**colour_options(color), **value_options(values, len(surface.normals)),
                **_part_options(path, writer, part), "ascii": bool(ascii),
                "threads": surface.options["threads"]}

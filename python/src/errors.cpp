@@ -20,13 +20,13 @@ void raise(const char* name, const char* message) {
 
 }  // namespace
 
-/// Everything else has a class of Python's own: std::invalid_argument is ValueError, std::bad_alloc MemoryError.
+/// Everything else has a class of Python's own, as std::bad_alloc MemoryError.
 void bind_errors(py::module_& /*module*/) {
     // NOLINTNEXTLINE(performance-unnecessary-value-param): pybind11 takes a function of this type
     py::register_exception_translator([](std::exception_ptr thrown) {
         try {
             if (thrown) std::rethrow_exception(thrown);
-        } catch (const UsageError& error) {
+        } catch (const std::invalid_argument& error) {  // UsageError, and arrays that make no sense
             raise("UsageError", error.what());
         } catch (const InputError& error) {
             raise("InputError", error.what());

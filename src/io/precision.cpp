@@ -6,10 +6,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <vector>
 
 #include "core/parallel.h"
+#include "meniscus/errors.h"
 
 namespace meniscus {
 namespace {
@@ -22,7 +24,7 @@ constexpr double kTooLongToVanish = 1e-3;
 
 constexpr std::size_t kItemsPerChunk = 1U << 14U;
 
-bool is_far_off(const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) >= kFarOff; }
+double reach(const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
 
 bool coincide_when_rounded(const Vec3& a, const Vec3& b) {
     const auto rounded = [](double x) { return static_cast<float>(x); };
@@ -56,8 +58,18 @@ std::unique_ptr<const float[]> rounded_x(const Mesh& mesh) {
 
 }  // namespace
 
+void require_single_precision(const Mesh& mesh, const std::string& path) {
+    constexpr double kTooFarOff = 1U << 17U;
+    constexpr double kFarthest = std::numeric_limits<float>::max();  // beyond that the formats have no numbers
+    const auto is_rounded = [](const Vec3& p) { return reach(p) >= kTooFarOff && reach(p) <= kFarthest; };
+    if (parallel_any_of(mesh.vertices, is_rounded))
+        throw LimitError(path +
+                         ": its format has single precision, too coarse so far from the origin; write .ply, or "
+                         "move the atoms nearer to it");
+}
+
 Precision precision_needed(const Mesh& mesh, double shortest_edge) {
-    if (parallel_any_of(mesh.vertices, [](const Vec3& p) { return is_far_off(p); })) return Precision::Double;
+    if (parallel_any_of(mesh.vertices, [](const Vec3& p) { return reach(p) >= kFarOff; })) return Precision::Double;
     if (shortest_edge > kTooLongToVanish) return Precision::Single;
     const std::unique_ptr<const float[]> x = rounded_x(mesh);
     const auto same_x = [&x](VertexId a, VertexId b) { return static_cast<unsigned>(x[a] == x[b]); };

@@ -3,6 +3,8 @@
 // How many digits the coordinates of a mesh need.
 #pragma once
 
+#include <string>
+
 #include "io/atomic_file.h"
 #include "meniscus/mesh.h"
 
@@ -17,6 +19,10 @@ enum class Precision { Single, Double };
 /// shortest_edge   no side of a triangle is known to be shorter, Å
 /// cost            O(n); a tenth where no side is so short that its ends could coincide
 Precision precision_needed(const Mesh& mesh, double shortest_edge = 0.0);
+
+/// For formats that know nothing else.
+/// throws   LimitError "PATH: ..." where single precision has steps above 0.01 Å, from 131,072 Å off the origin on
+void require_single_precision(const Mesh& mesh, const std::string& path);
 
 /// Writes "x y z", each in as few digits as give the rounded number back.
 void write_point(AtomicFile& file, const Vec3& point, Precision precision);

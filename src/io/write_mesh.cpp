@@ -19,6 +19,7 @@
 #include "io/obj.h"
 #include "io/off.h"
 #include "io/ply.h"
+#include "io/precision.h"
 #include "io/stl.h"
 #include "io/vtp.h"
 #include "meniscus/errors.h"
@@ -102,6 +103,7 @@ void write_mesh(const std::string& path, const Mesh& mesh, const WriteOptions& g
     }
     check(mesh, options);
     if (suffix == ".vert") return write_msms_pair(path, mesh, options.structure, options.probe.value_or(0.0));
+    if (suffix == ".stl" || suffix == ".glb") require_single_precision(mesh, path);
     AtomicFile file(path);
     if (suffix == ".ply") write_ply(file, mesh, options);
     if (suffix == ".obj") write_obj(file, mesh, options.open);

@@ -40,6 +40,7 @@ void check_mesh(const Mesh& mesh) {
 void check(const ComparedSurface& a, const ComparedSurface& b, const CompareOptions& options) {
     check_mesh(a.mesh);
     check_mesh(b.mesh);
+    if (!(a.area > 0.0) || !(b.area > 0.0)) throw UsageError("a surface without area; there is nothing to compare");
     require_positive("points", options.density);
     check_threads(options.threads);
 }

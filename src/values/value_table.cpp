@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -39,10 +40,11 @@ double value_in(const CsvCell& cell, const std::string& column, const std::strin
     if (text.empty() || text == "NA" || text == "nan" || text == "NaN") return kNone;
     if (text == "true" || text == "True" || text == "TRUE") return 1.0;
     if (text == "false" || text == "False" || text == "FALSE") return 0.0;
-    if (const auto number = reading::finite_number(text)) return *number;
+    const auto number = reading::finite_number(text);
+    if (number && std::abs(*number) <= double{std::numeric_limits<float>::max()}) return *number;
     fail_at(file, cell.place,
             "column " + shown(column) + " holds " + shown(text) +
-                ", which is no number; leave the column out, or the cell empty");
+                ", which is no number within single precision; leave the column out, or the cell empty");
 }
 
 class TableReader {

@@ -252,7 +252,23 @@ class Inputs(BatchTest):
         self.names(self.write("x/twice.xyzr", spheres(9, 3)))
         self.assertEqual(self.results(), [last])
 
+    def test_names_of_archives_by_gnu_tar(self):
+        with tarfile.open(self.folder / "gnu.tar", "w", format=tarfile.GNU_FORMAT) as tar:
+            for name in ("ü.xyzr", "é" * 90 + ".xyzr"):
+                member = tarfile.TarInfo(name)
+                member.size = len(spheres(9, 1))
+                tar.addfile(member, io.BytesIO(spheres(9, 1)))
+        self.assertEqual(self.names("gnu.tar"), ["é" * 90 + ".xyzr", "ü.xyzr"])
+
+    def test_pipes_in_folders_are_no_inputs(self):
+        (self.folder / "x").mkdir()
+        (self.folder / "x/a.xyzr").write_bytes(spheres(9, 1))
+        os.mkfifo(self.folder / "x/b.xyzr")
+        self.assertEqual(self.names("x"), ["a.xyzr"])
+
     def test_what_cannot_be_read_is_refused(self):
+        (self.folder / "packed.tar.gz").write_bytes(b"")
+        self.assertIn("unpack it to .tar first", self.refused("measure", "packed.tar.gz", "--out", "out", code=3))
         (self.folder / "no.tar").write_bytes(b"no archive" * 100)
         self.assertIn("no.tar: cannot be read as a tar archive", self.refused("measure", "no.tar", "--out", "out", code=3))
         self.assertIn("missing: cannot be read", self.refused("measure", "missing", "--out", "out", code=3))

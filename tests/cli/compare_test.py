@@ -91,6 +91,8 @@ class Spheres(CompareTest):
         self.assertIn("bad.off:3:5: ", result.stderr)
         self.write("empty.off", "OFF\n0 0 0\n")
         self.assertIn("no triangles", self.run_program("compare", "empty.off", "small.xyzr", code=3).stderr)
+        self.write("flat.off", "OFF\n3 1 0\n0 0 0\n0 0 0\n0 1 0\n3 0 1 2\n")
+        self.assertIn("no area", self.run_program("compare", "flat.off", "small.xyzr", code=3).stderr)
         self.run_program("compare", "none.off", "small.xyzr", code=3)
         self.run_program("compare", "a.off", code=2)
         self.run_program("compare", "a.off", "small.xyzr", "-o", "d.stl", code=2)

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "meniscus/errors.h"
+#include "meniscus/write.h"
 #include "support/scratch_folder.h"
 #include "support/shapes.h"
 
@@ -21,6 +23,17 @@ TEST(Precision, DoubleWhereFloatsAreCoarserThanTenThousandths) {
     EXPECT_EQ(precision_needed(mesh), Precision::Single);
     mesh.vertices[2].z = -1024.0;
     EXPECT_EQ(precision_needed(mesh), Precision::Double);
+}
+
+TEST(Precision, FormatsOfSinglePrecisionEndWhereItIsTooCoarse) {
+    const testing::ScratchFolder folder;
+    Mesh mesh = testing::tetrahedron();
+    mesh.vertices[2].z = 131071.0;
+    for (const char* name : {"a.stl", "a.glb", "a.ply"}) write_mesh(folder / name, mesh);
+    mesh.vertices[2].z = -131072.0;
+    for (const char* name : {"b.stl", "b.glb"}) EXPECT_THROW(write_mesh(folder / name, mesh), LimitError) << name;
+    write_mesh(folder / "b.ply", mesh);
+    EXPECT_EQ(folder.listing().size(), 4U);
 }
 
 TEST(Precision, DoubleWhereRoundingWouldMergeTwoCorners) {

@@ -58,6 +58,8 @@ class Compare(unittest.TestCase):
             meniscus.compare(self.folder / "bad.off", ball(1.0))
         with self.assertRaises(FileNotFoundError):
             meniscus.compare("none.off", ball(1.0))
+        with self.assertRaisesRegex(meniscus.UsageError, "no room for distances"):
+            meniscus.compare(ball(1.0), ball(1.0)).save(self.folder / "c.stl")
         with self.assertRaises(TypeError):
             meniscus.compare(np.zeros((3, 3)), ball(1.0))
         for options in ({"points": 0}, {"points": float("nan")}, {"spacing": -1}, {"probe": -1}, {"threads": -1}):

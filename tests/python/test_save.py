@@ -241,7 +241,8 @@ class Saving(InScratchFolder):
         with np.load("points.npz") as arrays:
             self.assertTrue((arrays["points"] == points.points).all())
 
-    def test_what_makes_no_sense_is_a_value_error_and_leaves_nothing(self):
+    def test_what_makes_no_sense_is_a_usage_error_and_leaves_nothing(self):
+        count = len(self.surface.vertices)
         for path, options, message in (("x.gif", {}, "known are .ply"),
                                        ("x.ply", {"color": "rainbow"}, "color: unknown value 'rainbow'"),
                                        ("x.ply", {"color": "curvature:1"}, "SCHEME:MIN:MAX"),
@@ -255,9 +256,24 @@ class Saving(InScratchFolder):
                                        ("x.png", {"view": "behind"}, "view: unknown value"),
                                        ("x.png", {"view": (1, 2)}, "shape"),
                                        ("x.png", {"background": "mauve"}, "is no colour"),
-                                       ("x.png", {"size": (0, 10)}, "size|width|pixel")):
-            with self.assertRaisesRegex(ValueError, message):
+                                       ("x.dx", {"grid": (2.5, 9, 9, 1, 0, 0, 0)}, "whole numbers"),
+                                       ("x.dx", {"grid": (9, 9, 9, 1, 0, 0, np.nan)}, "finite"),
+                                       ("x.dx", {"eps": (1,)}, "eps: two numbers"),
+                                       ("x.png", {"size": (1, 2, 3)}, "size: two numbers"),
+                                       ("x.png", {"size": (0, 10)}, "size|width|pixel"),
+                                       ("x.ply", {"size": (8, 8, 8)}, "size: two numbers"),
+                                       ("x.html", {"cut": "middle"}, "cut: unknown value"),
+                                       ("x.glb", {"background": "mauve"}, "is no colour"),
+                                       ("x.ply", {"values": {"q": [1e300] * count}}, "beyond single precision"),
+                                       ("x.ply", {"values": {"q": [1j] * count}}, "must be numbers")):
+            with self.assertRaisesRegex(meniscus.UsageError, message):
                 self.surface.save(path, **options)
+        with self.assertRaises(FileNotFoundError):
+            self.surface.save("x.dx", grid="none.dx")
+        with self.assertRaises(FileNotFoundError):
+            self.surface.map_values("none.dx")
+        with self.assertRaises(FileNotFoundError):
+            self.surface.table_values("none.csv")
         self.assertEqual(os.listdir(), [])
 
     def test_what_cannot_be_written_is_an_os_error_and_leaves_nothing(self):

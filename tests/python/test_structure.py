@@ -95,6 +95,16 @@ class FromArrays(InScratchFolder):
         self.assertEqual(meniscus.Structure.from_arrays(CENTRES, 2.0).radii.tolist(), [2.0] * 4)
         self.assertEqual(meniscus.Structure.from_arrays(CENTRES, "bondi", element="N").radii.tolist(), [1.55] * 4)
 
+    def test_columns_hold_what_they_are_meant_to(self):
+        self.assertEqual(meniscus.Structure.from_arrays(CENTRES, RADII, name=np.array([b"CA"] * 4)).name.tolist(), ["CA"] * 4)
+        masked = np.ma.array(CENTRES, mask=np.arange(12).reshape(4, 3) < 3)
+        for columns in ({"resnum": [1, 2, 3, 3e9]}, {"resnum": 1.7}, {"serial": [0.5] * 4}, {"chain": [None] * 4},
+                        {"b_factor": np.ma.array([1.0] * 4, mask=[1, 0, 0, 0])}):
+            with self.assertRaisesRegex(meniscus.UsageError, next(iter(columns))):
+                meniscus.Structure.from_arrays(CENTRES, RADII, **columns)
+        with self.assertRaisesRegex(meniscus.UsageError, "masked"):
+            meniscus.measure(masked, RADII)
+
     def test_columns_of_the_wrong_length_are_value_errors(self):
         for columns in ({"element": ["C"]}, {"b_factor": [1.0]}, {"resnum": [1, 2]}):
             with self.assertRaisesRegex(ValueError, next(iter(columns))):

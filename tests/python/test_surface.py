@@ -211,6 +211,18 @@ class Options(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, message):
                 meniscus.surface(CENTRES, RADII, **options)
 
+    def test_options_are_those_that_were_given(self):
+        made = meniscus.surface(CENTRES, RADII, method="direct", spacing=0.4, memory="1G")
+        self.assertNotIn("finer_grid", made.options)
+        again = meniscus.surface(CENTRES, RADII, **made.options)
+        self.assertEqual(again.options, made.options)
+        self.assertTrue((again.vertices == made.vertices).all())
+
+    def test_arrays_without_sense_are_usage_errors(self):
+        for centres, radii in (([], []), ([[0, 0, 0]], [-1.0]), ([[0, 0, 0]], [0.0])):
+            with self.assertRaises(meniscus.UsageError):
+                meniscus.measure(centres, radii)
+
     def test_what_is_no_number_is_a_type_error(self):
         for options in ({"probe": None}, {"spacing": "0.5"}, {"threads": 1.5}, {"probe": True}, {"method": 1}):
             with self.assertRaises(TypeError):
