@@ -9,7 +9,7 @@ from typing import Union
 
 from . import _core, _options
 from ._arrays import Floats
-from ._errors import InputError, UsageError, text_of_path, unreadable
+from ._errors import UsageError, opening, text_of_path
 from ._structure import Path, Structure, read
 from ._surface import Indices, Singles, Surface
 
@@ -84,7 +84,8 @@ class Comparison:
         return self._a.mesh.triangles
 
     def save(self, path: Path, range: tuple[float, float] | None = None) -> None:
-        """Writes A's mesh (.ply .glb .vtp .npz) with the vertex array ``distance`` and its colours: blue inside B, red outside.
+        """Writes A's mesh (.ply .glb .vtp .npz) with the vertex array ``distance`` and its colours: blue inside B, red
+        outside.
 
         range  distances of full blue and full red, Å; by default what 99 % of A's area are within
         """
@@ -100,10 +101,8 @@ class Comparison:
 
 
 def _mesh_of_file(path: str) -> _core.ComparedSurface:
-    try:
+    with opening(path):
         return _core.compared_file(path)
-    except InputError as error:
-        raise unreadable(path, str(error)) or error from None
 
 
 def _side(value: Comparable, options: dict[str, float | int]) -> tuple[_core.ComparedSurface, Structure | None]:

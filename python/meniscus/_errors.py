@@ -3,8 +3,10 @@
 """What can go wrong, with the words of the command line, and what is worth a warning."""
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
+from collections.abc import Iterator
 
 
 class UsageError(ValueError):
@@ -40,6 +42,15 @@ def unreadable(path: str, message: str) -> OSError | None:
         renamed = type(error)(message)
         renamed.errno = error.errno or errno.EIO
         return renamed
+
+
+@contextlib.contextmanager
+def opening(path: str) -> Iterator[None]:
+    """What is read of a file inside; one that cannot be opened is an OSError instead of an InputError."""
+    try:
+        yield
+    except InputError as error:
+        raise unreadable(path, str(error)) or error from None
 
 
 def text_of_path(path: str | os.PathLike[str]) -> str:

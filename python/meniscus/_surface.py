@@ -6,20 +6,19 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable
 from functools import cached_property
-from typing import Any, Optional, TypeVar
+from typing import Any, Optional
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core, _options, _writing
 from ._arrays import Floats, positions
-from ._errors import CheckWarning, InputError, UsageError, text_of_path, unreadable
+from ._errors import CheckWarning, UsageError, opening, text_of_path
 from ._measures import Component, Measures, checked
 from ._structure import Path, Structure, as_structure
 
 Singles = npt.NDArray[np.float32]
 Indices = npt.NDArray[np.uint32]
-_Read = TypeVar("_Read")
 Progress = Optional[Callable[[str, float], object]]
 
 
@@ -98,7 +97,9 @@ class _Vertices:
         """
         options = {"offset": _options.number("offset", offset),
                    "interpolation": _options.word("interpolation", interpolation)}
-        return _reading(text_of_path(path), lambda text: _core.map_values(self._mesh, text, options))
+        file = text_of_path(path)
+        with opening(file):
+            return _core.map_values(self._mesh, file, options)
 
     def table_values(self, path: Path) -> dict[str, Singles]:
         """By name, (n,) float32: columns of a table of values by atom, residue or chain, NaN where it has none.
@@ -106,15 +107,9 @@ class _Vertices:
         The table is comma-separated with a line of names, as the command line's ``--values`` takes it. Raises
         :class:`InputError` for what is no such table, or one of another structure.
         """
-        return _reading(text_of_path(path), lambda text: _core.table_values(self._mesh, self._structure._core, text))
-
-
-def _reading(path: str, read: Callable[[str], _Read]) -> _Read:
-    """What is read of a file; one that cannot be opened is an OSError."""
-    try:
-        return read(path)
-    except InputError as error:
-        raise unreadable(path, str(error)) or error from None
+        file = text_of_path(path)
+        with opening(file):
+            return _core.table_values(self._mesh, self._structure._core, file)
 
 
 class Points(_Vertices):

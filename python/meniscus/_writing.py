@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core, _options
-from ._errors import OutputError, UsageError, unreadable
+from ._errors import OutputError, UsageError, opening
 
 if TYPE_CHECKING:
     from ._surface import Points, Surface
@@ -178,10 +178,7 @@ def _grid_options(grid: Grid) -> dict[str, Any]:
     if grid is None:
         return {}
     if isinstance(grid, (str, os.PathLike)):
-        path = os.fspath(grid)
-        if (error := unreadable(path, f"{path}: cannot be read")) is not None:
-            raise error
-        return {"grid_file": path}
+        return {"grid_file": os.fspath(grid)}
     array = np.asarray(grid, dtype=np.float64)
     if array.shape != (7,):
         raise UsageError(f"grid: the name of a file or seven numbers (nx, ny, nz, h, cx, cy, cz), not {array.shape}")
@@ -205,7 +202,8 @@ def _save_volume(path: str, surface: Surface, options: dict[str, Any], drawing: 
     asked = {"threads": options["threads"], **_volume_options(drawing)}
     maps = drawing["maps"]
     if maps is None:
-        return _core.write_volume(path, surface._core, asked)
+        with opening(asked.get("grid_file", "")):
+            return _core.write_volume(path, surface._core, asked)
     if maps != "apbs":
         raise UsageError(f"maps: unknown value '{maps}'; one of apbs")
     stem, suffix = os.path.splitext(path)
@@ -213,8 +211,9 @@ def _save_volume(path: str, surface: Surface, options: dict[str, Any], drawing: 
         raise UsageError(f"{path}: APBS reads its maps as .dx; name a file with that suffix")
     if drawing["grid"] is None:
         raise UsageError("maps='apbs' needs the grid of APBS; give grid a .dx file or seven numbers")
-    for name in ("dielx", "diely", "dielz", "kappa"):
-        _core.write_volume(f"{stem}_{name}.dx", surface._core, {**asked, "map": name})
+    with opening(asked.get("grid_file", "")):
+        for name in ("dielx", "diely", "dielz", "kappa"):
+            _core.write_volume(f"{stem}_{name}.dx", surface._core, {**asked, "map": name})
     return None
 
 
