@@ -220,7 +220,7 @@ private:
 
     std::vector<PageRow> rows_of_page(const Structure& structure) const {
         std::vector<PageRow> rows = page_rows(structure, surface_, exact_);
-        if (shown_) rows.push_back({"What is shown of it", "atoms", shown_->select});
+        if (shown_) rows.push_back({"Part that is shown", "atoms", shown_->select});
         return rows;
     }
 

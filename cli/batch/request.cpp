@@ -100,7 +100,7 @@ void add_own_options(CLI::App& command, Request& request) {
             "files, folders (searched with all their subfolders), .tar archives; - reads a list from standard input")
         ->type_name("");
     command.option_defaults()->group("Batch");
-    command.add_option("--list", request.list, "A file with the name of one input per line")->type_name("FILE");
+    command.add_option("--list", request.list, "A file with one input per line")->type_name("FILE");
     command.add_option("--base", request.base, "Name inputs by their paths below DIR")->type_name("DIR");
     command
         .add_option("--out", request.out,

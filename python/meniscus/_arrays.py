@@ -58,7 +58,7 @@ def whole_per(name: str, values: npt.ArrayLike, count: int) -> list[int]:
     array = one_per(name, values, count)
     wrong = (array != np.rint(array)) | (np.abs(array) >= 2**31)
     if wrong.any():
-        raise UsageError(f"{name}: entry {int(np.argmax(wrong))} is no whole number of 32 bits")
+        raise UsageError(f"{name}: entry {int(np.argmax(wrong))} is not a whole number of 32 bits")
     return [int(value) for value in array]
 
 

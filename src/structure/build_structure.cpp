@@ -122,7 +122,7 @@ void append_assembly(const RawModel& model, const Chosen& chosen, const RawAssem
     for (const RawGenerator& generator : assembly.generators) {
         if (generator.operators.empty()) {
             throw InputError(structure.file + ": assembly " + assembly.name +
-                             " is built with operators that cannot be read; leave out --assembly");
+                             " has operators that cannot be read; leave out --assembly");
         }
         copied.push_back(copied_residues(model, generator));
         count += generator.operators.size() * count_kept(model, chosen, copied.back());

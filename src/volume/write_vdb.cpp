@@ -98,7 +98,7 @@ void check(const std::string& path, const VolumeGrid& grid) {
         throw UsageError(
             path + ": this build cannot write .vdb; install libopenvdb-dev and build again, or ask for .dx or .mrc");
     if (grid.spacing.x != grid.spacing.y || grid.spacing.x != grid.spacing.z)
-        throw UsageError(path + ": a level set has one spacing, the grid has several; ask for .dx or .mrc");
+        throw UsageError(path + ": a level set has a single spacing, but the grid has several; ask for .dx or .mrc");
     for (const std::size_t count : grid.counts)
         if (count > std::numeric_limits<std::int32_t>::max())
             throw LimitError(

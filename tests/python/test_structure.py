@@ -48,7 +48,7 @@ class Reading(InScratchFolder):
         for options, message in (({"hetero": "some"}, "hetero: unknown value 'some'; one of none, ligands, all"),
                                  ({"hydrogens": "add"}, "hydrogens: unknown value 'add'; one of auto, keep, drop"),
                                  ({"chains": "A,"}, "chains: empty name"),
-                                 ({"model": 0}, "--model 0: models count from 1"),
+                                 ({"model": 0}, "--model 0: models are counted from 1"),
                                  ({"radii": "nosuch"}, "--radii nosuch: neither a set nor a file")):
             with self.assertRaises(ValueError) as caught:
                 meniscus.read(UBIQUITIN, **options)

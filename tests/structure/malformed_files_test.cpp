@@ -26,7 +26,7 @@ constexpr auto kFiles = std::to_array<Expected>({
     {"chemfiles/crystal-maker.pdb", 8, "8 MOL XE"},
     {"chemfiles/end-endmdl.pdb", 2, "line 13: this MODEL number came before"},
     {"chemfiles/hemo.pdb", 449, "1 HEM left out: --hetero ligands"},
-    {"chemfiles/insertion-code.pdb", 3, "2 atoms exactly at the place of another atom"},
+    {"chemfiles/insertion-code.pdb", 3, "2 atoms at exactly the position of another atom"},
     {"chemfiles/model.pdb", 2223, "model 1 of 2 taken"},
     {"chemfiles/odd-start.pdb", 0, "1 EST left out: --hetero ligands"},
     {"chemfiles/psfgen-output.pdb", 26, "7 elements taken from atom names"},

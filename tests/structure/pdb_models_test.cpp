@@ -60,7 +60,7 @@ TEST(PdbModels, AtomsOutsideModelsAreAModel) {
 
 TEST(PdbModels, DifferentNumbersOfAtomsAreNoted) {
     EXPECT_EQ(models_of(join({"MODEL 1", "A", "ENDMDL", "MODEL 2", "A", "A", "ENDMDL"})),
-              "1 4 [line 4: this model has another number of atoms than the first]");
+              "1 4 [line 4: this model has a different number of atoms from the first]");
 }
 
 }  // namespace

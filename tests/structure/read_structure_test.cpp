@@ -164,7 +164,7 @@ TEST(ReadStructure, APqrFileCanTakeAnotherSet) {
 TEST(ReadStructure, CoincidentAtomsAreKeptAndMentioned) {
     const Structure s = read_text("0 0 0 1\n0 0 0 1\n0 0 0 2\n", "s.xyzr");
     EXPECT_EQ(s.atoms.size(), 3U);
-    EXPECT_TRUE(has_warning(s, "2 atoms exactly at the place of another atom"));
+    EXPECT_TRUE(has_warning(s, "2 atoms at exactly the position of another atom"));
 }
 
 TEST(ReadStructure, UserRulesAreASet) {
