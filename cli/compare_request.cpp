@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kAtomGroup = "Atoms";
 constexpr const char* kSurfaceGroup = "Surfaces";
 
-constexpr const char* kFooter =
+constexpr const char* kCompareExamples =
     "A and B are meshes (.ply .obj .stl .off .glb .vert+.face, each also .gz) or\n"
     "structures, whose exact surface is used. -o writes A's mesh coloured by\n"
     "its distance from B, red outside, blue inside (.ply .glb).\n"
@@ -49,7 +49,7 @@ void add_surfaces(CLI::App& command, CompareRequest& request) {
 
 void add_compare_options(CLI::App& command, CompareRequest& request) {
     add_surfaces(command, request);
-    command.footer(kFooter);
+    command.footer(kCompareExamples);
     command.option_defaults()->group(kAtomGroup);
     add_atom_options(command, request);
     command.option_defaults()->group(kSurfaceGroup);

@@ -11,7 +11,7 @@ namespace meniscus::cli {
 
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kMeasureExamples =
     "-o writes tables (.csv .json), or the kept atoms with a value in the B-factor\n"
     "column (.pdb .cif).\n"
     "Examples:\n"
@@ -51,7 +51,7 @@ std::size_t count_kind(const MeasureRequest& request, OutputKind kind) {
 
 void add_measure_options(CLI::App& command, MeasureRequest& request) {
     add_input(command, request);
-    command.footer(kFooter);
+    command.footer(kMeasureExamples);
     command.option_defaults()->group("Atoms");
     add_atom_options(command, request);
     command.option_defaults()->group("Measures");

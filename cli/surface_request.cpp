@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kFlowGroup = "Flow";
 
-constexpr const char* kFooter =
+constexpr const char* kSurfaceExamples =
     "-o writes meshes (.ply .obj .stl .off .glb .vtp .vert .npz), pages (.html),\n"
     "pictures (.png), volumes (.dx .mrc .vdb) and the kept atoms (.xyzr .xyzrn).\n"
     "Without -o, mesh and page go to NAME.ply and NAME.html in this folder.\n"
@@ -142,7 +142,7 @@ void complete(const CLI::App& command, SurfaceRequest& request) {
 
 void add_surface_options(CLI::App& command, SurfaceRequest& request) {
     add_input(command, request);
-    command.footer(kFooter);
+    command.footer(kSurfaceExamples);
     command.option_defaults()->group("Atoms");
     add_atom_options(command, request);
     command.option_defaults()->group("Surface");

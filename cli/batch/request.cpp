@@ -20,7 +20,7 @@ namespace meniscus::cli::batch {
 
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kBatchExamples =
     "All other options of {0} apply to every input: see meniscus {0} --help.\n"
     "Results go to DIR/results.jsonl, a line of JSON per input; times and memory to\n"
     "DIR/times.jsonl. Exit codes: 0 all inputs succeeded; 6 some failed.\n"
@@ -161,7 +161,7 @@ void complete_subcommand(CLI::App& command, Request& request, const std::shared_
                          const std::function<void()>& take, const std::function<void()>& run) {
     adapt_options(command);
     add_own_options(command, request);
-    command.footer(fmt::format(kFooter, command.get_name()));
+    command.footer(fmt::format(kBatchExamples, command.get_name()));
     command.callback([&command, &request, given, take, run] {
         take();
         fill(request, command, *given);

@@ -67,7 +67,7 @@ struct Entry {
     }
 };
 
-using Action = void (*)(NanoShaperRequest&, const Entry&);
+using EntryAction = void (*)(NanoShaperRequest&, const Entry&);
 
 void set_surface(NanoShaperRequest& /*request*/, const Entry& entry) {
     if (lower_case(entry.value) != "ses")
@@ -91,8 +91,8 @@ void set_threads(NanoShaperRequest& request, const Entry& entry) {
     request.threads = *count > 0.0 ? static_cast<int>(*count) : 0;
 }
 
-const std::map<std::string_view, Action>& actions() {
-    static const std::map<std::string_view, Action> kActions{
+const std::map<std::string_view, EntryAction>& actions() {
+    static const std::map<std::string_view, EntryAction> kActions{
         {"Grid_scale", [](auto& request, const auto& entry) { request.grid_scale = entry.positive(); }},
         {"Probe_Radius", [](auto& request, const auto& entry) { request.probe = entry.number(0.0); }},
         {"XYZR_FileName", [](auto& request, const auto& entry) { request.input = entry.value; }},

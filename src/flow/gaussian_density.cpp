@@ -18,7 +18,7 @@ namespace meniscus {
 namespace {
 
 constexpr double kSmallestExponent = 12.0;
-constexpr std::size_t kBlocksPerChunk = 64;
+constexpr std::size_t kDensityBlocksPerChunk = 64;
 
 Box box_of(const Vec3& corner, double spacing) {
     const double edge = (kBlockEdge - 1) * spacing;
@@ -119,7 +119,7 @@ std::vector<BlockCoord> GaussianDensity::blocks_near_surface(const Lattice& latt
     widen(blocks, steps, max_blocks, &BlockCoord::y);
     widen(blocks, steps, max_blocks, &BlockCoord::z);
     std::vector<Where> where(blocks.size());
-    parallel_chunks(blocks.size(), kBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
+    parallel_chunks(blocks.size(), kDensityBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
         AtomsAround around(*this);
         for (std::size_t b = begin; b < end; ++b) {
             // With the cells to the neighbouring blocks: where the sign changes, both sides are kept.
@@ -181,7 +181,7 @@ double GaussianDensity::largest_exponent(const BlockNodes& block, int node, cons
 
 NodeField GaussianDensity::sample(const BlockGrid& grid, double margin) const {
     NodeField values(grid.node_count(), 0.0F);
-    parallel_chunks(grid.block_count(), kBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
+    parallel_chunks(grid.block_count(), kDensityBlocksPerChunk, [&](std::size_t begin, std::size_t end) {
         AtomsAround around(*this);
         for (std::size_t b = begin; b < end; ++b) {
             const BlockNodes block{grid.corner(static_cast<BlockId>(b)), grid.spacing()};

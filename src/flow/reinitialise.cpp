@@ -11,7 +11,7 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kGrain = 16;  // blocks per task
+constexpr std::size_t kBlocksPerTask = 16;  // blocks per task
 constexpr int kRim = 2;             // nodes that the differences reach
 constexpr int kMask = kBlockEdge - 1;
 constexpr int kEdge = kBlockEdge + 2 * kRim;
@@ -91,7 +91,7 @@ int reinitialise_upwind(const BlockGrid& grid, double width, const UpwindScheme&
     for (float& v : values) v = std::clamp(v, -limit, limit);
     NodeField next(values.size(), 0.0F);
     for (int iteration = 1; iteration <= scheme.most_iterations; ++iteration) {
-        const double change = parallel_sum<double>(grid.block_count(), kGrain, [&](std::size_t begin, std::size_t end) {
+        const double change = parallel_sum<double>(grid.block_count(), kBlocksPerTask, [&](std::size_t begin, std::size_t end) {
             double sum = 0.0;
             for (std::size_t b = begin; b < end; ++b)
                 sum += advance(grid, static_cast<BlockId>(b), limit, scheme, values, next);

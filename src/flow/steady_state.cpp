@@ -14,13 +14,13 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kBlocksPerChunk = 32;
+constexpr std::size_t kUnknownBlocksPerChunk = 32;
 
 // λ s - 2 H0 in the blocks with unknowns.
 NodeField right_side(const DistanceBand& band, float lambda, const Unknowns& unknowns) {
     NodeField result;
     resize_touched(result, unknowns.blocks.size() * kBlockNodes);
-    parallel_for(unknowns.blocks.size(), kBlocksPerChunk, [&](std::size_t k) {
+    parallel_for(unknowns.blocks.size(), kUnknownBlocksPerChunk, [&](std::size_t k) {
         const std::size_t first = std::size_t{unknowns.blocks[k]} * kBlockNodes;
         const float* const distance = band.distance.data() + first;
         const float* const curvature = band.curvature.data() + first;

@@ -15,7 +15,7 @@
 namespace meniscus {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kPointsPerChunk = 256;
 
 LevelSetSample sample_at(SplineCursor& cursor, const Vec3& point) {
@@ -69,7 +69,7 @@ double LevelSet::spacing() const { return grid_->spacing(); }
 
 double LevelSet::value(const Vec3& point) const {
     SplineCursor cursor(*grid_, coefficients_);
-    return cursor.move_to(point) ? cursor.value() : kNan;
+    return cursor.move_to(point) ? cursor.value() : kUndefined;
 }
 
 LevelSetSample LevelSet::sample(const Vec3& point) const {
@@ -79,7 +79,7 @@ LevelSetSample LevelSet::sample(const Vec3& point) const {
 
 std::vector<double> LevelSet::values(std::span<const Vec3> points) const {
     return of_all<double>(*this, points, [](SplineCursor& cursor, const Vec3& point) {
-        return cursor.move_to(point) ? cursor.value() : kNan;
+        return cursor.move_to(point) ? cursor.value() : kUndefined;
     });
 }
 

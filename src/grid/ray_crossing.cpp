@@ -17,7 +17,7 @@ namespace meniscus {
 namespace {
 
 constexpr double kSamplesPerSpacing = 8.0;  // as LevelSet::intersect promises
-constexpr double kCloseEnough = 1e-8;       // in spacings
+constexpr double kCloseBracket = 1e-8;       // in spacings
 
 // A ray on its way; lengths in spacings from the grid's origin.
 class Crossing {
@@ -123,7 +123,7 @@ private:
     double root_between(double a, double value_a, double b, double value_b) {
         constexpr int kFalsiSteps = 20;
         int kept = 0;  // which end stayed: < 0 for a, > 0 for b
-        for (int i = 0; std::abs(b - a) > kCloseEnough; ++i) {
+        for (int i = 0; std::abs(b - a) > kCloseBracket; ++i) {
             const double secant = (a * value_b - b * value_a) / (value_b - value_a);
             const double t = i < kFalsiSteps ? secant : 0.5 * (a + b);
             if (!(t > a && t < b)) return t;  // rounding: there is no number between

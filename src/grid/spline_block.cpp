@@ -13,12 +13,12 @@
 namespace meniscus {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
 
 // The values of a block that there is not.
 constexpr auto kNothing = [] {
     std::array<float, kBlockNodes> values{};
-    values.fill(kNan);
+    values.fill(kNoValue);
     return values;
 }();
 
@@ -75,7 +75,7 @@ SplineBlock::SplineBlock(const BlockGrid& grid, std::span<const float> coefficie
     : grid_(grid), coefficients_(coefficients), kernels_(kernels), cursor_(grid, coefficients) {
     around_.origin = grid.origin();
     around_.spacing = grid.spacing();
-    around_.values.fill(kNan);
+    around_.values.fill(kNoValue);
 }
 
 void SplineBlock::land(std::span<const Vec3> points, std::span<Landing> landings) {

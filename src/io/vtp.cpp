@@ -23,17 +23,17 @@ static_assert(std::endian::native == std::endian::little, "binary files are writ
 constexpr std::uint64_t kHeaderSize = sizeof(std::uint64_t);  // bytes before each array
 
 template <class T>
-constexpr const char* kTypeName = "";
+constexpr const char* kVtkTypeName = "";
 template <>
-constexpr const char* kTypeName<float> = "Float32";
+constexpr const char* kVtkTypeName<float> = "Float32";
 template <>
-constexpr const char* kTypeName<double> = "Float64";
+constexpr const char* kVtkTypeName<double> = "Float64";
 template <>
-constexpr const char* kTypeName<std::uint8_t> = "UInt8";
+constexpr const char* kVtkTypeName<std::uint8_t> = "UInt8";
 template <>
-constexpr const char* kTypeName<std::uint32_t> = "UInt32";
+constexpr const char* kVtkTypeName<std::uint32_t> = "UInt32";
 template <>
-constexpr const char* kTypeName<std::int64_t> = "Int64";
+constexpr const char* kVtkTypeName<std::int64_t> = "Int64";
 
 std::string escaped(const std::string& text) {
     std::string result;
@@ -89,7 +89,7 @@ private:
     // One more array in the appended data: its element.
     template <class T, int kComponents, class Write>
     std::string declare(const std::string& name, std::size_t count, const Write& write_values) {
-        std::string element = std::string("        <DataArray type=\"") + kTypeName<T> + "\" Name=\"" + escaped(name) +
+        std::string element = std::string("        <DataArray type=\"") + kVtkTypeName<T> + "\" Name=\"" + escaped(name) +
                               "\" NumberOfComponents=\"" + std::to_string(kComponents) +
                               R"(" format="appended" offset=")" + std::to_string(offset_) + "\"/>\n";
         const std::uint64_t size = std::uint64_t{count} * kComponents * sizeof(T);
@@ -151,7 +151,7 @@ private:
 
     template <class T>
     void write_field(const std::string& name, double value) {
-        file_.write(std::string("      <DataArray type=\"") + kTypeName<T> + "\" Name=\"" + name +
+        file_.write(std::string("      <DataArray type=\"") + kVtkTypeName<T> + "\" Name=\"" + name +
                     R"(" NumberOfTuples="1" format="ascii">)");
         file_.number(value);
         file_.write("</DataArray>\n");

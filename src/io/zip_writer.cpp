@@ -12,7 +12,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary files are written as the numbers are in memory");
 
-constexpr std::uint16_t kVersion = 20;  // that a reader must know: deflate
+constexpr std::uint16_t kZipVersion = 20;  // that a reader must know: deflate
 constexpr std::uint16_t kZip64Version = 45;
 constexpr std::uint16_t kMadeBy = (3U << 8U) | kZip64Version;  // Unix, whose permissions follow
 constexpr std::uint32_t kPermissions = 0600U << 16U;
@@ -38,7 +38,7 @@ std::string ZipWriter::header_of(const Entry& entry) const {
     const auto shown = [large](std::uint64_t value) { return large ? kInZip64 : static_cast<std::uint32_t>(value); };
     const std::string extra =
         large ? bytes_of(kZip64Field, word(2 * sizeof(std::uint64_t)), entry.size, entry.compressed_size) : "";
-    return bytes_of(std::uint32_t{0x04034b50}, large ? kZip64Version : kVersion, std::uint16_t{0}, kDeflate, kEarliest,
+    return bytes_of(std::uint32_t{0x04034b50}, large ? kZip64Version : kZipVersion, std::uint16_t{0}, kDeflate, kEarliest,
                     entry.checksum, shown(entry.compressed_size), shown(entry.size), word(entry.name.size()),
                     word(extra.size())) +
            entry.name + extra;
@@ -51,7 +51,7 @@ std::string ZipWriter::directory_entry(const Entry& entry) const {
         large ? bytes_of(kZip64Field, word(3 * sizeof(std::uint64_t)), entry.size, entry.compressed_size, entry.offset)
               : "";
     constexpr std::uint16_t kNothing = 0;  // length of a comment, number of the disk, internal attributes
-    return bytes_of(std::uint32_t{0x02014b50}, kMadeBy, large ? kZip64Version : kVersion, kNothing, kDeflate, kEarliest,
+    return bytes_of(std::uint32_t{0x02014b50}, kMadeBy, large ? kZip64Version : kZipVersion, kNothing, kDeflate, kEarliest,
                     entry.checksum, shown(entry.compressed_size), shown(entry.size), word(entry.name.size()),
                     word(extra.size()), kNothing, kNothing, kNothing, kPermissions, shown(entry.offset)) +
            entry.name + extra;

@@ -20,21 +20,21 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kChunk = 4096;  // triangles per batch: some thousand middles, a few hundred kB
+constexpr std::size_t kTrianglesPerBatch = 4096;  // triangles per batch: some thousand middles, a few hundred kB
 
 // Sums over triangles and over the four parts of each.
-struct Sums {
+struct CorrectedSums {
     TriangleSum whole;
     TriangleSum parts;
 
-    Sums& operator+=(const Sums& b) {
+    CorrectedSums& operator+=(const CorrectedSums& b) {
         whole += b.whole;
         parts += b.parts;
         return *this;
     }
 };
 
-CorrectedMeasures corrected_by(const Sums& sums) {
+CorrectedMeasures corrected_by(const CorrectedSums& sums) {
     return extrapolate({sums.whole.two_areas / 2.0, sums.whole.six_volumes / 6.0},
                        {sums.parts.two_areas / 2.0, sums.parts.six_volumes / 6.0});
 }
@@ -129,26 +129,26 @@ struct Batch {
     }
 };
 
-Sums projected_sums(const Mesh& mesh, const Projector& project, int divisions, std::span<const Triangle> triangles) {
+CorrectedSums projected_sums(const Mesh& mesh, const Projector& project, int divisions, std::span<const Triangle> triangles) {
     const Vec3 origin = reference_point(mesh);
     Batch batch(mesh, triangles);
     for (int division = 1; division < divisions; ++division) batch.divide(project);
-    Sums sums{batch.sum(origin), {}};
+    CorrectedSums sums{batch.sum(origin), {}};
     batch.divide(project);
     sums.parts = batch.sum(origin);
     return sums;
 }
 
-Sums estimated_sums(const Mesh& mesh, std::size_t begin, std::size_t end) {
+CorrectedSums estimated_sums(const Mesh& mesh, std::size_t begin, std::size_t end) {
     const Vec3 origin = reference_point(mesh);
     TriangleLanes lanes;
-    Sums sums;
+    CorrectedSums sums;
     for (std::size_t first = begin; first < end; first += kLanes) {
         const auto triangles = std::span(mesh.triangles).subspan(first, std::min(kLanes, end - first));
         triangle_kernels().gather(mesh.vertices.data(), mesh.normals.data(), triangles, origin, lanes);
         triangle_kernels().measure_with_parts(lanes);
         for (std::size_t lane = 0; lane < triangles.size(); ++lane)
-            sums += Sums{{lanes.two_areas[lane], lanes.six_volumes[lane]},
+            sums += CorrectedSums{{lanes.two_areas[lane], lanes.six_volumes[lane]},
                          {lanes.parts_two_areas[lane], lanes.parts_six_volumes[lane]}};
     }
     return sums;
@@ -163,15 +163,15 @@ CorrectedMeasures extrapolate(const CorrectedMeasures& whole, const CorrectedMea
 
 CorrectedMeasures corrected_measures(const Mesh& mesh, const Projector& project, int divisions) {
     need_normals(mesh);
-    const std::size_t chunk = kChunk >> std::min(2 * (divisions - 1), std::countr_zero(kChunk));
-    return corrected_by(parallel_sum<Sums>(mesh.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    const std::size_t chunk = kTrianglesPerBatch >> std::min(2 * (divisions - 1), std::countr_zero(kTrianglesPerBatch));
+    return corrected_by(parallel_sum<CorrectedSums>(mesh.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
         return projected_sums(mesh, project, divisions, std::span(mesh.triangles).subspan(begin, end - begin));
     }));
 }
 
 CorrectedMeasures corrected_measures(const Mesh& mesh) {
     need_normals(mesh);
-    return corrected_by(parallel_sum<Sums>(mesh.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+    return corrected_by(parallel_sum<CorrectedSums>(mesh.triangles.size(), kTrianglesPerBatch, [&](std::size_t begin, std::size_t end) {
         return estimated_sums(mesh, begin, end);
     }));
 }

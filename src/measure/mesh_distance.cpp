@@ -15,7 +15,7 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kChunk = 256;  // triangles per task
+constexpr std::size_t kTrianglesPerTask = 256;  // triangles per task
 constexpr std::size_t kDivisions = 2;
 constexpr std::size_t kSamples = kDivisions * kDivisions;  // points that stand for equal parts of a triangle
 
@@ -32,11 +32,11 @@ void look_at_parts(const Mesh& mesh, const AccessibleSurface& surface, std::size
         visit(kSamples * begin + i, (begin + i / kSamples) * step, points[i], features[i]);
 }
 
-struct Sums {
+struct DistanceSums {
     double distance = 0.0;  // times area
     double area = 0.0;
 
-    Sums& operator+=(const Sums& other) {
+    DistanceSums& operator+=(const DistanceSums& other) {
         distance += other.distance;
         area += other.area;
         return *this;
@@ -49,7 +49,7 @@ TwoSidedDistance measure_distance(const Mesh& mesh, const AccessibleSurface& sur
     const TriangleTree triangles(mesh);
     WeightedDistances to_exact(kSamples * mesh.triangles.size());
     WeightedDistances from_exact(kSamples * mesh.triangles.size());
-    parallel_chunks(mesh.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+    parallel_chunks(mesh.triangles.size(), kTrianglesPerTask, [&](std::size_t begin, std::size_t end) {
         look_at_parts(mesh, surface, 1, begin, end,
                       [&](std::size_t sample, std::size_t triangle, const Vec3& point, const NearestFeature& nearest) {
                           const double area = area_of(mesh, mesh.triangles[triangle]);
@@ -64,8 +64,8 @@ TwoSidedDistance measure_distance(const Mesh& mesh, const AccessibleSurface& sur
 
 double mean_distance_to_exact(const Mesh& mesh, const AccessibleSurface& surface, std::size_t step) {
     const std::size_t count = (mesh.triangles.size() + step - 1) / step;
-    const auto sums = parallel_sum<Sums>(count, kChunk, [&](std::size_t begin, std::size_t end) {
-        Sums part;
+    const auto sums = parallel_sum<DistanceSums>(count, kTrianglesPerTask, [&](std::size_t begin, std::size_t end) {
+        DistanceSums part;
         look_at_parts(mesh, surface, step, begin, end,
                       [&](std::size_t, std::size_t triangle, const Vec3&, const NearestFeature& nearest) {
                           const double area = area_of(mesh, mesh.triangles[triangle]);

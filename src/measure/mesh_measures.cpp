@@ -19,7 +19,7 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kChunk = 8192;  // triangles or vertices per task: some tens of microseconds
+constexpr std::size_t kItemsPerTask = 8192;  // triangles or vertices per task: some tens of microseconds
 
 void add_topology(const Mesh& mesh, const MeshTopology& topology, MeshMeasures& measures) {
     measures.closed = topology.closed;
@@ -70,7 +70,7 @@ SurfaceMeasures measure_surface(Mesh& mesh, const TriangleSurvey& survey, Stars 
 }
 
 double flat_area(const Mesh& mesh) {
-    return parallel_sum<double>(mesh.triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+    return parallel_sum<double>(mesh.triangles.size(), kItemsPerTask, [&](std::size_t begin, std::size_t end) {
         double sum = 0.0;
         for (std::size_t t = begin; t < end; ++t) {
             const auto [a, b, c] = mesh.triangles[t];

@@ -20,7 +20,7 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kChunk = 128 * kLanes;  // triangles per task
+constexpr std::size_t kShapesPerTask = 128 * kLanes;  // triangles per task
 constexpr std::size_t kSampled = 64;          // of so many triangles one tells where percentiles are looked for
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -175,7 +175,7 @@ struct Shapes {
 Shapes shapes_of(const Mesh& mesh, std::span<const Triangle> triangles, const Shapes::Where& brackets) {
     const AngleBins bins;
     const TriangleKernels& kernels = triangle_kernels();
-    return parallel_sum<Shapes>(triangles.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+    return parallel_sum<Shapes>(triangles.size(), kShapesPerTask, [&](std::size_t begin, std::size_t end) {
         Shapes seen;
         TriangleLanes lanes;
         TriangleShapes shapes;

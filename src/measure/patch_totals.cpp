@@ -12,7 +12,7 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kChunk = 128;
+constexpr std::size_t kPatchesPerTask = 128;
 
 void accumulate(SurfaceTotals& to, PatchKind kind, const PatchIntegrals& ses, const PatchIntegrals& sas,
                 double factor = 1.0) {
@@ -26,17 +26,17 @@ void accumulate(SurfaceTotals& to, PatchKind kind, const PatchIntegrals& ses, co
 }
 
 // Integrals over patches of one kind. Those of the largest component, nearly all, are only summed up.
-class Sums {
+class PatchSums {
 public:
-    Sums() = default;
-    explicit Sums(std::uint32_t largest) : largest_(largest) {}
+    PatchSums() = default;
+    explicit PatchSums(std::uint32_t largest) : largest_(largest) {}
 
     void add(std::uint32_t component, const PatchIntegrals& ses, const PatchIntegrals& sas = {}) {
         ses_ += ses;
         sas_ += sas;
         if (component != largest_ && component != kNone) elsewhere_.push_back({component, ses, sas});
     }
-    Sums& operator+=(const Sums& other) {
+    PatchSums& operator+=(const PatchSums& other) {
         ses_ += other.ses_;
         sas_ += other.sas_;
         elsewhere_.insert(elsewhere_.end(), other.elsewhere_.begin(), other.elsewhere_.end());
@@ -96,9 +96,9 @@ private:
     std::uint32_t largest_;
 };
 
-Sums sum_contact_patches(const AccessibleSurface::Data& data, const VolumeOrigins& origins, const Likes& likes) {
-    return parallel_sum<Sums>(data.atoms.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-        Sums sums(likes.largest());
+PatchSums sum_contact_patches(const AccessibleSurface::Data& data, const VolumeOrigins& origins, const Likes& likes) {
+    return parallel_sum<PatchSums>(data.atoms.size(), kPatchesPerTask, [&](std::size_t begin, std::size_t end) {
+        PatchSums sums(likes.largest());
         SphericalRegions regions;
         for (std::size_t i = begin; i < end; ++i) {
             if (data.exposed[i] == 0) continue;
@@ -114,9 +114,9 @@ Sums sum_contact_patches(const AccessibleSurface::Data& data, const VolumeOrigin
     });
 }
 
-Sums sum_toroidal_patches(const AccessibleSurface::Data& data, const VolumeOrigins& origins, const Likes& likes) {
-    return parallel_sum<Sums>(data.arcs.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-        Sums sums(likes.largest());
+PatchSums sum_toroidal_patches(const AccessibleSurface::Data& data, const VolumeOrigins& origins, const Likes& likes) {
+    return parallel_sum<PatchSums>(data.arcs.size(), kPatchesPerTask, [&](std::size_t begin, std::size_t end) {
+        PatchSums sums(likes.largest());
         for (std::size_t a = begin; a < end; ++a) {
             const SasArc& arc = data.arcs[a];
             const ToroidalPatch torus = toroidal_patch(arc, data.probe);
@@ -128,16 +128,16 @@ Sums sum_toroidal_patches(const AccessibleSurface::Data& data, const VolumeOrigi
     });
 }
 
-Sums sum_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed, const VolumeOrigins& origins,
+PatchSums sum_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed, const VolumeOrigins& origins,
                            const Likes& likes, PatchTotals& found) {
     const AccessibleSurface::Data& data = surface.data();
     struct Trimmed {
-        Sums sums;
+        PatchSums sums;
         std::vector<std::uint32_t> unresolved;
         bool degenerate = false;
     };
     const std::size_t tasks = (data.vertices.size() + kVerticesPerTask - 1) / kVerticesPerTask;
-    std::vector<Trimmed> trimmed(tasks, {Sums(likes.largest()), {}});
+    std::vector<Trimmed> trimmed(tasks, {PatchSums(likes.largest()), {}});
     for_each_reentrant_patch(surface, seed, [&](std::uint32_t v, const ReentrantPatch& patch) {
         Trimmed& task = trimmed[v / kVerticesPerTask];
         task.degenerate = task.degenerate || patch.degenerate;
@@ -149,7 +149,7 @@ Sums sum_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed,
             task.sums.add(likes.reentrant(v, vertex, ses.area), ses);
         }
     });
-    Sums sums(likes.largest());
+    PatchSums sums(likes.largest());
     for (const Trimmed& task : trimmed) {
         sums += task.sums;
         found.degenerate = found.degenerate || task.degenerate;

@@ -16,7 +16,7 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kChunk = 1024;  // points or triangles per task
+constexpr std::size_t kPointsPerTask = 1024;  // points or triangles per task
 
 // A point, its area, and what is found out about it.
 constexpr double kBytesPerPoint = 96.0;
@@ -50,7 +50,7 @@ SurfaceDistance::SurfaceDistance(const Mesh& mesh, const AccessibleSurface* exac
 
 std::vector<double> SurfaceDistance::operator()(std::span<const Vec3> points) const {
     std::vector<double> result(points.size());
-    parallel_chunks(points.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+    parallel_chunks(points.size(), kPointsPerTask, [&](std::size_t begin, std::size_t end) {
         if (exact_ == nullptr) {
             std::uint32_t near = 0;  // points that follow each other are mostly neighbours
             for (std::size_t i = begin; i < end; ++i) {
@@ -69,7 +69,7 @@ std::vector<double> SurfaceDistance::operator()(std::span<const Vec3> points) co
 WeightedPoints spread_over_triangles(const Mesh& mesh, double density) {
     const std::vector<std::size_t> begins = numbers_of_points(mesh, density);
     WeightedPoints spread{std::vector<Vec3>(begins.back()), std::vector<double>(begins.back())};
-    parallel_for(mesh.triangles.size(), kChunk, [&](std::size_t t) {
+    parallel_for(mesh.triangles.size(), kPointsPerTask, [&](std::size_t t) {
         const double area = area_of(mesh, mesh.triangles[t]);
         const std::size_t count = begins[t + 1] - begins[t];
         std::size_t next = begins[t];
@@ -82,7 +82,7 @@ WeightedPoints spread_over_triangles(const Mesh& mesh, double density) {
 }
 
 void move_onto(const AccessibleSurface& surface, std::vector<Vec3>& points) {
-    parallel_chunks(points.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+    parallel_chunks(points.size(), kPointsPerTask, [&](std::size_t begin, std::size_t end) {
         const auto features = nearest_features(surface, std::span(points).subspan(begin, end - begin));
         for (std::size_t i = begin; i < end; ++i)
             points[i] = points[i] - features[i - begin].signed_distance * features[i - begin].normal;

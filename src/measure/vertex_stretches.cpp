@@ -9,7 +9,7 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kChunk = 1024;  // runs per task: some hundred microseconds
+constexpr std::size_t kRunsPerTask = 1024;  // runs per task: some hundred microseconds
 
 }  // namespace
 
@@ -17,7 +17,7 @@ VertexStretches::VertexStretches(std::size_t vertex_count, std::span<const Trian
     : vertex_count_(vertex_count), triangles_(triangles), begins_(size() + 2, 0) {
     const std::size_t runs = (triangles.size() + kRun - 1) / kRun;
     const auto touches = parallel_list<Touch>(
-        runs, kChunk, [this](std::size_t begin, std::size_t end, auto& list) { find_touches(begin, end, list); });
+        runs, kRunsPerTask, [this](std::size_t begin, std::size_t end, auto& list) { find_touches(begin, end, list); });
     // While filling, entry s + 1 is where the next run of s goes; in the end that is where its runs end.
     for (const Touch& touch : touches) ++begins_[touch.stretch + std::size_t{2}];
     std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());

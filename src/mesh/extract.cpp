@@ -20,7 +20,7 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kGrain = 16;  // blocks per task: some tens of microseconds
+constexpr std::size_t kBlocksPerTask = 16;  // blocks per task: some tens of microseconds
 constexpr std::size_t kTasks = 32;  // at once: what they make stays in a core's cache until it is appended
 
 // Vertices on the cut edges of a block and of the nodes next to it: entry direction * kLocalNodes + local_node.
@@ -250,12 +250,12 @@ Mesh extract(const BlockGrid& grid, std::span<const LayerBits> inside, const Roo
         return mesh;
     }
     std::vector<Mesh> parts(kTasks);
-    for (std::size_t first = 0; first < grid.block_count(); first += kTasks * kGrain) {
+    for (std::size_t first = 0; first < grid.block_count(); first += kTasks * kBlocksPerTask) {
         parallel_for(kTasks, 1, [&](std::size_t task) {
             parts[task].vertices.clear();
             parts[task].triangles.clear();
-            const std::size_t begin = first + task * kGrain;
-            for (std::size_t b = begin; b < std::min(begin + kGrain, grid.block_count()); ++b)
+            const std::size_t begin = first + task * kBlocksPerTask;
+            for (std::size_t b = begin; b < std::min(begin + kBlocksPerTask, grid.block_count()); ++b)
                 filler.fill(b, parts[task]);
         });
         const auto append = [&](auto Mesh::*list) {

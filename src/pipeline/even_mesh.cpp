@@ -34,7 +34,7 @@ constexpr double kLongest = 1.5;
 constexpr double kWantedWithin = 0.95;  // of all edges
 constexpr double kWantedMedian = 45.0;  // of the smallest angles, degrees
 constexpr double kWantedAngle = 20.0;
-constexpr double kWantedArea = 0.003;  // relative
+constexpr double kWantedDeviation = 0.003;  // relative
 
 void project_vertices(const SurfaceProjector& project, std::span<Vec3> places, std::span<Vec3> normals) {
     std::vector<SurfacePoint> points(places.size());
@@ -72,7 +72,7 @@ double shortcomings(const Mesh& even, const RemeshOptions& wanted, double area, 
     const auto missing = [](double least, double found, double unit) { return std::max(0.0, (least - found) / unit); };
     const double deviation = std::abs(area_under(even, edge, project) / area - 1.0);
     return missing(kWantedWithin, within, 0.05) + missing(kWantedMedian, quality.smallest_angles.p50, 5.0) +
-           missing(kWantedAngle, quality.smallest_angles.min, 5.0) + missing(-kWantedArea, -deviation, kWantedArea);
+           missing(kWantedAngle, quality.smallest_angles.min, 5.0) + missing(-kWantedDeviation, -deviation, kWantedDeviation);
 }
 
 bool is_small(const Mesh& zero_set, double edge) {

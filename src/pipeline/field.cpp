@@ -39,9 +39,9 @@ constexpr double kBlend = 1.0;  // spacings before the end of the band's half wi
 constexpr double kBeside = 2.0;  // spacings
 
 // The signed distance that a surface means at any point of space, negative inside. Told the exact one to its SES.
-class SurfaceDistance {
+class SidedDistance {
 public:
-    SurfaceDistance(const Surface& surface, const SesProblem& problem)
+    SidedDistance(const Surface& surface, const SesProblem& problem)
         : level_set_(surface.level_set.get()),
           accessible_(problem.atoms, problem.probe),
           filled_(surface),
@@ -295,7 +295,7 @@ Volume surface_field(const Surface& surface, const Atoms& atoms, const VolumeGri
     const ThreadLimit limit(options.threads);
     if (options.content == VolumeContent::Ions)
         return FieldFiller(grid, IonDistance(surface, atoms, options.ion_radius)).sides(0.0F, 1.0F);
-    const SurfaceDistance distance(surface, ses_problem(atoms, surface.options));
+    const SidedDistance distance(surface, ses_problem(atoms, surface.options));
     FieldFiller filler(grid, distance);
     switch (options.content) {
         case VolumeContent::Mask:

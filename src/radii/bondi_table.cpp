@@ -9,7 +9,7 @@ namespace meniscus {
 namespace {
 
 // The elements of biomolecules and their usual company; any other element is a fallback (element_radii.h).
-constexpr auto kRules = std::to_array<RadiusRule>({
+constexpr auto kBondiTable = std::to_array<RadiusRule>({
     {"*", "@C", 1.70},  {"*", "@N", 1.55},  {"*", "@O", 1.52},  {"*", "@S", 1.80},  {"*", "@P", 1.80},
     {"*", "@H", 1.20},  {"*", "@D", 1.20},  {"*", "@SE", 1.90}, {"*", "@F", 1.47},  {"*", "@CL", 1.75},
     {"*", "@BR", 1.85}, {"*", "@I", 1.98},  {"*", "@HE", 1.40}, {"*", "@NE", 1.54}, {"*", "@AR", 1.88},
@@ -22,6 +22,6 @@ constexpr auto kRules = std::to_array<RadiusRule>({
 
 }  // namespace
 
-const std::span<const RadiusRule> kBondiRules = kRules;
+const std::span<const RadiusRule> kBondiRules = kBondiTable;
 
 }  // namespace meniscus

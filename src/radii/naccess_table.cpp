@@ -10,7 +10,7 @@
 namespace meniscus {
 namespace {
 
-constexpr auto kRules = std::to_array<RadiusRule>({
+constexpr auto kNaccessTable = std::to_array<RadiusRule>({
     // clang-format off
     // CA@C: not calcium
     {"*", "C", 1.76},
@@ -76,6 +76,6 @@ constexpr auto kRules = std::to_array<RadiusRule>({
 
 }  // namespace
 
-const std::span<const RadiusRule> kNaccessRules = kRules;
+const std::span<const RadiusRule> kNaccessRules = kNaccessTable;
 
 }  // namespace meniscus

@@ -11,21 +11,20 @@
 namespace meniscus {
 namespace {
 
-constexpr std::string_view kAminoAcids =
+constexpr std::string_view kParseAminoAcids =
     "ALA,ARG,ASN,ASP,CYS,GLN,GLU,GLY,HIS,ILE,LEU,LYS,MET,PHE,PRO,SER,THR,TRP,TYR,VAL,ACE,NME";
-constexpr std::string_view kNucleotides = "A,C,G,I,T,U,DA,DC,DG,DI,DT,DU";
-constexpr std::string_view kWater = "HOH,WAT,DOD,H2O,D2O,TIP,TIP2,TIP3,TIP4,TIP5,TP3,TP4,TP5,T3P,T4P,T5P,SOL,SPC,SPCE";
+constexpr std::string_view kParseNucleotides = "A,C,G,I,T,U,DA,DC,DG,DI,DT,DU";
 
-constexpr auto kRules = std::to_array<RadiusRule>({
-    {kWater, "@O", 1.4},
-    {kWater, "@H,@D", 1.0},
+constexpr auto kParseTable = std::to_array<RadiusRule>({
+    {kWaterResidues, "@O", 1.4},
+    {kWaterResidues, "@H,@D", 1.0},
     // nucleotides
-    {kNucleotides, "HO*,H2T,H3T,H5T", 0.0},
-    {kNucleotides, "@H,@D", 1.1},
-    {kNucleotides, "@C", 1.7},
-    {kNucleotides, "@N", 1.5},
-    {kNucleotides, "@O", 1.4},
-    {kNucleotides, "@P", 1.9},
+    {kParseNucleotides, "HO*,H2T,H3T,H5T", 0.0},
+    {kParseNucleotides, "@H,@D", 1.1},
+    {kParseNucleotides, "@C", 1.7},
+    {kParseNucleotides, "@N", 1.5},
+    {kParseNucleotides, "@O", 1.4},
+    {kParseNucleotides, "@P", 1.9},
     // hydrogens
     {"NTERM", "H1,H2,H3,HT1,HT2,HT3,HN1,HN2,HN3", 0.0},
     {"*", "H,HN,HN1,HN2,H1,H2,HT1,HT2,HXT,HO,D", 1.0},
@@ -42,7 +41,7 @@ constexpr auto kRules = std::to_array<RadiusRule>({
     {"THR", "HG1", 1.0},
     {"TRP", "HD*,HE*,HZ*,HH*", 1.0},
     {"TYR", "HD*,HE*,HH*", 1.0},
-    {kAminoAcids, "@H,@D", 0.0},
+    {kParseAminoAcids, "@H,@D", 0.0},
     {"MSE", "@H,@D", 0.0},
     {"*", "HA*,HB*", 0.0},
     // main chain, of modified residues too
@@ -60,14 +59,14 @@ constexpr auto kRules = std::to_array<RadiusRule>({
     {"HIS", "CG,CD2,CE1", 1.7},
     {"PHE,TYR", "CG,CD1,CD2,CE1,CE2,CZ", 1.7},
     {"TRP", "CG,CD1,CD2,CE2,CE3,CZ2,CZ3,CH2", 1.7},
-    {kAminoAcids, "@C", 2.0},
-    {kAminoAcids, "@N", 1.5},
-    {kAminoAcids, "@O", 1.4},
-    {kAminoAcids, "@S", 1.85},
+    {kParseAminoAcids, "@C", 2.0},
+    {kParseAminoAcids, "@N", 1.5},
+    {kParseAminoAcids, "@O", 1.4},
+    {kParseAminoAcids, "@S", 1.85},
 });
 
 }  // namespace
 
-const std::span<const RadiusRule> kParseRules = kRules;
+const std::span<const RadiusRule> kParseRules = kParseTable;
 
 }  // namespace meniscus

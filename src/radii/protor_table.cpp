@@ -11,7 +11,7 @@
 namespace meniscus {
 namespace {
 
-constexpr auto kRules = std::to_array<RadiusRule>({
+constexpr auto kProtorTable = std::to_array<RadiusRule>({
     // clang-format off
     {"ALA", "N", 1.64},
     {"ALA", "CA,CB", 1.88},
@@ -236,6 +236,6 @@ constexpr auto kRules = std::to_array<RadiusRule>({
 
 }  // namespace
 
-const std::span<const RadiusRule> kProtorRules = kRules;
+const std::span<const RadiusRule> kProtorRules = kProtorTable;
 
 }  // namespace meniscus

@@ -4,10 +4,15 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 
 #include "radii/radius_set.h"
 
 namespace meniscus {
+
+/// Names of water molecules, in the form of a rule's residues.
+inline constexpr std::string_view kWaterResidues =
+    "HOH,WAT,DOD,H2O,D2O,TIP,TIP2,TIP3,TIP4,TIP5,TP3,TP4,TP5,T3P,T4P,T5P,SOL,SPC,SPCE";
 
 extern const std::span<const RadiusRule> kBondiRules;
 extern const std::span<const RadiusRule> kUnitedRules;

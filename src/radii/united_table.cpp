@@ -11,14 +11,13 @@ namespace {
 
 constexpr std::string_view kHaem = "HEM,HEC,HEA,HEB,HAS,HDD,HEV,HEO,HDM,HEME,HEMO,DHE,SRM,1FH,2FH";
 constexpr std::string_view kIronSulphur = "SF4,FES,FS4,F3S,FS3,CLF,CFN,ICS,SF3,FSX";
-constexpr std::string_view kWater = "HOH,WAT,DOD,H2O,D2O,TIP,TIP2,TIP3,TIP4,TIP5,TP3,TP4,TP5,T3P,T4P,T5P,SOL,SPC,SPCE";
 
-constexpr auto kRules = std::to_array<RadiusRule>({
+constexpr auto kUnitedTable = std::to_array<RadiusRule>({
     // oxygen
     {"SER", "OG", 1.60},
     {"THR", "OG1", 1.60},
     {"TYR", "OH", 1.60},
-    {kWater, "@O", 1.60},
+    {kWaterResidues, "@O", 1.60},
     {"*", "@O", 1.40},
     // nitrogen; by HIS the table means the tautomer with its hydrogen on NE2, other names say where it is
     {"ASN", "ND2", 1.80},
@@ -62,6 +61,6 @@ constexpr auto kRules = std::to_array<RadiusRule>({
 
 }  // namespace
 
-const std::span<const RadiusRule> kUnitedRules = kRules;
+const std::span<const RadiusRule> kUnitedRules = kUnitedTable;
 
 }  // namespace meniscus

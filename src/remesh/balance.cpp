@@ -17,7 +17,7 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kChunk = 512;  // triangles projected at once
+constexpr std::size_t kTrianglesAtOnce = 512;  // triangles projected at once
 
 // Over a triangle whose corners lie on a surface of constant curvature, the mean height of the surface is this part of
 // that over the centroid.
@@ -31,13 +31,13 @@ constexpr double kSmallAngle = 25.0;
 
 // Vertices stay so near to where the mesh would pass through itself or get a small angle, in edges, times the number of
 // the try.
-constexpr double kReach = 1.0;
+constexpr double kBalanceReach = 1.0;
 constexpr int kTries = 4;
 
 // Mean height of the surface over each triangle, Å.
 std::vector<double> heights_over(const Mesh& mesh, double edge, const SurfaceProjector& project) {
     std::vector<double> heights(mesh.triangles.size());
-    parallel_chunks(heights.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+    parallel_chunks(heights.size(), kTrianglesAtOnce, [&](std::size_t begin, std::size_t end) {
         std::vector<Vec3> centroids;
         std::vector<SurfacePoint> feet;
         for (std::size_t t = begin; t < end; ++t) {
@@ -120,7 +120,7 @@ void move_vertices(Mesh& mesh, std::vector<Vec3> wanted, double edge) {
         if (found.empty()) return;
         if (i > kTries) break;
         spoiled.insert(spoiled.end(), found.begin(), found.end());
-        const double reach = i * kReach * edge;
+        const double reach = i * kBalanceReach * edge;
         const Surroundings near{spoiled, reach};
         for (std::size_t v = 0; v < before.size(); ++v)
             if (near.contain(before[v])) mesh.vertices[v] = before[v];

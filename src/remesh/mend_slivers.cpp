@@ -30,8 +30,6 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kChunk = TriangleBoxes::kChunk;
-constexpr std::size_t kStretch = TriangleBoxes::kStretch;
 
 constexpr std::size_t kRenumbered = 1024;  // triangles per task
 
@@ -42,7 +40,7 @@ constexpr double kNeighbours = 4.0;  // usual lengths of edges: triangles within
 constexpr double kFree = 2.5;
 constexpr double kRoom = 5.0;
 
-constexpr std::size_t kTogether = 32;  // places: what is cut out of the mesh for them takes memory
+constexpr std::size_t kPlacesTogether = 32;  // places: what is cut out of the mesh for them takes memory
 
 constexpr double kCube = 4.0;  // see SliverOptions::most_bad
 
@@ -190,7 +188,7 @@ private:
         chunks.for_each_overlapping(box, [&](std::uint32_t chunk) {
             const Box near = box.grown(boxes_.longest[chunk]);
             for_each_bit(stretches_near(box, chunk), [&](std::size_t stretch) {
-                const std::size_t begin = chunk * kChunk + stretch * kStretch;
+                const std::size_t begin = chunk * TriangleBoxes::kChunk + stretch * TriangleBoxes::kStretch;
                 for_each_bit(triangles_near(near, begin), [&](std::size_t i) {
                     const Triangle& triangle = mesh_.triangles[begin + i];
                     const Box of_triangle = box_of(mesh_, triangle);
@@ -203,7 +201,7 @@ private:
     // Bit by bit, the stretches of a chunk that overlap a box. Without a branch, as the next one: they would often be
     // guessed wrong.
     std::uint64_t stretches_near(const Box& box, std::size_t chunk) const {
-        constexpr std::size_t kStretches = kChunk / kStretch;
+        constexpr std::size_t kStretches = TriangleBoxes::kChunk / TriangleBoxes::kStretch;
         const SmallBox small(box);
         std::uint64_t near = 0;
         for (std::size_t s = 0; s < kStretches; ++s)
@@ -212,7 +210,7 @@ private:
     }
     // The triangles of a stretch that have their first corner in a box.
     std::uint64_t triangles_near(const Box& box, std::size_t begin) const {
-        const std::size_t end = std::min(begin + kStretch, mesh_.triangles.size());
+        const std::size_t end = std::min(begin + TriangleBoxes::kStretch, mesh_.triangles.size());
         std::uint64_t near = 0;
         for (std::size_t t = begin; t < end; ++t) {
             const Vec3& corner = mesh_.vertices[mesh_.triangles[t][0]];
@@ -270,8 +268,8 @@ private:
         std::vector<std::uint32_t> waiting;
         const std::vector<Place> places = choose_places(pending, waiting);
         const BoxTree chunks(boxes_.chunks);
-        for (std::size_t begin = 0; begin < places.size(); begin += kTogether)
-            mend_places(chunks, std::span(places).subspan(begin, std::min(kTogether, places.size() - begin)));
+        for (std::size_t begin = 0; begin < places.size(); begin += kPlacesTogether)
+            mend_places(chunks, std::span(places).subspan(begin, std::min(kPlacesTogether, places.size() - begin)));
         forget_tangled(places);
         return waiting;
     }

@@ -17,7 +17,7 @@ constexpr double kGain = 1e-3;     // of the tangent: less is not worth a change
 
 // What must hold afterwards unless it did not hold before: triangles face the way the surface does within 60 degrees,
 // and over new edges it turns by less than 105 (see working_mesh.h), or hardly more than before.
-constexpr double kFacing = 0.5;
+constexpr double kLeastFacing = 0.5;
 constexpr double kTurn = -0.25;
 constexpr double kSlack = 0.15;
 
@@ -266,7 +266,7 @@ std::optional<double> PatchMender::judge(const Patch& candidate, std::size_t tri
     const double longest = options_.longest_edge * options_.longest_edge;
     const bool new_edges = candidate.triangles != patch_.triangles;
     if (after.least_goodness < std::max(at_least, before.least_goodness + kGain) ||
-        after.facing < std::min(kFacing, before.facing) ||
+        after.facing < std::min(kLeastFacing, before.facing) ||
         (new_edges && after.turn < std::min(kTurn, before.turn - kSlack)) ||
         after.longest > std::max(longest, before.longest) || makes_short_edges(before, after))
         return std::nullopt;
@@ -302,7 +302,7 @@ void PatchMender::move(Patch& patch, VertexId v) {
         if (!is_inside(room_, place.position)) continue;
         patch.points[v] = place;
         const PatchShape after = shape_of(patch, star, shortest_);
-        if (after.least_goodness <= least || after.facing < std::min(kFacing, before.facing)) continue;
+        if (after.least_goodness <= least || after.facing < std::min(kLeastFacing, before.facing)) continue;
         least = after.least_goodness;
         best = place;
     }

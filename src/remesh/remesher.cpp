@@ -27,14 +27,13 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kChunk = 512;       // vertices projected at once
+constexpr std::size_t kProjectedAtOnce = 512;       // vertices projected at once
 constexpr std::size_t kHalfEdges = 8192;  // looked at by one task
 constexpr double kCell = 6.0;             // Å: vertices of such a cell come together
 constexpr double kMostCells = 2e6;        // along an edge of the box; 21 bits
 
-// Edges outside these parts of the target length are collapsed or split (Botsch & Kobbelt 2004).
+// Edges shorter than this part of the target length are collapsed (Botsch & Kobbelt 2004).
 constexpr double kShort = 4.0 / 5.0;
-constexpr double kLong = 4.0 / 3.0;
 constexpr int kIterations = 6;
 
 // Afterwards the ends of edges shorter than this part are pushed apart so many times.
@@ -259,7 +258,7 @@ private:
     bool is_long(HalfEdge h) const {
         const VertexId a = mesh_.edges.origin(h);
         const VertexId b = mesh_.edges.target(h);
-        const double length = kLong * mesh_.target(a, b);
+        const double length = kLongEdge * mesh_.target(a, b);
         return mesh_.squared_length(h) > length * length && mesh_.holds[a] != Hold::Frozen &&
                mesh_.holds[b] != Hold::Frozen;
     }
@@ -304,7 +303,7 @@ private:
     // The ends of edges that are still short move away from each other, along the surface.
     void push_apart() {
         std::vector<Vec3> steps(mesh_.points.size());
-        parallel_for(steps.size(), kChunk, [&](std::size_t v) {
+        parallel_for(steps.size(), kProjectedAtOnce, [&](std::size_t v) {
             if (is_free(static_cast<VertexId>(v))) steps[v] = push(static_cast<VertexId>(v));
         });
         std::vector<SurfacePoint> moved = mesh_.points;
@@ -347,7 +346,7 @@ private:
     void undo_where_turned(const std::vector<SurfacePoint>& before) {
         const HalfEdges& edges = mesh_.edges;
         std::vector<std::uint8_t> in_doubt(edges.half_edge_slots() / 3);  // per triangle
-        parallel_for(in_doubt.size(), kChunk, [&](std::size_t t) {
+        parallel_for(in_doubt.size(), kProjectedAtOnce, [&](std::size_t t) {
             const auto h = static_cast<HalfEdge>(3 * t);
             in_doubt[t] = edges.has(h) && !faces_out(h) ? 1 : 0;
         });
@@ -397,7 +396,7 @@ private:
 
     template <class Body>
     static void for_chunks(std::span<const VertexId> vertices, const Body& body) {
-        parallel_chunks(vertices.size(), kChunk,
+        parallel_chunks(vertices.size(), kProjectedAtOnce,
                         [&](std::size_t begin, std::size_t end) { body(vertices.subspan(begin, end - begin)); });
     }
 

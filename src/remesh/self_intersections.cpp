@@ -15,8 +15,8 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kChunk = 256;
-constexpr std::size_t kTogether = 16;  // neighbours that share what is near them
+constexpr std::size_t kBoxesPerTask = 256;
+constexpr std::size_t kNeighboursTogether = 16;  // neighbours that share what is near them
 
 double orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     return dot(cross(b - a, c - a), d - a);
@@ -99,10 +99,10 @@ public:
     std::vector<Crossing> run() const {
         const auto find = [&](std::size_t begin, std::size_t end, std::vector<Crossing>& found) {
             NearTriangles near;
-            for (std::size_t i = begin; i < end; i += kTogether)
-                find_after(i, std::min(i + kTogether, end), near, found);
+            for (std::size_t i = begin; i < end; i += kNeighboursTogether)
+                find_after(i, std::min(i + kNeighboursTogether, end), near, found);
         };
-        return parallel_list<Crossing>(triangles_.order.size(), kChunk, find);
+        return parallel_list<Crossing>(triangles_.order.size(), kBoxesPerTask, find);
     }
 
 private:

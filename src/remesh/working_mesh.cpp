@@ -7,7 +7,6 @@ namespace {
 
 constexpr double kFacing = 0.5;      // cosine of 60 degrees
 constexpr double kSliver = 0.985;    // cosine of 10 degrees
-constexpr double kLong = 4.0 / 3.0;  // of the target length: longer edges would be split again
 
 }  // namespace
 
@@ -65,7 +64,7 @@ double WorkingMesh::badness_after_collapse(HalfEdge h) const {
         const VertexId y = edges.opposite(out);
         ridges += holds[x] == Hold::Ridge ? 1 : 0;
         if (x == b || y == b) return;
-        const double longest = kLong * target(b, x);
+        const double longest = kLongEdge * target(b, x);
         refused = squared_norm(at(x) - at(b)) > longest * longest || (!faces_out(b, x, y) && faces_out(a, x, y)) ||
                   (turns_away(b, x) && !turns_away(a, x));
         worst = std::max(worst, badness(b, x, y));

@@ -30,6 +30,9 @@ inline double cosine_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3&
     return product > 0.0 ? (ab + bc + ca - 2.0 * shortest) / (2.0 * std::sqrt(product)) : 1.0;
 }
 
+/// Edges longer than this part of the target length are split (Botsch & Kobbelt 2004).
+inline constexpr double kLongEdge = 4.0 / 3.0;
+
 /// What must not change about a vertex.
 enum class Hold : std::uint8_t {
     Free,

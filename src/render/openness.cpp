@@ -20,7 +20,7 @@ constexpr double kFewestRays = 2.0;  // of a vertex
 constexpr double kMostRays = 64.0;
 
 /// Rounds of smoothing times the square of an edge, Å²: they blur the rays, however fine the mesh.
-constexpr double kBlur = 0.4;
+constexpr double kOpennessBlur = 0.4;
 constexpr double kMostRounds = 20.0;
 
 /// Every value becomes the mean of itself and those along the edges of its triangles.
@@ -39,7 +39,7 @@ std::vector<float> smoothed(const Mesh& mesh, const std::vector<float>& values) 
 }
 
 int rounds_of_smoothing(double edge) {
-    return static_cast<int>(std::clamp(std::round(kBlur / (edge * edge)), 1.0, kMostRounds));
+    return static_cast<int>(std::clamp(std::round(kOpennessBlur / (edge * edge)), 1.0, kMostRounds));
 }
 
 /// Twice as many equilateral triangles as vertices cover the surface.

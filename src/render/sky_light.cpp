@@ -25,7 +25,7 @@ constexpr double kLift = 0.05;
 constexpr float kUnknown = -1.0F;
 
 /// Rounds of smoothing times the square of an edge, Å²: they blur what is far smaller than an atom.
-constexpr double kBlur = 0.2;
+constexpr double kSkyBlur = 0.2;
 
 /// Rays of each vertex by rounds of smoothing, which take the mean of 1, 7 and 19 of them.
 constexpr std::array<std::size_t, 3> kRays{96, 16, 10};
@@ -35,7 +35,7 @@ const double kTurnSine = std::sin(kGoldenAngle);
 
 std::size_t rounds_of_smoothing(const Mesh& mesh) {
     const double edge = mean_edge(mesh);
-    return static_cast<std::size_t>(std::min(std::round(kBlur / (edge * edge)), double{kRays.size() - 1}));
+    return static_cast<std::size_t>(std::min(std::round(kSkyBlur / (edge * edge)), double{kRays.size() - 1}));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ struct Token {
     Place place;
 };
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n'; }
+bool is_white_space(char c) { return c == ' ' || c == '\t' || c == '\n'; }
 
 // Splits CIF 1.1 text: words, quoted values, text fields between lines that begin with a semicolon, comments.
 class Tokens {
@@ -55,7 +55,7 @@ private:
         while (position_ < text_.size()) {
             if (text_[position_] == '#') {
                 position_ = std::min(text_.find('\n', position_), text_.size());
-            } else if (is_blank(text_[position_])) {
+            } else if (is_white_space(text_[position_])) {
                 advance();
             } else {
                 return;
@@ -65,7 +65,7 @@ private:
 
     std::string_view bare_word() {
         const std::size_t begin = position_;
-        while (position_ < text_.size() && !is_blank(text_[position_])) ++position_;
+        while (position_ < text_.size() && !is_white_space(text_[position_])) ++position_;
         return text_.substr(begin, position_ - begin);
     }
 
@@ -74,7 +74,7 @@ private:
         const std::size_t begin = position_++;
         while (position_ < text_.size()) {
             const char c = advance();
-            if (c == quote && (position_ == text_.size() || is_blank(text_[position_]))) break;
+            if (c == quote && (position_ == text_.size() || is_white_space(text_[position_]))) break;
         }
         return text_.substr(begin, position_ - begin);
     }

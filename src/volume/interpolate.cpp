@@ -14,13 +14,13 @@ namespace meniscus {
 namespace {
 
 constexpr std::size_t kChunk = 1024;
-constexpr std::size_t kMostNodes = 4;
+constexpr std::size_t kStencilNodes = 4;
 
 // The nodes along one axis that a value is made of, and their shares.
 struct Stencil {
     std::size_t first = 0;
     std::size_t count = 0;  // 0: outside
-    std::array<double, kMostNodes> weights{};
+    std::array<double, kStencilNodes> weights{};
 };
 
 // The cell that a coordinate lies in and how far in it, 0 to 1. The last node belongs to the last cell.
@@ -44,7 +44,7 @@ Stencil linear(const Cell& cell, std::size_t count) {
 }
 
 // Keys 1981, a = -1/2; see https://doi.org/10.1109/TASSP.1981.1163711
-std::array<double, kMostNodes> catmull_rom(double t) {
+std::array<double, kStencilNodes> catmull_rom(double t) {
     return {0.5 * t * (-1.0 + t * (2.0 - t)), 1.0 + 0.5 * t * t * (-5.0 + 3.0 * t),
             0.5 * t * (1.0 + t * (4.0 - 3.0 * t)), 0.5 * t * t * (t - 1.0)};
 }
@@ -52,7 +52,7 @@ std::array<double, kMostNodes> catmull_rom(double t) {
 // A node that is missing has the value that the parabola (two nodes: the line) through the nearest ones has there.
 Stencil cubic(const Cell& cell, std::size_t count) {
     if (count < 3) return linear(cell, count);
-    const std::array<double, kMostNodes> w = catmull_rom(cell.t);
+    const std::array<double, kStencilNodes> w = catmull_rom(cell.t);
     const bool has_left = cell.index > 0;
     const bool has_right = cell.index + 2 < count;
     if (has_left && has_right) return {cell.index - 1, 4, w};

@@ -32,7 +32,7 @@ struct Word {
     Place place;
 };
 
-bool is_blank(int c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+bool is_white_space(int c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
 class DxReader {
 public:
@@ -80,12 +80,12 @@ private:
 
     void split(const std::string& line, std::size_t number) {
         for (std::size_t i = 0; i < line.size(); ++i) {
-            if (is_blank(line[i])) continue;
+            if (is_white_space(line[i])) continue;
             if (line[i] == '#') return;
             const bool quoted = line[i] == '"';
             const std::size_t begin = quoted ? i + 1 : i;
             std::size_t end = quoted ? std::min(line.find('"', begin), line.size()) : begin;
-            while (!quoted && end < line.size() && !is_blank(line[end])) ++end;
+            while (!quoted && end < line.size() && !is_white_space(line[end])) ++end;
             words_.push_back({line.substr(begin, end - begin), {number, i + 1}});
             i = end;
         }
@@ -227,7 +227,7 @@ private:
     }
 
     void skip_blanks() {
-        for (int c = source_.peek(); is_blank(c) || c == '#'; c = source_.peek()) {
+        for (int c = source_.peek(); is_white_space(c) || c == '#'; c = source_.peek()) {
             if (c == '#')
                 while (source_.peek() != '\n' && source_.peek() != ByteSource::kEnd) take();
             else
@@ -240,7 +240,7 @@ private:
         const Place place = here_;
         std::array<char, kLongestWord> digits;
         std::size_t size = 0;
-        for (int c = source_.peek(); c != ByteSource::kEnd && !is_blank(c) && size < digits.size(); c = source_.peek())
+        for (int c = source_.peek(); c != ByteSource::kEnd && !is_white_space(c) && size < digits.size(); c = source_.peek())
             digits[size++] = static_cast<char>(take());
         const std::string_view text(digits.data(), size);
         if (text.empty() || text == "attribute" || text == "object" || text == "component")

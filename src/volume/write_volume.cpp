@@ -14,11 +14,11 @@
 namespace meniscus {
 namespace {
 
-struct Format {
+struct WritableFormat {
     std::string_view suffix;
     void (*write)(const std::string&, const Volume&, VolumeContent);
 };
-constexpr std::array kFormats{Format{".dx", write_dx}, Format{".mrc", write_mrc}, Format{".vdb", write_vdb}};
+constexpr std::array kWritable{WritableFormat{".dx", write_dx}, WritableFormat{".mrc", write_mrc}, WritableFormat{".vdb", write_vdb}};
 
 const char* meaning(VolumeContent content) {
     switch (content) {
@@ -44,10 +44,10 @@ void write_volume(const std::string& path, const Volume& volume, VolumeContent c
         throw UsageError(fmt::format("{}: a volume with {} values has a grid of {} nodes; give one value per node",
                                      path, volume.values.size(), volume.grid.size()));
     const auto found =
-        std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) { return path.ends_with(f.suffix); });
-    if (found != kFormats.end()) return found->write(path, volume, content);
+        std::find_if(kWritable.begin(), kWritable.end(), [&](const WritableFormat& f) { return path.ends_with(f.suffix); });
+    if (found != kWritable.end()) return found->write(path, volume, content);
     std::string known;
-    for (const Format& format : kFormats) known.append(known.empty() ? "" : " ").append(format.suffix);
+    for (const WritableFormat& format : kWritable) known.append(known.empty() ? "" : " ").append(format.suffix);
     throw UsageError(fmt::format("{}: unknown suffix for a volume; choose one of {}", path, known));
 }
 

@@ -16,14 +16,14 @@
 namespace meniscus::testing {
 namespace {
 
-constexpr std::size_t kNoLimit = 1'000'000;
+constexpr std::size_t kAnyNumber = 1'000'000;
 constexpr double kTie = 1e-9;  // Å: nearer to the surface rounding decides
 
 // As the program finds them.
 struct Sides {
     Sides(const Atoms& atoms, double probe, double h, const Vec3& origin = {0.1, 0.1, 0.1})
         : surface(atoms, probe),
-          grid(h, origin, blocks_near_surface(surface, {.spacing = h, .origin = origin}, 1.8 * h, kNoLimit)),
+          grid(h, origin, blocks_near_surface(surface, {.spacing = h, .origin = origin}, 1.8 * h, kAnyNumber)),
           inside(find_sides(surface, grid)) {}
 
     AccessibleSurface surface;

@@ -16,7 +16,7 @@
 namespace meniscus::testing {
 namespace {
 
-constexpr std::size_t kNoLimit = 1'000'000;
+constexpr std::size_t kEveryBlock = 1'000'000;
 
 bool lists(const std::vector<BlockCoord>& blocks, const BlockCoord& block) {
     return std::binary_search(blocks.begin(), blocks.end(), block);
@@ -25,7 +25,7 @@ bool lists(const std::vector<BlockCoord>& blocks, const BlockCoord& block) {
 // Every point near the surface is in a listed block, and no listed block is far from it.
 void expect_cover(const Arrangement& a, const Lattice& lattice, double margin) {
     const AccessibleSurface surface(a.atoms, a.probe);
-    const std::vector<BlockCoord> blocks = blocks_near_surface(surface, lattice, margin, kNoLimit);
+    const std::vector<BlockCoord> blocks = blocks_near_surface(surface, lattice, margin, kEveryBlock);
     EXPECT_TRUE(std::is_sorted(blocks.begin(), blocks.end()));
     EXPECT_EQ(std::adjacent_find(blocks.begin(), blocks.end()), blocks.end());
     for (const Vec3& p : random_points_around(a.atoms, 4000, 4.0 + margin))
@@ -56,7 +56,7 @@ TEST(SurfaceBlocks, HoldMarginsWiderThanTheProbe) {
 TEST(SurfaceBlocks, FindEveryPieceHoweverFar) {
     const Atoms atoms{{{0, 0, 0}, {500, 0, 0}, {0, -3e5, 2e5}}, {1.5, 1.7, 2.0}};
     const Lattice lattice{.spacing = 0.5, .origin = {}};
-    const std::vector<BlockCoord> blocks = blocks_near_surface(AccessibleSurface(atoms, 1.4), lattice, 1.0, kNoLimit);
+    const std::vector<BlockCoord> blocks = blocks_near_surface(AccessibleSurface(atoms, 1.4), lattice, 1.0, kEveryBlock);
     for (std::size_t i = 0; i < atoms.size(); ++i)
         EXPECT_TRUE(lists(blocks, lattice.block_of(atoms.centres[i] + Vec3{atoms.radii[i], 0, 0})));
 }
@@ -64,7 +64,7 @@ TEST(SurfaceBlocks, FindEveryPieceHoweverFar) {
 TEST(SurfaceBlocks, FindTheWallOfAVoid) {
     const Atoms shell = hollow_shell(150, 8.0, 1.7);
     const Lattice lattice{.spacing = 0.25, .origin = {}};
-    const std::vector<BlockCoord> blocks = blocks_near_surface(AccessibleSurface(shell, 1.4), lattice, 0.5, kNoLimit);
+    const std::vector<BlockCoord> blocks = blocks_near_surface(AccessibleSurface(shell, 1.4), lattice, 0.5, kEveryBlock);
     EXPECT_TRUE(lists(blocks, lattice.block_of({6.3, 0.1, 0.1})));
     EXPECT_FALSE(lists(blocks, lattice.block_of({0.1, 0.1, 0.1})));
 }
@@ -72,15 +72,15 @@ TEST(SurfaceBlocks, FindTheWallOfAVoid) {
 TEST(SurfaceBlocks, AreTheSameForAnyNumberOfThreads) {
     const AccessibleSurface surface(random_cluster(1, 300, 20.0), 1.4);
     const Lattice lattice{.spacing = 0.5, .origin = {}};
-    const std::vector<BlockCoord> two = blocks_near_surface(surface, lattice, 1.0, kNoLimit);
+    const std::vector<BlockCoord> two = blocks_near_surface(surface, lattice, 1.0, kEveryBlock);
     const ThreadLimit limit(1);
-    EXPECT_EQ(two, blocks_near_surface(surface, lattice, 1.0, kNoLimit));
+    EXPECT_EQ(two, blocks_near_surface(surface, lattice, 1.0, kEveryBlock));
 }
 
 TEST(SurfaceBlocks, RefuseMoreThanTheLimit) {
     const AccessibleSurface surface(random_cluster(2, 100, 15.0), 1.4);
     const Lattice lattice{.spacing = 0.25, .origin = {}};
-    const std::size_t count = blocks_near_surface(surface, lattice, 1.0, kNoLimit).size();
+    const std::size_t count = blocks_near_surface(surface, lattice, 1.0, kEveryBlock).size();
     EXPECT_EQ(blocks_near_surface(surface, lattice, 1.0, count).size(), count);
     EXPECT_THROW(blocks_near_surface(surface, lattice, 1.0, count - 1), LimitError);
     EXPECT_THROW(blocks_near_surface(surface, lattice, 1.0, 1), LimitError);
@@ -88,7 +88,7 @@ TEST(SurfaceBlocks, RefuseMoreThanTheLimit) {
 
 TEST(SurfaceBlocks, RefuseCoordinatesThatDoNotFit) {
     const AccessibleSurface surface({{{0, 0, 0}, {1e11, 0, 0}}, {1.5, 1.5}}, 1.4);
-    EXPECT_THROW(blocks_near_surface(surface, {.spacing = 0.5, .origin = {}}, 1.0, kNoLimit), LimitError);
+    EXPECT_THROW(blocks_near_surface(surface, {.spacing = 0.5, .origin = {}}, 1.0, kEveryBlock), LimitError);
 }
 
 TEST(Lattice, NamesTheBlockOfAPoint) {

@@ -13,9 +13,9 @@ namespace meniscus::cli {
 
 namespace {
 
-FlowRequest parse(const std::vector<std::string>& words) { return request_of(words, add_flow_options); }
+FlowRequest parse_flow(const std::vector<std::string>& words) { return request_of(words, add_flow_options); }
 
-FlowOptions parsed(const std::vector<std::string>& arguments) { return resolve(parse(arguments)); }
+FlowOptions parsed(const std::vector<std::string>& arguments) { return resolve(parse_flow(arguments)); }
 
 }  // namespace
 
@@ -50,13 +50,13 @@ TEST(FlowRequest, TakesEveryPiece) {
 }
 
 TEST(FlowRequest, RefusesWhatMakesNoSense) {
-    EXPECT_THROW(parse({"--curvature", "flat"}), UsageError);
-    EXPECT_THROW(parse({"--reinitialise", "often"}), UsageError);
-    EXPECT_THROW(parse({"--solver", "direct"}), UsageError);
-    EXPECT_THROW(parse({"--anchor=-1"}), UsageError);
-    EXPECT_THROW(parse({"--time-step=-inf"}), UsageError);
-    EXPECT_THROW(parse({"--time-step", "0"}), UsageError);
-    EXPECT_THROW(parse({"--snapshots", "0"}), UsageError);
+    EXPECT_THROW(parse_flow({"--curvature", "flat"}), UsageError);
+    EXPECT_THROW(parse_flow({"--reinitialise", "often"}), UsageError);
+    EXPECT_THROW(parse_flow({"--solver", "direct"}), UsageError);
+    EXPECT_THROW(parse_flow({"--anchor=-1"}), UsageError);
+    EXPECT_THROW(parse_flow({"--time-step=-inf"}), UsageError);
+    EXPECT_THROW(parse_flow({"--time-step", "0"}), UsageError);
+    EXPECT_THROW(parse_flow({"--snapshots", "0"}), UsageError);
 }
 
 TEST(FlowRequest, NamesItsWords) {

@@ -13,12 +13,12 @@ namespace meniscus::cli {
 
 namespace {
 
-MeasureRequest parse(const std::vector<std::string>& words) { return request_of(words, add_measure_options); }
+MeasureRequest parse_measure(const std::vector<std::string>& words) { return request_of(words, add_measure_options); }
 
 }  // namespace
 
 TEST(MeasureRequest, HasTheDefaultsOfTheLibrary) {
-    const MeasureRequest request = parse({"1ubq.pdb"});
+    const MeasureRequest request = parse_measure({"1ubq.pdb"});
     EXPECT_EQ(request.input, "1ubq.pdb");
     EXPECT_EQ(request.measure.probe, MeasureOptions{}.probe);
     EXPECT_TRUE(request.per.empty());
@@ -28,7 +28,7 @@ TEST(MeasureRequest, HasTheDefaultsOfTheLibrary) {
 }
 
 TEST(MeasureRequest, SharesTheOptionsOfReading) {
-    const MeasureRequest request = parse({"-", "--probe", "0", "--chains", "A,B", "--waters", "--model", "all",
+    const MeasureRequest request = parse_measure({"-", "--probe", "0", "--chains", "A,B", "--waters", "--model", "all",
                                           "--radii", "bondi", "--threads", "2", "--report", "-", "--quiet"});
     EXPECT_EQ(request.measure.probe, 0.0);
     EXPECT_EQ(request.measure.threads, 2);
@@ -37,18 +37,18 @@ TEST(MeasureRequest, SharesTheOptionsOfReading) {
     EXPECT_TRUE(request.all_models);
     EXPECT_EQ(request.read.radii, "bondi");
     EXPECT_TRUE(request.quiet);
-    EXPECT_THROW(parse({"a.pdb", "--spacing", "0.5"}), CLI::ParseError);
+    EXPECT_THROW(parse_measure({"a.pdb", "--spacing", "0.5"}), CLI::ParseError);
 }
 
 TEST(MeasureRequest, TakesWordsInOrder) {
-    const MeasureRequest request = parse({"a.pdb", "-o", "a.csv", "--per", "atom", "-o", "b.json", "--per", "cavity",
+    const MeasureRequest request = parse_measure({"a.pdb", "-o", "a.csv", "--per", "atom", "-o", "b.json", "--per", "cavity",
                                           "-o", "c.pdb", "--value", "depth"});
     EXPECT_EQ(request.per, (std::vector<RowsPer>{RowsPer::Atom, RowsPer::Cavity}));
     EXPECT_EQ(request.values, (std::vector<AtomValue>{AtomValue::Depth}));
     EXPECT_EQ(request.outputs, (std::vector<std::string>{"a.csv", "b.json", "c.pdb"}));
     EXPECT_NO_THROW(check_request(request));
-    EXPECT_THROW(parse({"a.pdb", "--per", "molecule"}), UsageError);
-    EXPECT_THROW(parse({"a.pdb", "--value", "charge"}), UsageError);
+    EXPECT_THROW(parse_measure({"a.pdb", "--per", "molecule"}), UsageError);
+    EXPECT_THROW(parse_measure({"a.pdb", "--value", "charge"}), UsageError);
 }
 
 TEST(MeasureRequest, TheLastWordHoldsForAllThatFollow) {
@@ -60,12 +60,12 @@ TEST(MeasureRequest, TheLastWordHoldsForAllThatFollow) {
 }
 
 TEST(MeasureRequest, RefusesCombinationsThatMakeNoSense) {
-    EXPECT_THROW(check_request(parse({"a.pdb", "--per", "atom"})), UsageError);
-    EXPECT_THROW(check_request(parse({"a.pdb", "-o", "a.csv", "--value", "sas"})), UsageError);
-    EXPECT_THROW(check_request(parse({"a.pdb", "-o", "a.ply"})), UsageError);
-    EXPECT_THROW(check_request(parse({"a.pdb", "-o", "a.csv", "--per", "cavity", "--between", "A:B"})), UsageError);
-    EXPECT_THROW(check_request(parse({"a.pdb", "--between", "all", "--between", "A:B"})), UsageError);
-    EXPECT_NO_THROW(check_request(parse({"a.pdb", "--between", "C:B", "--between", "A:B"})));
+    EXPECT_THROW(check_request(parse_measure({"a.pdb", "--per", "atom"})), UsageError);
+    EXPECT_THROW(check_request(parse_measure({"a.pdb", "-o", "a.csv", "--value", "sas"})), UsageError);
+    EXPECT_THROW(check_request(parse_measure({"a.pdb", "-o", "a.ply"})), UsageError);
+    EXPECT_THROW(check_request(parse_measure({"a.pdb", "-o", "a.csv", "--per", "cavity", "--between", "A:B"})), UsageError);
+    EXPECT_THROW(check_request(parse_measure({"a.pdb", "--between", "all", "--between", "A:B"})), UsageError);
+    EXPECT_NO_THROW(check_request(parse_measure({"a.pdb", "--between", "C:B", "--between", "A:B"})));
 }
 
 TEST(MeasureRequest, BetweenIsAPairOfGroupsOrAll) {

@@ -14,11 +14,11 @@ namespace meniscus::cli {
 
 namespace {
 
-PictureRequest parse(const std::vector<std::string>& words) { return request_of(words, add_picture_options); }
+PictureRequest parse_picture(const std::vector<std::string>& words) { return request_of(words, add_picture_options); }
 
 std::string refusal(const std::vector<std::string>& arguments) {
     try {
-        parse(arguments);
+        parse_picture(arguments);
     } catch (const UsageError& error) {
         return error.what();
     }
@@ -28,14 +28,14 @@ std::string refusal(const std::vector<std::string>& arguments) {
 }  // namespace
 
 TEST(PictureOptions, HasTheDefaultsOfTheLibrary) {
-    const PictureRequest request = parse({});
+    const PictureRequest request = parse_picture({});
     EXPECT_EQ(request.colours, ColourOptions{});
     EXPECT_EQ(request.picture, PictureOptions{});
     EXPECT_EQ(request.drawn_by, "");
 }
 
 TEST(PictureOptions, TakesValuesOfAllKinds) {
-    const PictureRequest request = parse({"--color", "curvature:-0.5:.25", "--size", "320x200", "--background",
+    const PictureRequest request = parse_picture({"--color", "curvature:-0.5:.25", "--size", "320x200", "--background",
                                           "#0a0BfF", "--perspective", "--outline", "--depth-cue", "0.5"});
     EXPECT_EQ(request.colours.scheme, ColourScheme::Curvature);
     EXPECT_EQ(request.colours.range, (ValueRange{-0.5, 0.25}));
@@ -46,36 +46,36 @@ TEST(PictureOptions, TakesValuesOfAllKinds) {
     EXPECT_TRUE(request.picture.outline);
     EXPECT_EQ(request.picture.depth_cue, 0.5);
     EXPECT_NE(request.drawn_by, "");
-    EXPECT_EQ(parse({"--color", "patch"}).drawn_by, "");
-    EXPECT_EQ(parse({"--background", "transparent"}).picture.background, kTransparent);
+    EXPECT_EQ(parse_picture({"--color", "patch"}).drawn_by, "");
+    EXPECT_EQ(parse_picture({"--background", "transparent"}).picture.background, kTransparent);
 }
 
 TEST(PictureOptions, ViewsAreWordsOrDirections) {
-    EXPECT_FALSE(parse({"--view", "auto"}).picture.viewpoint.has_value());
-    EXPECT_EQ(parse({"--view", "left"}).picture.viewpoint->from, (Vec3{-1, 0, 0}));
-    const Viewpoint given = parse({"--view", "-1,.5,2e1:0,0,-1"}).picture.viewpoint.value();
+    EXPECT_FALSE(parse_picture({"--view", "auto"}).picture.viewpoint.has_value());
+    EXPECT_EQ(parse_picture({"--view", "left"}).picture.viewpoint->from, (Vec3{-1, 0, 0}));
+    const Viewpoint given = parse_picture({"--view", "-1,.5,2e1:0,0,-1"}).picture.viewpoint.value();
     EXPECT_EQ(given.from, (Vec3{-1, 0.5, 20}));
     EXPECT_EQ(given.up, (Vec3{0, 0, -1}));
-    EXPECT_EQ(parse({"--view", "1,2,3"}).picture.viewpoint->up, (Vec3{0, 1, 0}));
-    EXPECT_EQ(parse({"--view", "0,3,0"}).picture.viewpoint->up, parse({"--view", "top"}).picture.viewpoint->up);
-    EXPECT_EQ(parse({"--view", "0,-3,0"}).picture.viewpoint->up, parse({"--view", "bottom"}).picture.viewpoint->up);
+    EXPECT_EQ(parse_picture({"--view", "1,2,3"}).picture.viewpoint->up, (Vec3{0, 1, 0}));
+    EXPECT_EQ(parse_picture({"--view", "0,3,0"}).picture.viewpoint->up, parse_picture({"--view", "top"}).picture.viewpoint->up);
+    EXPECT_EQ(parse_picture({"--view", "0,-3,0"}).picture.viewpoint->up, parse_picture({"--view", "bottom"}).picture.viewpoint->up);
 }
 
 TEST(PictureOptions, CutsAreWordsDepthsOrPlanes) {
-    EXPECT_EQ(parse({"--cut", "auto"}).picture.cut, Cut{});
-    EXPECT_EQ(parse({"--cut", "cavity:3"}).picture.cut, (Cut{.through = Cut::Through::Cavity, .cavity = 3}));
-    EXPECT_EQ(parse({"--cut", "12.5"}).picture.cut, (Cut{.through = Cut::Through::Depth, .depth = 12.5}));
+    EXPECT_EQ(parse_picture({"--cut", "auto"}).picture.cut, Cut{});
+    EXPECT_EQ(parse_picture({"--cut", "cavity:3"}).picture.cut, (Cut{.through = Cut::Through::Cavity, .cavity = 3}));
+    EXPECT_EQ(parse_picture({"--cut", "12.5"}).picture.cut, (Cut{.through = Cut::Through::Depth, .depth = 12.5}));
     const Cut point{.through = Cut::Through::Point, .point = {-1, 2, 3}};
-    EXPECT_EQ(parse({"--cut", "-1,2,3"}).picture.cut, point);
+    EXPECT_EQ(parse_picture({"--cut", "-1,2,3"}).picture.cut, point);
     Cut plane = point;
     plane.normal = Vec3{0, -1, 0};
-    const PictureRequest request = parse({"--cut", "-1,2,3:0,-1,0"});
+    const PictureRequest request = parse_picture({"--cut", "-1,2,3:0,-1,0"});
     EXPECT_EQ(request.picture.cut, plane);
     EXPECT_EQ(request.drawn_by, "--cut");
     nlohmann::ordered_json options;
     report_picture(request, {}, {}, true, options);
     EXPECT_EQ(options["cut"], "-1,2,3:0,-1,0");
-    for (const auto& none : {parse({}), parse({"--cut", "none"})}) {
+    for (const auto& none : {parse_picture({}), parse_picture({"--cut", "none"})}) {
         EXPECT_FALSE(none.picture.cut);
         report_picture(none, {}, {}, true, options);
         EXPECT_TRUE(options["cut"].is_null());
@@ -100,22 +100,22 @@ TEST(PictureOptions, WhatMakesNoSenseIsRefusedWithItsOption) {
 }
 
 TEST(PictureOptions, ALegendNeedsRoom) {
-    EXPECT_TRUE(parse({"--legend"}).legend);
-    EXPECT_NO_THROW(check_picture(parse({"--legend", "--size", "320x240"})));
-    EXPECT_NO_THROW(check_picture(parse({"--size", "64x48"})));
-    EXPECT_THROW(check_picture(parse({"--legend", "--size", "319x240"})), UsageError);
-    EXPECT_THROW(check_picture(parse({"--legend", "--size", "320x239"})), UsageError);
+    EXPECT_TRUE(parse_picture({"--legend"}).legend);
+    EXPECT_NO_THROW(check_picture(parse_picture({"--legend", "--size", "320x240"})));
+    EXPECT_NO_THROW(check_picture(parse_picture({"--size", "64x48"})));
+    EXPECT_THROW(check_picture(parse_picture({"--legend", "--size", "319x240"})), UsageError);
+    EXPECT_THROW(check_picture(parse_picture({"--legend", "--size", "320x239"})), UsageError);
 }
 
 TEST(PictureOptions, TheReportHasWhatIsInForce) {
     nlohmann::ordered_json options;
-    report_picture(parse({"--view", "top", "--size", "3x4"}), {}, {}, true, options);
+    report_picture(parse_picture({"--view", "top", "--size", "3x4"}), {}, {}, true, options);
     EXPECT_EQ(options["color"], "single");
     EXPECT_TRUE(options["color_range"].is_null());
     EXPECT_EQ(options["view"], "top");
     EXPECT_EQ(options["size"], (nlohmann::ordered_json{3, 4}));
     EXPECT_EQ(options["background"], "#ffffff");
-    report_picture(parse({"--color", "curvature"}), {}, {}, false, options);
+    report_picture(parse_picture({"--color", "curvature"}), {}, {}, false, options);
     EXPECT_EQ(options["color_range"], (nlohmann::ordered_json{-0.7, 0.7}));
     EXPECT_TRUE(options["size"].is_null());
 }

@@ -12,41 +12,41 @@
 namespace meniscus::cli {
 namespace {
 
-ValueRequest parse(const std::vector<std::string>& words) { return request_of(words, add_value_options); }
+ValueRequest parse_values(const std::vector<std::string>& words) { return request_of(words, add_value_options); }
 
 TEST(ValueOptions, MapsHaveANameAndAFile) {
-    const ValueRequest request = parse({"--sample", "phi=a=b.dx", "--sample", "rho=c.mrc", "--interpolation", "cubic"});
+    const ValueRequest request = parse_values({"--sample", "phi=a=b.dx", "--sample", "rho=c.mrc", "--interpolation", "cubic"});
     ASSERT_EQ(request.maps.size(), 2U);
     EXPECT_EQ(request.maps[0].name, "phi");
     EXPECT_EQ(request.maps[0].path, "a=b.dx");
     EXPECT_EQ(request.maps[1].name, "rho");
     EXPECT_EQ(request.sampling.interpolation, Interpolation::Cubic);
     for (const char* wrong : {"pot.dx", "=pot.dx", "phi=", "area=pot.dx", "depth=pot.dx", "a b=pot.dx"})
-        EXPECT_THROW(parse({"--sample", wrong}), UsageError) << wrong;
+        EXPECT_THROW(parse_values({"--sample", wrong}), UsageError) << wrong;
 }
 
 TEST(ValueOptions, WhatShapesMapsNeedsOne) {
-    EXPECT_NO_THROW(check_values(parse({"--sample", "phi=a.dx", "--offset", "-1"}), {}));
-    EXPECT_THROW(check_values(parse({"--offset", "1"}), {}), UsageError);
-    EXPECT_THROW(check_values(parse({"--interpolation", "cubic"}), {}), UsageError);
+    EXPECT_NO_THROW(check_values(parse_values({"--sample", "phi=a.dx", "--offset", "-1"}), {}));
+    EXPECT_THROW(check_values(parse_values({"--offset", "1"}), {}), UsageError);
+    EXPECT_THROW(check_values(parse_values({"--interpolation", "cubic"}), {}), UsageError);
 }
 
 TEST(ValueOptions, ColoursMustNameValuesThatMayCome) {
     const ColourOptions by_phi{.scheme = ColourScheme::Value, .value = "phi"};
-    EXPECT_NO_THROW(check_values(parse({"--sample", "phi=a.dx"}), by_phi));
-    EXPECT_NO_THROW(check_values(parse({"--values", "a.csv"}), by_phi)) << "its columns are not known yet";
-    EXPECT_THROW(check_values(parse({"--sample", "psi=a.dx"}), by_phi), UsageError);
-    EXPECT_THROW(check_values(parse({}), by_phi), UsageError);
+    EXPECT_NO_THROW(check_values(parse_values({"--sample", "phi=a.dx"}), by_phi));
+    EXPECT_NO_THROW(check_values(parse_values({"--values", "a.csv"}), by_phi)) << "its columns are not known yet";
+    EXPECT_THROW(check_values(parse_values({"--sample", "psi=a.dx"}), by_phi), UsageError);
+    EXPECT_THROW(check_values(parse_values({}), by_phi), UsageError);
 }
 
 TEST(ValueOptions, TheReportTellsThem) {
     nlohmann::ordered_json options;
-    report_values(parse({"--sample", "phi=a.dx", "--values", "b.csv", "--offset", "1.5"}), options);
+    report_values(parse_values({"--sample", "phi=a.dx", "--values", "b.csv", "--offset", "1.5"}), options);
     EXPECT_EQ(options["sample"]["phi"], "a.dx");
     EXPECT_EQ(options["offset"], 1.5);
     EXPECT_EQ(options["interpolation"], "linear");
     EXPECT_EQ(options["values"][0], "b.csv");
-    report_values(parse({}), options);
+    report_values(parse_values({}), options);
     EXPECT_TRUE(options["offset"].is_null());
     EXPECT_TRUE(options["sample"].empty());
 }

@@ -13,10 +13,10 @@ namespace meniscus::cli {
 
 namespace {
 
-VolumeRequest parse(const std::vector<std::string>& words) { return request_of(words, add_volume_options); }
+VolumeRequest parse_volume(const std::vector<std::string>& words) { return request_of(words, add_volume_options); }
 
 std::vector<Output> plan(const std::vector<std::string>& arguments, const std::vector<std::string>& outputs) {
-    return plan_volumes(parse(arguments), plan_outputs(outputs, "a", ""));
+    return plan_volumes(parse_volume(arguments), plan_outputs(outputs, "a", ""));
 }
 
 std::string refusal(const std::vector<std::string>& arguments, const std::vector<std::string>& outputs = {"a.dx"}) {
@@ -33,7 +33,7 @@ const std::vector<std::string> kApbs{"--maps", "apbs", "--grid", "9,9,9,0.5,0,0,
 }  // namespace
 
 TEST(VolumeOptions, HasTheDefaultsOfTheLibrary) {
-    const VolumeRequest request = parse({});
+    const VolumeRequest request = parse_volume({});
     EXPECT_EQ(request.field.content, VolumeContent::Distance);
     EXPECT_EQ(request.field.inner_dielectric, 2.0);
     EXPECT_EQ(request.field.outer_dielectric, 78.54);
@@ -43,15 +43,15 @@ TEST(VolumeOptions, HasTheDefaultsOfTheLibrary) {
 }
 
 TEST(VolumeOptions, TheGridIsAFileOrSevenNumbers) {
-    EXPECT_EQ(parse({"--grid", "pot.dx"}).grid_file, "pot.dx");
-    const VolumeGrid grid = parse({"--grid", "3,5,9,0.5,1,-2,10.25"}).grid.value();
+    EXPECT_EQ(parse_volume({"--grid", "pot.dx"}).grid_file, "pot.dx");
+    const VolumeGrid grid = parse_volume({"--grid", "3,5,9,0.5,1,-2,10.25"}).grid.value();
     EXPECT_EQ(grid, (VolumeGrid{{3, 5, 9}, {0.5, -3.0, 8.25}, {0.5, 0.5, 0.5}}));
     for (const char* bad : {"3,5,9,0.5,1,2", "3,5,9,0,1,2,3", "0,5,9,0.5,1,2,3", "3.5,5,9,0.5,1,2,3", "pot"})
         EXPECT_NE(refusal({"--grid", bad}), "") << bad;
 }
 
 TEST(VolumeOptions, ReadsFieldsAndTheirNumbers) {
-    const VolumeRequest request = parse({"--field", "dielectric", "--eps", "4,80"});
+    const VolumeRequest request = parse_volume({"--field", "dielectric", "--eps", "4,80"});
     EXPECT_EQ(request.field.content, VolumeContent::Dielectric);
     EXPECT_EQ(request.field.inner_dielectric, 4.0);
     EXPECT_EQ(request.field.outer_dielectric, 80.0);
@@ -83,16 +83,16 @@ TEST(VolumeOptions, ApbsGetsFourMapsForEachVolume) {
 
 TEST(VolumeOptions, TheReportHasWhatIsInForce) {
     nlohmann::ordered_json options;
-    report_volumes(parse({"--field", "ions"}), true, options);
+    report_volumes(parse_volume({"--field", "ions"}), true, options);
     EXPECT_EQ(options["field"], "ions");
     EXPECT_EQ(options["ion_radius"], 2.0);
     EXPECT_TRUE(options["eps"].is_null());
     EXPECT_TRUE(options["grid"].is_null());
-    report_volumes(parse(kApbs), true, options);
+    report_volumes(parse_volume(kApbs), true, options);
     EXPECT_EQ(options["maps"], "apbs");
     EXPECT_EQ(options["grid"], "9,9,9,0.5,0,0,0");
     EXPECT_TRUE(options["field"].is_null());
-    report_volumes(parse({}), false, options);
+    report_volumes(parse_volume({}), false, options);
     EXPECT_TRUE(options["field"].is_null());
 }
 

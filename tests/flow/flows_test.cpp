@@ -17,7 +17,7 @@
 namespace meniscus::testing {
 namespace {
 
-constexpr double kProbe = 1.4;
+constexpr double kWater = 1.4;
 constexpr double kRadius = 1.7;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 const Vec3 kCentre{0.1, -0.2, 0.3};
@@ -26,7 +26,7 @@ const Vec3 kCentre{0.1, -0.2, 0.3};
 class SphereProblem {
 public:
     explicit SphereProblem(double h)
-        : surface_({{kCentre}, {kRadius}}, kProbe),
+        : surface_({{kCentre}, {kRadius}}, kWater),
           field_(sample_box(h, kCentre - Vec3{4, 4, 4}, kCentre + Vec3{4, 4, 4}, [](const Vec3&) { return 0.0; })),
           band_(sample_distance(surface_, field_.grid, 2.0)) {}
 
@@ -127,7 +127,7 @@ double largest_difference(const FlowProblem& problem, const NodeField& a, const 
 }
 
 TEST(Flows, AllSolversGiveTheSameSurface) {
-    const FlowProblem problem(random_cluster(3, 30, 9.0), kProbe, 0.25);
+    const FlowProblem problem(random_cluster(3, 30, 9.0), kWater, 0.25);
     const EvolutionResult cg = problem.evolve(-0.5, {.solver = Solver::Cg});
     for (const Solver solver : {Solver::Richardson, Solver::Gmres}) {
         const EvolutionResult other = problem.evolve(-0.5, {.solver = solver});
@@ -139,7 +139,7 @@ TEST(Flows, AllSolversGiveTheSameSurface) {
 
 TEST(Flows, OneSolveGivesTheSteadyState) {
     for (const Atoms& atoms : {two_spheres(5.9), random_cluster(3, 30, 9.0)}) {
-        const FlowProblem problem(atoms, kProbe, 0.25);
+        const FlowProblem problem(atoms, kWater, 0.25);
         const EvolutionResult steps = problem.evolve(-0.5, {.tolerance = 1e-6});
         const EvolutionResult once = problem.evolve(-0.5, {.time_step = kInfinite, .max_steps = 1});
         EXPECT_TRUE(once.converged());
@@ -149,7 +149,7 @@ TEST(Flows, OneSolveGivesTheSteadyState) {
 }
 
 TEST(Flows, TheSharpFieldMakesTheDistanceItselfTheFixedPoint) {
-    const FlowProblem problem(two_spheres(5.9), kProbe, 0.25);  // with a cusp, where the parallel field rounds
+    const FlowProblem problem(two_spheres(5.9), kWater, 0.25);  // with a cusp, where the parallel field rounds
     const NodeField sharp = sharp_curvature(*problem.grid, problem.band, FlowOptions{}.half_width);
     FlowFields fields = problem.fields();
     fields.curvature = sharp;
@@ -174,7 +174,7 @@ double slope_error(const BlockGrid& grid, const NodeField& values, const NodeFie
 }
 
 TEST(Reinitialise, TheRepairedEquationEvensTheSlopeAndThePrintedOneDoesNot) {
-    const FlowProblem problem(random_cluster(3, 30, 9.0), kProbe, 0.25);
+    const FlowProblem problem(random_cluster(3, 30, 9.0), kWater, 0.25);
     const NodeField before = problem.start(-0.5);
     const double width = 5.0 * problem.grid->spacing();
     NodeField repaired = before;
@@ -222,13 +222,13 @@ double mean_displacement(const FlowProblem& problem, const FlowState& state) {
 }
 
 TEST(ClosestPoints, HardlyMoveTheZeroSet) {
-    const FlowProblem problem(random_cluster(3, 30, 9.0), kProbe, 0.25);
+    const FlowProblem problem(random_cluster(3, 30, 9.0), kWater, 0.25);
     EXPECT_LT(mean_displacement(problem, problem.evolve(-0.5).state), 0.0005);
 }
 
 TEST(ClosestPoints, HardlyMoveTheSurfaceOfCrambin) {
     MENISCUS_NEED_TEST_DATA();
-    const FlowProblem problem(read_spheres(*test_data() / "reference/xyzr/1crn.xyzr"), kProbe, 0.25);
+    const FlowProblem problem(read_spheres(*test_data() / "reference/xyzr/1crn.xyzr"), kWater, 0.25);
     EXPECT_LT(mean_displacement(problem, problem.evolve(-0.5).state), 0.0003);
 }
 

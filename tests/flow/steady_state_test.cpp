@@ -13,7 +13,7 @@
 namespace meniscus::testing {
 namespace {
 
-constexpr double kProbe = 1.4;
+constexpr double kProbeRadius = 1.4;
 
 TEST(SteadyState, IsOneSolveOnlyWhereTheStartDoesNotMatter) {
     EXPECT_TRUE(is_one_solve(kAnchoredFlow));
@@ -25,7 +25,7 @@ TEST(SteadyState, IsOneSolveOnlyWhereTheStartDoesNotMatter) {
 }
 
 TEST(SteadyState, SolvesItsEquationNearTheSurfaceAndKeepsTheDistanceElsewhere) {
-    const FlowProblem problem(two_spheres(3.0), kProbe, 0.5);
+    const FlowProblem problem(two_spheres(3.0), kProbeRadius, 0.5);
     const FlowOptions options;
     const EvolutionResult result = solve_steady_state(*problem.grid, problem.band, options);
     EXPECT_TRUE(result.converged());
@@ -52,7 +52,7 @@ TEST(SteadyState, SolvesItsEquationNearTheSurfaceAndKeepsTheDistanceElsewhere) {
 
 // evolve() with a step so long that nothing is left of the start.
 TEST(SteadyState, IsWhereLongStepsEnd) {
-    const FlowProblem problem(two_spheres(3.0), kProbe, 0.5);
+    const FlowProblem problem(two_spheres(3.0), kProbeRadius, 0.5);
     const EvolutionResult one = solve_steady_state(*problem.grid, problem.band, {});
     const EvolutionResult steps = problem.evolve(-0.5, {.time_step = 1e6, .tolerance = 1e-6});
     for (std::size_t n = 0; n < one.state.values.size(); ++n)
@@ -62,7 +62,7 @@ TEST(SteadyState, IsWhereLongStepsEnd) {
 }
 
 TEST(SteadyState, VanishesWhereThereIsNoSurface) {
-    const FlowProblem problem(two_spheres(3.0), kProbe, 0.5);
+    const FlowProblem problem(two_spheres(3.0), kProbeRadius, 0.5);
     DistanceBand empty = problem.band;
     std::ranges::fill(empty.distance, static_cast<float>(empty.margin));
     EXPECT_EQ(solve_steady_state(*problem.grid, empty, {}).end, FlowEnd::Vanished);

@@ -10,7 +10,7 @@
 namespace meniscus::testing {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 std::vector<Box> random_boxes(std::uint64_t seed, std::size_t count, double size) {
     std::mt19937_64 random(seed);
@@ -35,7 +35,7 @@ std::vector<std::uint32_t> overlapping(const BoxTree& tree, const Box& box) {
 }
 
 double nearest_squared_distance(const BoxTree& tree, const std::vector<Box>& boxes, const Vec3& p) {
-    double best = kInfinity;
+    double best = kUnbounded;
     tree.search_nearest(
         p, [&] { return best; },
         [&](std::uint32_t i) {
@@ -70,7 +70,7 @@ TEST(SmallBox, GrowsFromNothing) {
 TEST(EightBoxes, AreTheSameSetTogetherOrOneByOne) {
     const Vec3 origin{1e3, -2.0, 0.1};
     std::vector<Box> boxes = random_boxes(9, EightBoxes::kCount, 3.0);
-    boxes[2].high.x = kInfinity;
+    boxes[2].high.x = kUnbounded;
     boxes[5].low.z = -1e300;
     EightBoxes together;
     together.set_all(std::span(boxes).first<EightBoxes::kCount>(), origin);
@@ -152,7 +152,7 @@ TEST(BoxTree, FindsTheNearest) {
         const std::vector<Box> boxes = random_boxes(count, count, 0.5);
         const BoxTree tree(boxes);
         for (const Box& query : random_boxes(98, 50, 0.0)) {
-            double expected = kInfinity;
+            double expected = kUnbounded;
             for (const Box& box : boxes) expected = std::min(expected, box.squared_distance(query.low));
             EXPECT_EQ(nearest_squared_distance(tree, boxes, query.low), expected);
         }
@@ -174,7 +174,7 @@ TEST(BoxTree, AnEmptyTreeFindsNothing) {
     everything.include(Vec3{1e9, 1e9, 1e9});
     for (const BoxTree& tree : {BoxTree(), BoxTree(std::vector<Box>{})}) {
         EXPECT_TRUE(overlapping(tree, everything).empty());
-        EXPECT_EQ(nearest_squared_distance(tree, {}, {0, 0, 0}), kInfinity);
+        EXPECT_EQ(nearest_squared_distance(tree, {}, {0, 0, 0}), kUnbounded);
     }
 }
 

@@ -17,7 +17,7 @@
 namespace meniscus::testing {
 namespace {
 
-constexpr double kProbe = 1.4;
+constexpr double kProbeRadius = 1.4;
 
 std::set<std::uint32_t> atoms_of(const CapList& caps) {
     std::set<std::uint32_t> atoms;
@@ -36,7 +36,7 @@ std::set<std::uint32_t> neighbours_of(const AccessibleSurface::Data& data, std::
 }
 
 TEST(NeighbourCaps, FindsTheCapsOfAllNeighbours) {
-    const AccessibleSurface surface(random_cluster(1, 400, 30.0), kProbe);
+    const AccessibleSurface surface(random_cluster(1, 400, 30.0), kProbeRadius);
     const AccessibleSurface::Data& data = surface.data();
     const CellList cells(data.atoms);
     NeighbourCaps neighbours(data, cells);
@@ -89,7 +89,7 @@ TEST(NeighbourCaps, AreThoseOfTheKernelsToTheLastBit) {
 }
 
 TEST(NeighbourCaps, RimsLieOnBothSpheres) {
-    const AccessibleSurface surface(two_spheres(3.0, 1.2, 2.1), kProbe);
+    const AccessibleSurface surface(two_spheres(3.0, 1.2, 2.1), kProbeRadius);
     const AccessibleSurface::Data& data = surface.data();
     const Cap cap = cap_between(data, 0, 1);
     const Vec3 direction = cap.t * cap.axis + std::sqrt(1.0 - cap.t * cap.t) * perpendicular(cap.axis);
@@ -98,7 +98,7 @@ TEST(NeighbourCaps, RimsLieOnBothSpheres) {
 }
 
 TEST(NeighbourCaps, LeavesOutAtomsThatAreKnown) {
-    const AccessibleSurface surface(random_cluster(2, 60, 8.0), kProbe);
+    const AccessibleSurface surface(random_cluster(2, 60, 8.0), kProbeRadius);
     const AccessibleSurface::Data& data = surface.data();
     const CellList cells(data.atoms);
     NeighbourCaps neighbours(data, cells);
@@ -115,7 +115,7 @@ TEST(NeighbourCaps, LeavesOutAtomsThatAreKnown) {
 }
 
 TEST(NeighbourCaps, TellsOfANeighbourThatCoversAll) {
-    const AccessibleSurface surface(two_spheres(0.5, 1.0, 3.0), kProbe);
+    const AccessibleSurface surface(two_spheres(0.5, 1.0, 3.0), kProbeRadius);
     const AccessibleSurface::Data& data = surface.data();
     const CellList cells(data.atoms);
     NeighbourCaps neighbours(data, cells);

@@ -9,8 +9,8 @@
 namespace meniscus::testing {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kTooLarge = std::numeric_limits<double>::infinity();
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 TEST(Curvature, ShapeIndexNamesTheShapes) {
     EXPECT_EQ((PrincipalCurvatures{0.5, 0.5}.shape_index()), 1.0);
@@ -37,13 +37,13 @@ TEST(Curvature, RoundingPastASphereGivesASphere) {
 }
 
 TEST(Curvature, CuspsAreCapped) {
-    const PrincipalCurvatures waist = principal_curvatures(kInfinity, -kInfinity).capped(4.0);
+    const PrincipalCurvatures waist = principal_curvatures(kTooLarge, -kTooLarge).capped(4.0);
     EXPECT_EQ(waist.largest, 4.0);
     EXPECT_EQ(waist.smallest, 0.0);
-    const PrincipalCurvatures cup = principal_curvatures(-kInfinity, kInfinity).capped(4.0);
+    const PrincipalCurvatures cup = principal_curvatures(-kTooLarge, kTooLarge).capped(4.0);
     EXPECT_EQ(cup.mean(), -4.0);
     EXPECT_EQ(cup.gaussian(), 16.0);
-    EXPECT_EQ(principal_curvatures(kNan, 1.0).capped(4.0).mean(), 0.0);
+    EXPECT_EQ(principal_curvatures(kUndefined, 1.0).capped(4.0).mean(), 0.0);
     const PrincipalCurvatures sharp = PrincipalCurvatures{100.0, -0.5}.capped(4.0);
     EXPECT_EQ(sharp.largest, 4.0);
     EXPECT_EQ(sharp.smallest, -0.5);

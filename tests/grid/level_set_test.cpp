@@ -9,15 +9,11 @@
 #include <cmath>
 #include <limits>
 
+#include "grid/sampled_shapes.h"
 #include "support/level_sets.h"
-#include "support/shapes.h"
 
 namespace meniscus::testing {
 namespace {
-
-const Sphere kSphere{.centre = {0.1, -0.2, 0.3}, .radius = 2.5};
-const Torus kTorus{.major = 3.0, .minor = 1.2};
-const Vec3 kCorner{4.5, 4.5, 4.5};
 
 // Random points that lie on the zero set of f, a distance.
 template <class Function>

@@ -10,18 +10,15 @@
 #include <memory>
 #include <vector>
 
+#include "grid/sampled_shapes.h"
 #include "meniscus/errors.h"
 #include "support/directions.h"
 #include "support/level_sets.h"
-#include "support/shapes.h"
 
 namespace meniscus::testing {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-const Sphere kSphere{.centre = {0.1, -0.2, 0.3}, .radius = 2.5};
-const Torus kTorus{.major = 3.0, .minor = 1.2};
-const Vec3 kCorner{4.5, 4.5, 4.5};
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // The first crossing of the level set by many small steps along the ray, or infinity.
 double plain_crossing(const LevelSet& level_set, const Vec3& origin, const Vec3& direction, double length) {
@@ -32,7 +29,7 @@ double plain_crossing(const LevelSet& level_set, const Vec3& origin, const Vec3&
         if (!std::isnan(before) && !std::isnan(here) && (before < 0.0) != (here < 0.0)) return t;
         before = here;
     }
-    return kInfinity;
+    return kNever;
 }
 
 TEST(RayCrossing, OfASphereIsInClosedForm) {
@@ -48,7 +45,7 @@ TEST(RayCrossing, OfASphereIsInClosedForm) {
             EXPECT_NEAR(found, along - std::sqrt(half2), 1e-4);
         }
         if (half2 < -1e-3) {
-            EXPECT_EQ(found, kInfinity);
+            EXPECT_EQ(found, kNever);
         }
         if (std::isfinite(found)) {
             EXPECT_LT(std::abs(level_set.value(origin + found * direction)), 1e-7 * 0.125);
@@ -68,7 +65,7 @@ TEST(RayCrossing, InANarrowBandIsWhatSmallStepsFind) {
         const double found = level_set.intersect(origin, direction, 15.0);
         const double plain = plain_crossing(level_set, origin, direction, 15.0);
         if (std::isinf(plain)) {
-            EXPECT_EQ(found, kInfinity);
+            EXPECT_EQ(found, kNever);
         } else {
             EXPECT_NEAR(found, plain, h / 40.0);
             ++met;
@@ -112,11 +109,11 @@ TEST(RayCrossing, LengthAndDirectionLimitIt) {
     const Vec3 origin = kSphere.centre + Vec3{4.0, 0, 0};
     EXPECT_NEAR(level_set.intersect(origin, {-1, 0, 0}), 1.5, 1e-3);
     EXPECT_NEAR(level_set.intersect(origin, {-7, 0, 0}, 1.51), 1.5, 1e-3) << "the direction may have any length";
-    EXPECT_EQ(level_set.intersect(origin, {-1, 0, 0}, 1.49), kInfinity);
-    EXPECT_EQ(level_set.intersect(origin, {1, 0, 0}), kInfinity);
-    EXPECT_EQ(level_set.intersect(origin, {-1, 0, 0}, -1.0), kInfinity);
-    EXPECT_EQ(level_set.intersect({100, 100, 100}, {1, 0, 0}), kInfinity);
-    EXPECT_EQ(level_set.intersect({100, 0, 0}, {0, 1, 0}), kInfinity);
+    EXPECT_EQ(level_set.intersect(origin, {-1, 0, 0}, 1.49), kNever);
+    EXPECT_EQ(level_set.intersect(origin, {1, 0, 0}), kNever);
+    EXPECT_EQ(level_set.intersect(origin, {-1, 0, 0}, -1.0), kNever);
+    EXPECT_EQ(level_set.intersect({100, 100, 100}, {1, 0, 0}), kNever);
+    EXPECT_EQ(level_set.intersect({100, 0, 0}, {0, 1, 0}), kNever);
 }
 
 TEST(RayCrossing, MovesWithTheOrigin) {
@@ -146,7 +143,7 @@ TEST(RayCrossing, GapsOfAnyLengthTakeNoTime) {
         const Vec3 direction = normalised({p.y, -p.z, p.x});
         const double found = alone.intersect(p, direction);
         if (std::isinf(found)) {
-            EXPECT_EQ(both.intersect(p, direction), kInfinity);
+            EXPECT_EQ(both.intersect(p, direction), kNever);
         } else {
             EXPECT_NEAR(both.intersect(p, direction), found, 1e-6);
             ++met;
@@ -175,7 +172,7 @@ TEST(RayCrossing, RaysThatAreNoneAreUsageErrors) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(level_set.intersect({0, 0, 0}, {0, 0, 0}), UsageError);
     EXPECT_THROW(level_set.intersect({0, nan, 0}, {1, 0, 0}), UsageError);
-    EXPECT_THROW(level_set.intersect({0, 0, 0}, {kInfinity, 0, 0}), UsageError);
+    EXPECT_THROW(level_set.intersect({0, 0, 0}, {kNever, 0, 0}), UsageError);
     EXPECT_THROW(level_set.intersect({0, 0, 0}, {1, 0, 0}, nan), UsageError);
 }
 

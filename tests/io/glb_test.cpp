@@ -21,7 +21,7 @@ namespace {
 using testing::GlbContent;
 using testing::ScratchFolder;
 
-GlbContent round_trip(const Mesh& mesh, const WriteOptions& options) {
+GlbContent written_glb(const Mesh& mesh, const WriteOptions& options) {
     const ScratchFolder folder;
     write_mesh(folder / "a.glb", mesh, options);
     return testing::read_glb(testing::read_file(folder / "a.glb"));
@@ -45,7 +45,7 @@ TEST(Glb, EverythingReadsBack) {
     const Mesh mesh = full_mesh();
     const std::vector<std::uint32_t> residues(mesh.vertices.size(), 77);
     const GlbContent glb =
-        round_trip(mesh, {.extra = {{.name = "residue", .values = std::span<const std::uint32_t>(residues)}}});
+        written_glb(mesh, {.extra = {{.name = "residue", .values = std::span<const std::uint32_t>(residues)}}});
     EXPECT_EQ(glb.attributes.size(), 10U);
     EXPECT_EQ(glb.triangles, mesh.triangles);
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
@@ -65,7 +65,7 @@ TEST(Glb, EverythingReadsBack) {
 }
 
 TEST(Glb, TheMeshIsStillClosed) {
-    const GlbContent glb = round_trip(full_mesh(), {});
+    const GlbContent glb = written_glb(full_mesh(), {});
     Mesh read;
     for (const auto& p : glb.attributes.at("POSITION")) read.vertices.push_back({p[0], p[1], p[2]});
     read.triangles = glb.triangles;
@@ -79,7 +79,7 @@ TEST(Glb, ColoursAreLinearAndEveryByteIsTold) {
     std::vector<Colour> colours(mesh.vertices.size());
     for (std::size_t v = 0; v < colours.size(); ++v)
         colours[v] = {static_cast<std::uint8_t>(v), 188, static_cast<std::uint8_t>(255 - v), 255};
-    const GlbContent glb = round_trip(mesh, {.colours = colours});
+    const GlbContent glb = written_glb(mesh, {.colours = colours});
     for (std::size_t v = 0; v < colours.size(); ++v) {
         const std::vector<double>& rgba = glb.attributes.at("COLOR_0")[v];
         EXPECT_EQ(std::lround(255.0 * srgb_from_linear(rgba[0])), colours[v].red);
@@ -90,7 +90,7 @@ TEST(Glb, ColoursAreLinearAndEveryByteIsTold) {
 }
 
 TEST(Glb, TellsBoundsUnitAndProbe) {
-    const GlbContent glb = round_trip(testing::tetrahedron(), {.probe = 1.4});
+    const GlbContent glb = written_glb(testing::tetrahedron(), {.probe = 1.4});
     const auto& asset = glb.json.at("asset");
     EXPECT_EQ(asset.at("version"), "2.0");
     EXPECT_EQ(asset.at("generator"), std::string("Meniscus ") + kVersion);
@@ -104,7 +104,7 @@ TEST(Glb, TellsBoundsUnitAndProbe) {
 }
 
 TEST(Glb, AnEmptyMeshIsAnEmptyScene) {
-    const GlbContent glb = round_trip({}, {});
+    const GlbContent glb = written_glb({}, {});
     EXPECT_FALSE(glb.json.contains("meshes"));
     EXPECT_EQ(glb.json.at("scenes").size(), 1U);
 }
@@ -127,7 +127,7 @@ TEST(Glb, WhereThereIsNoValueStandsANumberThatTheExtrasName) {
     Mesh mesh = testing::tetrahedron();
     constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
     mesh.values = {{"score", {1.0F, kNone, -2.0F, kNone}}, {"phi", {1.0F, 2.0F, 3.0F, 4.0F}}};
-    const GlbContent glb = round_trip(mesh, {});
+    const GlbContent glb = written_glb(mesh, {});
     const auto& missing = glb.json.at("asset").at("extras").at("missing");
     EXPECT_EQ(missing.size(), 1U);
     const double number = missing.at("_SCORE");

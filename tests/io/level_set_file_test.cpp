@@ -26,7 +26,7 @@ LevelSet ball() {
         0.3, {-3, -3, -3}, {3, 3, 3}, [](const Vec3& p) { return norm(p) - 2.5; }, 0.5);
 }
 
-std::string written(const LevelSet& level_set) {
+std::string bytes_of_file(const LevelSet& level_set) {
     const ScratchFolder folder;
     write_level_set(folder / "a.mls", level_set);
     return read_file(folder / "a.mls");
@@ -93,12 +93,12 @@ TEST(LevelSetFile, NumbersThatAreNoneComeBackToo) {
 
 TEST(LevelSetFile, AnEmptyOneIsAValidFile) {
     const LevelSet empty(std::make_shared<const BlockGrid>(0.5, Vec3{}, std::vector<BlockCoord>{}), {});
-    EXPECT_EQ(written(empty).size(), 68U);
-    EXPECT_EQ(complaint(written(empty)), "");
+    EXPECT_EQ(bytes_of_file(empty).size(), 68U);
+    EXPECT_EQ(complaint(bytes_of_file(empty)), "");
 }
 
 TEST(LevelSetFile, EveryCutIsRefused) {
-    const std::string whole = written(ball());
+    const std::string whole = bytes_of_file(ball());
     for (std::size_t size = 0; size < whole.size(); size += size < 80 ? 1 : 9973)
         EXPECT_NE(complaint(whole.substr(0, size)), "") << size;
     EXPECT_NE(complaint(whole.substr(0, whole.size() - 1)).find("is cut off"), std::string::npos);
@@ -106,7 +106,7 @@ TEST(LevelSetFile, EveryCutIsRefused) {
 }
 
 TEST(LevelSetFile, EveryChangedByteIsRefused) {
-    const std::string whole = written(ball());
+    const std::string whole = bytes_of_file(ball());
     std::mt19937 random(1);
     for (std::size_t n = 0; n < 150; ++n) {
         const std::size_t at = n < 80 ? n : random() % whole.size();
@@ -123,7 +123,7 @@ TEST(LevelSetFile, ForeignFilesAreNamedAsSuch) {
 }
 
 TEST(LevelSetFile, EveryComplaintSaysWhatIsWrong) {
-    const std::string whole = written(ball());
+    const std::string whole = bytes_of_file(ball());
     const auto expect = [](const std::string& content, const std::string& words) {
         const std::string said = complaint(resealed(content));
         EXPECT_NE(said.find(words), std::string::npos) << said;

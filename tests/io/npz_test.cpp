@@ -15,7 +15,7 @@ namespace {
 using namespace std::string_literals;
 using testing::ScratchFolder;
 
-std::map<std::string, std::string> written(const Mesh& mesh, const WriteOptions& options) {
+std::map<std::string, std::string> written_npz(const Mesh& mesh, const WriteOptions& options) {
     const ScratchFolder folder;
     write_mesh(folder / "a.npz", mesh, options);
     return testing::unzip(testing::read_file(folder / "a.npz"));
@@ -54,7 +54,7 @@ TEST(Npz, MeshArraysReadBack) {
     mesh.patches.assign(4, PatchKind::Reentrant);
     mesh.values = {{"phi", {1.0F, 2.0F, 3.0F, 4.0F}}};
     const std::vector<Colour> colours(4, {1, 2, 3, 4});
-    const auto entries = written(mesh, {.colours = colours});
+    const auto entries = written_npz(mesh, {.colours = colours});
     EXPECT_EQ(description(entries.at("vertices.npy")), "{'descr': '<f8', 'fortran_order': False, 'shape': (4, 3), }");
     EXPECT_EQ(values_of<double>(entries.at("vertices.npy"))[3], mesh.vertices[1].x);
     EXPECT_EQ(description(entries.at("triangles.npy")), "{'descr': '<u4', 'fortran_order': False, 'shape': (4, 3), }");
@@ -69,7 +69,7 @@ TEST(Npz, MeshArraysReadBack) {
 
 TEST(Npz, AtomsReadBack) {
     const Structure structure = four_atoms();
-    const auto entries = written(testing::tetrahedron(), {.structure = &structure});
+    const auto entries = written_npz(testing::tetrahedron(), {.structure = &structure});
     EXPECT_EQ(values_of<Vec3>(entries.at("atom_xyz.npy")), structure.atoms.centres);
     EXPECT_EQ(values_of<double>(entries.at("atom_radius.npy")), structure.atoms.radii);
     EXPECT_EQ(values_of<std::int32_t>(entries.at("atom_resnum.npy")), std::vector<std::int32_t>(4, -5));
@@ -81,7 +81,7 @@ TEST(Npz, AtomsReadBack) {
 TEST(Npz, TellsTheOptions) {
     const Structure structure = four_atoms();
     const SurfaceOptions options{.spacing = 0.25};
-    const auto entries = written({}, {.structure = &structure, .computed_with = &options});
+    const auto entries = written_npz({}, {.structure = &structure, .computed_with = &options});
     const auto letters = values_of<char32_t>(entries.at("options.npy"));
     const std::string text(letters.begin(), letters.end());
     EXPECT_NE(text.find(R"("file":"a \"b\".pdb")"), std::string::npos) << text;

@@ -14,7 +14,7 @@ namespace {
 
 using testing::ScratchFolder;
 
-Mesh round_trip(const Mesh& mesh) {
+Mesh written_obj(const Mesh& mesh) {
     const ScratchFolder folder;
     write_mesh(folder / "a.obj", mesh);
     return testing::read_obj(testing::read_file(folder / "a.obj"));
@@ -22,7 +22,7 @@ Mesh round_trip(const Mesh& mesh) {
 
 TEST(Obj, TrianglesAndPositionsReadBack) {
     const Mesh mesh = testing::projected_sphere({.centre = {1, 2, 3}, .radius = 1.5}, 0.3);
-    const Mesh read = round_trip(mesh);
+    const Mesh read = written_obj(mesh);
     EXPECT_EQ(read.triangles, mesh.triangles);
     ASSERT_EQ(read.vertices.size(), mesh.vertices.size());
     ASSERT_EQ(read.normals.size(), mesh.normals.size());
@@ -45,7 +45,7 @@ TEST(Obj, WithoutNormals) {
 TEST(Obj, AllDigitsFarFromTheOrigin) {
     Mesh mesh = testing::tetrahedron();
     mesh.vertices[0].x = 123456.78901;
-    EXPECT_EQ(round_trip(mesh).vertices, mesh.vertices);
+    EXPECT_EQ(written_obj(mesh).vertices, mesh.vertices);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 
 using testing::ScratchFolder;
 
-Mesh round_trip(const Mesh& mesh) {
+Mesh written_off(const Mesh& mesh) {
     const ScratchFolder folder;
     write_mesh(folder / "a.off", mesh);
     return testing::read_off(testing::read_file(folder / "a.off"));
@@ -22,7 +22,7 @@ Mesh round_trip(const Mesh& mesh) {
 
 TEST(Off, TrianglesAndPositionsReadBack) {
     const Mesh mesh = testing::projected_sphere({.centre = {1, 2, 3}, .radius = 1.5}, 0.3);
-    const Mesh read = round_trip(mesh);
+    const Mesh read = written_off(mesh);
     EXPECT_EQ(read.triangles, mesh.triangles);
     ASSERT_EQ(read.vertices.size(), mesh.vertices.size());
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
@@ -32,10 +32,10 @@ TEST(Off, TrianglesAndPositionsReadBack) {
 TEST(Off, AllDigitsFarFromTheOrigin) {
     Mesh mesh = testing::tetrahedron();
     mesh.vertices[0].x = 123456.78901;
-    EXPECT_EQ(round_trip(mesh).vertices, mesh.vertices);
+    EXPECT_EQ(written_off(mesh).vertices, mesh.vertices);
 }
 
-TEST(Off, AnEmptyMeshIsAValidFile) { EXPECT_TRUE(round_trip({}).triangles.empty()); }
+TEST(Off, AnEmptyMeshIsAValidFile) { EXPECT_TRUE(written_off({}).triangles.empty()); }
 
 }  // namespace
 }  // namespace meniscus

@@ -18,7 +18,7 @@ namespace {
 using testing::PlyContent;
 using testing::ScratchFolder;
 
-PlyContent round_trip(const Mesh& mesh, const WriteOptions& options) {
+PlyContent written_ply(const Mesh& mesh, const WriteOptions& options) {
     const ScratchFolder folder;
     write_mesh(folder / "a.ply", mesh, options);
     return testing::read_ply(testing::read_file(folder / "a.ply"));
@@ -45,7 +45,7 @@ TEST_P(Ply, EverythingReadsBack) {
     std::vector<std::uint32_t> residues(mesh.vertices.size(), std::numeric_limits<std::uint32_t>::max());
     std::vector<float> depths(mesh.vertices.size(), -1.25F);
     const PlyContent ply =
-        round_trip(mesh, {.encoding = GetParam(),
+        written_ply(mesh, {.encoding = GetParam(),
                           .extra = {{.name = "residue", .values = std::span<const std::uint32_t>(residues)},
                                     {.name = "depth", .values = std::span<const float>(depths)}}});
     const std::vector<std::pair<std::string, std::string>> expected{{"float", "x"},
@@ -84,7 +84,7 @@ TEST_P(Ply, EverythingReadsBack) {
 
 TEST_P(Ply, ColoursAreTheLastBytesOfAVertex) {
     const std::vector<Colour> colours{{1, 2, 3, 255}, {4, 5, 6, 7}, {255, 0, 128, 255}, {0, 0, 0, 0}};
-    const PlyContent ply = round_trip(testing::tetrahedron(), {.encoding = GetParam(), .colours = colours});
+    const PlyContent ply = written_ply(testing::tetrahedron(), {.encoding = GetParam(), .colours = colours});
     ASSERT_EQ(ply.properties.size(), 7U);
     EXPECT_EQ(ply.properties[3], (std::pair<std::string, std::string>{"uchar", "red"}));
     EXPECT_EQ(ply.values.at("red"), (std::vector<double>{1, 4, 255, 0}));
@@ -92,11 +92,11 @@ TEST_P(Ply, ColoursAreTheLastBytesOfAVertex) {
     EXPECT_EQ(ply.values.at("blue"), (std::vector<double>{3, 6, 128, 0}));
     EXPECT_EQ(ply.values.at("alpha"), (std::vector<double>{255, 7, 255, 0}));
     EXPECT_TRUE(ply.read_to_the_end);
-    EXPECT_THROW(round_trip(testing::tetrahedron(), {.colours = std::span(colours).first(3)}), UsageError);
+    EXPECT_THROW(written_ply(testing::tetrahedron(), {.colours = std::span(colours).first(3)}), UsageError);
 }
 
 TEST_P(Ply, OnlyWhatTheMeshHasIsWritten) {
-    const PlyContent ply = round_trip(testing::tetrahedron(), {.encoding = GetParam()});
+    const PlyContent ply = written_ply(testing::tetrahedron(), {.encoding = GetParam()});
     EXPECT_EQ(ply.properties.size(), 3U);
     EXPECT_EQ(ply.values.at("y"), (std::vector<double>{1, -1, 1, -1}));
     EXPECT_TRUE(ply.read_to_the_end);
@@ -105,7 +105,7 @@ TEST_P(Ply, OnlyWhatTheMeshHasIsWritten) {
 TEST_P(Ply, FarFromTheOriginCoordinatesAreDoubles) {
     Mesh mesh = testing::tetrahedron();
     mesh.vertices[1].y = -1024.1;
-    const PlyContent ply = round_trip(mesh, {.encoding = GetParam()});
+    const PlyContent ply = written_ply(mesh, {.encoding = GetParam()});
     EXPECT_EQ(ply.properties[0].first, "double");
     EXPECT_EQ(ply.values.at("y")[1], -1024.1);
 }
@@ -116,14 +116,14 @@ TEST_P(Ply, RecordsMayBeLongerThanWhatIsPackedAtOnce) {
     WriteOptions options{.encoding = GetParam()};
     for (int i = 0; i < kArrays; ++i)
         options.extra.push_back({.name = "a" + std::to_string(i), .values = std::span<const float>(values)});
-    const PlyContent ply = round_trip(testing::tetrahedron(), options);
+    const PlyContent ply = written_ply(testing::tetrahedron(), options);
     EXPECT_EQ(ply.values.at("a8999"), (std::vector<double>{0, 1, 2, 3}));
     EXPECT_EQ(ply.triangles.size(), 4U);
     EXPECT_TRUE(ply.read_to_the_end);
 }
 
 TEST_P(Ply, AnEmptyMeshIsAValidFile) {
-    const PlyContent ply = round_trip({}, {.encoding = GetParam()});
+    const PlyContent ply = written_ply({}, {.encoding = GetParam()});
     EXPECT_TRUE(ply.triangles.empty());
     EXPECT_TRUE(ply.read_to_the_end);
 }
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(Encodings, Ply, ::testing::Values(Encoding::Binary, Enc
                          [](const auto& test) { return test.param == Encoding::Binary ? "Binary" : "Text"; });
 
 TEST(PlyHeader, NamesFormatVersionAndCounts) {
-    const PlyContent ply = round_trip(testing::tetrahedron(), {});
+    const PlyContent ply = written_ply(testing::tetrahedron(), {});
     const std::vector<std::string> expected{"ply",
                                             "format binary_little_endian 1.0",
                                             std::string("comment meniscus ") + kVersion,

@@ -14,7 +14,7 @@ namespace {
 using testing::Facets;
 using testing::ScratchFolder;
 
-std::string written(const Mesh& mesh, Encoding encoding) {
+std::string written_stl(const Mesh& mesh, Encoding encoding) {
     const ScratchFolder folder;
     write_mesh(folder / "a.stl", mesh, {.encoding = encoding});
     return testing::read_file(folder / "a.stl");
@@ -37,31 +37,31 @@ void expect_facets_of(const Facets& facets, const Mesh& mesh) {
 
 TEST(Stl, BinaryReadsBack) {
     const Mesh mesh = testing::projected_sphere({.centre = {1, 2, 3}, .radius = 1.5}, 0.3);
-    const std::string content = written(mesh, Encoding::Binary);
+    const std::string content = written_stl(mesh, Encoding::Binary);
     EXPECT_TRUE(content.starts_with("meniscus"));  // "solid" would make readers take it for text
     expect_facets_of(testing::read_binary_stl(content), mesh);
 }
 
 TEST(Stl, TextReadsBack) {
     const Mesh mesh = testing::projected_sphere({.centre = {1, 2, 3}, .radius = 1.5}, 0.3);
-    expect_facets_of(testing::read_text_stl(written(mesh, Encoding::Text)), mesh);
+    expect_facets_of(testing::read_text_stl(written_stl(mesh, Encoding::Text)), mesh);
 }
 
 TEST(Stl, TextHasAllDigitsFarFromTheOrigin) {
     Mesh mesh = testing::tetrahedron();
     for (Vec3& v : mesh.vertices) v.x = 123456.78901 + 1e-3 * v.x;
-    EXPECT_EQ(testing::read_text_stl(written(mesh, Encoding::Text))[0][1], mesh.vertices[0]);
+    EXPECT_EQ(testing::read_text_stl(written_stl(mesh, Encoding::Text))[0][1], mesh.vertices[0]);
 }
 
 TEST(Stl, FacetsWithoutAreaHaveNoNormal) {
     Mesh mesh = testing::tetrahedron();
     mesh.vertices[1] = mesh.vertices[0];
-    EXPECT_EQ(testing::read_binary_stl(written(mesh, Encoding::Binary))[0][0], Vec3{});
+    EXPECT_EQ(testing::read_binary_stl(written_stl(mesh, Encoding::Binary))[0][0], Vec3{});
 }
 
 TEST(Stl, AnEmptyMeshIsAValidFile) {
-    EXPECT_TRUE(testing::read_binary_stl(written({}, Encoding::Binary)).empty());
-    EXPECT_EQ(written({}, Encoding::Text), "solid meniscus\nendsolid meniscus\n");
+    EXPECT_TRUE(testing::read_binary_stl(written_stl({}, Encoding::Binary)).empty());
+    EXPECT_EQ(written_stl({}, Encoding::Text), "solid meniscus\nendsolid meniscus\n");
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 using testing::ScratchFolder;
 
-std::string written(const Mesh& mesh, const WriteOptions& options) {
+std::string written_vtp(const Mesh& mesh, const WriteOptions& options) {
     const ScratchFolder folder;
     write_mesh(folder / "a.vtp", mesh, options);
     return testing::read_file(folder / "a.vtp");
@@ -45,7 +45,7 @@ TEST(Vtp, EverythingReadsBack) {
     mesh.areas = {0.5F, 1.5F, 2.5F, 3.5F};
     const std::vector<std::uint32_t> residues{7, 7, 8, 8};
     const std::vector<Colour> colours{{1, 2, 3, 4}, {}, {}, {5, 6, 7, 8}};
-    const std::string file = written(
+    const std::string file = written_vtp(
         mesh, {.extra = {{.name = "residue", .values = std::span<const std::uint32_t>(residues)}}, .colours = colours});
     EXPECT_EQ(array_of<float>(file, "Points")[3], static_cast<float>(mesh.vertices[1].x));
     EXPECT_EQ(array_of<float>(file, "Normals"), (std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}));
@@ -66,13 +66,13 @@ TEST(Vtp, EverythingReadsBack) {
 TEST(Vtp, FarFromTheOriginCoordinatesAreDouble) {
     Mesh mesh = testing::tetrahedron();
     for (Vec3& v : mesh.vertices) v.x += 5000.125;
-    EXPECT_EQ(array_of<double>(written(mesh, {}), "Points")[0], mesh.vertices[0].x);
+    EXPECT_EQ(array_of<double>(written_vtp(mesh, {}), "Points")[0], mesh.vertices[0].x);
 }
 
 TEST(Vtp, NamesAreEscaped) {
     const std::vector<float> values(4);
     const VertexArray array{.name = "a<b&c\"", .values = std::span<const float>(values)};
-    EXPECT_NE(written(testing::tetrahedron(), {.extra = {array}}).find("Name=\"a&lt;b&amp;c&quot;\""),
+    EXPECT_NE(written_vtp(testing::tetrahedron(), {.extra = {array}}).find("Name=\"a&lt;b&amp;c&quot;\""),
               std::string::npos);
 }
 

@@ -19,7 +19,6 @@ namespace {
 using testing::Sphere;
 using testing::Torus;
 
-constexpr double kPi = std::numbers::pi;
 const Sphere kSphere{.centre = {0.01, 0.02, 0.03}, .radius = 2.0};
 constexpr Torus kTorus{.major = 2.0, .minor = 0.8};
 
@@ -65,34 +64,34 @@ void expect_fourth_order(const MakeMesh& make, const Measure& measure, double ar
 
 TEST(Corrected, FourthOrderOnASphereByProjection) {
     expect_fourth_order([](double h) { return testing::projected_sphere(kSphere, h); },
-                        [](const Mesh& mesh) { return corrected_measures(mesh, project_to_sphere); }, 16.0 * kPi,
-                        32.0 / 3.0 * kPi);
+                        [](const Mesh& mesh) { return corrected_measures(mesh, project_to_sphere); }, 16.0 * std::numbers::pi,
+                        32.0 / 3.0 * std::numbers::pi);
 }
 
 TEST(Corrected, OneMoreDivisionIsWorthHalfTheSpacing) {
     for (const double spacing : {0.4, 0.2}) {
         const CorrectedMeasures m =
             corrected_measures(testing::projected_sphere(kSphere, spacing), project_to_sphere, 2);
-        EXPECT_NEAR(m.area / (16.0 * kPi), 1.0, 0.06 * std::pow(spacing / 2.0, 4));
-        EXPECT_NEAR(m.volume / (32.0 / 3.0 * kPi), 1.0, 0.06 * std::pow(spacing / 2.0, 4));
+        EXPECT_NEAR(m.area / (16.0 * std::numbers::pi), 1.0, 0.06 * std::pow(spacing / 2.0, 4));
+        EXPECT_NEAR(m.volume / (32.0 / 3.0 * std::numbers::pi), 1.0, 0.06 * std::pow(spacing / 2.0, 4));
     }
 }
 
 TEST(Corrected, FourthOrderOnASphereByNormals) {
     expect_fourth_order([](double h) { return testing::projected_sphere(kSphere, h); },
-                        [](const Mesh& mesh) { return corrected_measures(mesh); }, 16.0 * kPi, 32.0 / 3.0 * kPi);
+                        [](const Mesh& mesh) { return corrected_measures(mesh); }, 16.0 * std::numbers::pi, 32.0 / 3.0 * std::numbers::pi);
 }
 
 TEST(Corrected, FourthOrderOnATorusByProjection) {
     expect_fourth_order(
         projected_torus, [](const Mesh& mesh) { return corrected_measures(mesh, project_to_torus); },
-        4.0 * kPi * kPi * 1.6, 2.0 * kPi * kPi * 2.0 * 0.64);
+        4.0 * std::numbers::pi * std::numbers::pi * 1.6, 2.0 * std::numbers::pi * std::numbers::pi * 2.0 * 0.64);
 }
 
 TEST(Corrected, FourthOrderOnATorusByNormals) {
     expect_fourth_order(
-        projected_torus, [](const Mesh& mesh) { return corrected_measures(mesh); }, 4.0 * kPi * kPi * 1.6,
-        2.0 * kPi * kPi * 2.0 * 0.64);
+        projected_torus, [](const Mesh& mesh) { return corrected_measures(mesh); }, 4.0 * std::numbers::pi * std::numbers::pi * 1.6,
+        2.0 * std::numbers::pi * std::numbers::pi * 2.0 * 0.64);
 }
 
 TEST(Corrected, TheProjectorIsGivenPlacesNearTheSurface) {
@@ -104,7 +103,7 @@ TEST(Corrected, TheProjectorIsGivenPlacesNearTheSurface) {
         for (const Vec3& p : points) EXPECT_NEAR(norm(p - kSphere.centre), kSphere.radius, 0.3);  // the chord's: 0.85
         project_to_sphere(points, looking);
     };
-    EXPECT_NEAR(corrected_measures(mesh, project, 4).area, 16.0 * kPi, 1e-3 * 16.0 * kPi);
+    EXPECT_NEAR(corrected_measures(mesh, project, 4).area, 16.0 * std::numbers::pi, 1e-3 * 16.0 * std::numbers::pi);
 }
 
 TEST(Corrected, FlatSurfacesStayAsTheyAre) {

@@ -16,7 +16,6 @@
 namespace meniscus {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 
 Atoms random_cluster(std::size_t count, double extent, unsigned seed) {
     std::mt19937_64 random(seed);
@@ -61,15 +60,15 @@ TEST(Measure, ASurfaceThatIsThereAlreadyGivesTheSame) {
 
 TEST(Measure, OneSphereHasItsClosedForms) {
     const Measures m = measure({{{1, 2, 3}}, {1.7}});
-    EXPECT_NEAR(m.totals.ses_area, 4 * kPi * 1.7 * 1.7, 1e-9 * m.totals.ses_area);
-    EXPECT_NEAR(m.totals.ses_volume, 4 * kPi / 3 * std::pow(1.7, 3), 1e-9 * m.totals.ses_volume);
-    EXPECT_NEAR(m.totals.sas_area, 4 * kPi * 3.1 * 3.1, 1e-9 * m.totals.sas_area);
-    EXPECT_NEAR(m.totals.sas_volume, 4 * kPi / 3 * std::pow(3.1, 3), 1e-9 * m.totals.sas_volume);
+    EXPECT_NEAR(m.totals.ses_area, 4 * std::numbers::pi * 1.7 * 1.7, 1e-9 * m.totals.ses_area);
+    EXPECT_NEAR(m.totals.ses_volume, 4 * std::numbers::pi / 3 * std::pow(1.7, 3), 1e-9 * m.totals.ses_volume);
+    EXPECT_NEAR(m.totals.sas_area, 4 * std::numbers::pi * 3.1 * 3.1, 1e-9 * m.totals.sas_area);
+    EXPECT_NEAR(m.totals.sas_volume, 4 * std::numbers::pi / 3 * std::pow(3.1, 3), 1e-9 * m.totals.sas_volume);
     ASSERT_EQ(m.components.size(), 1U);
     EXPECT_EQ(m.components[0].kind, ComponentKind::Outer);
     EXPECT_EQ(m.components[0].inside_of, kNone);
     EXPECT_NEAR(norm(m.components[0].centre - Vec3{1, 2, 3}), 0.0, 1e-12);
-    EXPECT_LE(std::abs(m.totals.ses_area - 4 * kPi * 1.7 * 1.7), m.errors.ses_area) << "the error estimate holds";
+    EXPECT_LE(std::abs(m.totals.ses_area - 4 * std::numbers::pi * 1.7 * 1.7), m.errors.ses_area) << "the error estimate holds";
 }
 
 // SES of two spheres whose probe circle exists: on each side of its plane a cap of the sphere, and the torus from there
@@ -89,13 +88,13 @@ TwoSpheres two_spheres(double r1, double r2, double d, double probe) {
     const auto add_side = [&](double r, double height) {
         const double rho = r + probe;
         const double x = r * height / rho;  // where the cap ends
-        result.area += 2 * kPi * r * (r + x);
-        result.volume += kPi / 3 * (2 * r * r * r + 3 * r * r * x - x * x * x);
+        result.area += 2 * std::numbers::pi * r * (r + x);
+        result.volume += std::numbers::pi / 3 * (2 * r * r * r + 3 * r * r * x - x * x * x);
         // Along the torus y = a - R cos ψ, dx = R cos ψ dψ.
-        const auto area_to = [&](double psi) { return 2 * kPi * probe * (a * psi - probe * std::sin(psi)); };
+        const auto area_to = [&](double psi) { return 2 * std::numbers::pi * probe * (a * psi - probe * std::sin(psi)); };
         const auto volume_to = [&](double psi) {
             const double sine = std::sin(psi);
-            return kPi * probe *
+            return std::numbers::pi * probe *
                    (a * a * sine - a * probe * (psi + sine * std::cos(psi)) +
                     probe * probe * (sine - sine * sine * sine / 3));
         };
@@ -173,7 +172,7 @@ TEST(Measure, AnIslandInACavityIsInsideTheCavity) {
     EXPECT_EQ(m.components[1].inside_of, 0U);
     EXPECT_EQ(m.components[2].kind, ComponentKind::Outer);
     EXPECT_EQ(m.components[2].inside_of, 1U) << "the island";
-    EXPECT_NEAR(m.components[2].ses_volume, 4 * kPi / 3 * 8.0, 1e-6);
+    EXPECT_NEAR(m.components[2].ses_volume, 4 * std::numbers::pi / 3 * 8.0, 1e-6);
     EXPECT_EQ(m.components[3].inside_of, kNone) << "the one far outside";
 }
 
@@ -237,7 +236,7 @@ TEST(Measure, ASpindleTorusSeparatesTwoSpheres) {
 TEST(Measure, ProbeZeroGivesTheVanDerWaalsSurface) {
     const Measures m = measure({{{0, 0, 0}, {1.2, 0, 0}}, {1.7, 1.5}}, {.probe = 0.0});
     const double h = (1.2 * 1.2 + 1.7 * 1.7 - 1.5 * 1.5) / 2.4;
-    const double area = 2 * kPi * (1.7 * (1.7 + h) + 1.5 * (1.5 + 1.2 - h));
+    const double area = 2 * std::numbers::pi * (1.7 * (1.7 + h) + 1.5 * (1.5 + 1.2 - h));
     EXPECT_NEAR(m.totals.ses_area, area, 1e-8);
     EXPECT_NEAR(m.totals.sas_area, area, 1e-8);
     EXPECT_EQ(m.totals.toroidal_area, 0.0);
@@ -357,10 +356,10 @@ TEST(Measure, ErrorEstimatesOfHugeProbesHold) {
     const double edge = 2.0 * std::numbers::sqrt2;
     const Atoms atoms{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, {kRadius, kRadius, kRadius, kRadius}};
     const double faces = std::sqrt(3.0) * edge * edge;
-    const double curvature = 3.0 * edge * (kPi - std::acos(1.0 / 3.0));
-    const double area = faces + 2.0 * curvature * kRadius + 4.0 * kPi * kRadius * kRadius;
+    const double curvature = 3.0 * edge * (std::numbers::pi - std::acos(1.0 / 3.0));
+    const double area = faces + 2.0 * curvature * kRadius + 4.0 * std::numbers::pi * kRadius * kRadius;
     const double volume = edge * edge * edge / (6.0 * std::numbers::sqrt2) + faces * kRadius +
-                          curvature * kRadius * kRadius + 4.0 / 3.0 * kPi * std::pow(kRadius, 3);
+                          curvature * kRadius * kRadius + 4.0 / 3.0 * std::numbers::pi * std::pow(kRadius, 3);
     for (const double probe : {1e5, 1e6, 1e7, 1e8, 1e9}) {
         SCOPED_TRACE(probe);
         const Measures m = measure(atoms, {.probe = probe});
@@ -396,8 +395,8 @@ TEST(Measure, ErrorEstimatesOfSmallSpheresHold) {
     for (const double radius : {1.0, 0.1, 1e-2, 1e-3})
         for (int k = 0; k < 40; ++k) {
             const Measures m = measure({{{0.37 * k, 1.0, -0.11 * k}}, {radius}}, {.probe = 0.0});
-            EXPECT_NEAR(m.totals.ses_area, 4.0 * kPi * radius * radius, m.errors.ses_area) << radius << ' ' << k;
-            EXPECT_NEAR(m.totals.ses_volume, 4.0 / 3.0 * kPi * std::pow(radius, 3), m.errors.ses_volume);
+            EXPECT_NEAR(m.totals.ses_area, 4.0 * std::numbers::pi * radius * radius, m.errors.ses_area) << radius << ' ' << k;
+            EXPECT_NEAR(m.totals.ses_volume, 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3), m.errors.ses_volume);
         }
 }
 

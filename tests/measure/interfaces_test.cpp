@@ -13,7 +13,6 @@
 namespace meniscus {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kProbe = 1.4;
 
 using testing::random_cluster;
@@ -27,12 +26,12 @@ struct Side {
     double height;  // of the plane of the circle above the centre
 
     double rho() const { return radius + kProbe; }
-    double buried_sas() const { return 2.0 * kPi * rho() * (rho() - height); }
-    double contact() const { return 2.0 * kPi * radius * radius * (1.0 + height / rho()); }
+    double buried_sas() const { return 2.0 * std::numbers::pi * rho() * (rho() - height); }
+    double contact() const { return 2.0 * std::numbers::pi * radius * radius * (1.0 + height / rho()); }
     double torus() const {
         const double circle = std::sqrt(rho() * rho() - height * height);
         const double angle = std::asin(height / rho());
-        return 2.0 * kPi * kProbe * (circle * angle - kProbe * std::sin(angle));
+        return 2.0 * std::numbers::pi * kProbe * (circle * angle - kProbe * std::sin(angle));
     }
 };
 
@@ -42,8 +41,8 @@ TEST(Interfaces, TwoSpheresHaveTheClosedForm) {
     const Side a{1.7, height};
     const Side b{1.5, distance - height};
     const Interface found = measure_interface(two_spheres(distance, a.radius, b.radius), {0}, {1});
-    EXPECT_NEAR(found.sas_a, 4.0 * kPi * 3.1 * 3.1, 1e-6);
-    EXPECT_NEAR(found.ses_b, 4.0 * kPi * 1.5 * 1.5, 1e-6);
+    EXPECT_NEAR(found.sas_a, 4.0 * std::numbers::pi * 3.1 * 3.1, 1e-6);
+    EXPECT_NEAR(found.ses_b, 4.0 * std::numbers::pi * 1.5 * 1.5, 1e-6);
     EXPECT_NEAR(found.buried_sas(), a.buried_sas() + b.buried_sas(), 1e-6);
     EXPECT_NEAR(found.interface_area(), 0.5 * (a.buried_sas() + b.buried_sas()), 1e-6);
     EXPECT_NEAR(found.ses_ab, a.contact() + a.torus() + b.contact() + b.torus(), 1e-6);

@@ -13,7 +13,6 @@
 namespace meniscus {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 
 // A tilted arc away from the origin.
 SasArc some_arc(double radius, double height0, double height1, double angle) {
@@ -27,7 +26,7 @@ SasArc some_arc(double radius, double height0, double height1, double angle) {
     arc.height1 = height1;
     arc.angle = angle;
     arc.cos_half = std::cos(0.5 * angle);
-    if (angle < 2 * kPi) arc.start = arc.end = 0;
+    if (angle < 2 * std::numbers::pi) arc.start = arc.end = 0;
     return arc;
 }
 
@@ -68,7 +67,7 @@ TEST(PatchIntegrals, ATorusIsDividedAtThePlaneOfItsCircle) {
 
 TEST(PatchIntegrals, ToroidalPieceAgreesWithQuadrature) {
     for (const SasArc& arc :
-         {some_arc(2.5, 1.5, 1.0, 1.3), some_arc(2.5, 1.5, 1.0, 2 * kPi), some_arc(1.1, 2.9, 2.7, 4.0),
+         {some_arc(2.5, 1.5, 1.0, 1.3), some_arc(2.5, 1.5, 1.0, 2 * std::numbers::pi), some_arc(1.1, 2.9, 2.7, 4.0),
           some_arc(2.0, -0.5, 2.4, 2.0), some_arc(1.0, -0.9, 2.9, 0.4)}) {
         const ToroidalPatch torus = toroidal_patch(arc, 1.4);
         for (int k = 0; k < torus.count; ++k) {
@@ -83,18 +82,18 @@ TEST(PatchIntegrals, ToroidalPieceAgreesWithQuadrature) {
 }
 
 TEST(PatchIntegrals, ATorusThatMeetsItsAxisFallsIntoTwo) {
-    EXPECT_EQ(toroidal_patch(some_arc(1.0, 2.9, 2.9, 2 * kPi), 1.4).count, 2);
-    EXPECT_EQ(toroidal_patch(some_arc(1.5, 2.9, 2.9, 2 * kPi), 1.4).count, 1);
-    EXPECT_EQ(toroidal_patch(some_arc(1.0, -2.9, 3.9, 2 * kPi), 1.4).count, 1) << "its circle is beyond one atom";
+    EXPECT_EQ(toroidal_patch(some_arc(1.0, 2.9, 2.9, 2 * std::numbers::pi), 1.4).count, 2);
+    EXPECT_EQ(toroidal_patch(some_arc(1.5, 2.9, 2.9, 2 * std::numbers::pi), 1.4).count, 1);
+    EXPECT_EQ(toroidal_patch(some_arc(1.0, -2.9, 3.9, 2 * std::numbers::pi), 1.4).count, 1) << "its circle is beyond one atom";
 }
 
 TEST(PatchIntegrals, SphereEnclosesItsVolume) {
-    const SphericalRegion whole{4 * kPi, {}};
+    const SphericalRegion whole{4 * std::numbers::pi, {}};
     const PatchIntegrals outside = sphere_patch({1, 2, 3}, 2.0, whole, 1);
-    EXPECT_NEAR(outside.area, 16 * kPi, 1e-12);
-    EXPECT_NEAR(outside.volume, 32.0 / 3.0 * kPi, 1e-12);
+    EXPECT_NEAR(outside.area, 16 * std::numbers::pi, 1e-12);
+    EXPECT_NEAR(outside.volume, 32.0 / 3.0 * std::numbers::pi, 1e-12);
     EXPECT_NEAR(norm((1.0 / outside.area) * outside.first_moment - Vec3{1, 2, 3}), 0.0, 1e-12);
-    EXPECT_NEAR(sphere_patch({1, 2, 3}, 2.0, whole, -1).volume, -32.0 / 3.0 * kPi, 1e-12);
+    EXPECT_NEAR(sphere_patch({1, 2, 3}, 2.0, whole, -1).volume, -32.0 / 3.0 * std::numbers::pi, 1e-12);
 }
 
 }  // namespace

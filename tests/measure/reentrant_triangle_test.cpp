@@ -12,7 +12,6 @@
 namespace meniscus {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 
 Atoms random_cluster(std::size_t count, double extent, double radius) {
     std::mt19937_64 random(3);
@@ -33,8 +32,8 @@ TEST(ReentrantTriangle, OfACornerOfACubeIsAnOctant) {
                                    [](const SasVertex& vertex) { return norm(vertex.position) < 1e-6; });
     ASSERT_NE(here, vertices.end());
     const ReentrantTriangle triangle(surface.data(), *here);
-    EXPECT_NEAR(triangle.solid_angle, 0.5 * kPi, 1e-8);
-    for (const double length : triangle.lengths) EXPECT_NEAR(length, 0.5 * kPi, 1e-8);
+    EXPECT_NEAR(triangle.solid_angle, 0.5 * std::numbers::pi, 1e-8);
+    for (const double length : triangle.lengths) EXPECT_NEAR(length, 0.5 * std::numbers::pi, 1e-8);
     EXPECT_NEAR(triangle.cos_farthest, std::sqrt(1.0 / 3.0), 1e-8);
     EXPECT_TRUE(triangle.is_wide());
     const Vec3 inside = normalised({1, 1, 1});

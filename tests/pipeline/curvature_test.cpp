@@ -18,12 +18,12 @@ namespace meniscus::testing {
 namespace {
 
 // A few spheres, and a probe that gives them wide toroidal and reentrant patches.
-struct Arrangement {
+struct CurvedSpheres {
     Atoms atoms;
     double probe = 1.4;
 };
-const Arrangement kTwo{{{{0, 0, 0}, {1.9, 0.8, 1.2}}, {1.7, 1.7}}, 1.4};
-const Arrangement kThree{{{{0, 0, 0}, {3.6, 0.1, 0.2}, {1.7, 3.2, -0.1}}, {2.0, 1.9, 1.8}}, 3.0};
+const CurvedSpheres kTwo{{{{0, 0, 0}, {1.9, 0.8, 1.2}}, {1.7, 1.7}}, 1.4};
+const CurvedSpheres kThree{{{{0, 0, 0}, {3.6, 0.1, 0.2}, {1.7, 3.2, -0.1}}, {2.0, 1.9, 1.8}}, 3.0};
 
 // Whether all that is within `margin` of a point belongs to the same patch.
 bool is_away_from_borders(const AccessibleSurface& exact, const Vec3& p, double margin) {
@@ -52,7 +52,7 @@ struct CurvatureErrors {
 };
 
 // By kind of patch, more than 0.5 Å away from where curvatures jump.
-std::array<CurvatureErrors, 3> curvature_errors(const Arrangement& arrangement, double spacing) {
+std::array<CurvatureErrors, 3> curvature_errors(const CurvedSpheres& arrangement, double spacing) {
     const Surface surface = compute_surface(arrangement.atoms, {.probe = arrangement.probe, .spacing = spacing});
     const AccessibleSurface exact(arrangement.atoms, arrangement.probe);
     std::array<CurvatureErrors, 3> errors;
@@ -72,7 +72,7 @@ double median(std::vector<double>& values) {
 }
 
 TEST(VertexCurvatures, OfTheFlowAreExactAwayFromBordersWithSecondOrder) {
-    for (const Arrangement& arrangement : {kTwo, kThree}) {
+    for (const CurvedSpheres& arrangement : {kTwo, kThree}) {
         const std::array<CurvatureErrors, 3> coarse = curvature_errors(arrangement, 0.25);
         const std::array<CurvatureErrors, 3> fine = curvature_errors(arrangement, 0.125);
         for (std::size_t patch = 0; patch < arrangement.atoms.size(); ++patch) {
@@ -88,7 +88,7 @@ TEST(VertexCurvatures, OfTheFlowAreExactAwayFromBordersWithSecondOrder) {
 }
 
 TEST(VertexCurvatures, OfTheExactDistanceAreThoseOfThePatches) {
-    for (const Arrangement& arrangement : {kTwo, kThree}) {
+    for (const CurvedSpheres& arrangement : {kTwo, kThree}) {
         const Surface surface =
             compute_surface(arrangement.atoms, {.method = Method::Direct, .probe = arrangement.probe, .spacing = 0.3});
         const AccessibleSurface exact(arrangement.atoms, arrangement.probe);
@@ -104,7 +104,7 @@ TEST(VertexCurvatures, OfTheExactDistanceAreThoseOfThePatches) {
 }
 
 TEST(VertexCurvatures, AreFiniteAndCappedAtCusps) {
-    const Arrangement arrangements[] = {
+    const CurvedSpheres arrangements[] = {
         {{{{0, 0, 0}, {5.0, 0.3, 0.1}}, {1.7, 1.7}}, 1.4},                   // a spindle torus
         {{{{0, 0, 0}, {2, 0, 0}, {1, 1.8, 0}}, {1.5, 1.5, 1.5}}, 0.0},       // a ridge between bare spheres
         {{{{0, 0, 0}, {5.8, 0, 0}, {2.9, 4.9, 0}}, {1.5, 1.5, 1.5}}, 1.4}};  // probes that meet between three atoms

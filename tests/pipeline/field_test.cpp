@@ -17,7 +17,7 @@ const Atoms kBall{{{0.1, -0.2, 0.3}}, {kRadius}};
 const VolumeGrid kGrid{{21, 17, 33}, {-4.9, -4.1, -8.2}, {0.5, 0.55, 0.5}};
 
 // A shell of atoms on a sphere: one outer surface and one cavity.
-Atoms hollow_shell() {
+Atoms wide_shell() {
     Atoms atoms;
     for (int i = 0; i < 90; ++i) {
         const double z = 1.0 - (2.0 * i + 1.0) / 90;
@@ -85,7 +85,7 @@ TEST(Field, OfAGaussianHasTheSignOfItsSurfaceEverywhere) {
 
 TEST(Field, MaskAndDielectricFollowTheSign) {
     for (const Method method : {Method::Direct, Method::Flow}) {
-        const Atoms atoms = hollow_shell();
+        const Atoms atoms = wide_shell();
         const Surface surface = compute_surface(atoms, {.method = method});
         const VolumeGrid grid = enclosing_grid(atoms, 0.7);
         const Volume distance = surface_field(surface, atoms, grid);
@@ -129,7 +129,7 @@ TEST(Field, MapsOfApbsAreHalfASpacingBesideTheNodes) {
 }
 
 TEST(Field, FilledCavitiesAreInsideInEveryField) {
-    const Atoms atoms = hollow_shell();
+    const Atoms atoms = wide_shell();
     EXPECT_THROW(enclosing_grid({}, 0.6), std::invalid_argument);
     const VolumeGrid grid = enclosing_grid(atoms, 0.6);
     for (const Method method : {Method::Direct, Method::Flow}) {
@@ -167,14 +167,14 @@ TEST(Field, FilledCavitiesAreInsideInEveryField) {
 }
 
 TEST(Field, CavitiesThatTheMeshLeavesOutStayOutside) {
-    const Atoms atoms = hollow_shell();
+    const Atoms atoms = wide_shell();
     const Surface outer = compute_surface(atoms, {.pieces = Pieces::Outer, .min_cavity = 1000.0});
     const VolumeGrid middle{{1, 1, 1}, {0, 0, 0}, {1, 1, 1}};
     EXPECT_LT(surface_field(outer, atoms, middle).values[0], 0.0F);
 }
 
 TEST(Field, DoesNotDependOnTheThreads) {
-    const Atoms atoms = hollow_shell();
+    const Atoms atoms = wide_shell();
     const Surface surface = compute_surface(atoms);
     EXPECT_EQ(surface_field(surface, atoms, kGrid, {.threads = 1}).values,
               surface_field(surface, atoms, kGrid, {.threads = 4}).values);

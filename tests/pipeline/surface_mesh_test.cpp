@@ -14,12 +14,12 @@
 namespace meniscus::testing {
 namespace {
 
-const Atoms kRidged = ridged_spheres();
+const Atoms kRidgedSpheres = ridged_spheres();
 
 TEST(SurfaceMesh, VerticesOfTheExactDistanceLieOnTheSurface) {
-    const AccessibleSurface exact(kRidged, 1.4);
+    const AccessibleSurface exact(kRidgedSpheres, 1.4);
     for (const double spacing : {1.0, 0.5, 0.2}) {
-        const Surface surface = compute_surface(kRidged, {.method = Method::Direct, .spacing = spacing});
+        const Surface surface = compute_surface(kRidgedSpheres, {.method = Method::Direct, .spacing = spacing});
         std::vector<double> distances;
         for (const Vec3& v : surface.mesh.vertices) distances.push_back(std::abs(exact.nearest(v).signed_distance));
         std::sort(distances.begin(), distances.end());

@@ -37,7 +37,7 @@ Atoms random_cluster(int count, double extent, unsigned seed, double smallest = 
 }
 
 // A shell of atoms on a sphere: one outer surface and one cavity.
-Atoms hollow_shell(double radius, int count) {
+Atoms shell_of_spheres(double radius, int count) {
     Atoms atoms;
     for (int i = 0; i < count; ++i) {  // Fibonacci sphere
         const double z = 1.0 - (2.0 * i + 1.0) / count;
@@ -129,7 +129,7 @@ TEST(Surface, VerticesLieOnTheSesByBruteForce) {
 }
 
 TEST(Surface, FlowForgetsItsStart) {
-    const Atoms atoms = hollow_shell(6.5, 90);
+    const Atoms atoms = shell_of_spheres(6.5, 90);
     for (const double density : {-0.2, -0.5, -4.0}) {
         const Surface surface = compute_surface(atoms, {.spacing = 0.4, .density = density});
         EXPECT_TRUE(surface.flow.converged) << density;
@@ -295,7 +295,7 @@ TEST(Surface, OptionsOutOfRangeAreUsageErrors) {
 }
 
 TEST(Surface, SmallCavitiesAreDroppedOnRequest) {
-    const Atoms atoms = hollow_shell(6.5, 90);
+    const Atoms atoms = shell_of_spheres(6.5, 90);
     for (const double edge : {0.0, 0.8}) {
         const SurfaceOptions options{.remesh = {.edge = edge}};
         const Surface all = compute_surface(atoms, options);

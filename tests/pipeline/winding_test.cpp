@@ -12,7 +12,7 @@ namespace meniscus {
 namespace {
 
 // Corners at round coordinates: rays meet edges and vertices.
-Mesh cube(double half) {
+Mesh solid_cube(double half) {
     Mesh mesh;
     for (int i = 0; i < 8; ++i)
         mesh.vertices.push_back({i % 2 == 0 ? -half : half, i / 2 % 2 == 0 ? -half : half, i / 4 == 0 ? -half : half});
@@ -31,19 +31,19 @@ void add(Mesh& mesh, const Mesh& other, bool turned) {
 TEST(WindingNumbers, TellInsideFromOutside) {
     const std::vector<Vec3> points{{0, 0, 0}, {0.5, 0.5, 0.9}, {0, 0, 1.1},      {0, 0, -3},
                                    {2, 0, 0}, {0.25, 0.5, 0},  {-0.5, 0.5, -0.5}};
-    EXPECT_EQ(winding_numbers(cube(1.0), points), (std::vector<int>{1, 1, 0, 0, 0, 1, 1}));
+    EXPECT_EQ(winding_numbers(solid_cube(1.0), points), (std::vector<int>{1, 1, 0, 0, 0, 1, 1}));
 }
 
 TEST(WindingNumbers, OfAWallWithinAWall) {
-    Mesh hollow = cube(2.0);
-    add(hollow, cube(1.0), true);
+    Mesh hollow = solid_cube(2.0);
+    add(hollow, solid_cube(1.0), true);
     const std::vector<Vec3> points{{0, 0, 0}, {0, 0, 1.5}, {1.5, 1.5, 0}, {3, 0, 0}};
     EXPECT_EQ(winding_numbers(hollow, points), (std::vector<int>{0, 1, 1, 0}));
 }
 
 TEST(WindingNumbers, OfThousandsOfPoints) {
-    Mesh hollow = cube(2.0);
-    add(hollow, cube(1.0), true);
+    Mesh hollow = solid_cube(2.0);
+    add(hollow, solid_cube(1.0), true);
     std::vector<Vec3> points;
     std::vector<int> expected;
     for (double z = -2.25; z < 2.5; z += 0.25)
@@ -59,7 +59,7 @@ TEST(WindingNumbers, OfThousandsOfPoints) {
 
 TEST(WindingNumbers, OfNothing) {
     EXPECT_EQ(winding_numbers(Mesh{}, std::vector<Vec3>{{0, 0, 0}}), std::vector<int>{0});
-    EXPECT_TRUE(winding_numbers(cube(1.0), {}).empty());
+    EXPECT_TRUE(winding_numbers(solid_cube(1.0), {}).empty());
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ SurfaceProjector onto_spheres(const Vec3& centre, const std::vector<double>& rad
     };
 }
 
-SurfaceProjector onto(const Sphere& sphere) { return onto_spheres(sphere.centre, {sphere.radius}); }
+SurfaceProjector onto_sphere(const Sphere& sphere) { return onto_spheres(sphere.centre, {sphere.radius}); }
 
 double shortest_edge_of(const Mesh& mesh) {
     double shortest = 1e9;
@@ -84,7 +84,7 @@ TEST(MendSlivers, LeaveNoneOnASphereThatIsFullOfThem) {
     const double area = area_of(mesh);
     ASSERT_LT(smallest_angle_of(mesh), 2.0);
     ASSERT_LT(shortest_edge_of(mesh), kShortestEdge);
-    const MeshChanges changes = mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
+    const MeshChanges changes = mend_slivers(mesh, {.edge = kSpacing}, onto_sphere(kSphere));
     EXPECT_TRUE(changes.any());
     expect_mended(mesh);
     EXPECT_EQ(euler_characteristic_of(mesh), 2);
@@ -95,18 +95,18 @@ TEST(MendSlivers, LeaveNoneOnASphereThatIsFullOfThem) {
 TEST(MendSlivers, WhatNeedsMoreRoomGetsIt) {
     // Edges are five times as long as it is told: at first there is no triangle that may change.
     Mesh mesh = projected_sphere(kSphere, kSpacing);
-    mend_slivers(mesh, {.edge = kSpacing / 5.0, .longest_edge = 2.0 * kSpacing}, onto(kSphere));
+    mend_slivers(mesh, {.edge = kSpacing / 5.0, .longest_edge = 2.0 * kSpacing}, onto_sphere(kSphere));
     expect_mended(mesh);
 }
 
 TEST(MendSlivers, TellWhichTrianglesHaveChanged) {
     Mesh mesh = projected_sphere(kSphere, kSpacing);
-    mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
+    mend_slivers(mesh, {.edge = kSpacing}, onto_sphere(kSphere));
     const Triangle& one = mesh.triangles[mesh.triangles.size() / 2];  // becomes a sliver
     mesh.vertices[one[0]] = kSphere.centre + kSphere.radius * normalised(0.03 * mesh.vertices[one[0]] +
                                                                          0.97 * mesh.vertices[one[1]] - kSphere.centre);
     const Mesh before = mesh;
-    const MeshChanges changes = mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
+    const MeshChanges changes = mend_slivers(mesh, {.edge = kSpacing}, onto_sphere(kSphere));
     EXPECT_TRUE(changes.any());
     EXPECT_FALSE(changes.dropped_crumbs);
     EXPECT_TRUE(std::is_sorted(changes.triangles.begin(), changes.triangles.end()));
@@ -123,7 +123,7 @@ TEST(MendSlivers, TellWhichTrianglesHaveChanged) {
 
 TEST(MendSlivers, LeaveACrumpledMeshAlone) {
     Mesh mesh = projected_sphere(kSphere, kSpacing);
-    mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
+    mend_slivers(mesh, {.edge = kSpacing}, onto_sphere(kSphere));
     // Vertices near the pole come close to it: needles all round.
     const Vec3 pole = kSphere.centre + Vec3{0.0, 0.0, kSphere.radius};
     std::size_t moved = 0;
@@ -136,22 +136,22 @@ TEST(MendSlivers, LeaveACrumpledMeshAlone) {
     const Mesh before = mesh;
     SliverOptions options{.edge = kSpacing, .longest_edge = 2.0};
     options.most_bad = 3;
-    const MeshChanges left = mend_slivers(mesh, options, onto(kSphere));
+    const MeshChanges left = mend_slivers(mesh, options, onto_sphere(kSphere));
     EXPECT_FALSE(left.any());
     EXPECT_GT(left.crumpled.size(), 3U);
     for (const Vec3& place : left.crumpled) EXPECT_LT(norm(place - pole), 2.0);
     EXPECT_EQ(mesh.vertices, before.vertices);
     EXPECT_EQ(mesh.triangles, before.triangles);
     options.most_bad = left.crumpled.size();
-    EXPECT_TRUE(mend_slivers(mesh, options, onto(kSphere)).crumpled.empty());
+    EXPECT_TRUE(mend_slivers(mesh, options, onto_sphere(kSphere)).crumpled.empty());
     expect_mended(mesh);
 }
 
 TEST(MendSlivers, LeaveAGoodMeshAlone) {
     Mesh mesh = projected_sphere(kSphere, kSpacing);
-    mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
+    mend_slivers(mesh, {.edge = kSpacing}, onto_sphere(kSphere));
     const Mesh before = mesh;
-    EXPECT_FALSE(mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere)).any());
+    EXPECT_FALSE(mend_slivers(mesh, {.edge = kSpacing}, onto_sphere(kSphere)).any());
     EXPECT_EQ(mesh.vertices, before.vertices);
     EXPECT_EQ(mesh.triangles, before.triangles);
 }
@@ -159,7 +159,7 @@ TEST(MendSlivers, LeaveAGoodMeshAlone) {
 TEST(MendSlivers, TellWhatBecameOfEveryVertex) {
     Mesh mesh = projected_sphere(kSphere, kSpacing);
     std::vector<Vec3> places = mesh.vertices;
-    const MeshChanges changes = mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
+    const MeshChanges changes = mend_slivers(mesh, {.edge = kSpacing}, onto_sphere(kSphere));
     EXPECT_FALSE(changes.refilled.empty());
     EXPECT_LT(changes.left, places.size());
     renumber_entries(changes, places);
@@ -188,7 +188,7 @@ TEST(MendSlivers, KeepTheSmallestPieces) {
         mesh.triangles = octahedron().triangles;
         expect_closed_manifold(mesh);
         ASSERT_LT(smallest_angle_of(mesh), degrees);
-        mend_slivers(mesh, {.edge = 0.5}, onto(sphere));
+        mend_slivers(mesh, {.edge = 0.5}, onto_sphere(sphere));
         expect_mended(mesh);
         EXPECT_EQ(euler_characteristic_of(mesh), 2);
         EXPECT_GT(volume_of(mesh), 0.0);
@@ -270,7 +270,7 @@ TEST(MendSlivers, KeepTheLastCrumb) {
 
 TEST(MendSlivers, UnfoldWhatFacesTheWrongWay) {
     Mesh mesh = projected_sphere(kSphere, kSpacing);
-    mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
+    mend_slivers(mesh, {.edge = kSpacing}, onto_sphere(kSphere));
     // A corner goes beyond the side opposite to it.
     const Triangle t = mesh.triangles[mesh.triangles.size() / 2];
     const Vec3 middle = 0.5 * (mesh.vertices[t[1]] + mesh.vertices[t[2]]);
@@ -278,7 +278,7 @@ TEST(MendSlivers, UnfoldWhatFacesTheWrongWay) {
     const Vec3 normal = normalised(beyond - kSphere.centre);
     mesh.normals[t[0]] = to_small(normal);
     mesh.vertices[t[0]] = kSphere.centre + kSphere.radius * normal;
-    mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
+    mend_slivers(mesh, {.edge = kSpacing}, onto_sphere(kSphere));
     expect_mended(mesh);
 }
 
@@ -341,7 +341,7 @@ TEST(MendSlivers, HeldVerticesStay) {
     const std::vector<Vec3> before = mesh.vertices;
     std::vector<bool> held(before.size());
     for (std::size_t v = 0; v < held.size(); ++v) held[v] = before[v].z > kSphere.centre.z;
-    const MeshChanges changes = mend_slivers(mesh, {.edge = kSpacing, .held = held}, onto(kSphere));
+    const MeshChanges changes = mend_slivers(mesh, {.edge = kSpacing, .held = held}, onto_sphere(kSphere));
     EXPECT_TRUE(changes.any());
     for (std::size_t v = 0; v < before.size(); ++v) {
         const bool stays = std::find(mesh.vertices.begin(), mesh.vertices.end(), before[v]) != mesh.vertices.end();
@@ -353,7 +353,7 @@ TEST(MendSlivers, GiveTheSameForAnyNumberOfThreads) {
     const auto with = [](int threads) {
         const ThreadLimit limit(threads);
         Mesh mesh = projected_sphere(kSphere, kSpacing);
-        mend_slivers(mesh, {.edge = kSpacing}, onto(kSphere));
+        mend_slivers(mesh, {.edge = kSpacing}, onto_sphere(kSphere));
         return mesh;
     };
     const Mesh one = with(1);

@@ -42,7 +42,7 @@ SurfaceProjector onto(const Shape& shape, double curvature) {
 }
 
 template <class Shape>
-Mesh extracted(const Shape& shape, double reach) {
+Mesh coarse_mesh_of(const Shape& shape, double reach) {
     const SampledField field = sample_box(0.4, {-reach, -reach, -reach}, {reach, reach, reach}, shape);
     return extract_zero_set(field.grid, field.values);
 }
@@ -78,7 +78,7 @@ TEST(Remesher, MakesASphereEven) {
 
 TEST(Remesher, KeepsTheHoleOfATorus) {
     const Torus torus{3.0, 1.2};
-    const Mesh mesh = extracted(torus, 5.0);
+    const Mesh mesh = coarse_mesh_of(torus, 5.0);
     const Mesh even = remesh(mesh, {.edge = 0.8}, onto(torus, 1.0 / torus.minor));
     expect_even(even, 0.8);
     EXPECT_EQ(measure_mesh(even).euler_characteristic, 0);
@@ -96,7 +96,7 @@ TEST(Remesher, DensityCountsVertices) {
 
 TEST(Remesher, AdaptsToCurvature) {
     const Torus torus{3.0, 1.2};
-    const Mesh mesh = extracted(torus, 5.0);
+    const Mesh mesh = coarse_mesh_of(torus, 5.0);
     const auto count = [&](double curvature) {
         return remesh(mesh, {.edge = 0.8, .adaptive = true}, onto(torus, curvature)).vertices.size();
     };
@@ -128,7 +128,7 @@ SurfaceProjector onto(const Lens& lens) {
 TEST(Remesher, KeepsRidgesIfAsked) {
     const Lens lens;
     const auto distance = [&](const Vec3& p) { return std::max(lens.upper(p), lens.lower(p)); };
-    const Mesh mesh = extracted(distance, 3.0);
+    const Mesh mesh = coarse_mesh_of(distance, 3.0);
     const Mesh even = remesh(mesh, {.edge = 0.5, .keep_ridges = true}, onto(lens));
     expect_closed_manifold(even);
     std::size_t on_rim = 0;
@@ -151,7 +151,7 @@ TEST(Ridges, GoIntoTheEdgesThatCrossThem) {
     const Lens lens;
     const Vec3 shift{0.05, 0.12, 0.17};  // no node lies in the plane of the rim
     const auto distance = [&](const Vec3& p) { return std::max(lens.upper(p - shift), lens.lower(p - shift)); };
-    Mesh shifted = extracted(distance, 3.2);
+    Mesh shifted = coarse_mesh_of(distance, 3.2);
     for (Vec3& v : shifted.vertices) v = v - shift;
     WorkingMesh mesh(shifted, 0.5);
     const SurfaceProjector project = onto(lens);
@@ -174,7 +174,7 @@ TEST(Ridges, GoIntoTheEdgesThatCrossThem) {
 TEST(Remesher, RidgesLeadThroughNothing) {
     const Lens lens;
     const auto distance = [&](const Vec3& p) { return std::max(lens.upper(p), lens.lower(p)); };
-    const Mesh mesh = extracted(distance, 3.0);
+    const Mesh mesh = coarse_mesh_of(distance, 3.0);
     for (const double edge : {0.3, 0.5, 1.0}) {
         const Mesh even = remesh(mesh, {.edge = edge, .keep_ridges = true}, onto(lens));
         expect_closed_manifold(even);
@@ -213,7 +213,7 @@ TEST(Remesher, ProjectsNeighboursTogether) {
 
 TEST(Remesher, GivesTheSameForAnyNumberOfThreads) {
     const Torus torus{3.0, 1.2};
-    const Mesh mesh = extracted(torus, 5.0);
+    const Mesh mesh = coarse_mesh_of(torus, 5.0);
     const auto with = [&](int threads) {
         const ThreadLimit limit(threads);
         return remesh(mesh, {.edge = 0.6}, onto(torus, 1.0));

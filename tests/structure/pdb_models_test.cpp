@@ -7,7 +7,7 @@
 namespace meniscus::reading {
 namespace {
 
-constexpr const char* kAtom = "ATOM  \n";
+constexpr const char* kAtomLine = "ATOM  \n";
 
 // Models as "line of the first, line of the second ...: warnings".
 std::string models_of(const std::string& text) {
@@ -20,7 +20,7 @@ std::string models_of(const std::string& text) {
 
 std::string join(std::initializer_list<std::string> lines) {
     std::string text;
-    for (const std::string& line : lines) text += line == "A" ? kAtom : line + "\n";
+    for (const std::string& line : lines) text += line == "A" ? kAtomLine : line + "\n";
     return text;
 }
 

@@ -13,10 +13,10 @@
 namespace meniscus::testing {
 namespace {
 
-const VolumeGrid kGrid{{3, 4, 5}, {-1.25, 0.5, 100.0}, {0.5, 0.25, 2.0}};
+const VolumeGrid kWrittenGrid{{3, 4, 5}, {-1.25, 0.5, 100.0}, {0.5, 0.25, 2.0}};
 
 Volume example() {
-    return volume_of(kGrid, [](const Vec3& p) { return 0.1 * p.x - std::sqrt(p.y) + 1e-3 * p.z * p.z; });
+    return volume_of(kWrittenGrid, [](const Vec3& p) { return 0.1 * p.x - std::sqrt(p.y) + 1e-3 * p.z * p.z; });
 }
 
 void expect_same(const Volume& a, const Volume& b) {
@@ -29,7 +29,7 @@ TEST(WriteVolume, IsReadBackAsItWas) {
     for (const char* name : {"a.dx", "a.mrc"}) {
         write_volume(folder / name, example(), VolumeContent::Distance);
         expect_same(read_volume(folder / name), example());
-        EXPECT_EQ(read_volume_grid(folder / name), kGrid);
+        EXPECT_EQ(read_volume_grid(folder / name), kWrittenGrid);
     }
 }
 
@@ -69,7 +69,7 @@ TEST(WriteVolume, MrcHasTheHeaderOfTheStandard) {
     EXPECT_EQ(std::string(header.labels[1].data(), 59), "Signed distance to the surface, Angstrom, inside positive  ");
     float second = 0.0F;  // along x
     std::memcpy(&second, bytes.data() + 1028, sizeof second);
-    EXPECT_EQ(second, volume.values[kGrid.index(1, 0, 0)]);
+    EXPECT_EQ(second, volume.values[kWrittenGrid.index(1, 0, 0)]);
 }
 
 TEST(WriteVolume, TheHeaderSaysWhatTheValuesMean) {
