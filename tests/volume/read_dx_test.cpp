@@ -81,7 +81,7 @@ TEST(ReadDx, NamesThePlaceOfWhatIsWrong) {
               "a.dx:11:57: binary data are not supported; write them as text");
     EXPECT_EQ(complaint_with("rank 0", "rank 1"), "a.dx:11:39: data with several values per node; write one (rank 0)");
     EXPECT_EQ(complaint_with("origin", "orgin"),
-              "a.dx:6:1: 'orgin' begins no line of an OpenDX header; expected are object, origin, delta");
+              "a.dx:6:1: 'orgin' cannot begin a line of an OpenDX header; expected object, origin or delta");
 }
 
 TEST(ReadDx, RefusesSkewAndBackwardGrids) {
