@@ -42,7 +42,7 @@ ValueRange parse_range(const std::string& text) {
 
 void add_surfaces(CLI::App& command, CompareRequest& request) {
     command.add_option("A", request.input, "a mesh or a structure")->required()->type_name("");
-    command.add_option("B", request.second, "another")->required()->type_name("");
+    command.add_option("B", request.second, "another mesh or structure")->required()->type_name("");
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ void add_compare_options(CLI::App& command, CompareRequest& request) {
                rarely("Grid spacing of the mesh that is used to spread points over a structure's surface, Å"));
     command.option_defaults()->group("Distances");
     add_number(command, "--points", request.compare.density, Sign::Positive, "D",
-               "Least number of points per Å²\n, spread over the triangles, with at least four on each");
+               "Minimum number of points per Å²\n, spread over the triangles, with at least four on each");
     command.option_defaults()->group("Output");
     add_output_options(command, request);
     command

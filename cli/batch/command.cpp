@@ -38,7 +38,7 @@ std::string table_of_failures(const std::vector<ordered_json>& failed) {
 }  // namespace
 
 void add_batch_command(CLI::App& program, Outcome& outcome) {
-    CLI::App* command = program.add_subcommand("batch", "Many inputs, with one line of results for each");
+    CLI::App* command = program.add_subcommand("batch", "Many inputs, a line of results for each");
     const auto request = std::make_shared<batch::Request>();
     batch::add_subcommands(*command, *request, [request, &outcome] { outcome = run_batch(*request); });
 }

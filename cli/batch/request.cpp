@@ -95,9 +95,8 @@ std::vector<std::string> passed_on(const CLI::App& command) {
 
 void add_own_options(CLI::App& command, Request& request) {
     command
-        .add_option(
-            "INPUTS", request.inputs,
-            "files, folders (searched with all their subfolders), .tar archives; - reads a list from standard input")
+        .add_option("INPUTS", request.inputs,
+                    "files, folders (with subfolders), .tar archives; - for a list on standard input")
         ->type_name("");
     command.option_defaults()->group("Batch");
     command.add_option("--list", request.list, "A file with one input per line")->type_name("FILE");
@@ -107,7 +106,7 @@ void add_own_options(CLI::App& command, Request& request) {
                     "Where outputs go\n, laid out like the inputs: a folder, or an archive (.tar)")
         ->required()
         ->type_name("DIR|X.tar");
-    add_count(command, "--jobs", request.jobs, "Inputs at a time, each in a process")->default_str("all cores");
+    add_count(command, "--jobs", request.jobs, "Processes at a time\n, one per input")->default_str("all cores");
     const auto time = [&request](const std::string& text) { request.time_limit = parse_time("--time-limit", text); };
     command.add_option_function<std::string>("--time-limit", time, "For each input: 90 (seconds), 15m, 2h")
         ->type_name("T");

@@ -130,7 +130,7 @@ def compare(
     a, b     a :class:`Surface` or the path of a mesh (.ply .obj .stl .off .glb .vert .face, each also .gz); or a
              structure or its path, whose exact solvent-excluded surface is used
     probe    probe radius for structures, Å
-    points   least number of points per Å²
+    points   minimum number of points per Å²
     spacing  grid spacing of the mesh that is used to spread points over a structure's surface, Å
     threads  0: all cores; results do not depend on it
 

@@ -77,7 +77,7 @@ const RawAssembly& find_assembly(const RawModel& model, const std::string& name,
         names += " " + printable(assembly.name);
     }
     throw InputError(file + ": no assembly " + name + "; " +
-                     (names.empty() ? "the file names none, leave out --assembly" : "there are" + names));
+                     (names.empty() ? "the file has none, leave out --assembly" : "assemblies of the file:" + names));
 }
 
 bool is_in(const std::vector<std::string>& names, const std::string& name) {

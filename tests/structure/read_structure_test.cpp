@@ -141,8 +141,8 @@ TEST(ReadStructure, AssembliesAreCopied) {
     ASSERT_EQ(s.atoms.size(), 8U);
     EXPECT_EQ(s.atoms.centres[4].x, 111.0);
     EXPECT_EQ(s.residues.at(1).chain, "A-2");
-    expect_contains(error_of(text + kGlycine, "g.pdb", {.assembly = "2"}), "no assembly 2; there are 1");
-    expect_contains(error_of(kGlycine, "g.pdb", {.assembly = "1"}), "the file names none");
+    expect_contains(error_of(text + kGlycine, "g.pdb", {.assembly = "2"}), "no assembly 2; assemblies of the file: 1");
+    expect_contains(error_of(kGlycine, "g.pdb", {.assembly = "1"}), "the file has none");
 }
 
 TEST(ReadStructure, SpheresBringTheirRadii) {
