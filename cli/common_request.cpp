@@ -44,8 +44,7 @@ std::vector<ReadFile> files_of_structure(const std::string& input, const ReadOpt
 
 void add_input(CLI::App& command, CommonRequest& request) {
     command
-        .add_option("INPUT", request.input,
-                    ".pdb .ent .cif .mmcif .pqr .xyzr .xyzrn, each also .gz; - is standard input")
+        .add_option("INPUT", request.input, ".pdb .ent .cif .mmcif .pqr .xyzr .xyzrn, also .gz; - is standard input")
         ->required()
         ->type_name("");
 }
@@ -58,16 +57,16 @@ void add_atom_options(CLI::App& command, CommonRequest& request) {
                     "PQR and xyzr, else bondi if the structure has hydrogens, else united")
         ->type_name("SET")
         ->capture_default_str();
-    add_choice(command, "--hydrogens", read.hydrogens, kHydrogenWords, "Keep them; auto: as the radii need");
+    add_choice(command, "--hydrogens", read.hydrogens, kHydrogenWords, "Hydrogens; auto: as the radii require");
     const auto model = [&request](const std::string& text) { set_model(request, text); };
-    command.add_option_function<std::string>("--model", model, "Model to read, from 1, or all of them")
+    command.add_option_function<std::string>("--model", model, "Model to read, counted from 1, or all")
         ->type_name("N|all")
         ->default_str("1");
     command.add_option("--assembly", read.assembly, rarely("Biological assembly named in the file"))->type_name("ID");
     const auto altloc = [&request](const std::string& text) { set_altloc(request, text); };
     command
-        .add_option_function<std::string>("--altloc", altloc,
-                                          rarely("Alternative location instead of the highest occupancy"))
+        .add_option_function<std::string>(
+            "--altloc", altloc, rarely("Alternative location to use, instead of the one with the highest occupancy"))
         ->type_name("ID");
     const auto chains = [&read](const std::string& text) { read.chains = split_chains(text); };
     command
@@ -80,7 +79,7 @@ void add_atom_options(CLI::App& command, CommonRequest& request) {
     };
     command
         .add_option_function<std::string>("--select", select,
-                                          "Atoms to keep, as in //A/10-50\n: gemmi's selection syntax")
+                                          "Atoms to keep, as in //A/10-50\n, in gemmi's selection syntax")
         ->type_name("EXPR");
     add_choice(command, "--hetero", read.hetero, kHeteroWords,
                "Hetero atoms to keep\n beside the polymer: groups of two or more atoms (ligands), or ions and metals, "
@@ -106,7 +105,8 @@ void add_output_options(CLI::App& command, CommonRequest& request) {
 }
 
 void add_run_options(CLI::App& command, CommonRequest& request, int& threads) {
-    add_count(command, "--threads", threads, "How many; changes no result")->default_str("all cores");
+    add_count(command, "--threads", threads, "Number of threads\n; results do not depend on it")
+        ->default_str("all cores");
     add_choice(command, "--progress", request.progress, kProgress,
                rarely("Progress on standard error; auto: a bar on a terminal; json: a line per update"));
 }

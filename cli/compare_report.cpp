@@ -27,8 +27,7 @@ std::string describe(const char* letter, const ComparedInput& input, double prob
     const ComparedSurface& surface = input.surface;
     std::string text = fmt::format("{}: {}, mesh, {} vertices, {} triangles", letter, name,
                                    surface.mesh.vertices.size(), surface.mesh.triangles.size());
-    if (surface.merged_vertices > 0)
-        text += fmt::format(", {} vertices at the same places merged", surface.merged_vertices);
+    if (surface.merged_vertices > 0) text += fmt::format(", {} coincident vertices merged", surface.merged_vertices);
     return text + "\n";
 }
 
@@ -79,8 +78,8 @@ ordered_json distance_json(const OneWayDistance& d) {
 std::vector<std::string> warnings_of(const ComparedInput& input) {
     if (input.structure) return input.structure->warnings;
     const ComparedSurface& s = input.surface;
-    if (!s.closed) return {"the mesh is not closed: its volume and the signs of distances to it may mean nothing"};
-    if (s.outer_pieces == 0) return {"all triangles face inwards: the signs of distances to it are exchanged"};
+    if (!s.closed) return {"the mesh is not closed: its volume and the signs of distances to it may be meaningless"};
+    if (s.outer_pieces == 0) return {"all triangles face inwards: the signs of distances to it are reversed"};
     return {};
 }
 

@@ -21,7 +21,7 @@ constexpr const char* kSurfaceGroup = "Surfaces";
 
 constexpr const char* kCompareExamples =
     "A and B are meshes (.ply .obj .stl .off .glb .vert+.face, each also .gz) or\n"
-    "structures, of which the exact surface is taken. -o writes A's mesh coloured by\n"
+    "structures, whose exact surface is used. -o writes A's mesh coloured by\n"
     "its distance from B, red outside, blue inside (.ply .glb).\n"
     "Examples:\n"
     "  meniscus compare other.obj 1abc.pdb              another program's surface\n"
@@ -42,7 +42,7 @@ ValueRange parse_range(const std::string& text) {
 
 void add_surfaces(CLI::App& command, CompareRequest& request) {
     command.add_option("A", request.input, "a mesh or a structure")->required()->type_name("");
-    command.add_option("B", request.second, "another")->required()->type_name("");
+    command.add_option("B", request.second, "another mesh or structure")->required()->type_name("");
 }
 
 }  // namespace
@@ -55,16 +55,16 @@ void add_compare_options(CLI::App& command, CompareRequest& request) {
     command.option_defaults()->group(kSurfaceGroup);
     add_probe(command, request.structure.probe);
     add_number(command, "--spacing", request.structure.spacing, Sign::Positive, "H",
-               rarely("Grid spacing of the mesh that tells where points of a structure's surface are, Å"));
+               rarely("Grid spacing of the mesh that is used to spread points over a structure's surface, Å"));
     command.option_defaults()->group("Distances");
     add_number(command, "--points", request.compare.density, Sign::Positive, "D",
-               "Points per Å² at least\n, spread over the triangles; no triangle has fewer than four");
+               "Minimum number of points per Å²\n, spread over the triangles, with at least four on each");
     command.option_defaults()->group("Output");
     add_output_options(command, request);
     command
         .add_option_function<std::string>(
             "--range", [&request](const std::string& text) { request.range = parse_range(text); },
-            "Distances of full blue and full red, Å\n; by default what 99 % of A's area are within")
+            "Distances shown in full blue and red, Å\n; by default, 99 % of A's area lies between them")
         ->type_name("MIN:MAX");
     command.option_defaults()->group("Running");
     add_run_options(command, request, request.compare.threads);
@@ -75,19 +75,19 @@ void add_compare_options(CLI::App& command, CompareRequest& request) {
 }
 
 void check_request(const CompareRequest& request) {
-    if (request.all_models) throw UsageError("--model all: one model is compared; name it by its number");
+    if (request.all_models) throw UsageError("--model all: only one model can be compared; give its number");
     if (request.input == "-" && request.second == "-")
-        throw UsageError("A and B cannot both come on standard input; name a file");
+        throw UsageError("A and B cannot both come from standard input; name a file for one of them");
     if (!request.of_structures.empty() && is_mesh_file(request.input) && is_mesh_file(request.second))
-        throw UsageError(request.of_structures + " is about structures; both files are meshes, leave it out");
+        throw UsageError(request.of_structures + " applies to structures, but both files are meshes; leave it out");
     if (request.range && request.outputs.empty())
-        throw UsageError("--range is for the colours of a mesh; ask for one with -o FILE.ply or FILE.glb");
+        throw UsageError("--range sets the colours of a mesh; ask for one with -o FILE.ply or FILE.glb");
     for (const std::string& path : request.outputs) {
         const std::string suffix = std::filesystem::path(path).extension().string();
         const bool holds_values =
             std::find(kWithoutValues.begin(), kWithoutValues.end(), suffix) == kWithoutValues.end();
         if (kind_of(path) != OutputKind::Mesh || !holds_values)
-            throw UsageError(fmt::format("-o {}: has no room for distances; choose .ply or .glb", path));
+            throw UsageError(fmt::format("-o {}: this format cannot hold distances; choose .ply or .glb", path));
     }
 }
 

@@ -62,22 +62,23 @@ const FlowOptions& named(FlowName name) {
 
 void add_flow_options(CLI::App& command, FlowRequest& request) {
     add_choice(command, "--flow", request.name, kFlows,
-               rarely("Which evolution the flow runs; the options below change it"));
-    add_word(command, "--curvature", request.curvature, kCurvatureWords, rarely("Its curvature field"));
+               rarely("Evolution that the flow follows; the options below modify it"));
+    add_word(command, "--curvature", request.curvature, kCurvatureWords, rarely("Curvature field"));
     add_positive(command, "--anchor", request.anchor, Sign::NotNegative, "L",
-                 rarely("Its anchor, in units of 1/H²; 0: none"));
+                 rarely("Strength of the anchor, in units of 1/H²; 0: none"));
     add_word(command, "--reinitialise", request.reinitialiser, kReinitialiserWords,
-             rarely("What keeps it a signed distance"));
-    add_word(command, "--solver", request.solver, kSolverWords, rarely("What solves its linear systems"));
-    add_word(command, "--slope", request.slope, kSlopeWords, rarely("The factor |grad| of the curvature"));
-    add_piece(command, "--time-step", request.time_step, "T", rarely("Its time step, in units of H²; inf: one solve"),
+             rarely("How the level set is kept a signed distance"));
+    add_word(command, "--solver", request.solver, kSolverWords, rarely("Solver of the linear systems"));
+    add_word(command, "--slope", request.slope, kSlopeWords, rarely("Factor |grad| of the curvature"));
+    add_piece(command, "--time-step", request.time_step, "T", rarely("Time step, in units of H²; inf: a single solve"),
               parse_time_step);
     add_positive(command, "--half-width", request.half_width, Sign::Positive, "K",
-                 rarely("Unknowns are the nodes so many H from the surface"));
-    add_piece(command, "--max-steps", request.max_steps, "N", rarely("Its most steps"),
+                 rarely("Half-width of the band: nodes within K*H of the surface are unknowns"));
+    add_piece(command, "--max-steps", request.max_steps, "N", rarely("Maximum number of steps"),
               [](const std::string& value) { return parse_count("--max-steps", value); });
-    add_positive(command, "--tolerance", request.tolerance, Sign::Positive, "E",
-                 rarely("It stops when so many H are left to go; without an anchor, at this speed, 1/Å"));
+    add_positive(
+        command, "--tolerance", request.tolerance, Sign::Positive, "E",
+        rarely("Stop when the distance left to go is below E*H; without an anchor, when the speed is below E, 1/Å"));
     command.add_option("--history", request.history, rarely("Record of every step, .csv or .json"))->type_name("FILE");
     add_count(command, "--snapshots", request.snapshots, rarely("Write a mesh every N steps"));
 }

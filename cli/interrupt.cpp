@@ -56,7 +56,7 @@ void say(const char* text) {
     try {
         if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
     } catch (const std::bad_alloc&) {
-        end_with(5, "out of memory; keep fewer atoms, or for a surface raise --spacing");
+        end_with(5, "out of memory; keep fewer atoms or, for a surface, raise --spacing");
     } catch (const std::exception& error) {
         if (is_out_of_threads(error)) end_with(5, kOutOfThreads);
         end_with(1, error.what());

@@ -43,7 +43,7 @@ constexpr const char* kFooter =
     "  meniscus surface 1abc.pdb -o 1abc.ply     the surface as a mesh\n"
     "  meniscus surface 1abc.pdb -o 1abc.png     as a picture\n"
     "  meniscus measure 1abc.pdb                 areas, volumes and cavities\n"
-    "  meniscus compare other.obj 1abc.pdb       another program's and the exact one\n"
+    "  meniscus compare other.obj 1abc.pdb       a mesh and the exact surface\n"
     "  meniscus batch measure structures --out results   every file of a folder\n"
     "Help of a subcommand: meniscus surface --help; of every option: --help-all.\n\n"
     "Exit codes: 0 done; 2 wrong usage; 3 input cannot be read or is not valid;\n"
@@ -96,7 +96,7 @@ int run(int argc, char** argv) {
     CLI::App program("Solvent-excluded surfaces of proteins and other molecules", "meniscus");
     program.formatter(std::make_shared<meniscus::cli::HelpFormatter>());
     program.set_help_flag("-h,--help", "This help, on one screen");
-    program.set_help_all_flag("--help-all", "Every option and all it does");
+    program.set_help_all_flag("--help-all", "Every option in full");
     program.set_version_flag("--version", std::string("meniscus ") + meniscus::kVersion, "The version");
     program.require_subcommand(1);
     program.footer(kFooter);
@@ -129,7 +129,7 @@ int run_or_fail(int argc, char** argv) {
     } catch (const std::length_error& error) {
         return fail(kLimitError, error.what());
     } catch (const std::bad_alloc&) {
-        return fail(kLimitError, "out of memory; keep fewer atoms, or for a surface raise --spacing");
+        return fail(kLimitError, "out of memory; keep fewer atoms or, for a surface, raise --spacing");
     } catch (const std::exception& error) {
         if (meniscus::cli::is_out_of_threads(error)) return fail(kLimitError, meniscus::cli::kOutOfThreads);
         return fail(kOtherError, error.what());

@@ -18,7 +18,7 @@ constexpr const char* kMeasureExamples =
     "  meniscus measure 1abc.pdb                             areas, volumes, cavities\n"
     "  meniscus measure 1abc.pdb -o residues.csv             a table per residue\n"
     "  meniscus measure 1abc.pdb --between A:B               an interface\n"
-    "  meniscus measure 1abc.pdb -o depth.pdb --value depth  depth as B factor";
+    "  meniscus measure 1abc.pdb -o depth.pdb --value depth  depths as B factors";
 
 /// An option that may be given several times, each time with one of a few words.
 template <class T, std::size_t N>
@@ -64,10 +64,10 @@ void add_measure_options(CLI::App& command, MeasureRequest& request) {
     command.option_defaults()->group("Output");
     add_output_options(command, request);
     add_choices(command, "--per", request.per, kRowsPerWords,
-                "What a table has one row for\n; the first given is for the first table, the second for the second, "
-                "the last for all that follow");
+                "What each row of a table stands for\n"
+                "; the first --per applies to the first table, the second to the second, the last to all that follow");
     add_choices(command, "--value", request.values, kAtomValueWords,
-                "What copies have as B factor\n, in the order of the copies, as with --per");
+                "Value written as the B factor\n; one per copy, in their order, as with --per");
     command.option_defaults()->group("Running");
     add_run_options(command, request, request.measure.threads);
 }
@@ -87,7 +87,7 @@ void check_request(const MeasureRequest& request) {
     if (request.between.empty()) return;
     for (const std::string& text : request.between)
         if (!parse_between(text) && request.between.size() > 1)
-            throw UsageError("--between: all cannot be combined with others");
+            throw UsageError("--between: all cannot be combined with other interfaces");
     if (std::find(request.per.begin(), request.per.end(), RowsPer::Cavity) != request.per.end())
         throw UsageError("--per cavity: an interface has no cavities; leave out --between");
 }
@@ -96,7 +96,8 @@ std::optional<ChainPair> parse_between(const std::string& text) {
     if (text == "all") return std::nullopt;
     const std::size_t colon = text.find(':');
     if (colon == std::string::npos || text.find(':', colon + 1) != std::string::npos)
-        throw UsageError(fmt::format("--between: '{}' is no pair of groups; write --between A:B, A,C:B or all", text));
+        throw UsageError(
+            fmt::format("--between: '{}' is not a pair of groups; write --between A:B, A,C:B or all", text));
     return ChainPair{split_names(text.substr(0, colon), text), split_names(text.substr(colon + 1), text)};
 }
 

@@ -58,7 +58,7 @@ std::string describe_cavities(const Structure& structure, const Measures& measur
     }
     if (count > kMostCavities)
         text +=
-            fmt::format("  {:>9} and {} smaller; all of them: -o FILE.csv --per cavity\n", "", count - kMostCavities);
+            fmt::format("  {:>9} and {} smaller; list all with -o FILE.csv --per cavity\n", "", count - kMostCavities);
     if (count > 0)
         text += fmt::format("  {:>9} areas to ± {:.1e} Å², volumes to ± {:.1e} Å³\n", "", area_error, volume_error);
     return text;
@@ -97,7 +97,7 @@ std::string summarise_interfaces(std::span<const ChainInterface> interfaces) {
                             one_line(interface_name(i.chains)), i.areas.sas_a, i.areas.sas_b, i.areas.sas_ab,
                             i.areas.buried_sas(), i.areas.interface_area(), i.areas.buried_ses());
     if (interfaces.size() > kMostInterfaces)
-        text += fmt::format("  {:<13} and {} more; all of them: --report FILE.json\n", "",
+        text += fmt::format("  {:<13} and {} more; list all with --report FILE.json\n", "",
                             interfaces.size() - kMostInterfaces);
     return text;
 }

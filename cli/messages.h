@@ -13,7 +13,7 @@ namespace meniscus::cli {
 bool is_out_of_threads(const std::exception& error);
 
 inline constexpr const char* kOutOfThreads =
-    "no memory to start another thread; take fewer --threads, or raise the limit";
+    "no memory to start another thread; use fewer --threads, or raise the limit";
 
 /// The text with every line break and other control character replaced by a space.
 std::string one_line(std::string_view text);

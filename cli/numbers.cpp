@@ -43,13 +43,13 @@ bool has_sign(double value, Sign sign) {
 const char* describe(Sign sign) {
     switch (sign) {
         case Sign::Positive:
-            return "greater than 0";
+            return " greater than 0";
         case Sign::NotNegative:
-            return "0 or greater";
+            return " of at least 0";
         case Sign::Negative:
-            return "less than 0";
+            return " less than 0";
         case Sign::Any:
-            return "of any sign";
+            return "";
     }
     return "";
 }
@@ -76,16 +76,16 @@ std::pair<std::string_view, double> split_unit(std::string_view text) {
 double parse_number(const std::string& option, const std::string& text, Sign sign) {
     double value = 0.0;
     if (!read_whole(std::string_view(text), value))
-        throw UsageError(fmt::format("{}: '{}' is not a number that can be used", option, text));
+        throw UsageError(fmt::format("{}: '{}' is not a valid number", option, text));
     if (!std::isfinite(value) || !has_sign(value, sign))
-        throw UsageError(fmt::format("{}: must be a finite number {}, not {}", option, describe(sign), text));
+        throw UsageError(fmt::format("{}: must be a finite number{}, not {}", option, describe(sign), text));
     return value;
 }
 
 int parse_count(const std::string& option, const std::string& text) {
     int value = 0;
     if (!read_whole(std::string_view(text), value) || value < 1)
-        throw UsageError(fmt::format("{}: must be a whole number from 1, not '{}'", option, text));
+        throw UsageError(fmt::format("{}: must be a whole number of at least 1, not '{}'", option, text));
     return value;
 }
 
@@ -95,7 +95,7 @@ std::size_t parse_memory(const std::string& option, const std::string& text) {
     double value = 0.0;
     if (!read_whole(digits, value) || !(value * unit >= 1.0 && value * unit < kMost))
         throw UsageError(
-            fmt::format("{}: must be an amount of at least 1M such as 4G or 500M, not '{}'", option, text));
+            fmt::format("{}: must be an amount of memory of at least 1M, such as 4G or 500M, not '{}'", option, text));
     return static_cast<std::size_t>(value * unit);
 }
 

@@ -55,7 +55,7 @@ OutputKind find_kind(std::span<const Suffix> suffixes, const std::string& path, 
     if (found != suffixes.end()) return found->kind;
     std::string known;
     for (const Suffix& s : suffixes) known.append(known.empty() ? "" : " ").append(s.text);
-    throw UsageError(fmt::format("{} {}: the suffix chooses the format; known are {}", option, path, known));
+    throw UsageError(fmt::format("{} {}: unknown suffix; choose one of {}", option, path, known));
 }
 
 /// "dir/a.b.ply" with "_m01" -> "dir/a.b_m01.ply".

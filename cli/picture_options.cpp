@@ -60,7 +60,8 @@ constexpr const char* kCutWords = "none, auto, cavity:N, a depth in Å, or X,Y,Z
 
 Vec3 parse_vector(const char* option, const std::string& text, const char* words) {
     const std::vector<std::string> parts = split(text, ',');
-    if (parts.size() != 3) throw UsageError(fmt::format("{}: unknown value '{}'; one of {}", option, text, words));
+    if (parts.size() != 3)
+        throw UsageError(fmt::format("{}: unknown value '{}'; choose one of {}", option, text, words));
     return {parse_number(option, parts[0], Sign::Any), parse_number(option, parts[1], Sign::Any),
             parse_number(option, parts[2], Sign::Any)};
 }
@@ -87,7 +88,7 @@ std::optional<Cut> parse_cut(const std::string& text) {
     }
     if (text.find(',') != std::string::npos) return parse_cut_through_point(text);
     if (text.find_first_not_of("0123456789.+-eE") != std::string::npos)
-        throw UsageError(fmt::format("--cut: unknown value '{}'; one of {}", text, kCutWords));
+        throw UsageError(fmt::format("--cut: unknown value '{}'; choose one of {}", text, kCutWords));
     return Cut{.through = Cut::Through::Depth, .depth = parse_number("--cut", text, Sign::NotNegative)};
 }
 
@@ -114,7 +115,7 @@ std::optional<Viewpoint> parse_view(const std::string& text) {
 int parse_pixels(const std::string& text) {
     const int pixels = parse_count("--size", text);
     if (pixels > kLargestPicture)
-        throw UsageError(fmt::format("--size: {} pixels are too many; at most {}", pixels, kLargestPicture));
+        throw UsageError(fmt::format("--size: {} pixels are too many; choose at most {}", pixels, kLargestPicture));
     return pixels;
 }
 
@@ -129,7 +130,8 @@ Colour parse_background(const std::string& text) {
     constexpr std::string_view kHexDigits = "0123456789abcdefABCDEF";
     if (!text.starts_with('#')) return parse_word("--background", text, kBackgrounds);
     if (text.size() != 7 || text.find_first_not_of(kHexDigits, 1) != std::string::npos)
-        throw UsageError(fmt::format("--background: '{}' is no colour; write six digits as in #ffcc00", text));
+        throw UsageError(
+            fmt::format("--background: '{}' is not a colour; write six hexadecimal digits, as in #ffcc00", text));
     const auto channel = [&](std::size_t place) {
         return static_cast<std::uint8_t>(std::stoi(text.substr(place, 2), nullptr, 16));
     };
@@ -186,7 +188,7 @@ void check_picture(const PictureRequest& request) {
     const PictureOptions& picture = request.picture;
     if (request.legend && (picture.width < kSmallestWithLegend[0] || picture.height < kSmallestWithLegend[1]))
         throw UsageError(
-            fmt::format("--legend: has no room in a picture of {}x{} pixels; choose a --size from {}x{} on",
+            fmt::format("--legend: does not fit into a picture of {}x{} pixels; choose a --size of at least {}x{}",
                         picture.width, picture.height, kSmallestWithLegend[0], kSmallestWithLegend[1]));
 }
 
@@ -194,36 +196,35 @@ void add_picture_options(CLI::App& command, PictureRequest& request) {
     PictureOptions& picture = request.picture;
     add_colour(command, request);
     add_drawing(command, request, "--view", "VIEW", "auto",
-                "From where: front, back ... or X,Y,Z\n[:UX,UY,UZ], the direction to the viewer and up; front, back, "
-                "left, right, top, bottom; auto: the longest axis across",
+                "Seen from: front, back ... or X,Y,Z\n[:UX,UY,UZ], the directions to the viewer and up; front, back, "
+                "left, right, top, bottom; auto: the longest axis lies across",
                 [&](const std::string& text) {
                     picture.viewpoint = parse_view(text);
                     request.view = text;
                 });
-    add_drawing(command, request, "--size", "WxH", "1600x1200", "Of pictures, in pixels",
+    add_drawing(command, request, "--size", "WxH", "1600x1200", "Size of pictures, in pixels",
                 [&](const std::string& text) { set_size(picture, text); });
     add_drawing(command, request, "--background", "COLOR", "white", "white, black, transparent, #rrggbb",
                 [&](const std::string& text) { picture.background = parse_background(text); });
-    add_drawing(command, request, "--depth-cue", "F", "0",
-                rarely("Let what is far away fade into the background, 0 to 1"), [&](const std::string& text) {
+    add_drawing(command, request, "--depth-cue", "F", "0", rarely("Fade distant parts into the background, 0 to 1"),
+                [&](const std::string& text) {
                     picture.depth_cue = parse_number("--depth-cue", text, Sign::NotNegative);
                     if (picture.depth_cue > 1.0)
                         throw UsageError(fmt::format("--depth-cue: must be from 0 to 1, not {}", text));
                 });
-    add_drawing(
-        command, request, "--cut", "WHERE", "none",
-        "Open by a plane: auto, cavity:N, DEPTH\n, X,Y,Z[:NX,NY,NZ]. auto: through the largest cavity; DEPTH: so "
-        "many Å behind the nearest point; X,Y,Z: a point, and the side that is left out",
-        [&](const std::string& text) {
-            picture.cut = parse_cut(text);
-            request.cut = picture.cut ? text : "";
-        });
-    add_drawing_flag(command, request, "--perspective", rarely("Draw what is nearer larger"),
+    add_drawing(command, request, "--cut", "WHERE", "none",
+                "Cut by a plane: auto, cavity:N, DEPTH\n"
+                ", X,Y,Z[:NX,NY,NZ]. auto: through the largest cavity; DEPTH: that many Å behind the nearest point; "
+                "X,Y,Z: through this point, with the normal towards the side that is left out",
+                [&](const std::string& text) {
+                    picture.cut = parse_cut(text);
+                    request.cut = picture.cut ? text : "";
+                });
+    add_drawing_flag(command, request, "--perspective", rarely("Draw nearer parts larger"),
                      [&] { picture.projection = Projection::Perspective; });
-    add_drawing_flag(command, request, "--outline", rarely("Lines where the surface ends"),
+    add_drawing_flag(command, request, "--outline", rarely("Draw outlines where the surface ends"),
                      [&] { picture.outline = true; });
-    add_drawing_flag(command, request, "--legend", "What the colours mean, beside the surface",
-                     [&] { request.legend = true; });
+    add_drawing_flag(command, request, "--legend", "Add a legend of the colours", [&] { request.legend = true; });
 }
 
 void report_picture(const PictureRequest& request, const Structure& structure, const Mesh& mesh, bool drawn,

@@ -158,7 +158,7 @@ void StructureRun::write_outputs(const Job& job) {
 /// Making a report takes time that the report itself is to tell.
 void StructureRun::record(const Job& job, RunFacts facts) {
     if (const std::string checks = failed(); !checks.empty()) {
-        print_warning(std::cerr, fmt::format("{}: the result failed its checks: {}; outputs are written all the same",
+        print_warning(std::cerr, fmt::format("{}: the result failed its checks: {}; outputs are written nevertheless",
                                              input_label(job.structure.file), checks));
         outcome_ = Outcome::ChecksFailed;
     }

@@ -61,7 +61,7 @@ std::string describe_flow(const FlowSummary& flow) {
 
 std::string explain(const Check& check, const FlowSummary& flow) {
     if (check.name == "converged" && !flow.explanation.empty()) return flow.explanation;
-    if (std::isnan(check.bound)) return fmt::format("{:g}, with nothing to be held against", check.value);
+    if (std::isnan(check.bound)) return fmt::format("{:g}, with nothing to compare with", check.value);
     return fmt::format("{:g}, bound {:g}", check.value, check.bound);
 }
 

@@ -50,22 +50,22 @@ private:
         std::vector<Output> outputs = plan_volumes(request_.volume, plan_outputs(request_.outputs, name, mark));
         if (!request_.flow.history.empty()) outputs.push_back(plan_history(request_.flow.history, mark));
         if (request_.flow.snapshots > 0 && first_mesh(outputs) == nullptr)
-            throw UsageError("--snapshots writes meshes beside the final one; give a mesh with -o");
+            throw UsageError("--snapshots writes meshes beside the final one; name a mesh with -o");
         if (request_.cavity_files && first_mesh(outputs) == nullptr)
-            throw UsageError("--cavity-files writes meshes beside that of the surface; give a mesh with -o");
+            throw UsageError("--cavity-files writes meshes beside that of the surface; name a mesh with -o");
         if (has(outputs, OutputKind::Page) && !pages_supported())
-            throw UsageError("this build writes no pages; build with MENISCUS_PAGE=ON, or ask for another format");
+            throw UsageError("this build cannot write pages; build with MENISCUS_PAGE=ON, or ask for another format");
         const bool has_picture = has(outputs, OutputKind::Picture);
         const bool shows_surface = has_picture || first_mesh(outputs) != nullptr || has(outputs, OutputKind::Page);
         if (!request_.show.empty() && !shows_surface)
             throw UsageError("--show chooses a part of meshes, pictures and pages; ask for one of them with -o");
         if (request_.encoding == Encoding::Text && std::none_of(outputs.begin(), outputs.end(), has_encoding))
-            throw UsageError("--ascii is for PLY and STL; ask for one with -o FILE.ply or FILE.stl");
+            throw UsageError("--ascii applies to PLY and STL; ask for one with -o FILE.ply or FILE.stl");
         if (!request_.picture.drawn_by.empty() && !has_picture)
-            throw UsageError(request_.picture.drawn_by + " shapes a picture; ask for one with -o FILE.png");
+            throw UsageError(request_.picture.drawn_by + " applies to pictures; ask for one with -o FILE.png");
         if (!request_.picture.viewed_by.empty() && !has_picture && !has(outputs, OutputKind::Page))
             throw UsageError(request_.picture.viewed_by +
-                             " shapes a picture or a page; ask for one with -o FILE.png or FILE.html");
+                             " applies to pictures and pages; ask for one with -o FILE.png or FILE.html");
         return outputs;
     }
 
@@ -185,7 +185,8 @@ private:
             if (pieces[c].volume >= 0.0) continue;
             const std::string path = cavity_path(first_mesh(job.outputs)->path, cavities_.size() + 1);
             for (const Output& output : job.outputs)
-                if (output.path == path) throw UsageError(path + ": --cavity-files writes this file; choose another");
+                if (output.path == path)
+                    throw UsageError(path + ": --cavity-files writes this file; choose another name");
             cavities_.push_back({static_cast<std::uint32_t>(c), {path, OutputKind::Mesh}});
         }
     }
@@ -219,7 +220,7 @@ private:
 
     std::vector<PageRow> rows_of_page(const Structure& structure) const {
         std::vector<PageRow> rows = page_rows(structure, surface_, exact_);
-        if (shown_) rows.push_back({"What is shown of it", "atoms", shown_->select});
+        if (shown_) rows.push_back({"Part that is shown", "atoms", shown_->select});
         return rows;
     }
 
@@ -338,7 +339,7 @@ private:
 }  // namespace
 
 void add_surface_command(CLI::App& program, Outcome& outcome) {
-    CLI::App* command = program.add_subcommand("surface", "A surface, as mesh, picture and report");
+    CLI::App* command = program.add_subcommand("surface", "The surface as a mesh, picture and report");
     const auto request = std::make_shared<SurfaceRequest>();
     add_surface_options(*command, *request);
     command->callback([request, &outcome] { outcome = run_surface(*request); });

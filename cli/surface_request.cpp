@@ -14,7 +14,7 @@ constexpr const char* kFlowGroup = "Flow";
 constexpr const char* kSurfaceExamples =
     "-o writes meshes (.ply .obj .stl .off .glb .vtp .vert .npz), pages (.html),\n"
     "pictures (.png), volumes (.dx .mrc .vdb) and the kept atoms (.xyzr .xyzrn).\n"
-    "Without -o mesh and page go to NAME.ply and NAME.html in this folder.\n"
+    "Without -o, mesh and page go to NAME.ply and NAME.html in this folder.\n"
     "Examples:\n"
     "  meniscus surface 1abc.pdb                                  mesh and page\n"
     "  meniscus surface 1abc.pdb -o 1abc.png --color patch        a picture\n"
@@ -24,10 +24,10 @@ constexpr const char* kSurfaceExamples =
 void add_shape_options(CLI::App& command, SurfaceRequest& request) {
     SurfaceOptions& surface = request.surface;
     add_probe(command, surface.probe);
-    add_choice(
-        command, "--method", surface.method, kMethodWords,
-        "Smooth flow, or direct: sharp ridges\n. flow: a level-set flow; direct: the exact distance itself; gaussian: "
-        "only the density envelope that the flow starts from, which is not the solvent-excluded surface");
+    add_choice(command, "--method", surface.method, kMethodWords,
+               "flow: smooth; direct: sharp ridges\n"
+               ". flow: a level-set flow; direct: the exact distance itself; gaussian: only the density envelope that "
+               "the flow starts from, which is not the solvent-excluded surface");
     add_choice(command, "--surface", surface.surface, kSurfaceWords,
                rarely("Which surface: solvent-excluded, solvent-accessible (traced by the probe's centre) or van der "
                       "Waals (the same as --probe 0)"));
@@ -35,9 +35,9 @@ void add_shape_options(CLI::App& command, SurfaceRequest& request) {
                "Grid spacing, Å\n; time and memory grow as 1/H²");
     add_choice(command, "--components", surface.pieces, kPiecesWords, "Closed pieces that the mesh keeps");
     add_number(command, "--min-cavity", surface.min_cavity, Sign::NotNegative, "V",
-               "Drop cavities of less than V Å³\n and what lies in them; outer pieces stay");
+               "Drop cavities smaller than V Å³\n and what lies in them; outer pieces stay");
     add_number(command, "--fill-cavities", surface.fill_cavities, Sign::NotNegative, "V",
-               rarely("Drop cavities of less than V Å³, and count their space as inside in volumes"));
+               rarely("Drop cavities smaller than V Å³, and count their space as inside in volumes"));
     add_number(command, "--density", surface.density, Sign::Negative, "C",
                rarely("Constant of the initial Gaussian map, Å^-2"));
 }
@@ -51,20 +51,20 @@ void add_remesh_options(CLI::App& command, SurfaceRequest& request) {
         remesh.edge = edge_of_density(parse_number("--vertex-density", text, Sign::Positive));
     };
     CLI::Option* by_edge = command.add_option_function<std::string>(
-        "--edge", edge, "Even triangles with edges near L Å\n instead of those of the grid");
+        "--edge", edge, "Even triangles with edges of about L Å\n, instead of those of the grid");
     by_edge->type_name("L");
     command
-        .add_option_function<std::string>("--vertex-density", density,
-                                          rarely("The same as --edge, by vertices per Å²; one of the two"))
+        .add_option_function<std::string>(
+            "--vertex-density", density,
+            rarely("The same as --edge, given as vertices per Å²; use only one of the two"))
         ->type_name("D")
         ->excludes(by_edge);
-    command.add_flag("--adaptive", remesh.adaptive, "With --edge: shorter where the surface bends");
-    command.add_flag("--keep-ridges", remesh.keep_ridges, "With --edge: edges run along the creases");
-    add_choice(
-        command, "--corners", remesh.corners, kCornersWords,
-        rarely("With --edge, where vertices lie. near: as near to the surface as keeps the triangles within 0.03 "
-               "L² of it in the mean; on-surface: on it; balanced: so that the triangles lie on both sides of it, "
-               "half as far away as by on-surface"));
+    command.add_flag("--adaptive", remesh.adaptive, "With --edge: finer where curvature is high");
+    command.add_flag("--keep-ridges", remesh.keep_ridges, "With --edge: edges follow the creases");
+    add_choice(command, "--corners", remesh.corners, kCornersWords,
+               rarely("With --edge: where vertices lie. near: as near to the surface as possible with the triangles "
+                      "within 0.03 L² Å of it on average; on-surface: on it; balanced: so that the triangles lie on "
+                      "both sides of it, half as far away as with on-surface"));
     command.add_flag("--simplify-topology", remesh.simplify_topology,
                      rarely("With --edge: cut handles, close tunnels and drop pieces narrower than an edge"));
 }
@@ -72,12 +72,12 @@ void add_remesh_options(CLI::App& command, SurfaceRequest& request) {
 void add_part_options(CLI::App& command, SurfaceRequest& request) {
     command
         .add_option("--show", request.show,
-                    rarely("Write only the part of the surface that belongs to these atoms, as in //A/10-50; it is "
-                           "computed with all atoms"))
+                    rarely("Write only the part of the surface that belongs to these atoms, as in //A/10-50; the "
+                           "surface is computed with all atoms"))
         ->type_name("EXPR");
     command.add_flag("--per-chain", request.per_chain, rarely("One surface per chain: NAME_chainA and so on"));
     command.add_flag("--cavity-files", request.cavity_files,
-                     rarely("Write each cavity as a mesh of its own, too: NAME_cavity1 and so on"));
+                     rarely("Also write each cavity as a mesh of its own: NAME_cavity1 and so on"));
 }
 
 void add_encoding(CLI::App& command, SurfaceRequest& request) {
@@ -92,7 +92,7 @@ void add_memory_limit(CLI::App& command, SurfaceRequest& request) {
     command
         .add_option_function<std::string>(
             "--memory", memory,
-            "Refuse what would need more, as 4G or 500M\n; without it, what the machine has free is the limit")
+            "Refuse what would need more, as 4G or 500M\n; by default, the limit is the free memory of the machine")
         ->type_name("LIMIT");
 }
 
@@ -102,11 +102,12 @@ void check_together(const CLI::App& command, const SurfaceRequest& request) {
     const SurfaceOptions& surface = request.surface;
     const std::string of_flow = first_given(command, kFlowGroup);
     if (!of_flow.empty() && surface.method != Method::Flow)
-        throw UsageError(of_flow + " is about the steps of a flow; use --method flow");
+        throw UsageError(of_flow + " applies to the flow; use --method flow");
     if (is_given("--density") && surface.method == Method::Direct)
-        throw UsageError("--density is about the initial Gaussian map, which --method direct has not; leave it out");
+        throw UsageError(
+            "--density applies to the initial Gaussian map, which --method direct does not use; leave it out");
     if (is_given("--probe") && surface.surface == SurfaceKind::Vdw && surface.probe != 0.0)
-        throw UsageError("--surface vdw is that of --probe 0; leave --probe out");
+        throw UsageError("--surface vdw has the probe radius 0; leave --probe out");
     const bool is_shaped =
         is_given("--adaptive") || is_given("--keep-ridges") || is_given("--corners") || is_given("--simplify-topology");
     if (is_shaped && !surface.remesh.is_on())
@@ -123,12 +124,14 @@ void complete(const CLI::App& command, SurfaceRequest& request) {
     check_picture(request.picture);
     check_values(request.values, request.picture.colours);
     if (request.surface.method == Method::Gaussian && request.surface.surface != SurfaceKind::Ses)
-        throw UsageError("--method gaussian is one envelope of the atoms; --surface sas|vdw needs flow or direct");
+        throw UsageError(
+            "--method gaussian gives a single envelope of the atoms; for --surface sas|vdw use --method flow or "
+            "direct");
     if (request.surface.surface == SurfaceKind::Vdw) request.surface.probe = 0.0;
     if (!request.show.empty() && request.per_chain)
-        throw UsageError("--show and --per-chain are two ways to divide a surface; give one of them");
+        throw UsageError("--show and --per-chain cannot be combined; give one of them");
     if (request.cavity_files && request.surface.pieces == Pieces::Outer)
-        throw UsageError("--cavity-files writes cavities, which --components outer leaves out");
+        throw UsageError("--cavity-files writes cavities, which --components outer leaves out; give one of them");
     request.surface.history = !request.flow.history.empty();
     request.surface.initial_area = !request.report.empty();
     request.surface.quality = !request.report.empty();
@@ -161,7 +164,7 @@ void add_surface_options(CLI::App& command, SurfaceRequest& request) {
     command.option_defaults()->group("Running");
     add_run_options(command, request, request.surface.threads);
     add_memory_limit(command, request);
-    command.add_flag("--verify", request.surface.verify, "Make the expensive self-checks, too");
+    command.add_flag("--verify", request.surface.verify, "Run the expensive self-checks, too");
 }
 
 const char* name_of(Pieces pieces) { return word_for(kPiecesWords, pieces); }

@@ -43,7 +43,7 @@ std::string explain_unknown_words(const CLI::App& program) {
         help += " " + command->get_name();
     }
     if (option == words.end())
-        return fmt::format("{}: not expected; there is one INPUT, and outputs are named by -o", words.front());
+        return fmt::format("{}: unexpected; there is only one INPUT, and outputs are named with -o", words.front());
     const std::string name = option->substr(0, option->find('='));
     const std::string meant = nearest_option(*command, name);
     if (!meant.empty()) return fmt::format("{}: unknown option; did you mean {}?", name, meant);

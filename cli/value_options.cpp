@@ -79,7 +79,7 @@ void add_value_options(CLI::App& command, ValueRequest& request) {
     };
     command
         .add_option_function<std::string>(
-            "--offset", offset, rarely("Sample maps so many Å from the surface, along its normal; negative: inside"))
+            "--offset", offset, rarely("Sample maps D Å away from the surface, along its normal; negative: inside"))
         ->type_name("D")
         ->default_str("0");
     const auto interpolation = [&request](const std::string& text) {
@@ -88,25 +88,26 @@ void add_value_options(CLI::App& command, ValueRequest& request) {
     };
     command
         .add_option_function<std::string>("--interpolation", interpolation,
-                                          rarely("Between the nodes of maps: trilinear or tricubic"))
+                                          rarely("Interpolation between the nodes of maps: trilinear or tricubic"))
         ->type_name(join(kInterpolationWords, "|"))
         ->default_str(kInterpolationWords.front().first);
     command
         .add_option("--values", request.tables,
-                    "Values by atom, residue or chain\n, comma-separated with a line of names; every column that "
-                    "does not tell what a row is about becomes a vertex array; repeatable")
+                    "Values by atom, residue or chain\n"
+                    ", comma-separated with a header line; every column that does not identify atoms, residues or "
+                    "chains becomes a vertex array; repeatable")
         ->type_name("FILE.csv")
         ->allow_extra_args(false);
 }
 
 void check_values(const ValueRequest& request, const ColourOptions& colours) {
     if (!request.sampled_by.empty() && request.maps.empty())
-        throw UsageError(request.sampled_by + " is about maps; name one with --sample NAME=FILE");
+        throw UsageError(request.sampled_by + " applies to maps; name one with --sample NAME=FILE");
     const auto is_named = [&](const SampledMap& map) { return map.name == colours.value; };
     if (colours.scheme != ColourScheme::Value || !request.tables.empty()) return;
     if (std::none_of(request.maps.begin(), request.maps.end(), is_named))
         throw UsageError(
-            fmt::format("--color: unknown value '{}'; one of {}, or the name of values from --sample or "
+            fmt::format("--color: unknown value '{}'; choose one of {}, or the name of values from --sample or "
                         "--values",
                         colours.value, join(kColourSchemeWords, ", ")));
 }
@@ -137,8 +138,8 @@ void ValueSources::add_table(const std::string& path, const Structure& structure
     ValueTable table = read_value_table(path, structure);
     if (!one_chain) refuse_strange_table(table, path, structure);
     if (table.strange_rows > 0 && !one_chain)
-        warnings_.push_back(fmt::format("{}: {} of {} rows name nothing of what is kept of {}", path,
-                                        table.strange_rows, table.rows, structure.file));
+        warnings_.push_back(fmt::format("{}: {} of {} rows match nothing that is kept of {}", path, table.strange_rows,
+                                        table.rows, structure.file));
     for (AtomValues& column : table.columns) columns_.push_back({std::move(column), path});
 }
 
@@ -156,11 +157,11 @@ void ValueSources::check_names(const ColourOptions& colours) const {
             throw UsageError(fmt::format("two arrays of values have the name '{}'; rename one of them", name));
     if (colours.scheme == ColourScheme::Value) {
         if (!seen.contains(CLI::detail::to_lower(colours.value)))
-            throw UsageError(fmt::format("--color: there are no values '{}'; there are {}", colours.value,
+            throw UsageError(fmt::format("--color: there are no values '{}'; choose one of {}", colours.value,
                                          fmt::join(names(), ", ")));
     } else if (const std::string word = word_for(kColourSchemeWords, colours.scheme); seen.contains(word)) {
-        throw UsageError(fmt::format("--color: '{}' is a scheme, and the name of values of {}; rename the latter", word,
-                                     path_of(word)));
+        throw UsageError(fmt::format("--color: '{}' is a scheme and also the name of values of {}; rename the values",
+                                     word, path_of(word)));
     }
 }
 
@@ -186,9 +187,10 @@ std::vector<std::string> ValueSources::judge(const std::vector<VertexValues>& va
         const bool of_map =
             std::any_of(maps_.begin(), maps_.end(), [&](const Map& m) { return m.asked.name == array.name; });
         if (of_map && missing == array.values.size())
-            throw InputError(path + ": the whole surface lies beyond this map; is it in another frame?");
+            throw InputError(path +
+                             ": the whole surface lies outside this map; do both have the same coordinate frame?");
         lines.push_back(fmt::format("{}: {} of {} vertices have no value '{}'{}", path, missing, array.values.size(),
-                                    array.name, of_map ? ": they lie beyond the map" : ""));
+                                    array.name, of_map ? ": they lie outside the map" : ""));
     }
     return lines;
 }

@@ -42,7 +42,7 @@ void set_grid(VolumeRequest& request, const std::string& text) {
     const std::vector<std::string> parts = CLI::detail::split(text, ',');
     const bool is_numbers = text.find_first_not_of("0123456789.+-eE,") == std::string::npos;
     if (is_numbers ? parts.size() != 7 : !fs::path(text).has_extension())
-        throw UsageError(fmt::format("--grid: '{}' is no grid; give {}", text, kGridWords));
+        throw UsageError(fmt::format("--grid: '{}' is not a grid; give {}", text, kGridWords));
     if (is_numbers)
         request.grid = parse_numbers(parts);
     else
@@ -78,14 +78,15 @@ std::string suffix_of(const Output& output) { return fs::path(output.path).exten
 
 void check_together(const VolumeRequest& request, const std::vector<Output>& outputs) {
     if (!request.given.empty() && std::none_of(outputs.begin(), outputs.end(), is_volume))
-        throw UsageError(request.given.front() + " is for volumes; ask for one with -o FILE.dx, FILE.mrc or FILE.vdb");
+        throw UsageError(request.given.front() +
+                         " applies to volumes; ask for one with -o FILE.dx, FILE.mrc or FILE.vdb");
     const VolumeContent content = request.field.content;
     if (is_given(request, "--eps") && content != VolumeContent::Dielectric && !request.apbs_maps)
-        throw UsageError("--eps is for dielectric constants; ask for them with --field dielectric or --maps apbs");
+        throw UsageError("--eps sets dielectric constants; ask for them with --field dielectric or --maps apbs");
     if (is_given(request, "--ion-radius") && content != VolumeContent::Ions && !request.apbs_maps)
-        throw UsageError("--ion-radius is for the accessibility for ions; ask for it with --field ions or --maps apbs");
+        throw UsageError("--ion-radius applies to the ion accessibility; ask for it with --field ions or --maps apbs");
     if (request.apbs_maps && is_given(request, "--field"))
-        throw UsageError("--maps says what is written; leave --field out");
+        throw UsageError("--maps decides what is written; leave --field out");
     if (request.apbs_maps && request.grid_text.empty())
         throw UsageError(fmt::format("--maps apbs needs the grid of APBS; give --grid with {}", kGridWords));
 }
@@ -93,8 +94,9 @@ void check_together(const VolumeRequest& request, const std::vector<Output>& out
 void check_format(const VolumeRequest& request, const Output& output) {
     const std::string suffix = suffix_of(output);
     if (suffix == ".vdb" && !vdb_supported())
-        throw UsageError(output.path +
-                         ": this build writes no .vdb; install libopenvdb-dev and build again, or ask for .dx or .mrc");
+        throw UsageError(
+            output.path +
+            ": this build cannot write .vdb; install libopenvdb-dev and build again, or ask for .dx or .mrc");
     if (request.apbs_maps && suffix != ".dx")
         throw UsageError(output.path + ": APBS reads its maps as .dx; name a file with that suffix");
 }
@@ -104,12 +106,12 @@ void check_format(const VolumeRequest& request, const Output& output) {
 void add_volume_options(CLI::App& command, VolumeRequest& request) {
     FieldOptions& field = request.field;
     add(command, request, "--grid", "FILE|NX,NY,NZ,H,CX,CY,CZ", "",
-        "Put volumes on the grid of that .dx, .mrc, .map or .ccp4 file, or on so many nodes H Å apart with the middle "
-        "at CX,CY,CZ; without it the grid has the --spacing and encloses the atoms",
+        "Grid of the volumes: that of a .dx, .mrc, .map or .ccp4 file, or NX x NY x NZ nodes H Å apart, centred at "
+        "CX,CY,CZ; by default it has the --spacing and encloses the atoms",
         [&request](const std::string& text) { set_grid(request, text); });
     add(command, request, "--field", join(kFieldWords, "|"), kFieldWords.front().first,
-        "What volumes hold: distance: Å, inside positive; mask: 1 inside, 0 outside; dielectric: --eps; ions: 0 in the "
-        "atoms enlarged by --ion-radius, else 1",
+        "Values of the volumes. distance: signed, in Å, inside positive; mask: 1 inside, 0 outside; dielectric: the "
+        "constants of --eps; ions: 0 in the atoms enlarged by --ion-radius, else 1",
         [&field](const std::string& text) { field.content = parse_word("--field", text, kFieldWords); });
     add(command, request, "--eps", "IN,OUT", fmt::format("{},{}", field.inner_dielectric, field.outer_dielectric),
         "Dielectric constants inside and outside", [&field](const std::string& text) { set_dielectrics(field, text); });
@@ -118,9 +120,9 @@ void add_volume_options(CLI::App& command, VolumeRequest& request) {
             field.ion_radius = parse_number("--ion-radius", text, Sign::NotNegative);
         });
     add(command, request, "--maps", "apbs", "",
-        "With -o NAME.dx: NAME_dielx.dx, NAME_diely.dx, NAME_dielz.dx and NAME_kappa.dx instead, which APBS reads",
+        "With -o NAME.dx: NAME_dielx.dx, NAME_diely.dx, NAME_dielz.dx and NAME_kappa.dx are written instead, for APBS",
         [&request](const std::string& text) {
-            if (text != "apbs") throw UsageError(fmt::format("--maps: unknown value '{}'; one of apbs", text));
+            if (text != "apbs") throw UsageError(fmt::format("--maps: unknown value '{}'; choose one of apbs", text));
             request.apbs_maps = true;
         });
 }
@@ -150,7 +152,7 @@ VolumeGrid find_grid(const VolumeRequest& request, const Atoms& atoms, const Sur
     for (const Output& output : outputs) {
         if (suffix_of(output) == ".vdb" && (grid.spacing.x != grid.spacing.y || grid.spacing.x != grid.spacing.z))
             throw UsageError(output.path +
-                             ": a level set has one spacing, the --grid has several; ask for .dx or .mrc");
+                             ": a level set has a single spacing, but the --grid has several; ask for .dx or .mrc");
     }
     refuse_grid_that_would_not_fit(grid, request.apbs_maps ? kApbsMapWords.size() : 1, options, expected);
     return grid;

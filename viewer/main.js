@@ -337,7 +337,7 @@
   async function start() {
     const narrow = matchMedia("(max-width: 720px)").matches;
     if (narrow) document.body.classList.add("folded");
-    if (!window.DecompressionStream) throw new Error("this browser is too old to unpack it");
+    if (!window.DecompressionStream) throw new Error("this browser is too old to decompress it");
     const context = $("view").getContext("webgl2", {antialias: true, preserveDrawingBuffer: false});
     if (!context) throw new Error("this browser has no WebGL 2");
     $("notice").textContent = "Loading …";
@@ -353,7 +353,7 @@
 
   start().catch(error => {
     document.body.className = "plain";
-    $("notice").textContent = "A picture of the surface, which cannot be turned here: " + error.message + ".";
+    $("notice").textContent = "This is a picture of the surface; it cannot be rotated here (" + error.message + ").";
     console.error(error);
   });
 })();

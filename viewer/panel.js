@@ -88,7 +88,7 @@ const Panel = (() => {
     $("cavities").hidden = cavities.length === 0;
     cavities.forEach((cavity, i) => {
       const row = element("tr"), first = element("td"), button = element("button", String(i + 1), {type: "button"});
-      button.setAttribute("aria-label", "Fly to cavity " + (i + 1));
+      button.setAttribute("aria-label", "Go to cavity " + (i + 1));
       first.append(button);
       row.append(first, element("td", plain(cavity.volume, 1)), element("td", plain(cavity.area, 1)));
       row.addEventListener("click", () => chosen(i));

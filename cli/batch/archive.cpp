@@ -31,8 +31,8 @@ std::string reason(archive* a) {
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
     throw InputError(
-        fmt::format("{}: cannot be read as a tar archive: {}; a compressed one must be unpacked first, since "
-                    "its members cannot be reached one by one",
+        fmt::format("{}: cannot be read as a tar archive: {}; decompress it first, since the members of a compressed "
+                    "archive cannot be reached one by one",
                     path, why));
 }
 
@@ -58,7 +58,7 @@ archive_entry* next_entry(const std::string& path, archive* reader) {
 std::string name_of(const std::string& path, archive_entry* entry) {
     const char* name = libarchive().entry_pathname_utf8(entry);
     if (name == nullptr) name = libarchive().entry_pathname(entry);
-    if (name == nullptr) refuse(path, "a member has a name that is no text");
+    if (name == nullptr) refuse(path, "a member has a name that is not text");
     return name;
 }
 
@@ -82,7 +82,7 @@ void extract_member(const std::string& path, std::int64_t header, const std::str
     if (!source.is_open() || lseek(source.number(), header, SEEK_SET) != header)
         throw InputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
     const Reader reader = open_reader(path, source.number());
-    if (next_entry(path, reader.get()) == nullptr) refuse(path, "it has changed meanwhile");
+    if (next_entry(path, reader.get()) == nullptr) refuse(path, "it has changed in the meantime");
     const Descriptor target(file, O_WRONLY | O_CREAT | O_TRUNC);
     if (!target.is_open()) throw OutputError(fmt::format("{}: cannot be written: {}", file, std::strerror(errno)));
     if (libarchive().read_data_into_fd(reader.get(), target.number()) != ARCHIVE_OK) refuse(path, reason(reader.get()));

@@ -38,7 +38,7 @@ std::string table_of_failures(const std::vector<ordered_json>& failed) {
 }  // namespace
 
 void add_batch_command(CLI::App& program, Outcome& outcome) {
-    CLI::App* command = program.add_subcommand("batch", "Many inputs, one line of results each");
+    CLI::App* command = program.add_subcommand("batch", "Many inputs, a line of results for each");
     const auto request = std::make_shared<batch::Request>();
     batch::add_subcommands(*command, *request, [request, &outcome] { outcome = run_batch(*request); });
 }
@@ -53,14 +53,14 @@ Outcome run_batch(const batch::Request& request) {
     std::string summary;
     if (computes) {
         batch::RunResult result = batch::Run(request, shard, places)();
-        summary = fmt::format("{}  {} inputs, {} failed, {} done before, {:.1f} s\n", places.outputs(), result.inputs,
+        summary = fmt::format("{}  {} inputs, {} failed, {} already done, {:.1f} s\n", places.outputs(), result.inputs,
                               result.failed.size(), result.done_before, result.seconds);
         failed = std::move(result.failed);
     }
     if (collects) {
         batch::Collected collected = batch::collect(places);
-        summary +=
-            fmt::format("{}  {} lines, {} of failures\n", places.results(), collected.inputs, collected.failed.size());
+        summary += fmt::format("{}  {} lines, {} of them failures\n", places.results(), collected.inputs,
+                               collected.failed.size());
         failed = std::move(collected.failed);
     }
     if (!request.quiet) print(summary + table_of_failures(failed));

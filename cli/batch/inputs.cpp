@@ -79,7 +79,8 @@ std::string inner_path(const std::string& archive, const std::string& name) {
     fs::path inner;
     for (const fs::path& part : fs::path(name).relative_path()) {
         if (part == "..")
-            throw InputError(fmt::format("{}: the member {} lies outside of the archive", archive, shown(name)));
+            throw InputError(
+                fmt::format("{}: the path of member {} leads out of the archive; rename it", archive, shown(name)));
         if (part != ".") inner /= part;
     }
     return inner.generic_string();
@@ -98,7 +99,8 @@ public:
         for (const std::string& folder : sources.skip) skip_.push_back(fs::weakly_canonical(folder, ignored));
         if (sources.base.empty()) return;
         base_ = normal(sources.base);
-        if (!fs::is_directory(base_, ignored)) throw UsageError(fmt::format("--base {}: is no folder", sources.base));
+        if (!fs::is_directory(base_, ignored))
+            throw UsageError(fmt::format("--base {}: is not a folder", sources.base));
     }
 
     /// What one word names; files are called by their path below the base or else `root`, or by their name.
@@ -111,7 +113,7 @@ public:
         if (is_archive(word)) return add_archive(word);
         if (is_packed_archive(word))
             throw InputError(word +
-                             ": an archive that is packed; unpack it to .tar first, so that its members can be "
+                             ": is a compressed archive; decompress it to .tar first, so that its members can be "
                              "reached one by one");
         const fs::path path(word);
         fs::path name = path.filename();
@@ -128,8 +130,8 @@ public:
         for (std::string line; next_line(lines, line, name, ++number);) {
             if (line.ends_with('\r')) line.pop_back();
             if (line.size() > kLongestPath)
-                throw InputError(
-                    fmt::format("{}:{}: a name of {} bytes; a list has one name per line", name, number, line.size()));
+                throw InputError(fmt::format("{}:{}: a name of {} bytes is too long; write one name per line", name,
+                                             number, line.size()));
             if (!line.empty()) words.push_back(line);
         }
         if (lines.bad()) throw InputError(name + ": cannot be read");
@@ -146,20 +148,21 @@ public:
         for (const Input& input : inputs)
             if (!is_text(input.name))
                 throw InputError(input.member
-                                     ? fmt::format("{}: the name of its member {} is no text (UTF-8); rename it",
+                                     ? fmt::format("{}: the name of its member {} is not valid UTF-8; rename it",
                                                    input.path, shown(input.name))
-                                     : shown(input.name) + ": its name is no text (UTF-8); rename it");
+                                     : shown(input.name) + ": its name is not valid UTF-8; rename it");
         const auto twin = std::adjacent_find(inputs.begin(), inputs.end(),
                                              [](const Input& a, const Input& b) { return a.name == b.name; });
         if (twin != inputs.end())
-            throw UsageError(fmt::format("{} of {} and of {}: two inputs of one name; name the folder that holds both",
-                                         twin->name, twin->path, std::next(twin)->path));
+            throw UsageError(
+                fmt::format("{} of {} and of {}: two inputs with the same name; give the folder that holds both",
+                            twin->name, twin->path, std::next(twin)->path));
         if (inputs.empty())
-            throw UsageError(found_.left_out == 0
-                                 ? "there are no inputs"
-                                 : fmt::format("there are no inputs: {} files have other suffixes than "
-                                               "those of structures",
-                                               found_.left_out));
+            throw UsageError(
+                found_.left_out == 0
+                    ? "there are no inputs"
+                    : fmt::format("there are no inputs: {} files found, but none has the suffix of a structure",
+                                  found_.left_out));
         return std::move(found_);
     }
 
@@ -168,8 +171,8 @@ private:
     fs::path below_base(const fs::path& path) const {
         fs::path name = normal(path).lexically_relative(base_);
         if (name.empty() || *name.begin() == "..")
-            throw UsageError(fmt::format("{}: is not below {}; --base is a folder that holds all inputs", path.string(),
-                                         base_.string()));
+            throw UsageError(fmt::format("{}: is not below {}; --base must be a folder that holds all inputs",
+                                         path.string(), base_.string()));
         return name;
     }
 

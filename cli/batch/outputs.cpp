@@ -47,7 +47,7 @@ public:
             if (const auto& [owner, fresh] = owners_.emplace(output, task.input.name);
                 !fresh && owner->second != task.input.name)
                 throw OutputError(
-                    fmt::format("{}: is an output of {}, too; give them different names", output, owner->second));
+                    fmt::format("{}: is also an output of {}; give the inputs different names", output, owner->second));
         for (const std::string& output : outputs) read_files_.refuse_as_output((fs::path(root_) / output).string());
         for (const std::string& output : outputs) {
             const fs::path target = fs::path(root_) / output;

@@ -49,7 +49,7 @@ Shard parse_shard(const std::string& text) {
     const auto count = slash < text.size() ? whole_number(std::string_view(text).substr(slash + 1)) : std::nullopt;
     if (!index || !count || *index >= *count)
         throw UsageError(
-            fmt::format("--shard: '{}' is no part of a batch; the parts of four are 0/4, 1/4, 2/4 and 3/4", text));
+            fmt::format("--shard: '{}' is not a part of a batch; with four parts, write 0/4, 1/4, 2/4 or 3/4", text));
     return {*index, *count};
 }
 

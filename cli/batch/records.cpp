@@ -104,8 +104,9 @@ int count_of_shards(const std::string& state) {
         int of = 0;
         if (!name.ends_with(".log") || std::sscanf(name.c_str(), "shard-%d-of-%d.log", &index, &of) != 2) continue;
         if (count && *count != of)
-            throw InputError(
-                fmt::format("{}: has shards of {} and of {}; one batch has one number of shards", state, *count, of));
+            throw InputError(fmt::format(
+                "{}: has shards out of {} and out of {}; give all shards of a batch the same number of parts", state,
+                *count, of));
         count = of;
     }
     if (error || !count) throw InputError(state + ": holds no results of a batch");
@@ -119,13 +120,14 @@ std::vector<DoneFile> open_shards(const Places& places) {
         const std::string path = places.done({i, count});
         if (!fs::exists(path))
             throw InputError(
-                fmt::format("{}: shard {}/{} is not done; run it with --resume", places.state(), i, count));
+                fmt::format("{}: shard {}/{} is not finished; run it with --resume", places.state(), i, count));
         shards.emplace_back(path);
         const ordered_json& first = shards.front().header();
         const ordered_json& header = shards.back().header();
         if (header["inputs"] != first["inputs"] || header["command"] != first["command"])
-            throw InputError(fmt::format("{}: shard {}/{} was given other inputs or options than 0/{}; run it again",
-                                         places.state(), i, count, count));
+            throw InputError(
+                fmt::format("{}: shard {}/{} was given different inputs or options from 0/{}; run it again",
+                            places.state(), i, count, count));
     }
     return shards;
 }
@@ -162,7 +164,7 @@ std::string Places::work() const { return state_ + "/" + name_of(shard_) + ".wor
 Log::Log(const Places& places, const ordered_json& header, bool resume) : path_(places.log()) {
     std::error_code error;
     fs::create_directories(places.state(), error);
-    if (error) throw OutputError(fmt::format("{}: cannot be made: {}", places.state(), error.message()));
+    if (error) throw OutputError(fmt::format("{}: cannot be created: {}", places.state(), error.message()));
     file_ = Descriptor(path_, O_RDWR | O_CREAT | O_APPEND);
     if (!file_.is_open()) cannot_write(path_);
     lock();
@@ -176,11 +178,12 @@ Log::Log(const Places& places, const ordered_json& header, bool resume) : path_(
 void Log::lock() const {
     for (int attempt = 0; flock(file_.number(), LOCK_EX | LOCK_NB) != 0; ++attempt) {
         if (errno != EWOULDBLOCK) {
-            print_warning(std::cerr, fmt::format("{}: cannot be locked ({}); see that no other run works on this shard",
-                                                 path_, std::strerror(errno)));
+            print_warning(std::cerr,
+                          fmt::format("{}: cannot be locked ({}); make sure that no other run is working on this shard",
+                                      path_, std::strerror(errno)));
             return;
         }
-        if (attempt == kLockAttempts) throw UsageError(fmt::format("{}: another run works on this shard", path_));
+        if (attempt == kLockAttempts) throw UsageError(fmt::format("{}: another run is working on this shard", path_));
         std::this_thread::sleep_for(kLockPause);
     }
 }
@@ -200,12 +203,12 @@ void Log::load(const ordered_json& header, bool resume) {
         if (!older.is_object() || older.contains("result"))
             throw InputError(path_ + ": is damaged; choose another --out");
         if (!resume)
-            throw UsageError(
-                fmt::format("{}: is there from an earlier run; add --resume to go on, or choose another --out", path_));
+            throw UsageError(fmt::format(
+                "{}: exists from an earlier run; add --resume to continue it, or choose another --out", path_));
         if (lasting(older) != lasting(header))
-            throw UsageError(
-                fmt::format("{}: was begun by another version or with other options ({:.400}); choose another --out",
-                            path_, lasting(older).dump(-1, ' ', true)));
+            throw UsageError(fmt::format(
+                "{}: was started by another version or with different options ({:.400}); choose another --out", path_,
+                lasting(older).dump(-1, ' ', true)));
         begun = true;
         size_ += length;
     }
@@ -244,7 +247,7 @@ void Log::append(const Record& record) {
 std::string Log::line_of(const Entry& entry) const {
     std::string line(static_cast<std::size_t>(entry.length), '\0');
     if (pread(file_.number(), line.data(), line.size(), entry.offset) != entry.length)
-        throw InputError(path_ + ": cannot be read; it has changed meanwhile");
+        throw InputError(path_ + ": cannot be read; it has changed in the meantime");
     return line;
 }
 
@@ -312,8 +315,8 @@ void refuse_mixed_radii(const std::map<std::string, std::string>& radii) {
     const auto& [first, one] = *radii.begin();
     const auto& [second, other] = *std::next(radii.begin());
     throw UsageError(
-        fmt::format("{} has radii {} and {} has radii {}: their numbers do not compare; give one set with "
-                    "--radii, or allow it with --mixed-radii",
+        fmt::format("{} has radii {} and {} has radii {}: their results are not comparable; choose one set with "
+                    "--radii, or allow this with --mixed-radii",
                     one, first, other, second));
 }
 

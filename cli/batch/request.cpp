@@ -21,13 +21,13 @@ namespace meniscus::cli::batch {
 namespace {
 
 constexpr const char* kBatchExamples =
-    "Every other option of {0} applies to every input: meniscus {0} --help.\n"
+    "All other options of {0} apply to every input: see meniscus {0} --help.\n"
     "Results go to DIR/results.jsonl, a line of JSON per input; times and memory to\n"
     "DIR/times.jsonl. Exit codes: 0 all inputs succeeded; 6 some failed.\n"
     "Examples:\n"
     "  meniscus batch {0} structures --out results\n"
     "  meniscus batch {0} archive.tar --out results.tar --time-limit 600\n"
-    "  meniscus batch {0} structures --out results --resume     goes on";
+    "  meniscus batch {0} structures --out results --resume     continue it";
 
 /// Names of what a batch decides itself: not passed on to the processes.
 const std::set<std::string> kOwnNames{"INPUTS",        "--list",         "--base",     "--out",     "--jobs",
@@ -50,18 +50,18 @@ double parse_time(const std::string& option, const std::string& text) {
     try {
         return unit * parse_number(option, number, Sign::Positive);
     } catch (const UsageError&) {
-        throw UsageError(fmt::format("{}: '{}' is no time; write seconds, or as in 15m and 2h", option, text));
+        throw UsageError(fmt::format("{}: '{}' is not a time; write seconds, or for instance 15m or 2h", option, text));
     }
 }
 
 void check_ending(const char* option, const std::string& ending) {
     if (!ending.starts_with('.') && !ending.starts_with('_'))
         throw UsageError(
-            fmt::format("{0} {1}: in a batch outputs are called after their inputs; give the ending alone, as in "
-                        "-o .ply or -o _a.ply",
+            fmt::format("{0} {1}: in a batch, outputs are named after their inputs; give only the ending, as in -o "
+                        ".ply or -o _a.ply",
                         option, ending));
     if (ending.find('/') != std::string::npos)
-        throw UsageError(fmt::format("{} {}: an ending has no folders", option, ending));
+        throw UsageError(fmt::format("{} {}: an ending cannot contain a folder", option, ending));
 }
 
 void check_endings(const Request& request) {
@@ -96,34 +96,35 @@ std::vector<std::string> passed_on(const CLI::App& command) {
 void add_own_options(CLI::App& command, Request& request) {
     command
         .add_option("INPUTS", request.inputs,
-                    "files, folders with all below them, .tar archives; - for a list on standard input")
+                    "files, folders (with subfolders), .tar archives; - for a list on standard input")
         ->type_name("");
     command.option_defaults()->group("Batch");
-    command.add_option("--list", request.list, "A file that names one input per line")->type_name("FILE");
-    command.add_option("--base", request.base, "Inputs are called by their paths below DIR")->type_name("DIR");
+    command.add_option("--list", request.list, "A file with one input per line")->type_name("FILE");
+    command.add_option("--base", request.base, "Name inputs by their paths below DIR")->type_name("DIR");
     command
         .add_option("--out", request.out,
-                    "Where outputs go\n, laid out as the inputs are: a folder, or an archive (.tar)")
+                    "Where outputs go\n, laid out like the inputs: a folder, or an archive (.tar)")
         ->required()
         ->type_name("DIR|X.tar");
-    add_count(command, "--jobs", request.jobs, "Inputs at once, each in a process")->default_str("all cores");
+    add_count(command, "--jobs", request.jobs, "Processes at a time\n, one per input")->default_str("all cores");
     const auto time = [&request](const std::string& text) { request.time_limit = parse_time("--time-limit", text); };
-    command.add_option_function<std::string>("--time-limit", time, "For each input: 90, 15m, 2h")->type_name("T");
+    command.add_option_function<std::string>("--time-limit", time, "For each input: 90 (seconds), 15m, 2h")
+        ->type_name("T");
     const auto memory = [&request](const std::string& text) {
         request.memory_limit_mb = parse_memory("--memory-limit", text);
         if (request.memory_limit_mb < kLeastMemory)
-            throw UsageError(fmt::format("--memory-limit: must be at least {}M, which the program takes itself, not {}",
+            throw UsageError(fmt::format("--memory-limit: must be at least {}M, which the program itself needs, not {}",
                                          kLeastMemory, text));
     };
     command.add_option_function<std::string>("--memory-limit", memory, "For each input: 500M, 4G")->type_name("LIMIT");
     command.add_flag("--resume", request.resume, "Skip what is done, retry what failed");
     const auto shard = [&request](const std::string& text) { request.shard = parse_shard(text); };
     command
-        .add_option_function<std::string>("--shard", shard,
-                                          "Part I of N of the inputs, from 0\n; in a task of a Slurm array its own")
+        .add_option_function<std::string>(
+            "--shard", shard, "Part I of N of the inputs, from 0\n; in a Slurm array, each task takes its own part")
         ->type_name("I/N");
     command.add_flag("--collect", request.collect,
-                     "Put the results of all shards together\n; without inputs nothing else");
+                     "Merge the results of all shards\n; without inputs, do nothing else");
     command.add_flag("--mixed-radii", request.may_mix_radii, "Let --radii auto choose for each input");
 }
 
@@ -137,7 +138,7 @@ void fill(Request& request, const CLI::App& command, const CommonRequest& given)
     request.quiet = given.quiet;
     request.progress = given.progress;
     if (request.inputs.empty() && request.list.empty() && !request.collect)
-        throw UsageError("INPUTS: files, folders or archives are missing; see meniscus batch " + request.command +
+        throw UsageError("INPUTS: missing; name files, folders or archives, see meniscus batch " + request.command +
                          " --help");
 }
 
@@ -149,7 +150,7 @@ void adapt_options(CLI::App& command) {
         if (option != command.get_help_ptr() && option != command.get_help_all_ptr())
             option->description(rarely(option->get_description()));
     command.get_option("-o")
-        ->description("Ending of an output\n, which follows the input's name; repeatable")
+        ->description("Ending of an output\n, added to the input's name; repeatable")
         ->type_name(".SUFFIX");
 }
 
@@ -168,7 +169,7 @@ void complete_subcommand(CLI::App& command, Request& request, const std::shared_
 }
 
 void add_surface(CLI::App& batch, Request& request, const std::function<void()>& run) {
-    CLI::App& command = *batch.add_subcommand("surface", "A surface of every input");
+    CLI::App& command = *batch.add_subcommand("surface", "The surface of every input");
     const auto given = std::make_shared<SurfaceRequest>();
     add_surface_options(command, *given);
     const auto take = [&request, given] {

@@ -71,7 +71,7 @@ std::string status_of(const ProcessEnd& end) {
 
 std::string error_of(const ProcessEnd& end, double time_limit) {
     if (end.timed_out) return fmt::format("took longer than {:g} s", time_limit);
-    if (end.signal == SIGKILL) return "ended by SIGKILL, as the system does where memory runs out";
+    if (end.signal == SIGKILL) return "ended by SIGKILL, probably because memory ran out";
     if (end.signal != 0) return fmt::format("ended by SIG{}", sigabbrev_np(end.signal));
     const std::string message = last_message(end.messages, end.exit_code == kChecksFailed ? kWarningMark : kErrorMark);
     return message.empty() ? fmt::format("exit code {}", end.exit_code) : message;
@@ -122,7 +122,7 @@ Record record_of(const Task& task, const ProcessEnd& end, const std::string& fol
 void make_folder(const std::string& path) {
     std::error_code error;
     fs::create_directories(path, error);
-    if (error) throw OutputError(fmt::format("{}: cannot be made: {}", path, error.message()));
+    if (error) throw OutputError(fmt::format("{}: cannot be created: {}", path, error.message()));
 }
 
 void remove_all_of(const std::string& path) {
@@ -164,9 +164,11 @@ Run::Run(const Request& request, const Shard& shard, const Places& places)
       most_jobs_(static_cast<std::size_t>(request.jobs > 0 ? request.jobs : threads_in_use(0))),
       threads_(request.threads > 0 ? request.threads : std::max(1, threads_in_use(0) / static_cast<int>(most_jobs_))) {
     if (found_.left_out > 0 && !request.quiet)
-        print_warning(std::cerr,
-                      fmt::format("files left out, none of structures by their suffixes or no files at all: {}",
-                                  found_.left_out));
+        print_warning(
+            std::cerr,
+            fmt::format(
+                "files left out, because their suffix is not that of a structure or they are not regular files: {}",
+                found_.left_out));
     std::uint64_t weight = 0;
     for (const Task& task : tasks_) {
         const auto found = log_.entries().find(task.input.name);

@@ -54,7 +54,7 @@ void require_passed(const Surface& surface) {
     std::string failed;
     for (const Check& check : surface.checks)
         if (!check.passed) failed.append(failed.empty() ? "" : ", ").append(check.name);
-    throw ChecksFailed("the surface failed its own checks: " + failed + "; outputs are written all the same");
+    throw ChecksFailed("the surface failed its own checks: " + failed + "; outputs are written nevertheless");
 }
 
 void warn(const std::string& name, const std::string& text) {

@@ -28,9 +28,8 @@ SphereFile read_spheres(const MsmsRequest& request) {
     if (request.input.empty()) throw UsageError("no input: name a file of spheres with -if");
     const SphereFile all = read_sphere_file(request.input);
     SphereFile kept = request.without_hydrogens ? without_radius(all, kHydrogenRadius) : all;
-    if (kept.solid().empty()) throw InputError(request.input + ": -noh leaves no sphere");
-    if (kept.collision_only > 0)
-        warn(kName, "spheres that are to count for collisions only are taken as ordinary ones");
+    if (kept.solid().empty()) throw InputError(request.input + ": -noh leaves no spheres");
+    if (kept.collision_only > 0) warn(kName, "collision-only spheres are treated as ordinary ones");
     return kept;
 }
 
@@ -82,7 +81,7 @@ private:
             choose_from_the_first_on(request_.all_components ? matches_.size()
                                                              : std::min<std::size_t>(1, matches_.size()));
         if (chosen_.empty())
-            throw std::runtime_error("no closed piece of the surface came out; take a higher -density");
+            throw std::runtime_error("no closed piece of the surface could be meshed; use a higher -density");
         if (request_.all_components && chosen_.size() < exact_.components.size())
             warn(kName, std::to_string(exact_.components.size() - chosen_.size()) +
                             " closed pieces are too small for the mesh and are left out");

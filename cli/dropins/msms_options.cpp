@@ -31,7 +31,7 @@ public:
         const auto value = strict_number(text);
         if (!value || *value < 0.0 || (*value == 0.0 && !may_be_zero))
             throw UsageError(fmt::format("{}: '{}' is not a {} number", option, text,
-                                         may_be_zero ? "finite, not negative" : "finite, positive"));
+                                         may_be_zero ? "finite, non-negative" : "finite, positive"));
         return *value;
     }
 
@@ -57,7 +57,7 @@ struct Option {
 };
 
 void no_difference(MsmsRequest& request, Arguments& /*rest*/, const std::string& option) {
-    request.warnings.push_back(option + " makes no difference here");
+    request.warnings.push_back(option + " has no effect here");
 }
 
 [[noreturn]] void refuse_server(MsmsRequest& /*request*/, Arguments& /*rest*/, const std::string& option) {
@@ -85,7 +85,7 @@ constexpr std::array kOptions{
            [](auto& request, auto& rest, const auto& option) { request.probe = rest.number(option, true); }},
     Option{"-density", "D          vertices per Å² of surface [1.0]",
            [](auto& request, auto& rest, const auto& option) { request.density = rest.number(option, false); }},
-    Option{"-hdensity", "D         read, but the density is the same everywhere",
+    Option{"-hdensity", "D         accepted, but the density is the same everywhere",
            [](auto& request, auto& rest, const auto& option) { request.hdensity = rest.number(option, false); }},
     Option{"-surface", "tses|ases  triangulated, or only its areas [tses]", &set_surface},
     Option{"-no_area", "           do not compute analytical areas",
@@ -96,8 +96,8 @@ constexpr std::array kOptions{
     Option{"-sinetd", "            refused", &refuse_server},
     Option{"-noh", "               ignore spheres of radius 1.2",
            [](auto& request, auto&, const auto&) { request.without_hydrogens = true; }},
-    Option{"-no_rest_on_pbr", "    no difference", &no_difference},
-    Option{"-no_rest", "           no difference", &no_difference},
+    Option{"-no_rest_on_pbr", "    no effect", &no_difference},
+    Option{"-no_rest", "           no effect", &no_difference},
     Option{"-if", "FILE            spheres: x y z radius [1 name] per line",
            [](auto& request, auto& rest, const auto& option) { request.input = rest.take(option); }},
     Option{"-of", "STEM            write STEM.vert and STEM.face",
@@ -106,7 +106,7 @@ constexpr std::array kOptions{
            [](auto& request, auto& rest, const auto& option) { request.area = rest.take(option); }},
     Option{"-no_header", "         no header lines in .vert and .face",
            [](auto& request, auto&, const auto&) { request.with_header = false; }},
-    Option{"-free_vertices", "     no difference", &no_difference},
+    Option{"-free_vertices", "     no effect", &no_difference},
     Option{"-all_components", "    every closed piece; all but the first as STEM_N",
            [](auto& request, auto&, const auto&) { request.all_components = true; }},
     Option{"-one_cavity", "N A...  the piece that N (1 to 3) spheres touch, counted from 0", &set_cavity},
@@ -133,14 +133,14 @@ MsmsRequest parse_msms(const std::vector<std::string>& arguments) {
         option.act(request, rest, option.name);
     }
     if (request.hdensity != MsmsRequest{}.hdensity && request.hdensity != request.density)
-        request.warnings.push_back("-hdensity makes no difference here: the density is the same everywhere");
+        request.warnings.push_back("-hdensity has no effect here: the density is the same everywhere");
     return request;
 }
 
 std::string msms_usage() {
     std::string text = "Usage: meniscus-msms -if FILE [-of STEM] [-af STEM] [options]\n";
     for (const Option& option : kOptions) text += fmt::format("  {} {}\n", option.name, option.help);
-    return text + "Options may be abbreviated. docs/howto/replace-msms.md tells the differences from MSMS.\n";
+    return text + "Options may be abbreviated. docs/howto/replace-msms.md describes the differences from MSMS.\n";
 }
 
 }  // namespace meniscus::dropins

@@ -24,8 +24,8 @@ std::string host() {
 }  // namespace
 
 std::string msms_banner() {
-    return fmt::format("MSMS 2.6.1 started on {}\nin its place: Meniscus {}, which has nothing of its code\n", host(),
-                       kVersion);
+    return fmt::format("MSMS 2.6.1 started on {}\nby Meniscus {}, a drop-in program that contains no MSMS code\n",
+                       host(), kVersion);
 }
 
 std::string msms_input(const MsmsRequest& request, const SphereFile& spheres) {

@@ -28,7 +28,7 @@ constexpr const char* kDefaultFile = "surfaceConfiguration.prm";
 
 NanoShaperRequest read_parameters(const std::vector<std::string>& arguments) {
     if (arguments.size() > 1)
-        throw UsageError("one argument: a file of parameters; without it " + std::string(kDefaultFile));
+        throw UsageError("expected one argument, a file of parameters; its default is " + std::string(kDefaultFile));
     const std::string path = arguments.empty() ? kDefaultFile : arguments.front();
     std::ifstream file(path);
     if (!file) throw InputError(fmt::format("{}: cannot be opened: {}; check the name", path, std::strerror(errno)));
@@ -95,7 +95,7 @@ void run(const std::vector<std::string>& arguments) {
     const NanoShaperRequest request = read_parameters(arguments);
     for (const std::string& warning : request.warnings) warn(kName, warning);
     const SphereFile spheres = read_sphere_file(request.input);
-    print(fmt::format("<<INFO>> Starting Meniscus {} in the place of NanoShaper\n<<INFO>> Read {} atoms from {}\n",
+    print(fmt::format("<<INFO>> Starting Meniscus {}, a drop-in for NanoShaper\n<<INFO>> Read {} atoms from {}\n",
                       kVersion, spheres.atoms.size(), request.input));
     Surface surface = compute_surface(spheres.solid(), surface_options(request));
     const std::vector<std::uint32_t> places = spheres.solid_places();

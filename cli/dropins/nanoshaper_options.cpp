@@ -49,13 +49,13 @@ struct Entry {
     double number(double least) const {
         const auto parsed = strict_number(value);
         if (!parsed || *parsed < least)
-            fail(fmt::format("{}: {} is not a number from {} on", key, shown(value), least));
+            fail(fmt::format("{}: {} is not a number of at least {}", key, shown(value), least));
         return *parsed;
     }
 
     double positive() const {
         const double parsed = number(0.0);
-        if (parsed == 0.0) fail(key + ": must be above 0");
+        if (parsed == 0.0) fail(key + ": must be greater than 0");
         return parsed;
     }
 
@@ -77,7 +77,7 @@ void set_surface(NanoShaperRequest& /*request*/, const Entry& entry) {
 
 void set_mode(NanoShaperRequest& /*request*/, const Entry& entry) {
     if (lower_case(entry.value) != "normal")
-        entry.fail("Operative_Mode: only normal is known here, not " + printable(entry.value, kOfWord));
+        entry.fail("Operative_Mode: only normal is supported here, not " + printable(entry.value, kOfWord));
 }
 
 void set_folder(NanoShaperRequest& request, const Entry& entry) {
@@ -180,10 +180,10 @@ void apply(const Entry& entry, NanoShaperRequest& request) {
     if (action != actions().end())
         action->second(request, entry);
     else if (is_not_done_here(entry.key)) {
-        if (!is_switched_off(entry)) request.warnings.push_back(entry.key + " is not done here and is left out");
+        if (!is_switched_off(entry)) request.warnings.push_back(entry.key + " is not supported here and is ignored");
     } else if (!makes_no_difference(entry.key))
         request.warnings.push_back(
-            fmt::format("{}: {} is unknown and is passed over", entry.place, printable(entry.key, kOfWord)));
+            fmt::format("{}: {} is unknown and is ignored", entry.place, printable(entry.key, kOfWord)));
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ std::vector<PdbRecord> read_pdb_records(std::istream& stream, const std::string&
         if (line.starts_with("ATOM  ") || line.starts_with("HETATM"))
             records.push_back(parse_record(line, path, number));
     }
-    if (records.empty()) throw InputError(path + ": no ATOM and no HETATM record; give a PDB file");
+    if (records.empty()) throw InputError(path + ": no ATOM or HETATM record; give a PDB file");
     return records;
 }
 

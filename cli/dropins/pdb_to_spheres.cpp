@@ -52,10 +52,9 @@ void print_spheres(const std::vector<PdbFile>& files, bool explicit_hydrogens, b
         }
     }
     if (hydrogens > 0)
-        warn(name,
-             fmt::format("{} hydrogens beside radii that stand for atoms with their hydrogens: take msms -noh, or "
-                         "explicit radii with -h",
-                         hydrogens));
+        warn(name, fmt::format("{} hydrogens written, but the radii of heavy atoms already include their hydrogens: "
+                               "use msms -noh, or -h for explicit radii",
+                               hydrogens));
     print(text);
 }
 

@@ -52,7 +52,8 @@ std::string join(const Words<T, N>& words, const char* separator) {
 template <class T, std::size_t N>
 T parse_word(const std::string& option, const std::string& text, const Words<T, N>& words) {
     const auto found = std::find_if(words.begin(), words.end(), [&](const auto& w) { return text == w.first; });
-    if (found == words.end()) throw UsageError(option + ": unknown value '" + text + "'; one of " + join(words, ", "));
+    if (found == words.end())
+        throw UsageError(option + ": unknown value '" + text + "'; choose one of " + join(words, ", "));
     return found->second;
 }
 

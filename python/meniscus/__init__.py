@@ -10,8 +10,8 @@
 3892.2
 >>> surface.save("1ubq.ply", color="patch")
 
-Lengths are in Å, areas in Å², volumes in Å³, curvatures in Å⁻¹. The level-set function is negative inside the molecule,
-normals point into the solvent. Arrays of results are views: they are not copied and cannot be written to.
+Lengths are in Å, areas in Å², volumes in Å³, curvatures in Å⁻¹. The level-set function is negative inside the molecule;
+normals point into the solvent. Arrays of results are read-only views: nothing is copied.
 
 A tutorial is in ``docs/python.md``.
 """

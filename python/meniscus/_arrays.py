@@ -19,7 +19,7 @@ def _numbers(name: str, values: npt.ArrayLike) -> npt.NDArray[Any]:
     try:
         array = np.asarray(values)
     except ValueError as error:
-        raise UsageError(f"{name}: rows of different lengths; an array of numbers is needed") from error
+        raise UsageError(f"{name}: rows have different lengths; an array of numbers is needed") from error
     if array.dtype.kind not in "fiu" and array.size > 0:
         raise UsageError(f"{name}: numbers are needed, not {array.dtype}")
     return array
@@ -58,7 +58,7 @@ def whole_per(name: str, values: npt.ArrayLike, count: int) -> list[int]:
     array = one_per(name, values, count)
     wrong = (array != np.rint(array)) | (np.abs(array) >= 2**31)
     if wrong.any():
-        raise UsageError(f"{name}: entry {int(np.argmax(wrong))} is no whole number of 32 bits")
+        raise UsageError(f"{name}: entry {int(np.argmax(wrong))} is not a 32-bit whole number")
     return [int(value) for value in array]
 
 
@@ -66,7 +66,7 @@ def _text(name: str, value: Any) -> str:
     if isinstance(value, bytes):
         return value.decode("utf-8", "replace")
     if value is None:
-        raise UsageError(f"{name}: None is no text; write ''")
+        raise UsageError(f"{name}: None is not text; write ''")
     return str(value)
 
 

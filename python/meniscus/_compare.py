@@ -20,21 +20,21 @@ Comparable = Union[Path, Surface, Structure]
 
 @dataclasses.dataclass(frozen=True)
 class Distance:
-    """From one surface to another, Å; absolute values, weighted by area, but for ``signed_mean``."""
+    """Distances from one surface to another, Å: absolute values weighted by area, except for ``signed_mean``."""
 
     mean: float
     p99: float
-    """99 % of the area are nearer"""
+    """99 % of the area is nearer than this"""
     max: float
     signed_mean: float
     """positive where the points lie outside the other surface"""
     points: int
-    """how many"""
+    """number of points"""
 
 
 @dataclasses.dataclass(frozen=True)
 class Compared:
-    """What one of two surfaces measures by itself; of a structure exactly."""
+    """Measures of one of the two surfaces; exact for a structure."""
 
     area: float
     """Å²"""
@@ -45,11 +45,11 @@ class Compared:
     closed: bool
     manifold: bool
     merged_vertices: int
-    """vertices at the same place that were made one, because the mesh was not closed"""
+    """coincident vertices that were merged, because the mesh was not closed"""
 
 
 class Comparison:
-    """What :func:`compare` finds."""
+    """The result of :func:`compare`."""
 
     def __init__(self, a: _core.ComparedSurface, b: _core.ComparedSurface, options: dict[str, float | int],
                  structure: Structure | None) -> None:
@@ -70,28 +70,28 @@ class Comparison:
 
     @property
     def hausdorff(self) -> float:
-        """The larger of both maxima, Å."""
+        """The larger of the two maxima, Å."""
         return max(self.a_to_b.max, self.b_to_a.max)
 
     @property
     def vertices(self) -> Floats:
-        """(n, 3) float64, Å: of A's mesh; a view."""
+        """(n, 3) float64, Å: vertices of A's mesh; a view."""
         return self._a.mesh.vertices
 
     @property
     def triangles(self) -> Indices:
-        """(m, 3) uint32: of A's mesh; a view."""
+        """(m, 3) uint32: triangles of A's mesh; a view."""
         return self._a.mesh.triangles
 
     def save(self, path: Path, range: tuple[float, float] | None = None) -> None:
         """Writes A's mesh (.ply .glb .vtp .npz) with the vertex array ``distance`` and its colours: blue inside B, red
         outside.
 
-        range  distances of full blue and full red, Å; by default what 99 % of A's area are within
+        range  distances shown in full blue and full red, Å; by default, 99 % of A's area lies between them
         """
         target = text_of_path(path)
         if not target.endswith(_WITH_VALUES):
-            raise UsageError(f"{target}: has no room for distances; choose {' '.join(_WITH_VALUES)}")
+            raise UsageError(f"{target}: this format cannot hold distances; choose {' '.join(_WITH_VALUES)}")
         reach = max(self.a_to_b.p99, 1e-3)
         low, high = (-reach, reach) if range is None else range
         structure = self._structure
@@ -127,15 +127,15 @@ def compare(
 ) -> Comparison:
     """Distances between two surfaces, both ways, by points spread over their triangles.
 
-    a, b     the path of a mesh (.ply .obj .stl .off .glb .vert .face, each also .gz), a :class:`Surface`; or a
-             structure or its path, of which the exact solvent-excluded surface is taken
-    probe    radius for structures, Å
-    points   per Å², at least
-    spacing  of the mesh that tells where points of a structure's surface are, Å
+    a, b     a :class:`Surface` or the path of a mesh (.ply .obj .stl .off .glb .vert .face, each also .gz); or a
+             structure or its path, whose exact solvent-excluded surface is used
+    probe    probe radius for structures, Å
+    points   minimum number of points per Å²
+    spacing  grid spacing of the mesh that is used to spread points over a structure's surface, Å
     threads  0: all cores; results do not depend on it
 
-    Raises ValueError for what makes no sense, :class:`InputError` for a file that is not valid, OSError for one that
-    cannot be opened. Other Python threads run meanwhile.
+    Raises ValueError for invalid arguments, :class:`InputError` for a file that is not valid, OSError for a file that
+    cannot be opened. Other Python threads keep running.
 
     >>> protein = meniscus.read("1ubq.pdb")
     >>> found = meniscus.compare(meniscus.surface(protein), protein)

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 
 class UsageError(ValueError):
-    """An option or array that makes no sense: unknown word, value out of range, wrong shape."""
+    """An invalid option or array: unknown word, value out of range, wrong shape."""
 
 
 class InputError(ValueError):
@@ -18,11 +18,11 @@ class InputError(ValueError):
 
 
 class OutputError(OSError):
-    """A file that cannot be written; nothing half-written is left behind."""
+    """A file that cannot be written; no partial file is left behind."""
 
 
 class LimitError(ValueError, MemoryError):
-    """A computation that would exceed the memory; the message names the option to change."""
+    """A computation that would exceed the memory; the message says which option to change."""
 
 
 class ReadWarning(UserWarning):
@@ -56,5 +56,5 @@ def opening(path: str) -> Iterator[None]:
 def text_of_path(path: str | os.PathLike[str]) -> str:
     text = os.fspath(path)
     if not isinstance(text, str):
-        raise TypeError(f"a path is text, not {type(text).__name__}")
+        raise TypeError(f"a path must be text, not {type(text).__name__}")
     return text

@@ -157,7 +157,7 @@ def _option_words(options: dict[str, Any]) -> list[str]:
     words = []
     for name, value in options.items():
         if name in _OWN:
-            raise UsageError(f"{name}: is no option of map()")
+            raise UsageError(f"{name}: is not an option of map()")
         option = "--" + name.replace("_", "-")
         for one in value if isinstance(value, (list, tuple)) else [value]:
             if one is None or one is False:
@@ -173,7 +173,7 @@ def _common_folder(paths: Sequence[str]) -> str:
 def _name(path: str, base: str) -> str:
     name = os.path.relpath(path, base)
     if name.split(os.sep)[0] == os.pardir:
-        raise UsageError(f"{path}: is not below {base}; base is a folder that holds all inputs")
+        raise UsageError(f"{path}: is not below {base}; base must be a folder that holds all inputs")
     return name
 
 
@@ -251,8 +251,8 @@ def _refuse_mixed_radii(records: Iterable[dict[str, Any]]) -> None:
     found.pop("", None)
     if len(found) > 1:
         (first, one), (second, other) = sorted(found.items())[:2]
-        raise UsageError(f"{one} has radii {first} and {other} has radii {second}: their numbers do not compare; give "
-                         "one set with radii=, or allow it with mixed_radii=True")
+        raise UsageError(f"{one} has radii {first} and {other} has radii {second}: their results are not comparable; "
+                         "choose one set with radii=, or allow this with mixed_radii=True")
 
 
 def _refuse_shared_outputs(records: Iterable[dict[str, Any]]) -> None:
@@ -260,7 +260,7 @@ def _refuse_shared_outputs(records: Iterable[dict[str, Any]]) -> None:
     for record in records:
         for output in record["outputs"]:
             if owners.setdefault(output, record["input"]) != record["input"]:
-                raise OutputError(f"{output}: is an output of {owners[output]}, too; give them different names")
+                raise OutputError(f"{output}: is also an output of {owners[output]}; give the inputs different names")
 
 
 def _write(path: str, text: bytes) -> None:
@@ -309,7 +309,7 @@ def _files(paths: Iterable[Path]) -> list[str]:
 
 def _endings(command: str, outputs: str | Sequence[str], out: str | None) -> tuple[str, ...]:
     if command not in _COMMANDS:
-        raise UsageError(f"command: unknown value '{command}'; one of {', '.join(_COMMANDS)}")
+        raise UsageError(f"command: unknown value '{command}'; choose one of {', '.join(_COMMANDS)}")
     endings = (outputs,) if isinstance(outputs, str) else tuple(outputs)
     if endings and out is None:
         raise UsageError("outputs: give a folder for them, out=")
@@ -320,7 +320,7 @@ def _jobs(client: Client | None, jobs: int | None) -> int:
     if jobs is None:
         return _cores()
     if client is not None:
-        raise UsageError("jobs: the workers of the client decide; leave it out")
+        raise UsageError("jobs: the workers of the client decide this; leave it out")
     if _options.whole("jobs", jobs) < 1:
         raise UsageError(f"jobs {jobs}: must be at least 1")
     return jobs
@@ -350,32 +350,32 @@ def map(
     jobs: int | None = None,
     **options: Any,
 ) -> list[dict[str, Any]]:
-    """What ``meniscus batch`` records of each of many files, in the order of ``paths``.
+    """Computes many files; returns what ``meniscus batch`` records of each, in the order of ``paths``.
 
-    Every file is computed by the program in a process of its own, so that one that cannot be read, crashes or takes too
-    long is a record that says so, and harms no other. A record is what ``meniscus batch`` writes as a line of JSON:
-    ``input`` (its name), ``status`` ("done", "failed", "checks failed", "timed out", "crashed"), ``exit``, ``error``,
-    ``outputs`` and ``report``.
+    Every file is computed by the program in a process of its own, so a file that cannot be read, crashes or takes too
+    long has a record that says so and does not affect the others. A record is what ``meniscus batch`` writes as a line
+    of JSON: ``input`` (its name), ``status`` ("done", "failed", "checks failed", "timed out", "crashed"), ``exit``,
+    ``error``, ``outputs`` and ``report``.
 
     paths         files of structures
-    client        a ``distributed.Client``: its workers compute, and when one is lost others do its part. They need this
-                  package and the program, and see files under the same paths. None: this machine
+    client        a ``distributed.Client``: its workers compute, and if one is lost, others take over its part. They
+                  need this package and the program, and must see files under the same paths. None: this machine
     command       "measure" or "surface"
     out           a folder for outputs, ``results.jsonl`` and ``times.jsonl``: the files that ``meniscus batch`` writes.
-                  None: nothing is kept but what is returned
-    outputs       endings of outputs, such as ".csv" or "_a.ply"; surfaces have ".ply" unless others are given
-    base          a folder that holds all files; their names are the paths below it. None: the deepest
-    time_limit    of each file, s, or as "15m", "2h"
-    memory_limit  of each file: "500M", "4G"
-    mixed_radii   whether the set of radii may differ from file to file
-    program       path of ``meniscus``. None: what the PATH has
-    jobs          files at once without a client; None: as many as cores
-    options       of the command, with its words: ``min_cavity=5`` is ``--min-cavity=5``, ``waters=True`` is ``--waters``,
-                  lists repeat an option
+                  None: only the returned records are kept
+    outputs       endings of outputs, such as ".csv" or "_a.ply"; by default ".ply" for surfaces
+    base          a folder that holds all files; files are named by their paths below it. None: the deepest such folder
+    time_limit    for each file, in seconds, or as in "15m" and "2h"
+    memory_limit  for each file: "500M", "4G"
+    mixed_radii   whether the radius set may differ from file to file
+    program       path of ``meniscus``. None: found on the PATH
+    jobs          files computed at a time without a client; None: the number of cores
+    options       options of the command: ``min_cavity=5`` is ``--min-cavity=5``, ``waters=True`` is ``--waters``, and a
+                  list repeats an option
 
-    Raises ValueError for what makes no sense, for mixed radii too, OSError for a file that is not there, for outputs
-    that cannot be written and where there is no program. Ctrl-C ends what runs on this machine; workers
-    finish the files that they have begun.
+    Raises ValueError for invalid arguments and for mixed radii, OSError for a missing file, for outputs that cannot be
+    written and if the program is not found. Ctrl-C ends the processes on this machine; workers finish the files that
+    they have begun.
 
     >>> found = meniscus.map(["1ubq.pdb"], probe=1.2)
     >>> found[0]["status"], round(found[0]["report"]["exact"]["ses_area"], 1)

@@ -38,11 +38,11 @@ class Component:
     centre: Point
     """centroid of its surface, Å"""
     inside_of: int | None
-    """the component next outside"""
+    """index of the component that directly encloses it"""
     atoms: npt.NDArray[np.uint32] = dataclasses.field(repr=False, compare=False)
-    """(k,), those that touch it"""
+    """(k,), indices of the atoms that touch it"""
     inscribed_centre: Point
-    """of the largest sphere that fits into a cavity, Å"""
+    """centre of the largest sphere that fits into a cavity, Å"""
     inscribed_radius: float
     """Å; 0 for outer pieces"""
     errors: dict[str, float] = dataclasses.field(repr=False, compare=False)
@@ -60,7 +60,7 @@ class Component:
 
 
 class Measures:
-    """All that :func:`measure` finds. Areas in Å², volumes in Å³; cavities count negative in the volumes.
+    """The result of :func:`measure`. Areas in Å², volumes in Å³; volumes of cavities are subtracted.
 
     >>> exact = meniscus.measure(meniscus.read("1ubq.pdb"))
     >>> round(exact.ses_area, 3), round(exact.ses_volume, 3)
@@ -84,7 +84,7 @@ class Measures:
 
     @property
     def probe(self) -> float:
-        """Radius, Å."""
+        """Probe radius, Å."""
         return self._core.probe
 
     @property
@@ -127,14 +127,14 @@ class Measures:
 
     @property
     def components(self) -> list[Component]:
-        """Closed pieces of the surface, by falling volume."""
+        """Closed pieces of the surface, largest volume first."""
         if self._components is None:
             self._components = [Component(**fields) for fields in self._core.components]
         return self._components
 
     @property
     def cavities(self) -> list[Component]:
-        """Those that enclose solvent, by falling volume.
+        """The components that enclose solvent, largest volume first.
 
         >>> shell = meniscus.Structure.from_arrays(5 * numpy.vstack([numpy.eye(3), -numpy.eye(3)]), 4.0)
         >>> [(round(c.volume, 2), round(c.inscribed_radius, 6)) for c in meniscus.measure(shell, probe=0.5).cavities]
@@ -144,7 +144,7 @@ class Measures:
 
     @property
     def atom_sas_area(self) -> Floats:
-        """(n,), Å²: shares of the atoms, which sum to the totals."""
+        """(n,), Å²: the share of each atom; the shares sum to the total."""
         return self._core.atom_sas_area
 
     @property
@@ -183,17 +183,17 @@ class Measures:
 
     @property
     def agreed(self) -> bool:
-        """Two evaluations that share no perturbation agree."""
+        """Whether two evaluations with independent perturbations agree."""
         return self._core.agreed
 
     @property
     def disputed(self) -> list[str]:
-        """Patches on which they do not."""
+        """Patches on which they do not agree."""
         return self._core.disputed
 
     @property
     def degenerate(self) -> bool:
-        """Probe positions coincide, as on lattices; the bound of agreement is wider then."""
+        """Whether probe positions coincide, as on lattices; the bound for agreement is then wider."""
         return self._core.degenerate
 
     def table(self, per: str = "atom") -> dict[str, list[Any]]:
@@ -206,7 +206,7 @@ class Measures:
         return self._core.table(self._structure._core, _options.word("per", per))
 
     def save(self, path: Path, per: str = "atom") -> None:
-        """Writes a table as .csv or .json. Raises OSError where it cannot be written."""
+        """Writes a table as .csv or .json. Raises OSError if it cannot be written."""
         self._core.save(self._structure._core, text_of_path(path), _options.word("per", per))
 
 
@@ -219,18 +219,17 @@ def measure(
     depth: bool = False,
     threads: int = 0,
 ) -> Measures:
-    """Exact areas and volumes of the SAS and SES with error estimates, shares of atoms, pieces and cavities.
+    """Exact areas and volumes of the SAS and SES with error estimates, shares of atoms, components and cavities.
 
     atoms     a Structure, or centres (n, 3), Å
-    radii     (n,), Å, with centres
-    probe     radius, Å; 0 gives the van der Waals surface
-    cavities  also nesting and inscribed spheres of the pieces
-    depth     also the depth of every atom
+    radii     (n,), Å; required with centres
+    probe     probe radius, Å; 0 gives the van der Waals surface
+    cavities  also find which component encloses which, and inscribed spheres
+    depth     also measure the depth of every atom
     threads   0: all cores; results do not depend on it
 
-    Raises ValueError for arrays or options that make no sense. Where two evaluations do not agree there is a
-    :class:`CheckWarning`, and ``Measures.disputed`` tells of what. Other Python threads run meanwhile; about 25 µs per
-    atom.
+    Raises ValueError for invalid arrays or options. If two evaluations do not agree, there is a :class:`CheckWarning`,
+    and ``Measures.disputed`` lists the patches. Takes about 25 µs per atom; other Python threads keep running.
 
     >>> ball = meniscus.measure([[0, 0, 0]], [2.0], probe=1.0)
     >>> numpy.allclose([ball.ses_area, ball.sas_area], [16 * numpy.pi, 36 * numpy.pi])
@@ -243,7 +242,7 @@ def measure(
 
 
 def checked(measures: Measures, stacklevel: int) -> Measures:
-    """Warns where two evaluations do not agree."""
+    """Warns if two evaluations do not agree."""
     if not measures.agreed:
         warnings.warn("exact measures: evaluations do not agree on " + ", ".join(measures.disputed), CheckWarning,
                       stacklevel=stacklevel)
@@ -260,13 +259,14 @@ def signed_distance(
     """Signed distances from the exact solvent-excluded surface, (m,), Å; negative inside.
 
     atoms     a Structure, or centres (n, 3), Å
-    radii     (n,), Å, with centres
-    points    (m, 3), Å; anywhere; needed
-    probe     radius, Å
+    radii     (n,), Å; required with centres
+    points    (m, 3), Å; anywhere; required
+    probe     probe radius, Å
     threads   0: all cores; results do not depend on it
 
-    Exact inside and on the surface; outside, next to ridges, a lower bound with the right zero set. About 0.1 µs per
-    point where points lie as close together as those of a grid, 3 µs for single ones, beside the geometry of the atoms.
+    Exact inside and on the surface; outside, next to ridges, a lower bound with the correct zero set. Takes about
+    0.1 µs per point for points as close together as those of a grid and 3 µs for isolated ones, plus the geometry of
+    the atoms.
 
     >>> meniscus.signed_distance([[0, 0, 0]], [2.0], [[0, 0, 5], [1, 0, 0]]).round(6).tolist()
     [3.0, -1.0]
@@ -275,6 +275,6 @@ def signed_distance(
     """
     structure = as_structure(atoms, radii)
     if points is None:
-        raise TypeError("points: needed, (m, 3) in Å")
+        raise TypeError("points: required, (m, 3) in Å")
     return _core.signed_distance(structure._core, _options.number("probe", probe), positions("points", points),
                                  _options.count("threads", threads))

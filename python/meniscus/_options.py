@@ -72,7 +72,7 @@ def megabytes(name: str, value: Any) -> int:
     match = re.fullmatch(r"([0-9]+\.?[0-9]*|\.[0-9]+)([A-Za-z]*)", str(value))
     amount = float(match[1]) * _UNITS.get(match[2], 0) if match else 0.0
     if not 1 <= amount < 1e15:
-        raise UsageError(f"{name}: must be an amount of at least 1M such as 4G or 500M, not '{value}'")
+        raise UsageError(f"{name}: must be an amount of memory of at least 1M, such as 4G or 500M, not '{value}'")
     return int(amount)
 
 

@@ -22,21 +22,21 @@ Strings = npt.NDArray[np.str_]
 
 
 class Structure:
-    """Atoms with radii, and what is known of them; made by :func:`read` or :meth:`from_arrays`.
+    """Atoms with radii and, where known, their names; made by :func:`read` or :meth:`from_arrays`.
 
     Every column has one entry per kept atom, in the order of the file:
 
     ========== =================================================
-    xyz        (n, 3) float64, Å; a view that cannot be written to
-    radii      (n,) float64, Å; the same
+    xyz        (n, 3) float64, Å; a read-only view
+    radii      (n,) float64, Å; a read-only view
     element    (n,) text, upper case; empty where unknown
     name       (n,) text: CA, OXT
     chain      (n,) text; copies of an assembly are A, A-2, A-3
     resname    (n,) text: ALA
     resnum     (n,) int32, as in the file
-    icode      (n,) text; a blank where there is none
+    icode      (n,) text; blank if there is none
     residue    (n,) uint32, from 0, over the kept residues
-    altloc     (n,) text; a blank where there is none
+    altloc     (n,) text; blank if there is none
     serial     (n,) int32
     b_factor   (n,) float64
     occupancy  (n,) float64
@@ -71,12 +71,12 @@ class Structure:
         occupancy: npt.ArrayLike | None = None,
         charge: npt.ArrayLike | None = None,
     ) -> Structure:
-        """A structure of atoms that another program holds.
+        """Makes a structure of atoms from another program.
 
         xyz     (n, 3), Å
-        radii   (n,), Å, one number for all, or the name of a set: see :func:`radii`
-        others  (n,) each, or one text for all; what is not given is empty. Residues are runs of atoms of the same
-                chain, resname, resnum and icode
+        radii   (n,), Å, or one number for all, or the name of a set: see :func:`radii`
+        others  (n,) each, or one text for all; what is not given is left empty. Residues are runs of atoms with the
+                same chain, resname, resnum and icode
 
         >>> water = meniscus.Structure.from_arrays([[0, 0, 0], [0.96, 0, 0], [-0.24, 0.93, 0]], element=["O", "H", "H"])
         >>> water.radii.tolist()
@@ -123,12 +123,12 @@ class Structure:
 
     @property
     def sha256(self) -> str:
-        """Of the bytes of the file, hexadecimal."""
+        """SHA-256 of the file, hexadecimal."""
         return self._core.sha256
 
     @property
     def radii_set(self) -> str:
-        """The set in use: bondi, united ..., "file" for radii from PQR or xyzr, "given" for arrays."""
+        """The radius set in use: bondi, united ..., "file" for radii from PQR or xyzr, "given" for arrays."""
         return self._core.radii_set
 
     @property
@@ -142,7 +142,7 @@ class Structure:
 
     @property
     def warnings(self) -> list[str]:
-        """One line per kind of assumption that reading has made."""
+        """One line per kind of assumption made while reading."""
         return self._core.warnings
 
     @property
@@ -225,9 +225,9 @@ class Structure:
 
         .xyzr .xyzrn  centres and radii
         .csv          the table of atoms, which a mesh's ``atom`` indexes
-        .pdb .cif     with ``values``, (n,), in the place of the B factor
+        .pdb .cif     the atoms, with ``values``, (n,), instead of the B factor
 
-        Raises OSError where the file cannot be written; it appears whole or not at all.
+        Raises OSError if the file cannot be written; no partial file is left behind.
         """
         text = text_of_path(path)
         suffix = pathlib.PurePath(text).suffix
@@ -239,7 +239,7 @@ class Structure:
             column = self.b_factor if values is None else one_per("values", values, len(self))
             _core.write_structure_copy(text, self._core, column)
         else:
-            raise UsageError(f"{text}: the suffix chooses the format; known are .xyzr .xyzrn .csv .pdb .cif")
+            raise UsageError(f"{text}: unknown suffix; choose one of .xyzr .xyzrn .csv .pdb .cif")
 
 
 def read(
@@ -262,19 +262,20 @@ def read(
 
     radii         bondi, united, protor, naccess, parse, a file of rules, or auto: the file's own, else bondi if the
                   structure has hydrogens, else united
-    hydrogens     auto (as the radii need), keep or drop
-    model         counted from 1; :func:`read_models` reads all
-    assembly      biological assembly that the file names
-    altloc        alternative location, one letter, instead of the highest occupancy
+    hydrogens     auto (as the radii require), keep or drop
+    model         model to read, counted from 1; :func:`read_models` reads all
+    assembly      biological assembly named in the file
+    altloc        alternative location to use, one character; by default the one with the highest occupancy
     chains        "A,B" or a list; "label:A" for mmCIF label names
     select        atoms to keep, in gemmi's syntax: "//A/10-50", "CA", "(ALA,GLY)"
     hetero        none, ligands or all: atoms beside the polymer
     waters        keep waters
-    strict_radii  an atom of unknown type is an error
+    strict_radii  treat an atom of unknown type as an error
 
-    What was assumed is told once per line as :class:`ReadWarning`, and kept in ``Structure.warnings``; what was left
-    out is counted in ``Structure.dropped``. Raises :class:`InputError`, a ValueError, for a file that is not valid,
-    OSError (FileNotFoundError, PermissionError ...) for one that cannot be opened. Other Python threads run meanwhile.
+    Assumptions are reported as :class:`ReadWarning` and kept in ``Structure.warnings``; atoms that were left out are
+    counted in ``Structure.dropped``. Raises :class:`InputError`, a ValueError, for a file that is not valid, and
+    OSError (FileNotFoundError, PermissionError ...) for a file that cannot be opened. Other Python threads keep
+    running.
 
     >>> calphas = meniscus.read("1ubq.pdb", select="CA", radii="united")
     >>> len(calphas), calphas.radii_set
@@ -304,7 +305,7 @@ def read_models(
     waters: bool = False,
     strict_radii: bool = False,
 ) -> list[Structure]:
-    """All models of a file, each a structure of its own; options as of :func:`read`.
+    """Reads all models of a file, each as a structure of its own; the options are those of :func:`read`.
 
     >>> [model.stem for model in meniscus.read_models("1ubq.pdb")]
     ['1ubq_m01']
@@ -327,15 +328,16 @@ def radii(
     *,
     set: Path = "bondi",
 ) -> Floats:
-    """Van der Waals radii of atoms that another program holds, (n,) float64, Å.
+    """Van der Waals radii of atoms from another program, (n,) float64, Å.
 
-    element  symbols, any case
-    name     atom names, resname  residue names: needed by every set but bondi
+    element  symbols, in any case
+    name     atom names; they and residue names are required by every set except bondi
+    resname  residue names
     set      bondi, united, protor, naccess, parse, or a file of rules
 
-    Atoms that the set does not know get the radius of their element. Hydrogens get 0 from sets whose radii stand for
-    heavy atoms with their hydrogens (united, protor, naccess): leave them out. Raises ValueError for an unknown set
-    and for an atom of which nothing is known.
+    Atoms that are not in the set get the radius of their element. Hydrogens get 0 from sets whose radii already include
+    them (united, protor, naccess): leave them out. Raises ValueError for an unknown set and for an atom that is neither
+    in the set nor of a known element.
 
     >>> meniscus.radii(["C", "N", "O"]).tolist()
     [1.7, 1.55, 1.52]
@@ -375,12 +377,12 @@ def as_structure(atoms: Structure | npt.ArrayLike, sizes: npt.ArrayLike | str | 
     """What the functions take as atoms: a structure, or centres and radii."""
     if isinstance(atoms, Structure):
         if sizes is not None:
-            raise UsageError("radii: a Structure brings its own; make another with Structure.from_arrays")
+            raise UsageError("radii: a Structure has its own radii; make another with Structure.from_arrays")
         return atoms
     if isinstance(atoms, (str, os.PathLike)):
         raise TypeError(f"atoms: read the file first: meniscus.read({os.fspath(atoms)!r})")
     if sizes is None:
-        raise TypeError("radii: needed with an array of centres, (n,) in Å; meniscus.radii() knows those of elements")
+        raise TypeError("radii: required with an array of centres, (n,) in Å; meniscus.radii() gives those of elements")
     if isinstance(sizes, str):
-        raise TypeError(f"radii: numbers are needed with bare centres; see meniscus.radii(set={sizes!r})")
+        raise TypeError(f"radii: must be numbers with an array of centres; see meniscus.radii(set={sizes!r})")
     return Structure.from_arrays(atoms, sizes)

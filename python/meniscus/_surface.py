@@ -23,7 +23,7 @@ Progress = Optional[Callable[[str, float], object]]
 
 
 class _Vertices:
-    """Arrays with an entry per point of the surface. They cannot be written to; most are views."""
+    """Arrays with one entry per point of the surface. They are read-only; most are views."""
 
     def __init__(self, mesh: _core.Mesh, structure: Structure) -> None:
         self._mesh = mesh
@@ -31,22 +31,22 @@ class _Vertices:
 
     @property
     def structure(self) -> Structure:
-        """The atoms, which ``atom`` indexes."""
+        """The atoms to which ``atom`` refers."""
         return self._structure
 
     @cached_property
     def normals(self) -> Floats:
-        """(n, 3) float64, unit vectors that point into the solvent, known in single precision."""
+        """(n, 3) float64: unit vectors that point into the solvent, in single precision."""
         return self._mesh.normals
 
     @property
     def atom(self) -> Indices:
-        """(n,) uint32, index of the nearest of the atoms that the vertex's patch touches."""
+        """(n,) uint32: index of the nearest of the atoms that the vertex's patch touches."""
         return self._mesh.atom
 
     @property
     def residue(self) -> Indices:
-        """(n,) uint32, index of the residue of that atom; a new array."""
+        """(n,) uint32: index of the residue of that atom; a new array."""
         return self._structure.residue[self.atom]
 
     @property
@@ -56,12 +56,12 @@ class _Vertices:
 
     @property
     def component(self) -> Indices:
-        """(n,) uint32: 0 outer, then by falling enclosed volume."""
+        """(n,) uint32: 0 outer, then the others by enclosed volume, largest first."""
         return self._mesh.component
 
     @property
     def area(self) -> Singles:
-        """(n,) float32, Å²: what a point stands for; sums to the area of the mesh."""
+        """(n,) float32, Å²: the area that belongs to a point; the sum is the area of the mesh."""
         return self._mesh.area
 
     @property
@@ -80,20 +80,20 @@ class _Vertices:
         return self._mesh.shape_index
 
     def colors(self, color: str = "auto", values: _writing.Values = None) -> npt.NDArray[np.uint8]:
-        """(n, 4) uint8, sRGB and alpha: what a scheme of the command line's ``--color`` shows.
+        """(n, 4) uint8, sRGB and alpha: the colours of a scheme of ``--color``.
 
-        values  arrays (n,) by name, which ``color`` may name, too: "phi" or "phi:-5:5"
+        values  arrays (n,) by name, which ``color`` may also name: "phi" or "phi:-5:5"
         """
         options = {**_writing.colour_options(color), **_writing.value_options(values, len(self.normals))}
         return _core.colors(self._mesh, self._structure._core, options)
 
     def map_values(self, path: Path, offset: float = 0.0, interpolation: str = "linear") -> Singles:
-        """(n,) float32: the values of a map (.dx, .mrc, .map, .ccp4, also .gz) at the points, NaN beyond its ends.
+        """(n,) float32: the values of a map (.dx, .mrc, .map, .ccp4, also .gz) at the points, NaN outside it.
 
-        offset         Å from the surface along the normals; negative: into the molecule
+        offset         distance from the surface along the normals, Å; negative: into the molecule
         interpolation  linear or cubic
 
-        Raises :class:`InputError` for what is no such file, as the command line's ``--sample``.
+        Raises :class:`InputError` for a file that is not such a map, as ``--sample`` on the command line does.
         """
         options = {"offset": _options.number("offset", offset),
                    "interpolation": _options.word("interpolation", interpolation)}
@@ -102,10 +102,10 @@ class _Vertices:
             return _core.map_values(self._mesh, file, options)
 
     def table_values(self, path: Path) -> dict[str, Singles]:
-        """By name, (n,) float32: columns of a table of values by atom, residue or chain, NaN where it has none.
+        """By name, (n,) float32: columns of a table of values by atom, residue or chain, NaN where there is no value.
 
-        The table is comma-separated with a line of names, as the command line's ``--values`` takes it. Raises
-        :class:`InputError` for what is no such table, or one of another structure.
+        The table is comma-separated with a header line, as for ``--values`` on the command line. Raises
+        :class:`InputError` for a file that is not such a table, or that belongs to another structure.
         """
         file = text_of_path(path)
         with opening(file):
@@ -128,15 +128,15 @@ class Points(_Vertices):
 
     def save(self, path: Path, color: _writing.Color = "auto", *, values: _writing.Values = None,
              ascii: bool = False) -> None:
-        """Writes the points as .ply (a cloud, with all arrays) or .npz; values are more arrays, by name."""
+        """Writes the points as .ply (a point cloud with all arrays) or .npz; values are further arrays, by name."""
         _writing.save_points(text_of_path(path), self, color, values, ascii)
 
 
 class Surface(_Vertices):
     """A computed surface; made by :func:`surface`.
 
-    Arrays are views of the surface's memory: nothing is copied, they cannot be written to, and they keep the surface
-    alive. It does not change any more, so several threads may use it.
+    Arrays are read-only views of the surface's memory: nothing is copied, and they keep the surface alive. A surface
+    does not change once computed, so several threads may use it.
 
     >>> surface = meniscus.surface(meniscus.read("1ubq.pdb"))
     >>> surface.vertices.shape, surface.triangles.shape, surface.passed
@@ -165,7 +165,7 @@ class Surface(_Vertices):
 
     @property
     def options(self) -> dict[str, Any]:
-        """What :func:`surface` was asked for, by the names of its arguments; what is left out was left open."""
+        """The options given to :func:`surface`, by the names of its arguments; those not given may be missing."""
         options = {name: value for name, value in self._options.items() if name != "finer_grid"}
         if "memory_mb" in options:
             options["memory"] = options.pop("memory_mb")
@@ -183,24 +183,24 @@ class Surface(_Vertices):
 
     @property
     def flow(self) -> dict[str, Any] | None:
-        """How the flow went, as in the report's block ``flow``; None for other methods."""
+        """The course of the flow, as in the block ``flow`` of the report; None for other methods."""
         return self._core.flow_block
 
     @property
     def checks(self) -> list[dict[str, Any]]:
-        """The surface's checks of itself: name, passed, value, bound."""
+        """The self-checks of the surface: name, passed, value, bound."""
         return self._core.checks
 
     @property
     def passed(self) -> bool:
-        """Every check passed."""
+        """Whether every check passed."""
         return self._core.passed
 
     @property
     def measures(self) -> Measures:
-        """Exact areas and volumes of the same atoms and probe; measured when first asked for, then kept.
+        """Exact areas and volumes for the same atoms and probe; measured on first use, then kept.
 
-        Of a surface sas or vdw they are its own: ses_area and sas_area are then the same.
+        For a surface sas or vdw they are those of that surface: ses_area and sas_area are then the same.
 
         >>> surface = meniscus.surface([[0, 0, 0], [2, 0, 0]], [1.5, 1.5])
         >>> abs(surface.mesh["corrected_area"] / surface.measures.ses_area - 1) < 0.01
@@ -213,7 +213,7 @@ class Surface(_Vertices):
 
     @property
     def cavities(self) -> list[Component]:
-        """The exact cavities of the same atoms and probe, by falling volume, whatever pieces the mesh keeps."""
+        """The exact cavities for the same atoms and probe, largest volume first, whichever pieces the mesh keeps."""
         return self.measures.cavities
 
     def level_set(self, points: npt.ArrayLike) -> Floats:
@@ -221,7 +221,7 @@ class Surface(_Vertices):
 
         points  (m, 3), Å
 
-        NaN outside the band of a few spacings about the surface, which :func:`signed_distance` knows nothing of. With
+        NaN outside the band of a few spacings around the surface; :func:`signed_distance` has no such limit. With
         method direct there is no level set: then these are exact signed distances, anywhere.
 
         >>> ball = meniscus.surface([[0, 0, 0]], [2.0])
@@ -231,7 +231,7 @@ class Surface(_Vertices):
         return self._core.values(positions("points", points))
 
     def gradient(self, points: npt.ArrayLike) -> Floats:
-        """Gradients of the same function, (m, 3): pointing outwards, of a length near 1, NaN outside the band.
+        """Gradients of the level-set function, (m, 3): pointing outwards, with a length near 1, NaN outside the band.
 
         >>> ball = meniscus.surface([[0, 0, 0]], [2.0])
         >>> abs(ball.gradient([[0, 0, 2.0]])).round(2).tolist()
@@ -242,11 +242,11 @@ class Surface(_Vertices):
     def sample(self, density: float = 1.0, seed: int = 0) -> Points:
         """Points spread evenly over the surface, each as far from its neighbours as the others (blue noise).
 
-        density  points per Å²; there are exactly density times the area of the mesh, rounded
-        seed     another seed, other points; the same seed gives the same points on any machine
+        density  points per Å²; their number is density times the area of the mesh, rounded
+        seed     seed of the random numbers; the same seed gives the same points on any machine
 
-        The points lie on the surface as the vertices do, with normals, nearest atoms, patches and curvatures. Raises
-        ValueError for a density that is not positive, :class:`LimitError` for too many points.
+        Like the vertices, the points lie on the surface and have normals, nearest atoms, patches and curvatures.
+        Raises ValueError for a density that is not positive, :class:`LimitError` for too many points.
 
         >>> ball = meniscus.surface([[0, 0, 0]], [2.0])
         >>> points = ball.sample(density=2.0)
@@ -286,44 +286,44 @@ class Surface(_Vertices):
         .npz                           the arrays, named as here, with atoms (atom_xyz, atom_name ...) and options, for
                                        numpy.load
         .png                           a picture
-        .html                          a page to turn, cut and ask, which opens in a browser without network
+        .html                          an interactive page, which any browser opens without a network
         .dx .mrc .vdb                  values on a regular grid
         .mls                           the level set without loss
 
         color       a scheme of ``--color`` ("patch", "curvature:-1:1"), the name of one of the values ("phi:-5:5"), or
                     (n, 3) or (n, 4) uint8, one per vertex
-        values      more arrays (n,), by name; :meth:`map_values` and :meth:`table_values` give such
-        ascii       .ply and .stl as text
-        show        of a mesh only the part that belongs to these atoms, as in "//A/10-50" (``--show``)
-        cavity      of a mesh only the wall of the cavity of this number, from 1 (``--cavity-files``)
+        values      further arrays (n,), by name, such as from :meth:`map_values` and :meth:`table_values`
+        ascii       write .ply and .stl as text
+        show        write only the part of a mesh that belongs to these atoms, as in "//A/10-50" (``--show``)
+        cavity      write only the wall of the cavity with this number, from 1 (``--cavity-files``); meshes only
 
-        Of pictures, view and perspective also of pages:
+        For pictures; view and perspective also for pages:
 
         size        width and height in pixels
-        view        auto, front, back, left, right, top, bottom; or a direction towards the viewer (x, y, z); or two,
-                    that one and the one shown upwards
+        view        auto, front, back, left, right, top, bottom; or the direction towards the viewer (x, y, z); or two
+                    directions, towards the viewer and upwards
         background  white, black, transparent or "#rrggbb"
         perspective, outline, depth_cue, legend   as on the command line
-        cut         opens the surface by a plane that faces the viewer: "auto" (through the largest cavity),
-                    "cavity:N", a depth behind the nearest point, Å, a point (x, y, z), or two triples, a point and the
-                    side that is left out
+        cut         cuts the surface by a plane that faces the viewer: "auto" (through the largest cavity), "cavity:N",
+                    a depth behind the nearest point, Å, or a point (x, y, z); or by any plane: a point and a normal
+                    towards the side that is left out
 
-        Of volumes (.dx .mrc .vdb):
+        For volumes (.dx .mrc .vdb):
 
-        grid        a .dx, .mrc, .map or .ccp4 file that has it, or seven numbers: nodes along x, y and z, spacing,
-                    middle; None: nodes at the surface's spacing round all atoms
+        grid        a .dx, .mrc, .map or .ccp4 file with the grid, or seven numbers: nodes along x, y and z, spacing,
+                    centre; None: nodes at the surface's spacing around all atoms
         field       distance (Å, inside positive), mask, dielectric or ions
         eps, ion_radius   dielectric constants inside and outside; radius of ions, Å
-        maps        "apbs": with "a.dx" writes a_dielx.dx, a_diely.dx, a_dielz.dx and a_kappa.dx, which APBS reads
+        maps        "apbs": with "a.dx" writes a_dielx.dx, a_diely.dx, a_dielz.dx and a_kappa.dx for APBS
 
-        Raises ValueError for an unknown suffix or option, OSError where the file cannot be written; it appears whole
-        or not at all.
+        Raises ValueError for an unknown suffix or option, OSError if the file cannot be written; no partial file is
+        left behind.
 
         >>> ball = meniscus.surface([[0, 0, 0]], [2.0])
         >>> ball.save("ball.ply", color="patch")
         >>> ball.save("ball.gif")
         Traceback (most recent call last):
-        meniscus.UsageError: ball.gif: the suffix chooses the format; known are .ply .obj .stl .off .glb .vtp .vert .npz .png .html .dx .mrc .vdb .mls
+        meniscus.UsageError: ball.gif: unknown suffix; choose one of .ply .obj .stl .off .glb .vtp .vert .npz .png .html .dx .mrc .vdb .mls
         """
         drawing = {"size": size, "view": view, "background": background, "perspective": perspective,
                    "outline": outline, "depth_cue": depth_cue, "cut": cut, "legend": legend, "grid": grid, "field": field,
@@ -372,35 +372,35 @@ def surface(
     """The solvent-excluded surface of atoms.
 
     atoms    a Structure, or centres (n, 3), Å; lists and arrays of any real type
-    radii    (n,), Å, with centres
-    probe    radius, Å; 0 gives the van der Waals surface
-    spacing  of the grid, Å; None: 0.5, and with edge or vertex_density half or a quarter of that for small surfaces
-             whose area would be off by more than 0.5 %
+    radii    (n,), Å; required with centres
+    probe    probe radius, Å; 0 gives the van der Waals surface
+    spacing  grid spacing, Å; None: 0.5, and with edge or vertex_density half or a quarter of that for small surfaces
+             whose area would otherwise be off by more than 0.5 %
     method   flow (smooth level set), direct (exact distance, sharp ridges) or gaussian (only the start of the flow)
 
-    What else there is has the names and defaults of the command line (``meniscus surface --help``):
+    The other arguments have the names and defaults of the command line (``meniscus surface --help``):
 
     surface                       ses, sas (solvent-accessible) or vdw (van der Waals: the same as probe 0)
-    components, min_cavity        all, outer or cavities: pieces that the mesh keeps; least volume of a cavity, Å³
-    fill_cavities                 Å³: the same, and the space of smaller cavities is inside in volumes
-    edge, vertex_density          even triangles of this size, Å, or so many vertices per Å²; then also adaptive,
+    components, min_cavity        pieces that the mesh keeps: all, outer or cavities; least volume of a cavity, Å³
+    fill_cavities                 like min_cavity, and the space of smaller cavities counts as inside in volumes
+    edge, vertex_density          even triangles with this edge length, Å, or vertices per Å²; then also adaptive,
                                   keep_ridges, corners (near, on-surface, balanced),
                                   simplify_topology
-    flow                          anchored, parallel or paper, and its pieces one by one: curvature, anchor,
+    flow                          anchored, parallel or paper, and its parts one by one: curvature, anchor,
                                   reinitialise, solver, slope, time_step, half_width, max_steps, tolerance; density is
                                   the constant of the Gaussian start, Å⁻²
     history, initial_area         a record of every step in ``Surface.flow``; the area of the start
-    quality, two_sided_distance   shapes of triangles, distance from the exact surface between vertices: in
+    quality, two_sided_distance   shapes of triangles; distance from the exact surface between vertices: in
                                   ``Surface.mesh``
-    verify                        expensive self-checks, too
+    verify                        also run the expensive self-checks
     threads                       0: all cores; results do not depend on it
     memory                        "4G", "500M" or a number of MB: refuse what would need more
-    progress                      called with the stage's name and the part of it that is done, 0 to 1, a few times per
-                                  second; what it raises ends the computation, as Ctrl-C does
+    progress                      called with the stage's name and the fraction of it that is done, 0 to 1, a few times
+                                  per second; an exception that it raises ends the computation, as Ctrl-C does
 
-    Raises ValueError for arrays or options that make no sense and :class:`LimitError`, a ValueError and MemoryError,
-    for what would not fit into memory. A result that fails its own checks comes with a :class:`CheckWarning`. Other
-    Python threads run meanwhile. Memory grows with area / spacing².
+    Raises ValueError for invalid arrays or options and :class:`LimitError`, a ValueError and MemoryError, for a surface
+    that would not fit into memory. A result that fails its own checks comes with a :class:`CheckWarning`. Memory grows
+    with area / spacing². Other Python threads keep running.
 
     >>> ball = meniscus.surface([[0, 0, 0]], [2.0], probe=1.4, spacing=0.25)
     >>> ball.vertices.dtype, ball.triangles.dtype, ball.patch.dtype
@@ -462,7 +462,7 @@ _PIECES_OF_THE_FLOW = ("curvature", "anchor", "reinitialise", "solver", "slope",
 
 def _check_together(options: dict[str, Any]) -> None:
     if "edge" in options and "vertex_density" in options:
-        raise UsageError("edge and vertex_density say the same; give one of them")
+        raise UsageError("edge and vertex_density set the same thing; give one of them")
     even = "edge" in options or "vertex_density" in options
     shaped = options["corners"] != "near" or any(
         options[name] for name in ("adaptive", "keep_ridges", "simplify_topology"))
@@ -476,4 +476,4 @@ def _check_together(options: dict[str, Any]) -> None:
         if options["history"]:
             given.append("history")
         if given:
-            raise UsageError(f"{given[0]} is about the steps of a flow; use method='flow'")
+            raise UsageError(f"{given[0]} applies to the flow; use method='flow'")

@@ -63,7 +63,7 @@ def value_options(values: Values, count: int) -> dict[str, Any]:
         with np.errstate(over="ignore"):
             arrays[str(name)] = single = np.ascontiguousarray(array, dtype=np.float32)
         if np.isinf(single).any():
-            raise UsageError(f"values: '{name}' has a number beyond single precision; NaN stands for none")
+            raise UsageError(f"values: '{name}' has a number beyond single precision; NaN is for missing values")
         if single.shape != (count,):
             raise UsageError(f"values: '{name}' must have the shape ({count},), one number per vertex, not "
                              f"{single.shape}")
@@ -73,8 +73,8 @@ def value_options(values: Values, count: int) -> dict[str, Any]:
 def _checked_colours(color: Any) -> npt.NDArray[np.uint8]:
     array = np.asarray(color)
     if array.dtype != np.uint8 or array.ndim != 2 or array.shape[1] not in (3, 4):
-        raise UsageError(f"color: a scheme or an array of uint8 of shape (n, 3) or (n, 4), not {array.dtype} of shape "
-                         f"{array.shape}")
+        raise UsageError(f"color: must be a scheme or a uint8 array of shape (n, 3) or (n, 4), not {array.dtype} of "
+                         f"shape {array.shape}")
     if array.shape[1] == 3:
         array = np.hstack([array, np.full((len(array), 1), 255, np.uint8)])
     return np.ascontiguousarray(array)
@@ -85,7 +85,7 @@ def _directions(view: View) -> tuple[Sequence[float], Sequence[float]] | None:
         if view == "auto":
             return None
         if view not in _VIEWS:
-            raise UsageError(f"view: unknown value '{view}'; one of auto, {', '.join(_VIEWS)}, or directions")
+            raise UsageError(f"view: unknown value '{view}'; choose one of auto, {', '.join(_VIEWS)}, or directions")
         return _VIEWS[view]
     array = np.asarray(view, dtype=np.float64)
     if array.shape == (3,):
@@ -94,14 +94,15 @@ def _directions(view: View) -> tuple[Sequence[float], Sequence[float]] | None:
         return array.tolist(), up
     if array.shape == (2, 3):
         return array[0].tolist(), array[1].tolist()
-    raise UsageError(f"view: a direction has three numbers; shape (3,) or (2, 3) is needed, not {array.shape}")
+    raise UsageError(f"view: must be one or two directions, of shape (3,) or (2, 3), not {array.shape}")
 
 
 def _background(background: str) -> tuple[int, ...]:
     if background in _BACKGROUNDS:
         return _BACKGROUNDS[background]
     if not re.fullmatch("#[0-9a-fA-F]{6}", background):
-        raise UsageError(f"background: '{background}' is no colour; white, black, transparent, or as in #ffcc00")
+        raise UsageError(f"background: '{background}' is not a colour; choose white, black, transparent or, "
+                         "for instance, #ffcc00")
     return (*bytes.fromhex(background[1:]), 255)
 
 
@@ -113,8 +114,8 @@ def _cut(cut: Cut) -> dict[str, Any] | None:
             return {}
         match = re.fullmatch("cavity:([0-9]+)", cut)
         if not match or int(match[1]) < 1:
-            raise UsageError(f"cut: unknown value '{cut}'; one of auto, cavity:N, a depth in Å, a point, or a point "
-                             "and a normal")
+            raise UsageError(f"cut: unknown value '{cut}'; choose one of auto, cavity:N, a depth in Å, a point, or a "
+                             "point and a normal")
         return {"cavity": int(match[1])}
     array = np.asarray(cut, dtype=np.float64)
     if array.shape == ():
@@ -123,7 +124,7 @@ def _cut(cut: Cut) -> dict[str, Any] | None:
         return {"point": array.tolist()}
     if array.shape == (2, 3):
         return {"point": array[0].tolist(), "normal": array[1].tolist()}
-    raise UsageError(f"cut: a point has three numbers; shape (3,) or (2, 3) is needed, not {array.shape}")
+    raise UsageError(f"cut: must be a point, or point and normal, of shape (3,) or (2, 3), not {array.shape}")
 
 
 def _pair(name: str, values: Any) -> tuple[Any, Any]:
@@ -181,9 +182,9 @@ def _grid_options(grid: Grid) -> dict[str, Any]:
         return {"grid_file": os.fspath(grid)}
     array = np.asarray(grid, dtype=np.float64)
     if array.shape != (7,):
-        raise UsageError(f"grid: the name of a file or seven numbers (nx, ny, nz, h, cx, cy, cz), not {array.shape}")
+        raise UsageError(f"grid: must be a file or seven numbers (nx, ny, nz, h, cx, cy, cz), not {array.shape}")
     if not (np.isfinite(array).all() and (array[:3] == np.rint(array[:3])).all()):
-        raise UsageError("grid: nodes along x, y and z are whole numbers, and all seven are finite")
+        raise UsageError("grid: the numbers of nodes must be whole, and all seven numbers finite")
     counts = tuple(_options.whole("grid", int(n)) for n in array[:3])
     return {"grid": (counts, _options.positive("grid", array[3]), tuple(array[4:].tolist()))}
 
@@ -205,12 +206,12 @@ def _save_volume(path: str, surface: Surface, options: dict[str, Any], drawing: 
         with opening(asked.get("grid_file", "")):
             return _core.write_volume(path, surface._core, asked)
     if maps != "apbs":
-        raise UsageError(f"maps: unknown value '{maps}'; one of apbs")
+        raise UsageError(f"maps: unknown value '{maps}'; choose one of apbs")
     stem, suffix = os.path.splitext(path)
     if suffix != ".dx":
         raise UsageError(f"{path}: APBS reads its maps as .dx; name a file with that suffix")
     if drawing["grid"] is None:
-        raise UsageError("maps='apbs' needs the grid of APBS; give grid a .dx file or seven numbers")
+        raise UsageError("maps='apbs' needs the grid of APBS; set grid to a .dx file or seven numbers")
     with opening(asked.get("grid_file", "")):
         for name in ("dielx", "diely", "dielz", "kappa"):
             _core.write_volume(f"{stem}_{name}.dx", surface._core, {**asked, "map": name})
@@ -262,20 +263,20 @@ _SURFACE_WRITERS: dict[str, Callable[[str, Surface, dict[str, Any], dict[str, An
 
 
 def _unknown_suffix(path: str, known: Sequence[str]) -> UsageError:
-    return UsageError(f"{path}: the suffix chooses the format; known are {' '.join(known)}")
+    return UsageError(f"{path}: unknown suffix; choose one of {' '.join(known)}")
 
 
 def _part_options(path: str, writer: Any, part: dict[str, Any]) -> dict[str, Any]:
     """What of a mesh is written; nothing for all of it."""
     given = {name: value for name, value in part.items() if value is not None}
     if given and writer is not _save_mesh:
-        raise UsageError(f"{path}: show and cavity are parts of a mesh; choose a format of meshes")
+        raise UsageError(f"{path}: show and cavity apply to meshes; choose a mesh format")
     if len(given) > 1:
-        raise UsageError("show and cavity are two parts of a surface; give one of them")
+        raise UsageError("show and cavity cannot be combined; give one of them")
     if "show" in given and not _options.word("show", given["show"]):
         raise UsageError("show: empty; write for instance //A/10-50")
     if "cavity_file" in given and _options.whole("cavity", given["cavity_file"]) < 1:
-        raise UsageError(f"cavity {given['cavity_file']}: cavities count from 1")
+        raise UsageError(f"cavity {given['cavity_file']}: cavities are counted from 1")
     return given
 
 

@@ -36,7 +36,7 @@ void bind_errors(py::module_& /*module*/) {
             raise("LimitError", error.what());
         } catch (const std::runtime_error& error) {
             if (std::string_view(error.what()).find("pthread_create") == std::string_view::npos) throw;
-            PyErr_SetString(PyExc_MemoryError, "no memory to start another thread; take fewer threads");
+            PyErr_SetString(PyExc_MemoryError, "no memory to start another thread; use fewer threads");
         }
     });
 }

@@ -233,7 +233,7 @@ void save_page(const std::string& path, const HeldSurface& held, const Measures&
 
 void save_level_set(const std::string& path, const HeldSurface& held) {
     if (!held.surface().level_set)
-        throw UsageError(path + ": a surface of method direct has no level set; take method flow");
+        throw UsageError(path + ": a surface of method direct has no level set; use method flow");
     const py::gil_scoped_release release;
     write_level_set(path, *held.surface().level_set);
 }

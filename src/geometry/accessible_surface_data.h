@@ -83,7 +83,8 @@ struct AccessibleSurface::Data {
         return std::span(contour).subspan(contour_begin[atom], contour_begin[atom + 1] - contour_begin[atom]);
     }
     void require_contours() const {
-        if (contour_begin.empty()) throw std::logic_error("the contours of an accessible surface have been forgotten");
+        if (contour_begin.empty())
+            throw std::logic_error("the contours of this accessible surface have been discarded");
     }
     /// Whether the point of the enlarged sphere of `atom` in direction q (any length l = |q|) is exposed.
     bool direction_exposed(std::uint32_t atom, const Vec3& q, double l) const {

@@ -30,7 +30,8 @@ std::uint64_t spread_bits(std::uint64_t v) {
 
 void check(const Atoms& atoms) {
     if (atoms.empty()) throw std::invalid_argument("no atoms");
-    if (atoms.centres.size() != atoms.radii.size()) throw std::invalid_argument("as many radii as centres are needed");
+    if (atoms.centres.size() != atoms.radii.size())
+        throw std::invalid_argument("the number of radii must be that of the centres");
     if (atoms.size() > std::numeric_limits<std::uint32_t>::max() - 1) throw std::invalid_argument("too many atoms");
     for (std::size_t i = 0; i < atoms.size(); ++i) {
         if (!is_finite(atoms.centres[i]))

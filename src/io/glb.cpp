@@ -83,7 +83,7 @@ std::string attribute_name(const std::string& name) {
     for (const char c : name) {
         const auto letter = static_cast<unsigned char>(c);
         if (letter > 127 || (std::isalnum(letter) == 0 && c != '_'))
-            throw UsageError("GLB has no room for the name '" + name + "'; use letters, digits and underscores");
+            throw UsageError("GLB cannot hold the name '" + name + "'; use letters, digits and underscores");
         attribute += static_cast<char>(std::toupper(letter));
     }
     return attribute;
@@ -96,7 +96,8 @@ void check_values(const std::string& name, std::span<const float> values) {
 
 void check_values(const std::string& name, std::span<const std::uint32_t> values) {
     if (std::any_of(values.begin(), values.end(), [](std::uint32_t value) { return value > kLargestWholeFloat; }))
-        throw LimitError("GLB cannot hold the values of '" + name + "': whole numbers end at 2^24; write PLY");
+        throw LimitError("GLB cannot hold the values of '" + name +
+                         "': whole numbers above 2^24 are not exact; write PLY");
 }
 
 template <class Vector>
@@ -167,7 +168,7 @@ private:
     // An attribute is the number of its accessor.
     template <class T, class Get>
     Section& add_attribute(const std::string& name, ordered_json accessor, const Get& get) {
-        if (attributes_.contains(name)) throw UsageError("two vertex arrays would be '" + name + "' in GLB");
+        if (attributes_.contains(name)) throw UsageError("two vertex arrays would both be '" + name + "' in GLB");
         attributes_[name] = sections_.size();
         return add_section<T>(std::move(accessor), mesh_.vertices.size(), get);
     }

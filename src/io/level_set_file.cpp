@@ -124,7 +124,7 @@ private:
             fail("has version " + std::to_string(header.version) + " of the format, not 1");
         if (header.block_edge != kBlockEdge) fail("has blocks of another size than 8");
         if (header.blocks > (size_ - kBytesAround) / kBytesPerBlock) fail("is cut off");
-        if (header.blocks * kBytesPerBlock != size_ - kBytesAround) fail("is longer than it says");
+        if (header.blocks * kBytesPerBlock != size_ - kBytesAround) fail("is longer than its header says");
         if (!(header.spacing >= 1.0 / kFarthest && header.spacing <= kFarthest))
             fail("has a spacing that is not between 1e-9 and 1e9 Å");
         if (!std::all_of(header.origin.begin(), header.origin.end(), [](double x) { return std::abs(x) <= kFarthest; }))

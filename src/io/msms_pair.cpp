@@ -52,7 +52,7 @@ Place rounded(const Vec3& point) {
     for (std::size_t i = 0; i < place.size(); ++i) {
         const double units = std::round(coordinates[i] * double{kUnitsPerAngstrom});
         if (!(units >= static_cast<double>(kLeast) && units <= static_cast<double>(kMost)))
-            throw LimitError("MSMS files have no room for a coordinate of " + std::to_string(coordinates[i]) +
+            throw LimitError("MSMS files cannot hold a coordinate of " + std::to_string(coordinates[i]) +
                              " Å; move the structure nearer to the origin, or write .ply");
         place[i] = static_cast<std::int64_t>(units);
     }
@@ -130,7 +130,7 @@ std::string one_line(std::string text) {
 
 void check_count(std::size_t count, const char* what) {
     if (count > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
-        throw LimitError(fmt::format("MSMS files count at most 2^31 - 1 {}, here are {}; write .ply", what, count));
+        throw LimitError(fmt::format("MSMS files hold at most 2^31 - 1 {}, but there are {}; write .ply", what, count));
 }
 
 bool is_word(const std::string& name) {
@@ -140,7 +140,8 @@ bool is_word(const std::string& name) {
 void check(const Mesh& mesh, const MsmsOptions& options) {
     const std::size_t n = mesh.vertices.size();
     if (mesh.normals.size() != n || mesh.atoms.size() != n || mesh.patches.size() != n)
-        throw UsageError("MSMS files tell the normal, the atom and the patch of every vertex; this mesh lacks some");
+        throw UsageError(
+            "MSMS files need the normal, the atom and the patch of every vertex, which this mesh does not have");
     check_count(n, "vertices");
     check_count(mesh.triangles.size(), "triangles");
     check_count(options.spheres, "spheres");
@@ -149,7 +150,7 @@ void check(const Mesh& mesh, const MsmsOptions& options) {
     if (last != mesh.atoms.end() && *last >= options.names.size())
         throw UsageError(fmt::format("{} names for {} spheres", options.names.size(), std::size_t{*last} + 1));
     if (!std::all_of(options.names.begin(), options.names.end(), is_word))
-        throw UsageError("names of spheres in MSMS files are words without blanks");
+        throw UsageError("names of spheres in MSMS files must not be empty or contain blanks");
 }
 
 void write_header(AtomicFile& file, const MsmsOptions& options, std::size_t count, bool of_vertices) {

@@ -146,8 +146,8 @@ private:
     void add_bytes(const std::string& name, const std::string& header, std::string_view bytes) {
         const auto fits = [](unsigned char c) { return c > 32 && c < 127 && c != '/' && c != '\\' && c != ':'; };
         if (!std::all_of(name.begin(), name.end(), fits))
-            throw UsageError("NPZ has no room for the name '" + name + "'; use letters, digits and underscores");
-        if (!names_.insert(name).second) throw UsageError("two arrays would be '" + name + "' in NPZ");
+            throw UsageError("NPZ cannot hold the name '" + name + "'; use letters, digits and underscores");
+        if (!names_.insert(name).second) throw UsageError("two arrays would both be '" + name + "' in NPZ");
         zip_.add(name + ".npy", std::array<std::string_view, 2>{header, bytes});
     }
 

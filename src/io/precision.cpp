@@ -64,8 +64,8 @@ void require_single_precision(const Mesh& mesh, const std::string& path) {
     const auto is_rounded = [](const Vec3& p) { return reach(p) >= kTooFarOff && reach(p) <= kFarthest; };
     if (parallel_any_of(mesh.vertices, is_rounded))
         throw LimitError(path +
-                         ": its format has single precision, too coarse so far from the origin; write .ply, or "
-                         "move the atoms nearer to it");
+                         ": this format has single precision, which is too coarse so far from the origin; write .ply, "
+                         "or move the atoms nearer to the origin");
 }
 
 Precision precision_needed(const Mesh& mesh, double shortest_edge) {

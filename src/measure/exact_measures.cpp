@@ -56,7 +56,7 @@ public:
 
     std::string text() const {
         return fmt::format(
-            "double precision leaves too much open with spheres of {:.3g} to {:.3g} Å, {:.3g} Å from the origin",
+            "double precision is not sufficient for spheres of {:.3g} to {:.3g} Å at {:.3g} Å from the origin",
             smallest_, rho_, farthest_);
     }
 

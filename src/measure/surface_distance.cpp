@@ -36,8 +36,8 @@ std::vector<std::size_t> numbers_of_points(const Mesh& mesh, double density) {
         const auto n = static_cast<double>(divisions_of(area, density));
         total += n * n;
         if (!(total < most))
-            throw LimitError(fmt::format(
-                "{:.3g} points per Å² would be more points than fit into memory; choose fewer (--points)", density));
+            throw LimitError(
+                fmt::format("{:.3g} points per Å² would not fit into memory; choose fewer (--points)", density));
         sums.push_back(static_cast<std::size_t>(total));
     }
     return sums;

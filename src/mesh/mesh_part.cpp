@@ -58,7 +58,8 @@ MeshPart part_of(const Mesh& mesh, const Belongs& belongs) {
 }  // namespace
 
 MeshPart part_of_atoms(const Mesh& mesh, const std::vector<bool>& selected) {
-    if (mesh.atoms.size() != mesh.vertices.size()) throw std::invalid_argument("the mesh does not tell its atoms");
+    if (mesh.atoms.size() != mesh.vertices.size())
+        throw std::invalid_argument("the mesh does not say to which atoms its vertices belong");
     return part_of(mesh, [&](const Triangle& triangle) {
         int count = 0;
         for (const VertexId v : triangle) count += selected.at(mesh.atoms[v]) ? 1 : 0;
@@ -68,7 +69,7 @@ MeshPart part_of_atoms(const Mesh& mesh, const std::vector<bool>& selected) {
 
 MeshPart part_of_component(const Mesh& mesh, std::uint32_t component) {
     if (mesh.components.size() != mesh.vertices.size())
-        throw std::invalid_argument("the mesh does not tell its components");
+        throw std::invalid_argument("the mesh does not say to which components its vertices belong");
     return part_of(mesh, [&](const Triangle& triangle) { return mesh.components[triangle[0]] == component; });
 }
 

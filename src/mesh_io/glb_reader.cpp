@@ -89,7 +89,7 @@ public:
             check_extensions();
             add_scene();
         } catch (const json::exception& error) {
-            fail(std::string("its JSON is not that of glTF (") + printable(error.what()) + ")");
+            fail(std::string("its JSON is not valid glTF (") + printable(error.what()) + ")");
         }
         return std::move(mesh_);
     }
@@ -98,10 +98,10 @@ private:
     void read_chunks() {
         BinaryCursor cursor(file_.path, file_.bytes);
         if (cursor.take<std::uint32_t>("the header") != kMagic)
-            fail_at_byte(file_.path, 0, "the file does not begin with glTF; give it its own suffix");
+            fail_at_byte(file_.path, 0, "the file does not begin with glTF; give it the suffix of its format");
         if (cursor.take<std::uint32_t>("the version") != 2) cursor.fail("only version 2 is read; convert the file");
         if (cursor.take<std::uint32_t>("the size") > file_.bytes.size())
-            cursor.fail("the file is shorter than it says; fetch it again");
+            cursor.fail("the file is shorter than its header says; fetch it again");
         while (cursor.bytes_left() > 0) read_chunk(cursor);
         if (!has_json_) cursor.fail("there is no JSON in the file; fetch it again");
     }
@@ -133,7 +133,7 @@ private:
 
     void check_extensions() const {
         if (const auto needed = json_.find("extensionsRequired"); needed != json_.end() && !needed->empty())
-            fail("it needs the extension " + shown(needed->at(0).get<std::string>()) + ", which is not read");
+            fail("it needs the extension " + shown(needed->at(0).get<std::string>()) + ", which is not supported");
     }
 
     void add_scene() {
@@ -200,9 +200,9 @@ private:
         const bool turned = is_mirror(transform);
         if (!primitive.contains("indices")) return add_triangles(first, places.count, turned);
         const Values corners = values_of(number_in(primitive.at("indices")), "SCALAR");
-        if (corners.type == kFloat) fail("indices are fractions");
+        if (corners.type == kFloat) fail("indices are not whole numbers");
         check_repeats(mesh_.triangles.size() + corners.count / 3);
-        if (corners.count % 3 != 0) fail("the number of indices is no multiple of three");
+        if (corners.count % 3 != 0) fail("the number of indices is not a multiple of three");
         for (std::uint64_t i = 0; i < corners.count; i += 3) {
             std::array<std::uint64_t, 3> t{};
             for (std::size_t k = 0; k < t.size(); ++k) t[k] = index(corners, i + k, places.count);
@@ -212,11 +212,11 @@ private:
 
     // Nodes may show a mesh many times, but a small file may not fill the memory.
     void check_repeats(std::uint64_t count) const {
-        if (count > file_.bytes.size()) fail("it repeats its meshes too often");
+        if (count > file_.bytes.size()) fail("it repeats its meshes too many times");
     }
 
     void add_triangles(std::size_t first, std::uint64_t vertices, bool turned) {
-        if (vertices % 3 != 0) fail("the number of vertices without indices is no multiple of three");
+        if (vertices % 3 != 0) fail("the number of vertices without indices is not a multiple of three");
         for (std::uint64_t v = 0; v < vertices; v += 3) add_triangle(first, {v, v + 1, v + 2}, turned);
     }
 
@@ -251,11 +251,11 @@ private:
     Values values_of(std::size_t accessor_number, const char* type) const {
         const json& accessor = list("accessors").at(accessor_number);
         if (accessor.contains("sparse") || !accessor.contains("bufferView"))
-            fail("sparse accessors and those without a view are not read");
+            fail("sparse accessors and accessors without a view are not supported");
         if (accessor.at("type").get<std::string>() != type) fail(std::string("an accessor is not of type ") + type);
         const json& view = list("bufferViews").at(number_in(accessor.at("bufferView")));
         if (number_in(view.at("buffer")) != 0 || list("buffers").at(0).contains("uri"))
-            fail("buffers outside the file are not read; write one file");
+            fail("buffers outside the file are not supported; write everything into one file");
         Values values{.type = number_in(accessor.at("componentType"))};
         const std::uint64_t size = size_of(values.type) * (std::string_view(type) == "VEC3" ? 3 : 1);
         const std::uint64_t view_begin = whole(view, "byteOffset");
@@ -279,7 +279,7 @@ private:
     // Below 2^32, so that products of two do not overflow.
     std::uint64_t number_in(const json& value) const {
         if (!value.is_number_unsigned() || value.get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
-            fail("a number in its JSON is not a whole one from 0 to 2^32 - 1");
+            fail("a number in its JSON is not a whole number from 0 to 2^32 - 1");
         return value.get<std::uint64_t>();
     }
 
@@ -287,7 +287,7 @@ private:
         if (type == kUnsignedByte) return sizeof(std::uint8_t);
         if (type == kUnsignedShort) return sizeof(std::uint16_t);
         if (type == kUnsignedInt || type == kFloat) return sizeof(std::uint32_t);
-        fail("an accessor has component type " + std::to_string(type) + ", which is not read");
+        fail("an accessor has component type " + std::to_string(type) + ", which is not supported");
     }
 
     [[noreturn]] void fail(const std::string& message) const {

@@ -80,7 +80,7 @@ std::uint64_t TextCursor::count(const char* what) {
 VertexId TextCursor::corner(std::size_t vertices) {
     const std::uint64_t number = count("a corner");
     if (number >= vertices)
-        fail("a corner names vertex " + std::to_string(number) + ", but vertices end at " + std::to_string(vertices) +
+        fail("a corner names vertex " + std::to_string(number) + ", but the last one is " + std::to_string(vertices) +
              " - 1; correct it");
     return static_cast<VertexId>(number);
 }

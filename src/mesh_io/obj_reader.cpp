@@ -39,7 +39,7 @@ private:
         if (keyword == "v") return read_vertex(words);
         if (keyword == "f") return read_face(words);
         if (!keyword.empty() && std::find(kPassedOver.begin(), kPassedOver.end(), keyword) == kPassedOver.end())
-            fail(words, shown(keyword) + " is no word of a mesh in OBJ; is this an OBJ file?");
+            fail(words, shown(keyword) + " is not a keyword of a mesh in OBJ; is this an OBJ file?");
     }
 
     void read_vertex(Words& words) {
@@ -60,14 +60,15 @@ private:
         corners_.clear();
         for (std::string_view word = words.next(); !word.empty(); word = words.next())
             corners_.push_back(corner(words, word));
-        if (corners_.size() < 3) fail(words, "a face of fewer than three corners; leave it out");
+        if (corners_.size() < 3) fail(words, "a face with fewer than three corners; leave it out");
         add_polygon(mesh_, corners_);
     }
 
     // "7", "7/1", "7//3", "7/1/3", "-1".
     VertexId corner(const Words& words, std::string_view word) {
         const auto number = whole_number<std::int64_t>(word.substr(0, word.find('/')));
-        if (!number || *number == 0) fail(words, "corner " + shown(word) + " is no number of a vertex; correct it");
+        if (!number || *number == 0)
+            fail(words, "corner " + shown(word) + " is not the number of a vertex; correct it");
         const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
         if (*number > count || *number < -count)
             fail(words, "corner " + shown(word) + " names a vertex that is not among the " + std::to_string(count) +

@@ -16,7 +16,8 @@ void check_keyword(TextCursor& cursor) {
     std::string_view keyword = cursor.word("OFF");
     for (const std::string_view letters : {"ST", "C", "N"})
         if (keyword.starts_with(letters)) keyword.remove_prefix(letters.size());
-    if (keyword != "OFF") cursor.fail("the file does not begin with OFF, COFF or NOFF; give it its own suffix");
+    if (keyword != "OFF")
+        cursor.fail("the file does not begin with OFF, COFF or NOFF; give it the suffix of its format");
 }
 
 // A number of things that take up so many bytes each at least.
@@ -46,12 +47,12 @@ Mesh read_off(const MeshFile& file) {
     for (std::size_t f = 0; f < faces; ++f) {
         corners.resize(plausible_count(cursor, "the corners of a face", sizeof("0")));
         for (VertexId& corner : corners) corner = cursor.corner(mesh.vertices.size());
-        if (corners.size() < 3) cursor.fail("a face of fewer than three corners; leave it out");
+        if (corners.size() < 3) cursor.fail("a face with fewer than three corners; leave it out");
         add_polygon(mesh, corners);
         cursor.skip_line();
     }
     if (const std::string_view more = cursor.next(); !more.empty())
-        cursor.fail(shown(more) + " behind the last face; correct the numbers in the header");
+        cursor.fail(shown(more) + " after the last face; correct the numbers in the header");
     return mesh;
 }
 

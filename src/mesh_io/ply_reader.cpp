@@ -81,7 +81,7 @@ public:
     explicit HeaderReader(const MeshFile& file) : file_(file), lines_(file.bytes) {}
 
     Header read() {
-        if (!next() || keyword_ != "ply") fail("the file does not begin with ply; give it its own suffix");
+        if (!next() || keyword_ != "ply") fail("the file does not begin with ply; give it the suffix of its format");
         while (true) {
             if (!next()) fail("the file ends within its header; fetch it again");
             if (keyword_ == "end_header") break;
@@ -107,7 +107,7 @@ private:
         if (keyword_ == "element") return read_element();
         if (keyword_ == "property") return read_property();
         if (!keyword_.empty() && keyword_ != "comment" && keyword_ != "obj_info")
-            fail(shown(keyword_) + " is no word of a header in PLY; correct it");
+            fail(shown(keyword_) + " is not a keyword of a PLY header; correct it");
     }
 
     void read_format() {
@@ -116,7 +116,7 @@ private:
         if (word == "ascii") return void(header_.coding = Coding::Text);
         if (word == "binary_little_endian") return void(header_.coding = Coding::LittleEndian);
         if (word == "binary_big_endian") return void(header_.coding = Coding::BigEndian);
-        fail("format " + shown(word) + " is not known; it is ascii, binary_little_endian or binary_big_endian");
+        fail("format " + shown(word) + " is unknown; it must be ascii, binary_little_endian or binary_big_endian");
     }
 
     void read_element() {
@@ -136,7 +136,7 @@ private:
         if (word == "list") {
             property.count_type = type_of(words_.next());
             if (*property.count_type == Type::Float || *property.count_type == Type::Double)
-                fail("the length of a list cannot be a fraction; correct its type");
+                fail("the length of a list must have the type of a whole number; correct its type");
             word = words_.next();
         }
         property.type = type_of(word);
@@ -148,7 +148,7 @@ private:
     Type type_of(std::string_view word) const {
         const auto* found =
             std::find_if(kTypeNames.begin(), kTypeNames.end(), [&](const TypeName& t) { return t.name == word; });
-        if (found == kTypeNames.end()) fail(shown(word) + " is no type of PLY; correct it");
+        if (found == kTypeNames.end()) fail(shown(word) + " is not a type of PLY; correct it");
         return found->type;
     }
 
@@ -242,7 +242,7 @@ public:
             else
                 skip(element);
         }
-        if (!source_.at_end()) source_.fail("the file goes on behind its last element; correct its header");
+        if (!source_.at_end()) source_.fail("the file continues after its last element; correct its header");
         return std::move(mesh_);
     }
 
@@ -260,7 +260,7 @@ private:
         const std::array places{element.place_of("x"), element.place_of("y"), element.place_of("z")};
         for (const auto& place : places)
             if (!place || element.properties[*place].count_type)
-                source_.fail("vertices need properties x, y and z, which are numbers; write the file again");
+                source_.fail("vertices need properties x, y and z that are numbers; write the file again");
         check_vertex_count(file_.path, mesh_.vertices.size() + element.count);
         mesh_.vertices.reserve(mesh_.vertices.size() + element.count);
         for (std::uint64_t v = 0; v < element.count; ++v) {
@@ -285,7 +285,7 @@ private:
         if (!place) place = element.place_of("vertex_index");
         if (!place || !element.properties[*place].count_type)
             source_.fail("faces need a list vertex_indices; write the file again");
-        if (!vertices_are_read_ && element.count > 0) source_.fail("faces before vertices; write the file again");
+        if (!vertices_are_read_ && element.count > 0) source_.fail("faces come before vertices; write the file again");
         for (std::uint64_t f = 0; f < element.count; ++f)
             for (std::size_t p = 0; p < element.properties.size(); ++p)
                 if (p == *place)
@@ -303,13 +303,13 @@ private:
                              std::to_string(mesh_.vertices.size()) + "; correct it");
             corner = static_cast<VertexId>(number);
         }
-        if (corners_.size() < 3) source_.fail("a face of fewer than three corners; leave it out");
+        if (corners_.size() < 3) source_.fail("a face with fewer than three corners; leave it out");
         add_polygon(mesh_, corners_);
     }
 
     void skip(const Element& element) {
         if (element.name == "tristrips")
-            source_.fail("strips of triangles are not read; write the mesh again with faces");
+            source_.fail("strips of triangles are not supported; write the mesh again with faces");
         for (std::uint64_t i = 0; i < element.count; ++i)
             for (const Property& property : element.properties) number_or_skip(property);
     }

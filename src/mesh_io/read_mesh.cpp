@@ -67,9 +67,10 @@ bool is_mesh_file(const std::string& path) { return !suffix_of(path).empty(); }
 Mesh read_mesh(const std::string& path) {
     const std::string_view suffix = suffix_of(path);
     if (suffix.empty())
-        throw UsageError(path +
-                         ": unknown suffix for a mesh; known are .ply .obj .stl .off .glb .vert .face, each "
-                         "also .gz");
+        throw UsageError(
+            path +
+            ": unknown suffix for a mesh; supported formats are .ply .obj .stl .off .glb .vert .face, each "
+            "also .gz");
     Mesh mesh = read_by_suffix(path, suffix);
     if (std::any_of(mesh.vertices.begin(), mesh.vertices.end(), is_too_far))
         throw InputError(path + ": a coordinate beyond 1e9 Å; is this a molecule?");

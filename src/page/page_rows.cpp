@@ -83,7 +83,7 @@ void add_input(Rows& rows, const Structure& structure, const Surface& surface) {
     rows.push_back({section, "method", word_for(kMethodWords, surface.options.method)});
     rows.push_back({section, "spacing", fmt::format("{} Å", surface.options.spacing)});
     if (surface.options.remesh.is_on())
-        rows.push_back({section, "edges near", fmt::format("{:.3g} Å", surface.options.remesh.edge)});
+        rows.push_back({section, "edge length", fmt::format("{:.3g} Å", surface.options.remesh.edge)});
 }
 
 void add_checks(Rows& rows, const Surface& surface, const Measures& exact) {

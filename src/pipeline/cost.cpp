@@ -299,10 +299,11 @@ bool fits_into_memory(const SurfaceOptions& options, const Cost& cost) {
 
 void refuse_what_would_not_fit(const Atoms& atoms, const SurfaceOptions& options, const Cost& cost) {
     if (fits_into_memory(options, cost)) return;
-    throw LimitError(fmt::format("the surface needs about {} of memory ({:.3g} million vertices), and {} {}; choose {}",
-                                 amount(cost.memory_mb), 1e-6 * cost.vertices, amount(limit_mb(options)),
-                                 options.memory_limit_mb > 0 ? "are allowed" : "are free",
-                                 Advice(static_cast<double>(atoms.size()), cost.area, options).text()));
+    throw LimitError(
+        fmt::format("the surface needs about {} of memory ({:.3g} million vertices), but only {} {}; choose {}",
+                    amount(cost.memory_mb), 1e-6 * cost.vertices, amount(limit_mb(options)),
+                    options.memory_limit_mb > 0 ? "are allowed" : "are free",
+                    Advice(static_cast<double>(atoms.size()), cost.area, options).text()));
 }
 
 double band_margin(const SurfaceOptions& options) {

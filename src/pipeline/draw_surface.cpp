@@ -13,7 +13,7 @@ Picture legend_of(const Mesh& mesh, const Structure& structure, const DrawOption
     const PictureOptions& picture = options.picture;
     if (!options.legend) return {0, picture.height, {}};
     if (!options.scheme)
-        throw UsageError("legend: tells what a scheme means; there is none for colours that are given");
+        throw UsageError("legend: explains a scheme of colours, and there is none for colours given one by one");
     return draw_legend(make_legend(options.whole != nullptr ? *options.whole : mesh, structure, *options.scheme),
                        {.width = picture.width / 2, .height = picture.height, .background = picture.background});
 }

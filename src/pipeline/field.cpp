@@ -324,8 +324,8 @@ void refuse_grid_that_would_not_fit(const VolumeGrid& grid, std::size_t volumes,
     const double needed = megabytes(grid, volumes) + cost.memory_mb;
     if (needed <= limit_mb(options)) return;
     throw LimitError(
-        fmt::format("the grid of {} x {} x {} nodes needs about {:.0f} MB of memory with all that is computed, "
-                    "and {:.0f} MB are {}; choose a coarser or smaller grid",
+        fmt::format("the grid of {} x {} x {} nodes needs about {:.0f} MB of memory in all, but only {:.0f} MB are {}; "
+                    "choose a coarser or smaller grid",
                     grid.counts[0], grid.counts[1], grid.counts[2], needed, limit_mb(options),
                     options.memory_limit_mb > 0 ? "allowed" : "free"));
 }

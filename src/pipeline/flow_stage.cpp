@@ -119,11 +119,13 @@ std::string describe_course(const EvolutionResult& result, const FlowRecord& rec
     const FlowStep& last = record.last_step();
     const std::string end = describe_end(result);
     std::string text = end.empty() ? "" : end + "; ";
-    text += fmt::format("nearest to the exact surface after step {} (t = {:.3g} Å²): mean distance {:.3f} Å, kept",
-                        best.step, best.time, best.mean_distance);
+    text += fmt::format(
+        "nearest to the exact surface after step {} (t = {:.3g} Å²): mean distance {:.3f} Å; this step is kept",
+        best.step, best.time, best.mean_distance);
     if (last.step != best.step && !std::isnan(last.mean_distance))
-        text += fmt::format("; {:.3f} Å after step {}: without an anchor the exact surface is no stable steady state",
-                            last.mean_distance, last.step);
+        text +=
+            fmt::format("; {:.3f} Å after step {}: without an anchor the exact surface is not a stable steady state",
+                        last.mean_distance, last.step);
     return text;
 }
 

@@ -30,8 +30,8 @@ std::size_t count_of(const Surface& surface, const SampleOptions& options) {
     constexpr double kMost =
         static_cast<double>(std::numeric_limits<std::uint32_t>::max()) / static_cast<double>(kCandidatesPerPoint);
     if (count > kMost || count * kBytesPerPoint > static_cast<double>(available_memory()))
-        throw LimitError(
-            fmt::format("density {:g}: {:.3g} points would not fit; choose fewer per Å²", options.density, count));
+        throw LimitError(fmt::format("density {:g}: {:.3g} points would not fit into memory; choose fewer per Å²",
+                                     options.density, count));
     return static_cast<std::size_t>(count);
 }
 

@@ -65,7 +65,7 @@ void check_flow(const FlowOptions& flow) {
     require(std::isfinite(flow.anchor) && flow.anchor >= 0.0, "anchor", flow.anchor, "finite and not negative");
     require(flow.time_step > 0.0, "time step", flow.time_step, "positive");
     require(std::isfinite(flow.time_step) || flow.anchor > 0.0, "time step", flow.time_step,
-            "finite where there is no anchor");
+            "finite without an anchor");
     require(flow.half_width >= 2.0 && flow.half_width <= kWidestBand, "half width", flow.half_width,
             fmt::format("from 2 to {:g}", kWidestBand));
     require_positive("tolerance", flow.tolerance);
@@ -75,7 +75,8 @@ void check_flow(const FlowOptions& flow) {
 void check_options(const SurfaceOptions& options) {
     require(std::isfinite(options.probe) && options.probe >= 0.0, "probe", options.probe, "finite and not negative");
     if (options.method == Method::Gaussian && options.surface != SurfaceKind::Ses)
-        throw UsageError("method gaussian is one envelope of the atoms; surface sas and vdw need flow or direct");
+        throw UsageError(
+            "method gaussian gives a single envelope of the atoms; for surface sas or vdw use method flow or direct");
     require_positive("spacing", options.spacing);
     require(options.spacing >= kFinest, "spacing", options.spacing, "at least 1e-6");
     require(is_positive(-options.density), "density", options.density, "finite and negative");
@@ -83,11 +84,10 @@ void check_options(const SurfaceOptions& options) {
     const RemeshOptions& remesh = options.remesh;
     require(remesh.edge == 0.0 || is_positive(remesh.edge), "edge", remesh.edge, "finite and positive");
     require(!remesh.is_on() || options.spacing <= kCoarsestForRemeshing, "spacing", options.spacing,
-            fmt::format("at most {:g} where triangles are made even", kCoarsestForRemeshing));
+            fmt::format("at most {:g} for a mesh of even triangles", kCoarsestForRemeshing));
     require(remesh.corners == Corners::Near || remesh.is_on(), "edge", remesh.edge,
-            "positive where corners are to lie elsewhere than those of the grid's mesh");
-    require(!remesh.simplify_topology || remesh.is_on(), "edge", remesh.edge,
-            "positive where the topology is simplified");
+            "positive with any corners but near");
+    require(!remesh.simplify_topology || remesh.is_on(), "edge", remesh.edge, "positive with simplify_topology");
     require(std::isfinite(options.min_cavity) && options.min_cavity >= 0.0, "min cavity", options.min_cavity,
             "finite and not negative");
     require(std::isfinite(options.fill_cavities) && options.fill_cavities >= 0.0, "fill cavities",

@@ -20,8 +20,8 @@ RadiusSet find_or_read(const std::string& name) {
     if (auto set = find_radius_set(name)) return *set;
     std::error_code ignored;
     if (std::filesystem::exists(name, ignored)) return read_radius_rules(name);
-    throw UsageError(
-        fmt::format("radii {}: neither a set nor a file; there are {}, or a file of rules", name, radius_set_names()));
+    throw UsageError(fmt::format("radii {}: neither a radius set nor a file; choose one of {}, or a file of rules",
+                                 name, radius_set_names()));
 }
 
 std::string upper(const std::string& text) {
@@ -48,7 +48,7 @@ std::vector<double> radii_of(std::span<const AtomNames> atoms, const std::string
         const auto of_element = element_radius(element);
         if (!known && !of_element)
             throw UsageError(
-                fmt::format("atom {} ({} of {}, element {}): set {} has no radius for it, nor is its element known; "
+                fmt::format("atom {} ({} of {}, element {}): set {} has no radius for it, and its element is unknown; "
                             "give its element",
                             i, reading::shown(atoms[i].name), reading::shown(atoms[i].residue),
                             reading::shown(atoms[i].element), typer.set().name));

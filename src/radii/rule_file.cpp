@@ -57,7 +57,7 @@ double read_radius(const Line& line, std::string_view word) {
 
 void read_hydrogens_word(Line& line, RadiusSet& set) {
     const std::string_view word = line.next_word();
-    if (word != "DROP" && word != "KEEP") line.fail(word, "after 'hydrogens' comes 'drop' or 'keep'");
+    if (word != "DROP" && word != "KEEP") line.fail(word, "'hydrogens' must be followed by 'drop' or 'keep'");
     set.united = word == "DROP";
 }
 
@@ -73,7 +73,7 @@ void read_line(Line line, RuleText& content, RadiusSet& set) {
         content.rules.push_back({residue, atom, read_radius(line, line.next_word())});
     }
     const std::string_view extra = line.next_word();
-    if (!extra.empty()) line.fail(extra, shown(extra) + " is too much; a line ends after the radius");
+    if (!extra.empty()) line.fail(extra, shown(extra) + " is unexpected; a line ends after the radius");
 }
 
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }

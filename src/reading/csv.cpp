@@ -43,7 +43,7 @@ private:
         if (at('"')) {
             cell.text = quoted(cell.place);
             if (position_ < text_.size() && !at(',') && !at('\n'))
-                fail_at(file_, here(), "something stands behind the closing quote; write \"\" for a quote in the text");
+                fail_at(file_, here(), "text follows the closing quote; write \"\" for a quote in the text");
         } else {
             const std::size_t end = std::min(text_.find_first_of(",\n", position_), text_.size());
             cell.text = text_.substr(position_, end - position_);

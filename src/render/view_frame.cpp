@@ -93,7 +93,7 @@ Vec3 towards_the_tail(std::span<const Vec3> points, const Vec3& centre, const Ve
 ViewFrame frame_of(const Viewpoint& viewpoint) {
     const Vec3 towards = unit_vector(viewpoint.from);
     const Vec3 right = cross(unit_vector(viewpoint.up), towards);
-    if (norm(right) < kSmallestSine) throw UsageError("a viewpoint cannot look along the direction that is up");
+    if (norm(right) < kSmallestSine) throw UsageError("a viewpoint cannot look along the direction that points up");
     return {normalised(right), cross(towards, normalised(right)), towards};
 }
 

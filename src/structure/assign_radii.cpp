@@ -22,7 +22,7 @@ RadiusSet named_set(const std::string& name) {
     if (auto set = find_radius_set(name)) return *set;
     std::error_code ignored;
     if (std::filesystem::exists(name, ignored)) return read_radius_rules(name);
-    throw UsageError("--radii " + name + ": neither a set nor a file; there are " + radius_set_names() +
+    throw UsageError("--radii " + name + ": neither a radius set nor a file; choose one of " + radius_set_names() +
                      ", auto, or a file of rules");
 }
 
@@ -43,7 +43,7 @@ void apply_hydrogens(const RawModel& model, const ReadOptions& options, const Ra
     if (options.hydrogens == HydrogenPolicy::Keep) {
         if (set.united && hydrogens.all > 0) {
             throw UsageError("--hydrogens keep: the radii of " + set.name +
-                             " stand for heavy atoms with their hydrogens; take --radii bondi");
+                             " already include the hydrogens; use --radii bondi");
         }
         return;
     }
@@ -54,8 +54,8 @@ void apply_hydrogens(const RawModel& model, const ReadOptions& options, const Ra
     drop_hydrogens(model, chosen);
     if (asked) return;
     chosen.warnings.push_back(counted(hydrogens.all, "hydrogen") + " left out" +
-                              (incomplete ? ", too few to be all of them: --hydrogens keep"
-                                          : ", the radii of " + set.name + " stand for them: --radii bondi"));
+                              (incomplete ? ", too few to be complete: --hydrogens keep"
+                                          : ", the radii of " + set.name + " already include them: --radii bondi"));
 }
 
 // Residues in which an atom's radius depends on more than names: disulfides and charged amino ends.
@@ -135,9 +135,9 @@ public:
             throw InputError(file + ": set " + set + " has no radius for " + types +
                              "; give them in a file of rules or leave out --strict-radii");
         }
-        std::string line = "unknown to set " + file_name(set) + ", given the radii of their elements: " + types;
+        std::string line = "not in radius set " + file_name(set) + ", given the radii of their elements: " + types;
         if (without_element_ > 0) {
-            line += " (" + std::to_string(without_element_) + " of no known element, given 1.70)";
+            line += " (" + std::to_string(without_element_) + " of unknown element, given 1.70)";
         }
         chosen.warnings.push_back(line + ": --radii FILE");
     }
@@ -162,8 +162,7 @@ void drop_zero_radii(AssignedRadii& radii, Chosen& chosen) {
     chosen.atoms.resize(kept);
     chosen.drop("zero_radius", count);
     if (count > 0) {
-        chosen.warnings.push_back(counted(count, "atom") +
-                                  " of radius 0 left out: such atoms do not exist for the surface");
+        chosen.warnings.push_back(counted(count, "atom") + " of radius 0 left out: a radius of 0 excludes an atom");
     }
 }
 
@@ -192,7 +191,7 @@ AssignedRadii assign_radii(const RawModel& model, const ReadOptions& options, co
     const bool own = model.has_radii && options.radii == "auto";
     if (!own && !model.has_names) {
         throw UsageError("--radii " + options.radii + ": " + file +
-                         " has no atom names; it brings its own radii (auto)");
+                         " has radii but no atom names; use its own radii with --radii auto");
     }
     AssignedRadii radii = own ? own_radii(model, options, chosen) : radii_of_set(model, options, file, chosen);
     drop_zero_radii(radii, chosen);

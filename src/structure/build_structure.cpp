@@ -77,7 +77,7 @@ const RawAssembly& find_assembly(const RawModel& model, const std::string& name,
         names += " " + printable(assembly.name);
     }
     throw InputError(file + ": no assembly " + name + "; " +
-                     (names.empty() ? "the file names none, leave out --assembly" : "there are" + names));
+                     (names.empty() ? "the file has none, leave out --assembly" : "assemblies of the file:" + names));
 }
 
 bool is_in(const std::vector<std::string>& names, const std::string& name) {
@@ -122,7 +122,7 @@ void append_assembly(const RawModel& model, const Chosen& chosen, const RawAssem
     for (const RawGenerator& generator : assembly.generators) {
         if (generator.operators.empty()) {
             throw InputError(structure.file + ": assembly " + assembly.name +
-                             " is built with operators that cannot be read; leave out --assembly");
+                             " has operators that cannot be read; leave out --assembly");
         }
         copied.push_back(copied_residues(model, generator));
         count += generator.operators.size() * count_kept(model, chosen, copied.back());

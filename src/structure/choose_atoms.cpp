@@ -31,7 +31,7 @@ std::string chain_names(const RawModel& model) {
 }
 
 [[noreturn]] void fail_chain(const RawModel& model, const std::string& chain, const std::string& file) {
-    throw InputError(file + ": no chain " + chain + "; --chains can name " + chain_names(model));
+    throw InputError(file + ": no chain " + chain + "; chains of the file: " + chain_names(model));
 }
 
 // Keeps the atoms for which `stays` is true and returns how many went.

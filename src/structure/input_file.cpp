@@ -85,13 +85,15 @@ void check_content(const InputFile& file) {
     if (start.starts_with("<!doctype html") || start.find("<html") != std::string::npos) {
         throw InputError(file.path + ": is an HTML page, not a structure; download the file itself");
     }
-    if (start.starts_with('<')) throw InputError(file.path + ": is XML, not a structure; take the PDB or mmCIF file");
-    if (start.starts_with('{')) throw InputError(file.path + ": is JSON, not a structure; take the PDB or mmCIF file");
+    if (start.starts_with('<'))
+        throw InputError(file.path + ": is XML, not a structure; download the PDB or mmCIF file");
+    if (start.starts_with('{'))
+        throw InputError(file.path + ": is JSON, not a structure; download the PDB or mmCIF file");
     if (file.format == Format::Pdb && is_cif_start(line) && !is_pdb_record(line)) {
-        throw InputError(file.path + ": holds mmCIF under the name of a PDB file; rename it to .cif");
+        throw InputError(file.path + ": contains mmCIF but is named as a PDB file; rename it to .cif");
     }
     if (file.format == Format::Cif && !line.empty() && is_pdb_record(line)) {
-        throw InputError(file.path + ": holds PDB records under the name of an mmCIF file; rename it to .pdb");
+        throw InputError(file.path + ": contains PDB records but is named as an mmCIF file; rename it to .pdb");
     }
     const std::size_t zero = file.text.find('\0');
     if (zero == std::string::npos) return;
@@ -113,9 +115,9 @@ void choose_format(InputFile& file) {
     file.format = format.value_or(Format::Pdb);
     if (format) return;
     check_content(file);
-    const char* problem =
-        file.path == "-" ? ": neither PDB nor mmCIF nor xyzr; " : ": the name ends in no known suffix; ";
-    throw InputError(file.path + problem + "known are .pdb .ent .cif .mmcif .pqr .xyzr .xyzrn, each also .gz");
+    const char* problem = file.path == "-" ? ": neither PDB nor mmCIF nor xyzr; " : ": unknown suffix; ";
+    throw InputError(file.path + problem +
+                     "supported formats are .pdb .ent .cif .mmcif .pqr .xyzr .xyzrn, each also .gz");
 }
 
 }  // namespace
@@ -135,9 +137,9 @@ InputFile load_bytes(std::string bytes, const std::string& path, Checksum checks
     const bool named_gzip = lower_case(path).ends_with(".gz");
     if (is_gzip(bytes)) {
         file.text = gunzip(bytes, path);
-        if (!named_gzip && path != "-") file.warnings.push_back("gzip data under a name without .gz: decompressed");
+        if (!named_gzip && path != "-") file.warnings.push_back("gzip data in a file not named .gz: decompressed");
     } else if (named_gzip) {
-        throw InputError(path + ": is named .gz but holds no gzip data; remove .gz from its name");
+        throw InputError(path + ": is named .gz but contains no gzip data; remove .gz from its name");
     } else {
         file.text = std::move(bytes);
     }

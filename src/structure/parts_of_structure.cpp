@@ -57,7 +57,7 @@ std::vector<bool> select_atoms(const Structure& structure, const std::string& ex
     std::vector<bool> selected = reading::selected_atoms(to_model(structure), expression, 1, option);
     if (std::find(selected.begin(), selected.end(), true) == selected.end())
         throw UsageError(option + " " + reading::printable(expression, reading::kOfWord) +
-                         ": selects no atom that is kept; write for instance //A/10-50");
+                         ": selects none of the kept atoms; write for instance //A/10-50");
     return selected;
 }
 

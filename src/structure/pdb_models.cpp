@@ -102,12 +102,12 @@ private:
     std::size_t model_line_ = 0;
     std::size_t atoms_ = 0;           // of the model that is open
     std::size_t atoms_of_first_ = 0;  // of the first model
-    Irregularity repeated_{"this MODEL number came before; models are counted by position"};
+    Irregularity repeated_{"this MODEL number occurs more than once; models are counted by position"};
     Irregularity unnumbered_{"MODEL without a number; models are counted by position"};
     Irregularity unclosed_{
         "this MODEL is never closed by ENDMDL; it is taken to end at the next MODEL, END or the end"};
     Irregularity outside_{"atoms outside MODEL and ENDMDL; taken as a model of their own"};
-    Irregularity different_{"this model has another number of atoms than the first"};
+    Irregularity different_{"this model has a different number of atoms from the first"};
 };
 
 }  // namespace

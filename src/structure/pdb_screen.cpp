@@ -54,7 +54,7 @@ public:
     void check_names() const {
         const std::size_t place = find_unprintable(columns(13, 27));
         if (place == std::string_view::npos) return;
-        fail(13 + place, "a byte that is no printable character among the names of an atom; correct it");
+        fail(13 + place, "a byte that is not a printable character in the names of an atom; correct it");
     }
 
     double coordinate(std::size_t first, char axis) const {
@@ -68,7 +68,9 @@ public:
         const std::string_view field = trimmed(columns(first, last));
         if (field.empty()) return otherwise;
         const auto value = finite_number(field);
-        if (!value) fail(first, std::string(what) + " " + shown(field) + " is not a finite number; blank is allowed");
+        if (!value)
+            fail(first,
+                 std::string(what) + " " + shown(field) + " is not a finite number; leave it blank if it is unknown");
         return *value;
     }
 

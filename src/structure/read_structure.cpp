@@ -76,7 +76,7 @@ private:
         RawModel model = parse_pdb(std::move(clean), file_.path);
         if (guessed_elements > 0) {
             model.warnings.push_back(counted(guessed_elements, "element") +
-                                     " taken from atom names: columns 77-78 hold none");
+                                     " taken from atom names: columns 77-78 are blank");
         }
         return model;
     }
@@ -88,8 +88,8 @@ private:
 };
 
 void check_options(const ReadOptions& options) {
-    if (options.model < 1) throw UsageError("--model " + std::to_string(options.model) + ": models count from 1");
-    if (options.altloc.size() > 1) throw UsageError("--altloc " + options.altloc + ": an alternative is one letter");
+    if (options.model < 1) throw UsageError("--model " + std::to_string(options.model) + ": models are counted from 1");
+    if (options.altloc.size() > 1) throw UsageError("--altloc " + options.altloc + ": must be one character");
 }
 
 [[noreturn]] void fail_empty(const std::string& path, bool had_atoms, const std::vector<std::string>& warnings) {
@@ -97,7 +97,7 @@ void check_options(const ReadOptions& options) {
     std::string reasons;
     for (const std::string& line : warnings) reasons += (reasons.empty() ? "" : "; ") + line;
     throw InputError(path + ": no atoms left" +
-                     (reasons.empty() ? "; --chains or --select leave none" : ": " + reasons));
+                     (reasons.empty() ? "; --chains or --select keep none" : ": " + reasons));
 }
 
 Structure make_structure(const InputFile& file, const RawModel& model, const ReadOptions& options) {
@@ -115,7 +115,7 @@ Structure make_structure(const InputFile& file, const RawModel& model, const Rea
     build_structure(model, chosen, radii, options.assembly, structure);
     if (structure.atoms.empty()) throw InputError(file.path + ": assembly " + options.assembly + " has no kept atoms");
     if (const std::size_t count = count_coincident(structure.atoms.centres); count > 0) {
-        structure.warnings.push_back(counted(count, "atom") + " exactly at the place of another atom");
+        structure.warnings.push_back(counted(count, "atom") + " at exactly the position of another atom");
     }
     return structure;
 }

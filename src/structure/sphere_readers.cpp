@@ -36,7 +36,7 @@ public:
     // Names go into messages, tables and pages.
     std::string_view name(std::size_t i) const {
         if (find_unprintable(words_[i].text) != std::string_view::npos)
-            fail(i, "a byte that is no printable character in the name " + shown(words_[i].text) + "; correct it");
+            fail(i, "a byte that is not a printable character in the name " + shown(words_[i].text) + "; correct it");
         return words_[i].text;
     }
 

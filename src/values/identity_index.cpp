@@ -18,7 +18,7 @@ constexpr std::array kIdentity{"index", "chain", "resname", "resnum", "icode", "
 
 int integer_in(const CsvCell& cell, const char* column, const std::string& file) {
     if (const auto number = reading::integer(cell.text)) return *number;
-    fail_at(file, cell.place, std::string(column) + " " + shown(cell.text) + " is no whole number");
+    fail_at(file, cell.place, std::string(column) + " " + shown(cell.text) + " is not a whole number");
 }
 
 /// One letter, or a blank for an empty cell.
@@ -63,10 +63,10 @@ std::string IdentityIndex::missing_columns(const IdentityColumns& columns) const
     const auto has = [&](const char* column) { return columns.contains(column); };
     if (has("index") || has("serial")) return "";
     if (has("resnum") && !has("chain") && of_chain_.size() > 1)
-        return "no column 'chain', and the structure has several; add it";
+        return "no column 'chain', but the structure has several chains; add it";
     if (has("name") && !has("resnum")) return "a column 'name' but no 'resnum'; add it";
     if (has("resnum") || has("chain")) return "";
-    return "nothing tells what the rows are about; add a column resnum, chain, index or serial";
+    return "no column says which atoms or residues the rows belong to; add a column resnum, chain, index or serial";
 }
 
 std::vector<std::uint32_t> IdentityIndex::atoms_of(const CellOf& cell, const std::string& file) const {
@@ -129,7 +129,7 @@ void IdentityIndex::check_agreement(std::uint32_t atom, const CellOf& cell, cons
         if (given == nullptr || given->text == known) return;
         fail_at(file, given->place,
                 std::string(column) + " is " + shown(given->text) + " here, but " + shown(known) +
-                    " in the structure; is it the table of another one?");
+                    " in the structure; does the table belong to another structure?");
     };
     check("resname", residue.name);
     check("name", label.name);

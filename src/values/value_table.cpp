@@ -44,7 +44,7 @@ double value_in(const CsvCell& cell, const std::string& column, const std::strin
     if (number && std::abs(*number) <= double{std::numeric_limits<float>::max()}) return *number;
     fail_at(file, cell.place,
             "column " + shown(column) + " holds " + shown(text) +
-                ", which is no number within single precision; leave the column out, or the cell empty");
+                ", which is not a number within single precision; leave the column out, or the cell empty");
 }
 
 class TableReader {
@@ -56,7 +56,7 @@ public:
         std::string text = reading::read_unzipped(file_, "table of values");
         reading::normalise_line_ends(text);
         const std::vector<CsvRow> rows = reading::read_csv(text, file_);
-        if (rows.empty()) throw InputError(file_ + ": is empty; give a line of names and one per residue or atom");
+        if (rows.empty()) throw InputError(file_ + ": is empty; write a header line and one line per residue or atom");
         read_names(rows.front());
         for (const CsvRow& row : std::span(rows).subspan(1)) read_row(row);
         copy_to_assembly();
@@ -77,7 +77,7 @@ private:
                 add_values(name, row[c], c);
         }
         if (columns_.values.empty())
-            fail_at(file_, row.front().place, "no column of values; what is not chain, resnum, ... is one");
+            fail_at(file_, row.front().place, "no column of values; add one beside chain, resnum, ...");
         if (const std::string missing = index_.missing_columns(columns_.identity); !missing.empty())
             fail_at(file_, row.front().place, missing);
     }
@@ -126,7 +126,8 @@ private:
         for (const std::uint32_t atom : atoms) {
             if (line_of_[atom] != 0)
                 fail_at(file_, row.front().place,
-                        "is about the same as line " + std::to_string(line_of_[atom]) + "; leave one of them out");
+                        "repeats the atoms or residue of line " + std::to_string(line_of_[atom]) +
+                            "; leave one of them out");
             line_of_[atom] = row.front().place.line;
         }
     }
@@ -148,8 +149,8 @@ ValueTable read_value_table(const std::string& path, const Structure& structure)
 
 void refuse_strange_table(const ValueTable& table, const std::string& path, const Structure& structure) {
     if (table.rows == table.strange_rows)
-        throw InputError(path + ": no row names anything of " + structure.file +
-                         "; is it the table of another structure?");
+        throw InputError(path + ": no row matches anything of " + structure.file +
+                         "; does the table belong to another structure?");
 }
 
 }  // namespace meniscus

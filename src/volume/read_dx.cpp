@@ -69,7 +69,8 @@ private:
         const Place start = here_;
         std::string line;
         for (int c = take(); c != '\n' && c != ByteSource::kEnd; c = take()) {
-            if (line.size() == kLongestLine) fail(start, "a line of more than 4096 bytes; this is no OpenDX header");
+            if (line.size() == kLongestLine)
+                fail(start, "a line of more than 4096 bytes; this is not an OpenDX header");
             line.push_back(static_cast<char>(c));
         }
         split(line, start.line);
@@ -107,7 +108,7 @@ private:
         const Word& w = word(i, what);
         const auto value = reading::whole_number<std::uint64_t>(w.text);
         if (!value || *value == 0 || *value > kMostNodes)
-            fail(w, fmt::format("{} {} is no count of nodes; correct it", what, shown(w.text)));
+            fail(w, fmt::format("{} {} is not a number of nodes; correct it", what, shown(w.text)));
         return *value;
     }
 
@@ -123,10 +124,11 @@ private:
             else if (begins_with("object") && read_object())
                 return;
             else if (!begins_with("object"))
-                fail(words_[0], fmt::format("{} begins no line of an OpenDX header; expected are object, origin, delta",
-                                            shown(words_[0].text)));
+                fail(words_[0],
+                     fmt::format("{} cannot begin a line of an OpenDX header; expected object, origin or delta",
+                                 shown(words_[0].text)));
         }
-        fail(here_, "the file ends before its data; it is cut off or no OpenDX grid, fetch or write it again");
+        fail(here_, "the file ends before its data; it is cut off or not an OpenDX grid, fetch or write it again");
     }
 
     void read_origin() {
@@ -154,7 +156,7 @@ private:
 
     // True for the array of data, behind which the values follow.
     bool read_object() {
-        if (word(2, "class").text != "class") fail(words_[2], "expected is 'class' here; correct the line");
+        if (word(2, "class").text != "class") fail(words_[2], "expected 'class' here; correct the line");
         const std::string kind = word(3, "the class").text;
         if (kind == "gridpositions")
             read_counts();
@@ -163,14 +165,14 @@ private:
         else if (kind == "array")
             begin_data();
         else
-            fail(words_[3], fmt::format("class {} has no place before the data; expected are gridpositions, "
-                                        "gridconnections, array",
-                                        shown(kind)));
+            fail(words_[3],
+                 fmt::format("class {} cannot come before the data; expected gridpositions, gridconnections or array",
+                             shown(kind)));
         return kind == "array";
     }
 
     std::array<std::size_t, 3> counts_of_line() const {
-        if (word(4, "counts").text != "counts") fail(words_[4], "expected is 'counts' here; correct the line");
+        if (word(4, "counts").text != "counts") fail(words_[4], "expected 'counts' here; correct the line");
         return {count(5, "count along x"), count(6, "count along y"), count(7, "count along z")};
     }
 
@@ -180,7 +182,7 @@ private:
         std::uint64_t nodes = 1;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if (volume_.grid.counts[axis] > kMostNodes / nodes)
-                fail(words_[5 + axis], "so many nodes no file has; correct the counts");
+                fail(words_[5 + axis], "more nodes than any file can have; correct the counts");
             nodes *= volume_.grid.counts[axis];
         }
         has_counts_ = true;
@@ -202,7 +204,7 @@ private:
         for (std::size_t i = 4; i < words_.size(); ++i) {
             const std::string& text = words_[i].text;
             if (text == "lsb" || text == "msb" || text == "binary" || text == "ieee")
-                fail(words_[i], "binary data, which are not supported; write them as text");
+                fail(words_[i], "binary data are not supported; write them as text");
             if (text == "rank" && word(i + 1, "the rank").text != "0")
                 fail(words_[i + 1], "data with several values per node; write one (rank 0)");
             if (text == "items") items = count(i + 1, "number of items");
@@ -212,7 +214,7 @@ private:
         }
         if (!items) fail(line_end_, "'items' with the number of values is missing; add it");
         if (words_[words_.size() - 2].text != "data" || words_.back().text != "follows")
-            fail(line_end_, "the data must follow in the same file; expected is 'data follows' here");
+            fail(line_end_, "the data must follow in the same file; expected 'data follows' here");
     }
 
     void read_values() {

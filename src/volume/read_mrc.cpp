@@ -77,9 +77,9 @@ private:
 
     void read_header() {
         if (source_.read(reinterpret_cast<char*>(&header_), sizeof header_) < sizeof header_)
-            fail("is shorter than the 1024 bytes of an MRC header; it is cut off or no such map");
+            fail("is shorter than the 1024 bytes of an MRC header; it is cut off or not such a map");
         if (std::string_view(header_.map.data(), 3) != "MAP")
-            fail(offsetof(MrcHeader, map), "MAP", "'MAP ' is missing; this is no MRC or CCP4 map");
+            fail(offsetof(MrcHeader, map), "MAP", "'MAP ' is missing; this is not an MRC or CCP4 map");
         if (is_plausible(header_)) return;
         swap_numbers(header_);
         swapped_ = true;
@@ -116,7 +116,7 @@ private:
             fail(offsetof(MrcHeader, space_group), "ISPG", "a stack of volumes; write one volume per file");
         if (header_.extended_size < 0)
             fail(offsetof(MrcHeader, extended_size), "NSYMBT",
-                 fmt::format("{} is no size of a header; correct it", header_.extended_size));
+                 fmt::format("{} is not the size of a header; correct it", header_.extended_size));
     }
 
     template <class T>

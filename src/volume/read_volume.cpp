@@ -27,7 +27,7 @@ Volume read(const std::string& path, VolumePart part) {
     if (found != kReadable.end()) return found->read(path, part);
     std::string known;
     for (const ReadableFormat& format : kReadable) known.append(known.empty() ? "" : " ").append(format.suffix);
-    throw UsageError(fmt::format("{}: the suffix tells the format of a volume; known are {}", path, known));
+    throw UsageError(fmt::format("{}: unknown suffix for a volume; supported formats are {}", path, known));
 }
 
 }  // namespace

@@ -95,10 +95,10 @@ private:
 
 void check(const std::string& path, const VolumeGrid& grid) {
     if (!vdb_supported())
-        throw UsageError(path +
-                         ": this build writes no .vdb; install libopenvdb-dev and build again, or ask for .dx or .mrc");
+        throw UsageError(
+            path + ": this build cannot write .vdb; install libopenvdb-dev and build again, or ask for .dx or .mrc");
     if (grid.spacing.x != grid.spacing.y || grid.spacing.x != grid.spacing.z)
-        throw UsageError(path + ": a level set has one spacing, the grid has several; ask for .dx or .mrc");
+        throw UsageError(path + ": a level set has a single spacing, but the grid has several; ask for .dx or .mrc");
     for (const std::size_t count : grid.counts)
         if (count > std::numeric_limits<std::int32_t>::max())
             throw LimitError(

@@ -48,7 +48,7 @@ void write_volume(const std::string& path, const Volume& volume, VolumeContent c
     if (found != kWritable.end()) return found->write(path, volume, content);
     std::string known;
     for (const WritableFormat& format : kWritable) known.append(known.empty() ? "" : " ").append(format.suffix);
-    throw UsageError(fmt::format("{}: the suffix chooses the format; known are {}", path, known));
+    throw UsageError(fmt::format("{}: unknown suffix for a volume; choose one of {}", path, known));
 }
 
 }  // namespace meniscus

@@ -268,15 +268,15 @@ class Inputs(BatchTest):
 
     def test_what_cannot_be_read_is_refused(self):
         (self.folder / "packed.tar.gz").write_bytes(b"")
-        self.assertIn("unpack it to .tar first", self.refused("measure", "packed.tar.gz", "--out", "out", code=3))
+        self.assertIn("decompress it to .tar first", self.refused("measure", "packed.tar.gz", "--out", "out", code=3))
         (self.folder / "no.tar").write_bytes(b"no archive" * 100)
         self.assertIn("no.tar: cannot be read as a tar archive", self.refused("measure", "no.tar", "--out", "out", code=3))
         self.assertIn("missing: cannot be read", self.refused("measure", "missing", "--out", "out", code=3))
         self.assertIn("list: cannot be read", self.refused("measure", "--list", "list", "--out", "out", code=3))
         (self.folder / "notes").mkdir()
         (self.folder / "notes/a.txt").write_text("")
-        self.assertIn("no inputs: 1 files have other suffixes", self.refused("measure", "notes", "--out", "out"))
-        self.assertIn("INPUTS: files, folders or archives are missing", self.refused("measure", "--out", "out"))
+        self.assertIn("no inputs: 1 files found, but none has the suffix", self.refused("measure", "notes", "--out", "out"))
+        self.assertIn("INPUTS: missing; name files, folders or archives", self.refused("measure", "--out", "out"))
 
     def test_members_outside_are_refused(self):
         with tarfile.open(self.folder / "evil.tar", "w") as tar:
@@ -316,7 +316,7 @@ class Inputs(BatchTest):
 
     def test_names_that_are_no_text_are_refused(self):
         (self.inputs / os.fsdecode(b"\xff.xyzr")).write_bytes(b"0 0 0 1\n")
-        self.assertIn("its name is no text", self.refused("measure", "in", "--out", "out", code=3))
+        self.assertIn("its name is not valid UTF-8", self.refused("measure", "in", "--out", "out", code=3))
 
     def test_outputs_are_no_inputs(self):
         self.batch("surface", "in", "--out", "in/out", "--spacing", "1", "-o", ".xyzr", code=6)
@@ -355,8 +355,8 @@ class Inputs(BatchTest):
         self.batch("measure", "in/x", "--out", "chosen", "--radii", "bondi", code=6)
 
     def test_options_are_refused_before_anything_is_computed(self):
-        for words, why in ((("-o", "a.ply"), "give the ending alone"), (("-o", ".xyz"), ".xyz"), (("--spacing", "0"), "--spacing"),
-                           (("--shard", "4/4"), "0/4, 1/4, 2/4 and 3/4"), (("--time-limit", "soon"), "--time-limit"),
+        for words, why in ((("-o", "a.ply"), "give only the ending"), (("-o", ".xyz"), ".xyz"), (("--spacing", "0"), "--spacing"),
+                           (("--shard", "4/4"), "0/4, 1/4, 2/4 or 3/4"), (("--time-limit", "soon"), "--time-limit"),
                            (("--report", "x.json"), "--report"), (("--jobs", "0"), "--jobs"), (("--memory-limt", "1G"), "--memory-limit?"),
                            (("--time-limit", "1ms"), "'1ms'"), (("--memory-limit", "10M"), "at least 32M"), (("-o", ".foo"), "NAME.foo")):
             self.assertIn(why, self.refused("surface", "in", "--out", "out", *words))
@@ -429,7 +429,7 @@ class Isolation(BatchTest):
         self.assertFalse((self.folder / f"out{signal.SIGTERM}/.batch/shard-0-of-1.work").exists())
 
     def test_a_full_disk_ends_the_batch(self):
-        self.assertIn("cannot be made", self.refused("measure", "in", "--out", "/proc/nowhere", code=4))
+        self.assertIn("cannot be created", self.refused("measure", "in", "--out", "/proc/nowhere", code=4))
 
 
 class Resuming(BatchTest):
@@ -480,8 +480,8 @@ class Resuming(BatchTest):
     def test_another_run_is_not_gone_on_with(self):
         self.batch("measure", "in/a", "--out", "out")
         self.assertIn("add --resume", self.refused("measure", "in/a", "--out", "out"))
-        self.assertIn("with other options", self.refused("measure", "in/a", "--out", "out", "--resume", "--probe", "1.2"))
-        self.assertIn("with other options", self.refused("surface", "in/a", "--out", "out", "--resume"))
+        self.assertIn("with different options", self.refused("measure", "in/a", "--out", "out", "--resume", "--probe", "1.2"))
+        self.assertIn("with different options", self.refused("surface", "in/a", "--out", "out", "--resume"))
 
     def test_only_one_run_works_on_a_shard(self):
         os.mkfifo(self.inputs / "never.xyzr")
@@ -534,7 +534,7 @@ class Shards(BatchTest):
     def test_missing_and_unlike_shards_are_not_collected(self):
         self.assertIn("no results", self.refused("measure", "--out", "out", "--collect", code=3))
         self.batch("measure", "in/a", "--out", "out", "--shard", "0/2")
-        self.assertIn("shard 1/2 is not done", self.refused("measure", "--out", "out", "--collect", code=3))
+        self.assertIn("shard 1/2 is not finished", self.refused("measure", "--out", "out", "--collect", code=3))
         self.batch("measure", "in/b", "--out", "out", "--shard", "1/2")
         self.assertIn("other inputs", self.refused("measure", "--out", "out", "--collect", code=3))
         self.batch("measure", "in/a", "--out", "out", "--shard", "0/3")

@@ -28,7 +28,7 @@ CompareFacts facts() {
 
 TEST(CompareReport, SummaryTellsBothWays) {
     const std::string text = make_summary({}, facts());
-    for (const char* part : {"A: a.obj, mesh", "7 vertices at the same places merged", "B: 1abc.pdb, exact surface",
+    for (const char* part : {"A: a.obj, mesh", "7 coincident vertices merged", "B: 1abc.pdb, exact surface",
                              "radii bondi", "0.2500", "-0.1250", "Hausdorff", "2.0000"})
         EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
 }

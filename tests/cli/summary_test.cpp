@@ -75,7 +75,7 @@ TEST(Summary, ListsFailedChecksWithTheirBounds) {
     EXPECT_EQ(failed_checks({}, {}), "");
     Surface unresolved;
     unresolved.checks.push_back({"volume", false, 0.5, std::numeric_limits<double>::quiet_NaN()});
-    EXPECT_EQ(failed_checks(unresolved, {}), "volume (0.5, with nothing to be held against)");
+    EXPECT_EQ(failed_checks(unresolved, {}), "volume (0.5, with nothing to compare with)");
     Measures disputed;
     disputed.agreed = false;
     disputed.disputed = {"patches of atom 3"};

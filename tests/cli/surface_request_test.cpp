@@ -93,7 +93,7 @@ TEST(SurfaceRequest, NamesTheWordsThatExist) {
         parse({"a.pdb", "--method", "fast"});
         FAIL();
     } catch (const UsageError& error) {
-        EXPECT_STREQ(error.what(), "--method: unknown value 'fast'; one of flow, direct, gaussian");
+        EXPECT_STREQ(error.what(), "--method: unknown value 'fast'; choose one of flow, direct, gaussian");
     }
     EXPECT_THROW(parse({"a.pdb", "--flow", "sideways"}), UsageError);
     EXPECT_THROW(parse({"a.pdb", "--hetero", "haem"}), UsageError);

@@ -34,7 +34,7 @@ TEST(UnknownWords, NamesTheOptionThatMayHaveBeenMeant) {
 
 TEST(UnknownWords, SaysHowOutputsAreNamed) {
     EXPECT_EQ(explained({"cut", "a.pdb", "b.ply"}),
-              "b.ply: not expected; there is one INPUT, and outputs are named by -o");
+              "b.ply: unexpected; there is only one INPUT, and outputs are named with -o");
 }
 
 TEST(UnknownWords, AFileIsNoSubcommand) {

@@ -63,7 +63,7 @@ TEST(VolumeOptions, ReadsFieldsAndTheirNumbers) {
 
 TEST(VolumeOptions, RefusesWhatHasNoEffect) {
     EXPECT_EQ(refusal({"--field", "mask"}, {"a.ply"}),
-              "--field is for volumes; ask for one with -o FILE.dx, FILE.mrc or FILE.vdb");
+              "--field applies to volumes; ask for one with -o FILE.dx, FILE.mrc or FILE.vdb");
     EXPECT_NE(refusal({"--eps", "2,80"}), "");
     EXPECT_NE(refusal({"--ion-radius", "2"}), "");
     EXPECT_NE(refusal({"--maps", "apbs"}), "");  // no grid

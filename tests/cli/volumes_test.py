@@ -107,7 +107,7 @@ class VolumesTest(unittest.TestCase):
         (self.folder / "bad.dx").write_text("object 1 class gridpositions counts 3 3\n")
         self.assertIn("bad.dx:1:40: count along z is missing", self.refused("-o", "a.dx", "--grid", "bad.dx", code=3))
         self.assertIn("none.mrc", self.refused("-o", "a.dx", "--grid", "none.mrc", code=3))
-        self.assertIn("known are .dx", self.refused("-o", "a.dx", "--grid", "grid.cube"))
+        self.assertIn("supported formats are .dx", self.refused("-o", "a.dx", "--grid", "grid.cube"))
         self.assertIn("--grid", self.refused("-o", "a.dx", "--grid", "1,2,3"))
 
     def test_grids_that_do_not_fit_are_refused(self):
@@ -119,7 +119,7 @@ class VolumesTest(unittest.TestCase):
     def test_options_without_effect_are_refused(self):
         for arguments in (["--grid", "9,9,9,1,0,0,0"], ["--field", "mask"], ["--eps", "2,80"], ["--ion-radius", "1"],
                           ["--maps", "apbs"]):
-            self.assertIn(f"{arguments[0]} is for volumes", self.refused("-o", "a.ply", *arguments))
+            self.assertIn(f"{arguments[0]} applies to volumes", self.refused("-o", "a.ply", *arguments))
 
     def test_maps_of_apbs(self):
         report = self.report("ball.xyzr", "--method", "direct", "-o", "a.dx", "--maps", "apbs", "--grid",

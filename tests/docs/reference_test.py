@@ -123,7 +123,7 @@ class Formats(unittest.TestCase):
         for command in ("surface", "measure"):
             result = subprocess.run([PROGRAM, command, "in.pdb", "-o", "a.unknown"], capture_output=True,
                                     encoding="utf-8", check=False)
-            suffixes = re.findall(r"\.\w+", result.stderr.partition("known are")[2])
+            suffixes = re.findall(r"\.\w+", result.stderr.partition("choose one of")[2])
             self.assertGreater(len(suffixes), 3, result.stderr)
             for suffix in suffixes:
                 self.assertIn(f"`{suffix}`", text, command)

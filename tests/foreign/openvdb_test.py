@@ -13,7 +13,7 @@ import foreign
 def builds_write_vdb():
     result = subprocess.run([foreign.PROGRAM, "surface", "-", "-o", "/dev/null.vdb"], input=b"", check=False,
                             capture_output=True)
-    return b"writes no .vdb" not in result.stderr
+    return b"cannot write .vdb" not in result.stderr
 
 
 class OpenvdbTest(foreign.ForeignTest):

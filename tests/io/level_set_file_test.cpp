@@ -102,7 +102,7 @@ TEST(LevelSetFile, EveryCutIsRefused) {
     for (std::size_t size = 0; size < whole.size(); size += size < 80 ? 1 : 9973)
         EXPECT_NE(complaint(whole.substr(0, size)), "") << size;
     EXPECT_NE(complaint(whole.substr(0, whole.size() - 1)).find("is cut off"), std::string::npos);
-    EXPECT_NE(complaint(whole + '\0').find("is longer than it says"), std::string::npos);
+    EXPECT_NE(complaint(whole + '\0').find("is longer than its header says"), std::string::npos);
 }
 
 TEST(LevelSetFile, EveryChangedByteIsRefused) {

@@ -78,13 +78,13 @@ TEST(GlbReader, SaysWhatIsWrong) {
     expect_error(square({.indices = bytes_of<std::uint16_t>({0, 1, 2, 0, 2, 4})}), "a.glb", "names vertex 4 of 4");
     expect_error(square({.indices = bytes_of<std::uint16_t>({0, 1, 2})}), "a.glb", "reaches beyond the data");
     expect_error(square({.type = "5122"}), "a.glb", "component type 5122");
-    expect_error(square({.node = R"({"mesh": 7})"}), "a.glb", "its JSON is not that of glTF");
+    expect_error(square({.node = R"({"mesh": 7})"}), "a.glb", "its JSON is not valid glTF");
     expect_error(square({.node = R"({"children": [0]})"}), "a.glb", "a node has two parents or is its own");
     expect_error(square({.more = R"(, "extensionsRequired": ["KHR_draco_mesh_compression"])"}), "a.glb",
                  "KHR_draco_mesh_compression");
     expect_error(glb("{", ""), "a.glb", "the JSON cannot be read");
     expect_error("OFF\n", "a.glb", "a.glb:byte 0: the file does not begin with glTF");
-    expect_error(square().substr(0, 100), "a.glb", "the file is shorter than it says");
+    expect_error(square().substr(0, 100), "a.glb", "the file is shorter than its header says");
 }
 
 }  // namespace

@@ -26,11 +26,11 @@ TEST(ObjReader, VerticesBetweenFacesAsPyMOLWritesThem) {
 TEST(ObjReader, SaysWhereWhatIsWrong) {
     expect_error(kCorners + "f 1 2 5\n", "a.obj", "a.obj:5:7: corner '5' names a vertex that is not among the 4");
     expect_error(kCorners + "f 1 2 -5\n", "a.obj", "a.obj:5:7: corner '-5'");
-    expect_error(kCorners + "f 0 1 2\n", "a.obj", "a.obj:5:3: corner '0' is no number of a vertex");
+    expect_error(kCorners + "f 0 1 2\n", "a.obj", "a.obj:5:3: corner '0' is not the number of a vertex");
     expect_error(kCorners + "f 1 2\n", "a.obj", "fewer than three corners");
     expect_error("v 0 0\n", "a.obj", "a.obj:1:6: coordinate '' is not a finite number");
     expect_error("v 0 0 1e999\n", "a.obj", "a.obj:1:7: coordinate '1e999'");
-    expect_error("ATOM 1\n", "a.obj", "a.obj:1:1: 'ATOM' is no word of a mesh in OBJ");
+    expect_error("ATOM 1\n", "a.obj", "a.obj:1:1: 'ATOM' is not a keyword of a mesh in OBJ");
 }
 
 }  // namespace

@@ -43,12 +43,12 @@ TEST(PlyReader, SaysWhereWhatIsWrong) {
     expect_error(kPlain + kPoints + "3 0 1 0.5\n", "a.ply", "a.ply:13:7: a corner of a face");
     expect_error(kPlain + kPoints + "2 0 1\n", "a.ply", "fewer than three corners");
     expect_error(kPlain + kPoints + "200 0 1 2\n", "a.ply", "a list of a length that does not fit");
-    expect_error(kPlain + kPoints + "3 0 1 2 5\n", "a.ply", "goes on behind its last element");
+    expect_error(kPlain + kPoints + "3 0 1 2 5\n", "a.ply", "continues after its last element");
     expect_error(kPlain + "0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n", "a.ply", "a.ply:10:5: a coordinate is not a finite");
     expect_error(kPlain + "0 0 x\n1 0 0\n0 1 0\n3 0 1 2\n", "a.ply", "a.ply:10:5: 'x' is not a number");
     expect_error(kPlain + kPoints, "a.ply", "ends where a number should be");
     expect_error("solid a\n", "a.ply", "a.ply:1:1: the file does not begin with ply");
-    expect_error("ply\nformat xml 1.0\n", "a.ply", "a.ply:2:8: format 'xml' is not known");
+    expect_error("ply\nformat xml 1.0\n", "a.ply", "a.ply:2:8: format 'xml' is unknown");
     expect_error("ply\nformat ascii 1.0\nelement vertex -3\n", "a.ply", "a.ply:3:16: the number of elements '-3'");
     expect_error("ply\nformat ascii 1.0\nproperty float x\n", "a.ply", "a property before the first element");
     expect_error("ply\nformat ascii 1.0\n", "a.ply", "ends within its header");

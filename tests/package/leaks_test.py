@@ -39,7 +39,7 @@ MAP = ("object 1 class gridpositions counts 2 2 2\norigin -50 -50 -50\ndelta 100
 def suffixes_of(command):
     """All that the program says it can write."""
     printed = subprocess.run([PROGRAM, command, "in.pdb", "-o", "a.unknown"], capture_output=True, text=True, check=False)
-    return re.findall(r"\.\w+", printed.stderr.partition("known are")[2])
+    return re.findall(r"\.\w+", printed.stderr.partition("choose one of")[2])
 
 
 class Search(unittest.TestCase):

@@ -58,7 +58,7 @@ class Compare(unittest.TestCase):
             meniscus.compare(self.folder / "bad.off", ball(1.0))
         with self.assertRaises(FileNotFoundError):
             meniscus.compare("none.off", ball(1.0))
-        with self.assertRaisesRegex(meniscus.UsageError, "no room for distances"):
+        with self.assertRaisesRegex(meniscus.UsageError, "cannot hold distances"):
             meniscus.compare(ball(1.0), ball(1.0)).save(self.folder / "c.stl")
         with self.assertRaises(TypeError):
             meniscus.compare(np.zeros((3, 3)), ball(1.0))

@@ -141,7 +141,7 @@ class Refusals(InScratchFolder):
         self.refused(usage, "--time-limit", paths, time_limit="soon")
         self.refused(usage, "command: unknown value 'compare'", paths, command="compare")
         self.refused(usage, "outputs: give a folder", paths, outputs=[".csv"])
-        self.refused(usage, "give the ending alone", paths, out="out", outputs=["a.csv"])
+        self.refused(usage, "give only the ending", paths, out="out", outputs=["a.csv"])
         self.refused(usage, "out: must be a folder, not 'x.tar'", paths, out="x.tar")
         self.refused(usage, "jobs 0", paths, jobs=0)
         self.refused(usage, "jobs: the workers", paths, client=unittest.mock.Mock(), jobs=2)
@@ -156,7 +156,7 @@ class Refusals(InScratchFolder):
 
     def test_outputs_of_two_inputs_at_one_place(self):
         paths = [write("in/a.xyzr"), write("in/a_x.xyzr")]
-        self.refused(meniscus.OutputError, "is an output of a.xyzr, too", paths, command="surface", spacing=1, out="out",
+        self.refused(meniscus.OutputError, "is also an output of a.xyzr", paths, command="surface", spacing=1, out="out",
                      outputs=["_x.ply", ".ply"])
 
     def test_the_program_is_missing(self):

@@ -68,11 +68,11 @@ class Measuring(InScratchFolder):
         self.assertEqual(len(pathlib.Path("atoms.csv").read_text().splitlines()), 603)
 
     def test_what_makes_no_sense_is_refused(self):
-        with self.assertRaisesRegex(ValueError, "per: unknown value 'cell'; one of residue, atom, chain, cavity"):
+        with self.assertRaisesRegex(ValueError, "per: unknown value 'cell'; choose one of residue, atom, chain, cavity"):
             meniscus.measure(CENTRES, RADII).table("cell")
         with self.assertRaisesRegex(ValueError, "probe"):
             meniscus.measure(CENTRES, RADII, probe=-1)
-        with self.assertRaisesRegex(ValueError, "a Structure brings its own"):
+        with self.assertRaisesRegex(ValueError, "a Structure has its own"):
             meniscus.measure(meniscus.Structure.from_arrays(CENTRES, RADII), RADII)
         with self.assertRaises(OSError):
             meniscus.measure(CENTRES, RADII).save("nosuch/table.csv")

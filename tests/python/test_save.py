@@ -126,8 +126,8 @@ class Saving(InScratchFolder):
         with np.load("cavity.npz") as arrays:
             self.assertTrue((arrays["component"] == 1).all())
             self.assertEqual(len(arrays["vertices"]), int((shell.component == 1).sum()))
-        for options, message in (({"cavity": 2}, "cavity 2: the mesh has 1"), ({"cavity": 0}, "count from 1"),
-                                 ({"show": "//Z"}, "selects no atom"), ({"show": ""}, "empty"),
+        for options, message in (({"cavity": 2}, "cavity 2: the mesh has 1"), ({"cavity": 0}, "counted from 1"),
+                                 ({"show": "//Z"}, "selects none"), ({"show": ""}, "empty"),
                                  ({"show": "//A", "cavity": 1}, "one of them")):
             with self.assertRaisesRegex(ValueError, message):
                 shell.save("bad.ply", **options)
@@ -243,7 +243,7 @@ class Saving(InScratchFolder):
 
     def test_what_makes_no_sense_is_a_usage_error_and_leaves_nothing(self):
         count = len(self.surface.vertices)
-        for path, options, message in (("x.gif", {}, "known are .ply"),
+        for path, options, message in (("x.gif", {}, "choose one of .ply"),
                                        ("x.ply", {"color": "rainbow"}, "color: unknown value 'rainbow'"),
                                        ("x.ply", {"color": "curvature:1"}, "SCHEME:MIN:MAX"),
                                        ("x.ply", {"color": "curvature:1:0"}, "range"),
@@ -255,7 +255,7 @@ class Saving(InScratchFolder):
                                        ("x.mrc", {"maps": "apbs", "grid": (9, 9, 9, 1, 0, 0, 0)}, "reads its maps"),
                                        ("x.png", {"view": "behind"}, "view: unknown value"),
                                        ("x.png", {"view": (1, 2)}, "shape"),
-                                       ("x.png", {"background": "mauve"}, "is no colour"),
+                                       ("x.png", {"background": "mauve"}, "is not a colour"),
                                        ("x.dx", {"grid": (2.5, 9, 9, 1, 0, 0, 0)}, "whole numbers"),
                                        ("x.dx", {"grid": (9, 9, 9, 1, 0, 0, np.nan)}, "finite"),
                                        ("x.dx", {"eps": (1,)}, "eps: two numbers"),
@@ -263,7 +263,7 @@ class Saving(InScratchFolder):
                                        ("x.png", {"size": (0, 10)}, "size|width|pixel"),
                                        ("x.ply", {"size": (8, 8, 8)}, "size: two numbers"),
                                        ("x.html", {"cut": "middle"}, "cut: unknown value"),
-                                       ("x.glb", {"background": "mauve"}, "is no colour"),
+                                       ("x.glb", {"background": "mauve"}, "is not a colour"),
                                        ("x.ply", {"values": {"q": [1e300] * count}}, "beyond single precision"),
                                        ("x.ply", {"values": {"q": [1j] * count}}, "must be numbers")):
             with self.assertRaisesRegex(meniscus.UsageError, message):

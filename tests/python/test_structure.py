@@ -45,11 +45,11 @@ class Reading(InScratchFolder):
         self.assertEqual(len(read(pathlib.Path(UBIQUITIN), model=1, altloc="A", hydrogens="drop", hetero="all")), 602)
 
     def test_unknown_words_are_value_errors_that_name_the_known_ones(self):
-        for options, message in (({"hetero": "some"}, "hetero: unknown value 'some'; one of none, ligands, all"),
-                                 ({"hydrogens": "add"}, "hydrogens: unknown value 'add'; one of auto, keep, drop"),
+        for options, message in (({"hetero": "some"}, "hetero: unknown value 'some'; choose one of none, ligands, all"),
+                                 ({"hydrogens": "add"}, "hydrogens: unknown value 'add'; choose one of auto, keep, drop"),
                                  ({"chains": "A,"}, "chains: empty name"),
-                                 ({"model": 0}, "--model 0: models count from 1"),
-                                 ({"radii": "nosuch"}, "--radii nosuch: neither a set nor a file")):
+                                 ({"model": 0}, "--model 0: models are counted from 1"),
+                                 ({"radii": "nosuch"}, "--radii nosuch: neither a radius set nor a file")):
             with self.assertRaises(ValueError) as caught:
                 meniscus.read(UBIQUITIN, **options)
             self.assertIn(message, str(caught.exception))
@@ -117,7 +117,7 @@ class FromArrays(InScratchFolder):
         self.assertTrue((read("copy.xyzrn").xyz == read(UBIQUITIN).xyz).all())
         self.assertEqual(read("copy.pdb").b_factor[601], 60.1)
         self.assertEqual(len(pathlib.Path("copy.csv").read_text().splitlines()), 603)
-        with self.assertRaisesRegex(ValueError, "known are"):
+        with self.assertRaisesRegex(ValueError, "choose one of"):
             read(UBIQUITIN).save("copy.doc")
         with self.assertRaises(OSError):
             read(UBIQUITIN).save("nosuch/copy.pdb")
@@ -137,7 +137,7 @@ class Radii(unittest.TestCase):
     def test_what_is_not_known_is_a_value_error(self):
         with self.assertRaisesRegex(ValueError, "atom 1 "):
             meniscus.radii(["C", "Xx"])
-        with self.assertRaisesRegex(ValueError, "neither a set nor a file"):
+        with self.assertRaisesRegex(ValueError, "neither a radius set nor a file"):
             meniscus.radii(["C"], set="nosuch")
 
 

@@ -196,7 +196,7 @@ class Options(unittest.TestCase):
         self.assertTrue((one.vertices == meniscus.surface(CENTRES, RADII).vertices).all())
 
     def test_what_makes_no_sense_is_a_value_error(self):
-        for options, message in (({"method": "fast"}, "method: unknown value 'fast'; one of flow, direct, gaussian"),
+        for options, message in (({"method": "fast"}, "method: unknown value 'fast'; choose one of flow, direct, gaussian"),
                                  ({"spacing": 0}, "spacing 0: must be finite and positive"),
                                  ({"probe": -1}, "probe -1: must be finite and not negative"),
                                  ({"threads": -1}, "threads"),
@@ -204,8 +204,8 @@ class Options(unittest.TestCase):
                                  ({"edge": 1, "vertex_density": 1}, "give one of them"),
                                  ({"adaptive": True}, "ask for them with edge"),
                                  ({"history": True, "method": "direct"}, "history"),
-                                 ({"flow": "paper", "method": "direct"}, "flow is about the steps of a flow"),
-                                 ({"anchor": 0, "method": "gaussian"}, "anchor is about the steps of a flow"),
+                                 ({"flow": "paper", "method": "direct"}, "flow applies to the flow"),
+                                 ({"anchor": 0, "method": "gaussian"}, "anchor applies to the flow"),
                                  ({"memory": "4 sacks"}, "memory: must be an amount"),
                                  ({"components": "some"}, "components: unknown value")):
             with self.assertRaisesRegex(ValueError, message):

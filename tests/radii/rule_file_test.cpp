@@ -42,7 +42,7 @@ TEST(RuleFile, ErrorsNameTheirPlace) {
     EXPECT_TRUE(error_of("* @C 1\xff\n").starts_with("my.radii:1:6: the radius '1?' is not a number"));
     EXPECT_TRUE(error_of("ASP OD* -1\n").starts_with("my.radii:1:9: the radius '-1' is negative"));
     EXPECT_TRUE(error_of("ASP OD* nan\n").starts_with("my.radii:1:9: "));
-    EXPECT_TRUE(error_of("ASP OD* 1.4 1.5\n").starts_with("my.radii:1:13: '1.5' is too much"));
+    EXPECT_TRUE(error_of("ASP OD* 1.4 1.5\n").starts_with("my.radii:1:13: '1.5' is unexpected"));
     EXPECT_TRUE(error_of("ASP OD*\n").starts_with("my.radii:1:8: the radius is missing"));
     EXPECT_TRUE(error_of("ASP\n").starts_with("my.radii:1:4: the atom is missing"));
     EXPECT_TRUE(error_of("hydrogens maybe\n").starts_with("my.radii:1:11: after 'hydrogens'"));

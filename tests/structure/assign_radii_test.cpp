@@ -59,7 +59,7 @@ TEST(AssignRadii, UnitedSetsDropHydrogensAndSaySo) {
         Chosen chosen = all_of(model);
         EXPECT_EQ(assign_radii(model, {.radii = set}, "f", chosen).values.size(), 3U);
         ASSERT_FALSE(chosen.warnings.empty());
-        expect_contains(chosen.warnings[0], std::string("the radii of ") + set + " stand for them");
+        expect_contains(chosen.warnings[0], std::string("the radii of ") + set + " already include them");
         EXPECT_THROW(
             assign_radii(model, {.radii = set, .hydrogens = HydrogenPolicy::Keep}, "f", chosen = all_of(model)),
             UsageError);
@@ -91,7 +91,7 @@ TEST(AssignRadii, AnUnknownElementIsCountedAndGivenCarbons) {
     model.atoms[0].element.clear();
     Chosen chosen = all_of(model);
     EXPECT_EQ(assign_radii(model, {}, "f", chosen).values, (std::vector<double>{1.70}));
-    expect_contains(chosen.warnings.at(0), "1 of no known element");
+    expect_contains(chosen.warnings.at(0), "1 of unknown element");
 }
 
 TEST(AssignRadii, ZeroRadiiDoNotExistAndAreCounted) {

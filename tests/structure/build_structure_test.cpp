@@ -70,7 +70,7 @@ TEST(BuildStructure, AnUnknownAssemblyIsAnErrorThatListsThem) {
         build(two_chains(), "7");
         FAIL();
     } catch (const InputError& error) {
-        expect_contains(error.what(), "no assembly 7; there are 1 broken");
+        expect_contains(error.what(), "no assembly 7; assemblies of the file: 1 broken");
     }
     EXPECT_THROW(build(two_chains(), "broken"), InputError);
 }

@@ -54,7 +54,7 @@ TEST(ChooseAtoms, ChainsGoByAuthorOrLabelName) {
         choose_atoms(model, {.chains = {"Q"}}, "f");
         FAIL();
     } catch (const InputError& error) {
-        expect_contains(error.what(), "f: no chain Q; --chains can name A B");
+        expect_contains(error.what(), "f: no chain Q; chains of the file: A B");
     }
 }
 

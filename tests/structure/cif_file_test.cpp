@@ -160,7 +160,7 @@ TEST(GemmiCif, ColumnsInTwoLoopsAreAnError) {
         "_atom_site.Cartn_z\nC ALA 0 0 0\n";
     expect_contains(cif_error(coordinates + "loop_\n_atom_site.pdbx_PDB_model_num\n1\n"), "a second time");
     expect_contains(cif_error(coordinates + "loop_\n_other.id\n_atom_site.pdbx_PDB_model_num\n1 1\n"),
-                    "has other columns");
+                    "contains other columns");
     expect_contains(cif_error(coordinates + "_Atom_Site.pdbx_PDB_model_num 1\n"), "a second time");
     EXPECT_EQ(cif_error(coordinates + "loop_\n_atom_site_anisotrop.id\n1\n"), "");
 }
@@ -171,7 +171,7 @@ TEST(GemmiCif, LoopsOfSeveralCategoriesAreNoAssemblies) {
         "data_x\nloop_\n_pdbx_struct_assembly_gen.assembly_id\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n"
         "_atom_site.label_seq_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n1 C ALA 15555555555 0 0 "
         "0\n";
-    expect_contains(cif_error(mixed), "f.cif:2:1: a loop of _atom_site has other columns");
+    expect_contains(cif_error(mixed), "f.cif:2:1: a loop of _atom_site contains other columns");
     const RawModel model =
         cif(std::string(kHead) + "ATOM 1 C C . ALA A 1 1 0 0 1\n" +
             "loop_\n_pdbx_struct_assembly_gen.assembly_id\n_struct_ref_seq.seq_align_beg\n1 15555555555\n");

@@ -39,7 +39,7 @@ TEST(InputFile, SuffixTellsTheFormatInAnyCase) {
 
 TEST(InputFile, UnknownSuffixesAreErrorsThatNameTheKnown) {
     expect_contains(error_of_bytes(kAtom, "a.txt"), ".pdb .ent .cif .mmcif .pqr .xyzr .xyzrn");
-    expect_contains(error_of_bytes("", "/dev/null"), "no known suffix");
+    expect_contains(error_of_bytes("", "/dev/null"), "unknown suffix");
 }
 
 TEST(InputFile, StandardInputIsToldByContent) {
@@ -72,7 +72,7 @@ TEST(InputFile, GzipUnderAPlainNameIsReadWithAWarning) {
 }
 
 TEST(InputFile, PlainTextUnderAGzipNameIsAnError) {
-    expect_contains(error_of_bytes(kAtom, "a.pdb.gz"), "holds no gzip data");
+    expect_contains(error_of_bytes(kAtom, "a.pdb.gz"), "contains no gzip data");
 }
 
 TEST(InputFile, WhatIsNoStructureIsNamed) {

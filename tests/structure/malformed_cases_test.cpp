@@ -40,7 +40,7 @@ TEST(MalformedCases, AWebPageIsNoStructure) {
 TEST(MalformedCases, GzipCutInHalfAndTextNamedGzip) {
     const std::string whole = gzipped(pdb_line({}) + pdb_line({.number = 2, .x = 3.3}));
     expect_contains(error_of(whole.substr(0, whole.size() / 2), "a.pdb.gz"), "end too early");
-    expect_contains(error_of(pdb_line({}), "a.pdb.gz"), "holds no gzip data");
+    expect_contains(error_of(pdb_line({}), "a.pdb.gz"), "contains no gzip data");
 }
 
 TEST(MalformedCases, FoldersEmptyFilesAndDevices) {
@@ -50,7 +50,7 @@ TEST(MalformedCases, FoldersEmptyFilesAndDevices) {
     expect_contains(error_of("", "a.xyzr"), "no atoms in this file");
     expect_contains(error_of("", "a.pqr"), "no atoms in this file");
     expect_contains(error_of("", "a.cif"), "a.cif:");
-    expect_contains(error_of("", "a.pdb.gz"), "holds no gzip data");
+    expect_contains(error_of("", "a.pdb.gz"), "contains no gzip data");
 }
 
 TEST(MalformedCases, OnlyWatersOnlyHydrogensOneAtom) {

@@ -41,7 +41,7 @@ TEST(PdbModels, EndSeparatesFramesOfATrajectory) {
 
 TEST(PdbModels, RepeatedAndMissingNumbersAreNoted) {
     EXPECT_EQ(models_of(join({"MODEL 1", "A", "ENDMDL", "MODEL 1", "A", "ENDMDL"})),
-              "1 4 [line 4: this MODEL number came before]");
+              "1 4 [line 4: this MODEL number occurs more than once]");
     EXPECT_EQ(models_of(join({"MODEL", "A", "ENDMDL"})), "1 [line 1: MODEL without a number]");
 }
 
@@ -60,7 +60,7 @@ TEST(PdbModels, AtomsOutsideModelsAreAModel) {
 
 TEST(PdbModels, DifferentNumbersOfAtomsAreNoted) {
     EXPECT_EQ(models_of(join({"MODEL 1", "A", "ENDMDL", "MODEL 2", "A", "A", "ENDMDL"})),
-              "1 4 [line 4: this model has another number of atoms than the first]");
+              "1 4 [line 4: this model has a different number of atoms from the first]");
 }
 
 }  // namespace

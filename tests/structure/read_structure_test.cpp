@@ -73,7 +73,7 @@ TEST(ReadStructure, ModelsByPosition) {
     EXPECT_TRUE(has_warning(first, "model 1 of 2 taken: --model N|all"));
     EXPECT_EQ(read_text(text, "m.pdb", {.model = 2}).atoms.centres.at(0).x, 7.0);
     expect_contains(error_of(text, "m.pdb", {.model = 3}), "m.pdb: no model 3; there are 2");
-    expect_contains(error_of<UsageError>(text, "m.pdb", {.model = 0}), "models count from 1");
+    expect_contains(error_of<UsageError>(text, "m.pdb", {.model = 0}), "models are counted from 1");
 }
 
 TEST(ReadStructure, AllModelsAreStructuresOfTheirOwn) {
@@ -95,7 +95,7 @@ TEST(ReadStructure, ABadModelThatIsNotAskedForIsNoMatter) {
 TEST(ReadStructure, NothingLeftIsAnErrorThatSaysWhatWent) {
     expect_contains(error_of(kWater, "w.pdb"), "w.pdb: no atoms left: 1 water left out: --waters");
     expect_contains(error_of("", "e.pdb"), "e.pdb: no atoms in this file");
-    expect_contains(error_of(kGlycine, "g.pdb", {.select = "//Z"}), "--chains or --select leave none");
+    expect_contains(error_of(kGlycine, "g.pdb", {.select = "//Z"}), "--chains or --select keep none");
     expect_contains(error_of("# none\n", "e.xyzr"), "no atoms in this file");
 }
 
@@ -103,13 +103,13 @@ TEST(ReadStructure, NothingLeftIsAnErrorThatSaysWhatWent) {
 TEST(ReadStructure, NamesThatAreNoTextAreRefused) {
     std::string pdb(kGlycine);
     pdb[14] = '\x82';
-    expect_contains(error_of(pdb, "n.pdb"), "n.pdb:1:15: a byte that is no printable character among the names");
-    expect_contains(error_of("ATOM 1 N AL\xff 1 0 0 0 0 1\n", "n.pqr"), "n.pqr:1:10: a byte that is no printable");
-    expect_contains(error_of("0 0 0 1 1 C\x01_ALA_1\n", "n.xyzrn"), "n.xyzrn:1:11: a byte that is no printable");
+    expect_contains(error_of(pdb, "n.pdb"), "n.pdb:1:15: a byte that is not a printable character in the names");
+    expect_contains(error_of("ATOM 1 N AL\xff 1 0 0 0 0 1\n", "n.pqr"), "n.pqr:1:10: a byte that is not a printable");
+    expect_contains(error_of("0 0 0 1 1 C\x01_ALA_1\n", "n.xyzrn"), "n.xyzrn:1:11: a byte that is not a printable");
     expect_contains(error_of("data_n\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
                              "_atom_site.label_atom_id\n_atom_site.label_comp_id\n0 0 0\n;C\nA\n;\nALA\n",
                              "n.cif"),
-                    "n.cif:9:1: _atom_site.label_atom_id 'C?A' holds a byte that is no printable character");
+                    "n.cif:9:1: _atom_site.label_atom_id 'C?A' contains a byte that is not a printable character");
     expect_contains(error_of<UsageError>(kGlycine, "g.pdb", {.select = "\x01["}), "'?['");
 }
 
@@ -141,8 +141,8 @@ TEST(ReadStructure, AssembliesAreCopied) {
     ASSERT_EQ(s.atoms.size(), 8U);
     EXPECT_EQ(s.atoms.centres[4].x, 111.0);
     EXPECT_EQ(s.residues.at(1).chain, "A-2");
-    expect_contains(error_of(text + kGlycine, "g.pdb", {.assembly = "2"}), "no assembly 2; there are 1");
-    expect_contains(error_of(kGlycine, "g.pdb", {.assembly = "1"}), "the file names none");
+    expect_contains(error_of(text + kGlycine, "g.pdb", {.assembly = "2"}), "no assembly 2; assemblies of the file: 1");
+    expect_contains(error_of(kGlycine, "g.pdb", {.assembly = "1"}), "the file has none");
 }
 
 TEST(ReadStructure, SpheresBringTheirRadii) {
@@ -150,7 +150,7 @@ TEST(ReadStructure, SpheresBringTheirRadii) {
     EXPECT_EQ(s.radii_set, "file");
     EXPECT_EQ(s.atoms.size(), 1U);
     EXPECT_EQ(s.dropped.at("zero_radius"), 1U);
-    expect_contains(error_of<UsageError>("0 0 0 1\n", "s.xyzr", {.radii = "bondi"}), "has no atom names");
+    expect_contains(error_of<UsageError>("0 0 0 1\n", "s.xyzr", {.radii = "bondi"}), "has radii but no atom names");
 }
 
 TEST(ReadStructure, APqrFileCanTakeAnotherSet) {
@@ -164,7 +164,7 @@ TEST(ReadStructure, APqrFileCanTakeAnotherSet) {
 TEST(ReadStructure, CoincidentAtomsAreKeptAndMentioned) {
     const Structure s = read_text("0 0 0 1\n0 0 0 1\n0 0 0 2\n", "s.xyzr");
     EXPECT_EQ(s.atoms.size(), 3U);
-    EXPECT_TRUE(has_warning(s, "2 atoms exactly at the place of another atom"));
+    EXPECT_TRUE(has_warning(s, "2 atoms at exactly the position of another atom"));
 }
 
 TEST(ReadStructure, UserRulesAreASet) {

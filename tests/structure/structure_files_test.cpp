@@ -45,7 +45,7 @@ TEST(StructureFiles, KeepTheAtomsOfThePolymer) {
         const Structure s = read_structure(path_of(expected.file));
         EXPECT_EQ(s.atoms.size(), expected.atoms) << expected.file;
         EXPECT_EQ(s.radii_set, expected.radii) << expected.file;
-        EXPECT_FALSE(testing::has_warning(s, "unknown to set")) << expected.file;
+        EXPECT_FALSE(testing::has_warning(s, "not in radius set")) << expected.file;
     }
 }
 

@@ -40,7 +40,7 @@ TEST(Words, AnUnknownWordIsToldWithThoseThatAreKnown) {
         parse_word("--slope", "steep", kSlopeWords);
         FAIL();
     } catch (const UsageError& error) {
-        EXPECT_STREQ(error.what(), "--slope: unknown value 'steep'; one of unit, computed");
+        EXPECT_STREQ(error.what(), "--slope: unknown value 'steep'; choose one of unit, computed");
     }
 }
 

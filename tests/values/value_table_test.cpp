@@ -86,22 +86,24 @@ TEST(ValueTable, RowsOfWhatIsNotKeptAreCounted) {
 }
 
 TEST(ValueTable, ATableOfAnotherStructureIsRefused) {
-    EXPECT_EQ(message_of("chain,resnum,resname,v\nA,1,GLY,1\n"),
-              "t.csv:2:5: resname is 'GLY' here, but 'ALA' in the structure; is it the table of another one?");
+    EXPECT_EQ(
+        message_of("chain,resnum,resname,v\nA,1,GLY,1\n"),
+        "t.csv:2:5: resname is 'GLY' here, but 'ALA' in the structure; does the table belong to another structure?");
     EXPECT_NE(message_of("index,chain,v\n0,B,1\n").find("t.csv:2:3: chain is 'B' here, but 'A'"), std::string::npos);
 }
 
 TEST(ValueTable, MistakesAreToldWithTheirPlace) {
     EXPECT_NE(message_of("").find("is empty"), std::string::npos);
     EXPECT_EQ(message_of("chain,resnum\nA,1\n").substr(0, 34), "t.csv:1:1: no column of values; wh");
-    EXPECT_EQ(message_of("v\n1\n").substr(0, 40), "t.csv:1:1: nothing tells what the rows a");
+    EXPECT_EQ(message_of("v\n1\n").substr(0, 40), "t.csv:1:1: no column says which atoms or");
     EXPECT_EQ(message_of("resnum,v\n1,1\n").substr(0, 28), "t.csv:1:1: no column 'chain'");
     EXPECT_EQ(message_of("chain,resnum,v\nA,1,high\n").substr(0, 38), "t.csv:2:5: column 'v' holds 'high', wh");
-    EXPECT_EQ(message_of("chain,resnum,v\nA,one,1\n"), "t.csv:2:3: resnum 'one' is no whole number");
+    EXPECT_EQ(message_of("chain,resnum,v\nA,one,1\n"), "t.csv:2:3: resnum 'one' is not a whole number");
     EXPECT_EQ(message_of("chain,resnum,v\nA,1\n"), "t.csv:2:1: has 2 cells under 3 names");
-    EXPECT_TRUE(message_of("serial,v\n1,1e39\n").starts_with("t.csv:2:3: column 'v' holds '1e39', which is no number"));
+    EXPECT_TRUE(message_of("serial,v\n1,1e39\n").starts_with("t.csv:2:3: column 'v' holds '1e39', which is not a number"));
     EXPECT_EQ(message_of("serial,v,v\n1,1,1\n"), "t.csv:1:10: a second column 'v'; rename one of them");
-    EXPECT_EQ(message_of("serial,v\n1,1\n1,2\n"), "t.csv:3:1: is about the same as line 2; leave one of them out");
+    EXPECT_EQ(message_of("serial,v\n1,1\n1,2\n"),
+              "t.csv:3:1: repeats the atoms or residue of line 2; leave one of them out");
     for (const char* name : {"area", "two words", "Atom", "1st"})
         EXPECT_NE(message_of(std::string("serial,") + name + "\n1,1\n").find("cannot be the name"), std::string::npos)
             << name;

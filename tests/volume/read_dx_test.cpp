@@ -66,7 +66,7 @@ TEST(ReadDx, NamesThePlaceOfWhatIsWrong) {
     EXPECT_EQ(complaint_with("counts 2 1 3", "counts 2 1"),
               "a.dx:5:40: count along z is missing; the line ends too early");
     EXPECT_EQ(complaint_with("counts 2 1 3", "counts 2 0 3"),
-              "a.dx:5:39: count along y '0' is no count of nodes; correct it");
+              "a.dx:5:39: count along y '0' is not a number of nodes; correct it");
     EXPECT_EQ(complaint_with("1.500000e+00", "nan"), "a.dx:6:22: origin y 'nan' is not a finite number; correct it");
     EXPECT_EQ(complaint_with("-2.000000e+00", "-2,0"),
               "a.dx:12:14: value '-2,0' is not a number within single precision; correct it");
@@ -78,10 +78,10 @@ TEST(ReadDx, NamesThePlaceOfWhatIsWrong) {
               "a.dx:14:1: more values than the 6 of the grid; correct the counts");
     EXPECT_EQ(complaint_with("items 6", "items 7"), "a.dx:11:47: 7 items for a grid of 6 nodes; correct one of them");
     EXPECT_EQ(complaint_with("data follows", "lsb ieee data follows"),
-              "a.dx:11:57: binary data, which are not supported; write them as text");
+              "a.dx:11:57: binary data are not supported; write them as text");
     EXPECT_EQ(complaint_with("rank 0", "rank 1"), "a.dx:11:39: data with several values per node; write one (rank 0)");
     EXPECT_EQ(complaint_with("origin", "orgin"),
-              "a.dx:6:1: 'orgin' begins no line of an OpenDX header; expected are object, origin, delta");
+              "a.dx:6:1: 'orgin' cannot begin a line of an OpenDX header; expected object, origin or delta");
 }
 
 TEST(ReadDx, RefusesSkewAndBackwardGrids) {
@@ -101,7 +101,7 @@ TEST(ReadDx, RefusesWhatIsMissing) {
         EXPECT_NE(complaint(content, "a.dx").find("before them; write"), std::string::npos) << line;
     }
     EXPECT_EQ(complaint("", "a.dx"),
-              "a.dx:1:1: the file ends before its data; it is cut off or no OpenDX grid, fetch or write it again");
+              "a.dx:1:1: the file ends before its data; it is cut off or not an OpenDX grid, fetch or write it again");
     EXPECT_NE(complaint(std::string(5000, 'x'), "a.dx"), "");
 }
 

@@ -135,7 +135,7 @@ TEST(ReadMrc, NamesTheFieldThatIsWrong) {
     EXPECT_EQ(complaint_of(header), "a.mrc:byte 88 (ISPG): a stack of volumes; write one volume per file");
     header = usual_header();
     header.map = {};
-    EXPECT_EQ(complaint_of(header), "a.mrc:byte 208 (MAP): 'MAP ' is missing; this is no MRC or CCP4 map");
+    EXPECT_EQ(complaint_of(header), "a.mrc:byte 208 (MAP): 'MAP ' is missing; this is not an MRC or CCP4 map");
     std::string bytes = content<float>(usual_header());
     bytes.replace(offsetof(MrcHeader, axes) + 8, 4, std::string("\2\0\0\0", 4));
     EXPECT_EQ(complaint(bytes, "a.mrc"),
@@ -148,7 +148,7 @@ TEST(ReadMrc, NamesTheFieldThatIsWrong) {
 TEST(ReadMrc, RefusesFilesOfAnotherLength) {
     const std::string bytes = content<float>(usual_header());
     EXPECT_EQ(complaint(bytes.substr(0, 1000), "a.mrc"),
-              "a.mrc: is shorter than the 1024 bytes of an MRC header; it is cut off or no such map");
+              "a.mrc: is shorter than the 1024 bytes of an MRC header; it is cut off or not such a map");
     EXPECT_NE(complaint(bytes.substr(0, bytes.size() - 1), "a.mrc").find("too short for 2 x 3 x 4"), std::string::npos);
     EXPECT_EQ(complaint(bytes + "x", "a.mrc"), "a.mrc: the file is longer than its header says; write it again");
     MrcHeader vast = usual_header();

@@ -207,7 +207,7 @@ struct CifSource {
 
     [[noreturn]] void fail_name(Column::Index column, std::size_t row, std::string_view value) const {
         fail_at(file, locate_cif_value(text, tag_of(column), row),
-                tag_of(column) + " " + shown(value) + " holds a byte that is no printable character; correct it");
+                tag_of(column) + " " + shown(value) + " contains a byte that is not a printable character; correct it");
     }
 
 private:
@@ -295,7 +295,7 @@ public:
         const std::string_view* const text = value_of(column);
         if (text == nullptr) return otherwise;
         const auto value = finite_number(unquoted(*text));
-        if (!value) source_.fail(column, index_, *text, "'?' is allowed");
+        if (!value) source_.fail(column, index_, *text, "write '?' for an unknown value");
         return *value;
     }
 
@@ -309,7 +309,7 @@ public:
             digits.remove_suffix(1);
         }
         const auto value = integer(digits);
-        if (!value) source_.fail(column, index_, *columns_.at(column, index_), "residue numbers are integers");
+        if (!value) source_.fail(column, index_, *columns_.at(column, index_), "residue numbers must be integers");
         residue.number = *value;
     }
 
@@ -392,7 +392,7 @@ void check_one_table(const gemmi::cif::Block& block, const std::string& file) {
         if (item.type == gemmi::cif::ItemType::Loop) {
             const bool has_some = std::any_of(item.loop.tags.begin(), item.loop.tags.end(), is_of_atoms);
             if (has_some && !all_begin_with(item.loop, prefix))
-                refuse(file, item, "a loop of _atom_site has other columns, too; give these a loop of their own");
+                refuse(file, item, "a loop of _atom_site contains other columns; give these a loop of their own");
             loops += has_some ? 1 : 0;
         } else if (item.type == gemmi::cif::ItemType::Pair) {
             pairs += is_of_atoms(item.pair[0]) ? 1 : 0;
