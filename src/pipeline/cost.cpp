@@ -223,6 +223,15 @@ void add_quality(Cost& cost, const SurfaceOptions& options) {
     if (options.two_sided_distance) cost.seconds += 1e-9 * kNanosecondsOfDistance * cost.vertices;
 }
 
+// Exact measures come before the grid, whose memory then takes the place of theirs.
+constexpr double kBytesOfMeasuring = 9000.0;
+constexpr double kNanosecondsOfMeasuring = 8000.0;
+
+void add_exact_measures(Cost& cost, double atoms) {
+    cost.memory_mb = std::max(cost.memory_mb, (kBytesOfProgram + kBytesOfMeasuring * atoms) / kMegabyte);
+    cost.seconds += 1e-9 * kNanosecondsOfMeasuring * atoms;
+}
+
 Cost cost_of(double atoms, double area, const SurfaceOptions& options) {
     const double h = options.spacing;
     const double blocks = block_count(area, h, band_margin(options));
@@ -236,6 +245,7 @@ Cost cost_of(double atoms, double area, const SurfaceOptions& options) {
     cost.seconds = 1e-9 * sum(prices_of(options).nanoseconds);
     if (options.remesh.is_on()) add_remeshing(cost, options.remesh.edge);
     add_quality(cost, options);
+    if (options.exact) add_exact_measures(cost, atoms);
     return cost;
 }
 
@@ -258,6 +268,9 @@ public:
         SurfaceOptions direct = options_;
         direct.method = Method::Direct;
         if (would_fit(direct)) text += fmt::format("--method direct ({}), ", amount(cost(direct).memory_mb));
+        SurfaceOptions inexact = options_;
+        inexact.exact = false;
+        if (would_fit(inexact)) text += fmt::format("--no-exact ({}), ", amount(cost(inexact).memory_mb));
         if (options_.memory_limit_mb > 0) text += "a larger --memory, ";
         return text + "fewer or smaller atoms";
     }
