@@ -104,7 +104,8 @@ std::string describe_components(const Surface& surface) {
     const std::string mesh = describe_pieces(of_mesh) + describe_changes(surface);
     if (!surface.exact || count_pieces(*surface.exact) == of_mesh) return summary_line("components", mesh);
     const std::string exact = describe_pieces(count_pieces(*surface.exact));
-    return summary_line("components", fmt::format("{} exact; mesh {}", exact, mesh)) +
+    const char* what = surface.options.method == Method::Gaussian ? "Gaussian envelope" : "mesh";
+    return summary_line("components", fmt::format("{} exact; {} {}", exact, what, mesh)) +
            summary_line("", explain_pieces(surface, of_mesh));
 }
 

@@ -223,12 +223,15 @@ void add_quality(Cost& cost, const SurfaceOptions& options) {
     if (options.two_sided_distance) cost.seconds += 1e-9 * kNanosecondsOfDistance * cost.vertices;
 }
 
-// Exact measures come before the grid, whose memory then takes the place of theirs.
-constexpr double kBytesOfMeasuring = 9000.0;
+// Exact measures come before the grid, which takes most of their memory over, but not all; on a coarse grid the peak is
+// theirs.
+constexpr double kBytesOfMeasuring = 3000.0;
+constexpr double kBytesKeptOfMeasuring = 800.0;
 constexpr double kNanosecondsOfMeasuring = 8000.0;
 
 void add_exact_measures(Cost& cost, double atoms) {
-    cost.memory_mb = std::max(cost.memory_mb, (kBytesOfProgram + kBytesOfMeasuring * atoms) / kMegabyte);
+    const double while_measuring = (kBytesOfProgram + kBytesOfMeasuring * atoms) / kMegabyte;
+    cost.memory_mb = std::max(cost.memory_mb + kBytesKeptOfMeasuring * atoms / kMegabyte, while_measuring);
     cost.seconds += 1e-9 * kNanosecondsOfMeasuring * atoms;
 }
 
