@@ -94,7 +94,7 @@ TEST(ValueTable, ATableOfAnotherStructureIsRefused) {
 
 TEST(ValueTable, MistakesAreToldWithTheirPlace) {
     EXPECT_NE(message_of("").find("is empty"), std::string::npos);
-    EXPECT_EQ(message_of("chain,resnum\nA,1\n").substr(0, 34), "t.csv:1:1: no column of values; wh");
+    EXPECT_EQ(message_of("chain,resnum\nA,1\n").substr(0, 34), "t.csv:1:1: no column of values; ad");
     EXPECT_EQ(message_of("v\n1\n").substr(0, 40), "t.csv:1:1: no column says which atoms or");
     EXPECT_EQ(message_of("resnum,v\n1,1\n").substr(0, 28), "t.csv:1:1: no column 'chain'");
     EXPECT_EQ(message_of("chain,resnum,v\nA,1,high\n").substr(0, 38), "t.csv:2:5: column 'v' holds 'high', wh");
