@@ -31,6 +31,12 @@ function(meniscus_pack target size)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${MENISCUS_PACKS} UNITY_BUILD_BATCH_SIZE ${size})
 endfunction()
 
+# What only reads options and writes reports spends its time in the libraries: optimised little, it compiles a quarter faster.
+function(meniscus_client target)
+  meniscus_pack(${target} 8)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # One static library per room: meniscus_room(NAME SOURCES ... USES other rooms and libraries).
 function(meniscus_room name)
   cmake_parse_arguments(ARG "" "" "SOURCES;USES" ${ARGN})

@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Meniscus authors
 # SPDX-License-Identifier: Apache-2.0
-"""clang-tidy on every source file that has changed, or includes something that has, since it last passed.
+"""clang-tidy on source files that have not passed yet as they are, with all that they include.
 
-usage: check-tidy.py BUILD    BUILD holds compile_commands.json
+usage: check-tidy.py BUILD [--changed SECONDS]    BUILD holds compile_commands.json, each source with a command of its own
+    --changed SECONDS    only on sources that the change touches (tools/changes.py), then on those that include a header
+                         that it touches, in the order of their names; after so many seconds no other is begun. Those that
+                         are left are listed: ./test --full looks at all
 
 Most of its time goes into the headers of the standard library, which it looks through as it does ours. Sources that are
 compiled alike are therefore looked at together, in a file that includes them.
@@ -14,8 +17,10 @@ import re
 import shlex
 import subprocess
 import sys
+import time
 
-from sources import ROOT, Cache, configurations, named, sources
+import changes
+from sources import ROOT, Cache, closure, configurations, named, sources
 
 
 # Compiled only where the library that they are about is installed (packages.txt, section [full]).
@@ -90,6 +95,15 @@ class Bundles:
         return ["clang-tidy", *ARGUMENTS, str(bundle), "--", *arguments_of(self.commands[paths[0]])]
 
 
+def touched(paths):
+    """The sources that the change touches, and those that include a header that it touches."""
+    if changes.changed() is None:
+        return list(paths), []
+    itself = [path for path in paths if path in changes.changed()]
+    through_headers = [path for path in paths if path not in changes.changed() and changes.changed() & set(closure(path))]
+    return itself, through_headers
+
+
 def main():
     entries = json.loads((pathlib.Path(sys.argv[1]) / "compile_commands.json").read_text())
     for entry in entries:
@@ -104,7 +118,15 @@ def main():
     version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
     cache = Cache("tidy", version, *ARGUMENTS, *configurations(SETTINGS))
     bundles = Bundles(commands)
-    failed = cache.run(list(commands), bundles.command, bundles)
+    failed = []
+    if sys.argv[2:3] == ["--changed"]:
+        until = time.monotonic() + float(sys.argv[3])
+        for paths in touched(commands):
+            failed += cache.run(paths, bundles.command, bundles, until)
+        if cache.left:
+            print(f"clang-tidy: {len(cache.left)} sources left to ./test --full:", *cache.left)
+    else:
+        failed += cache.run(list(commands), bundles.command, bundles)
     return 1 if failed or forgotten else 0
 
 

@@ -19,10 +19,12 @@ packages_of() {
     done
 }
 
+# Those of the named packages that are not installed, nor provided by another one that is.
 missing_packages() {
-    local package
+    local installed package
+    installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}, ${Provides},\n' 2>/dev/null | sed -n 's/^installed//p')
     for package in "$@"; do
-        [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || printf '%s\n' "$package"
+        grep -qE "(^| )${package//[.+]/\\&}( \([^)]*\))?," <<<"$installed" || printf '%s\n' "$package"
     done
 }
 
@@ -68,6 +70,49 @@ quietly() {
     fi
     rm -f "$log"
 }
+
+# Whether a person reads what goes to standard error as it comes.
+is_watched() { [ -t 2 ]; }
+
+# show_progress: reads ninja's status lines ("[12/34 5.6] ...", NINJA_STATUS below) and turns them into one line that moves.
+export NINJA_STATUS='[%f/%t %e] '
+show_progress() {
+    local line left
+    while IFS= read -r line; do
+        [[ $line =~ ^\[([0-9]+)/([0-9]+)\ ([0-9]+) ]] || continue
+        left=''
+        if [ "${BASH_REMATCH[3]}" -ge 5 ] && [ "${BASH_REMATCH[1]}" -gt 0 ]; then
+            left=$(((BASH_REMATCH[2] - BASH_REMATCH[1]) * BASH_REMATCH[3] / BASH_REMATCH[1]))
+            if [ "$left" -ge 90 ]; then
+                left=", about $(((left + 30) / 60)) minutes left"
+            elif [ "$left" -ge 45 ]; then
+                left=", about 1 minute left"
+            else
+                left=", less than a minute left"
+            fi
+        fi
+        printf '\r\033[Kbuilding: %d of %d files%s' "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" "$left" >&2
+    done
+    printf '\r\033[K' >&2
+}
+
+# run_ninja FOLDER [TARGET ...]: builds, with a line that moves where a person is watching; returns 1 and leaves the
+# output in FOLDER.log where that fails.
+run_ninja() {
+    local folder=$1
+    shift
+    if is_watched; then
+        cmake --build "$folder" -- "$@" 2>&1 </dev/null | tee "$folder.log" | show_progress
+    else
+        cmake --build "$folder" -- "$@" >"$folder.log" 2>&1 </dev/null
+    fi
+}
+
+# A compiler cache where there is one. An environment that has chosen another launcher keeps it.
+if command -v ccache >/dev/null && [ -z "${CMAKE_CXX_COMPILER_LAUNCHER-}" ]; then
+    export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+    export CCACHE_SLOPPINESS="${CCACHE_SLOPPINESS-pch_defines,time_macros}"
+fi
 
 # Removes a build folder that was configured for another place of the project.
 forget_moved_build() {

@@ -100,6 +100,7 @@ TEST(MalformedFiles, AreAllListedHere) {
     for (const Expected& expected : kFiles) listed.insert(expected.file);
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder())) {
         const std::string name = std::filesystem::relative(entry.path(), folder()).string();
+        if (name.starts_with("reports/")) continue;  // what users have reported is a list of its own
         EXPECT_TRUE(!entry.is_regular_file() || listed.contains(name)) << name;
     }
 }

@@ -15,7 +15,7 @@ import unittest
 
 SOURCE = pathlib.Path(sys.argv[1]).resolve()
 # Stand-ins for the system's programs: what is installed is a line in `installed`, what is called one in `called`.
-DPKG_QUERY = "#!/bin/sh\nfor name; do :; done\ngrep -qx \"$name\" installed && printf installed\n"
+DPKG_QUERY = "#!/bin/sh\nsed 's/.*/installed &, ,/' installed; echo 'installed nodesource, npm (= 1), yarn,'\n"
 APT_GET = "#!/bin/sh\necho \"$@\" >>called\n"
 SUDO = "#!/bin/sh\nexec \"$@\"\n"
 
@@ -54,6 +54,23 @@ class SetupTest(unittest.TestCase):
         run = self.packages("run")
         self.assertEqual(self.install("run", installed=run[1:]),
                          ["update", f"install -y --no-install-recommends {run[0]}"])
+
+    def test_a_build_that_is_watched_shows_how_far_it_is(self):
+        lines = "[1/40 2.0] first\\n[10/40 60.5] tenth\\nan error\\n[39/40 120.0] last\\n"
+        shown = self.bash(f"printf '{lines}' | show_progress 2>&1").replace("\r\033[K", "\n").splitlines()
+        self.assertEqual(shown, ["", "building: 1 of 40 files", "building: 10 of 40 files, about 3 minutes left",
+                                 "building: 39 of 40 files, less than a minute left"])
+
+    def test_the_build_is_no_line_in_a_log(self):
+        for name in ("cmake", "ninja"):
+            (self.folder / name).write_text("#!/bin/sh\necho '[1/2 3.0] x'\n", encoding="ascii")
+            (self.folder / name).chmod(0o755)
+        self.assertEqual(self.bash("run_ninja folder target 2>&1"), "")
+        self.assertEqual((self.folder / "folder.log").read_text(encoding="ascii"), "[1/2 3.0] x\n")
+
+    def test_what_another_package_provides_is_not_missing(self):
+        rest = [name for name in self.packages("full") if name != "npm"]
+        self.assertEqual(self.install("full", installed=rest), [])
 
     def test_each_package_says_what_it_is_for(self):
         for line in (SOURCE / "packages.txt").read_text(encoding="utf-8").splitlines():

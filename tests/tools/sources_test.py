@@ -121,7 +121,7 @@ class TidyTest(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stdout)
 
     def test_what_declares_the_same_stays_apart(self):
-        names = ["src/flow/spline_system.cpp", "src/flow/steady_state.cpp"]  # kBlocksPerChunk
+        names = ["src/flow/closest_points.cpp", "src/mesh/cut_edges.cpp"]  # kGrain
         self.assertEqual(len(self.bundles_of(*names)([pathlib.Path(name) for name in names])), 2)
 
     def test_what_is_checked_differently_stays_apart(self):
