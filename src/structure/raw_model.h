@@ -80,7 +80,8 @@ struct RawModel {
     int model_count = 1;     ///< models in the file
     bool has_names = true;   ///< false for bare spheres
     bool has_radii = false;  ///< PQR, xyzr: radii are the file's own, and every atom is kept
-    std::vector<std::string> warnings;
+    std::vector<std::string> notes;     ///< see Structure::notes
+    std::vector<std::string> warnings;  ///< see Structure::warnings
 
     const RawResidue& residue_of(const RawAtom& atom) const { return residues[atom.residue]; }
 };

@@ -23,6 +23,10 @@ namespace {
 
 using namespace reading;
 
+void append(std::vector<std::string>& lines, const std::vector<std::string>& more) {
+    lines.insert(lines.end(), more.begin(), more.end());
+}
+
 // A loaded file that hands out its models one by one.
 class ModelSource {
 public:
@@ -46,8 +50,8 @@ public:
                              (model_count() == 1 ? "is 1" : "are " + std::to_string(model_count())));
         }
         RawModel model = parse(position);
-        model.warnings.insert(model.warnings.end(), file_.warnings.begin(), file_.warnings.end());
-        model.warnings.insert(model.warnings.end(), pdb_.warnings.begin(), pdb_.warnings.end());
+        append(model.notes, file_.notes);
+        append(model.warnings, pdb_.warnings);
         classify_residues(model);
         return model;
     }
@@ -92,10 +96,12 @@ void check_options(const ReadOptions& options) {
     if (options.altloc.size() > 1) throw UsageError("--altloc " + options.altloc + ": must be one character");
 }
 
-[[noreturn]] void fail_empty(const std::string& path, bool had_atoms, const std::vector<std::string>& warnings) {
+[[noreturn]] void fail_empty(const std::string& path, bool had_atoms, const Chosen& chosen) {
     if (!had_atoms) throw InputError(path + ": no atoms in this file; check that it is the right one");
+    std::vector<std::string> lines = chosen.notes;
+    append(lines, chosen.warnings);
     std::string reasons;
-    for (const std::string& line : warnings) reasons += (reasons.empty() ? "" : "; ") + line;
+    for (const std::string& line : lines) reasons += (reasons.empty() ? "" : "; ") + line;
     throw InputError(path + ": no atoms left" +
                      (reasons.empty() ? "; --chains or --select keep none" : ": " + reasons));
 }
@@ -103,15 +109,18 @@ void check_options(const ReadOptions& options) {
 Structure make_structure(const InputFile& file, const RawModel& model, const ReadOptions& options) {
     Chosen chosen = choose_atoms(model, options, file.path);
     const AssignedRadii radii = assign_radii(model, options, file.path, chosen);
-    if (chosen.atoms.empty()) fail_empty(file.path, !model.atoms.empty(), chosen.warnings);
+    if (chosen.atoms.empty()) fail_empty(file.path, !model.atoms.empty(), chosen);
     Structure structure;
     structure.file = file.path;
     structure.name = file.name;
     structure.sha256 = file.sha256;
     structure.radii_set = radii.set;
     structure.dropped = chosen.dropped;
+    structure.left_out_ligands = chosen.ligands;
+    structure.notes = model.notes;
+    append(structure.notes, chosen.notes);
     structure.warnings = model.warnings;
-    structure.warnings.insert(structure.warnings.end(), chosen.warnings.begin(), chosen.warnings.end());
+    append(structure.warnings, chosen.warnings);
     build_structure(model, chosen, radii, options.assembly, structure);
     if (structure.atoms.empty()) throw InputError(file.path + ": assembly " + options.assembly + " has no kept atoms");
     if (const std::size_t count = count_coincident(structure.atoms.centres); count > 0) {
@@ -132,8 +141,9 @@ Structure read_structure(const std::string& path, const ReadOptions& options) {
     const ModelSource source(path, options);
     RawModel model = source.model(options.model);
     if (source.model_count() > 1) {
-        model.warnings.push_back("model " + std::to_string(options.model) + " of " +
-                                 std::to_string(source.model_count()) + " taken: --model N|all");
+        model.notes.push_back("model " + std::to_string(options.model) + " of " +
+                              std::to_string(source.model_count()) + " taken (choose another with " +
+                              options.spelling("model", "N") + ")");
     }
     return make_structure(source.file(), model, options);
 }
