@@ -85,8 +85,8 @@ struct Structure {
     std::map<std::string, std::size_t> dropped;
     /// Ligands left out: names of residues, and how many there were of each. They may fill cavities.
     std::map<std::string, std::size_t> left_out_ligands;
-    std::vector<std::string> notes;     ///< what happens with ordinary files, one line each with the option that changes it
-    std::vector<std::string> warnings;  ///< assumptions that may make a number wrong, likewise
+    std::vector<std::string> notes;     ///< what ordinary files bring with them, such as waters left out: a line per kind
+    std::vector<std::string> warnings;  ///< assumptions that may make a number wrong: a line per kind
 };
 
 /// "4 HEM, 2 PO4" from names and their numbers: most frequent first, at most six names.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "meniscus/errors.h"
+#include "radii/aliases.h"
 #include "structure/assign_radii.h"
 #include "structure/build_structure.h"
 #include "structure/choose_atoms.h"
@@ -75,14 +76,7 @@ private:
     RawModel parse_pdb_model(int position) const {
         if (pdb_.spans.empty()) return {};
         const PdbModelSpan& span = pdb_.spans[static_cast<std::size_t>(position) - 1];
-        CleanPdb clean = screen_pdb(file_.text, span, file_.path, assemblies_);
-        const std::size_t guessed_elements = clean.guessed_elements;
-        RawModel model = parse_pdb(std::move(clean), file_.path);
-        if (guessed_elements > 0) {
-            model.warnings.push_back(counted(guessed_elements, "element") +
-                                     " taken from atom names: columns 77-78 are blank");
-        }
-        return model;
+        return parse_pdb(screen_pdb(file_.text, span, file_.path, assemblies_), file_.path);
     }
 
     InputFile file_;
@@ -106,10 +100,27 @@ void check_options(const ReadOptions& options) {
                      (reasons.empty() ? "; --chains or --select keep none" : ": " + reasons));
 }
 
+// The names of standard residues leave no doubt about elements; "CA" of another one may be carbon or calcium.
+void tell_guessed_elements(const RawModel& model, Chosen& chosen) {
+    std::size_t certain = 0;
+    std::size_t doubtful = 0;
+    for (const std::uint32_t i : chosen.atoms) {
+        if (!model.atoms[i].guessed_element) continue;
+        const std::string& residue = model.residue_of(model.atoms[i]).name;
+        ++(is_amino_acid(residue) || is_nucleotide(residue) || is_water(residue) ? certain : doubtful);
+    }
+    if (certain > 0)
+        chosen.notes.push_back(counted(certain, "element") + " taken from atom names: columns 77-78 are blank");
+    if (doubtful > 0)
+        chosen.warnings.push_back(counted(doubtful, "element") +
+                                  " of other than standard residues guessed from atom names: columns 77-78 are blank");
+}
+
 Structure make_structure(const InputFile& file, const RawModel& model, const ReadOptions& options) {
     Chosen chosen = choose_atoms(model, options, file.path);
     const AssignedRadii radii = assign_radii(model, options, file.path, chosen);
     if (chosen.atoms.empty()) fail_empty(file.path, !model.atoms.empty(), chosen);
+    tell_guessed_elements(model, chosen);
     Structure structure;
     structure.file = file.path;
     structure.name = file.name;
