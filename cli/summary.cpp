@@ -20,6 +20,11 @@ std::string describe_pieces(const PieceCounts& pieces) {
                        counted(pieces.cavities, "cavity", "cavities"));
 }
 
+/// Cavities of the surface or of the mesh, which may lack the smallest or have others.
+bool has_cavities(const Surface& surface) {
+    return count_pieces(surface.measures).cavities > 0 || (surface.exact && count_pieces(*surface.exact).cavities > 0);
+}
+
 /// What the mesh was made without.
 std::string describe_changes(const Surface& surface) {
     std::string text;
@@ -150,6 +155,8 @@ std::string make_summary(const Structure& structure, const Surface& surface, con
                     describe_surface(surface.options), surface.options.spacing);
     text += describe_sizes(surface, facts.shown.has_value());
     text += describe_components(surface);
+    if (has_cavities(surface) && !structure.left_out_ligands.empty())
+        text += summary_line("left out", "ligands that may fill cavities: " + list_ligands(structure));
     text += summary_line("mesh", describe_mesh(surface));
     text +=
         summary_line("distance", fmt::format("mean {:.4f}, 99 % below {:.4f}, largest {:.4f} Å from the exact surface",

@@ -59,8 +59,8 @@ Outcome run_batch(const batch::Request& request) {
     }
     if (collects) {
         batch::Collected collected = batch::collect(places);
-        summary += fmt::format("{}  {} lines, {} of them failures\n", places.results(), collected.inputs,
-                               collected.failed.size());
+        summary +=
+            fmt::format("{}  {} lines, {} failed\n", places.results(), collected.inputs, collected.failed.size());
         failed = std::move(collected.failed);
     }
     if (!request.quiet) print(summary + table_of_failures(failed));

@@ -51,9 +51,9 @@ class Values(ProgramTest):
         for words, code, message in (
                 (["--sample", "far.dx"], 2, "NAME=FILE"), (["--sample", "area=far.dx"], 2, "name of another vertex"),
                 (["--sample", "depth=far.dx"], 2, "is a scheme"), (["--sample", "v=no.dx"], 3, "no.dx"),
-                (["--sample", "v=far.dx"], 3, "another frame"), (["--offset", "1"], 2, "--sample"),
+                (["--sample", "v=far.dx"], 3, "coordinate frame"), (["--offset", "1"], 2, "--sample"),
                 (["--color", "phi"], 2, "unknown value 'phi'"), (["--values", "no.csv"], 3, "no.csv"),
-                (["--values", "t.csv", "--color", "phi"], 2, "there are depth"),
+                (["--values", "t.csv", "--color", "phi"], 2, "choose one of depth"),
                 (["--values", "t.csv", "--color", "depth"], 2, "rename"),
                 (["--values", "t.csv", "--values", "t.csv"], 2, "two arrays"),
                 (["--sample", "v=far.dx", "--interpolation", "best"], 2, "linear, cubic")):

@@ -146,7 +146,7 @@ class Refusals(InScratchFolder):
         self.refused(usage, "jobs 0", paths, jobs=0)
         self.refused(usage, "jobs: the workers", paths, client=unittest.mock.Mock(), jobs=2)
         for option in ("report", "resume", "shard", "list"):
-            self.refused(usage, f"{option}: is no option of map", paths, **{option: "x"})
+            self.refused(usage, f"{option}: is not an option of map", paths, **{option: "x"})
         self.refused(usage, "holds many inputs", ["in"])
         self.refused(usage, "holds many inputs", [write("in.tar", "")])
         self.refused(TypeError, "list of paths", "in/a.xyzr")

@@ -131,7 +131,7 @@ class WhatComesIn(unittest.TestCase):
             ([[0, 0, 0]], [float("inf")], "radii: entry 0 is not finite"),
             ([["a", "b", "c"]], [1], "xyz: numbers are needed"),
             ([[1j, 0, 0]], [1], "xyz: numbers are needed"),
-            ([[0, 0, 0], [0, 0]], [1, 1], "xyz: rows of different lengths"),
+            ([[0, 0, 0], [0, 0]], [1, 1], "xyz: rows have different lengths"),
             ([[0, 0, 0]], [0.0], "radius"),
             ([[0, 0, 0]], [-1.0], "radius"),
             ([], [], "atoms"),

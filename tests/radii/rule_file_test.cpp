@@ -45,7 +45,7 @@ TEST(RuleFile, ErrorsNameTheirPlace) {
     EXPECT_TRUE(error_of("ASP OD* 1.4 1.5\n").starts_with("my.radii:1:13: '1.5' is unexpected"));
     EXPECT_TRUE(error_of("ASP OD*\n").starts_with("my.radii:1:8: the radius is missing"));
     EXPECT_TRUE(error_of("ASP\n").starts_with("my.radii:1:4: the atom is missing"));
-    EXPECT_TRUE(error_of("hydrogens maybe\n").starts_with("my.radii:1:11: after 'hydrogens'"));
+    EXPECT_TRUE(error_of("hydrogens maybe\n").starts_with("my.radii:1:11: 'hydrogens' must"));
     EXPECT_TRUE(error_of("# nothing\n").starts_with("my.radii: no rules"));
 }
 
