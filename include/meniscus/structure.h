@@ -47,8 +47,8 @@ struct ReadOptions {
     std::string select = {};               ///< gemmi selection, of the file before any copying; empty: all
     HeteroPolicy hetero = HeteroPolicy::None;
     bool keep_waters = false;
-    bool strict_radii = false;  ///< an unknown atom type is an InputError
-    bool checksum = true;       ///< Structure::sha256 is found, in a millisecond per 1.5 MB
+    bool strict_radii = false;                  ///< an unknown atom type is an InputError
+    bool checksum = true;                       ///< Structure::sha256 is found, in a millisecond per 1.5 MB
     OptionSpelling spelling = spell_as_member;  ///< of options in Structure::notes and Structure::warnings
 };
 
@@ -85,12 +85,9 @@ struct Structure {
     std::map<std::string, std::size_t> dropped;
     /// Ligands left out: names of residues, and how many there were of each. They may fill cavities.
     std::map<std::string, std::size_t> left_out_ligands;
-    std::vector<std::string> notes;     ///< what ordinary files bring with them, such as waters left out: a line per kind
+    std::vector<std::string> notes;  ///< what ordinary files bring with them, such as waters left out: a line per kind
     std::vector<std::string> warnings;  ///< assumptions that may make a number wrong: a line per kind
 };
-
-/// "4 HEM, 2 PO4" from names and their numbers: most frequent first, at most six names.
-std::string list_of_counts(const std::map<std::string, std::size_t>& counts);
 
 /// Reads PDB, mmCIF, PQR, xyzr or xyzrn, each possibly gzipped; "-" reads standard input, told by content.
 ///

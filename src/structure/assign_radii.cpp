@@ -9,6 +9,7 @@
 
 #include "meniscus/errors.h"
 #include "meniscus/file_name.h"
+#include "meniscus/list_of_counts.h"
 #include "radii/element_radii.h"
 #include "radii/rule_file.h"
 #include "structure/hydrogens.h"
@@ -56,8 +57,8 @@ void apply_hydrogens(const RawModel& model, const ReadOptions& options, const Ra
     const std::string left_out = counted(hydrogens.all, "hydrogen") + " left out, ";
     const bool set_was_asked_for = options.radii != "auto";
     if (set.united && (set_was_asked_for || !incomplete))
-        chosen.notes.push_back(left_out + "the radii of " + file_name(set.name) + " already include them (keep them with " +
-                               options.spelling("radii", "bondi") + ")");
+        chosen.notes.push_back(left_out + "the radii of " + file_name(set.name) +
+                               " already include them (keep them with " + options.spelling("radii", "bondi") + ")");
     else
         chosen.warnings.push_back(left_out + "too few to be complete (keep them with " +
                                   options.spelling("hydrogens", "keep") + ")");

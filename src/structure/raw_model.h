@@ -78,9 +78,9 @@ struct RawModel {
     std::vector<RawAtom> atoms;
     std::vector<RawResidue> residues;
     std::vector<RawAssembly> assemblies;
-    int model_count = 1;     ///< models in the file
-    bool has_names = true;   ///< false for bare spheres
-    bool has_radii = false;  ///< PQR, xyzr: radii are the file's own, and every atom is kept
+    int model_count = 1;                ///< models in the file
+    bool has_names = true;              ///< false for bare spheres
+    bool has_radii = false;             ///< PQR, xyzr: radii are the file's own, and every atom is kept
     std::vector<std::string> notes;     ///< see Structure::notes
     std::vector<std::string> warnings;  ///< see Structure::warnings
 

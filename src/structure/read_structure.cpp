@@ -152,9 +152,8 @@ Structure read_structure(const std::string& path, const ReadOptions& options) {
     const ModelSource source(path, options);
     RawModel model = source.model(options.model);
     if (source.model_count() > 1) {
-        model.notes.push_back("model " + std::to_string(options.model) + " of " +
-                              std::to_string(source.model_count()) + " taken (choose another with " +
-                              options.spelling("model", "N") + ")");
+        model.notes.push_back("model " + std::to_string(options.model) + " of " + std::to_string(source.model_count()) +
+                              " taken (choose another with " + options.spelling("model", "N") + ")");
     }
     return make_structure(source.file(), model, options);
 }
