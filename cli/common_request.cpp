@@ -35,6 +35,12 @@ void set_altloc(CommonRequest& request, const std::string& text) {
 
 }  // namespace
 
+std::string spell_as_option(std::string_view option, std::string_view value) {
+    if (option == "keep_waters") return "--waters";
+    if (option == "model") return "--model N|all";
+    return fmt::format("--{} {}", option, value);
+}
+
 std::vector<ReadFile> files_of_structure(const std::string& input, const ReadOptions& options) {
     std::vector<ReadFile> files{{"the input", input}};
     std::error_code error;  // where there is no such file it is the name of a set
@@ -101,7 +107,7 @@ void add_output_options(CLI::App& command, CommonRequest& request) {
     const auto report = [&request](const std::string& path) { request.report = path == "/dev/stdout" ? "-" : path; };
     command.add_option_function<std::string>("--report", report, "Report as JSON; - for standard output")
         ->type_name("FILE");
-    command.add_flag("--quiet", request.quiet, "No summary and no progress bar");
+    command.add_flag("--quiet", request.quiet, "No summary, no notes, no progress bar");
 }
 
 void add_run_options(CLI::App& command, CommonRequest& request, int& threads) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "meniscus/structure.h"
@@ -16,9 +17,12 @@ class App;
 
 namespace meniscus::cli {
 
+/// "--hetero ligands", "--waters": an option of reading as the command line has it, see OptionSpelling.
+std::string spell_as_option(std::string_view option, std::string_view value);
+
 struct CommonRequest {
     std::string input;  ///< path, or "-" for standard input
-    ReadOptions read;
+    ReadOptions read{.spelling = spell_as_option};
     bool all_models = false;           ///< every model as a structure of its own; read.model is then not used
     bool per_chain = false;            ///< every chain as a structure of its own
     std::vector<std::string> outputs;  ///< -o, in order

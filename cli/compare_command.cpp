@@ -36,7 +36,7 @@ public:
             check_all_paths();
             read(request_.input, facts_.a);
             read(request_.second, facts_.b);
-            print_warnings();
+            print_messages();
         }
         facts_.read_seconds += watch_.lap();
         show("compare", 0.0);
@@ -80,11 +80,14 @@ private:
         throw_if_interrupted();
     }
 
-    void print_warnings() {
+    void print_messages() {
         progress_.clear();
-        for (const ComparedInput* input : {&facts_.a, &facts_.b})
-            for (const std::string& warning : warnings_of(*input))
-                print_warning(std::cerr, input_label(input->file) + ": " + warning);
+        for (const ComparedInput* input : {&facts_.a, &facts_.b}) {
+            const std::string file = input_label(input->file) + ": ";
+            if (!request_.quiet)
+                for (const std::string& note : notes_of(*input)) print_note(std::cerr, file + note);
+            for (const std::string& warning : warnings_of(*input)) print_warning(std::cerr, file + warning);
+        }
     }
 
     ValueRange range() const {

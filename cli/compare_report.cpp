@@ -65,6 +65,7 @@ ordered_json surface_json(const ComparedInput& input, double probe) {
         block["triangles"] = s.mesh.triangles.size();
         block["merged_vertices"] = s.merged_vertices;
     }
+    block["notes"] = notes_of(input);
     block["warnings"] = warnings_of(input);
     return block;
 }
@@ -81,6 +82,10 @@ std::vector<std::string> warnings_of(const ComparedInput& input) {
     if (!s.closed) return {"the mesh is not closed: its volume and the signs of distances to it may be meaningless"};
     if (s.outer_pieces == 0) return {"all triangles face inwards: the signs of distances to it are reversed"};
     return {};
+}
+
+std::vector<std::string> notes_of(const ComparedInput& input) {
+    return input.structure ? input.structure->notes : std::vector<std::string>{};
 }
 
 std::string make_summary(const CompareRequest& request, const CompareFacts& facts) {

@@ -35,8 +35,11 @@ struct CompareFacts {
     double total_seconds() const { return read_seconds + compare_seconds + write_seconds; }
 };
 
-/// What may make the numbers mean something else: what was left out of a structure, a mesh that is open or inside out.
+/// What may make the numbers wrong: what was assumed about a structure, a mesh that is open or inside out.
 std::vector<std::string> warnings_of(const ComparedInput& input);
+
+/// What happens with ordinary structures: see Structure::notes.
+std::vector<std::string> notes_of(const ComparedInput& input);
 
 std::string make_summary(const CompareRequest& request, const CompareFacts& facts);
 

@@ -61,6 +61,8 @@ std::string describe_cavities(const Structure& structure, const Measures& measur
             fmt::format("  {:>9} and {} smaller; list all with -o FILE.csv --per cavity\n", "", count - kMostCavities);
     if (count > 0)
         text += fmt::format("  {:>9} areas to ± {:.1e} Å², volumes to ± {:.1e} Å³\n", "", area_error, volume_error);
+    if (count > 0 && !structure.left_out_ligands.empty())
+        text += fmt::format("  {:>9} ligands that may fill them were left out: {}\n", "", list_ligands(structure));
     return text;
 }
 

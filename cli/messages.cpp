@@ -21,6 +21,8 @@ void print_error(std::ostream& out, std::string_view text) { out << "meniscus: e
 
 void print_warning(std::ostream& out, std::string_view text) { out << "meniscus: warning: " << one_line(text) << '\n'; }
 
+void print_note(std::ostream& out, std::string_view text) { out << "meniscus: note: " << one_line(text) << '\n'; }
+
 std::string input_label(const std::string& path) { return path == "-" ? "standard input" : path; }
 
 }  // namespace meniscus::cli

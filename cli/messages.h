@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Messages on standard error: one line each, "meniscus: error: ..." or "meniscus: warning: ...".
+// Messages on standard error: one line each, "meniscus: error: ...", "meniscus: warning: ..." or "meniscus: note: ...".
 #pragma once
 
 #include <ostream>
@@ -20,6 +20,7 @@ std::string one_line(std::string_view text);
 
 void print_error(std::ostream& out, std::string_view text);
 void print_warning(std::ostream& out, std::string_view text);
+void print_note(std::ostream& out, std::string_view text);
 
 /// How messages and the summary call an input: its path, or "standard input" for "-".
 std::string input_label(const std::string& path);

@@ -43,6 +43,7 @@ ordered_json input_block(const Structure& structure, double probe, const RunFact
             {"radii", file_name(structure.radii_set)},
             {"probe", probe},
             {"dropped", structure.dropped},
+            {"notes", structure.notes},
             {"warnings", structure.warnings}};
 }
 

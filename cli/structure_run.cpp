@@ -40,12 +40,13 @@ std::vector<Job> split_by_chain(const std::vector<Job>& jobs) {
     return split;
 }
 
-/// Each warning once, although every model of a file repeats it.
-void print_warnings(const std::vector<Job>& jobs) {
+/// Each line once, although every model of a file repeats it.
+void print_lines(const std::vector<Job>& jobs, std::vector<std::string> Structure::*lines,
+                 void (*print_line)(std::ostream&, std::string_view)) {
     std::set<std::string> seen;
     for (const Job& job : jobs)
-        for (const std::string& warning : job.structure.warnings)
-            if (seen.insert(warning).second) print_warning(std::cerr, input_label(job.structure.file) + ": " + warning);
+        for (const std::string& line : job.structure.*lines)
+            if (seen.insert(line).second) print_line(std::cerr, input_label(job.structure.file) + ": " + line);
 }
 
 }  // namespace
@@ -68,7 +69,8 @@ std::vector<Job> StructureRun::prepare_jobs() {
     progress_.update("read", 1.0);
     check_all_paths(jobs);
     progress_.clear();
-    print_warnings(jobs);
+    if (!request_.quiet) print_lines(jobs, &Structure::notes, print_note);
+    print_lines(jobs, &Structure::warnings, print_warning);
     read_seconds_ += watch_.lap();
     return jobs;
 }

@@ -15,6 +15,11 @@ namespace meniscus::cli {
 
 namespace {
 
+bool has_cavities(const MeshMeasures& measures) {
+    return std::any_of(measures.components.begin(), measures.components.end(),
+                       [](const MeshComponent& c) { return c.volume <= 0.0; });
+}
+
 std::string describe_components(const Surface& surface) {
     const MeshMeasures& measures = surface.measures;
     const auto outer = std::count_if(measures.components.begin(), measures.components.end(),
@@ -82,6 +87,8 @@ std::string make_summary(const Structure& structure, const Surface& surface, con
     text +=
         summary_line("volume", fmt::format("{:.2f} Å³ (flat triangles {:.2f} Å³)", surface.corrected_volume, m.volume));
     text += summary_line("components", describe_components(surface));
+    if (has_cavities(m) && !structure.left_out_ligands.empty())
+        text += summary_line("left out", "ligands that may fill cavities: " + list_ligands(structure));
     text += summary_line("mesh", describe_mesh(surface));
     text +=
         summary_line("distance", fmt::format("mean {:.4f}, 99 % below {:.4f}, largest {:.4f} Å from the exact surface",

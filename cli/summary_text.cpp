@@ -20,6 +20,8 @@ std::string describe_radii(const std::string& set) {
     return set == "file" ? "radii of the file" : "radii " + one_line(set);
 }
 
+std::string list_ligands(const Structure& structure) { return one_line(list_of_counts(structure.left_out_ligands)); }
+
 std::string describe_checks(std::span<const Check> checks) {
     std::string failed;
     std::string passed;

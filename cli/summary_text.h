@@ -4,13 +4,11 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
-#include <vector>
-
 #include <span>
 #include <string>
 #include <vector>
 
+#include "meniscus/structure.h"
 #include "meniscus/surface.h"
 #include "output_plan.h"
 #include "report.h"
@@ -25,6 +23,9 @@ std::string counted(std::size_t n, const char* one, const char* many);
 
 /// "radii united", "radii of the file".
 std::string describe_radii(const std::string& set);
+
+/// "1 HEP, 2 PO4": the ligands that were left out, on one line.
+std::string list_ligands(const Structure& structure);
 
 /// Which checks the result has passed and which it has not, as a line; empty if there are none.
 std::string describe_checks(std::span<const Check> checks);

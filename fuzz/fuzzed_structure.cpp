@@ -38,6 +38,7 @@ void require_sound(const Structure& structure) {
     require(structure.labels.size() == atoms.centres.size(), "a label for each atom");
     for (const AtomLabel& label : structure.labels)
         require(label.residue < structure.residues.size(), "an atom's residue exists");
+    for (const std::string& note : structure.notes) require_clear(note);
     for (const std::string& warning : structure.warnings) require_clear(warning);
 }
 

@@ -53,7 +53,7 @@
 
     fill() {
       Panel.fillSchemes(this.info.schemes, this.info.scheme);
-      Panel.fillCavities(this.info.cavities, i => this.flyToCavity(i));
+      Panel.fillCavities(this.info.cavities, this.info.ligandsLeftOut, i => this.flyToCavity(i));
       const atoms = this.info.atoms.count.toLocaleString("en"), triangles = this.info.triangles.toLocaleString("en");
       $("subtitle").textContent = `${atoms} atoms · ${triangles} triangles`;
       $("perspective").checked = this.controls.inPerspective;

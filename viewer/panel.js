@@ -84,8 +84,10 @@ const Panel = (() => {
     $("picked").hidden = false;
   }
 
-  function fillCavities(cavities, chosen) {
+  function fillCavities(cavities, ligandsLeftOut, chosen) {
     $("cavities").hidden = cavities.length === 0;
+    $("left-out").hidden = ligandsLeftOut === "";
+    $("left-out").textContent = "Ligands that may fill them were left out: " + ligandsLeftOut;
     cavities.forEach((cavity, i) => {
       const row = element("tr"), first = element("td"), button = element("button", String(i + 1), {type: "button"});
       button.setAttribute("aria-label", "Go to cavity " + (i + 1));

@@ -164,7 +164,7 @@ Run::Run(const Request& request, const Shard& shard, const Places& places)
       most_jobs_(static_cast<std::size_t>(request.jobs > 0 ? request.jobs : threads_in_use(0))),
       threads_(request.threads > 0 ? request.threads : std::max(1, threads_in_use(0) / static_cast<int>(most_jobs_))) {
     if (found_.left_out > 0 && !request.quiet)
-        print_warning(
+        print_note(
             std::cerr,
             fmt::format(
                 "files left out, because their suffix is not that of a structure or they are not regular files: {}",

@@ -27,6 +27,15 @@ enum class HeteroPolicy {
     All,      ///< also groups of one atom: ions, metals
 };
 
+/// How messages name an option of reading with a value for it: each client gives its users its own words.
+///
+/// option   the name of a member of ReadOptions: "hetero"
+/// value    "ligands", "true"; a word in capitals stands for what the user chooses: "ID"
+using OptionSpelling = std::string (*)(std::string_view option, std::string_view value);
+
+/// "hetero = ligands".
+std::string spell_as_member(std::string_view option, std::string_view value);
+
 /// What to read and keep. The defaults are those of the command line (docs/conventions.md).
 struct ReadOptions {
     std::string radii = "auto";  ///< auto, bondi, united, protor, naccess, parse, or the path of a file of rules
@@ -38,8 +47,9 @@ struct ReadOptions {
     std::string select = {};               ///< gemmi selection, of the file before any copying; empty: all
     HeteroPolicy hetero = HeteroPolicy::None;
     bool keep_waters = false;
-    bool strict_radii = false;  ///< an unknown atom type is an InputError
-    bool checksum = true;       ///< Structure::sha256 is found, in a millisecond per 1.5 MB
+    bool strict_radii = false;                  ///< an unknown atom type is an InputError
+    bool checksum = true;                       ///< Structure::sha256 is found, in a millisecond per 1.5 MB
+    OptionSpelling spelling = spell_as_member;  ///< of options in Structure::notes and Structure::warnings
 };
 
 /// A residue that has at least one kept atom.
@@ -73,8 +83,14 @@ struct Structure {
     std::vector<Residue> residues;
     /// Atoms left out, by reason: chains, unselected, altlocs, waters, hetero, hydrogens, zero_radius, assembly.
     std::map<std::string, std::size_t> dropped;
-    std::vector<std::string> warnings;  ///< one line per kind of assumption, with the option that changes it
+    /// Ligands left out: names of residues, and how many there were of each. They may fill cavities.
+    std::map<std::string, std::size_t> left_out_ligands;
+    std::vector<std::string> notes;  ///< what ordinary files bring with them, such as waters left out: a line per kind
+    std::vector<std::string> warnings;  ///< assumptions that may make a number wrong: a line per kind
 };
+
+/// "4 HEM, 2 PO4" from names and their numbers: most frequent first, at most six names.
+std::string list_of_counts(const std::map<std::string, std::size_t>& counts);
 
 /// Reads PDB, mmCIF, PQR, xyzr or xyzrn, each possibly gzipped; "-" reads standard input, told by content.
 ///

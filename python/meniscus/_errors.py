@@ -26,7 +26,7 @@ class LimitError(ValueError, MemoryError):
 
 
 class ReadWarning(UserWarning):
-    """An assumption made while reading a file; the same line is in ``Structure.warnings``."""
+    """An assumption made while reading a file that may make a number wrong; ``Structure.warnings`` has the same line."""
 
 
 class CheckWarning(UserWarning):

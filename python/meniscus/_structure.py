@@ -141,8 +141,17 @@ class Structure:
         return self._core.dropped
 
     @property
+    def notes(self) -> list[str]:
+        """What was done as with every ordinary file, such as waters left out: one line per kind.
+
+        >>> meniscus.read("1ubq.pdb").notes
+        ['58 waters left out (keep them with waters=True)']
+        """
+        return self._core.notes
+
+    @property
     def warnings(self) -> list[str]:
-        """One line per kind of assumption made while reading."""
+        """What was assumed while reading and may make a number wrong: one line per kind, each also a ReadWarning."""
         return self._core.warnings
 
     @property
@@ -272,8 +281,9 @@ def read(
     waters        keep waters
     strict_radii  treat an atom of unknown type as an error
 
-    Assumptions are reported as :class:`ReadWarning` and kept in ``Structure.warnings``; atoms that were left out are
-    counted in ``Structure.dropped``. Raises :class:`InputError`, a ValueError, for a file that is not valid, and
+    What was assumed and may make a number wrong is a :class:`ReadWarning`, and kept in ``Structure.warnings``. What
+    happens with every ordinary file is in ``Structure.notes`` alone. Atoms that were left out are counted in
+    ``Structure.dropped``. Raises :class:`InputError`, a ValueError, for a file that is not valid, and
     OSError (FileNotFoundError, PermissionError ...) for a file that cannot be opened. Other Python threads keep
     running.
 

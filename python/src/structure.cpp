@@ -4,6 +4,8 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <cctype>
 #include <memory>
 
 #include "arrays.h"
@@ -18,9 +20,18 @@ namespace {
 using StructurePointer = std::shared_ptr<Structure>;
 using Texts = std::vector<std::string>;
 
+/// `hetero="ligands"`, `waters=True`: an option of reading as a keyword of read(), see OptionSpelling.
+std::string spell_as_keyword(std::string_view option, std::string_view value) {
+    const std::string name(option == "keep_waters" ? "waters" : option);
+    if (value == "true") return name + "=True";
+    const bool is_chosen_by_user =
+        std::all_of(value.begin(), value.end(), [](unsigned char c) { return std::isupper(c) != 0; });
+    return name + "=" + (is_chosen_by_user ? std::string(value) : '"' + std::string(value) + '"');
+}
+
 ReadOptions read_options(const py::dict& given) {
     const Options options(given);
-    ReadOptions read;
+    ReadOptions read{.spelling = spell_as_keyword};
     options.read("radii", read.radii);
     options.read_word("hydrogens", read.hydrogens, kHydrogenWords);
     options.read("model", read.model);
@@ -193,6 +204,7 @@ void bind_structure(py::module_& module) {
     type.def_readonly("sha256", &Structure::sha256);
     type.def_readonly("radii_set", &Structure::radii_set);
     type.def_readonly("dropped", &Structure::dropped);
+    type.def_readonly("notes", &Structure::notes);
     type.def_readonly("warnings", &Structure::warnings);
     bind_columns(type);
     module.def("read", &read, py::arg("path"), py::arg("options"));

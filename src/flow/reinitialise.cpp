@@ -12,7 +12,7 @@ namespace meniscus {
 namespace {
 
 constexpr std::size_t kBlocksPerTask = 16;  // blocks per task
-constexpr int kRim = 2;             // nodes that the differences reach
+constexpr int kRim = 2;                     // nodes that the differences reach
 constexpr int kMask = kBlockEdge - 1;
 constexpr int kEdge = kBlockEdge + 2 * kRim;
 constexpr std::array<int, 3> kSteps{1, kEdge, kEdge* kEdge};
@@ -91,12 +91,13 @@ int reinitialise_upwind(const BlockGrid& grid, double width, const UpwindScheme&
     for (float& v : values) v = std::clamp(v, -limit, limit);
     NodeField next(values.size(), 0.0F);
     for (int iteration = 1; iteration <= scheme.most_iterations; ++iteration) {
-        const double change = parallel_sum<double>(grid.block_count(), kBlocksPerTask, [&](std::size_t begin, std::size_t end) {
-            double sum = 0.0;
-            for (std::size_t b = begin; b < end; ++b)
-                sum += advance(grid, static_cast<BlockId>(b), limit, scheme, values, next);
-            return sum;
-        });
+        const double change =
+            parallel_sum<double>(grid.block_count(), kBlocksPerTask, [&](std::size_t begin, std::size_t end) {
+                double sum = 0.0;
+                for (std::size_t b = begin; b < end; ++b)
+                    sum += advance(grid, static_cast<BlockId>(b), limit, scheme, values, next);
+                return sum;
+            });
         std::swap(values, next);
         if (change < scheme.least_change * grid.spacing()) return iteration;
     }

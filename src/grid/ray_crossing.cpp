@@ -17,7 +17,7 @@ namespace meniscus {
 namespace {
 
 constexpr double kSamplesPerSpacing = 8.0;  // as LevelSet::intersect promises
-constexpr double kCloseBracket = 1e-8;       // in spacings
+constexpr double kCloseBracket = 1e-8;      // in spacings
 
 // A ray on its way; lengths in spacings from the grid's origin.
 class Crossing {

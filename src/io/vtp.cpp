@@ -89,8 +89,8 @@ private:
     // One more array in the appended data: its element.
     template <class T, int kComponents, class Write>
     std::string declare(const std::string& name, std::size_t count, const Write& write_values) {
-        std::string element = std::string("        <DataArray type=\"") + kVtkTypeName<T> + "\" Name=\"" + escaped(name) +
-                              "\" NumberOfComponents=\"" + std::to_string(kComponents) +
+        std::string element = std::string("        <DataArray type=\"") + kVtkTypeName<T> + "\" Name=\"" +
+                              escaped(name) + "\" NumberOfComponents=\"" + std::to_string(kComponents) +
                               R"(" format="appended" offset=")" + std::to_string(offset_) + "\"/>\n";
         const std::uint64_t size = std::uint64_t{count} * kComponents * sizeof(T);
         arrays_.push_back({size, write_values});

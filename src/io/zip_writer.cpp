@@ -38,8 +38,8 @@ std::string ZipWriter::header_of(const Entry& entry) const {
     const auto shown = [large](std::uint64_t value) { return large ? kInZip64 : static_cast<std::uint32_t>(value); };
     const std::string extra =
         large ? bytes_of(kZip64Field, word(2 * sizeof(std::uint64_t)), entry.size, entry.compressed_size) : "";
-    return bytes_of(std::uint32_t{0x04034b50}, large ? kZip64Version : kZipVersion, std::uint16_t{0}, kDeflate, kEarliest,
-                    entry.checksum, shown(entry.compressed_size), shown(entry.size), word(entry.name.size()),
+    return bytes_of(std::uint32_t{0x04034b50}, large ? kZip64Version : kZipVersion, std::uint16_t{0}, kDeflate,
+                    kEarliest, entry.checksum, shown(entry.compressed_size), shown(entry.size), word(entry.name.size()),
                     word(extra.size())) +
            entry.name + extra;
 }
@@ -51,8 +51,8 @@ std::string ZipWriter::directory_entry(const Entry& entry) const {
         large ? bytes_of(kZip64Field, word(3 * sizeof(std::uint64_t)), entry.size, entry.compressed_size, entry.offset)
               : "";
     constexpr std::uint16_t kNothing = 0;  // length of a comment, number of the disk, internal attributes
-    return bytes_of(std::uint32_t{0x02014b50}, kMadeBy, large ? kZip64Version : kZipVersion, kNothing, kDeflate, kEarliest,
-                    entry.checksum, shown(entry.compressed_size), shown(entry.size), word(entry.name.size()),
+    return bytes_of(std::uint32_t{0x02014b50}, kMadeBy, large ? kZip64Version : kZipVersion, kNothing, kDeflate,
+                    kEarliest, entry.checksum, shown(entry.compressed_size), shown(entry.size), word(entry.name.size()),
                     word(extra.size()), kNothing, kNothing, kNothing, kPermissions, shown(entry.offset)) +
            entry.name + extra;
 }

@@ -129,7 +129,8 @@ struct Batch {
     }
 };
 
-CorrectedSums projected_sums(const Mesh& mesh, const Projector& project, int divisions, std::span<const Triangle> triangles) {
+CorrectedSums projected_sums(const Mesh& mesh, const Projector& project, int divisions,
+                             std::span<const Triangle> triangles) {
     const Vec3 origin = reference_point(mesh);
     Batch batch(mesh, triangles);
     for (int division = 1; division < divisions; ++division) batch.divide(project);
@@ -149,7 +150,7 @@ CorrectedSums estimated_sums(const Mesh& mesh, std::size_t begin, std::size_t en
         triangle_kernels().measure_with_parts(lanes);
         for (std::size_t lane = 0; lane < triangles.size(); ++lane)
             sums += CorrectedSums{{lanes.two_areas[lane], lanes.six_volumes[lane]},
-                         {lanes.parts_two_areas[lane], lanes.parts_six_volumes[lane]}};
+                                  {lanes.parts_two_areas[lane], lanes.parts_six_volumes[lane]}};
     }
     return sums;
 }
@@ -164,16 +165,17 @@ CorrectedMeasures extrapolate(const CorrectedMeasures& whole, const CorrectedMea
 CorrectedMeasures corrected_measures(const Mesh& mesh, const Projector& project, int divisions) {
     need_normals(mesh);
     const std::size_t chunk = kTrianglesPerBatch >> std::min(2 * (divisions - 1), std::countr_zero(kTrianglesPerBatch));
-    return corrected_by(parallel_sum<CorrectedSums>(mesh.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
-        return projected_sums(mesh, project, divisions, std::span(mesh.triangles).subspan(begin, end - begin));
-    }));
+    return corrected_by(
+        parallel_sum<CorrectedSums>(mesh.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+            return projected_sums(mesh, project, divisions, std::span(mesh.triangles).subspan(begin, end - begin));
+        }));
 }
 
 CorrectedMeasures corrected_measures(const Mesh& mesh) {
     need_normals(mesh);
-    return corrected_by(parallel_sum<CorrectedSums>(mesh.triangles.size(), kTrianglesPerBatch, [&](std::size_t begin, std::size_t end) {
-        return estimated_sums(mesh, begin, end);
-    }));
+    return corrected_by(parallel_sum<CorrectedSums>(
+        mesh.triangles.size(), kTrianglesPerBatch,
+        [&](std::size_t begin, std::size_t end) { return estimated_sums(mesh, begin, end); }));
 }
 
 }  // namespace meniscus

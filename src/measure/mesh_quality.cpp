@@ -21,7 +21,7 @@ namespace meniscus {
 namespace {
 
 constexpr std::size_t kShapesPerTask = 128 * kLanes;  // triangles per task
-constexpr std::size_t kSampled = 64;          // of so many triangles one tells where percentiles are looked for
+constexpr std::size_t kSampled = 64;                  // of so many triangles one tells where percentiles are looked for
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

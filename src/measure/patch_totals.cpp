@@ -129,7 +129,7 @@ PatchSums sum_toroidal_patches(const AccessibleSurface::Data& data, const Volume
 }
 
 PatchSums sum_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed, const VolumeOrigins& origins,
-                           const Likes& likes, PatchTotals& found) {
+                                const Likes& likes, PatchTotals& found) {
     const AccessibleSurface::Data& data = surface.data();
     struct Trimmed {
         PatchSums sums;

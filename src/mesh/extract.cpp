@@ -21,7 +21,7 @@ namespace meniscus {
 namespace {
 
 constexpr std::size_t kBlocksPerTask = 16;  // blocks per task: some tens of microseconds
-constexpr std::size_t kTasks = 32;  // at once: what they make stays in a core's cache until it is appended
+constexpr std::size_t kTasks = 32;          // at once: what they make stays in a core's cache until it is appended
 
 // Vertices on the cut edges of a block and of the nodes next to it: entry direction * kLocalNodes + local_node.
 // Only the entries of cut edges are ever set or read.

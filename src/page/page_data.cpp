@@ -173,6 +173,7 @@ std::string page_data(const Mesh& mesh, const Structure& structure, const PageOp
     data["scheme"] = id_of_first(mesh, structure, options.colours);
     data["view"] = view_json(mesh, structure, options);
     data["cavities"] = cavities_json(mesh, structure, options);
+    data["ligandsLeftOut"] = list_of_counts(structure.left_out_ligands);
     data["rows"] = rows_json(options.rows);
     data["streams"] = places_json(streams);
     const std::string json = data.dump(-1, ' ', false, ordered_json::error_handler_t::replace);

@@ -72,7 +72,8 @@ double shortcomings(const Mesh& even, const RemeshOptions& wanted, double area, 
     const auto missing = [](double least, double found, double unit) { return std::max(0.0, (least - found) / unit); };
     const double deviation = std::abs(area_under(even, edge, project) / area - 1.0);
     return missing(kWantedWithin, within, 0.05) + missing(kWantedMedian, quality.smallest_angles.p50, 5.0) +
-           missing(kWantedAngle, quality.smallest_angles.min, 5.0) + missing(-kWantedDeviation, -deviation, kWantedDeviation);
+           missing(kWantedAngle, quality.smallest_angles.min, 5.0) +
+           missing(-kWantedDeviation, -deviation, kWantedDeviation);
 }
 
 bool is_small(const Mesh& zero_set, double edge) {

@@ -30,7 +30,6 @@
 namespace meniscus {
 namespace {
 
-
 constexpr std::size_t kRenumbered = 1024;  // triangles per task
 
 constexpr std::size_t kLeaningPerTask = 256;

@@ -27,10 +27,10 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kProjectedAtOnce = 512;       // vertices projected at once
-constexpr std::size_t kHalfEdges = 8192;  // looked at by one task
-constexpr double kCell = 6.0;             // Å: vertices of such a cell come together
-constexpr double kMostCells = 2e6;        // along an edge of the box; 21 bits
+constexpr std::size_t kProjectedAtOnce = 512;  // vertices projected at once
+constexpr std::size_t kHalfEdges = 8192;       // looked at by one task
+constexpr double kCell = 6.0;                  // Å: vertices of such a cell come together
+constexpr double kMostCells = 2e6;             // along an edge of the box; 21 bits
 
 // Edges shorter than this part of the target length are collapsed (Botsch & Kobbelt 2004).
 constexpr double kShort = 4.0 / 5.0;

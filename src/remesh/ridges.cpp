@@ -24,7 +24,8 @@ std::optional<Vec3> meeting_of_sheets(const SurfacePoint& a, const SurfacePoint&
     if (cosine > kCrease || cosine < -1.0 + 1e-6) return std::nullopt;
     const Vec3 middle = 0.5 * (a.position + b.position);
     const Vec3 place = meeting_of_planes(a.position, a.normal, b.position, b.normal, middle);
-    if (squared_norm(place - middle) > kRidgeReach * kRidgeReach * squared_norm(b.position - a.position)) return std::nullopt;
+    if (squared_norm(place - middle) > kRidgeReach * kRidgeReach * squared_norm(b.position - a.position))
+        return std::nullopt;
     SurfacePoint on_surface{place, a.normal, 0.0};
     project({&on_surface, 1});
     if (norm(on_surface.position - place) > kOffSurface) return std::nullopt;

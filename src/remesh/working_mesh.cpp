@@ -5,8 +5,8 @@
 namespace meniscus {
 namespace {
 
-constexpr double kFacing = 0.5;      // cosine of 60 degrees
-constexpr double kSliver = 0.985;    // cosine of 10 degrees
+constexpr double kFacing = 0.5;    // cosine of 60 degrees
+constexpr double kSliver = 0.985;  // cosine of 10 degrees
 
 }  // namespace
 

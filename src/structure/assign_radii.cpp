@@ -53,9 +53,14 @@ void apply_hydrogens(const RawModel& model, const ReadOptions& options, const Ra
     if (!asked && !set.united && !incomplete) return;
     drop_hydrogens(model, chosen);
     if (asked) return;
-    chosen.warnings.push_back(counted(hydrogens.all, "hydrogen") + " left out" +
-                              (incomplete ? ", too few to be complete: --hydrogens keep"
-                                          : ", the radii of " + set.name + " already include them: --radii bondi"));
+    const std::string left_out = counted(hydrogens.all, "hydrogen") + " left out, ";
+    const bool set_was_asked_for = options.radii != "auto";
+    if (set.united && (set_was_asked_for || !incomplete))
+        chosen.notes.push_back(left_out + "the radii of " + file_name(set.name) +
+                               " already include them (keep them with " + options.spelling("radii", "bondi") + ")");
+    else
+        chosen.warnings.push_back(left_out + "too few to be complete (keep them with " +
+                                  options.spelling("hydrogens", "keep") + ")");
 }
 
 // Residues in which an atom's radius depends on more than names: disulfides and charged amino ends.
@@ -139,7 +144,7 @@ public:
         if (without_element_ > 0) {
             line += " (" + std::to_string(without_element_) + " of unknown element, given 1.70)";
         }
-        chosen.warnings.push_back(line + ": --radii FILE");
+        chosen.warnings.push_back(line + "; give others with " + options.spelling("radii", "FILE"));
     }
 
 private:
@@ -149,11 +154,16 @@ private:
     std::size_t without_element_ = 0;
 };
 
-// Leaves out atoms of radius 0; radii and atoms stay in step.
-void drop_zero_radii(AssignedRadii& radii, Chosen& chosen) {
+// Leaves out atoms of radius 0; radii and atoms stay in step. Force fields have hydrogens of radius 0; another atom may
+// be one that the file's author had no radius for.
+void drop_zero_radii(const RawModel& model, AssignedRadii& radii, Chosen& chosen) {
     std::size_t kept = 0;
+    bool only_hydrogens = true;
     for (std::size_t i = 0; i < radii.values.size(); ++i) {
-        if (radii.values[i] <= 0.0) continue;
+        if (radii.values[i] <= 0.0) {
+            only_hydrogens = only_hydrogens && is_hydrogen(model.atoms[chosen.atoms[i]]);
+            continue;
+        }
         radii.values[kept] = radii.values[i];
         chosen.atoms[kept++] = chosen.atoms[i];
     }
@@ -161,9 +171,10 @@ void drop_zero_radii(AssignedRadii& radii, Chosen& chosen) {
     radii.values.resize(kept);
     chosen.atoms.resize(kept);
     chosen.drop("zero_radius", count);
-    if (count > 0) {
-        chosen.warnings.push_back(counted(count, "atom") + " of radius 0 left out: a radius of 0 excludes an atom");
-    }
+    if (count == 0) return;
+    std::vector<std::string>& lines = only_hydrogens ? chosen.notes : chosen.warnings;
+    lines.push_back(counted(count, only_hydrogens ? "hydrogen" : "atom") +
+                    " of radius 0 left out: a radius of 0 excludes an atom");
 }
 
 AssignedRadii own_radii(const RawModel& model, const ReadOptions& options, Chosen& chosen) {
@@ -194,7 +205,7 @@ AssignedRadii assign_radii(const RawModel& model, const ReadOptions& options, co
                          " has radii but no atom names; use its own radii with --radii auto");
     }
     AssignedRadii radii = own ? own_radii(model, options, chosen) : radii_of_set(model, options, file, chosen);
-    drop_zero_radii(radii, chosen);
+    drop_zero_radii(model, radii, chosen);
     return radii;
 }
 

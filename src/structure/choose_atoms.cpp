@@ -3,6 +3,7 @@
 #include "structure/choose_atoms.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 #include "meniscus/errors.h"
@@ -70,7 +71,8 @@ void apply_altlocs(const RawModel& model, const ReadOptions& options, Chosen& ch
     const std::size_t count = before - chosen.atoms.size();
     chosen.drop("altlocs", count);
     if (count > 0 && options.altloc.empty()) {
-        chosen.warnings.push_back(counted(count, "atom") + " of alternative locations left out: --altloc ID");
+        chosen.notes.push_back(counted(count, "atom") + " of alternative locations left out (choose one with " +
+                               options.spelling("altloc", "ID") + ")");
     }
     const auto is_wanted = [&](const RawAtom& a) { return a.altloc == options.altloc[0]; };
     if (!options.altloc.empty() && std::none_of(model.atoms.begin(), model.atoms.end(), is_wanted)) {
@@ -94,19 +96,31 @@ std::map<std::string, std::size_t> drop_kind(const RawModel& model, ResidueKind 
     return names;
 }
 
+// What follows the names of residues that are left out; `option` would keep them.
+std::string left_out(std::size_t count, const std::string& option) {
+    return std::string(" left out (keep ") + (count == 1 ? "it" : "them") + " with " + option + ")";
+}
+
+std::size_t sum_of(const std::map<std::string, std::size_t>& counts) {
+    return std::accumulate(counts.begin(), counts.end(), std::size_t{0},
+                           [](std::size_t sum, const auto& entry) { return sum + entry.second; });
+}
+
 void apply_waters(const RawModel& model, const ReadOptions& options, Chosen& chosen) {
     if (options.keep_waters) return;
-    std::size_t count = 0;
-    for (const auto& [name, number] : drop_kind(model, ResidueKind::Water, "waters", chosen)) count += number;
-    if (count > 0) chosen.warnings.push_back(counted(count, "water") + " left out: --waters");
+    const std::size_t count = sum_of(drop_kind(model, ResidueKind::Water, "waters", chosen));
+    if (count > 0)
+        chosen.notes.push_back(counted(count, "water") + left_out(count, options.spelling("keep_waters", "true")));
 }
 
 void apply_hetero(const RawModel& model, const ReadOptions& options, Chosen& chosen) {
     const auto apply = [&](ResidueKind kind, const char* remedy) {
-        const auto names = drop_kind(model, kind, "hetero", chosen);
-        if (!names.empty()) chosen.warnings.push_back(list_of_counts(names) + " left out: --hetero " + remedy);
+        auto names = drop_kind(model, kind, "hetero", chosen);
+        if (!names.empty())
+            chosen.notes.push_back(list_of_counts(names) + left_out(sum_of(names), options.spelling("hetero", remedy)));
+        return names;
     };
-    if (options.hetero == HeteroPolicy::None) apply(ResidueKind::Ligand, "ligands");
+    if (options.hetero == HeteroPolicy::None) chosen.ligands = apply(ResidueKind::Ligand, "ligands");
     if (options.hetero != HeteroPolicy::All) apply(ResidueKind::Ion, "all");
 }
 
@@ -114,19 +128,6 @@ void apply_hetero(const RawModel& model, const ReadOptions& options, Chosen& cho
 
 std::string counted(std::size_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-std::string list_of_counts(const std::map<std::string, std::size_t>& counts) {
-    constexpr std::size_t kMostNames = 6;
-    std::vector<std::pair<std::string, std::size_t>> sorted(counts.begin(), counts.end());
-    std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-    std::string list;
-    for (std::size_t i = 0; i < std::min(sorted.size(), kMostNames); ++i) {
-        const std::string& name = sorted[i].first;
-        list += (i > 0 ? ", " : "") + std::to_string(sorted[i].second) + " " + (name.empty() ? "nameless" : name);
-    }
-    if (sorted.size() > kMostNames) list += " and " + std::to_string(sorted.size() - kMostNames) + " more kinds";
-    return list;
 }
 
 Chosen choose_atoms(const RawModel& model, const ReadOptions& options, const std::string& file) {
@@ -143,3 +144,24 @@ Chosen choose_atoms(const RawModel& model, const ReadOptions& options, const std
 }
 
 }  // namespace meniscus::reading
+
+namespace meniscus {
+
+std::string spell_as_member(std::string_view option, std::string_view value) {
+    return std::string(option) + " = " + std::string(value);
+}
+
+std::string list_of_counts(const std::map<std::string, std::size_t>& counts) {
+    constexpr std::size_t kMostNames = 6;
+    std::vector<std::pair<std::string, std::size_t>> sorted(counts.begin(), counts.end());
+    std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+    std::string list;
+    for (std::size_t i = 0; i < std::min(sorted.size(), kMostNames); ++i) {
+        const std::string& name = sorted[i].first;
+        list += (i > 0 ? ", " : "") + std::to_string(sorted[i].second) + " " + (name.empty() ? "nameless" : name);
+    }
+    if (sorted.size() > kMostNames) list += " and " + std::to_string(sorted.size() - kMostNames) + " more kinds";
+    return list;
+}
+
+}  // namespace meniscus

@@ -17,7 +17,9 @@ namespace meniscus::reading {
 struct Chosen {
     std::vector<std::uint32_t> atoms;            ///< indices into RawModel::atoms, in file order
     std::map<std::string, std::size_t> dropped;  ///< atoms left out, by reason
-    std::vector<std::string> warnings;           ///< one line per kind
+    std::map<std::string, std::size_t> ligands;  ///< residues of ligands left out, by name
+    std::vector<std::string> notes;              ///< see Structure::notes, one line per kind
+    std::vector<std::string> warnings;           ///< see Structure::warnings, one line per kind
 
     /// Counts atoms left out for a reason; none is not mentioned.
     void drop(const std::string& reason, std::size_t count) {
@@ -33,8 +35,5 @@ Chosen choose_atoms(const RawModel& model, const ReadOptions& options, const std
 
 /// "1 atom", "5 atoms".
 std::string counted(std::size_t count, const std::string& noun);
-
-/// "4 HEM, 2 PO4" from residue names and their numbers, most frequent first, at most six names.
-std::string list_of_counts(const std::map<std::string, std::size_t>& counts);
 
 }  // namespace meniscus::reading

@@ -137,7 +137,7 @@ InputFile load_bytes(std::string bytes, const std::string& path, Checksum checks
     const bool named_gzip = lower_case(path).ends_with(".gz");
     if (is_gzip(bytes)) {
         file.text = gunzip(bytes, path);
-        if (!named_gzip && path != "-") file.warnings.push_back("gzip data in a file not named .gz: decompressed");
+        if (!named_gzip && path != "-") file.notes.push_back("gzip data in a file not named .gz: decompressed");
     } else if (named_gzip) {
         throw InputError(path + ": is named .gz but contains no gzip data; remove .gz from its name");
     } else {

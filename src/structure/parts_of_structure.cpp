@@ -47,6 +47,8 @@ Structure without_atoms(const Structure& structure) {
     part.sha256 = structure.sha256;
     part.radii_set = structure.radii_set;
     part.dropped = structure.dropped;
+    part.left_out_ligands = structure.left_out_ligands;
+    part.notes = structure.notes;
     part.warnings = structure.warnings;
     return part;
 }

@@ -166,7 +166,7 @@ public:
         atom.element = element_columns(line);
         if (atom.element.empty()) {
             atom.element = element_from_columns(line.padded(13, 16), clean_.runs.back().residue);
-            ++clean_.guessed_elements;
+            atom.guessed_element = true;
         } else {
             atom.charge = charge_columns(line);
         }

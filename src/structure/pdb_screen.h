@@ -40,10 +40,9 @@ struct PdbRun {
 
 /// A model ready for the parser.
 struct CleanPdb {
-    std::string text;                  ///< of run i the record of its first atom, with serial number i + 1
-    std::vector<PdbRun> runs;          ///< what the text has no room for
-    std::vector<RawAtom> atoms;        ///< their `residue` is the number of their run
-    std::size_t guessed_elements = 0;  ///< atoms without an element in columns 77-78
+    std::string text;            ///< of run i the record of its first atom, with serial number i + 1
+    std::vector<PdbRun> runs;    ///< what the text has no room for
+    std::vector<RawAtom> atoms;  ///< their `residue` is the number of their run
 };
 
 /// Checks one model and writes it clean, with the SEQRES and REMARK 350 (assembly) records of the whole text.

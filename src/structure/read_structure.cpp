@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "meniscus/errors.h"
+#include "radii/aliases.h"
 #include "structure/assign_radii.h"
 #include "structure/build_structure.h"
 #include "structure/choose_atoms.h"
@@ -22,6 +23,10 @@ namespace meniscus {
 namespace {
 
 using namespace reading;
+
+void append(std::vector<std::string>& lines, const std::vector<std::string>& more) {
+    lines.insert(lines.end(), more.begin(), more.end());
+}
 
 // A loaded file that hands out its models one by one.
 class ModelSource {
@@ -46,8 +51,8 @@ public:
                              (model_count() == 1 ? "is 1" : "are " + std::to_string(model_count())));
         }
         RawModel model = parse(position);
-        model.warnings.insert(model.warnings.end(), file_.warnings.begin(), file_.warnings.end());
-        model.warnings.insert(model.warnings.end(), pdb_.warnings.begin(), pdb_.warnings.end());
+        append(model.notes, file_.notes);
+        append(model.warnings, pdb_.warnings);
         classify_residues(model);
         return model;
     }
@@ -71,14 +76,7 @@ private:
     RawModel parse_pdb_model(int position) const {
         if (pdb_.spans.empty()) return {};
         const PdbModelSpan& span = pdb_.spans[static_cast<std::size_t>(position) - 1];
-        CleanPdb clean = screen_pdb(file_.text, span, file_.path, assemblies_);
-        const std::size_t guessed_elements = clean.guessed_elements;
-        RawModel model = parse_pdb(std::move(clean), file_.path);
-        if (guessed_elements > 0) {
-            model.warnings.push_back(counted(guessed_elements, "element") +
-                                     " taken from atom names: columns 77-78 are blank");
-        }
-        return model;
+        return parse_pdb(screen_pdb(file_.text, span, file_.path, assemblies_), file_.path);
     }
 
     InputFile file_;
@@ -92,26 +90,48 @@ void check_options(const ReadOptions& options) {
     if (options.altloc.size() > 1) throw UsageError("--altloc " + options.altloc + ": must be one character");
 }
 
-[[noreturn]] void fail_empty(const std::string& path, bool had_atoms, const std::vector<std::string>& warnings) {
+[[noreturn]] void fail_empty(const std::string& path, bool had_atoms, const Chosen& chosen) {
     if (!had_atoms) throw InputError(path + ": no atoms in this file; check that it is the right one");
+    std::vector<std::string> lines = chosen.notes;
+    append(lines, chosen.warnings);
     std::string reasons;
-    for (const std::string& line : warnings) reasons += (reasons.empty() ? "" : "; ") + line;
+    for (const std::string& line : lines) reasons += (reasons.empty() ? "" : "; ") + line;
     throw InputError(path + ": no atoms left" +
                      (reasons.empty() ? "; --chains or --select keep none" : ": " + reasons));
+}
+
+// The names of standard residues leave no doubt about elements; "CA" of another one may be carbon or calcium.
+void tell_guessed_elements(const RawModel& model, Chosen& chosen) {
+    std::size_t certain = 0;
+    std::size_t doubtful = 0;
+    for (const std::uint32_t i : chosen.atoms) {
+        if (!model.atoms[i].guessed_element) continue;
+        const std::string& residue = model.residue_of(model.atoms[i]).name;
+        ++(is_amino_acid(residue) || is_nucleotide(residue) || is_water(residue) ? certain : doubtful);
+    }
+    if (certain > 0)
+        chosen.notes.push_back(counted(certain, "element") + " taken from atom names: columns 77-78 are blank");
+    if (doubtful > 0)
+        chosen.warnings.push_back(counted(doubtful, "element") +
+                                  " of other than standard residues guessed from atom names: columns 77-78 are blank");
 }
 
 Structure make_structure(const InputFile& file, const RawModel& model, const ReadOptions& options) {
     Chosen chosen = choose_atoms(model, options, file.path);
     const AssignedRadii radii = assign_radii(model, options, file.path, chosen);
-    if (chosen.atoms.empty()) fail_empty(file.path, !model.atoms.empty(), chosen.warnings);
+    if (chosen.atoms.empty()) fail_empty(file.path, !model.atoms.empty(), chosen);
+    tell_guessed_elements(model, chosen);
     Structure structure;
     structure.file = file.path;
     structure.name = file.name;
     structure.sha256 = file.sha256;
     structure.radii_set = radii.set;
     structure.dropped = chosen.dropped;
+    structure.left_out_ligands = chosen.ligands;
+    structure.notes = model.notes;
+    append(structure.notes, chosen.notes);
     structure.warnings = model.warnings;
-    structure.warnings.insert(structure.warnings.end(), chosen.warnings.begin(), chosen.warnings.end());
+    append(structure.warnings, chosen.warnings);
     build_structure(model, chosen, radii, options.assembly, structure);
     if (structure.atoms.empty()) throw InputError(file.path + ": assembly " + options.assembly + " has no kept atoms");
     if (const std::size_t count = count_coincident(structure.atoms.centres); count > 0) {
@@ -132,8 +152,8 @@ Structure read_structure(const std::string& path, const ReadOptions& options) {
     const ModelSource source(path, options);
     RawModel model = source.model(options.model);
     if (source.model_count() > 1) {
-        model.warnings.push_back("model " + std::to_string(options.model) + " of " +
-                                 std::to_string(source.model_count()) + " taken: --model N|all");
+        model.notes.push_back("model " + std::to_string(options.model) + " of " + std::to_string(source.model_count()) +
+                              " taken (choose another with " + options.spelling("model", "N") + ")");
     }
     return make_structure(source.file(), model, options);
 }

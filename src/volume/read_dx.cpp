@@ -240,7 +240,8 @@ private:
         const Place place = here_;
         std::array<char, kLongestWord> digits;
         std::size_t size = 0;
-        for (int c = source_.peek(); c != ByteSource::kEnd && !is_white_space(c) && size < digits.size(); c = source_.peek())
+        for (int c = source_.peek(); c != ByteSource::kEnd && !is_white_space(c) && size < digits.size();
+             c = source_.peek())
             digits[size++] = static_cast<char>(take());
         const std::string_view text(digits.data(), size);
         if (text.empty() || text == "attribute" || text == "object" || text == "component")

@@ -17,13 +17,14 @@ struct ReadableFormat {
     std::string_view suffix;
     Volume (*read)(const std::string&, VolumePart);
 };
-constexpr std::array kReadable{ReadableFormat{".dx", read_dx},      ReadableFormat{".dx.gz", read_dx},   ReadableFormat{".mrc", read_mrc},
-                              ReadableFormat{".map", read_mrc},    ReadableFormat{".ccp4", read_mrc},   ReadableFormat{".mrc.gz", read_mrc},
-                              ReadableFormat{".map.gz", read_mrc}, ReadableFormat{".ccp4.gz", read_mrc}};
+constexpr std::array kReadable{ReadableFormat{".dx", read_dx},      ReadableFormat{".dx.gz", read_dx},
+                               ReadableFormat{".mrc", read_mrc},    ReadableFormat{".map", read_mrc},
+                               ReadableFormat{".ccp4", read_mrc},   ReadableFormat{".mrc.gz", read_mrc},
+                               ReadableFormat{".map.gz", read_mrc}, ReadableFormat{".ccp4.gz", read_mrc}};
 
 Volume read(const std::string& path, VolumePart part) {
-    const auto found =
-        std::find_if(kReadable.begin(), kReadable.end(), [&](const ReadableFormat& f) { return path.ends_with(f.suffix); });
+    const auto found = std::find_if(kReadable.begin(), kReadable.end(),
+                                    [&](const ReadableFormat& f) { return path.ends_with(f.suffix); });
     if (found != kReadable.end()) return found->read(path, part);
     std::string known;
     for (const ReadableFormat& format : kReadable) known.append(known.empty() ? "" : " ").append(format.suffix);

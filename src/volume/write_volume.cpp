@@ -18,7 +18,8 @@ struct WritableFormat {
     std::string_view suffix;
     void (*write)(const std::string&, const Volume&, VolumeContent);
 };
-constexpr std::array kWritable{WritableFormat{".dx", write_dx}, WritableFormat{".mrc", write_mrc}, WritableFormat{".vdb", write_vdb}};
+constexpr std::array kWritable{WritableFormat{".dx", write_dx}, WritableFormat{".mrc", write_mrc},
+                               WritableFormat{".vdb", write_vdb}};
 
 const char* meaning(VolumeContent content) {
     switch (content) {
@@ -43,8 +44,8 @@ void write_volume(const std::string& path, const Volume& volume, VolumeContent c
     if (volume.grid.size() != volume.values.size() || volume.values.empty())
         throw UsageError(fmt::format("{}: a volume with {} values has a grid of {} nodes; give one value per node",
                                      path, volume.values.size(), volume.grid.size()));
-    const auto found =
-        std::find_if(kWritable.begin(), kWritable.end(), [&](const WritableFormat& f) { return path.ends_with(f.suffix); });
+    const auto found = std::find_if(kWritable.begin(), kWritable.end(),
+                                    [&](const WritableFormat& f) { return path.ends_with(f.suffix); });
     if (found != kWritable.end()) return found->write(path, volume, content);
     std::string known;
     for (const WritableFormat& format : kWritable) known.append(known.empty() ? "" : " ").append(format.suffix);

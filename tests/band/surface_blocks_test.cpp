@@ -56,7 +56,8 @@ TEST(SurfaceBlocks, HoldMarginsWiderThanTheProbe) {
 TEST(SurfaceBlocks, FindEveryPieceHoweverFar) {
     const Atoms atoms{{{0, 0, 0}, {500, 0, 0}, {0, -3e5, 2e5}}, {1.5, 1.7, 2.0}};
     const Lattice lattice{.spacing = 0.5, .origin = {}};
-    const std::vector<BlockCoord> blocks = blocks_near_surface(AccessibleSurface(atoms, 1.4), lattice, 1.0, kEveryBlock);
+    const std::vector<BlockCoord> blocks =
+        blocks_near_surface(AccessibleSurface(atoms, 1.4), lattice, 1.0, kEveryBlock);
     for (std::size_t i = 0; i < atoms.size(); ++i)
         EXPECT_TRUE(lists(blocks, lattice.block_of(atoms.centres[i] + Vec3{atoms.radii[i], 0, 0})));
 }
@@ -64,7 +65,8 @@ TEST(SurfaceBlocks, FindEveryPieceHoweverFar) {
 TEST(SurfaceBlocks, FindTheWallOfAVoid) {
     const Atoms shell = hollow_shell(150, 8.0, 1.7);
     const Lattice lattice{.spacing = 0.25, .origin = {}};
-    const std::vector<BlockCoord> blocks = blocks_near_surface(AccessibleSurface(shell, 1.4), lattice, 0.5, kEveryBlock);
+    const std::vector<BlockCoord> blocks =
+        blocks_near_surface(AccessibleSurface(shell, 1.4), lattice, 0.5, kEveryBlock);
     EXPECT_TRUE(lists(blocks, lattice.block_of({6.3, 0.1, 0.1})));
     EXPECT_FALSE(lists(blocks, lattice.block_of({0.1, 0.1, 0.1})));
 }

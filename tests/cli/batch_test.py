@@ -102,7 +102,7 @@ class BatchTest(unittest.TestCase):
     def refused(self, *words, code=2, **keywords):
         """The one line on standard error of a run that ends at once."""
         errors = self.batch(*words, code=code, **keywords).stderr.splitlines()
-        errors = [line for line in errors if not line.startswith("meniscus: warning: ")]
+        errors = [line for line in errors if not line.startswith(("meniscus: note: ", "meniscus: warning: "))]
         self.assertEqual(len(errors), 1, errors)
         return errors[0]
 

@@ -51,6 +51,17 @@ TEST(CompareReport, WarnsOfMeshesThatAreOpenOrInsideOut) {
     EXPECT_NE(warnings_of(input).at(0).find("face inwards"), std::string::npos);
     input.surface.outer_pieces = 1;
     EXPECT_TRUE(warnings_of(input).empty());
+    EXPECT_TRUE(notes_of(input).empty());
+}
+
+TEST(CompareReport, TellsNotesOfAStructureFromWarnings) {
+    CompareFacts both = facts();
+    both.b.structure->notes = {"58 waters left out (keep them with --waters)"};
+    both.b.structure->warnings = {"1 atom at exactly the position of another atom"};
+    const auto report = make_report({}, both);
+    EXPECT_EQ(report["b"]["notes"], nlohmann::ordered_json(both.b.structure->notes));
+    EXPECT_EQ(report["b"]["warnings"], nlohmann::ordered_json(both.b.structure->warnings));
+    EXPECT_TRUE(report["a"]["notes"].empty());
 }
 
 }  // namespace meniscus::cli

@@ -32,8 +32,8 @@ TEST(CompareRequest, HasTheDefaultsOfTheLibrary) {
 }
 
 TEST(CompareRequest, TakesItsOwnOptionsAndThoseOfReading) {
-    const CompareRequest request = parse_compare({"a.ply", "b.pdb", "--range", "-1:0.5", "--points", "3", "--probe", "1.5",
-                                          "--chains", "A", "-o", "d.glb", "--threads", "2"});
+    const CompareRequest request = parse_compare({"a.ply", "b.pdb", "--range", "-1:0.5", "--points", "3", "--probe",
+                                                  "1.5", "--chains", "A", "-o", "d.glb", "--threads", "2"});
     EXPECT_EQ(request.range, (ValueRange{-1.0, 0.5}));
     EXPECT_EQ(request.compare.density, 3.0);
     EXPECT_EQ(request.structure.probe, 1.5);

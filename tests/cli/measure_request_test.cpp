@@ -29,7 +29,7 @@ TEST(MeasureRequest, HasTheDefaultsOfTheLibrary) {
 
 TEST(MeasureRequest, SharesTheOptionsOfReading) {
     const MeasureRequest request = parse_measure({"-", "--probe", "0", "--chains", "A,B", "--waters", "--model", "all",
-                                          "--radii", "bondi", "--threads", "2", "--report", "-", "--quiet"});
+                                                  "--radii", "bondi", "--threads", "2", "--report", "-", "--quiet"});
     EXPECT_EQ(request.measure.probe, 0.0);
     EXPECT_EQ(request.measure.threads, 2);
     EXPECT_EQ(request.read.chains, (std::vector<std::string>{"A", "B"}));
@@ -41,8 +41,8 @@ TEST(MeasureRequest, SharesTheOptionsOfReading) {
 }
 
 TEST(MeasureRequest, TakesWordsInOrder) {
-    const MeasureRequest request = parse_measure({"a.pdb", "-o", "a.csv", "--per", "atom", "-o", "b.json", "--per", "cavity",
-                                          "-o", "c.pdb", "--value", "depth"});
+    const MeasureRequest request = parse_measure({"a.pdb", "-o", "a.csv", "--per", "atom", "-o", "b.json", "--per",
+                                                  "cavity", "-o", "c.pdb", "--value", "depth"});
     EXPECT_EQ(request.per, (std::vector<RowsPer>{RowsPer::Atom, RowsPer::Cavity}));
     EXPECT_EQ(request.values, (std::vector<AtomValue>{AtomValue::Depth}));
     EXPECT_EQ(request.outputs, (std::vector<std::string>{"a.csv", "b.json", "c.pdb"}));
@@ -63,7 +63,8 @@ TEST(MeasureRequest, RefusesCombinationsThatMakeNoSense) {
     EXPECT_THROW(check_request(parse_measure({"a.pdb", "--per", "atom"})), UsageError);
     EXPECT_THROW(check_request(parse_measure({"a.pdb", "-o", "a.csv", "--value", "sas"})), UsageError);
     EXPECT_THROW(check_request(parse_measure({"a.pdb", "-o", "a.ply"})), UsageError);
-    EXPECT_THROW(check_request(parse_measure({"a.pdb", "-o", "a.csv", "--per", "cavity", "--between", "A:B"})), UsageError);
+    EXPECT_THROW(check_request(parse_measure({"a.pdb", "-o", "a.csv", "--per", "cavity", "--between", "A:B"})),
+                 UsageError);
     EXPECT_THROW(check_request(parse_measure({"a.pdb", "--between", "all", "--between", "A:B"})), UsageError);
     EXPECT_NO_THROW(check_request(parse_measure({"a.pdb", "--between", "C:B", "--between", "A:B"})));
 }

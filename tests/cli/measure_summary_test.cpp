@@ -57,6 +57,15 @@ TEST(MeasureSummary, ListsOnlyTheLargestCavities) {
                          "areas to ± 2.0e-07 Å², volumes to ± 3.0e-08 Å³\n"));
 }
 
+TEST(MeasureSummary, SaysWhichLigandsMayFillTheCavities) {
+    Structure structure = sample_structure();
+    structure.left_out_ligands = {{"HEM", 4}, {"PO4", 1}};
+    const std::string line = "            ligands that may fill them were left out: 4 HEM, 1 PO4\n";
+    EXPECT_TRUE(contains(make_summary(structure, with_cavities(1), {}, {}), line));
+    EXPECT_FALSE(contains(make_summary(structure, with_cavities(0), {}, {}), "ligands"));
+    EXPECT_FALSE(contains(make_summary(sample_structure(), with_cavities(1), {}, {}), "ligands"));
+}
+
 TEST(MeasureSummary, InterfacesAreOneLineEach) {
     ChainInterface interface;
     interface.chains = {{"A", "C"}, {"B"}};

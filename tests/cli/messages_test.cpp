@@ -12,7 +12,9 @@ TEST(Messages, AreOneLineEach) {
     std::ostringstream out;
     print_error(out, "a\nb.pdb:1:2: two\r\nlines");
     print_warning(out, "tab\there");
-    EXPECT_EQ(out.str(), "meniscus: error: a b.pdb:1:2: two  lines\nmeniscus: warning: tab here\n");
+    print_note(out, "line\nend");
+    EXPECT_EQ(out.str(),
+              "meniscus: error: a b.pdb:1:2: two  lines\nmeniscus: warning: tab here\nmeniscus: note: line end\n");
 }
 
 TEST(Messages, KeepLettersBeyondAscii) { EXPECT_EQ(one_line("1.4 Å"), "1.4 Å"); }

@@ -36,7 +36,7 @@ TEST(PictureOptions, HasTheDefaultsOfTheLibrary) {
 
 TEST(PictureOptions, TakesValuesOfAllKinds) {
     const PictureRequest request = parse_picture({"--color", "curvature:-0.5:.25", "--size", "320x200", "--background",
-                                          "#0a0BfF", "--perspective", "--outline", "--depth-cue", "0.5"});
+                                                  "#0a0BfF", "--perspective", "--outline", "--depth-cue", "0.5"});
     EXPECT_EQ(request.colours.scheme, ColourScheme::Curvature);
     EXPECT_EQ(request.colours.range, (ValueRange{-0.5, 0.25}));
     EXPECT_EQ(request.picture.width, 320);
@@ -57,8 +57,10 @@ TEST(PictureOptions, ViewsAreWordsOrDirections) {
     EXPECT_EQ(given.from, (Vec3{-1, 0.5, 20}));
     EXPECT_EQ(given.up, (Vec3{0, 0, -1}));
     EXPECT_EQ(parse_picture({"--view", "1,2,3"}).picture.viewpoint->up, (Vec3{0, 1, 0}));
-    EXPECT_EQ(parse_picture({"--view", "0,3,0"}).picture.viewpoint->up, parse_picture({"--view", "top"}).picture.viewpoint->up);
-    EXPECT_EQ(parse_picture({"--view", "0,-3,0"}).picture.viewpoint->up, parse_picture({"--view", "bottom"}).picture.viewpoint->up);
+    EXPECT_EQ(parse_picture({"--view", "0,3,0"}).picture.viewpoint->up,
+              parse_picture({"--view", "top"}).picture.viewpoint->up);
+    EXPECT_EQ(parse_picture({"--view", "0,-3,0"}).picture.viewpoint->up,
+              parse_picture({"--view", "bottom"}).picture.viewpoint->up);
 }
 
 TEST(PictureOptions, CutsAreWordsDepthsOrPlanes) {

@@ -70,7 +70,8 @@ class ProgramTest(unittest.TestCase):
         before = self.files()
         result = self.surface(*arguments, code=code, text=text)
         self.assertEqual(result.stdout, "")
-        errors = [line for line in result.stderr.splitlines() if not line.startswith("meniscus: warning: ")]
+        remarks = ("meniscus: note: ", "meniscus: warning: ")
+        errors = [line for line in result.stderr.splitlines() if not line.startswith(remarks)]
         self.assertEqual(len(errors), 1, result.stderr)
         self.assertTrue(errors[0].startswith("meniscus: error: "), errors[0])
         self.assertEqual(self.files(), before)
@@ -433,9 +434,29 @@ class Streams(ProgramTest):
         self.assertTrue({"read", "mesh", "write"} <= {u["stage"] for u in updates}, updates)
         self.assertIn("\033[K", self.surface("three.xyzr", "--progress", "on").stderr)
 
-    def test_warnings_are_one_line_each(self):
-        for line in self.surface(UBIQUITIN, "--spacing", "1").stderr.splitlines():
-            self.assertTrue(line.startswith("meniscus: warning: "), line)
+    def test_what_happens_with_every_file_is_a_note_that_quiet_silences(self):
+        note = "58 waters left out (keep them with --waters)"
+        self.assertEqual(self.surface(UBIQUITIN, "--spacing", "1", "--report", "r.json").stderr,
+                         f"meniscus: note: {UBIQUITIN}: {note}\n")
+        report = json.loads((self.folder / "r.json").read_text())
+        self.assertEqual((report["input"]["notes"], report["input"]["warnings"]), ([note], []))
+        self.assertEqual(report["input"]["dropped"], {"waters": 58})
+        self.assertEqual(self.surface(UBIQUITIN, "--spacing", "1", "--quiet").stderr, "")
+
+    def test_what_may_make_a_number_wrong_is_a_warning_that_quiet_does_not_silence(self):
+        (self.folder / "twice.xyzr").write_text("0 0 0 1.7\n0 0 0 1.7\n")
+        for more in ([], ["--quiet"]):
+            self.assertEqual(self.surface("twice.xyzr", *more).stderr,
+                             "meniscus: warning: twice.xyzr: 1 atom at exactly the position of another atom\n")
+
+    def test_notes_of_all_models_are_told_once(self):
+        model = ("ATOM      1  CA  GLY A   1       0.000   0.000   0.000  1.00  0.00           C\n"
+                 "HETATM    2  O   HOH A   2       9.000   0.000   0.000  1.00  0.00           O\n")
+        (self.folder / "two.pdb").write_text(f"MODEL 1\n{model}ENDMDL\nMODEL 2\n{model}ENDMDL\n")
+        self.assertEqual(self.surface("two.pdb", "--model", "all").stderr,
+                         "meniscus: note: two.pdb: 1 water left out (keep it with --waters)\n")
+        self.assertIn("meniscus: note: two.pdb: model 1 of 2 taken (choose another with --model N|all)\n",
+                      self.surface("two.pdb").stderr)
 
 
 class Report(ProgramTest):

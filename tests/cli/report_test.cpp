@@ -26,7 +26,8 @@ Structure sample_structure() {
     structure.file = "dir/1ubq.pdb";
     structure.radii_set = "united";
     structure.dropped["waters"] = 58;
-    structure.warnings = {"58 waters left out: --waters"};
+    structure.notes = {"58 waters left out (keep them with --waters)"};
+    structure.warnings = {"1 atom at exactly the position of another atom"};
     return structure;
 }
 
@@ -57,7 +58,8 @@ TEST(Report, TellsWhatWasReadAndDropped) {
     EXPECT_EQ(input["model"], 2);
     EXPECT_EQ(input["radii"], "united");
     EXPECT_EQ(input["dropped"]["waters"], 58);
-    EXPECT_EQ(input["warnings"][0], "58 waters left out: --waters");
+    EXPECT_EQ(input["notes"], nlohmann::ordered_json(sample_structure().notes));
+    EXPECT_EQ(input["warnings"], nlohmann::ordered_json(sample_structure().warnings));
 }
 
 TEST(Report, LeavesOutWhatAMethodDoesNotUse) {

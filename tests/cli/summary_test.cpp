@@ -46,6 +46,17 @@ TEST(Summary, TellsWhatWasLeftOut) {
         << text;
 }
 
+TEST(Summary, SaysWhichLigandsMayFillCavities) {
+    Structure structure = sample_structure();
+    structure.left_out_ligands = {{"HEP", 1}};
+    Surface surface = sample_surface();
+    const std::string text = make_summary(structure, surface, {}, {});
+    EXPECT_NE(text.find("  left out    ligands that may fill cavities: 1 HEP\n"), std::string::npos) << text;
+    EXPECT_EQ(make_summary(sample_structure(), surface, {}, {}).find("ligands"), std::string::npos);
+    surface.measures.components.pop_back();
+    EXPECT_EQ(make_summary(structure, surface, {}, {}).find("ligands"), std::string::npos) << "no cavities";
+}
+
 TEST(Summary, IsShortAndNamesUnits) {
     const std::string text =
         make_summary(sample_structure(), sample_surface(), {.threads = 2}, {{"a.ply", OutputKind::Mesh}});

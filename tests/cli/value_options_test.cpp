@@ -15,7 +15,8 @@ namespace {
 ValueRequest parse_values(const std::vector<std::string>& words) { return request_of(words, add_value_options); }
 
 TEST(ValueOptions, MapsHaveANameAndAFile) {
-    const ValueRequest request = parse_values({"--sample", "phi=a=b.dx", "--sample", "rho=c.mrc", "--interpolation", "cubic"});
+    const ValueRequest request =
+        parse_values({"--sample", "phi=a=b.dx", "--sample", "rho=c.mrc", "--interpolation", "cubic"});
     ASSERT_EQ(request.maps.size(), 2U);
     EXPECT_EQ(request.maps[0].name, "phi");
     EXPECT_EQ(request.maps[0].path, "a=b.dx");

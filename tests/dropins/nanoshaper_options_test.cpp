@@ -80,7 +80,8 @@ TEST(NanoShaperOptions, ValuesThatCannotBeReadAreToldWithTheirPlace) {
 }
 
 TEST(NanoShaperOptions, WhatIsNoTextIsShownAsText) {
-    EXPECT_NE(read_parameters("\x01\xff = 1\n").warnings.at(0).find(std::string(2, '?') + " is unknown"), std::string::npos);
+    EXPECT_NE(read_parameters("\x01\xff = 1\n").warnings.at(0).find(std::string(2, '?') + " is unknown"),
+              std::string::npos);
     try {
         read_parameters("Surface = " + std::string(5000, '\x02'));
         FAIL();

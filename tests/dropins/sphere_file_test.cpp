@@ -29,7 +29,8 @@ TEST(SphereFile, NumbersInAnyFormAndWithoutNames) {
 }
 
 TEST(SphereFile, NamesAreKeptAsTheyAre) {
-    const SphereFile spheres = read_spheres("0 0 0 1.5 1 A_15_x_ASN_HD22_Blue\n1 0 0 1.5 0 lower\n2 0 0 1.5 bare\n3 0 0 1 1\n");
+    const SphereFile spheres =
+        read_spheres("0 0 0 1.5 1 A_15_x_ASN_HD22_Blue\n1 0 0 1.5 0 lower\n2 0 0 1.5 bare\n3 0 0 1 1\n");
     EXPECT_EQ(spheres.names, (std::vector<std::string>{"A_15_x_ASN_HD22_Blue", "lower", "bare", "-"}));
     EXPECT_EQ(spheres.collision_only, 1U);
 }

@@ -8,7 +8,7 @@ usage: memory_test.py FOLDER_OF_PROGRAM SOURCE_DIR [unittest arguments]
 import resource
 import unittest
 
-from support import MENISCUS, MSMS, NANOSHAPER, PRM, TO_XYZR, UBIQUITIN, FaultTest, main, limits_memory
+from support import MENISCUS, MSMS, NANOSHAPER, PRM, TO_XYZR, UBIQUITIN, FaultTest, is_remark, main, limits_memory
 
 MEGABYTE = 1 << 20
 
@@ -42,7 +42,7 @@ class Memory(FaultTest):
                 succeeded += 1
             else:
                 self.assertEqual(result.returncode, 5, (size, command, result.stderr))
-                errors = [line for line in result.stderr.splitlines() if ": warning: " not in line]
+                errors = [line for line in result.stderr.splitlines() if not is_remark(line)]
                 self.assertEqual(len(errors), 1, (size, command, result.stderr))
                 self.assertIn("memory", errors[0])
                 self.assertEqual(self.temporary(), [])

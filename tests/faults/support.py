@@ -30,6 +30,11 @@ PRM = ("Grid_scale = 2.0\nXYZR_FileName = three.xyzr\nTriangulation = true\nSurf
        "Probe_Radius = 1.4\nSave_Mesh_MSMS_Format = false\n")
 
 
+def is_remark(line):
+    """Whether a line of standard error is a note or a warning."""
+    return ": warning: " in line or ": note: " in line
+
+
 class FaultTest(unittest.TestCase):
     """Every test runs in an empty folder of its own."""
 
@@ -50,7 +55,7 @@ class FaultTest(unittest.TestCase):
         """Expects an exit code, one line of error and no temporary file; returns the line."""
         result = self.run_program(*arguments, **keywords)
         self.assertEqual(result.returncode, code, (arguments, result.stderr))
-        errors = [line for line in result.stderr.splitlines() if ": warning: " not in line]
+        errors = [line for line in result.stderr.splitlines() if not is_remark(line)]
         self.assertEqual(len(errors), 1, result.stderr)
         self.assertRegex(errors[0], r"\A[a-z_-]+: error: ")
         self.assertEqual(self.temporary(), [])

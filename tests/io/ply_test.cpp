@@ -46,8 +46,8 @@ TEST_P(Ply, EverythingReadsBack) {
     std::vector<float> depths(mesh.vertices.size(), -1.25F);
     const PlyContent ply =
         written_ply(mesh, {.encoding = GetParam(),
-                          .extra = {{.name = "residue", .values = std::span<const std::uint32_t>(residues)},
-                                    {.name = "depth", .values = std::span<const float>(depths)}}});
+                           .extra = {{.name = "residue", .values = std::span<const std::uint32_t>(residues)},
+                                     {.name = "depth", .values = std::span<const float>(depths)}}});
     const std::vector<std::pair<std::string, std::string>> expected{{"float", "x"},
                                                                     {"float", "y"},
                                                                     {"float", "z"},

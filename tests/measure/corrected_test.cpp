@@ -64,8 +64,8 @@ void expect_fourth_order(const MakeMesh& make, const Measure& measure, double ar
 
 TEST(Corrected, FourthOrderOnASphereByProjection) {
     expect_fourth_order([](double h) { return testing::projected_sphere(kSphere, h); },
-                        [](const Mesh& mesh) { return corrected_measures(mesh, project_to_sphere); }, 16.0 * std::numbers::pi,
-                        32.0 / 3.0 * std::numbers::pi);
+                        [](const Mesh& mesh) { return corrected_measures(mesh, project_to_sphere); },
+                        16.0 * std::numbers::pi, 32.0 / 3.0 * std::numbers::pi);
 }
 
 TEST(Corrected, OneMoreDivisionIsWorthHalfTheSpacing) {
@@ -79,7 +79,8 @@ TEST(Corrected, OneMoreDivisionIsWorthHalfTheSpacing) {
 
 TEST(Corrected, FourthOrderOnASphereByNormals) {
     expect_fourth_order([](double h) { return testing::projected_sphere(kSphere, h); },
-                        [](const Mesh& mesh) { return corrected_measures(mesh); }, 16.0 * std::numbers::pi, 32.0 / 3.0 * std::numbers::pi);
+                        [](const Mesh& mesh) { return corrected_measures(mesh); }, 16.0 * std::numbers::pi,
+                        32.0 / 3.0 * std::numbers::pi);
 }
 
 TEST(Corrected, FourthOrderOnATorusByProjection) {
@@ -90,8 +91,8 @@ TEST(Corrected, FourthOrderOnATorusByProjection) {
 
 TEST(Corrected, FourthOrderOnATorusByNormals) {
     expect_fourth_order(
-        projected_torus, [](const Mesh& mesh) { return corrected_measures(mesh); }, 4.0 * std::numbers::pi * std::numbers::pi * 1.6,
-        2.0 * std::numbers::pi * std::numbers::pi * 2.0 * 0.64);
+        projected_torus, [](const Mesh& mesh) { return corrected_measures(mesh); },
+        4.0 * std::numbers::pi * std::numbers::pi * 1.6, 2.0 * std::numbers::pi * std::numbers::pi * 2.0 * 0.64);
 }
 
 TEST(Corrected, TheProjectorIsGivenPlacesNearTheSurface) {

@@ -16,7 +16,6 @@
 namespace meniscus {
 namespace {
 
-
 Atoms random_cluster(std::size_t count, double extent, unsigned seed) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> within(0.0, extent);
@@ -68,7 +67,8 @@ TEST(Measure, OneSphereHasItsClosedForms) {
     EXPECT_EQ(m.components[0].kind, ComponentKind::Outer);
     EXPECT_EQ(m.components[0].inside_of, kNone);
     EXPECT_NEAR(norm(m.components[0].centre - Vec3{1, 2, 3}), 0.0, 1e-12);
-    EXPECT_LE(std::abs(m.totals.ses_area - 4 * std::numbers::pi * 1.7 * 1.7), m.errors.ses_area) << "the error estimate holds";
+    EXPECT_LE(std::abs(m.totals.ses_area - 4 * std::numbers::pi * 1.7 * 1.7), m.errors.ses_area)
+        << "the error estimate holds";
 }
 
 // SES of two spheres whose probe circle exists: on each side of its plane a cap of the sphere, and the torus from there
@@ -91,7 +91,9 @@ TwoSpheres two_spheres(double r1, double r2, double d, double probe) {
         result.area += 2 * std::numbers::pi * r * (r + x);
         result.volume += std::numbers::pi / 3 * (2 * r * r * r + 3 * r * r * x - x * x * x);
         // Along the torus y = a - R cos ψ, dx = R cos ψ dψ.
-        const auto area_to = [&](double psi) { return 2 * std::numbers::pi * probe * (a * psi - probe * std::sin(psi)); };
+        const auto area_to = [&](double psi) {
+            return 2 * std::numbers::pi * probe * (a * psi - probe * std::sin(psi));
+        };
         const auto volume_to = [&](double psi) {
             const double sine = std::sin(psi);
             return std::numbers::pi * probe *
@@ -395,7 +397,8 @@ TEST(Measure, ErrorEstimatesOfSmallSpheresHold) {
     for (const double radius : {1.0, 0.1, 1e-2, 1e-3})
         for (int k = 0; k < 40; ++k) {
             const Measures m = measure({{{0.37 * k, 1.0, -0.11 * k}}, {radius}}, {.probe = 0.0});
-            EXPECT_NEAR(m.totals.ses_area, 4.0 * std::numbers::pi * radius * radius, m.errors.ses_area) << radius << ' ' << k;
+            EXPECT_NEAR(m.totals.ses_area, 4.0 * std::numbers::pi * radius * radius, m.errors.ses_area)
+                << radius << ' ' << k;
             EXPECT_NEAR(m.totals.ses_volume, 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3), m.errors.ses_volume);
         }
 }

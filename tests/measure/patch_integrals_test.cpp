@@ -13,7 +13,6 @@
 namespace meniscus {
 namespace {
 
-
 // A tilted arc away from the origin.
 SasArc some_arc(double radius, double height0, double height1, double angle) {
     SasArc arc;
@@ -84,7 +83,8 @@ TEST(PatchIntegrals, ToroidalPieceAgreesWithQuadrature) {
 TEST(PatchIntegrals, ATorusThatMeetsItsAxisFallsIntoTwo) {
     EXPECT_EQ(toroidal_patch(some_arc(1.0, 2.9, 2.9, 2 * std::numbers::pi), 1.4).count, 2);
     EXPECT_EQ(toroidal_patch(some_arc(1.5, 2.9, 2.9, 2 * std::numbers::pi), 1.4).count, 1);
-    EXPECT_EQ(toroidal_patch(some_arc(1.0, -2.9, 3.9, 2 * std::numbers::pi), 1.4).count, 1) << "its circle is beyond one atom";
+    EXPECT_EQ(toroidal_patch(some_arc(1.0, -2.9, 3.9, 2 * std::numbers::pi), 1.4).count, 1)
+        << "its circle is beyond one atom";
 }
 
 TEST(PatchIntegrals, SphereEnclosesItsVolume) {

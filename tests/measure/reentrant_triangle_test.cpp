@@ -12,7 +12,6 @@
 namespace meniscus {
 namespace {
 
-
 Atoms random_cluster(std::size_t count, double extent, double radius) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> within(0.0, extent);

@@ -52,6 +52,13 @@ TEST(PageData, FirstSchemeAndViewAreThoseAskedFor) {
     EXPECT_EQ(DecodedPage(page_data(molecule.mesh, molecule.structure, {}, {})).info["scheme"], "chain");
 }
 
+TEST(PageData, SaysWhichLigandsMayFillCavities) {
+    SmallMolecule molecule;
+    EXPECT_EQ(DecodedPage(page_data(molecule.mesh, molecule.structure, {}, {})).info["ligandsLeftOut"], "");
+    molecule.structure.left_out_ligands = {{"HEM", 4}, {"PO4", 1}};
+    EXPECT_EQ(DecodedPage(page_data(molecule.mesh, molecule.structure, {}, {})).info["ligandsLeftOut"], "4 HEM, 1 PO4");
+}
+
 TEST(PageData, NamesThatAreNoTextDoNotBreakIt) {
     SmallMolecule molecule;
     molecule.structure.residues[0].name = "\xFF\x01";

@@ -30,12 +30,30 @@ class Reading(InScratchFolder):
         with self.assertRaises(ValueError):
             protein.xyz[0, 0] = 1.0
 
-    def test_what_was_assumed_is_warned_of_and_kept(self):
+    def test_what_happens_with_every_file_is_a_note_and_no_warning(self):
+        protein = meniscus.read(UBIQUITIN)  # warnings are errors here
+        self.assertEqual(protein.notes, ["58 waters left out (keep them with waters=True)"])
+        self.assertEqual((protein.warnings, protein.dropped), ([], {"waters": 58}))
+        self.assertEqual(meniscus.read_models(UBIQUITIN)[0].notes, protein.notes)
+        self.assertEqual(meniscus.Structure.from_arrays(CENTRES, RADII).notes, [])
+
+    def test_what_may_make_a_number_wrong_is_warned_of_and_kept(self):
+        pathlib.Path("twice.xyzr").write_text("0 0 0 1.7\n0 0 0 1.7\n")
         with self.assertWarns(meniscus.ReadWarning) as caught:
-            protein = meniscus.read(UBIQUITIN)
-        self.assertEqual([str(w.message) for w in caught.warnings], protein.warnings)
-        self.assertEqual(caught.filename, __file__)
-        self.assertEqual(protein.dropped, {"waters": 58})
+            spheres = meniscus.read("twice.xyzr")
+        self.assertEqual([str(w.message) for w in caught.warnings], spheres.warnings)
+        self.assertEqual(spheres.warnings, ["1 atom at exactly the position of another atom"])
+        self.assertEqual((caught.filename, spheres.notes), (__file__, []))
+
+    def test_notes_and_warnings_name_options_as_keywords(self):
+        atom = "HETATM{:5}  C{:<2} {} A   1    {:8.3f}   0.000   0.000  1.00  0.00           {}\n".format
+        pathlib.Path("m.pdb").write_text("MODEL 1\n" + atom(1, "1", "LIG", 0, " C") + atom(2, "2", "LIG", 2, " C") +
+                                         "ATOM      3  CA  GLY A   2       9.000   0.000   0.000\nENDMDL\n"
+                                         "MODEL 2\nATOM      3  CA  GLY A   2       9.000   0.000   0.000\nENDMDL\n")
+        with self.assertWarns(meniscus.ReadWarning):  # models of different sizes
+            notes = meniscus.read("m.pdb").notes
+        self.assertIn("model 1 of 2 taken (choose another with model=N)", notes)
+        self.assertIn('1 LIG left out (keep it with hetero="ligands")', notes)
 
     def test_options_choose_atoms(self):
         self.assertEqual(len(read(UBIQUITIN, waters=True)), 660)

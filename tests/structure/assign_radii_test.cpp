@@ -35,6 +35,7 @@ TEST(AssignRadii, AutoTakesBondiWithHydrogensElseUnited) {
     const AssignedRadii radii = assign_radii(bare, {}, "f", chosen);
     EXPECT_EQ(radii.set, "united");
     EXPECT_EQ(radii.values, (std::vector<double>{1.70, 1.74, 1.40}));
+    EXPECT_TRUE(chosen.notes.empty());
     EXPECT_TRUE(chosen.warnings.empty());
 }
 
@@ -46,7 +47,12 @@ TEST(AssignRadii, TooFewHydrogensAreDroppedWithOneLine) {
     EXPECT_EQ(chosen.dropped["hydrogens"], 1U);
     ASSERT_EQ(chosen.warnings.size(), 1U);
     expect_contains(chosen.warnings[0], "1 hydrogen left out, too few");
-    expect_contains(chosen.warnings[0], "--hydrogens keep");
+    expect_contains(chosen.warnings[0], "hydrogens = keep");
+
+    chosen = all_of(model);
+    assign_radii(model, {.radii = "naccess"}, "f", chosen);
+    EXPECT_TRUE(chosen.warnings.empty()) << "the set that was asked for leaves them out anyway";
+    expect_contains(chosen.notes.at(0), "the radii of naccess already include them");
 
     chosen = all_of(model);
     EXPECT_EQ(assign_radii(model, {.hydrogens = HydrogenPolicy::Keep}, "f", chosen).set, "bondi");
@@ -58,8 +64,8 @@ TEST(AssignRadii, UnitedSetsDropHydrogensAndSaySo) {
     for (const char* set : {"united", "protor", "naccess"}) {
         Chosen chosen = all_of(model);
         EXPECT_EQ(assign_radii(model, {.radii = set}, "f", chosen).values.size(), 3U);
-        ASSERT_FALSE(chosen.warnings.empty());
-        expect_contains(chosen.warnings[0], std::string("the radii of ") + set + " already include them");
+        ASSERT_EQ(chosen.notes.size(), 1U);
+        expect_contains(chosen.notes[0], std::string("the radii of ") + set + " already include them");
         EXPECT_THROW(
             assign_radii(model, {.radii = set, .hydrogens = HydrogenPolicy::Keep}, "f", chosen = all_of(model)),
             UsageError);
@@ -71,6 +77,7 @@ TEST(AssignRadii, AskedForDropIsDoneQuietly) {
     Chosen chosen = all_of(model);
     EXPECT_EQ(assign_radii(model, {.hydrogens = HydrogenPolicy::Drop}, "f", chosen).set, "united");
     EXPECT_EQ(chosen.dropped["hydrogens"], 3U);
+    EXPECT_TRUE(chosen.notes.empty());
     EXPECT_TRUE(chosen.warnings.empty());
 }
 
@@ -106,6 +113,8 @@ TEST(AssignRadii, ZeroRadiiDoNotExistAndAreCounted) {
     EXPECT_EQ(radii.values, (std::vector<double>{1.5, 1.4}));
     EXPECT_EQ(chosen.atoms, (std::vector<std::uint32_t>{0, 2}));
     EXPECT_EQ(chosen.dropped["zero_radius"], 1U);
+    EXPECT_TRUE(chosen.notes.empty());
+    expect_contains(chosen.warnings.at(0), "1 atom of radius 0 left out");
 }
 
 TEST(AssignRadii, BondedSulphursAreNoThiols) {
@@ -128,6 +137,8 @@ TEST(AssignRadii, ParseSeesTheChargedAminoEnd) {
     const ReadOptions options{.radii = "parse", .hydrogens = HydrogenPolicy::Keep};
     EXPECT_EQ(assign_radii(model, options, "f", chosen).values, (std::vector<double>{2.0, 1.7, 1.5, 1.0, 1.7}));
     EXPECT_EQ(chosen.dropped["zero_radius"], 3U);
+    EXPECT_TRUE(chosen.warnings.empty()) << "force fields have hydrogens of radius 0";
+    expect_contains(chosen.notes.at(0), "3 hydrogens of radius 0 left out");
 }
 
 TEST(AssignRadii, UnknownSetsAndNamelessSpheresAreUsageErrors) {

@@ -28,9 +28,12 @@ TEST(ChooseAtoms, DefaultsKeepThePolymerAndSayWhatWent) {
     EXPECT_EQ(chosen.atoms, (std::vector<std::uint32_t>{0, 1}));
     EXPECT_EQ(chosen.dropped.at("waters"), 1U);
     EXPECT_EQ(chosen.dropped.at("hetero"), 7U);
-    const std::vector<std::string> expected{"1 water left out: --waters", "2 HEM left out: --hetero ligands",
-                                            "1 ZN left out: --hetero all"};
-    EXPECT_EQ(chosen.warnings, expected);
+    const std::vector<std::string> expected{"1 water left out (keep it with keep_waters = true)",
+                                            "2 HEM left out (keep them with hetero = ligands)",
+                                            "1 ZN left out (keep it with hetero = all)"};
+    EXPECT_EQ(chosen.notes, expected);
+    EXPECT_TRUE(chosen.warnings.empty());
+    EXPECT_EQ(chosen.ligands, (std::map<std::string, std::size_t>{{"HEM", 2}}));
 }
 
 TEST(ChooseAtoms, OptionsBringThemBack) {
@@ -38,7 +41,9 @@ TEST(ChooseAtoms, OptionsBringThemBack) {
     EXPECT_EQ(choose_atoms(mixed(), {.hetero = HeteroPolicy::All}, "f").atoms.size(), 9U);
     const Chosen all = choose_atoms(mixed(), {.hetero = HeteroPolicy::All, .keep_waters = true}, "f");
     EXPECT_EQ(all.atoms.size(), 10U);
+    EXPECT_TRUE(all.notes.empty());
     EXPECT_TRUE(all.warnings.empty());
+    EXPECT_TRUE(all.ligands.empty());
     EXPECT_TRUE(all.dropped.empty());
 }
 

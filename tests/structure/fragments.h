@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "meniscus/errors.h"
 #include "meniscus/structure.h"
@@ -67,11 +69,17 @@ std::string error_of(const std::string& content, const std::string& name, const 
     return "";
 }
 
+inline bool has_line(const std::vector<std::string>& lines, const std::string& fragment) {
+    return std::any_of(lines.begin(), lines.end(),
+                       [&](const std::string& line) { return line.find(fragment) != std::string::npos; });
+}
+
+inline bool has_note(const Structure& structure, const std::string& fragment) {
+    return has_line(structure.notes, fragment);
+}
+
 inline bool has_warning(const Structure& structure, const std::string& fragment) {
-    for (const std::string& line : structure.warnings) {
-        if (line.find(fragment) != std::string::npos) return true;
-    }
-    return false;
+    return has_line(structure.warnings, fragment);
 }
 
 inline void expect_contains(const std::string& text, const std::string& fragment) {

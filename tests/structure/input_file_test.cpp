@@ -65,10 +65,10 @@ TEST(InputFile, FingerprintIsOfTheBytesAsFound) {
     EXPECT_EQ(load_bytes(bytes, "a.pdb.gz").text, kAtom);
 }
 
-TEST(InputFile, GzipUnderAPlainNameIsReadWithAWarning) {
+TEST(InputFile, GzipUnderAPlainNameIsReadWithANote) {
     const InputFile file = load_bytes(gzipped(kAtom), "a.pdb");
     EXPECT_EQ(file.text, kAtom);
-    EXPECT_EQ(file.warnings.size(), 1U);
+    EXPECT_EQ(file.notes.size(), 1U);
 }
 
 TEST(InputFile, PlainTextUnderAGzipNameIsAnError) {

@@ -54,7 +54,7 @@ TEST(MalformedCases, FoldersEmptyFilesAndDevices) {
 }
 
 TEST(MalformedCases, OnlyWatersOnlyHydrogensOneAtom) {
-    expect_contains(error_of(pdb_line({.name = " O  ", .residue = "TIP"}), "a.pdb"), "1 water left out: --waters");
+    expect_contains(error_of(pdb_line({.name = " O  ", .residue = "TIP"}), "a.pdb"), "1 water left out (keep it with");
     const std::string hydrogens = pdb_line({.name = " H  "}) + pdb_line({.name = " HA ", .x = 2});
     EXPECT_EQ(read_text(hydrogens, "a.pdb").atoms.size(), 2U);
     expect_contains(error_of(hydrogens, "a.pdb", {.radii = "united"}), "2 hydrogens left out");

@@ -49,7 +49,7 @@ TEST(PdbScreen, AGoodRecordPasses) {
     EXPECT_FALSE(clean.atoms[0].hetatm);
     ASSERT_EQ(clean.runs.size(), 1U);
     EXPECT_EQ(clean.runs[0].residue, "ALA");
-    EXPECT_EQ(clean.guessed_elements, 0U);
+    EXPECT_FALSE(clean.atoms[0].guessed_element);
     EXPECT_EQ(clean.text.size(), 81U);
 }
 
@@ -118,7 +118,7 @@ TEST(PdbScreen, LinesMayEndAfterTheCoordinatesNotBefore) {
 TEST(PdbScreen, OldFilesMayHaveAnythingInColumns73To80) {
     const CleanPdb clean = screen(changed(67, "      4PTI  89"));
     EXPECT_EQ(clean.atoms[0].element, "C");
-    EXPECT_EQ(clean.guessed_elements, 1U);
+    EXPECT_TRUE(clean.atoms[0].guessed_element);
     EXPECT_EQ(screen(changed(67, "      1UBQ1071")).atoms[0].element, "C");
     EXPECT_EQ(screen(changed(67, "      PROT N  ")).atoms[0].element, "N") << "a symbol where it belongs counts";
 }

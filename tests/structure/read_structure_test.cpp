@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
 #include "fragments.h"
+#include "structure/element.h"
 
 namespace meniscus {
 namespace {
@@ -8,6 +9,7 @@ namespace {
 using testing::error_of;
 using testing::expect_contains;
 using testing::gzipped;
+using testing::has_note;
 using testing::has_warning;
 using testing::pdb_line;
 using testing::read_text;
@@ -33,7 +35,35 @@ TEST(ReadStructure, TellsWhereFromAndWhat) {
     EXPECT_EQ(s.residues[0].name, "GLY");
     EXPECT_EQ(s.residues[0].number, 20);
     EXPECT_EQ(s.dropped.at("waters"), 1U);
-    EXPECT_TRUE(has_warning(s, "1 water left out: --waters"));
+    EXPECT_EQ(s.notes.at(0), "1 water left out (keep it with keep_waters = true)");
+}
+
+std::string spell_in_capitals(std::string_view option, std::string_view value) {
+    return reading::upper_case(option) + "/" + reading::upper_case(value);
+}
+
+TEST(ReadStructure, OptionsAreSpeltAsTheCallerSays) {
+    const Structure s = read_text(kGlycine + kWater, "g.pdb", {.spelling = spell_in_capitals});
+    EXPECT_TRUE(has_note(s, "1 water left out (keep it with KEEP_WATERS/TRUE)"));
+}
+
+TEST(ReadStructure, ElementsOfStandardResiduesAreANoteOthersAWarning) {
+    const std::string ligand = pdb_line({.name = "CA  ", .residue = "XYZ", .number = 30, .x = 20.0});
+    const Structure s = read_text(kGlycine + ligand, "g.pdb");
+    EXPECT_TRUE(has_note(s, "4 elements taken from atom names: columns 77-78 are blank"));
+    EXPECT_TRUE(has_warning(s, "1 element of other than standard residues guessed from atom names: columns 77-78"));
+    EXPECT_TRUE(read_text(kGlycine, "g.pdb").warnings.empty());
+    const std::string known = pdb_line({.name = " N  ", .residue = "XYZ", .element = " N"});
+    EXPECT_TRUE(read_text(known, "g.pdb").notes.empty());
+    EXPECT_FALSE(has_warning(read_text(known, "g.pdb"), "guessed"));
+}
+
+TEST(ReadStructure, LigandsLeftOutAreKnownByName) {
+    const std::string ligand = pdb_line({.name = " C1 ", .residue = "LIG", .number = 9, .x = 20, .record = "HETATM"}) +
+                               pdb_line({.name = " O1 ", .residue = "LIG", .number = 9, .x = 21, .record = "HETATM"});
+    using Ligands = std::map<std::string, std::size_t>;
+    EXPECT_EQ(read_text(kGlycine + ligand + kWater, "g.pdb").left_out_ligands, (Ligands{{"LIG", 1}}));
+    EXPECT_EQ(read_text(kGlycine + ligand, "g.pdb", {.hetero = HeteroPolicy::Ligands}).left_out_ligands, Ligands{});
 }
 
 TEST(ReadStructure, TakesAFingerprintOnlyIfAskedFor) {
@@ -51,6 +81,7 @@ TEST(ReadStructure, LineEndsMarksAndCompressionChangeNothing) {
     for (const std::string& text : {dos, mac, "\xEF\xBB\xBF" + kGlycine}) {
         const Structure other = read_text(text, "g.pdb");
         EXPECT_EQ(other.atoms.centres, plain.atoms.centres);
+        EXPECT_EQ(other.notes, plain.notes);
         EXPECT_EQ(other.warnings, plain.warnings);
     }
     EXPECT_EQ(read_text(gzipped(kGlycine), "g.pdb.gz").atoms.centres, plain.atoms.centres);
@@ -70,7 +101,7 @@ TEST(ReadStructure, ModelsByPosition) {
         "MODEL        1\n" + kGlycine + "ENDMDL\nMODEL        2\n" + pdb_line({.x = 7.0}) + "ENDMDL\n";
     const Structure first = read_text(text, "m.pdb");
     EXPECT_EQ(first.atoms.size(), 4U);
-    EXPECT_TRUE(has_warning(first, "model 1 of 2 taken: --model N|all"));
+    EXPECT_TRUE(has_note(first, "model 1 of 2 taken (choose another with model = N)"));
     EXPECT_EQ(read_text(text, "m.pdb", {.model = 2}).atoms.centres.at(0).x, 7.0);
     expect_contains(error_of(text, "m.pdb", {.model = 3}), "m.pdb: no model 3; there are 2");
     expect_contains(error_of<UsageError>(text, "m.pdb", {.model = 0}), "models are counted from 1");
@@ -93,7 +124,7 @@ TEST(ReadStructure, ABadModelThatIsNotAskedForIsNoMatter) {
 }
 
 TEST(ReadStructure, NothingLeftIsAnErrorThatSaysWhatWent) {
-    expect_contains(error_of(kWater, "w.pdb"), "w.pdb: no atoms left: 1 water left out: --waters");
+    expect_contains(error_of(kWater, "w.pdb"), "w.pdb: no atoms left: 1 water left out (keep it with keep_");
     expect_contains(error_of("", "e.pdb"), "e.pdb: no atoms in this file");
     expect_contains(error_of(kGlycine, "g.pdb", {.select = "//Z"}), "--chains or --select keep none");
     expect_contains(error_of("# none\n", "e.xyzr"), "no atoms in this file");
@@ -122,7 +153,7 @@ TEST(ReadStructure, ModifiedResiduesStayLigandsGo) {
     ASSERT_EQ(s.atoms.size(), 6U);
     EXPECT_EQ(s.labels[5].element, "SE");
     EXPECT_EQ(s.atoms.radii[5], 2.15);
-    EXPECT_TRUE(has_warning(s, "1 CA left out: --hetero all"));
+    EXPECT_TRUE(has_note(s, "1 CA left out (keep it with hetero = all)"));
     const Structure all = read_text(kGlycine + mse + calcium, "g.pdb", {.hetero = HeteroPolicy::All});
     EXPECT_EQ(all.labels.at(6).element, "CA");
     EXPECT_EQ(all.atoms.radii.at(6), 1.97);

@@ -100,7 +100,8 @@ TEST(ValueTable, MistakesAreToldWithTheirPlace) {
     EXPECT_EQ(message_of("chain,resnum,v\nA,1,high\n").substr(0, 38), "t.csv:2:5: column 'v' holds 'high', wh");
     EXPECT_EQ(message_of("chain,resnum,v\nA,one,1\n"), "t.csv:2:3: resnum 'one' is not a whole number");
     EXPECT_EQ(message_of("chain,resnum,v\nA,1\n"), "t.csv:2:1: has 2 cells under 3 names");
-    EXPECT_TRUE(message_of("serial,v\n1,1e39\n").starts_with("t.csv:2:3: column 'v' holds '1e39', which is not a number"));
+    EXPECT_TRUE(
+        message_of("serial,v\n1,1e39\n").starts_with("t.csv:2:3: column 'v' holds '1e39', which is not a number"));
     EXPECT_EQ(message_of("serial,v,v\n1,1,1\n"), "t.csv:1:10: a second column 'v'; rename one of them");
     EXPECT_EQ(message_of("serial,v\n1,1\n1,2\n"),
               "t.csv:3:1: repeats the atoms or residue of line 2; leave one of them out");
