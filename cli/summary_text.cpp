@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "meniscus/list_of_counts.h"
 #include "messages.h"
 
 namespace meniscus::cli {

@@ -89,9 +89,6 @@ struct Structure {
     std::vector<std::string> warnings;  ///< assumptions that may make a number wrong: a line per kind
 };
 
-/// "4 HEM, 2 PO4" from names and their numbers: most frequent first, at most six names.
-std::string list_of_counts(const std::map<std::string, std::size_t>& counts);
-
 /// Reads PDB, mmCIF, PQR, xyzr or xyzrn, each possibly gzipped; "-" reads standard input, told by content.
 ///
 /// Every coordinate, radius and charge must be a finite number in full.

@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "meniscus/list_of_counts.h"
 #include "meniscus/version.h"
 #include "page/schemes.h"
 #include "render/camera.h"

@@ -9,6 +9,7 @@
 
 #include "meniscus/errors.h"
 #include "meniscus/file_name.h"
+#include "meniscus/list_of_counts.h"
 #include "radii/element_radii.h"
 #include "radii/rule_file.h"
 #include "structure/hydrogens.h"

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "meniscus/errors.h"
+#include "meniscus/list_of_counts.h"
 #include "structure/altlocs.h"
 #include "structure/gemmi/gemmi_reader.h"
 
@@ -149,19 +150,6 @@ namespace meniscus {
 
 std::string spell_as_member(std::string_view option, std::string_view value) {
     return std::string(option) + " = " + std::string(value);
-}
-
-std::string list_of_counts(const std::map<std::string, std::size_t>& counts) {
-    constexpr std::size_t kMostNames = 6;
-    std::vector<std::pair<std::string, std::size_t>> sorted(counts.begin(), counts.end());
-    std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-    std::string list;
-    for (std::size_t i = 0; i < std::min(sorted.size(), kMostNames); ++i) {
-        const std::string& name = sorted[i].first;
-        list += (i > 0 ? ", " : "") + std::to_string(sorted[i].second) + " " + (name.empty() ? "nameless" : name);
-    }
-    if (sorted.size() > kMostNames) list += " and " + std::to_string(sorted.size() - kMostNames) + " more kinds";
-    return list;
 }
 
 }  // namespace meniscus

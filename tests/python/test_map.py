@@ -150,7 +150,7 @@ class Refusals(InScratchFolder):
         self.refused(usage, "holds many inputs", ["in"])
         self.refused(usage, "holds many inputs", [write("in.tar", "")])
         self.refused(TypeError, "list of paths", "in/a.xyzr")
-        self.refused(TypeError, "a path is text", [b"a.xyzr"])
+        self.refused(TypeError, "a path must be text", [b"a.xyzr"])
         self.refused(FileNotFoundError, "none.xyzr", ["none.xyzr", *paths])
         self.refused(meniscus.OutputError, "cannot be written", paths, out="in/a.xyzr/out")
 

@@ -3,6 +3,7 @@
 #include "structure/choose_atoms.h"
 
 #include "fragments.h"
+#include "meniscus/list_of_counts.h"
 
 namespace meniscus::reading {
 namespace {
