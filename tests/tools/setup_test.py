@@ -57,7 +57,7 @@ class SetupTest(unittest.TestCase):
 
     def test_a_build_that_is_watched_shows_how_far_it_is(self):
         lines = "[1/40 2.0] first\\n[10/40 60.5] tenth\\nan error\\n[39/40 120.0] last\\n"
-        shown = self.bash(f"printf '{lines}' | show_progress 2>&1").replace("\r\033[K", "\n").splitlines()
+        shown = self.bash(f"printf '{lines}' | show_progress 2>&1").replace("\r", "\n").replace("\033[K", "").splitlines()
         self.assertEqual(shown, ["", "building: 1 of 40 files", "building: 10 of 40 files, about 3 minutes left",
                                  "building: 39 of 40 files, less than a minute left"])
 
