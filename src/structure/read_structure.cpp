@@ -113,7 +113,7 @@ void tell_guessed_elements(const RawModel& model, Chosen& chosen) {
         chosen.notes.push_back(counted(certain, "element") + " taken from atom names: columns 77-78 are blank");
     if (doubtful > 0)
         chosen.warnings.push_back(counted(doubtful, "element") +
-                                  " of other than standard residues guessed from atom names: columns 77-78 are blank");
+                                  " in non-standard residues guessed from atom names: columns 77-78 are blank");
 }
 
 Structure make_structure(const InputFile& file, const RawModel& model, const ReadOptions& options) {

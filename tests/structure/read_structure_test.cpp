@@ -51,7 +51,7 @@ TEST(ReadStructure, ElementsOfStandardResiduesAreANoteOthersAWarning) {
     const std::string ligand = pdb_line({.name = "CA  ", .residue = "XYZ", .number = 30, .x = 20.0});
     const Structure s = read_text(kGlycine + ligand, "g.pdb");
     EXPECT_TRUE(has_note(s, "4 elements taken from atom names: columns 77-78 are blank"));
-    EXPECT_TRUE(has_warning(s, "1 element of other than standard residues guessed from atom names: columns 77-78"));
+    EXPECT_TRUE(has_warning(s, "1 element in non-standard residues guessed from atom names: columns 77-78"));
     EXPECT_TRUE(read_text(kGlycine, "g.pdb").warnings.empty());
     const std::string known = pdb_line({.name = " N  ", .residue = "XYZ", .element = " N"});
     EXPECT_TRUE(read_text(known, "g.pdb").notes.empty());
