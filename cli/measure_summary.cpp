@@ -19,7 +19,8 @@ constexpr std::size_t kMostResidues = 6;
 constexpr std::size_t kMostInterfaces = 30;
 
 std::string value_line(const char* label, double value, double error, const char* unit) {
-    return fmt::format("  {:<13} {:>14.4f} ± {:<7.1e} {}\n", label, value, error, unit);
+    constexpr int kWidth = 14;
+    return fmt::format("  {:<13} {}\n", label, exact_value(value, error, unit, kWidth));
 }
 
 std::string describe_pieces(const Measures& measures) {

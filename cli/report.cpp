@@ -85,6 +85,7 @@ ordered_json surface_options_block(const SurfaceRequest& request, const Structur
                        {"max_steps", if_used(flow, o.flow.max_steps)},
                        {"tolerance", if_used(flow, o.flow.tolerance)},
                        {"threads", facts.threads},
+                       {"exact", o.exact},
                        {"verify", o.verify},
                        {"memory_mb", if_used(o.memory_limit_mb > 0, o.memory_limit_mb)}};
     report_picture(request.picture, structure, surface.mesh, has(request.outputs, OutputKind::Picture), block);
@@ -156,8 +157,17 @@ ordered_json shown_json(const std::optional<ShownPart>& shown) {
             {"open", shown->open}};
 }
 
-ordered_json mesh_block(const Surface& surface, const SurfaceTotals& exact, const std::optional<ShownPart>& shown) {
+/// What the numbers of the mesh are compared with: nan without exact measures.
+SurfaceTotals exact_of_mesh(const Surface& surface) {
+    if (surface.exact) return exact_counterpart(*surface.exact, surface.options);
+    SurfaceTotals none;
+    none.ses_area = none.ses_volume = std::numeric_limits<double>::quiet_NaN();
+    return none;
+}
+
+ordered_json mesh_block(const Surface& surface, const std::optional<ShownPart>& shown) {
     const MeshMeasures& m = surface.measures;
+    const SurfaceTotals exact = exact_of_mesh(surface);
     return {{"vertices", surface.mesh.vertices.size()},
             {"triangles", surface.mesh.triangles.size()},
             {"area", m.area},
@@ -250,14 +260,15 @@ ordered_json time_block(const StageTimes& s, const RunFacts& facts) {
 }  // namespace
 
 ordered_json make_report(const SurfaceRequest& request, const Structure& structure, const Surface& surface,
-                         const Measures& exact, const RunFacts& facts) {
+                         const RunFacts& facts) {
+    const std::optional<Measures>& exact = surface.exact;
     return {{"meniscus", kVersion},
             {"schema", 1},
             {"input", input_block(structure, surface.options.probe, facts)},
             {"options", options_block(surface_options_block(request, structure, surface, facts), request)},
-            {"exact", exact_json(exact)},
-            {"components", components_json(exact)},
-            {"mesh", mesh_block(surface, exact_counterpart(exact, surface.options), facts.shown)},
+            {"exact", exact ? exact_json(*exact) : ordered_json()},
+            {"components", exact ? components_json(*exact) : ordered_json()},
+            {"mesh", mesh_block(surface, facts.shown)},
             {"flow", flow_block(surface)},
             {"checks", checks_block(facts.checks)},
             {"expected", expected_block(surface.expected)},

@@ -15,18 +15,19 @@ namespace meniscus::cli {
 
 namespace {
 
-bool has_cavities(const MeshMeasures& measures) {
-    return std::any_of(measures.components.begin(), measures.components.end(),
-                       [](const MeshComponent& c) { return c.volume <= 0.0; });
+std::string describe_pieces(const PieceCounts& pieces) {
+    return fmt::format("{} ({} outer, {})", pieces.all(), pieces.outer,
+                       counted(pieces.cavities, "cavity", "cavities"));
 }
 
-std::string describe_components(const Surface& surface) {
-    const MeshMeasures& measures = surface.measures;
-    const auto outer = std::count_if(measures.components.begin(), measures.components.end(),
-                                     [](const MeshComponent& c) { return c.volume > 0.0; });
-    const std::size_t cavities = measures.components.size() - static_cast<std::size_t>(outer);
-    std::string text =
-        fmt::format("{} ({} outer, {})", measures.components.size(), outer, counted(cavities, "cavity", "cavities"));
+/// Cavities of the surface or of the mesh, which may lack the smallest or have others.
+bool has_cavities(const Surface& surface) {
+    return count_pieces(surface.measures).cavities > 0 || (surface.exact && count_pieces(*surface.exact).cavities > 0);
+}
+
+/// What the mesh was made without.
+std::string describe_changes(const Surface& surface) {
+    std::string text;
     if (surface.dropped.cavities > 0)
         text += fmt::format("; {} below {:g} Å³ dropped", counted(surface.dropped.cavities, "cavity", "cavities"),
                             surface.options.min_cavity);
@@ -38,6 +39,79 @@ std::string describe_components(const Surface& surface) {
     if (surface.simplified.pieces > 0)
         text += fmt::format("; {} vanished", counted(surface.simplified.pieces, "piece", "pieces"));
     return text;
+}
+
+bool is_whole(const Surface& surface) {
+    return surface.options.pieces == Pieces::All && surface.dropped.cavities == 0 && surface.filled.cavities == 0;
+}
+
+/// "mesh", or what it lacks of the surface whose exact numbers are told.
+std::string name_of_mesh(const Surface& surface) {
+    if (surface.options.method == Method::Gaussian) return "Gaussian envelope";
+    std::string name = "mesh";
+    if (surface.options.surface != SurfaceKind::Ses) name += " without creases";
+    if (surface.options.pieces == Pieces::Outer) return name + " of outer pieces";
+    if (surface.options.pieces == Pieces::Cavities) return name + " of cavities";
+    return is_whole(surface) ? name : name + " without small cavities";
+}
+
+/// A sum over the mesh, corrected for curvature and of flat triangles, Å² or Å³.
+struct MeshSum {
+    double corrected;
+    double flat;
+};
+
+std::string describe_sum(const MeshSum& sum, const char* unit) {
+    return fmt::format("{:.2f} {} (flat triangles {:.2f} {})", sum.corrected, unit, sum.flat, unit);
+}
+
+/// The exact number of the whole surface first, with what the mesh has beside it.
+std::string describe_beside(const std::string& exact, const Surface& surface, const MeshSum& sum, const char* unit) {
+    return fmt::format("{} exact{}; {} {:.2f} {}, flat triangles {:.2f} {}", exact,
+                       is_whole(surface) ? "" : ", of all pieces", name_of_mesh(surface), sum.corrected, unit, sum.flat,
+                       unit);
+}
+
+/// Columns of the larger of two numbers, so that they are written below each other.
+int common_width(double a, double b) {
+    return static_cast<int>(std::max(fmt::format("{:.4f}", a).size(), fmt::format("{:.4f}", b).size()));
+}
+
+/// Area and volume. A part that is written alone has numbers of its own further down.
+std::string describe_sizes(const Surface& surface, bool is_part_written) {
+    const MeshSum area{surface.corrected_area, surface.measures.area};
+    const MeshSum volume{surface.corrected_volume, surface.measures.volume};
+    if (!surface.exact)
+        return summary_line("area", describe_sum(area, "Å²")) + summary_line("volume", describe_sum(volume, "Å³"));
+    const SurfaceTotals& t = surface.exact->totals;
+    const SurfaceTotals& e = surface.exact->errors;
+    const int width = common_width(t.ses_area, t.ses_volume);
+    const char* whole = is_part_written ? ", of the whole surface" : "";
+    const std::string exact_area = exact_value(t.ses_area, e.ses_area, "Å²", width);
+    const std::string exact_volume = exact_value(t.ses_volume, e.ses_volume, "Å³", width);
+    return summary_line("area", describe_beside(exact_area, surface, area, "Å²") + whole) +
+           summary_line("volume", describe_beside(exact_volume, surface, volume, "Å³") + whole);
+}
+
+/// Why the mesh has other pieces than the exact surface.
+std::string explain_pieces(const Surface& surface, const PieceCounts& of_mesh) {
+    if (surface.options.method == Method::Gaussian) return "the Gaussian envelope is not the solvent-excluded surface";
+    if (count_kept_pieces(*surface.exact, surface.options) == of_mesh)
+        return "the mesh leaves out the pieces that the options name";
+    if (surface.simplified.handles > 0 || surface.simplified.pieces > 0)
+        return "the mesh leaves out what is narrower than an edge";
+    return "in a mesh, features smaller than the spacing, such as necks between cavities, come out joined or separate";
+}
+
+/// One number of pieces where mesh and exact surface agree; else both, and a line that says why.
+std::string describe_components(const Surface& surface) {
+    const PieceCounts of_mesh = count_pieces(surface.measures);
+    const std::string mesh = describe_pieces(of_mesh) + describe_changes(surface);
+    if (!surface.exact || count_pieces(*surface.exact) == of_mesh) return summary_line("components", mesh);
+    const std::string exact = describe_pieces(count_pieces(*surface.exact));
+    const char* what = surface.options.method == Method::Gaussian ? "Gaussian envelope" : "mesh";
+    return summary_line("components", fmt::format("{} exact; {} {}", exact, what, mesh)) +
+           summary_line("", explain_pieces(surface, of_mesh));
 }
 
 std::string describe_mesh(const Surface& surface) {
@@ -74,20 +148,14 @@ std::string explain(const Check& check, const FlowSummary& flow) {
 
 std::string make_summary(const Structure& structure, const Surface& surface, const RunFacts& facts,
                          const std::vector<Output>& written) {
-    const MeshMeasures& m = surface.measures;
     const std::string chain = facts.chain.empty() ? "" : " chain " + one_line(facts.chain);
     std::string text =
         fmt::format("{}{}: {}, {}, {}, spacing {} Å\n", one_line(input_label(structure.file)), chain,
                     counted(structure.atoms.size(), "atom", "atoms"), describe_radii(structure.radii_set),
                     describe_surface(surface.options), surface.options.spacing);
-    if (facts.exact)
-        text += summary_line("exact", fmt::format("{:.2f} Å², {:.2f} Å³; what follows is of the mesh, without creases",
-                                                  facts.exact->ses_area, facts.exact->ses_volume));
-    text += summary_line("area", fmt::format("{:.2f} Å² (flat triangles {:.2f} Å²)", surface.corrected_area, m.area));
-    text +=
-        summary_line("volume", fmt::format("{:.2f} Å³ (flat triangles {:.2f} Å³)", surface.corrected_volume, m.volume));
-    text += summary_line("components", describe_components(surface));
-    if (has_cavities(m) && !structure.left_out_ligands.empty())
+    text += describe_sizes(surface, facts.shown.has_value());
+    text += describe_components(surface);
+    if (has_cavities(surface) && !structure.left_out_ligands.empty())
         text += summary_line("left out", "ligands that may fill cavities: " + list_ligands(structure));
     text += summary_line("mesh", describe_mesh(surface));
     text +=
@@ -101,8 +169,9 @@ std::string make_summary(const Structure& structure, const Surface& surface, con
     return text;
 }
 
-std::string failed_checks(const Surface& surface, const Measures& exact) {
-    std::string list = disputed_patches(exact.agreed, exact.disputed);
+std::string failed_checks(const Surface& surface) {
+    std::string list;
+    if (surface.exact) list = disputed_patches(surface.exact->agreed, surface.exact->disputed);
     for (const Check& c : surface.checks) {
         if (c.passed) continue;
         list += (list.empty() ? "" : ", ") + c.name + " (" + explain(c, surface.flow) + ")";

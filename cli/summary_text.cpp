@@ -17,6 +17,10 @@ std::string counted(std::size_t n, const char* one, const char* many) {
     return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
+std::string exact_value(double value, double error, const char* unit, int width) {
+    return fmt::format("{:>{}.4f} ± {:<7.1e} {}", value, width, error, unit);
+}
+
 std::string describe_radii(const std::string& set) {
     return set == "file" ? "radii of the file" : "radii " + one_line(set);
 }

@@ -21,6 +21,9 @@ std::string summary_line(const char* label, const std::string& text);
 /// "1 atom", "2 atoms".
 std::string counted(std::size_t n, const char* one, const char* many);
 
+/// "3892.2387 ± 8.1e-07 Å²", the number right-aligned.
+std::string exact_value(double value, double error, const char* unit, int width = 0);
+
 /// "radii united", "radii of the file".
 std::string describe_radii(const std::string& set);
 

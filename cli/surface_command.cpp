@@ -125,27 +125,16 @@ private:
         page_seconds_ = watch.lap();
     }
 
-    /// The exact measures, which only reports and pages show, come first: their memory is free again when the grid
-    /// needs it.
     void make_surface(const Job& job) {
         const Atoms& atoms = job.structure.atoms;
         FlowObserver observer;
         if (request_.flow.snapshots > 0)
             observer = [&](const FlowStep& step, const Mesh& mesh) { write_snapshot(job, step, mesh); };
-        measured_ =
-            !request_.report.empty() || has(job.outputs, OutputKind::Page) || is_creased() || request_.surface.verify;
-        std::optional<ExactSurface> exact;
-        if (measured_) {
-            exact = measure_exactly(atoms, request_.surface);
-            std::vector<PatchMeasure>().swap(exact->measures.patches);
-            std::vector<AtomMeasure>().swap(exact->measures.atoms);
-        }
         surface_ = compute_surface(
             atoms, request_.surface, [this](std::string_view stage, double fraction) { show(stage, fraction); },
-            observer, exact ? &*exact : nullptr);
-        if (exact) exact_ = std::move(exact->measures);
+            observer);
         Stopwatch watch;
-        if (request_.surface.surface == SurfaceKind::Sas && !request_.report.empty())
+        if (surface_.exact && request_.surface.surface == SurfaceKind::Sas && !request_.report.empty())
             excluded_ = measure(atoms, {.probe = request_.surface.probe, .threads = request_.surface.threads});
         excluded_seconds_ = watch.lap();
     }
@@ -213,13 +202,19 @@ private:
                                      .viewpoint = picture.viewpoint,
                                      .projection = picture.projection,
                                      .rows = rows_of_page(structure),
-                                     .components = exact_.components,
+                                     .components = exact_pieces(),
                                      .threads = request_.surface.threads});
         show("page", 1.0);
     }
 
+    std::span<const SurfaceComponent> exact_pieces() const {
+        if (!surface_.exact) return {};
+        return surface_.exact->components;
+    }
+
     std::vector<PageRow> rows_of_page(const Structure& structure) const {
-        std::vector<PageRow> rows = page_rows(structure, surface_, exact_);
+        std::vector<PageRow> rows =
+            surface_.exact ? page_rows(structure, surface_, *surface_.exact) : page_rows(structure, surface_);
         if (shown_) rows.push_back({"Part that is shown", "atoms", shown_->select});
         return rows;
     }
@@ -255,9 +250,6 @@ private:
         throw_if_interrupted();
     }
 
-    /// All over: the mesh cuts the creases between atoms off, and only the exact area is right.
-    bool is_creased() const { return request_.surface.surface != SurfaceKind::Ses; }
-
     void write(const Output& output, const Job& job) const override {
         switch (output.kind) {
             case OutputKind::Mesh:
@@ -283,11 +275,11 @@ private:
 
     std::vector<Check> checks() const {
         std::vector<Check> all = surface_.checks;
-        if (measured_) all.push_back(agreement_check(exact_));
+        if (surface_.exact) all.push_back(agreement_check(*surface_.exact));
         return all;
     }
 
-    std::string failed() const override { return failed_checks(surface_, exact_); }
+    std::string failed() const override { return failed_checks(surface_); }
 
     ordered_json report(const Job& job, const RunFacts& facts) const override {
         RunFacts all = facts;
@@ -297,9 +289,9 @@ private:
         all.volume_seconds = volume_seconds_;
         all.shown = shown_;
         all.checks = checks();
-        ordered_json report = make_report(request_, job.structure, surface_, exact_, all);
+        ordered_json report = make_report(request_, job.structure, surface_, all);
         report["values"] = values_.report(surface_.mesh);
-        if (request_.surface.surface == SurfaceKind::Sas) {
+        if (surface_.exact && request_.surface.surface == SurfaceKind::Sas) {
             report["exact"] = exact_json(excluded_);
             report["components"] = components_json(excluded_);
         }
@@ -310,7 +302,6 @@ private:
         RunFacts all = facts;
         all.shown = shown_;
         all.checks = checks();
-        if (is_creased()) all.exact = exact_.totals;
         std::vector<Output> written = job.outputs;
         for (const auto& [component, output] : cavities_) written.push_back(output);
         return make_summary(job.structure, surface_, all, written);
@@ -318,8 +309,6 @@ private:
 
     const SurfaceRequest& request_;
     ValueSources values_;
-    bool measured_ = false;
-    Measures exact_;     // of the surface that is made, if measured
     Measures excluded_;  // of the SES, where another one is made and reports tell both by their names
     double excluded_seconds_ = 0.0;
     double picture_seconds_ = 0.0;

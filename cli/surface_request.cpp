@@ -110,6 +110,8 @@ void check_together(const CLI::App& command, const SurfaceRequest& request) {
         throw UsageError("--surface vdw has the probe radius 0; leave --probe out");
     const bool is_shaped =
         is_given("--adaptive") || is_given("--keep-ridges") || is_given("--corners") || is_given("--simplify-topology");
+    if (request.no_exact && surface.verify)
+        throw UsageError("--verify checks the exact numbers, which --no-exact leaves out; give one of them");
     if (is_shaped && !surface.remesh.is_on())
         throw UsageError(
             "--adaptive, --keep-ridges, --corners and --simplify-topology shape even triangles; ask for "
@@ -132,6 +134,7 @@ void complete(const CLI::App& command, SurfaceRequest& request) {
         throw UsageError("--show and --per-chain cannot be combined; give one of them");
     if (request.cavity_files && request.surface.pieces == Pieces::Outer)
         throw UsageError("--cavity-files writes cavities, which --components outer leaves out; give one of them");
+    request.surface.exact = !request.no_exact;
     request.surface.history = !request.flow.history.empty();
     request.surface.initial_area = !request.report.empty();
     request.surface.quality = !request.report.empty();
@@ -164,6 +167,8 @@ void add_surface_options(CLI::App& command, SurfaceRequest& request) {
     command.option_defaults()->group("Running");
     add_run_options(command, request, request.surface.threads);
     add_memory_limit(command, request);
+    command.add_flag("--no-exact", request.no_exact, 
+                     "Leave the exact area and volume out\n; saves 10 to 25 % of the time, less on fine grids");
     command.add_flag("--verify", request.surface.verify, "Run the expensive self-checks, too");
 }
 

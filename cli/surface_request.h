@@ -25,6 +25,7 @@ struct SurfaceRequest : CommonRequest {
     VolumeRequest volume{};
     std::string show;           ///< selection whose part of the surface is written; empty: all of it
     bool cavity_files = false;  ///< each cavity also as a mesh of its own
+    bool no_exact = false;      ///< numbers of the mesh alone
 };
 
 /// Gives a subcommand its options; parsing fills `request`, which must outlive the parser.

@@ -30,6 +30,9 @@ struct PageRow {
 /// exact      measures of the same atoms and probe
 std::vector<PageRow> page_rows(const Structure& structure, const Surface& surface, const Measures& exact);
 
+/// The same without exact numbers.
+std::vector<PageRow> page_rows(const Structure& structure, const Surface& surface);
+
 struct PageOptions {
     ColourOptions colours{};               ///< shown first; a range holds for its scheme wherever the page shows it
     std::optional<Viewpoint> viewpoint{};  ///< at first; nothing: as pictures have it

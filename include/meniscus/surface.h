@@ -50,6 +50,7 @@ struct SurfaceOptions {
     bool initial_area = false;               ///< measure the Gaussian start, too, where the flow can do without
     bool quality = false;                    ///< look at the shapes of the triangles, too
     bool two_sided_distance = false;  ///< measure how far mesh and exact SES are from each other between vertices, too
+    bool exact = false;               ///< measure areas, volumes and pieces exactly, too: Surface::exact
     bool verify = false;              ///< make the expensive self-checks, too: see Surface::checks
     Pieces pieces = Pieces::All;      ///< what the mesh keeps
     double min_cavity = 0.0;          ///< Å³: cavities that enclose less are dropped, with all that lies in them
@@ -102,7 +103,7 @@ struct SimplifiedTopology {
 struct StageTimes {
     double estimate = 0.0;  ///< of what the computation will take
     double geometry = 0.0;
-    double exact = 0.0;  ///< of the exact measures that the result is held against
+    double exact = 0.0;  ///< of the exact measures that the result is held against, or that were asked for
     double band = 0.0;
     double flow = 0.0;
     double mesh = 0.0;
@@ -115,6 +116,7 @@ struct Surface {
     MeshMeasures measures;
     double corrected_area = 0.0;                    ///< Å², curvature-corrected quadrature over the mesh
     double corrected_volume = 0.0;                  ///< Å³
+    std::optional<Measures> exact;                  ///< of the surface's ses_problem(), if asked for; without patches
     DistanceSummary distance;                       ///< of the mesh's vertices to the exact SES
     std::optional<MeshQuality> quality;             ///< if asked for
     std::optional<TwoSidedDistance> two_sided;      ///< if asked for
@@ -166,6 +168,27 @@ Surface compute_surface(const Atoms& atoms, const SurfaceOptions& options = {}, 
 ///
 /// exact   measures of the surface's ses_problem(), with cavities
 SurfaceTotals exact_counterpart(const Measures& exact, const SurfaceOptions& options);
+
+/// Closed pieces by kind.
+struct PieceCounts {
+    std::size_t outer = 0;
+    std::size_t cavities = 0;
+
+    std::size_t all() const { return outer + cavities; }
+    bool operator==(const PieceCounts&) const = default;
+};
+
+/// All pieces of the exact surface.
+PieceCounts count_pieces(const Measures& exact);
+
+/// The pieces of a mesh.
+PieceCounts count_pieces(const MeshMeasures& mesh);
+
+/// Those pieces of the exact surface that a mesh of these options keeps. Where the mesh has other numbers, features
+/// smaller than its grid came out joined or separate.
+///
+/// exact   measures of the surface's ses_problem(), with cavities
+PieceCounts count_kept_pieces(const Measures& exact, const SurfaceOptions& options);
 
 /// Whether the independent evaluations of exact measures agree: value and bound are 1 where they do.
 inline Check agreement_check(const Measures& measured) {

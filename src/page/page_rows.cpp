@@ -86,9 +86,7 @@ void add_input(Rows& rows, const Structure& structure, const Surface& surface) {
         rows.push_back({section, "edge length", fmt::format("{:.3g} Å", surface.options.remesh.edge)});
 }
 
-void add_checks(Rows& rows, const Surface& surface, const Measures& exact) {
-    std::vector<Check> checks = surface.checks;
-    checks.push_back(agreement_check(exact));
+void add_checks(Rows& rows, const std::vector<Check>& checks) {
     const auto passed = std::count_if(checks.begin(), checks.end(), [](const Check& c) { return c.passed; });
     rows.push_back({"Checks", "passed", fmt::format("{} of {}", passed, checks.size())});
     for (const Check& c : checks)
@@ -102,7 +100,17 @@ std::vector<PageRow> page_rows(const Structure& structure, const Surface& surfac
     add_exact(rows, exact, surface.options.surface);
     add_mesh(rows, surface);
     add_input(rows, structure, surface);
-    add_checks(rows, surface, exact);
+    std::vector<Check> checks = surface.checks;
+    checks.push_back(agreement_check(exact));
+    add_checks(rows, checks);
+    return rows;
+}
+
+std::vector<PageRow> page_rows(const Structure& structure, const Surface& surface) {
+    Rows rows;
+    add_mesh(rows, surface);
+    add_input(rows, structure, surface);
+    add_checks(rows, surface.checks);
     return rows;
 }
 

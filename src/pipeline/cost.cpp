@@ -223,6 +223,18 @@ void add_quality(Cost& cost, const SurfaceOptions& options) {
     if (options.two_sided_distance) cost.seconds += 1e-9 * kNanosecondsOfDistance * cost.vertices;
 }
 
+// Exact measures come before the grid, which takes most of their memory over, but not all; on a coarse grid the peak is
+// theirs.
+constexpr double kBytesOfMeasuring = 3000.0;
+constexpr double kBytesKeptOfMeasuring = 800.0;
+constexpr double kNanosecondsOfMeasuring = 8000.0;
+
+void add_exact_measures(Cost& cost, double atoms) {
+    const double while_measuring = (kBytesOfProgram + kBytesOfMeasuring * atoms) / kMegabyte;
+    cost.memory_mb = std::max(cost.memory_mb + kBytesKeptOfMeasuring * atoms / kMegabyte, while_measuring);
+    cost.seconds += 1e-9 * kNanosecondsOfMeasuring * atoms;
+}
+
 Cost cost_of(double atoms, double area, const SurfaceOptions& options) {
     const double h = options.spacing;
     const double blocks = block_count(area, h, band_margin(options));
@@ -236,6 +248,7 @@ Cost cost_of(double atoms, double area, const SurfaceOptions& options) {
     cost.seconds = 1e-9 * sum(prices_of(options).nanoseconds);
     if (options.remesh.is_on()) add_remeshing(cost, options.remesh.edge);
     add_quality(cost, options);
+    if (options.exact) add_exact_measures(cost, atoms);
     return cost;
 }
 
@@ -258,6 +271,9 @@ public:
         SurfaceOptions direct = options_;
         direct.method = Method::Direct;
         if (would_fit(direct)) text += fmt::format("--method direct ({}), ", amount(cost(direct).memory_mb));
+        SurfaceOptions inexact = options_;
+        inexact.exact = false;
+        if (would_fit(inexact)) text += fmt::format("--no-exact ({}), ", amount(cost(inexact).memory_mb));
         if (options_.memory_limit_mb > 0) text += "a larger --memory, ";
         return text + "fewer or smaller atoms";
     }

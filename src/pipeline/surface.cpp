@@ -118,6 +118,7 @@ public:
         accessible_ = exact != nullptr ? &exact->accessible : own_.get();
         surface_.seconds.geometry += clock_.lap();
         report("geometry", 1.0);
+        if (options_.exact) measure_exactly(problem);
         choose_yardstick(problem);
         if (own_ != nullptr && !may_be_measured_again()) own_->forget_contours();
     }
@@ -125,17 +126,33 @@ public:
     Surface run() {
         compute();
         for (int i = 0; i < kFinerGrids && wants_finer_grid() && refine_grid(); ++i) compute();
+        surface_.exact = std::move(measured_);
         return std::move(surface_);
     }
 
 private:
     bool may_be_measured_again() const { return options_.remesh.is_on() || options_.two_sided_distance; }
 
+    // Comes before the grid, which then takes the memory that this needs. Patches would keep much of it.
+    void measure_exactly(const SesProblem& problem) {
+        report("exact", 0.0);
+        measured_ = exact_ != nullptr ? exact_->measures : meniscus::measure(*accessible_, problem.atoms);
+        std::vector<PatchMeasure>().swap(measured_->patches);
+        surface_.seconds.exact += clock_.lap();
+        report("exact", 1.0);
+    }
+
+    // What is known of all pieces, if anything.
+    const Measures* measures() const {
+        if (exact_ != nullptr) return &exact_->measures;
+        return measured_ ? &*measured_ : nullptr;
+    }
+
     // Nothing exact says what the Gaussian envelope should be.
     void choose_yardstick(const SesProblem& problem) {
         if (options_.method == Method::Gaussian) return;
-        yardstick_ = exact_ != nullptr ? yardstick_of(exact_->measures, problem.atoms, options_)
-                                       : make_yardstick(*accessible_, problem.atoms, options_);
+        yardstick_ = measures() != nullptr ? yardstick_of(*measures(), problem.atoms, options_)
+                                           : make_yardstick(*accessible_, problem.atoms, options_);
         surface_.seconds.exact += clock_.lap();
     }
 
@@ -354,6 +371,7 @@ private:
     const Progress& progress_;
     const FlowObserver& observer_;
     const ExactSurface* exact_;
+    std::optional<Measures> measured_;  // with SurfaceOptions::exact
     double margin_ = 0.0;
     StageClock clock_;
     std::unique_ptr<AccessibleSurface> own_;

@@ -33,6 +33,15 @@ DeepPoint deepest_point(const SurfaceComponent& piece, const Atoms& atoms) {
     return {atoms.centres[largest], atoms.radii[largest], true};
 }
 
+// Whether a mesh of these options is to have the piece.
+bool is_kept(const SurfaceComponent& piece, const Measures& exact, const SurfaceOptions& options) {
+    const bool outer = piece.kind == ComponentKind::Outer;
+    if (options.pieces != Pieces::All && outer != (options.pieces == Pieces::Outer)) return false;
+    return !is_dropped(piece, exact, least_cavity(options));
+}
+
+void add_piece(PieceCounts& counts, bool outer) { ++(outer ? counts.outer : counts.cavities); }
+
 // On the grid a wall thinner than a cell may be open, and a cavity belong to the outer piece: then it is kept or left
 // out with that one. One near the least volume can be on either side.
 bool may_change_sides(const SurfaceComponent& piece, const SurfaceOptions& options) {
@@ -50,13 +59,30 @@ SurfaceTotals exact_counterpart(const Measures& exact, const SurfaceOptions& opt
     if (keeps_everything(options)) return exact.totals;
     SurfaceTotals sum;
     for (const SurfaceComponent& c : exact.components) {
-        const bool outer = c.kind == ComponentKind::Outer;
-        if (options.pieces != Pieces::All && outer != (options.pieces == Pieces::Outer)) continue;
-        if (is_dropped(c, exact, least_cavity(options))) continue;
+        if (!is_kept(c, exact, options)) continue;
         sum.ses_area += c.ses_area;
-        sum.ses_volume += outer ? c.ses_volume : -c.ses_volume;
+        sum.ses_volume += c.kind == ComponentKind::Outer ? c.ses_volume : -c.ses_volume;
     }
     return sum;
+}
+
+PieceCounts count_pieces(const Measures& exact) {
+    PieceCounts counts;
+    for (const SurfaceComponent& c : exact.components) add_piece(counts, c.kind == ComponentKind::Outer);
+    return counts;
+}
+
+PieceCounts count_pieces(const MeshMeasures& mesh) {
+    PieceCounts counts;
+    for (const MeshComponent& c : mesh.components) add_piece(counts, c.volume > 0.0);
+    return counts;
+}
+
+PieceCounts count_kept_pieces(const Measures& exact, const SurfaceOptions& options) {
+    PieceCounts counts;
+    for (const SurfaceComponent& c : exact.components)
+        if (is_kept(c, exact, options)) add_piece(counts, c.kind == ComponentKind::Outer);
+    return counts;
 }
 
 Yardstick yardstick_of(const Measures& measured, const Atoms& atoms, const SurfaceOptions& options) {

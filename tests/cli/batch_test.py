@@ -366,6 +366,14 @@ class Inputs(BatchTest):
         self.batch("surface", "in/top.XYZR", "--out", "out", "--density", "-0.8", "--spacing", "1", "--color", "element")
         self.assertEqual(self.results()[0]["report"]["options"]["density"], -0.8)
 
+    def test_exact_numbers_are_left_out_of_every_input(self):
+        self.batch("surface", "in/top.XYZR", "--out", "out", "--spacing", "1", "--no-exact")
+        report = self.results()[0]["report"]
+        self.assertEqual((report["exact"], report["components"], report["options"]["exact"]), (None, None, False))
+        self.batch("surface", "in/top.XYZR", "--out", "whole", "--spacing", "1")
+        self.assertGreater(self.results("whole")[0]["report"]["exact"]["ses_area"], 0)
+        self.assertIn("--no-exact", self.refused("surface", "in", "--out", "no", "--no-exact", "--verify"))
+
 
 class Isolation(BatchTest):
     def test_what_hangs_is_ended(self):

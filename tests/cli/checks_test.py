@@ -49,14 +49,17 @@ class EveryRun(ChecksTest):
         plain = (UBIQUITIN, "-o", "a.ply", "--spacing")
         coarse = (*plain, "0.8")
         passed = "passed: " + ", ".join([*EVERY_MESH, "converged", *EXACT])
-        self.assertEqual(self.line("surface", *coarse), passed)
-        self.assertEqual(self.line("surface", *plain, "1.2"), passed)
-        direct = ", ".join([*EVERY_MESH, *EXACT])
-        self.assertEqual(self.line("surface", *coarse, "--method", "direct"), "passed: " + direct)
-        for kind in ("sas", "vdw"):
-            self.assertEqual(self.line("surface", *coarse, "--method", "direct", "--surface", kind),
-                             "passed: " + direct + ", exact_agreement")
-        self.assertEqual(self.line("surface", *coarse, "--method", "gaussian"), "passed: " + ", ".join(EVERY_MESH))
+        self.assertEqual(self.line("surface", *coarse), passed + ", exact_agreement")
+        self.assertEqual(self.line("surface", *coarse, "--no-exact"), passed)
+        self.assertEqual(self.line("surface", *plain, "1.2", "--no-exact"), passed)
+        direct = "passed: " + ", ".join([*EVERY_MESH, *EXACT])
+        for kind in ("ses", "sas", "vdw"):
+            chosen = (*coarse, "--method", "direct", "--surface", kind)
+            self.assertEqual(self.line("surface", *chosen), direct + ", exact_agreement")
+            self.assertEqual(self.line("surface", *chosen, "--no-exact"), direct)
+        envelope = (*coarse, "--method", "gaussian")
+        self.assertEqual(self.line("surface", *envelope), "passed: " + ", ".join([*EVERY_MESH, "exact_agreement"]))
+        self.assertEqual(self.line("surface", *envelope, "--no-exact"), "passed: " + ", ".join(EVERY_MESH))
         self.assertEqual(self.line("surface", *coarse, "--verify"),
                          passed + ", sides, no_self_intersections, exact_agreement")
         self.assertEqual(self.line("measure", UBIQUITIN), "passed: exact_agreement, sums")
@@ -73,6 +76,8 @@ class EveryRun(ChecksTest):
     def test_reports_hold_the_same_checks_as_the_line(self):
         names = list(self.checks("surface", UBIQUITIN, "-o", "a.ply"))
         self.assertEqual(names, [*EVERY_MESH, "converged", *EXACT, "exact_agreement"])
+        names = list(self.checks("surface", UBIQUITIN, "-o", "a.ply", "--no-exact"))
+        self.assertEqual(names, [*EVERY_MESH, "converged", *EXACT])
         self.assertEqual(list(self.checks("measure", UBIQUITIN)), ["exact_agreement", "sums"])
 
 

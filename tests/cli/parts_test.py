@@ -58,8 +58,8 @@ class Surfaces(ProgramTest):
     def test_the_summary_has_the_exact_area(self):
         exact = self.report(UBIQUITIN, "--surface", "sas", "-o", "a.ply")["exact"]
         printed = self.surface(UBIQUITIN, "--surface", "sas", "-o", "a.ply").stdout
-        self.assertIn(f"exact       {exact['sas_area']:.2f} Å², {exact['sas_volume']:.2f} Å³", printed)
-        self.assertNotIn("exact       ", self.surface(UBIQUITIN, "-o", "a.ply").stdout)
+        for label, unit, value in (("area", "Å²", exact["sas_area"]), ("volume", "Å³", exact["sas_volume"])):
+            self.assertRegex(printed, rf"\n  {label} +{value:.4f} ± \S+ +{unit} exact; mesh without creases [0-9.]+ {unit},")
 
     def test_vdw_is_probe_0(self):
         self.surface("three.xyzr", "--surface", "vdw", "-o", "a.ply")
@@ -94,7 +94,9 @@ class Shown(ProgramTest):
         self.assertIn(b"open.npy", (self.folder / "part.npz").read_bytes())
 
     def test_the_summary_says_so(self):
-        self.assertIn("open", self.surface(UBIQUITIN, "--spacing", "1", "--show", "//A/1-30", "-o", "a.stl").stdout)
+        printed = self.surface(UBIQUITIN, "--spacing", "1", "--show", "//A/1-30", "-o", "a.stl").stdout
+        self.assertIn("open", printed)
+        self.assertRegex(printed, r"\n  area +3892\.2387 ± .* exact; .*, of the whole surface\n")
 
     def test_all_of_it_is_closed(self):
         report = self.report(UBIQUITIN, "--show", "//A", "--spacing", "1", "-o", "a.ply")

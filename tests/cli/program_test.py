@@ -11,6 +11,7 @@ import json
 import math
 import pathlib
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -420,6 +421,62 @@ class Streams(ProgramTest):
         self.assertEqual(result.stderr, "")
         self.assertLess(len(result.stdout.splitlines()), 12)
         self.assertIn("Å²", result.stdout)
+
+    def test_the_first_number_is_the_exact_one(self):
+        printed = self.surface(UBIQUITIN, "--spacing", "1", "-o", "a.ply").stdout.splitlines()
+        self.assertRegex(printed[1], r"^  area +3892\.2387 ± \d\.\de-\d+ Å² exact; mesh [0-9.]+ Å², flat triangles [0-9.]+ Å²$")
+        self.assertRegex(printed[2], r"^  volume +10056\.3033 ± \d\.\de-\d+ Å³ exact; mesh [0-9.]+ Å³, flat triangles [0-9.]+ Å³$")
+        measured = self.run_program("measure", UBIQUITIN).stdout
+        for line, name in ((printed[1], "SES area"), (printed[2], "SES volume")):
+            value = re.search(r"[0-9.]+ ± \S+", line).group()
+            self.assertRegex(measured, rf"\n  {name} +{re.escape(value)} ")
+
+    def test_without_exact_numbers_there_are_those_of_the_mesh(self):
+        exact = self.report(UBIQUITIN, "--spacing", "1", "-o", "a.ply", "-o", "a.html")
+        result = self.surface(UBIQUITIN, "--spacing", "1", "-o", "b.ply", "-o", "b.html", "--no-exact", "--report", "b.json")
+        self.assertRegex(result.stdout, r"\n  area +[0-9.]+ Å² \(flat triangles [0-9.]+ Å²\)\n  volume +[0-9.]+ Å³ \(flat")
+        self.assertNotIn("±", result.stdout)
+        self.assertEqual((self.folder / "a.ply").read_bytes(), (self.folder / "b.ply").read_bytes())
+        report = json.loads((self.folder / "b.json").read_text())
+        rules = json.loads((SOURCE / "docs" / "report.schema.json").read_text(encoding="utf-8"))
+        self.assertEqual(schema.problems(report, rules), [])
+        self.assertEqual((report["exact"], report["components"]), (None, None))
+        self.assertIsNone(report["mesh"]["area_deviation"])
+        self.assertEqual((report["options"]["exact"], exact["options"]["exact"]), (False, True))
+        self.assertEqual(report["mesh"]["area"], exact["mesh"]["area"])
+        self.assertLess(report["expected"]["cpu_s"], exact["expected"]["cpu_s"])
+        page = (self.folder / "b.html").read_text(encoding="utf-8")
+        self.assertIn("surface, exact", (self.folder / "a.html").read_text(encoding="utf-8"))
+        self.assertNotIn("surface, exact", page)
+        self.assertTrue(page.rstrip().endswith("</html>"))
+
+    def test_exact_numbers_cannot_be_checked_and_left_out(self):
+        error = self.surface("three.xyzr", "--no-exact", "--verify", code=2).stderr
+        self.assertEqual(error, "meniscus: error: --verify checks the exact numbers, which --no-exact leaves out; "
+                                "give one of them\n")
+
+    def test_numbers_of_pieces_that_differ_are_explained(self):
+        antibody = SOURCE / "examples" / "1a0q.pdb"
+        printed = self.surface(antibody, "-o", "a.ply").stdout
+        self.assertRegex(printed, r"\n  components  8 \(1 outer, 7 cavities\) exact; mesh 8 \(2 outer, 6 cavities\)\n"
+                                  r"              .*smaller than the spacing.*\n  mesh ")
+        outer = self.surface(antibody, "-o", "a.ply", "--components", "outer").stdout
+        self.assertRegex(outer, r"\n  area +17411\.7340 ± \S+ +Å² exact, of all pieces; mesh of outer pieces ")
+        self.assertRegex(outer, r"\n  components  8 \(1 outer, 7 cavities\) exact; mesh 2 \(2 outer, 0 cavities\)\n"
+                                r"              .*smaller than the spacing.*\n")
+        self.assertRegex(self.surface(antibody, "-o", "a.ply", "--no-exact").stdout,
+                         r"\n  components  8 \(2 outer, 6 cavities\)\n  mesh ")
+        (self.folder / "shell.xyzr").write_text(SHELL)
+        self.assertRegex(self.surface("shell.xyzr", "-o", "a.ply", "--components", "outer").stdout,
+                         r"\n  components  2 \(1 outer, 1 cavity\) exact; mesh 1 \(1 outer, 0 cavities\)\n"
+                         r"              the mesh leaves out .*\n")
+
+    def test_every_chain_and_model_has_its_exact_numbers(self):
+        for options in (["--per-chain"], ["--model", "all"]):
+            printed = self.surface(SOURCE / "examples" / "1a0q.pdb", "--spacing", "1", *options, "-o", "a.ply").stdout
+            numbers = re.findall(r"\n  area +([0-9.]+) ± ", printed)
+            self.assertEqual(len(numbers), 2 if options == ["--per-chain"] else 1, printed)
+            self.assertEqual(len(set(numbers)), len(numbers))
 
     def test_quiet_is_silent(self):
         result = self.surface("three.xyzr", "--quiet", "--report", "r.json")

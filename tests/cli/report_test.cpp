@@ -33,12 +33,12 @@ Structure sample_structure() {
 
 const RunFacts kFacts{.model = 2, .threads = 3, .exact_seconds = 0.25, .total_seconds = 1.5};
 
-nlohmann::ordered_json report_of(const SurfaceRequest& request, const Surface& surface = {},
-                                 const Measures& exact = {}) {
+nlohmann::ordered_json report_of(const SurfaceRequest& request, Surface surface = {}, const Measures& exact = {}) {
     RunFacts facts = kFacts;
     facts.checks = surface.checks;
     facts.checks.push_back(agreement_check(exact));
-    return make_report(request, sample_structure(), surface, exact, facts);
+    surface.exact = exact;
+    return make_report(request, sample_structure(), surface, facts);
 }
 
 }  // namespace
@@ -141,6 +141,20 @@ TEST(Report, ComparesTheMeshWithTheExactMeasures) {
     EXPECT_FALSE(report.contains("interfaces"));
 }
 
+TEST(Report, HasNullInThePlaceOfExactNumbersThatWereLeftOut) {
+    Surface surface;
+    surface.measures.area = 99.0;
+    const auto report =
+        nlohmann::json::parse(make_report(SurfaceRequest{}, sample_structure(), surface, kFacts).dump());
+    EXPECT_TRUE(report["exact"].is_null());
+    EXPECT_TRUE(report["components"].is_null());
+    EXPECT_EQ(report["options"]["exact"], false);
+    EXPECT_EQ(report["mesh"]["area"], 99.0);
+    for (const char* key :
+         {"area_deviation", "volume_deviation", "corrected_area_deviation", "corrected_volume_deviation"})
+        EXPECT_TRUE(report["mesh"][key].is_null()) << key;
+}
+
 TEST(Report, OfMeasuresHasNoMeshAndNamesItsOptions) {
     MeasureRequest request;
     request.per = {RowsPer::Atom, RowsPer::Cavity};
@@ -164,7 +178,7 @@ TEST(Report, SurvivesFileNamesThatAreNoUtf8) {
     Structure structure;
     structure.file = "\xff.pdb";
     testing::internal::CaptureStdout();
-    write_report("-", make_report(SurfaceRequest{}, structure, {}, {}, {}));
+    write_report("-", make_report(SurfaceRequest{}, structure, Surface{}, RunFacts{}));
     EXPECT_TRUE(nlohmann::json::accept(testing::internal::GetCapturedStdout()));
 }
 

@@ -112,6 +112,17 @@ TEST(SurfaceRequest, TakesWhatLeavesPiecesOut) {
     EXPECT_EQ(parse({"a.pdb", "--min-cavity", "0"}).surface.min_cavity, 0.0);
 }
 
+TEST(SurfaceRequest, MeasuresExactlyUnlessToldNotTo) {
+    EXPECT_TRUE(parse({"a.pdb"}).surface.exact);
+    EXPECT_FALSE(parse({"a.pdb", "--no-exact", "--report", "a.json"}).surface.exact);
+    try {
+        parse({"a.pdb", "--no-exact", "--verify"});
+        FAIL();
+    } catch (const UsageError& error) {
+        EXPECT_STREQ(error.what(), "--verify checks the exact numbers, which --no-exact leaves out; give one of them");
+    }
+}
+
 TEST(SurfaceRequest, AGridThatIsAskedForStays) {
     EXPECT_TRUE(parse({"a.pdb", "--edge", "1"}).surface.remesh.finer_grid);
     EXPECT_FALSE(parse({"a.pdb", "--edge", "1", "--spacing", "0.5"}).surface.remesh.finer_grid);

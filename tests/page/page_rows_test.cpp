@@ -36,6 +36,16 @@ TEST(PageRows, HoldAreasAndCountsOfPieces) {
     EXPECT_EQ(value_of(rows, "atoms"), "2");
 }
 
+TEST(PageRows, CanDoWithoutExactNumbers) {
+    SmallRun run;
+    run.surface.corrected_area = 123.456;
+    run.surface.checks = {{"closed", true, 1, 1}};
+    const auto rows = page_rows(run.structure, run.surface);
+    for (const PageRow& row : rows) EXPECT_EQ(row.section.find(", exact"), std::string::npos) << row.section;
+    EXPECT_EQ(value_of(rows, "area", "This mesh"), "123.5 Å²");
+    EXPECT_EQ(value_of(rows, "passed"), "1 of 1");
+}
+
 TEST(PageRows, NameFilesWithoutTheirFolders) {
     SmallRun run;
     run.structure.file = "/somewhere/private/a\nb.pdb";

@@ -105,6 +105,15 @@ TEST(Cost, RefusalOffersTheDirectMethodWhereThatFits) {
     EXPECT_NE(refusal(atoms, options).find("--method direct"), std::string::npos);
 }
 
+TEST(Cost, CountsExactMeasures) {
+    const Atoms atoms = ubiquitin();
+    const SurfaceOptions without{.spacing = 2.0};
+    const SurfaceOptions with{.spacing = 2.0, .exact = true};
+    EXPECT_GT(estimate_cost(atoms, with).seconds, estimate_cost(atoms, without).seconds);
+    EXPECT_GE(estimate_cost(atoms, with).memory_mb, estimate_cost(atoms, without).memory_mb);
+    EXPECT_EQ(estimate_cost(atoms, with).vertices, estimate_cost(atoms, without).vertices);
+}
+
 TEST(Cost, CountsEvenTriangles) {
     const Atoms atoms = ubiquitin();
     for (const double edge : {0.6, 1.0, 2.0}) {

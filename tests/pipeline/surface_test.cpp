@@ -206,6 +206,33 @@ TEST(Surface, AnAreaThatIsOffAsksForAFinerGrid) {
     EXPECT_EQ(compute_surface(atoms, options).options.spacing, 0.5);
 }
 
+TEST(Surface, IsMeasuredExactlyOnRequestAndOtherwiseTheSame) {
+    const Atoms atoms = spheres_with_narrow_necks();
+    for (const double edge : {0.0, 1.0})
+        for (const Method method : {Method::Flow, Method::Direct, Method::Gaussian}) {
+            SurfaceOptions options{.method = method, .remesh = {.edge = edge, .finer_grid = true}};
+            const Surface without = compute_surface(atoms, options);
+            EXPECT_FALSE(without.exact.has_value());
+            options.exact = true;
+            const Surface with = compute_surface(atoms, options);
+            const Measures measures = measure(atoms);
+            ASSERT_TRUE(with.exact.has_value());
+            EXPECT_EQ(with.exact->totals.ses_area, measures.totals.ses_area);
+            EXPECT_EQ(with.exact->components.size(), measures.components.size());
+            EXPECT_EQ(with.exact->atoms.size(), atoms.size());
+            expect_same_bits(with, without);
+        }
+}
+
+TEST(Surface, ExactMeasuresAreThoseOfTheSurfaceThatIsMade) {
+    const Atoms atoms = small_molecule();
+    const SurfaceTotals totals = measure(atoms).totals;
+    const Surface accessible = compute_surface(atoms, {.surface = SurfaceKind::Sas, .exact = true});
+    EXPECT_NEAR(accessible.exact->totals.ses_area, totals.sas_area, 1e-6 * totals.sas_area);
+    const Surface bare = compute_surface(atoms, {.surface = SurfaceKind::Vdw, .exact = true});
+    EXPECT_EQ(bare.exact->totals.ses_area, measure(atoms, {.probe = 0.0}).totals.ses_area);
+}
+
 TEST(Surface, AnAreaThatIsRightNeedsNoFinerGrid) {
     const SurfaceOptions options{.remesh = {.edge = 1.0, .finer_grid = true}};
     EXPECT_EQ(compute_surface(small_molecule(), options).options.spacing, 0.5);
