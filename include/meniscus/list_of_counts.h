@@ -22,7 +22,10 @@ inline std::string list_of_counts(const std::map<std::string, std::size_t>& coun
         const std::string& name = sorted[i].first;
         list += (i > 0 ? ", " : "") + std::to_string(sorted[i].second) + " " + (name.empty() ? "nameless" : name);
     }
-    if (sorted.size() > kMostNames) list += " and " + std::to_string(sorted.size() - kMostNames) + " more kinds";
+    if (sorted.size() > kMostNames) {
+        const std::size_t more = sorted.size() - kMostNames;
+        list += " and " + std::to_string(more) + (more == 1 ? " more kind" : " more kinds");
+    }
     return list;
 }
 

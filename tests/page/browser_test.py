@@ -63,6 +63,12 @@ def shell_of_atoms():
     return "\n".join(rows) + "\n"
 
 
+def ligand_in_shell():
+    """mmCIF: two atoms of a ligand in the middle of that shell."""
+    rows = (f"HETATM {151 + i} C C{i} . LIG Z 2 . ? {1.5 * i:.3f} 0 0 1.0 10 901 Z 1" for i in range(2))
+    return shell_of_atoms() + "\n".join(rows) + "\n"
+
+
 class PageTest(unittest.TestCase):
     """One browser for all tests; each loads the page afresh."""
 
@@ -70,11 +76,13 @@ class PageTest(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="meniscus-page-"))
         (cls.folder / "shell.cif").write_text(shell_of_atoms(), encoding="utf-8")
+        (cls.folder / "ligand.cif").write_text(ligand_in_shell(), encoding="utf-8")
         (cls.folder / "score.csv").write_text("serial,score\n" + "".join(f"{i + 1},{-1 if i < 50 else 1}\n"
                                                                         for i in range(100)), encoding="ascii")
         (cls.folder / hostile.FILE_NAME).write_text(hostile.mmcif(), encoding="utf-8")
         cls.report = {}
         for name, source, *more in (("1ubq", ROOT / "examples" / "1ubq.pdb"), ("shell", cls.folder / "shell.cif"),
+                                    ("ligand", cls.folder / "ligand.cif"),
                                     ("scored", cls.folder / "shell.cif", "--values", cls.folder / "score.csv"),
                                     ("hostile", cls.folder / hostile.FILE_NAME)):
             subprocess.run([MENISCUS, "surface", source, *more, "-o", cls.folder / f"{name}.html", "--report",
@@ -243,6 +251,12 @@ class PageTest(unittest.TestCase):
         for a, b in zip(centre, cavities[0]["centre"]):
             self.assertAlmostEqual(a, b, places=3)
         self.assertLess(self.js("return meniscus.surface.opacity"), 1)
+
+    def test_the_list_of_cavities_names_the_ligands_left_out(self):
+        for page, shown in (("shell", None), ("ligand", "Ligands that may fill them were left out: 1 LIG")):
+            self.load(page)
+            self.assertEqual(self.js("const p = document.getElementById('left-out'); return p.hidden ? null : p.innerText"),
+                             shown)
 
     def test_names_of_the_input_stay_text(self):
         self.load("shell")

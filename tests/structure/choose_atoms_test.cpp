@@ -80,7 +80,7 @@ TEST(ListOfCounts, MostFrequentFirstAndNoMoreThanSix) {
     EXPECT_EQ(list_of_counts({{"CA", 1}, {"HEM", 4}}), "4 HEM, 1 CA");
     EXPECT_EQ(list_of_counts({{"", 2}}), "2 nameless");
     expect_contains(list_of_counts({{"A", 1}, {"B", 1}, {"C", 1}, {"D", 1}, {"E", 1}, {"F", 1}, {"G", 1}}),
-                    "1 F and 1 more kinds");
+                    "1 F and 1 more kind");
 }
 
 }  // namespace
