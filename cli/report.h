@@ -27,16 +27,16 @@ struct ShownPart {
 
 /// What the program itself knows about a run, beside the library's results.
 struct RunFacts {
-    int model = 1;                 ///< position in the file, from 1
-    int threads = 1;               ///< in use
-    double read_seconds = 0.0;     ///< with the start of the program; with all models: counted with the first
-    double exact_seconds = 0.0;    ///< of exact measures beside those that the surface counts
-    double picture_seconds = 0.0;  ///< of colours and pictures, without writing them
-    double page_seconds = 0.0;     ///< of pages, without writing them
-    double volume_seconds = 0.0;   ///< of volumes, without writing them
-    double write_seconds = 0.0;    ///< of the files of -o and of making the report
-    double total_seconds = 0.0;    ///< wall clock
-    double peak_memory_mb = 0.0;   ///< of the process so far, in units of 2^20 bytes
+    int model = 1;                     ///< position in the file, from 1
+    int threads = 1;                   ///< in use
+    double read_seconds = 0.0;         ///< with the start of the program; with all models: counted with the first
+    double exact_seconds = 0.0;        ///< of exact measures beside those that the surface counts
+    double picture_seconds = 0.0;      ///< of colours and pictures, without writing them
+    double page_seconds = 0.0;         ///< of pages, without writing them
+    double volume_seconds = 0.0;       ///< of volumes, without writing them
+    double write_seconds = 0.0;        ///< of the files of -o and of making the report
+    double total_seconds = 0.0;        ///< wall clock
+    double peak_memory_mb = 0.0;       ///< of the process so far, in units of 2^20 bytes
     std::string chain{};               ///< the only one, with --per-chain
     std::optional<ShownPart> shown{};  ///< with --show
     std::vector<Check> checks{};       ///< all that the result was held against

@@ -16,8 +16,7 @@ namespace meniscus::cli {
 namespace {
 
 std::string describe_pieces(const PieceCounts& pieces) {
-    return fmt::format("{} ({} outer, {})", pieces.all(), pieces.outer,
-                       counted(pieces.cavities, "cavity", "cavities"));
+    return fmt::format("{} ({} outer, {})", pieces.all(), pieces.outer, counted(pieces.cavities, "cavity", "cavities"));
 }
 
 /// Cavities of the surface or of the mesh, which may lack the smallest or have others.

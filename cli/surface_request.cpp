@@ -167,7 +167,7 @@ void add_surface_options(CLI::App& command, SurfaceRequest& request) {
     command.option_defaults()->group("Running");
     add_run_options(command, request, request.surface.threads);
     add_memory_limit(command, request);
-    command.add_flag("--no-exact", request.no_exact, 
+    command.add_flag("--no-exact", request.no_exact,
                      "Leave the exact area and volume out\n; saves 10 to 25 % of the time, less on fine grids");
     command.add_flag("--verify", request.surface.verify, "Run the expensive self-checks, too");
 }

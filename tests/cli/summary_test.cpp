@@ -124,7 +124,8 @@ TEST(Summary, SaysWhatTheMeshLacksOfTheExactSurface) {
     surface.measures.components.resize(1);
     surface.options.pieces = Pieces::Outer;
     std::string text = summary_of(surface);
-    EXPECT_NE(text.find("± 8.1e-07 Å² exact, of all pieces; mesh of outer pieces 4823.12 Å²"), std::string::npos) << text;
+    EXPECT_NE(text.find("± 8.1e-07 Å² exact, of all pieces; mesh of outer pieces 4823.12 Å²"), std::string::npos)
+        << text;
     EXPECT_NE(line_after_components(text).find("the options"), std::string::npos) << text;
     surface.options.pieces = Pieces::All;
     surface.options.min_cavity = 20.0;
@@ -144,7 +145,8 @@ TEST(Summary, SaysThatAreasAreOfTheWholeWhereAPartIsWritten) {
     facts.shown = ShownPart{.select = "//A", .vertices = 3, .triangles = 1, .area = 2.5, .open = true};
     const std::string text = make_summary(sample_structure(), surface, facts, {});
     EXPECT_NE(text.find("flat triangles 4790.50 Å², of the whole surface\n"), std::string::npos) << text;
-    EXPECT_NE(text.find("written     only the part of //A: 3 vertices, 1 triangles, 2.50 Å², open\n"), std::string::npos)
+    EXPECT_NE(text.find("written     only the part of //A: 3 vertices, 1 triangles, 2.50 Å², open\n"),
+              std::string::npos)
         << text;
 }
 
@@ -172,8 +174,7 @@ TEST(Summary, ListsFailedChecksWithTheirBounds) {
     disputed.exact.emplace();
     disputed.exact->agreed = false;
     disputed.exact->disputed = {"patches of atom 3"};
-    EXPECT_EQ(failed_checks(disputed),
-              "exact_agreement (patches of atom 3), converged (0.25, bound 0.125)");
+    EXPECT_EQ(failed_checks(disputed), "exact_agreement (patches of atom 3), converged (0.25, bound 0.125)");
 }
 
 }  // namespace meniscus::cli

@@ -62,11 +62,11 @@ TEST(SelfChecks, MeasuresThatAreThereAlreadyGiveTheSame) {
 TEST(SelfChecks, PiecesAreCountedAsTheMeshKeepsThem) {
     const ExactSurface exact = measure_exactly(shell());
     EXPECT_EQ(count_pieces(exact.measures), (PieceCounts{1, 1}));
-    for (const auto& [options, kept] :
-         {std::pair{SurfaceOptions{}, PieceCounts{1, 1}}, {SurfaceOptions{.pieces = Pieces::Outer}, PieceCounts{1, 0}},
-          {SurfaceOptions{.pieces = Pieces::Cavities}, PieceCounts{0, 1}},
-          {SurfaceOptions{.min_cavity = 1e6}, PieceCounts{1, 0}},
-          {SurfaceOptions{.fill_cavities = 1e6}, PieceCounts{1, 0}}}) {
+    for (const auto& [options, kept] : {std::pair{SurfaceOptions{}, PieceCounts{1, 1}},
+                                        {SurfaceOptions{.pieces = Pieces::Outer}, PieceCounts{1, 0}},
+                                        {SurfaceOptions{.pieces = Pieces::Cavities}, PieceCounts{0, 1}},
+                                        {SurfaceOptions{.min_cavity = 1e6}, PieceCounts{1, 0}},
+                                        {SurfaceOptions{.fill_cavities = 1e6}, PieceCounts{1, 0}}}) {
         EXPECT_EQ(count_kept_pieces(exact.measures, options), kept);
         EXPECT_EQ(count_pieces(compute_surface(shell(), options).measures), kept);
     }
