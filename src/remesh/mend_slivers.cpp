@@ -88,10 +88,11 @@ public:
         boxes_ = std::move(suspects.boxes);
         may_be_low_.resize(mesh_.triangles.size());
         for (const std::uint32_t t : suspects.bad) may_be_low_[t] = true;
-        tangled_ = options_.search_everywhere ? self_intersecting_triangles(mesh_) : tangled_of(suspects.leaning);
-        was_tangled_ = !tangled_.empty();
         MeshChanges nothing;
         nothing.crumpled = crowded(suspects.bad, options_.most_bad);
+        if (nothing.crumpled.size() <= options_.most_crumpled)
+            tangled_ = options_.search_everywhere ? self_intersecting_triangles(mesh_) : tangled_of(suspects.leaning);
+        was_tangled_ = !tangled_.empty();
         if (nothing.crumpled.empty()) nothing.crumpled = crowded(tangled_, options_.most_tangled);
         if (!nothing.crumpled.empty()) {
             nothing.with_new = nothing.left = mesh_.vertices.size();
@@ -110,6 +111,7 @@ public:
 
 private:
     bool is_removed(const Triangle& t) const { return t[0] == t[1]; }
+    bool gave_up() const { return hard_tries_ > options_.most_hard_tries; }
 
     // A corner of each of those triangles of which there are more than `most` in a cube.
     std::vector<Vec3> crowded(const std::vector<std::uint32_t>& triangles, std::size_t most) const {
@@ -220,7 +222,7 @@ private:
 
     // Mends in rounds; what it leaves below the needed angle is in left_ afterwards.
     void mend(std::vector<std::uint32_t> pending) {
-        while (!pending.empty()) pending = round(pending);
+        while (!pending.empty() && !gave_up()) pending = round(pending);
         std::sort(left_.begin(), left_.end());
         left_.erase(std::unique(left_.begin(), left_.end()), left_.end());
     }
@@ -267,7 +269,7 @@ private:
         std::vector<std::uint32_t> waiting;
         const std::vector<Place> places = choose_places(pending, waiting);
         const BoxTree chunks(boxes_.chunks);
-        for (std::size_t begin = 0; begin < places.size(); begin += kPlacesTogether)
+        for (std::size_t begin = 0; begin < places.size() && !gave_up(); begin += kPlacesTogether)
             mend_places(chunks, std::span(places).subspan(begin, std::min(kPlacesTogether, places.size() - begin)));
         forget_tangled(places);
         return waiting;
@@ -277,6 +279,7 @@ private:
     void mend_places(const BoxTree& chunks, std::span<const Place> places) {
         std::vector<Cutting> cuttings(places.size());
         std::vector<Patch> mended(places.size());
+        std::vector<std::size_t> hard_tries(places.size());
         parallel_for(places.size(), 1, [&](std::size_t i) {
             cuttings[i] = cut_out(chunks, places[i]);
             PatchMender mender(cuttings[i].patch, cuttings[i].free, cuttings[i].held, places[i].room, options_,
@@ -284,10 +287,12 @@ private:
             mender.mend();
             if ((options_.search_everywhere || has_tangled(cuttings[i])) && mender.untangle()) mender.mend();
             mended[i] = mender.patch();
+            hard_tries[i] = mender.hard_tries();
         });
         for (std::size_t i = 0; i < places.size(); ++i) {
             paste(cuttings[i], mended[i]);
             list_left(cuttings[i].triangles);
+            hard_tries_ += hard_tries[i];
         }
     }
 
@@ -443,6 +448,7 @@ private:
     MeshChanges close_holes() {
         MeshChanges changes;
         changes.was_tangled = was_tangled_;
+        changes.gave_up = gave_up();
         changes.with_new = mesh_.vertices.size();
         changes.left = changes.with_new - holes_.size();
         std::sort(removed_.begin(), removed_.end(), std::greater<>());
@@ -502,6 +508,7 @@ private:
     TriangleBoxes boxes_;
     std::vector<std::uint32_t> tangled_;  // triangles, as they were found, that have not had their turn
     bool was_tangled_ = false;
+    std::size_t hard_tries_ = 0;
     bool dropped_crumbs_ = false;
     std::vector<VertexId> moved_;         // and new ones
     std::vector<VertexId> holes_;         // numbers of removed vertices

@@ -32,6 +32,10 @@ struct SliverOptions {
     /// the mesh is crumpled there and nothing is mended at all.
     std::size_t most_bad = std::numeric_limits<std::size_t>::max();
     std::size_t most_tangled = std::numeric_limits<std::size_t>::max();
+    /// Where more triangles than these are crumpled nobody looks whether they pass through each other: that takes long.
+    std::size_t most_crumpled = std::numeric_limits<std::size_t>::max();
+    /// Tries of many changes together, some milliseconds each, after which mending ends with what is mended.
+    std::size_t most_hard_tries = std::numeric_limits<std::size_t>::max();
     /// Closed pieces of so many triangles at most are dropped where one of them cannot be mended: the grid makes such
     /// crumbs where two sheets all but touch.
     std::size_t largest_crumb = 0;
@@ -52,6 +56,7 @@ struct MeshChanges {
     std::vector<VertexId> moved;  ///< with those that were added; by their new numbers, rising
     /// Triangles that are others now, or whose vertices moved; rising.
     std::vector<std::uint32_t> triangles;
+    bool gave_up = false;         ///< after most_hard_tries
     bool dropped_crumbs = false;  ///< pieces were dropped, and others have new numbers
 
     bool any() const { return left != with_new || !moved.empty(); }

@@ -169,6 +169,7 @@ bool PatchMender::try_collapses(const Triangle& corners, std::size_t triangle) {
 // Flips and collapses round the triangle, or else splits, each with moves of the corners of what it changed; the best
 // of all is taken.
 bool PatchMender::try_together(const Triangle& corners, std::size_t triangle, bool splits) {
+    ++hard_tries_;
     std::vector<Candidate> candidates;
     const auto add = [&](std::optional<Patch>&& patch) {
         if (!patch) return;

@@ -26,6 +26,8 @@ public:
     /// Parts triangles that pass through each other; what that leaves is to be mended again. False if there is nothing.
     bool untangle();
     const Patch& patch() const { return patch_; }
+    /// How often one change alone did not do, and many were tried together: nearly all of the time goes there.
+    std::size_t hard_tries() const { return hard_tries_; }
 
 private:
     using Edge = std::pair<VertexId, VertexId>;
@@ -77,6 +79,7 @@ private:
     double enough_;
     double shortest_;  // edge, Å
     std::vector<SurfacePoint> places_;
+    std::size_t hard_tries_ = 0;
 };
 
 }  // namespace meniscus

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include "core/parallel_list.h"
 #include "geometry/box_tree.h"
 #include "geometry/triangle_tree.h"
+#include "meniscus/errors.h"
 #include "remesh/mend_slivers.h"
 #include "remesh/ridges.h"
 #include "remesh/self_intersections.h"
@@ -57,6 +59,13 @@ constexpr int kAttempts = 4;
 // triangles, or such that pass through others, in a cube of four edges. Elsewhere there are some ten. What is left
 // unchanged in later attempts is smaller than the rest, and angles are small all round it.
 constexpr std::size_t kMostInCube = 40;
+
+// Where the surface has folds narrower than an edge all over, mending would take minutes and leave a mesh of the grid's
+// small triangles. Such a mesh is refused: where more than so many triangles are crumpled, and one of so many more, or
+// where so many tries have not been enough. A mesh of 173,000 triangles that is just possible takes 760 tries.
+constexpr std::size_t kSmallMesh = 300;
+constexpr std::size_t kCrumpledPart = 30;
+constexpr std::size_t kHardPart = 100;
 
 // Nothing is put in so near to where ridges would lead through something, Å, times the number of the try.
 constexpr double kWithoutRidges = 0.1;
@@ -420,14 +429,18 @@ private:
                               .longest_edge = kLongest * *std::max_element(mesh_.targets.begin(), mesh_.targets.end()),
                               .search_everywhere = true};
         if (attempt == 1) slivers.most_bad = kMostInCube;
+        slivers.most_crumpled = kSmallMesh + mesh.triangles.size() / kCrumpledPart;
+        slivers.most_hard_tries = kSmallMesh + mesh.triangles.size() / kHardPart;
         if (attempt < kAttempts) slivers.most_tangled = kMostInCube;
-        want(options_.keep_ridges ? kWantedBesideRidges : kWanted, slivers);
+        want(options_.keep_ridges || was_crumpled_ ? kWantedBesideRidges : kWanted, slivers);
         for (const VertexId v : order) {
             mesh.normals.push_back(to_small(mesh_.points[v].normal));
             slivers.held.push_back(mesh_.holds[v] == Hold::Ridge);
         }
         MeshChanges changes = mend_slivers(mesh, slivers, project_);
         std::vector<Vec3> crumpled = std::move(changes.crumpled);
+        if (changes.gave_up || crumpled.size() > slivers.most_crumpled) refuse(mesh.triangles.size());
+        was_crumpled_ = was_crumpled_ || !crumpled.empty();
         const bool was_tangled = changes.was_tangled;
         want(kWantedWithoutRidges, slivers);
         slivers.most_bad = slivers.most_tangled = SliverOptions{}.most_bad;
@@ -441,6 +454,13 @@ private:
         if (attempt == kAttempts || !was_tangled) return crumpled;
         const std::vector<Vec3> crossings = new_crossings(mesh, before);
         return crossings.empty() ? crumpled : crossings;
+    }
+
+    [[noreturn]] static void refuse(std::size_t triangles) {
+        throw UsageError(
+            "even triangles with edges this long do not fit this surface: of " + std::to_string(triangles) +
+            " triangles too many would be crumpled in folds narrower than an edge; choose a shorter edge, or "
+            "no edge for the triangles of the grid");
     }
 
     static void want(const WantedAngles& angles, SliverOptions& slivers) {
@@ -485,6 +505,7 @@ private:
     const SurfaceProjector& project_;
     double aim_;  // length of edges, Å
     WorkingMesh mesh_;
+    bool was_crumpled_ = false;  // in an attempt before: small angles are then part of it
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/box_tree.h"
 #include "meniscus/mesh.h"
 #include "remesh/half_edges.h"
 #include "remesh/remesher.h"
@@ -41,14 +42,31 @@ enum class Hold : std::uint8_t {
 };
 
 /// All that lies within a reach of some places.
-struct Surroundings {
-    std::span<const Vec3> places;
-    double reach = 0.0;  ///< Å
+class Surroundings {
+public:
+    /// reach  Å
+    Surroundings(std::span<const Vec3> places, double reach)
+        : places_(places.begin(), places.end()), reach_(reach), tree_(boxes_round(places)) {}
 
     bool contain(const Vec3& point) const {
-        return std::any_of(places.begin(), places.end(),
-                           [&](const Vec3& place) { return squared_norm(point - place) < reach * reach; });
+        bool found = false;
+        tree_.for_each_overlapping(Box{point, point}.grown(reach_), [&](std::uint32_t i) {
+            found = found || squared_norm(point - places_[i]) < reach_ * reach_;
+        });
+        return found;
     }
+
+private:
+    static std::vector<Box> boxes_round(std::span<const Vec3> places) {
+        std::vector<Box> boxes;
+        boxes.reserve(places.size());
+        for (const Vec3& place : places) boxes.push_back({place, place});
+        return boxes;
+    }
+
+    std::vector<Vec3> places_;
+    double reach_;
+    BoxTree tree_;
 };
 
 struct WorkingMesh {
