@@ -153,7 +153,8 @@ ExactSurface measure_exactly(const Atoms& atoms, const SurfaceOptions& options =
 
 /// Computes the solvent-excluded surface of atoms.
 ///
-/// throws   UsageError for options out of range, std::invalid_argument for no atoms, a radius that is not
+/// throws   UsageError for options out of range and for even triangles that the surface has no room for (its folds are
+///          narrower than an edge all over), std::invalid_argument for no atoms, a radius that is not
 ///          positive or a coordinate that is not finite, LimitError when it would not fit into memory
 ///          or lies too far from the origin for the spacing
 /// cost     linear in the number of atoms; memory proportional to area / spacing²

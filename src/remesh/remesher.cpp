@@ -61,11 +61,13 @@ constexpr int kAttempts = 4;
 constexpr std::size_t kMostInCube = 40;
 
 // Where the surface has folds narrower than an edge all over, mending would take minutes and leave a mesh of the grid's
-// small triangles. Such a mesh is refused: where more than so many triangles are crumpled, and one of so many more, or
-// where so many tries have not been enough. A mesh of 173,000 triangles that is just possible takes 760 tries.
-constexpr std::size_t kSmallMesh = 300;
-constexpr std::size_t kCrumpledPart = 30;
-constexpr std::size_t kHardPart = 100;
+// small triangles. Such a mesh is refused: where more than 300 triangles and one in 30 are crumpled, or where 1000
+// tries and one per 100 triangles have not been enough. A mesh of 173,000 triangles that is just possible takes 760
+// tries.
+constexpr std::size_t kMayCrumple = 300;
+constexpr std::size_t kOneCrumpledIn = 30;
+constexpr std::size_t kHardTries = 1000;
+constexpr std::size_t kOneTryPer = 100;  // triangles
 
 // Nothing is put in so near to where ridges would lead through something, Å, times the number of the try.
 constexpr double kWithoutRidges = 0.1;
@@ -429,8 +431,8 @@ private:
                               .longest_edge = kLongest * *std::max_element(mesh_.targets.begin(), mesh_.targets.end()),
                               .search_everywhere = true};
         if (attempt == 1) slivers.most_bad = kMostInCube;
-        slivers.most_crumpled = kSmallMesh + mesh.triangles.size() / kCrumpledPart;
-        slivers.most_hard_tries = kSmallMesh + mesh.triangles.size() / kHardPart;
+        slivers.most_crumpled = kMayCrumple + mesh.triangles.size() / kOneCrumpledIn;
+        slivers.most_hard_tries = kHardTries + mesh.triangles.size() / kOneTryPer;
         if (attempt < kAttempts) slivers.most_tangled = kMostInCube;
         want(options_.keep_ridges || was_crumpled_ ? kWantedBesideRidges : kWanted, slivers);
         for (const VertexId v : order) {

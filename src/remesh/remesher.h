@@ -28,7 +28,7 @@ using SurfaceProjector = std::function<void(std::span<SurfacePoint>)>;
 ///
 /// mesh      closed oriented 2-manifold on the surface; its vertex arrays are not used
 /// returns   positions and triangles: a closed oriented 2-manifold of the same topology
-/// throws    as HalfEdges
+/// throws    as HalfEdges; UsageError where folds narrower than an edge crumple a large part of the mesh
 /// cost      O(n) in the larger of both numbers of vertices
 /// source    Botsch & Kobbelt 2004, A remeshing approach to multiresolution modeling
 Mesh remesh(const Mesh& mesh, const RemeshOptions& options, const SurfaceProjector& project);

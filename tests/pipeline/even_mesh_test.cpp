@@ -8,8 +8,10 @@
 #include <cmath>
 #include <limits>
 
+#include "meniscus/errors.h"
 #include "meniscus/measures.h"
 #include "meniscus/mesh_quality.h"
+#include "meniscus/structure.h"
 #include "meniscus/surface.h"
 #include "pipeline/surface_projector.h"
 #include "support/arrangements.h"
@@ -57,6 +59,17 @@ TEST(EvenMesh, FirstLengthIsTakenWhereItIsGoodEnough) {
     zero_set.triangles = grid.mesh.triangles;
     const RemeshOptions wanted{.edge = 1.0};
     EXPECT_EQ(make_even(zero_set, wanted, project).mesh.vertices, remesh(zero_set, wanted, project).vertices);
+}
+
+// Spheres of 1.7 Å with creases between all of them leave no room for triangles of 4 Å; mending what the try gives took
+// minutes where it ended at all.
+TEST(EvenMesh, RefusesEdgesThatAreLongerThanFoldsEverywhere) {
+    const Atoms atoms = read_structure(MENISCUS_EXAMPLES "/1ubq.pdb", {}).atoms;
+    const auto with_edge = [&](double edge) {
+        return compute_surface(atoms, {.surface = SurfaceKind::Vdw, .remesh = {.edge = edge}});
+    };
+    EXPECT_THROW(with_edge(4.0), UsageError);
+    EXPECT_GT(with_edge(1.0).mesh.vertices.size(), 1000U);
 }
 
 }  // namespace

@@ -166,7 +166,7 @@ TEST(Ridges, GoIntoTheEdgesThatCrossThem) {
         return count;
     };
     ASSERT_GT(count_crossing(), 30u);
-    insert_ridges(mesh, project, {});
+    insert_ridges(mesh, project, {{}, 0.0});
     EXPECT_EQ(count_crossing(), 0u);
     EXPECT_GT(std::count(mesh.holds.begin(), mesh.holds.end(), Hold::Ridge), 30);
 }
