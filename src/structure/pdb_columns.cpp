@@ -110,14 +110,15 @@ std::string by_columns(int shift) {
 
 constexpr const char* kWayOut = "; put each entry into its own columns, or write mmCIF";
 
-// Whether names end where they should and blanks follow: numbers alone are then written to the left of their columns.
 bool has_names_in_place(std::string_view line) {
     return is_digit(at(line, 25)) && line.substr(std::min<std::size_t>(27, line.size()), 3) == "   ";
 }
 
 std::optional<ColumnFault> find_common_shift(std::string_view line, const Points& points) {
     const int shift = common_shift(line, points);
-    if (shift == 0 || (shift < 0 && has_names_in_place(line))) return std::nullopt;
+    // Numbers alone may be written to the left of their columns.
+    const bool are_left = shift < 0 && has_names_in_place(line) && points.offsets[0] >= kX;
+    if (shift == 0 || are_left) return std::nullopt;
     const std::optional<ColumnFault> cause = find_cause(line, shift);
     if (cause) return ColumnFault{cause->column, by_columns(shift) + cause->message + kWayOut};
     const bool is_x = shift > 0 && has_names_in_place(line);
