@@ -163,6 +163,12 @@ TEST(GemmiCif, AtomsAreThoseOfTheFirstBlockThatHasSomeOutsideOfFrames) {
     const auto first_x = [](const std::string& text) { return cif(text).atoms.at(0).centre.x; };
     EXPECT_EQ(first_x("data_a\n_a.b 1\ndata_b\n" + loop + atom(2) + "data_c\n" + loop + atom(3)), 2.0);
     EXPECT_EQ(first_x("data_a\nsave_f\n" + loop + atom(1) + "save_\n" + loop + atom(2)), 2.0);
+    EXPECT_EQ(
+        cif("data_a\n" + loop + atom(1) + "data_b\n" + loop + atom(2) + "data_c\n" + loop + atom(3)).warnings,
+        std::vector<std::string>{
+            "the first data block with atoms is read; left out: 'b' and 1 more; give each block a file of its own"});
+    EXPECT_TRUE(
+        cif("data_a\n_a.b 1\ndata_b\n" + loop + atom(2) + "save_f\n" + loop + atom(1) + "save_\n").warnings.empty());
     expect_contains(cif_error("data_a\nsave_f\n" + loop + atom(1) + "save_\n"), "no _atom_site loop");
     expect_contains(cif_error("data_a\n" + loop + atom(1) + "data_b\n" + loop + "ATOM 1\n"),
                     "f.cif:17:1: Wrong number of values");

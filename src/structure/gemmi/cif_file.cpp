@@ -518,6 +518,18 @@ struct CifFile::Content {
         return found == document.atom_loops.end() ? std::vector<std::string_view>() : std::move(found->values);
     }
 
+    void tell_other_blocks(RawModel& model) const {
+        std::vector<std::string> names;
+        for (const AtomLoop& loop : document.atom_loops) {
+            const gemmi::cif::Block& other = document.blocks[loop.block];
+            if (&other != &block) names.push_back(shown(other.name));
+        }
+        if (names.empty()) return;
+        model.warnings.push_back("the first data block with atoms is read; left out: " + names.front() +
+                                 (names.size() > 1 ? " and " + std::to_string(names.size() - 1) + " more" : "") +
+                                 "; give each block a file of its own");
+    }
+
     void add_model(std::string_view number) {
         const auto found = std::find(model_numbers.begin(), model_numbers.end(), number);
         if (found == model_numbers.end()) model_numbers.push_back(number);
@@ -545,6 +557,7 @@ struct CifFile::Content {
         }
         model.assemblies = read_assemblies(block);
         odd.tell(model);
+        tell_other_blocks(model);
         return model;
     }
 };
