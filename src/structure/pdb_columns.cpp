@@ -143,7 +143,7 @@ bool is_split(std::string_view line, std::size_t begin) {
     const char behind = at(line, begin);
     const bool usual_before = begin == kX || at(line, begin - kWidth + kPoint) == '.';
     const bool usual_behind = begin == kEnd || at(line, begin + kPoint) == '.';
-    if (begin > kX && usual_before && usual_behind) return false;
+    if (begin > kX && usual_before && usual_behind) return has_fourth_decimals(line);
     const bool is_cut_off_sign = (before == '-' || before == '+') && is_of_number(behind);
     return is_cut_off_sign || (is_of_number(before) && is_of_number(behind));
 }
@@ -164,15 +164,18 @@ std::optional<ColumnFault> find_split(std::string_view line) {
     return std::nullopt;
 }
 
-// A whole number beside others with decimals is a residue number that was moved here, unless it ends where it should.
-std::optional<ColumnFault> find_foreign_integer(std::string_view line, const Points& points) {
-    if (points.count == 0) return std::nullopt;
-    for (std::size_t begin = kX; begin < kEnd; begin += kWidth) {
-        const std::string_view field = line.substr(std::min(begin, line.size()), kWidth);
-        if (!integer(field) || field.back() != ' ') continue;
-        return ColumnFault{begin + 1, shown(field) + " is no coordinate like the others; " + std::string(kWhere)};
-    }
-    return std::nullopt;
+bool is_at_each(std::string_view line, std::size_t column_of_field) {
+    return at(line, kX + column_of_field) != ' ' && at(line, kX + kWidth + column_of_field) != ' ' &&
+           at(line, kX + 2 * kWidth + column_of_field) != ' ';
+}
+
+// Programs write x, y and z alike: to the right of their columns, to the left, or with points at equal distances. Of
+// other numbers one may be a residue number or an occupancy that was moved here.
+std::optional<ColumnFault> find_unlike(std::string_view line, const Points& points) {
+    if (points.are_evenly_spaced() || is_at_each(line, kWidth - 1) || is_at_each(line, 0)) return std::nullopt;
+    return ColumnFault{kX + 1,
+                       "the numbers in the columns of x, y and z are not aligned alike, columns may be shifted; " +
+                           std::string(kWhere)};
 }
 
 std::optional<ColumnFault> find_tab(std::string_view line) {
@@ -202,7 +205,7 @@ std::optional<ColumnFault> find_column_fault(std::string_view line) {
     if (auto fault = find_short_words(line)) return fault;
     if (!are_numbers(line)) return std::nullopt;
     if (auto fault = find_split(line)) return fault;
-    return find_foreign_integer(line, points);
+    return find_unlike(line, points);
 }
 
 bool has_coordinates(std::string_view line) {

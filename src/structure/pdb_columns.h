@@ -10,11 +10,18 @@
 
 namespace meniscus::reading {
 
+/// True if all three coordinates seem to have a fourth decimal behind their columns: numbers of four decimals, moved by
+/// one column, have their points where those of three decimals have them.
+inline bool has_fourth_decimals(std::string_view line) {
+    const auto is_digit = [line](std::size_t offset) { return line[offset] >= '0' && line[offset] <= '9'; };
+    return line.size() > 54 && is_digit(38) && is_digit(46) && is_digit(54);
+}
+
 /// True if the decimal points of x, y and z stand in columns 35, 43 and 51, as in nearly every file, and no number
 /// runs into x from the left.
 inline bool has_usual_columns(std::string_view line) {
     return line.size() > 50 && line[34] == '.' && line[42] == '.' && line[50] == '.' &&
-           (line[29] == ' ' || line[30] == ' ');
+           (line[29] == ' ' || line[30] == ' ') && !has_fourth_decimals(line);
 }
 
 struct ColumnFault {
