@@ -77,8 +77,8 @@ TEST(PdbColumns, NumbersAcrossTwoFieldsAreNotCutInTwo) {
     expect_contains(fault_of(with_coordinates("12345.6712345.6712345.67")),
                     "39: a number runs across columns 38 and 39");
     expect_contains(fault_of(with_coordinates("  38.9032355.6020100.6482  1.00")),
-                    "39: a number runs across columns 38 and 39");
-    EXPECT_EQ(fault_of(with_coordinates("1111.1041116.134-116.504100.00")), "");
+                    "31: columns are shifted by 1 to the right from the x coordinate on");
+    EXPECT_EQ(fault_of(with_coordinates("1111.1041116.1341116.504100.00")), "");
     expect_contains(fault_of(with_coordinates("  12    11.104   6.134  1.00")),
                     "31: the numbers in the columns of x, y and z are not aligned alike");
     expect_contains(fault_of("ATOM  \t7\tCA\tALA\tA\t12\t11.104\t6.134\t-6.504\t1.00\t8.20\tC"), "7: a tab");
