@@ -42,16 +42,18 @@ std::string standard_element(std::string_view letters) {
     return common ? std::string(letters.substr(0, 1)) : std::string();
 }
 
+// UNK is an unknown amino acid to the PDB, but any small molecule to programs that convert files.
 bool is_standard(std::string_view residue) {
-    return is_amino_acid(residue) || is_nucleotide(residue) || is_water(residue);
+    return (is_amino_acid(residue) && residue != "UNK") || is_nucleotide(residue) || is_water(residue);
 }
 
-// "CL12", "BR1", "FE1A": two letters that hardly mean anything else. CA, CD, CO, HG, NE, SN ... could.
+// "CL12", "BR1", "FE1A", "SE", "ZN": two letters that hardly mean anything else. CA, CD, CO, HG, NE, SN ... could.
 std::string unmistakable_element(std::string_view letters) {
+    constexpr auto kCertain = std::to_array<std::string_view>({"CL", "BR", "FE", "SE", "SI"});
     const std::string pair = element_symbol(letters.substr(0, 2));
     if (pair.size() < 2) return {};
-    const bool ambiguous = std::string_view("CNOSPHBIKFUVWY").find(pair[0]) != std::string_view::npos;
-    return pair == "CL" || pair == "BR" || pair == "FE" || !ambiguous ? pair : std::string();
+    const bool ambiguous = std::string_view("CNOSPHDBIKFUVWY").find(pair[0]) != std::string_view::npos;
+    return !ambiguous || std::find(kCertain.begin(), kCertain.end(), pair) != kCertain.end() ? pair : std::string();
 }
 
 // The residue is one atom of its own name: "CA" in CA, "SOD" in SOD, "ZN" in ZN2.
@@ -91,19 +93,14 @@ std::string element_from_name(std::string_view name, std::string_view residue) {
 
 std::string element_from_columns(std::string_view name, std::string_view residue) {
     const std::string upper = upper_case(name);
+    std::string element = element_from_name(upper, residue);
     const bool two_columns = upper.size() >= 2 && is_letter(upper[0]) && is_letter(upper[1]);
+    if (!two_columns) return element;
+    // In columns of their own two letters are a symbol: "CA  " of a ligand is calcium.
     const bool full = upper.size() == 4 && upper[3] != ' ';
-    if (is_standard(residue) || !two_columns || full) {
-        std::string element = element_from_name(upper, residue);
-        if (two_columns && element.empty()) element = element_symbol(upper.substr(0, 2));
-        // " CA " and " CD " of a ligand start in the second column: one letter.
-        const bool aligned_single = !full && upper.size() >= 2 && upper[0] == ' ' && element.size() == 2;
-        return aligned_single && ion_element(trimmed(upper), residue).empty() ? one_letter_element(trimmed(upper))
-                                                                              : element;
-    }
-    if (std::string ion = ion_element(trimmed(upper), residue); !ion.empty()) return ion;
-    std::string pair = element_symbol(upper.substr(0, 2));
-    return pair.empty() ? one_letter_element(upper) : pair;
+    const bool is_symbol = element.empty() || (!full && !is_standard(residue) && residue != "UNK");
+    const std::string pair = is_symbol ? element_symbol(upper.substr(0, 2)) : std::string();
+    return pair.empty() || !ion_element(trimmed(upper), residue).empty() ? element : pair;
 }
 
 }  // namespace meniscus::reading

@@ -12,6 +12,7 @@
 #include "reading/numbers.h"
 #include "reading/read_bytes.h"
 #include "reading/text.h"
+#include "structure/pdb_records.h"
 #include "structure/sha256.h"
 
 namespace meniscus::reading {
@@ -46,16 +47,6 @@ std::optional<Suffix> suffix_of(const std::string& path) {
     return found == kSuffixes.end() ? std::nullopt : std::optional(*found);
 }
 
-bool is_pdb_record(std::string_view line) {
-    constexpr auto kRecords = std::to_array<std::string_view>({
-        "HEADER", "OBSLTE", "TITLE ", "COMPND", "SOURCE", "KEYWDS", "EXPDTA", "AUTHOR", "REVDAT", "JRNL  ", "REMARK",
-        "DBREF",  "SEQRES", "SEQADV", "MODRES", "HET   ", "HETNAM", "FORMUL", "HELIX ", "SHEET ", "SSBOND", "LINK  ",
-        "CISPEP", "SITE  ", "CRYST1", "ORIGX",  "SCALE",  "MTRIX",  "MODEL",  "ATOM ",  "HETATM", "ANISOU", "TER",
-        "ENDMDL", "CONECT", "MASTER", "NUMMDL", "SPLIT",  "CAVEAT", "USER",   "END",    "HETSYN", "SPRSDE",
-    });
-    return std::any_of(kRecords.begin(), kRecords.end(), [&](std::string_view r) { return line.starts_with(r); });
-}
-
 // The first line that says something: neither blank nor a comment.
 std::string_view first_line(std::string_view text) {
     Lines lines(text);
@@ -78,6 +69,10 @@ std::optional<Format> format_by_content(std::string_view text) {
     return std::nullopt;
 }
 
+std::string line_of(std::string_view text, std::size_t place) {
+    return std::to_string(1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
+}
+
 // Refuses what has a right name but is something else altogether.
 void check_content(const InputFile& file) {
     const std::string_view line = first_line(file.text);
@@ -97,9 +92,31 @@ void check_content(const InputFile& file) {
     }
     const std::size_t zero = file.text.find('\0');
     if (zero == std::string::npos) return;
-    const auto line_number = std::count(file.text.begin(), file.text.begin() + static_cast<std::ptrdiff_t>(zero), '\n');
-    throw InputError(file.path + ":" + std::to_string(line_number + 1) +
+    throw InputError(file.path + ":" + line_of(file.text, zero) +
                      ": a zero byte; this is not a text file, or it is damaged");
+}
+
+// Old programs fill the last block of a file with zero bytes; so does a file system after a crash.
+void remove_padding(InputFile& file) {
+    const std::size_t last = file.text.find_last_not_of(std::string_view("\0 \t\n", 4));
+    const std::size_t zero = last == std::string::npos ? last : file.text.find('\0', last);
+    if (zero == std::string::npos) return;
+    file.warnings.push_back("line " + line_of(file.text, zero) +
+                            ": zero bytes behind the last record, left out; the file may have been cut off");
+    file.text.resize(zero);
+}
+
+void tell_line_ends(InputFile& file) {
+    const std::string& text = file.text;
+    if (text.starts_with("\xEF\xBB\xBF")) file.notes.push_back("line 1: a byte-order mark, left out");
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        throw InputError(file.path + ":1: text in UTF-16; save the file as UTF-8 or ASCII");
+    for (std::size_t i = text.find('\r'); i != std::string::npos; i = text.find('\r', i + 1)) {
+        if (i + 1 == text.size() || text[i + 1] == '\n') continue;
+        file.notes.push_back("line " + line_of(text, i) +
+                             ": a line ends with a carriage return alone, taken as its end");
+        return;
+    }
 }
 
 void choose_format(InputFile& file) {
@@ -143,7 +160,9 @@ InputFile load_bytes(std::string bytes, const std::string& path, Checksum checks
     } else {
         file.text = std::move(bytes);
     }
+    tell_line_ends(file);
     normalise_line_ends(file.text);
+    remove_padding(file);
     choose_format(file);
     check_content(file);
     return file;

@@ -19,7 +19,8 @@ struct InputFile {
     std::string sha256;  ///< of the bytes as found, if asked for
     Format format = Format::Pdb;
     std::string text;
-    std::vector<std::string> notes;  ///< see Structure::notes
+    std::vector<std::string> notes;     ///< see Structure::notes
+    std::vector<std::string> warnings;  ///< see Structure::warnings
 };
 
 /// Reads a file, or standard input if the path is "-".

@@ -3,6 +3,7 @@
 #include "structure/pdb_screen.h"
 
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -10,6 +11,8 @@
 #include "reading/numbers.h"
 #include "reading/text.h"
 #include "structure/element.h"
+#include "structure/odd_lines.h"
+#include "structure/pdb_columns.h"
 
 namespace meniscus::reading {
 namespace {
@@ -39,8 +42,15 @@ public:
 
     bool is_hetatm() const { return line_.starts_with("HETATM"); }
 
+    std::size_t number() const { return number_; }
+
     [[noreturn]] void fail(std::size_t column, const std::string& message) const {
         fail_at(file_, {number_, column}, message);
+    }
+
+    void check_columns() const {
+        if (has_usual_columns(line_)) return;
+        if (const auto fault = find_column_fault(line_)) fail(fault->column, fault->message);
     }
 
     void check_length() const {
@@ -64,14 +74,13 @@ public:
                         " is not a finite number; correct it or leave the atom out");
     }
 
-    double optional_number(std::size_t first, std::size_t last, double otherwise, const char* what) const {
+    // A field of no consequence for any surface; nothing if it is blank or no number.
+    std::optional<double> optional_number(std::size_t first, std::size_t last, OddLines& odd) const {
         const std::string_view field = trimmed(columns(first, last));
-        if (field.empty()) return otherwise;
+        if (field.empty()) return std::nullopt;
         const auto value = finite_number(field);
-        if (!value)
-            fail(first,
-                 std::string(what) + " " + shown(field) + " is not a finite number; leave it blank if it is unknown");
-        return *value;
+        if (!value) odd.add(number_, field);
+        return value;
     }
 
 private:
@@ -103,7 +112,7 @@ std::string element_columns(const AtomLine& line) {
 }
 
 // "2+", "+2", "1-", "+", "0" or blank; a sign alone is no charge.
-int charge_columns(const AtomLine& line) {
+int charge_columns(const AtomLine& line, OddLines& odd) {
     const std::string_view field = trimmed(line.columns(79, 80));
     if (field.empty()) return 0;
     const std::size_t signs = static_cast<std::size_t>(field.find('+') != field.npos || field.find('-') != field.npos);
@@ -115,13 +124,14 @@ int charge_columns(const AtomLine& line) {
         charge = c - '0';
     }
     if (digits + signs != field.size() || digits > 1) {
-        line.fail(79, "charge " + shown(field) + " is neither blank nor a digit and a sign; clear columns 79-80");
+        odd.add(line.number(), field);
+        return 0;
     }
     return field.find('-') != field.npos ? -charge : charge;
 }
 
 int serial_columns(const AtomLine& line) {
-    // A serial of six digits reaches into column 6 of ATOM, or into column 12.
+    // A serial of six or seven digits reaches into column 5 of ATOM, or into column 12.
     const std::size_t first = line.text().starts_with("ATOM") ? 5 : 7;
     return integer(line.columns(first, 12)).value_or(integer(line.columns(7, 11)).value_or(0));
 }
@@ -147,12 +157,28 @@ void append_record(const AtomLine& line, const ResidueColumns& residue, std::str
     text += '\n';
 }
 
+// Fields that hold what they should not, without harm to any result.
+struct OddFields {
+    OddLines occupancy;
+    OddLines b_factor;
+    OddLines charge;
+
+    std::vector<std::string> told() const {
+        std::vector<std::string> lines;
+        occupancy.tell("occupancy ", " is not a number; taken as missing", lines);
+        b_factor.tell("B factor ", " is not a number; taken as missing", lines);
+        charge.tell("charge ", " is neither blank nor a digit and a sign; taken as missing", lines);
+        return lines;
+    }
+};
+
 // Takes the atoms of a model one by one.
 class Screen {
 public:
     explicit Screen(CleanPdb& clean) : clean_(clean) {}
 
     void take(const AtomLine& line) {
+        line.check_columns();
         line.check_length();
         line.check_names();
         RawAtom atom;
@@ -168,13 +194,15 @@ public:
             atom.element = element_from_columns(line.padded(13, 16), clean_.runs.back().residue);
             atom.guessed_element = true;
         } else {
-            atom.charge = charge_columns(line);
+            atom.charge = charge_columns(line, odd_.charge);
         }
         atom.serial = serial_columns(line);
-        atom.occupancy = line.optional_number(55, 60, 1.0, "occupancy");
-        atom.b_factor = line.optional_number(61, 66, 0.0, "B factor");
+        atom.occupancy = line.optional_number(55, 60, odd_.occupancy).value_or(atom.occupancy);
+        atom.b_factor = line.optional_number(61, 66, odd_.b_factor).value_or(atom.b_factor);
         clean_.atoms.push_back(std::move(atom));
     }
+
+    void finish() { clean_.warnings = odd_.told(); }
 
 private:
     void begin_run(const AtomLine& line) {
@@ -186,6 +214,7 @@ private:
     }
 
     CleanPdb& clean_;
+    OddFields odd_;
     std::string_view residue_;  // of the last atom
     std::string_view segment_;
 };
@@ -224,10 +253,6 @@ std::string clean_header(std::string_view text, const std::string& file, bool wi
 
 }  // namespace
 
-bool is_atom_record(std::string_view line) {
-    return line.starts_with("HETATM") || line.starts_with("ATOM ") || line.starts_with("ATOM\t") || line == "ATOM";
-}
-
 std::string hybrid36_serial(std::size_t n) {
     constexpr std::size_t kDecimal = 100000;
     constexpr std::size_t kFirstUpper = 16796160;  // "A0000" in base 36
@@ -257,6 +282,7 @@ CleanPdb screen_pdb(std::string_view text, const PdbModelSpan& model, const std:
             clean.text += "TER\n";
         }
     }
+    screen.finish();
     return clean;
 }
 

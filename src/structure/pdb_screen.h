@@ -9,12 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "structure/pdb_records.h"
 #include "structure/raw_model.h"
 
 namespace meniscus::reading {
-
-/// True for ATOM and HETATM records, also if a serial number of six digits reaches into the record's name.
-bool is_atom_record(std::string_view line);
 
 /// A part of the text that holds the atoms of one model.
 struct PdbModelSpan {
@@ -40,12 +38,14 @@ struct PdbRun {
 
 /// A model ready for the parser.
 struct CleanPdb {
-    std::string text;            ///< of run i the record of its first atom, with serial number i + 1
-    std::vector<PdbRun> runs;    ///< what the text has no room for
-    std::vector<RawAtom> atoms;  ///< their `residue` is the number of their run
+    std::string text;                   ///< of run i the record of its first atom, with serial number i + 1
+    std::vector<PdbRun> runs;           ///< what the text has no room for
+    std::vector<RawAtom> atoms;         ///< their `residue` is the number of their run
+    std::vector<std::string> warnings;  ///< fields without which results can be found; see RawModel::warnings
 };
 
 /// Checks one model and writes it clean, with the SEQRES and REMARK 350 (assembly) records of the whole text.
+/// Occupancy, B factor and charge may hold anything: what is no number is missing, with a warning.
 /// throws   InputError with line and column
 CleanPdb screen_pdb(std::string_view text, const PdbModelSpan& model, const std::string& file, bool with_assemblies);
 

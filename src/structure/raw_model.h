@@ -40,7 +40,7 @@ struct RawAtom {
     std::string element;        ///< upper case; empty if the file and the name do not tell
     char altloc = ' ';
     bool hetatm = false;
-    bool guessed_element = false;  ///< the name tells it, since a PDB file's own columns are blank
+    bool guessed_element = false;  ///< the name tells it, since a PDB or mmCIF file does not
     int serial = 0;
     double occupancy = 1.0;
     double b_factor = 0.0;

@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "meniscus/errors.h"
-#include "radii/aliases.h"
 #include "structure/assign_radii.h"
 #include "structure/build_structure.h"
 #include "structure/choose_atoms.h"
 #include "structure/coincident.h"
 #include "structure/gemmi/cif_file.h"
 #include "structure/gemmi/gemmi_reader.h"
+#include "structure/guessed_elements.h"
 #include "structure/input_file.h"
 #include "structure/pdb_screen.h"
 #include "structure/residue_kinds.h"
@@ -34,7 +34,7 @@ public:
     ModelSource(const std::string& path, const ReadOptions& options)
         : file_(load_input(path, options.checksum ? Checksum::Found : Checksum::LeftOut)),
           assemblies_(!options.assembly.empty()) {
-        if (file_.format == Format::Pdb) pdb_ = find_pdb_models(file_.text);
+        if (file_.format == Format::Pdb) find_models();
         if (file_.format == Format::Cif) cif_.emplace(file_.text, file_.path);
     }
 
@@ -52,12 +52,20 @@ public:
         }
         RawModel model = parse(position);
         append(model.notes, file_.notes);
+        append(model.warnings, file_.warnings);
         append(model.warnings, pdb_.warnings);
         classify_residues(model);
         return model;
     }
 
 private:
+    void find_models() {
+        const RecordOddities found = tidy_records(file_.text, file_.path);
+        append(file_.notes, found.notes);
+        append(file_.warnings, found.warnings);
+        pdb_ = find_pdb_models(file_.text);
+    }
+
     RawModel parse(int position) const {
         switch (file_.format) {
             case Format::Cif:
@@ -90,8 +98,11 @@ void check_options(const ReadOptions& options) {
     if (options.altloc.size() > 1) throw UsageError("--altloc " + options.altloc + ": must be one character");
 }
 
-[[noreturn]] void fail_empty(const std::string& path, bool had_atoms, const Chosen& chosen) {
-    if (!had_atoms) throw InputError(path + ": no atoms in this file; check that it is the right one");
+[[noreturn]] void fail_empty(const std::string& path, const RawModel& model, const Chosen& chosen) {
+    if (model.atoms.empty()) {
+        throw InputError(path + ": no atoms in this file; check that it is the right one" +
+                         (model.warnings.empty() ? "" : " (" + model.warnings.front() + ")"));
+    }
     std::vector<std::string> lines = chosen.notes;
     append(lines, chosen.warnings);
     std::string reasons;
@@ -100,27 +111,12 @@ void check_options(const ReadOptions& options) {
                      (reasons.empty() ? "; --chains or --select keep none" : ": " + reasons));
 }
 
-// The names of standard residues leave no doubt about elements; "CA" of another one may be carbon or calcium.
-void tell_guessed_elements(const RawModel& model, Chosen& chosen) {
-    std::size_t certain = 0;
-    std::size_t doubtful = 0;
-    for (const std::uint32_t i : chosen.atoms) {
-        if (!model.atoms[i].guessed_element) continue;
-        const std::string& residue = model.residue_of(model.atoms[i]).name;
-        ++(is_amino_acid(residue) || is_nucleotide(residue) || is_water(residue) ? certain : doubtful);
-    }
-    if (certain > 0)
-        chosen.notes.push_back(counted(certain, "element") + " taken from atom names: columns 77-78 are blank");
-    if (doubtful > 0)
-        chosen.warnings.push_back(counted(doubtful, "element") +
-                                  " in non-standard residues guessed from atom names: columns 77-78 are blank");
-}
-
 Structure make_structure(const InputFile& file, const RawModel& model, const ReadOptions& options) {
     Chosen chosen = choose_atoms(model, options, file.path);
     const AssignedRadii radii = assign_radii(model, options, file.path, chosen);
-    if (chosen.atoms.empty()) fail_empty(file.path, !model.atoms.empty(), chosen);
-    tell_guessed_elements(model, chosen);
+    if (chosen.atoms.empty()) fail_empty(file.path, model, chosen);
+    tell_guessed_elements(
+        model, file.format == Format::Cif ? "_atom_site.type_symbol is not given" : "columns 77-78 are blank", chosen);
     Structure structure;
     structure.file = file.path;
     structure.name = file.name;

@@ -58,6 +58,37 @@ TEST(GemmiCif, ABadCoordinateIsAnErrorWithItsPlace) {
                     "f.cif:15:20: _atom_site.auth_seq");
 }
 
+TEST(GemmiCif, StandardUncertaintiesAreLeftOutWithANote) {
+    const std::string head = std::string(kHead) + "_atom_site.occupancy\n_atom_site.B_iso_or_equiv\n";
+    const RawModel model = cif(head +
+                               "ATOM 1 C C . ALA A 1 1 0 0 1 1.00 5\nATOM 2 C C . ALA A 1 1.50(2) -2.25(12) '3(1)' 1 "
+                               "0.5(1) 8.2(10)\n");
+    EXPECT_EQ(model.atoms.at(1).centre, (Vec3{1.5, -2.25, 3}));
+    EXPECT_EQ(model.atoms[1].occupancy, 0.5);
+    EXPECT_EQ(model.atoms[1].b_factor, 8.2);
+    EXPECT_EQ(
+        model.notes,
+        (std::vector<std::string>{"line 18: standard uncertainties such as that of '1.50(2)' left out (5 times)"}));
+    EXPECT_TRUE(model.warnings.empty());
+    for (const char* value : {"1.0()", "1.0(x)", "(2)", "1.0(2", "1.0(2)3", "1(2)(3)", "nan(1)", ")"})
+        EXPECT_NE(cif_error(std::string(kHead) + "ATOM 1 C C . ALA A 1 " + value + " 0 0 1\n"), "") << value;
+}
+
+TEST(GemmiCif, ColumnsThatNoResultNeedsMayHoldAnything) {
+    const std::string head = std::string(kHead) + "_atom_site.occupancy\n_atom_site.pdbx_formal_charge\n";
+    const RawModel model = cif(head +
+                               "ATOM 1 C C . ALA A 1 1 0 0 1 ? .\nATOM 2 C C . ALA A 1 1 0 0 1 nan 2+\n"
+                               "hetatm 3 C C . ALA A 1 1 0 0 1 0.5 word\n");
+    EXPECT_EQ(model.warnings,
+              (std::vector<std::string>{
+                  "line 18: _atom_site.occupancy 'nan' is not a number; taken as missing",
+                  "line 18: _atom_site.pdbx_formal_charge '2+' is not a number; taken as missing (2 times)"}));
+    EXPECT_EQ(model.atoms.at(1).occupancy, 1.0);
+    EXPECT_EQ(model.atoms[1].charge, 0.0);
+    EXPECT_EQ(model.atoms[2].occupancy, 0.5);
+    EXPECT_TRUE(model.atoms[2].hetatm);
+}
+
 TEST(GemmiCif, QuotedAndMultiLineValuesAreValues) {
     const RawModel model = cif(std::string("data_0\n_struct.title\n;two\nloop_ _atom_site.id\n;\n") + (kHead + 7) +
                                "ATOM 1 O 'O5'' . DA A 1 \"1.0\"\n;2.0\n;\n3.0 1\n");
@@ -132,6 +163,12 @@ TEST(GemmiCif, AtomsAreThoseOfTheFirstBlockThatHasSomeOutsideOfFrames) {
     const auto first_x = [](const std::string& text) { return cif(text).atoms.at(0).centre.x; };
     EXPECT_EQ(first_x("data_a\n_a.b 1\ndata_b\n" + loop + atom(2) + "data_c\n" + loop + atom(3)), 2.0);
     EXPECT_EQ(first_x("data_a\nsave_f\n" + loop + atom(1) + "save_\n" + loop + atom(2)), 2.0);
+    EXPECT_EQ(
+        cif("data_a\n" + loop + atom(1) + "data_b\n" + loop + atom(2) + "data_c\n" + loop + atom(3)).warnings,
+        std::vector<std::string>{
+            "the first data block with atoms is read; left out: 'b' and 1 more; give each block a file of its own"});
+    EXPECT_TRUE(
+        cif("data_a\n_a.b 1\ndata_b\n" + loop + atom(2) + "save_f\n" + loop + atom(1) + "save_\n").warnings.empty());
     expect_contains(cif_error("data_a\nsave_f\n" + loop + atom(1) + "save_\n"), "no _atom_site loop");
     expect_contains(cif_error("data_a\n" + loop + atom(1) + "data_b\n" + loop + "ATOM 1\n"),
                     "f.cif:17:1: Wrong number of values");

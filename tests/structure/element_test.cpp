@@ -37,6 +37,33 @@ TEST(Element, LigandsWithLongNames) {
     EXPECT_EQ(element_from_columns("1C4A", "LIG"), "C");
 }
 
+TEST(Element, HalogensAndIronOfLigandsWhereverTheNameStarts) {
+    for (const char* residue : {"LIG", "MOL", "UNL", "UNK"}) {
+        for (const char* name : {" CL1", "CL1 ", " Cl1", "CL12", "  CL", " CL "})
+            EXPECT_EQ(element_from_columns(name, residue), "CL") << name << residue;
+        for (const char* name : {" BR ", "BR  ", "BR2 ", " Br2"})
+            EXPECT_EQ(element_from_columns(name, residue), "BR") << name;
+        for (const char* name : {" F1 ", "F12 ", "F   ", " F  "})
+            EXPECT_EQ(element_from_columns(name, residue), "F") << name;
+        for (const char* name : {" I1 ", "I1  ", " I  "}) EXPECT_EQ(element_from_columns(name, residue), "I") << name;
+        for (const char* name : {" C1 ", " CA ", " C12"}) EXPECT_EQ(element_from_columns(name, residue), "C") << name;
+        EXPECT_EQ(element_from_columns(" SE ", residue), "SE");
+        EXPECT_EQ(element_from_columns(" SI1", residue), "SI");
+        EXPECT_EQ(element_from_columns(" S1 ", residue), "S");
+    }
+    for (const char* name : {"FE  ", " FE ", "  FE"}) EXPECT_EQ(element_from_columns(name, "HEM"), "FE") << name;
+    EXPECT_EQ(element_from_columns(" MG ", "CLA"), "MG");
+    EXPECT_EQ(element_from_columns(" NA ", "HEM"), "N");
+    EXPECT_EQ(element_from_columns(" D1 ", "LIG"), "D");
+}
+
+TEST(Element, AnUnknownAminoAcidHasAtomsOfAminoAcids) {
+    EXPECT_EQ(element_from_columns("CA  ", "UNK"), "C");
+    EXPECT_EQ(element_from_columns(" CD ", "UNK"), "C");
+    EXPECT_EQ(element_from_columns("HG11", "UNK"), "H");
+    EXPECT_EQ(element_from_name("BR1", "UNK"), "BR");
+}
+
 TEST(Element, IonsByTheNamesOfForceFields) {
     EXPECT_EQ(element_from_columns("SOD ", "SOD"), "NA");
     EXPECT_EQ(element_from_columns(" CLA", "CLA"), "CL");

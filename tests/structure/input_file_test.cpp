@@ -85,6 +85,36 @@ TEST(InputFile, WhatIsNoStructureIsNamed) {
     expect_contains(error_of_bytes(std::string("HEADER\nAT\0M", 11), "a.pdb"), "a.pdb:2: a zero byte");
 }
 
+TEST(InputFile, ZeroBytesBehindTheLastRecordArePadding) {
+    const std::string zeros(100, '\0');
+    for (const std::string& end : {zeros, "  " + zeros, zeros + "\n", zeros + "\r\n" + zeros}) {
+        const InputFile file = load_bytes(kAtom + end, "a.pdb");
+        EXPECT_TRUE(file.text.starts_with(kAtom));
+        EXPECT_EQ(file.text.find('\0'), std::string::npos);
+        ASSERT_EQ(file.warnings.size(), 1U);
+        expect_contains(file.warnings[0], "line 2: zero bytes behind the last record");
+    }
+    EXPECT_EQ(load_bytes("data_a\n" + zeros, "a.cif").warnings.size(), 1U);
+    expect_contains(error_of_bytes(kAtom + zeros + kAtom, "a.pdb"), "a.pdb:2: a zero byte");
+    expect_contains(error_of_bytes(zeros, "a.pdb"), "a.pdb:1: a zero byte");
+}
+
+TEST(InputFile, MarksAndLineEndsAreToldWhereSomethingIsAssumed) {
+    EXPECT_TRUE(load_bytes("HEADER\r\nEND\r\n", "a.pdb").notes.empty());
+    EXPECT_EQ(load_bytes("HEADER\nTITLE\rEND\n", "a.pdb").notes.at(0),
+              "line 2: a line ends with a carriage return alone, taken as its end");
+    EXPECT_EQ(load_bytes("\xEF\xBB\xBFHEADER\n", "a.pdb").notes.at(0), "line 1: a byte-order mark, left out");
+    expect_contains(error_of_bytes(std::string("\xFF\xFE"
+                                               "A\0T\0O\0M\0",
+                                               10),
+                                   "a.pdb"),
+                    "a.pdb:1: text in UTF-16");
+}
+
+TEST(InputFile, StandardInputMayBeginWithALowerCaseRecord) {
+    EXPECT_EQ(load_bytes(" atom      1  N   ALA A   1       0.000   0.000   0.000\n", "-").format, Format::Pdb);
+}
+
 TEST(InputFile, FoldersAndMissingFilesAreErrors) {
     EXPECT_THROW(load_input("/"), InputError);
     EXPECT_THROW(load_input("/no/such.pdb"), InputError);

@@ -98,12 +98,24 @@ TEST(PdbScreen, ChargesOfOneDigit) {
     EXPECT_EQ(screen(changed(77, "  2+")).atoms[0].charge, 0.0) << "behind no element there is something else";
 }
 
-TEST(PdbScreen, OccupancyBFactorAndChargeToo) {
-    EXPECT_TRUE(error_in(changed(55, "******")).starts_with("f.pdb:1:55: occupancy"));
-    EXPECT_TRUE(error_in(changed(61, "   nan")).starts_with("f.pdb:1:61: B factor"));
-    EXPECT_TRUE(error_in(changed(79, "x+")).starts_with("f.pdb:1:79: charge"));
-    EXPECT_EQ(error_in(changed(79, "+1")), "");
-    EXPECT_EQ(error_in(changed(55, "            ")), "");
+TEST(PdbScreen, OccupancyBFactorAndChargeMayHoldAnything) {
+    const CleanPdb clean =
+        screen(changed(55, "******") + kPlain + changed(61, "   nan") + changed(55, "******") + changed(79, "x+"));
+    EXPECT_EQ(clean.warnings, (std::vector<std::string>{
+                                  "line 1: occupancy '******' is not a number; taken as missing (2 times)",
+                                  "line 3: B factor 'nan' is not a number; taken as missing",
+                                  "line 5: charge 'x+' is neither blank nor a digit and a sign; taken as missing"}));
+    EXPECT_EQ(clean.atoms[0].occupancy, 1.0);
+    EXPECT_EQ(clean.atoms[2].b_factor, 0.0);
+    EXPECT_EQ(clean.atoms[4].charge, 0.0);
+    EXPECT_TRUE(screen(changed(79, "+1") + changed(55, "            ")).warnings.empty());
+}
+
+TEST(PdbScreen, ShiftedColumnsAreRefused) {
+    std::string line = kPlain;
+    line.insert(22, "B");
+    expect_contains(error_in(kPlain + line),
+                    "f.pdb:2:22: columns are shifted by 1 to the right from the chain name 'AB' on");
 }
 
 TEST(PdbScreen, LinesMayEndAfterTheCoordinatesNotBefore) {
@@ -125,6 +137,7 @@ TEST(PdbScreen, OldFilesMayHaveAnythingInColumns73To80) {
 
 TEST(PdbScreen, SerialsWiderThanTheirColumnsAndHybridOnes) {
     EXPECT_EQ(screen(changed(5, " 123456")).atoms[0].serial, 123456);
+    EXPECT_EQ(screen(changed(5, "1234567 ")).atoms[0].serial, 1234567);
     EXPECT_EQ(screen(changed(7, "A0000")).atoms[0].serial, 0) << "no decimal number";
     EXPECT_EQ(screen(changed(7, "*****")).atoms[0].serial, 0);
 }

@@ -51,7 +51,7 @@ TEST(ReadStructure, ElementsOfStandardResiduesAreANoteOthersAWarning) {
     const std::string ligand = pdb_line({.name = "CA  ", .residue = "XYZ", .number = 30, .x = 20.0});
     const Structure s = read_text(kGlycine + ligand, "g.pdb");
     EXPECT_TRUE(has_note(s, "4 elements taken from atom names: columns 77-78 are blank"));
-    EXPECT_TRUE(has_warning(s, "1 element in non-standard residues guessed from atom names: columns 77-78"));
+    EXPECT_TRUE(has_warning(s, "1 element in non-standard residues guessed from atom names: 1 Ca (columns 77-78"));
     EXPECT_TRUE(read_text(kGlycine, "g.pdb").warnings.empty());
     const std::string known = pdb_line({.name = " N  ", .residue = "XYZ", .element = " N"});
     EXPECT_TRUE(read_text(known, "g.pdb").notes.empty());
@@ -81,9 +81,11 @@ TEST(ReadStructure, LineEndsMarksAndCompressionChangeNothing) {
     for (const std::string& text : {dos, mac, "\xEF\xBB\xBF" + kGlycine}) {
         const Structure other = read_text(text, "g.pdb");
         EXPECT_EQ(other.atoms.centres, plain.atoms.centres);
-        EXPECT_EQ(other.notes, plain.notes);
         EXPECT_EQ(other.warnings, plain.warnings);
     }
+    EXPECT_EQ(read_text(dos, "g.pdb").notes, plain.notes);
+    EXPECT_TRUE(has_note(read_text(mac, "g.pdb"), "line 1: a line ends with a carriage return alone"));
+    EXPECT_TRUE(has_note(read_text("\xEF\xBB\xBF" + kGlycine, "g.pdb"), "line 1: a byte-order mark"));
     EXPECT_EQ(read_text(gzipped(kGlycine), "g.pdb.gz").atoms.centres, plain.atoms.centres);
 }
 

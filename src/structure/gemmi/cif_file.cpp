@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <new>
 #include <optional>
 #include <set>
@@ -26,6 +27,7 @@
 #include "structure/cif_locate.h"
 #include "structure/element.h"
 #include "structure/gemmi/gemmi_shared.h"
+#include "structure/odd_lines.h"
 #include "structure/residue_list.h"
 
 namespace meniscus::reading {
@@ -210,12 +212,36 @@ struct CifSource {
                 tag_of(column) + " " + shown(value) + " contains a byte that is not a printable character; correct it");
     }
 
-private:
+    std::size_t line_of(Column::Index column, std::size_t row) const {
+        return locate_cif_value(text, tag_of(column), row).line;
+    }
+
     static std::string tag_of(Column::Index column) {
         const std::string& listed = atom_tags()[column];
         return "_atom_site." + listed.substr(listed[0] == '?' ? 1 : 0);
     }
 };
+
+// Values that are read otherwise than they are written.
+struct OddValues {
+    OddLines uncertain;
+    std::map<Column::Index, OddLines> no_numbers;  // of columns that no result needs
+
+    void tell(RawModel& model) const {
+        uncertain.tell("standard uncertainties such as that of ", " left out", model.notes);
+        for (const auto& [column, odd] : no_numbers)
+            odd.tell(CifSource::tag_of(column) + " ", " is not a number; taken as missing", model.warnings);
+    }
+};
+
+// The number in front of a standard uncertainty in its last digits: "1.0" of "1.0(2)".
+std::string_view without_uncertainty(std::string_view text) {
+    if (text.empty() || text.back() != ')') return text;
+    const std::size_t open = text.find('(');
+    const std::string_view digits = text.substr(open + 1, text.size() - open - 2);
+    const bool is_one = !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
+    return open != std::string_view::npos && is_one ? text.substr(0, open) : text;
+}
 
 // As gemmi::cif::as_string, without a copy.
 std::string_view unquoted(std::string_view text) {
@@ -284,19 +310,18 @@ public:
         return value.empty() ? ' ' : value[0];
     }
 
-    double coordinate(Column::Index column) const {
-        const std::string_view* const text = value_of(column);
-        const auto value = text != nullptr ? finite_number(unquoted(*text)) : std::nullopt;
+    double coordinate(Column::Index column, OddValues& odd) const {
+        const auto value = number(column, odd);
         if (!value) source_.fail(column, index_, *columns_.at(column, index_), "correct it or leave the atom out");
         return *value;
     }
 
-    double number(Column::Index column, double otherwise) const {
-        const std::string_view* const text = value_of(column);
-        if (text == nullptr) return otherwise;
-        const auto value = finite_number(unquoted(*text));
-        if (!value) source_.fail(column, index_, *text, "write '?' for an unknown value");
-        return *value;
+    // Of a column that no result needs.
+    double number_or(Column::Index column, double otherwise, OddValues& odd) const {
+        if (!has(column)) return otherwise;
+        const auto value = number(column, odd);
+        if (!value) note(odd.no_numbers[column], column);
+        return value.value_or(otherwise);
     }
 
     // A residue number; old files write the insertion code behind it ("15A").
@@ -324,6 +349,21 @@ public:
     }
 
 private:
+    // Nothing if there is no value, or one that is no finite number.
+    std::optional<double> number(Column::Index column, OddValues& odd) const {
+        const std::string_view* const text = value_of(column);
+        if (text == nullptr) return std::nullopt;
+        const std::string_view whole = unquoted(*text);
+        const std::string_view plain = without_uncertainty(whole);
+        const auto value = finite_number(plain);
+        if (value && plain.size() < whole.size()) note(odd.uncertain, column);
+        return value;
+    }
+
+    void note(OddLines& odd, Column::Index column) const {
+        odd.add(odd.count > 0 ? 0 : source_.line_of(column, index_), *columns_.at(column, index_));
+    }
+
     // None where the file has no such column, or says that there is no value.
     const std::string_view* value_of(Column::Index column) const {
         const std::string_view* const value = columns_.at(column, index_);
@@ -348,18 +388,21 @@ RawResidue to_residue(const AtomRow& row, const EntityIds& polymers) {
     return residue;
 }
 
-RawAtom to_atom(const AtomRow& row, const std::string& residue_name) {
+bool is_hetatm(std::string_view group) { return group.size() == 6 && upper_case(group) == "HETATM"; }
+
+RawAtom to_atom(const AtomRow& row, const std::string& residue_name, OddValues& odd) {
     RawAtom atom;
-    atom.centre = {row.coordinate(Column::X), row.coordinate(Column::Y), row.coordinate(Column::Z)};
+    atom.centre = {row.coordinate(Column::X, odd), row.coordinate(Column::Y, odd), row.coordinate(Column::Z, odd)};
     atom.name = upper_case(row.text(Column::AuthAtom, Column::LabelAtom));
     atom.element = element_symbol(row.text(Column::Symbol));
-    if (atom.element.empty()) atom.element = element_from_name(atom.name, residue_name);
+    atom.guessed_element = atom.element.empty();
+    if (atom.guessed_element) atom.element = element_from_name(atom.name, residue_name);
     atom.altloc = row.letter(Column::AltId);
-    atom.hetatm = row.text(Column::Group) == "HETATM";
+    atom.hetatm = is_hetatm(row.text(Column::Group));
     atom.serial = integer(row.text(Column::Id)).value_or(0);
-    atom.occupancy = row.number(Column::Occupancy, 1.0);
-    atom.b_factor = row.number(Column::B, 0.0);
-    atom.charge = row.number(Column::Charge, 0.0);
+    atom.occupancy = row.number_or(Column::Occupancy, atom.occupancy, odd);
+    atom.b_factor = row.number_or(Column::B, atom.b_factor, odd);
+    atom.charge = row.number_or(Column::Charge, atom.charge, odd);
     return atom;
 }
 
@@ -475,6 +518,18 @@ struct CifFile::Content {
         return found == document.atom_loops.end() ? std::vector<std::string_view>() : std::move(found->values);
     }
 
+    void tell_other_blocks(RawModel& model) const {
+        std::vector<std::string> names;
+        for (const AtomLoop& loop : document.atom_loops) {
+            const gemmi::cif::Block& other = document.blocks[loop.block];
+            if (&other != &block) names.push_back(shown(other.name));
+        }
+        if (names.empty()) return;
+        model.warnings.push_back("the first data block with atoms is read; left out: " + names.front() +
+                                 (names.size() > 1 ? " and " + std::to_string(names.size() - 1) + " more" : "") +
+                                 "; give each block a file of its own");
+    }
+
     void add_model(std::string_view number) {
         const auto found = std::find(model_numbers.begin(), model_numbers.end(), number);
         if (found == model_numbers.end()) model_numbers.push_back(number);
@@ -489,17 +544,20 @@ struct CifFile::Content {
         const CifSource source{file, text};
         model.atoms.reserve(atoms.rows() / static_cast<std::size_t>(model_count()));
         std::optional<AtomRow> before;
+        OddValues odd;
         for (std::size_t i = 0; i < atoms.rows(); ++i) {
             if (!model_numbers.empty() && *atoms.at(Column::ModelNumber, i) != model_numbers[position - 1]) continue;
             const AtomRow row(source, atoms, i);
             const bool as_before = before && row.is_of_residue_of(*before);
             const std::uint32_t residue =
                 as_before ? model.atoms.back().residue : residues.index_of(to_residue(row, polymers));
-            model.atoms.push_back(to_atom(row, model.residues[residue].name));
+            model.atoms.push_back(to_atom(row, model.residues[residue].name, odd));
             model.atoms.back().residue = residue;
             before.emplace(row);
         }
         model.assemblies = read_assemblies(block);
+        odd.tell(model);
+        tell_other_blocks(model);
         return model;
     }
 };

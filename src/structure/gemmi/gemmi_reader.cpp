@@ -104,6 +104,7 @@ RawModel to_model(const gemmi::Structure& structure, CleanPdb clean, const std::
     model.atoms = std::move(clean.atoms);
     for (RawAtom& atom : model.atoms) atom.residue = residue_of_run[atom.residue];
     model.assemblies = to_assemblies(structure.assemblies);
+    model.warnings = std::move(clean.warnings);
     return model;
 }
 

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure/pdb_records.h"
+
+#include <algorithm>
+#include <array>
+
+#include "reading/numbers.h"
+#include "reading/text.h"
+#include "structure/element.h"
+#include "structure/odd_lines.h"
+#include "structure/pdb_columns.h"
+
+namespace meniscus::reading {
+namespace {
+
+// The most frequent ones first.
+constexpr auto kRecords = std::to_array<std::string_view>({
+    "ATOM  ", "HETATM", "ANISOU", "CONECT", "REMARK", "TER",    "HEADER", "OBSLTE", "TITLE ", "COMPND", "SOURCE",
+    "KEYWDS", "EXPDTA", "AUTHOR", "REVDAT", "JRNL  ", "DBREF",  "SEQRES", "SEQADV", "MODRES", "HET   ", "HETNAM",
+    "FORMUL", "HELIX ", "SHEET ", "SSBOND", "LINK  ", "CISPEP", "SITE  ", "CRYST1", "ORIGX",  "SCALE",  "MTRIX",
+    "MODEL",  "ENDMDL", "MASTER", "NUMMDL", "SPLIT",  "CAVEAT", "USER",   "END",    "HETSYN", "SPRSDE", "SIGATM",
+    "SIGUIJ", "MDLTYP", "FTNOTE", "TVECT ", "TURN  ", "HYDBND", "SLTBRG", "LINKR ",
+});
+
+// Those that decide which atoms there are and where models end.
+constexpr auto kRead = std::to_array<std::string_view>({"ENDMDL", "END", "MODEL", "TER", "SEQRES"});
+
+constexpr std::size_t kNameWidth = 6;
+
+// The first columns from the first character that is no blank, in capitals.
+std::string record_name(std::string_view line, std::size_t indent) {
+    std::string name = upper_case(line.substr(indent, kNameWidth));
+    name.resize(kNameWidth, ' ');
+    return name;
+}
+
+bool is_known(std::string_view name) {
+    return std::any_of(kRecords.begin(), kRecords.end(), [&](std::string_view r) { return name.starts_with(r); });
+}
+
+bool is_read(std::string_view name) {
+    const std::string_view word = trimmed(name);
+    return is_atom_record(name) || std::find(kRead.begin(), kRead.end(), word) != kRead.end();
+}
+
+// A byte behind the name of ATOM that leaves it a name.
+bool may_follow_atom(char c) { return is_blank(c) || (c >= '0' && c <= '9') || c == '*' || c == '-'; }
+
+// Records behind which nothing else may stand in their line, so that another file's first atom is seen there.
+bool may_be_the_last(std::string_view name) {
+    constexpr auto kLast = std::to_array<std::string_view>({"END", "TER", "CONECT", "MASTER"});
+    return std::any_of(kLast.begin(), kLast.end(), [&](std::string_view r) { return name.starts_with(r); });
+}
+
+std::size_t count_letters(std::string_view name) {
+    return std::min(name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ"), name.size());
+}
+
+class RecordTidier {
+public:
+    RecordTidier(std::string& text, const std::string& file) : text_(text), file_(file), lines_(text) {}
+
+    RecordOddities run() {
+        while (lines_.next()) read(lines_.line());
+        RecordOddities found;
+        lower_.tell("the name of a record in lower case, ", "; read as capitals", found.notes);
+        moved_.tell("", ": a record behind blanks; read as if it began in the first column", found.warnings);
+        unknown_.tell("", " is no record of the PDB format, but the line has coordinates as an atom has; left out",
+                      found.warnings);
+        return found;
+    }
+
+private:
+    void read(std::string_view line) {
+        if (is_atom_record(line)) return check_joined(line, kRecordLength);
+        const std::size_t indent = line.find_first_not_of(" \t");
+        if (indent == std::string_view::npos) return;
+        const std::string name = record_name(line, indent);
+        if (may_be_the_last(name)) check_joined(line, indent + 1);
+        if (is_read(name))
+            tidy(line, indent, name);
+        else if (!is_known(name) && has_coordinates(line))
+            unknown_.add(lines_.number(), Words(line).next());
+    }
+
+    // Where a file ends without a line end, and another was written behind it: "ENDATOM      1".
+    void check_joined(std::string_view line, std::size_t shortest) const {
+        if (line.size() <= shortest) return;
+        const std::size_t from = is_atom_record(line) ? kCoordinatesEnd : 1;
+        const std::size_t place = std::min(line.find("ATOM  ", from), line.find("HETATM", from));
+        if (place == std::string_view::npos || !has_coordinates(line.substr(place))) return;
+        fail_at(file_, {lines_.number(), place + 1},
+                "an atom record begins within a line; put it on a line of its own, as where two files were joined");
+    }
+
+    void tidy(std::string_view line, std::size_t indent, const std::string& name) {
+        const std::string word = name.substr(0, count_letters(name));
+        const std::string_view as_it_is = line.substr(indent, word.size());
+        if (indent == 0 && as_it_is == word) return;
+        if (indent > 0) moved_.add(lines_.number(), as_it_is);
+        if (as_it_is != word) lower_.add(lines_.number(), as_it_is);
+        char* const begin = &text_[lines_.begin()];
+        // Only the name is out of place where the coordinates stand in their columns.
+        if (has_usual_columns(line))
+            std::fill_n(begin, indent + word.size(), ' ');
+        else
+            std::rotate(begin, begin + indent, begin + line.size());
+        std::copy(word.begin(), word.end(), begin);
+    }
+
+    static constexpr std::size_t kRecordLength = 80;
+    static constexpr std::size_t kCoordinatesEnd = 54;
+
+    std::string& text_;
+    const std::string& file_;
+    Lines lines_;
+    OddLines lower_;
+    OddLines moved_;
+    OddLines unknown_;
+};
+
+}  // namespace
+
+bool is_atom_record(std::string_view line) {
+    if (line.starts_with("HETATM")) return true;
+    return line.starts_with("ATOM") && (line.size() == 4 || may_follow_atom(line[4]));
+}
+
+bool is_pdb_record(std::string_view line) {
+    const std::size_t indent = std::min(line.find_first_not_of(" \t"), line.size());
+    const std::string name = record_name(line, indent);
+    return is_known(name) || is_atom_record(name);
+}
+
+RecordOddities tidy_records(std::string& text, const std::string& file) { return RecordTidier(text, file).run(); }
+
+}  // namespace meniscus::reading
