@@ -25,7 +25,7 @@ struct FoundInputs {
     std::size_t left_out = 0;   ///< files of folders and archives whose suffix names no structure
 };
 
-/// Whether a name ends as structures do: .pdb .ent .cif .mmcif .pqr .xyzr .xyzrn, each also .gz; capitals count as
+/// Whether a name ends as structures do: .pdb .ent .cif .mmcif .pdbqt .pqr .xyzr .xyzrn, each also .gz; capitals count as
 /// well.
 bool names_structure(const std::string& name);
 
