@@ -34,7 +34,7 @@ void add_waters(CLI::App& command, std::optional<bool>& keep) {
     command
         .add_flag_function(
             "--no-waters", [&keep](std::int64_t) { keep = false; },
-            "Leave out waters\n of PQR files, too, which are kept with a warning otherwise")
+            rarely("Leave out waters of PQR files, too, which are kept with a warning otherwise"))
         ->excludes(yes);
 }
 
