@@ -28,6 +28,16 @@ void set_model(CommonRequest& request, const std::string& text) {
     if (!request.all_models) request.read.model = parse_count("--model", text);
 }
 
+void add_waters(CLI::App& command, std::optional<bool>& keep) {
+    CLI::Option* yes = command.add_flag_function(
+        "--waters", [&keep](std::int64_t) { keep = true; }, "Keep waters\n; those of PQR files: without a warning");
+    command
+        .add_flag_function(
+            "--no-waters", [&keep](std::int64_t) { keep = false; },
+            rarely("Leave out waters of PQR files, too, which are kept with a warning otherwise"))
+        ->excludes(yes);
+}
+
 void set_altloc(CommonRequest& request, const std::string& text) {
     if (text.size() != 1) throw UsageError(fmt::format("--altloc: must be one character, not '{}'", text));
     request.read.altloc = text;
@@ -36,7 +46,7 @@ void set_altloc(CommonRequest& request, const std::string& text) {
 }  // namespace
 
 std::string spell_as_option(std::string_view option, std::string_view value) {
-    if (option == "keep_waters") return "--waters";
+    if (option == "keep_waters") return value == "false" ? "--no-waters" : "--waters";
     if (option == "model") return "--model N|all";
     return fmt::format("--{} {}", option, value);
 }
@@ -50,7 +60,8 @@ std::vector<ReadFile> files_of_structure(const std::string& input, const ReadOpt
 
 void add_input(CLI::App& command, CommonRequest& request) {
     command
-        .add_option("INPUT", request.input, ".pdb .ent .cif .mmcif .pqr .xyzr .xyzrn, also .gz; - is standard input")
+        .add_option("INPUT", request.input,
+                    ".pdb .ent .cif .mmcif .pdbqt .pqr .xyzr .xyzrn, also .gz; - is standard input")
         ->required()
         ->type_name("");
 }
@@ -90,7 +101,7 @@ void add_atom_options(CLI::App& command, CommonRequest& request) {
     add_choice(command, "--hetero", read.hetero, kHeteroWords,
                "Hetero atoms to keep\n beside the polymer: groups of two or more atoms (ligands), or ions and metals, "
                "too (all)");
-    command.add_flag("--waters", read.keep_waters, "Keep waters");
+    add_waters(command, read.keep_waters);
     command.add_flag("--strict-radii", read.strict_radii,
                      rarely("Refuse atoms of unknown type instead of giving them their element's radius"));
 }

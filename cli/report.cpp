@@ -116,8 +116,8 @@ ordered_json options_block(ordered_json block, const CommonRequest& request) {
     block["altloc"] = if_used(!o.altloc.empty(), o.altloc);
     block["chains"] = if_used(!o.chains.empty(), o.chains);
     block["select"] = if_used(!o.select.empty(), o.select);
-    block["hetero"] = name_of(o.hetero);
-    block["waters"] = o.keep_waters;
+    block["hetero"] = name_of(o.hetero.value_or(HeteroPolicy::None));
+    block["waters"] = o.keep_waters.value_or(false);
     block["strict_radii"] = o.strict_radii;
     return block;
 }

@@ -40,13 +40,13 @@ std::string spell_as_member(std::string_view option, std::string_view value);
 struct ReadOptions {
     std::string radii = "auto";  ///< auto, bondi, united, protor, naccess, parse, or the path of a file of rules
     HydrogenPolicy hydrogens = HydrogenPolicy::Auto;
-    int model = 1;                         ///< position of the model in the file, from 1
-    std::string assembly = {};             ///< biological assembly; empty: as deposited
-    std::string altloc = {};               ///< one letter; empty: highest summed occupancy per residue
-    std::vector<std::string> chains = {};  ///< author names, "label:X" for mmCIF label names; empty: all
-    std::string select = {};               ///< gemmi selection, of the file before any copying; empty: all
-    HeteroPolicy hetero = HeteroPolicy::None;
-    bool keep_waters = false;
+    int model = 1;                              ///< position of the model in the file, from 1
+    std::string assembly = {};                  ///< biological assembly; empty: as deposited
+    std::string altloc = {};                    ///< one letter; empty: highest summed occupancy per residue
+    std::vector<std::string> chains = {};       ///< author names, "label:X" for mmCIF label names; empty: all
+    std::string select = {};                    ///< gemmi selection, of the file before any copying; empty: all
+    std::optional<HeteroPolicy> hetero = {};    ///< empty: None, but everything of files with radii (PQR, xyzr)
+    std::optional<bool> keep_waters = {};       ///< empty: no, but those of files with radii, with a warning
     bool strict_radii = false;                  ///< an unknown atom type is an InputError
     bool checksum = true;                       ///< Structure::sha256 is found, in a millisecond per 1.5 MB
     OptionSpelling spelling = spell_as_member;  ///< of options in Structure::notes and Structure::warnings
@@ -69,7 +69,7 @@ struct AtomLabel {
     int serial = 0;
     double b_factor = 0.0;
     double occupancy = 1.0;
-    double charge = 0.0;  ///< e; from PQR, else the formal charge
+    double charge = 0.0;  ///< e; from PQR or PDBQT, else the formal charge
 };
 
 /// A structure ready for the surface. atoms and labels are in file order and have the same size.
@@ -89,7 +89,7 @@ struct Structure {
     std::vector<std::string> warnings;  ///< assumptions that may make a number wrong: a line per kind
 };
 
-/// Reads PDB, mmCIF, PQR, xyzr or xyzrn, each possibly gzipped; "-" reads standard input, told by content.
+/// Reads PDB, mmCIF, PDBQT, PQR, xyzr or xyzrn, each possibly gzipped; "-" reads standard input, told by content.
 ///
 /// Every coordinate, radius and charge must be a finite number in full.
 /// throws   InputError "FILE:LINE:COLUMN: what; what to do"; UsageError for an unknown option value

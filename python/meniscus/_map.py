@@ -23,7 +23,7 @@ from ._structure import Path
 from ._writing import write_whole
 
 _COMMANDS = ("measure", "surface")
-_SUFFIX = re.compile(r"(?<=.)\.(pdb|ent|cif|mmcif|pqr|xyzr|xyzrn)(\.gz)?\Z", re.ASCII | re.DOTALL | re.IGNORECASE)
+_SUFFIX = re.compile(r"(?<=.)\.(pdb|ent|cif|mmcif|pdbqt|pqr|xyzr|xyzrn)(\.gz)?\Z", re.ASCII | re.DOTALL | re.IGNORECASE)
 
 # Options of `meniscus batch` that are of no use for one input, or parameters of map().
 _OWN = ("collect", "help", "help_all", "list", "o", "progress", "quiet", "report", "resume", "shard")
@@ -160,9 +160,10 @@ def _option_words(options: dict[str, Any]) -> list[str]:
             raise UsageError(f"{name}: is not an option of map()")
         option = "--" + name.replace("_", "-")
         for one in value if isinstance(value, (list, tuple)) else [value]:
-            if one is None or one is False:
-                continue
-            words.append(option if one is True else f"{option}={one}")
+            if one is False and name == "waters":
+                words.append("--no-waters")
+            elif one is not None and one is not False:
+                words.append(option if one is True else f"{option}={one}")
     return words
 
 
@@ -370,8 +371,8 @@ def map(
     mixed_radii   whether the radius set may differ from file to file
     program       path of ``meniscus``. None: found on the PATH
     jobs          files computed at a time without a client; None: the number of cores
-    options       options of the command: ``min_cavity=5`` is ``--min-cavity=5``, ``waters=True`` is ``--waters``, and a
-                  list repeats an option
+    options       options of the command: ``min_cavity=5`` is ``--min-cavity=5``, ``waters=True`` is ``--waters``,
+                  ``waters=False`` is ``--no-waters``, and a list repeats an option
 
     Raises ValueError for invalid arguments and for mixed radii, OSError for a missing file, for outputs that cannot be
     written and if the program is not found. Ctrl-C ends the processes on this machine; workers finish the files that

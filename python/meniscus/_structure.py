@@ -261,11 +261,11 @@ def read(
     altloc: str | None = None,
     chains: Texts | None = None,
     select: str | None = None,
-    hetero: str = "none",
-    waters: bool = False,
+    hetero: str | None = None,
+    waters: bool | None = None,
     strict_radii: bool = False,
 ) -> Structure:
-    """Reads PDB, mmCIF, PQR, xyzr or xyzrn, each possibly gzipped; "-" reads standard input.
+    """Reads PDB, mmCIF, PDBQT, PQR, xyzr or xyzrn, each possibly gzipped; "-" reads standard input.
 
     The options, their words and defaults are those of the command line (``docs/conventions.md``).
 
@@ -277,8 +277,8 @@ def read(
     altloc        alternative location to use, one character; by default the one with the highest occupancy
     chains        "A,B" or a list; "label:A" for mmCIF label names
     select        atoms to keep, in gemmi's syntax: "//A/10-50", "CA", "(ALA,GLY)"
-    hetero        none, ligands or all: atoms beside the polymer
-    waters        keep waters
+    hetero        none, ligands or all: atoms beside the polymer. By default none, but all of PQR files
+    waters        whether to keep waters. By default they are left out, but those of PQR files are kept, with a warning
     strict_radii  treat an atom of unknown type as an error
 
     What was assumed and may make a number wrong is a :class:`ReadWarning`, and kept in ``Structure.warnings``. What
@@ -311,8 +311,8 @@ def read_models(
     altloc: str | None = None,
     chains: Texts | None = None,
     select: str | None = None,
-    hetero: str = "none",
-    waters: bool = False,
+    hetero: str | None = None,
+    waters: bool | None = None,
     strict_radii: bool = False,
 ) -> list[Structure]:
     """Reads all models of a file, each as a structure of its own; the options are those of :func:`read`.
@@ -366,10 +366,12 @@ def _read_options(**given: Any) -> dict[str, Any]:
         "radii": text_of_path(given["radii"]),
         "hydrogens": _options.word("hydrogens", given["hydrogens"]),
         "model": _options.whole("model", given["model"]),
-        "hetero": _options.word("hetero", given["hetero"]),
-        "waters": bool(given["waters"]),
         "strict_radii": bool(given["strict_radii"]),
     }
+    if given["hetero"] is not None:
+        options["hetero"] = _options.word("hetero", given["hetero"])
+    if given["waters"] is not None:
+        options["waters"] = bool(given["waters"])
     for name in ("assembly", "altloc", "select"):
         if given[name] is not None:
             options[name] = str(given[name])

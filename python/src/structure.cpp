@@ -23,7 +23,7 @@ using Texts = std::vector<std::string>;
 /// `hetero="ligands"`, `waters=True`: an option of reading as a keyword of read(), see OptionSpelling.
 std::string spell_as_keyword(std::string_view option, std::string_view value) {
     const std::string name(option == "keep_waters" ? "waters" : option);
-    if (value == "true") return name + "=True";
+    if (value == "true" || value == "false") return name + (value == "true" ? "=True" : "=False");
     const bool is_chosen_by_user =
         std::all_of(value.begin(), value.end(), [](unsigned char c) { return std::isupper(c) != 0; });
     return name + "=" + (is_chosen_by_user ? std::string(value) : '"' + std::string(value) + '"');

@@ -107,22 +107,38 @@ std::size_t sum_of(const std::map<std::string, std::size_t>& counts) {
                            [](std::size_t sum, const auto& entry) { return sum + entry.second; });
 }
 
+// Most programs that write radii keep the waters of the file that they have read, and nobody sees it.
+void tell_kept_waters(const RawModel& model, const ReadOptions& options, Chosen& chosen) {
+    std::set<std::uint32_t> waters;
+    for (const std::uint32_t i : chosen.atoms)
+        if (model.residue_of(model.atoms[i]).kind == ResidueKind::Water) waters.insert(model.atoms[i].residue);
+    if (waters.empty()) return;
+    chosen.warnings.push_back(counted(waters.size(), "water") + " of the file kept as part of the molecule (leave " +
+                              (waters.size() == 1 ? "it" : "them") + " out with " +
+                              options.spelling("keep_waters", "false") + ", or keep " +
+                              (waters.size() == 1 ? "it" : "them") + " without this warning with " +
+                              options.spelling("keep_waters", "true") + ")");
+}
+
 void apply_waters(const RawModel& model, const ReadOptions& options, Chosen& chosen) {
-    if (options.keep_waters) return;
+    if (model.has_radii && !options.keep_waters) return tell_kept_waters(model, options, chosen);
+    if (options.keep_waters.value_or(false)) return;
     const std::size_t count = sum_of(drop_kind(model, ResidueKind::Water, "waters", chosen));
     if (count > 0)
         chosen.notes.push_back(counted(count, "water") + left_out(count, options.spelling("keep_waters", "true")));
 }
 
 void apply_hetero(const RawModel& model, const ReadOptions& options, Chosen& chosen) {
+    if (model.has_radii && !options.hetero) return;
+    const HeteroPolicy policy = options.hetero.value_or(HeteroPolicy::None);
     const auto apply = [&](ResidueKind kind, const char* remedy) {
         auto names = drop_kind(model, kind, "hetero", chosen);
         if (!names.empty())
             chosen.notes.push_back(list_of_counts(names) + left_out(sum_of(names), options.spelling("hetero", remedy)));
         return names;
     };
-    if (options.hetero == HeteroPolicy::None) chosen.ligands = apply(ResidueKind::Ligand, "ligands");
-    if (options.hetero != HeteroPolicy::All) apply(ResidueKind::Ion, "all");
+    if (policy == HeteroPolicy::None) chosen.ligands = apply(ResidueKind::Ligand, "ligands");
+    if (policy != HeteroPolicy::All) apply(ResidueKind::Ion, "all");
 }
 
 }  // namespace
@@ -137,8 +153,7 @@ Chosen choose_atoms(const RawModel& model, const ReadOptions& options, const std
     for (std::size_t i = 0; i < chosen.atoms.size(); ++i) chosen.atoms[i] = static_cast<std::uint32_t>(i);
     apply_chains(model, options.chains, file, chosen);
     apply_selection(model, options, chosen);
-    if (model.has_radii) return chosen;
-    apply_altlocs(model, options, chosen);
+    if (!model.has_radii) apply_altlocs(model, options, chosen);
     apply_waters(model, options, chosen);
     apply_hetero(model, options, chosen);
     return chosen;

@@ -28,7 +28,8 @@ struct Chosen {
 };
 
 /// Applies --chains, --select, --altloc, --waters and --hetero, in this order. Kinds of residues must be set.
-/// A model with radii of its own (PQR, xyzr) loses atoms only to --chains and --select.
+/// A model with radii of its own (PQR, xyzr) loses waters and hetero atoms only if options.keep_waters or
+/// options.hetero is given; waters that are kept because it is not are a warning.
 ///
 /// throws   InputError for a chain that does not exist; UsageError for a selection that is not valid
 Chosen choose_atoms(const RawModel& model, const ReadOptions& options, const std::string& file);

@@ -13,6 +13,7 @@
 #include "reading/read_bytes.h"
 #include "reading/text.h"
 #include "structure/pdb_records.h"
+#include "structure/pdbqt_reader.h"
 #include "structure/sha256.h"
 
 namespace meniscus::reading {
@@ -26,6 +27,7 @@ struct Suffix {
 constexpr auto kSuffixes = std::to_array<Suffix>({
     {".pdb", Format::Pdb},
     {".ent", Format::Pdb},
+    {".pdbqt", Format::Pdbqt},
     {".cif", Format::Cif},
     {".mmcif", Format::Cif},
     {".pqr", Format::Pqr},
@@ -119,6 +121,13 @@ void tell_line_ends(InputFile& file) {
     }
 }
 
+// AutoDock and Vina write PDBQT, which users name .pdb so that viewers open it.
+void recognise_pdbqt(InputFile& file) {
+    if (!has_pdbqt_atoms(file.text)) return;
+    file.format = Format::Pdbqt;
+    file.notes.emplace_back("read as PDBQT: charges and atom types of AutoDock in columns 67-79");
+}
+
 void choose_format(InputFile& file) {
     std::optional<Format> format;
     if (file.path == "-") {
@@ -134,7 +143,7 @@ void choose_format(InputFile& file) {
     check_content(file);
     const char* problem = file.path == "-" ? ": neither PDB nor mmCIF nor xyzr; " : ": unknown suffix; ";
     throw InputError(file.path + problem +
-                     "supported formats are .pdb .ent .cif .mmcif .pqr .xyzr .xyzrn, each also .gz");
+                     "supported formats are .pdb .ent .cif .mmcif .pdbqt .pqr .xyzr .xyzrn, each also .gz");
 }
 
 }  // namespace
@@ -165,6 +174,7 @@ InputFile load_bytes(std::string bytes, const std::string& path, Checksum checks
     remove_padding(file);
     choose_format(file);
     check_content(file);
+    if (file.format == Format::Pdb) recognise_pdbqt(file);
     return file;
 }
 

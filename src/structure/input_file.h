@@ -9,7 +9,7 @@
 
 namespace meniscus::reading {
 
-enum class Format { Pdb, Cif, Pqr, Xyzr, Xyzrn };
+enum class Format { Pdb, Pdbqt, Cif, Pqr, Xyzr, Xyzrn };
 enum class Checksum { LeftOut, Found };
 
 /// A file as text: decompressed, lines ending with '\n', no byte order mark.

@@ -80,7 +80,7 @@ struct RawModel {
     std::vector<RawAssembly> assemblies;
     int model_count = 1;                ///< models in the file
     bool has_names = true;              ///< false for bare spheres
-    bool has_radii = false;             ///< PQR, xyzr: radii are the file's own, and every atom is kept
+    bool has_radii = false;             ///< PQR, xyzr: radii are the file's own; see choose_atoms()
     std::vector<std::string> notes;     ///< see Structure::notes
     std::vector<std::string> warnings;  ///< see Structure::warnings
 

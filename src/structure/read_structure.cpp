@@ -16,6 +16,8 @@
 #include "structure/guessed_elements.h"
 #include "structure/input_file.h"
 #include "structure/pdb_screen.h"
+#include "structure/pdbqt_reader.h"
+#include "structure/pqr_reader.h"
 #include "structure/residue_kinds.h"
 #include "structure/sphere_readers.h"
 
@@ -35,6 +37,8 @@ public:
         : file_(load_input(path, options.checksum ? Checksum::Found : Checksum::LeftOut)),
           assemblies_(!options.assembly.empty()) {
         if (file_.format == Format::Pdb) find_models();
+        if (file_.format == Format::Pdbqt) pdb_ = find_pdb_models(file_.text);
+        if (file_.format == Format::Pqr) pdb_ = find_pqr_models(file_.text);
         if (file_.format == Format::Cif) cif_.emplace(file_.text, file_.path);
     }
 
@@ -71,7 +75,7 @@ private:
             case Format::Cif:
                 return cif_->model(position);
             case Format::Pqr:
-                return parse_pqr(file_.text, file_.path);
+                return parse_pqr(file_.text, pdb_.spans.at(static_cast<std::size_t>(position) - 1), file_.path);
             case Format::Xyzr:
                 return parse_xyzr(file_.text, file_.path);
             case Format::Xyzrn:
@@ -84,6 +88,7 @@ private:
     RawModel parse_pdb_model(int position) const {
         if (pdb_.spans.empty()) return {};
         const PdbModelSpan& span = pdb_.spans[static_cast<std::size_t>(position) - 1];
+        if (file_.format == Format::Pdbqt) return parse_pdbqt(file_.text, span, file_.path);
         return parse_pdb(screen_pdb(file_.text, span, file_.path, assemblies_), file_.path);
     }
 

@@ -46,6 +46,17 @@ TEST(CommonRequest, FillsWhatItIsGiven) {
     EXPECT_EQ(parsed.request.progress, ProgressMode::Json);
 }
 
+TEST(CommonRequest, KnowsWhetherWatersAndHeteroAtomsWereAskedFor) {
+    EXPECT_EQ(parse({"a.pqr"}).request.read.keep_waters, std::nullopt);
+    EXPECT_EQ(parse({"a.pqr"}).request.read.hetero, std::nullopt);
+    EXPECT_EQ(parse({"a.pqr", "--waters"}).request.read.keep_waters, true);
+    EXPECT_EQ(parse({"a.pqr", "--no-waters"}).request.read.keep_waters, false);
+    EXPECT_EQ(parse({"a.pqr", "--hetero", "none"}).request.read.hetero, HeteroPolicy::None);
+    EXPECT_THROW(parse({"a.pqr", "--waters", "--no-waters"}), CLI::ParseError);
+    EXPECT_EQ(spell_as_option("keep_waters", "true"), "--waters");
+    EXPECT_EQ(spell_as_option("keep_waters", "false"), "--no-waters");
+}
+
 TEST(CommonRequest, RefusesWhatMakesNoSense) {
     EXPECT_THROW(parse({"a.pdb", "--probe", "-1"}), UsageError);
     EXPECT_THROW(parse({"a.pdb", "--threads", "0"}), UsageError);

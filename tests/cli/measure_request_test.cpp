@@ -33,7 +33,7 @@ TEST(MeasureRequest, SharesTheOptionsOfReading) {
     EXPECT_EQ(request.measure.probe, 0.0);
     EXPECT_EQ(request.measure.threads, 2);
     EXPECT_EQ(request.read.chains, (std::vector<std::string>{"A", "B"}));
-    EXPECT_TRUE(request.read.keep_waters);
+    EXPECT_EQ(request.read.keep_waters, true);
     EXPECT_TRUE(request.all_models);
     EXPECT_EQ(request.read.radii, "bondi");
     EXPECT_TRUE(request.quiet);

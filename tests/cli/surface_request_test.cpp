@@ -75,7 +75,7 @@ TEST(SurfaceRequest, TakesValuesOfAllKinds) {
     EXPECT_EQ(request.read.hetero, HeteroPolicy::Ligands);
     EXPECT_EQ(request.read.hydrogens, HydrogenPolicy::Keep);
     EXPECT_EQ(request.read.altloc, "B");
-    EXPECT_TRUE(request.read.keep_waters);
+    EXPECT_EQ(request.read.keep_waters, true);
     EXPECT_EQ(request.progress, ProgressMode::Json);
     EXPECT_EQ(request.encoding, Encoding::Text);
     EXPECT_EQ(request.report, "-");

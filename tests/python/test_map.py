@@ -109,6 +109,9 @@ class Map(InScratchFolder):
         self.assertEqual((options["spacing"], options["waters"], options["min_cavity"], options["select"], options["verify"]),
                          (1.0, True, 5.0, None, False))
         self.assertIn("score", json.dumps(record["report"]["values"]))
+        pathlib.Path("wet.pqr").write_text("ATOM 1 N ALA 1 0 0 0 0 1.5\nATOM 2 O HOH 2 5 0 0 0 1.5\n")
+        counts = [run(["wet.pqr"], waters=waters)[0]["report"]["input"]["atoms"] for waters in (None, True, False)]
+        self.assertEqual(counts, [2, 2, 1])
         self.assertEqual(run(["1ubq.pdb"], probe=1, threads=1), run(["1ubq.pdb"], probe=1.0, threads=2))
 
     def test_radii_are_not_mixed_unasked(self):

@@ -62,6 +62,18 @@ class Reading(InScratchFolder):
         self.assertEqual(read(UBIQUITIN, radii="bondi").radii_set, "bondi")
         self.assertEqual(len(read(pathlib.Path(UBIQUITIN), model=1, altloc="A", hydrogens="drop", hetero="all")), 602)
 
+    def test_waters_and_ligands_of_pqr_files_are_kept_unless_told_otherwise(self):
+        atom = "{:6}{:5} {:4} {:3} A{:4}    {:8.3f}   0.000   0.000  0.1000 1.5000\n".format
+        pathlib.Path("a.pqr").write_text(atom("ATOM", 1, " N", "ALA", 1, 0) + atom("HETATM", 2, " C1", "LIG", 2, 3) +
+                                         atom("HETATM", 3, " C2", "LIG", 2, 4) + atom("HETATM", 4, " O", "HOH", 3, 8))
+        with self.assertWarnsRegex(meniscus.ReadWarning, r"1 water of the file kept .*waters=False.*waters=True"):
+            self.assertEqual(len(meniscus.read("a.pqr")), 4)
+        self.assertEqual(len(meniscus.read("a.pqr", waters=True)), 4)
+        self.assertEqual(len(meniscus.read("a.pqr", waters=False)), 3)
+        self.assertEqual(len(meniscus.read("a.pqr", waters=False, hetero="none")), 1)
+        self.assertEqual(len(meniscus.read_models("a.pqr", waters=False, select="(LIG)")[0]), 2)
+        self.assertEqual(len(read(UBIQUITIN, waters=False, hetero="none")), 602)
+
     def test_unknown_words_are_value_errors_that_name_the_known_ones(self):
         for options, message in (({"hetero": "some"}, "hetero: unknown value 'some'; choose one of none, ligands, all"),
                                  ({"hydrogens": "add"}, "hydrogens: unknown value 'add'; choose one of auto, keep, drop"),

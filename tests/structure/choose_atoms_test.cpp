@@ -67,8 +67,26 @@ TEST(ChooseAtoms, ChainsGoByAuthorOrLabelName) {
 TEST(ChooseAtoms, ModelsWithTheirOwnRadiiKeepEveryAtom) {
     RawModel model = mixed();
     model.has_radii = true;
-    EXPECT_EQ(choose_atoms(model, {}, "f").atoms.size(), 10U);
+    const Chosen chosen = choose_atoms(model, {}, "f");
+    EXPECT_EQ(chosen.atoms.size(), 10U);
+    EXPECT_EQ(chosen.warnings,
+              std::vector<std::string>{"1 water of the file kept as part of the molecule (leave it out "
+                                       "with keep_waters = false, or keep it without this warning "
+                                       "with keep_waters = true)"});
     EXPECT_EQ(choose_atoms(model, {.select = "(HEM)"}, "f").atoms.size(), 6U);
+    EXPECT_TRUE(choose_atoms(model, {.select = "(HEM)"}, "f").warnings.empty());
+}
+
+TEST(ChooseAtoms, ModelsWithTheirOwnRadiiLoseWhatTheyAreToldToLose) {
+    RawModel model = mixed();
+    model.has_radii = true;
+    EXPECT_EQ(choose_atoms(model, {.keep_waters = false}, "f").atoms.size(), 9U);
+    EXPECT_EQ(choose_atoms(model, {.keep_waters = false}, "f").dropped.at("waters"), 1U);
+    EXPECT_EQ(choose_atoms(model, {.keep_waters = true}, "f").atoms.size(), 10U);
+    EXPECT_TRUE(choose_atoms(model, {.keep_waters = true}, "f").warnings.empty());
+    EXPECT_EQ(choose_atoms(model, {.hetero = HeteroPolicy::None, .keep_waters = true}, "f").atoms.size(), 3U);
+    EXPECT_EQ(choose_atoms(model, {.hetero = HeteroPolicy::Ligands, .keep_waters = true}, "f").atoms.size(), 9U);
+    EXPECT_EQ(choose_atoms(model, {.hetero = HeteroPolicy::All, .keep_waters = true}, "f").atoms.size(), 10U);
 }
 
 TEST(ChooseAtoms, AnAltlocThatIsNotThereIsAWarning) {

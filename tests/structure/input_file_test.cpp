@@ -32,13 +32,14 @@ TEST(InputFile, SuffixTellsTheFormatInAnyCase) {
     EXPECT_EQ(load_bytes(kAtom, "a.ENT").format, Format::Pdb);
     EXPECT_EQ(load_bytes("data_a\n", "a.cif").format, Format::Cif);
     EXPECT_EQ(load_bytes("data_a\n", "a.mmcif").format, Format::Cif);
+    EXPECT_EQ(load_bytes(kAtom, "a.pdbqt").format, Format::Pdbqt);
     EXPECT_EQ(load_bytes(kAtom, "a.pqr").format, Format::Pqr);
     EXPECT_EQ(load_bytes("0 0 0 1\n", "a.xyzr").format, Format::Xyzr);
     EXPECT_EQ(load_bytes("0 0 0 1\n", "a.xyzrn").format, Format::Xyzrn);
 }
 
 TEST(InputFile, UnknownSuffixesAreErrorsThatNameTheKnown) {
-    expect_contains(error_of_bytes(kAtom, "a.txt"), ".pdb .ent .cif .mmcif .pqr .xyzr .xyzrn");
+    expect_contains(error_of_bytes(kAtom, "a.txt"), ".pdb .ent .cif .mmcif .pdbqt .pqr .xyzr .xyzrn");
     expect_contains(error_of_bytes("", "/dev/null"), "unknown suffix");
 }
 

@@ -19,34 +19,6 @@ std::string error_in(Parse parse, const std::string& text) {
     return "";
 }
 
-TEST(Pqr, ReadsAtomsWithAndWithoutAChain) {
-    const RawModel model = parse_pqr(
-        "REMARK x\nATOM  5 N      MET    1   -6.40600   5.46900  -3.25900 -0.30000 1.85000\n"
-        "HETATM 6 ZN ZN B -27A 1 2 3 2.0 1.4\nATOM 7 CA ALA C1000 1 2 3 0 1.7\nTER\nEND\n",
-        "f");
-    ASSERT_EQ(model.atoms.size(), 3U);
-    EXPECT_TRUE(model.has_radii);
-    EXPECT_EQ(model.atoms[0].centre, (Vec3{-6.406, 5.469, -3.259}));
-    EXPECT_EQ(model.atoms[0].charge, -0.3);
-    EXPECT_EQ(model.atoms[0].radius, 1.85);
-    EXPECT_EQ(model.atoms[0].element, "N");
-    EXPECT_EQ(model.residues[0].number, 1);
-    EXPECT_EQ(model.residues[1].chain, "B");
-    EXPECT_EQ(model.residues[1].number, -27);
-    EXPECT_EQ(model.residues[1].insertion_code, 'A');
-    EXPECT_EQ(model.atoms[1].element, "ZN");
-    EXPECT_EQ(model.residues[2].chain, "C");
-    EXPECT_EQ(model.residues[2].number, 1000);
-}
-
-TEST(Pqr, ErrorsNameTheirPlace) {
-    EXPECT_TRUE(error_in(parse_pqr, "ATOM 1 N ALA 1 0 0 0 0 -1.5\n").starts_with("f:1:24: radius '-1.5' is negative"));
-    EXPECT_TRUE(error_in(parse_pqr, "ATOM 1 N ALA 1 0 nan 0 0 1.5\n").starts_with("f:1:18: y coordinate 'nan'"));
-    EXPECT_TRUE(error_in(parse_pqr, "\nATOM 1 N ALA 1 0 0 0 1,0 1.5\n").starts_with("f:2:22: charge '1,0'"));
-    expect_contains(error_in(parse_pqr, "ATOM 1 N ALA 1 0 0 0 0\n"), "this line has 9");
-    expect_contains(error_in(parse_pqr, "ATOM 1 N ALA A 0 0 0 0 1\n"), "residue number 'A'");
-}
-
 TEST(Xyzr, ReadsSpheresCommentsAndBlankLines) {
     const RawModel model = parse_xyzr("# spheres\n0 0 0 1.7\n\n1\t2\t3\t1.5 # last\n1e6 0 0 100 more words\n", "f");
     ASSERT_EQ(model.atoms.size(), 3U);
