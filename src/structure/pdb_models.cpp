@@ -46,7 +46,7 @@ private:
             begin_model(line.substr(5));
         } else if (line.starts_with("ENDMDL") || trimmed(line) == "END") {
             if (open_ && explicit_ && !line.starts_with("ENDMDL")) unclosed_.note(model_line_);
-            close(lines_.begin());
+            close(lines_.begin(), line.starts_with("ENDMDL") ? 0 : lines_.number());
         }
     }
 
@@ -76,8 +76,8 @@ private:
         first_line_ = lines_.number();
     }
 
-    void close(std::size_t end) {
-        if (open_) result_.spans.push_back({begin_, end, first_line_, atoms_});
+    void close(std::size_t end, std::size_t end_record = 0) {
+        if (open_) result_.spans.push_back({begin_, end, first_line_, atoms_, end_record});
         if (open_ && result_.spans.size() > 1 && atoms_ != atoms_of_first_) different_.note(first_line_);
         if (open_ && result_.spans.size() == 1) atoms_of_first_ = atoms_;
         atoms_ = 0;
@@ -85,9 +85,10 @@ private:
     }
 
     PdbModels finish() {
-        for (const Irregularity& kind : {repeated_, unnumbered_, unclosed_, outside_, different_}) {
+        for (const Irregularity& kind : {repeated_, unnumbered_, unclosed_, outside_}) {
             if (kind.count > 0) result_.warnings.push_back(kind.message());
         }
+        if (different_.count > 0) result_.different_sizes = different_.message();
         return std::move(result_);
     }
 
@@ -113,5 +114,20 @@ private:
 }  // namespace
 
 PdbModels find_pdb_models(std::string_view text) { return ModelFinder(text).run(); }
+
+std::set<std::string> chains_of(std::string_view text, const PdbModelSpan& model) {
+    constexpr std::size_t kNames = 17;  // columns 18-22: what the name of a chain is told by
+    std::set<std::string> chains;
+    std::string_view before;
+    Lines lines(text.substr(model.begin, model.end - model.begin));
+    while (lines.next()) {
+        const std::string_view line = lines.line();
+        if (!is_atom_record(line) || line.size() <= kNames) continue;
+        const std::string_view names = line.substr(kNames, 5);
+        if (names != before) chains.insert(chain_of_record(line));
+        before = names;
+    }
+    return chains;
+}
 
 }  // namespace meniscus::reading

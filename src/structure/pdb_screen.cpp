@@ -228,6 +228,11 @@ bool is_atom_record(std::string_view line) {
     return line.starts_with("HETATM") || line.starts_with("ATOM ") || line.starts_with("ATOM\t") || line == "ATOM";
 }
 
+std::string chain_of_record(std::string_view line) {
+    const std::string no_file;
+    return std::string(trimmed(residue_columns(AtomLine(line, 0, no_file)).chain));
+}
+
 std::string hybrid36_serial(std::size_t n) {
     constexpr std::size_t kDecimal = 100000;
     constexpr std::size_t kFirstUpper = 16796160;  // "A0000" in base 36

@@ -15,6 +15,8 @@
 #include "structure/gemmi/cif_file.h"
 #include "structure/gemmi/gemmi_reader.h"
 #include "structure/input_file.h"
+#include "structure/join_models.h"
+#include "structure/join_residues.h"
 #include "structure/pdb_screen.h"
 #include "structure/residue_kinds.h"
 #include "structure/sphere_readers.h"
@@ -36,9 +38,16 @@ public:
           assemblies_(!options.assembly.empty()) {
         if (file_.format == Format::Pdb) pdb_ = find_pdb_models(file_.text);
         if (file_.format == Format::Cif) cif_.emplace(file_.text, file_.path);
+        if (model_count() > 1) chains_ = find_chains();
     }
 
     const InputFile& file() const { return file_; }
+
+    // Whether later models have chains that the first one lacks.
+    bool has_partners() const { return model_count() > 1 && !partners_of_first(chains_).empty(); }
+
+    // What to say if the first model is taken although there are partners.
+    std::string partners() const { return tell_partners(chains_, pdb_.spans.empty() ? 0 : pdb_.spans[0].end_record); }
 
     int model_count() const {
         if (cif_) return cif_->model_count();
@@ -50,14 +59,40 @@ public:
             throw InputError(file_.path + ": no model " + std::to_string(position) + "; there " +
                              (model_count() == 1 ? "is 1" : "are " + std::to_string(model_count())));
         }
-        RawModel model = parse(position);
-        append(model.notes, file_.notes);
-        append(model.warnings, pdb_.warnings);
-        classify_residues(model);
+        RawModel model = named_model(position);
+        append_lines(model);
+        if (!pdb_.different_sizes.empty() && !has_partners()) model.warnings.push_back(pdb_.different_sizes);
+        return model;
+    }
+
+    RawModel joined() const {
+        std::vector<RawModel> models;
+        for (int position = 1; position <= model_count(); ++position) models.push_back(named_model(position));
+        RawModel model = join_models(std::move(models), file_.path);
+        append_lines(model);
         return model;
     }
 
 private:
+    RawModel named_model(int position) const {
+        RawModel model = parse(position);
+        join_residues(model);
+        classify_residues(model);
+        return model;
+    }
+
+    void append_lines(RawModel& model) const {
+        append(model.notes, file_.notes);
+        append(model.warnings, pdb_.warnings);
+    }
+
+    ChainsOfModels find_chains() const {
+        if (cif_) return cif_->chains_of_models();
+        ChainsOfModels chains;
+        for (const PdbModelSpan& span : pdb_.spans) chains.push_back(chains_of(file_.text, span));
+        return chains;
+    }
+
     RawModel parse(int position) const {
         switch (file_.format) {
             case Format::Cif:
@@ -83,10 +118,13 @@ private:
     bool assemblies_;
     PdbModels pdb_;
     std::optional<CifFile> cif_;
+    ChainsOfModels chains_;  // where there are several models
 };
 
 void check_options(const ReadOptions& options) {
     if (options.model < 1) throw UsageError("--model " + std::to_string(options.model) + ": models are counted from 1");
+    if (options.join_models && !options.assembly.empty())
+        throw UsageError("--model join: the models of a file are not to be copied by --assembly; give one of the two");
     if (options.altloc.size() > 1) throw UsageError("--altloc " + options.altloc + ": must be one character");
 }
 
@@ -140,6 +178,19 @@ Structure make_structure(const InputFile& file, const RawModel& model, const Rea
     return structure;
 }
 
+// What was taken of several models.
+void tell_models(const ModelSource& source, const ReadOptions& options, RawModel& model) {
+    const std::string count = std::to_string(source.model_count());
+    if (options.join_models) {
+        model.notes.push_back(count + " models put together");
+    } else if (options.model == 1 && source.has_partners()) {
+        model.warnings.push_back(source.partners() + " (take all with " + options.spelling("model", "join") + ")");
+    } else {
+        model.notes.push_back("model " + std::to_string(options.model) + " of " + count +
+                              " taken (choose another with " + options.spelling("model", "N") + ")");
+    }
+}
+
 std::string model_suffix(int position) {
     const std::string number = std::to_string(position);
     return "_m" + (number.size() < 2 ? "0" + number : number);
@@ -150,11 +201,8 @@ std::string model_suffix(int position) {
 Structure read_structure(const std::string& path, const ReadOptions& options) {
     check_options(options);
     const ModelSource source(path, options);
-    RawModel model = source.model(options.model);
-    if (source.model_count() > 1) {
-        model.notes.push_back("model " + std::to_string(options.model) + " of " + std::to_string(source.model_count()) +
-                              " taken (choose another with " + options.spelling("model", "N") + ")");
-    }
+    RawModel model = options.join_models ? source.joined() : source.model(options.model);
+    if (source.model_count() > 1) tell_models(source, options, model);
     return make_structure(source.file(), model, options);
 }
 

@@ -11,7 +11,8 @@
 namespace meniscus::reading {
 
 /// Collects residues: neighbouring atoms of one site (chain, segment, number, insertion code) and one name share a
-/// residue, also if alternatives with another name stand between them.
+/// residue, also if alternatives with another name stand between them. What becomes of residues in several pieces,
+/// join_residues decides.
 class ResidueList {
 public:
     explicit ResidueList(std::vector<RawResidue>& residues) : residues_(residues) {}

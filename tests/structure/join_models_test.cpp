@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure/join_models.h"
+
+#include "fragments.h"
+
+namespace meniscus {
+namespace {
+
+using reading::join_models;
+using reading::RawModel;
+using reading::tell_partners;
+using testing::add_residue;
+using testing::error_of;
+using testing::expect_contains;
+using testing::gzipped;
+using testing::has_note;
+using testing::has_warning;
+using testing::pdb_line;
+using testing::read_text;
+
+RawModel model_of(const std::vector<std::string>& chains) {
+    RawModel model;
+    for (const std::string& chain : chains) model.residues[add_residue(model, "ALA", 1, {"CA"})].chain = chain;
+    return model;
+}
+
+std::vector<std::string> chains_of(const RawModel& model) {
+    std::vector<std::string> chains;
+    for (const reading::RawAtom& atom : model.atoms) chains.push_back(model.residue_of(atom).chain);
+    return chains;
+}
+
+using Chains = std::vector<std::string>;
+
+TEST(JoinModels, CopiesOfAChainAreNumbered) {
+    EXPECT_EQ(chains_of(join_models({model_of({"A", "B"}), model_of({"B"}), model_of({"A", "B"})}, "f")),
+              (Chains{"A", "B", "B-2", "A-2", "B-3"}));
+    EXPECT_EQ(chains_of(join_models({model_of({""}), model_of({""})}, "f")), (Chains{"", "-2"}));
+}
+
+TEST(JoinModels, NamesOfTheFileAreNotTakenTwice) {
+    EXPECT_EQ(chains_of(join_models({model_of({"A", "A-2"}), model_of({"A", "A-2"})}, "f")),
+              (Chains{"A", "A-2", "A-3", "A-2-2"}));
+}
+
+TEST(JoinModels, PartnersAreToldWithWhereTheyAre) {
+    EXPECT_EQ(tell_partners({{"A"}, {"B"}}, 69), "chain A taken, before END in line 69; chain B follows it");
+    EXPECT_EQ(tell_partners({{"H", "L"}, {"", "C"}}, 9),
+              "chains H, L taken, before END in line 9; chains (blank), C follow it");
+    EXPECT_EQ(tell_partners({{"A"}, {"A", "B"}, {"A"}}, 0),
+              "chain A taken, of model 1 of 3; chain B is only in others");
+}
+
+const std::string kReceptor = pdb_line({.name = " N  "}) + pdb_line({.name = " CA ", .x = 1.5});
+const std::string kLigand = pdb_line({.name = " N  ", .y = 5.0, .chain = 'B'});
+
+TEST(JoinModels, ChainsBehindEndAreAWarning) {
+    const std::string text = kReceptor + "END\n" + kLigand + "END\n";
+    const Structure first = read_text(text, "c.pdb");
+    EXPECT_EQ(first.atoms.size(), 2U);
+    EXPECT_EQ(first.warnings, (Chains{"chain A taken, before END in line 3; chain B follows it (take all with model = "
+                                      "join)"}));
+    EXPECT_TRUE(first.notes.size() == 1 && has_note(first, "elements taken from atom names"));
+    const Structure all = read_text(text, "c.pdb", {.join_models = true});
+    EXPECT_EQ(all.atoms.size(), 3U);
+    EXPECT_TRUE(all.warnings.empty());
+    EXPECT_TRUE(has_note(all, "2 models put together"));
+    EXPECT_EQ(all.residues.at(1).chain, "B");
+    EXPECT_TRUE(read_text(text, "c.pdb", {.model = 2}).warnings.empty());
+}
+
+TEST(JoinModels, CopiesAreANoteAsBefore) {
+    const std::string text = "MODEL 1\n" + kReceptor + "ENDMDL\nMODEL 2\n" + kReceptor + "ENDMDL\n";
+    const Structure first = read_text(text, "b.pdb1");
+    EXPECT_EQ(first.name, "b");
+    EXPECT_TRUE(has_note(first, "model 1 of 2 taken"));
+    EXPECT_TRUE(first.warnings.empty());
+    const Structure both = read_text(gzipped(text), "b.pdb1.gz", {.join_models = true});
+    EXPECT_EQ(both.atoms.size(), 4U);
+    EXPECT_EQ(both.residues.at(1).chain, "A-2");
+    EXPECT_EQ(read_text(text, "b.pdb1", {.join_models = true, .chains = {"A-2"}}).atoms.size(), 2U);
+}
+
+TEST(JoinModels, DifferentSizesMatterToCopiesOnly) {
+    const std::string text = "MODEL 1\n" + kReceptor + "ENDMDL\nMODEL 2\n" + pdb_line({.name = " N  "}) + "ENDMDL\n";
+    EXPECT_TRUE(has_warning(read_text(text, "m.pdb"), "different number of atoms"));
+    EXPECT_FALSE(has_warning(read_text(text, "m.pdb", {.join_models = true}), "different number of atoms"));
+}
+
+TEST(JoinModels, OneModelIsTakenAsItIs) {
+    const Structure s = read_text(kReceptor, "o.pdb", {.join_models = true});
+    EXPECT_EQ(s.atoms.size(), 2U);
+    EXPECT_FALSE(has_note(s, "put together"));
+    EXPECT_EQ(read_text("0 0 0 1\n", "o.xyzr", {.join_models = true}).atoms.size(), 1U);
+}
+
+TEST(JoinModels, ModelsOfMmcif) {
+    const std::string head =
+        "data_m\nloop_\n_atom_site.pdbx_PDB_model_num\n_atom_site.auth_asym_id\n_atom_site.label_atom_id\n"
+        "_atom_site.label_comp_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n";
+    const std::string copies = head + "1 A CA ALA 0 0 0\n2 A CA ALA 5 0 0\n";
+    EXPECT_TRUE(has_note(read_text(copies, "m.cif"), "model 1 of 2 taken"));
+    const Structure both = read_text(copies, "m.cif", {.join_models = true});
+    ASSERT_EQ(both.residues.size(), 2U);
+    EXPECT_EQ(both.residues[1].chain, "A-2");
+    EXPECT_TRUE(has_warning(read_text(head + "1 A CA ALA 0 0 0\n2 B CA ALA 5 0 0\n", "m.cif"),
+                            "chain A taken, of model 1 of 2; chain B is only in others (take all with"));
+}
+
+TEST(JoinModels, AnAssemblyIsSomethingElse) {
+    expect_contains(error_of<UsageError>(kReceptor, "a.pdb", {.join_models = true, .assembly = "1"}),
+                    "--model join: the models of a file are not to be copied by --assembly");
+}
+
+}  // namespace
+}  // namespace meniscus
