@@ -48,6 +48,7 @@ void read_in_every_way(const FuzzedFile& file, std::string_view bytes) {
     if (!is_sound) return;
     read_once(file, {.hydrogens = HydrogenPolicy::Keep, .hetero = HeteroPolicy::All, .keep_waters = true});
     read_once(file, {.radii = "united", .assembly = "1", .altloc = "B"});
+    read_once(file, {.join_models = true});
     read_or_refuse(file.path(), [&] {
         for (const Structure& model : read_all_models(file.path())) require_sound(model);
     });

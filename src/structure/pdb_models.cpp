@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
 // Where the models of a PDB file begin and end, however oddly it marks them.
+#include <algorithm>
+#include <map>
 #include <set>
 
 #include "reading/numbers.h"
@@ -111,23 +113,52 @@ private:
     Irregularity different_{"this model has a different number of atoms from the first"};
 };
 
+// Calls read(line) for the first of atom records that follow each other with the same columns from 18 to `last`.
+template <class Read>
+void for_each_residue(std::string_view text, const PdbModelSpan& model, std::size_t last, Read read) {
+    constexpr std::size_t kFirst = 18;
+    std::string_view before;
+    Lines lines(text.substr(model.begin, model.end - model.begin));
+    while (lines.next()) {
+        const std::string_view line = lines.line();
+        if (!is_atom_record(line) || line.size() < last) continue;
+        const std::string_view residue = line.substr(kFirst - 1, last - kFirst + 1);
+        if (residue != before) read(line);
+        before = residue;
+    }
+}
+
+using ResiduesOfChains = std::map<std::string, std::set<std::string_view>>;
+
+ResiduesOfChains residues_of_chains(std::string_view text, const PdbModelSpan& model) {
+    ResiduesOfChains residues;
+    for_each_residue(text, model, 27,
+                     [&](std::string_view line) { residues[chain_of_record(line)].insert(line.substr(17, 10)); });
+    return residues;
+}
+
 }  // namespace
 
 PdbModels find_pdb_models(std::string_view text) { return ModelFinder(text).run(); }
 
 std::set<std::string> chains_of(std::string_view text, const PdbModelSpan& model) {
-    constexpr std::size_t kNames = 17;  // columns 18-22: what the name of a chain is told by
     std::set<std::string> chains;
-    std::string_view before;
-    Lines lines(text.substr(model.begin, model.end - model.begin));
-    while (lines.next()) {
-        const std::string_view line = lines.line();
-        if (!is_atom_record(line) || line.size() <= kNames) continue;
-        const std::string_view names = line.substr(kNames, 5);
-        if (names != before) chains.insert(chain_of_record(line));
-        before = names;
-    }
+    for_each_residue(text, model, 22, [&](std::string_view line) { chains.insert(chain_of_record(line)); });
     return chains;
+}
+
+std::set<std::string> namesakes_of(std::string_view text, const PdbModelSpan& first, const PdbModelSpan& other) {
+    const ResiduesOfChains known = residues_of_chains(text, first);
+    std::set<std::string> namesakes;
+    for (const auto& [chain, residues] : residues_of_chains(text, other)) {
+        const auto same = known.find(chain);
+        if (same == known.end()) continue;
+        const auto shared =
+            std::count_if(residues.begin(), residues.end(),
+                          [&, &there = same->second](std::string_view residue) { return there.contains(residue); });
+        if (2 * static_cast<std::size_t>(shared) < residues.size()) namesakes.insert(chain);
+    }
+    return namesakes;
 }
 
 }  // namespace meniscus::reading

@@ -38,6 +38,9 @@ PdbModels find_pdb_models(std::string_view text);
 /// Names of the chains of a model, whatever else is in its records.
 std::set<std::string> chains_of(std::string_view text, const PdbModelSpan& model);
 
+/// Chains of another model with names of the first one's, of which less than half of the residues are in the first.
+std::set<std::string> namesakes_of(std::string_view text, const PdbModelSpan& first, const PdbModelSpan& other);
+
 /// Name of the chain in an atom record; empty for a blank one.
 std::string chain_of_record(std::string_view line);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "meniscus/errors.h"
@@ -38,16 +39,12 @@ public:
           assemblies_(!options.assembly.empty()) {
         if (file_.format == Format::Pdb) pdb_ = find_pdb_models(file_.text);
         if (file_.format == Format::Cif) cif_.emplace(file_.text, file_.path);
-        if (model_count() > 1) chains_ = find_chains();
+        if (model_count() > 1) partners_ = cif_ ? find_partners(cif_->chains_of_models()) : partners_in_pdb();
     }
 
     const InputFile& file() const { return file_; }
 
-    // Whether later models have chains that the first one lacks.
-    bool has_partners() const { return model_count() > 1 && !partners_of_first(chains_).empty(); }
-
-    // What to say if the first model is taken although there are partners.
-    std::string partners() const { return tell_partners(chains_, pdb_.spans.empty() ? 0 : pdb_.spans[0].end_record); }
+    const Partners& partners() const { return partners_; }
 
     int model_count() const {
         if (cif_) return cif_->model_count();
@@ -61,7 +58,7 @@ public:
         }
         RawModel model = named_model(position);
         append_lines(model);
-        if (!pdb_.different_sizes.empty() && !has_partners()) model.warnings.push_back(pdb_.different_sizes);
+        if (!pdb_.different_sizes.empty() && !partners_.exist()) model.warnings.push_back(pdb_.different_sizes);
         return model;
     }
 
@@ -86,11 +83,15 @@ private:
         append(model.warnings, pdb_.warnings);
     }
 
-    ChainsOfModels find_chains() const {
-        if (cif_) return cif_->chains_of_models();
-        ChainsOfModels chains;
+    // Of the two parts of a docked complex both may have a chain A; in other files the same name is a copy.
+    Partners partners_in_pdb() const {
+        std::vector<std::set<std::string>> chains;
         for (const PdbModelSpan& span : pdb_.spans) chains.push_back(chains_of(file_.text, span));
-        return chains;
+        Partners partners = find_partners(chains);
+        partners.end_record = pdb_.spans[0].end_record;
+        const bool is_pair = partners.end_record > 0 && pdb_.spans.size() == 2;
+        if (is_pair) partners.namesakes = namesakes_of(file_.text, pdb_.spans[0], pdb_.spans[1]);
+        return partners;
     }
 
     RawModel parse(int position) const {
@@ -118,7 +119,7 @@ private:
     bool assemblies_;
     PdbModels pdb_;
     std::optional<CifFile> cif_;
-    ChainsOfModels chains_;  // where there are several models
+    Partners partners_;
 };
 
 void check_options(const ReadOptions& options) {
@@ -183,8 +184,9 @@ void tell_models(const ModelSource& source, const ReadOptions& options, RawModel
     const std::string count = std::to_string(source.model_count());
     if (options.join_models) {
         model.notes.push_back(count + " models put together");
-    } else if (options.model == 1 && source.has_partners()) {
-        model.warnings.push_back(source.partners() + " (take all with " + options.spelling("model", "join") + ")");
+    } else if (options.model == 1 && source.partners().exist()) {
+        model.warnings.push_back(describe(source.partners()) + " (take all with " + options.spelling("model", "join") +
+                                 ")");
     } else {
         model.notes.push_back("model " + std::to_string(options.model) + " of " + count +
                               " taken (choose another with " + options.spelling("model", "N") + ")");

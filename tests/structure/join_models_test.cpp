@@ -7,9 +7,10 @@
 namespace meniscus {
 namespace {
 
+using reading::describe;
+using reading::find_partners;
 using reading::join_models;
 using reading::RawModel;
-using reading::tell_partners;
 using testing::add_residue;
 using testing::error_of;
 using testing::expect_contains;
@@ -45,11 +46,27 @@ TEST(JoinModels, NamesOfTheFileAreNotTakenTwice) {
 }
 
 TEST(JoinModels, PartnersAreToldWithWhereTheyAre) {
-    EXPECT_EQ(tell_partners({{"A"}, {"B"}}, 69), "chain A taken, before END in line 69; chain B follows it");
-    EXPECT_EQ(tell_partners({{"H", "L"}, {"", "C"}}, 9),
+    EXPECT_EQ(describe({{"A"}, {"B"}, {}, 69}), "chain A taken, before END in line 69; chain B follows it");
+    EXPECT_EQ(describe({{"H", "L"}, {"", "C"}, {}, 9}),
               "chains H, L taken, before END in line 9; chains (blank), C follow it");
-    EXPECT_EQ(tell_partners({{"A"}, {"A", "B"}, {"A"}}, 0),
-              "chain A taken, of model 1 of 3; chain B is only in others");
+    EXPECT_EQ(describe({{"A"}, {"C"}, {"A"}, 9}),
+              "chain A taken, before END in line 9; chain C and another chain A follow it");
+    EXPECT_EQ(describe({{"A"}, {"B"}, {}, 0}), "chain A taken, of model 1; chain B is only in others");
+}
+
+TEST(JoinModels, PartnersAreChainsThatTheFirstModelLacks) {
+    EXPECT_EQ(find_partners({{"A"}, {"A", "B"}, {"C"}}).others, (std::set<std::string>{"B", "C"}));
+    EXPECT_FALSE(find_partners({{"A", "B"}, {"A"}}).exist());
+}
+
+TEST(JoinModels, AnEnsembleIsNoUnit) {
+    const auto warnings = [](double shift) {
+        RawModel moved = model_of({"A"});
+        moved.atoms[0].centre.x += shift;
+        return join_models({model_of({"A"}), moved}, "f").warnings.size();
+    };
+    EXPECT_EQ(warnings(1.0), 1U);
+    EXPECT_EQ(warnings(20.0), 0U);
 }
 
 const std::string kReceptor = pdb_line({.name = " N  "}) + pdb_line({.name = " CA ", .x = 1.5});
@@ -70,8 +87,18 @@ TEST(JoinModels, ChainsBehindEndAreAWarning) {
     EXPECT_TRUE(read_text(text, "c.pdb", {.model = 2}).warnings.empty());
 }
 
+TEST(JoinModels, BothPartnersMayHaveTheSameName) {
+    const std::string other = pdb_line({.name = " N  ", .residue = "TRP", .number = 7, .y = 9.0});
+    const std::string text = kReceptor + "END\n" + other + "END\n";
+    EXPECT_TRUE(has_warning(read_text(text, "d.pdb"),
+                            "chain A taken, before END in line 3; another chain A follows it (take all"));
+    EXPECT_EQ(read_text(text, "d.pdb", {.join_models = true}).residues.at(1).chain, "A-2");
+    EXPECT_TRUE(read_text(kReceptor + "END\n" + kReceptor + "END\n", "t.pdb").warnings.empty());
+}
+
 TEST(JoinModels, CopiesAreANoteAsBefore) {
-    const std::string text = "MODEL 1\n" + kReceptor + "ENDMDL\nMODEL 2\n" + kReceptor + "ENDMDL\n";
+    const std::string moved = pdb_line({.name = " N  ", .x = 30.0}) + pdb_line({.name = " CA ", .x = 31.5});
+    const std::string text = "MODEL 1\n" + kReceptor + "ENDMDL\nMODEL 2\n" + moved + "ENDMDL\n";
     const Structure first = read_text(text, "b.pdb1");
     EXPECT_EQ(first.name, "b");
     EXPECT_TRUE(has_note(first, "model 1 of 2 taken"));
@@ -105,7 +132,7 @@ TEST(JoinModels, ModelsOfMmcif) {
     ASSERT_EQ(both.residues.size(), 2U);
     EXPECT_EQ(both.residues[1].chain, "A-2");
     EXPECT_TRUE(has_warning(read_text(head + "1 A CA ALA 0 0 0\n2 B CA ALA 5 0 0\n", "m.cif"),
-                            "chain A taken, of model 1 of 2; chain B is only in others (take all with"));
+                            "chain A taken, of model 1; chain B is only in others (take all with"));
 }
 
 TEST(JoinModels, AnAssemblyIsSomethingElse) {
