@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 #include <string_view>
 #include <tuple>
@@ -35,7 +36,7 @@ public:
     explicit Sites(const std::vector<RawResidue>& residues) : residues_(residues) {}
 
     // Precondition: residues come in their order.
-    Whole add(std::uint32_t residue, const std::set<AtomName>& atoms) {
+    Whole add(std::uint32_t residue, const std::vector<AtomName>& atoms) {
         last_site_ = site_for(residue, atoms);
         last_residue_ = residue;
         Site& site = sites_[last_site_];
@@ -45,7 +46,7 @@ public:
     }
 
 private:
-    std::size_t site_for(std::uint32_t residue, const std::set<AtomName>& atoms) {
+    std::size_t site_for(std::uint32_t residue, const std::vector<AtomName>& atoms) {
         const bool follows = !sites_.empty() && last_residue_ + 1 == residue;
         if (follows && has_room(last_site_, atoms)) return last_site_;
         // A piece from elsewhere in the file is taken only where there is no doubt to which site it belongs.
@@ -57,7 +58,7 @@ private:
         return same_segment.back();
     }
 
-    bool has_room(std::size_t site, const std::set<AtomName>& atoms) const {
+    bool has_room(std::size_t site, const std::vector<AtomName>& atoms) const {
         return std::none_of(atoms.begin(), atoms.end(),
                             [&](const AtomName& name) { return sites_[site].atoms.contains(name); });
     }
@@ -79,27 +80,40 @@ std::vector<std::vector<std::uint32_t>> residues_with_same_number(const std::vec
     return repeated;
 }
 
-using NamesOfResidues = std::map<std::uint32_t, std::set<AtomName>>;
+// Which atoms every residue has.
+class AtomsOfResidues {
+public:
+    explicit AtomsOfResidues(const RawModel& model)
+        : model_(model), ends_(model.residues.size() + 1), atoms_(model.atoms.size()) {
+        for (const RawAtom& atom : model.atoms) ++ends_[atom.residue + 1];
+        std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
+        std::vector<std::size_t> next(ends_);
+        for (std::uint32_t i = 0; i < model.atoms.size(); ++i) atoms_[next[model.atoms[i].residue]++] = i;
+    }
 
-NamesOfResidues names_in(const RawModel& model, const std::vector<std::vector<std::uint32_t>>& groups) {
-    std::vector<bool> wanted(model.residues.size(), false);
-    for (const auto& group : groups)
-        for (const std::uint32_t residue : group) wanted[residue] = true;
-    NamesOfResidues names;
-    for (const RawAtom& atom : model.atoms)
-        if (wanted[atom.residue])
-            names[atom.residue].insert({model.residues[atom.residue].name, atom.name, atom.altloc});
-    return names;
-}
+    std::vector<AtomName> names(std::uint32_t residue) const {
+        std::vector<AtomName> names;
+        for (std::size_t k = ends_[residue]; k < ends_[residue + 1]; ++k) {
+            const RawAtom& atom = model_.atoms[atoms_[k]];
+            names.emplace_back(model_.residues[residue].name, atom.name, atom.altloc);
+        }
+        return names;
+    }
+
+private:
+    const RawModel& model_;
+    std::vector<std::size_t> ends_;
+    std::vector<std::uint32_t> atoms_;
+};
 
 // What becomes of every residue.
 std::vector<Whole> find_wholes(const RawModel& model, const std::vector<std::vector<std::uint32_t>>& groups) {
     std::vector<Whole> wholes(model.residues.size());
     for (std::uint32_t r = 0; r < wholes.size(); ++r) wholes[r] = {r, r};
-    const NamesOfResidues names = names_in(model, groups);
+    const AtomsOfResidues atoms(model);
     for (const auto& group : groups) {
         Sites sites(model.residues);
-        for (const std::uint32_t residue : group) wholes[residue] = sites.add(residue, names.at(residue));
+        for (const std::uint32_t residue : group) wholes[residue] = sites.add(residue, atoms.names(residue));
     }
     return wholes;
 }

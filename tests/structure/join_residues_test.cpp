@@ -85,6 +85,22 @@ TEST(JoinResidues, OtherNamesAndChainsAreOtherResidues) {
     EXPECT_EQ(residues_of_atoms(model), (Residues{0, 1, 2}));
 }
 
+TEST(JoinResidues, AlternativesWithOtherNamesMayStandBetween) {
+    RawModel model;
+    for (const char* name : {"SER", "PRO", "SER", "PRO"}) {
+        const std::uint32_t residue = add(model, "", 1, {model.atoms.size() < 2 ? "N" : "CA"});
+        model.residues[residue].name = name;
+        model.atoms.back().altloc = name == std::string("SER") ? 'A' : 'B';
+    }
+    EXPECT_EQ(residues_of_atoms(model), (Residues{0, 1, 0, 1}));
+}
+
+TEST(JoinResidues, AFileThatNumbersEveryResidueOneKeepsThemApart) {
+    RawModel model;
+    for (const char* name : {"LEU", "ARG", "LEU", "ARG"}) model.residues[add(model, "", 1, {"N", "CA"})].name = name;
+    EXPECT_EQ(residues_of_atoms(model), (Residues{0, 0, 1, 1, 2, 2, 3, 3}));
+}
+
 TEST(JoinResidues, AlternativesOfTheSameAtomJoin) {
     RawModel model;
     add(model, "", 1, {"N"});
