@@ -86,8 +86,20 @@ public:
         }
     }
 
-    bool stays(const RawAtom& atom) const {
+    // Precondition: atoms come in file order, each once.
+    bool takes(const RawAtom& atom) {
         if (atom.altloc == ' ' || is_of_its_site(atom)) return true;
+        std::vector<Vec3>& taken = taken_[key_of(model_.residue_of(atom))];
+        if (!is_substitute(atom) || is_renamed(atom, taken)) return false;
+        taken.push_back(atom.centre);
+        return true;
+    }
+
+    bool is_of_its_site(const RawAtom& atom) const { return sites_.at(key_of(model_.residue_of(atom))) == atom.altloc; }
+
+private:
+    // Whether an atom that is not of its site's letter is the best of an atom that lacks this letter.
+    bool is_substitute(const RawAtom& atom) const {
         const RawResidue& residue = model_.residue_of(atom);
         const SiteKey site = key_of(residue);
         if (has_letter_of_site_.contains({site, residue.name}))
@@ -96,15 +108,22 @@ public:
                is_best(at_site_.at({site, atom.name}), atom);
     }
 
-    bool is_of_its_site(const RawAtom& atom) const { return sites_.at(key_of(model_.residue_of(atom))) == atom.altloc; }
+    // Alternatives may have names of their own, as hydrogen and deuterium have in a neutron structure; different atoms
+    // are never as close as these.
+    static bool is_renamed(const RawAtom& atom, const std::vector<Vec3>& taken) {
+        constexpr double kSamePlace = 0.5;  // Å
+        return std::any_of(taken.begin(), taken.end(), [&](const Vec3& place) {
+            return squared_norm(place - atom.centre) < kSamePlace * kSamePlace;
+        });
+    }
 
-private:
     void note(const RawAtom& atom, const std::pair<const SiteKey, char>& site) {
         const std::string& residue = model_.residue_of(atom).name;
         NamedAtoms& here = in_residue_[{site.first, residue, atom.name}];
         NamedAtoms& anywhere = at_site_[{site.first, atom.name}];
         if (atom.altloc == ' ' || atom.altloc == site.second) {
             here.settled = anywhere.settled = true;
+            taken_[site.first].push_back(atom.centre);
         } else {
             add(here.others, atom);
             add(anywhere.others, atom);
@@ -118,6 +137,7 @@ private:
 
     const RawModel& model_;
     std::map<SiteKey, char> sites_;
+    std::map<SiteKey, std::vector<Vec3>> taken_;  // places of atoms that stay
     std::map<std::tuple<SiteKey, std::string_view, std::string_view>, NamedAtoms> in_residue_;
     std::map<std::tuple<SiteKey, std::string_view>, NamedAtoms> at_site_;
     std::set<std::tuple<SiteKey, std::string_view>> has_letter_of_site_;
@@ -126,11 +146,11 @@ private:
 }  // namespace
 
 AltlocChoice choose_altlocs(const RawModel& model, const std::vector<std::uint32_t>& kept, const std::string& wanted) {
-    const Chooser chooser(model, kept, wanted);
+    Chooser chooser(model, kept, wanted);
     AltlocChoice result;
     for (const std::uint32_t i : kept) {
         const RawAtom& atom = model.atoms[i];
-        if (!chooser.stays(atom)) continue;
+        if (!chooser.takes(atom)) continue;
         result.atoms.push_back(i);
         const bool is_as_asked =
             atom.altloc == ' ' || (wanted.empty() ? chooser.is_of_its_site(atom) : atom.altloc == wanted[0]);

@@ -22,7 +22,8 @@ struct AltlocChoice {
 /// different names.
 ///
 /// An atom of the chosen residue that lacks the letter stays in its own best alternative: main and side chain may have
-/// letters of their own, and neither is lost to the other. Atoms without an alternative letter stay.
+/// letters of their own, and neither is lost to the other. An atom within 0.5 Å of one that stays is no such atom, but
+/// the same one with another name (H and D). Atoms without an alternative letter stay.
 ///
 /// kept     indices into model.atoms, in file order; kinds of residues must be set
 AltlocChoice choose_altlocs(const RawModel& model, const std::vector<std::uint32_t>& kept, const std::string& wanted);

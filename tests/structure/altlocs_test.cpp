@@ -81,6 +81,7 @@ RawModel serine(std::initializer_list<const char*> main_chain) {
     for (const char* name : {"CB", "CB", "OG", "OG"}) {
         model.atoms.push_back(model.atoms.front());
         model.atoms.back().name = name;
+        model.atoms.back().centre = {10.0 * static_cast<double>(model.atoms.size()), 0.0, 0.0};
     }
     set(model, first, 'A', 0.6);
     set(model, first + 1, 'B', 0.4);
@@ -113,6 +114,16 @@ TEST(Altlocs, OfOtherResiduesAtTheSiteOnlyAMainChainIsTaken) {
     EXPECT_EQ(kept(model), (Kept{0, 1, 2, 3, 6, 7, 8}));
     for (RawResidue& residue : model.residues) residue.kind = ResidueKind::Ligand;
     EXPECT_EQ(kept(model), (Kept{6, 7, 8}));
+}
+
+TEST(Altlocs, HydrogenAndDeuteriumAreOneAtom) {
+    RawModel model;
+    add_residue(model, "SER", 1, {"N", "H", "D", "CB", "HB", "DB"});
+    for (const std::size_t atom : {1U, 4U}) set(model, atom, 'A', 0.3);
+    for (const std::size_t atom : {2U, 5U}) set(model, atom, 'B', 0.7);
+    for (const std::size_t atom : {2U, 5U}) model.atoms[atom].centre = model.atoms[atom - 1].centre + Vec3{0.1, 0, 0};
+    EXPECT_EQ(kept(model), (Kept{0, 2, 3, 5}));
+    EXPECT_EQ(kept(model, "A"), (Kept{0, 1, 3, 4}));
 }
 
 TEST(Altlocs, AnAtomWithAndWithoutALetterIsNotTakenTwice) {
