@@ -123,9 +123,7 @@ void add_run_options(CLI::App& command, CommonRequest& request, int& threads) {
 }
 
 const char* name_of(HydrogenPolicy policy) { return word_for(kHydrogenWords, policy); }
-const char* name_of(HeteroPolicy policy) {
-    return word_for(kHeteroWords, policy == HeteroPolicy::Auto ? HeteroPolicy::None : policy);
-}
+const char* name_of(HeteroPolicy policy) { return word_for(kHeteroWords, policy); }
 
 std::vector<std::string> join_negative_values(const std::vector<std::string>& arguments) {
     std::vector<std::string> joined;

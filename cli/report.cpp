@@ -118,7 +118,7 @@ ordered_json options_block(ordered_json block, const CommonRequest& request) {
     block["altloc"] = if_used(!o.altloc.empty(), o.altloc);
     block["chains"] = if_used(!o.chains.empty(), o.chains);
     block["select"] = if_used(!o.select.empty(), o.select);
-    block["hetero"] = name_of(o.hetero);
+    block["hetero"] = name_of(o.hetero.value_or(HeteroPolicy::None));
     block["waters"] = o.keep_waters;
     block["strict_radii"] = o.strict_radii;
     return block;

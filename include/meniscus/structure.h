@@ -22,7 +22,6 @@ enum class HydrogenPolicy {
 
 /// Hetero groups beside the polymer, to which modified residues linked into it belong; waters are separate.
 enum class HeteroPolicy {
-    Auto,  ///< None; but All in a file that has neither protein nor nucleic acid, which would be empty without them
     None,
     Ligands,  ///< groups of two or more atoms in the file: cofactors, sugars, lipids, buffer molecules
     All,      ///< also groups of one atom: ions, metals
@@ -41,13 +40,13 @@ std::string spell_as_member(std::string_view option, std::string_view value);
 struct ReadOptions {
     std::string radii = "auto";  ///< auto, bondi, united, protor, naccess, parse, or the path of a file of rules
     HydrogenPolicy hydrogens = HydrogenPolicy::Auto;
-    int model = 1;                         ///< position of the model in the file, from 1
-    bool join_models = false;              ///< all models together as one structure; `model` is then not used
-    std::string assembly = {};             ///< biological assembly; empty: as deposited
-    std::string altloc = {};               ///< one letter; empty: highest summed occupancy per residue
-    std::vector<std::string> chains = {};  ///< author names, "label:X" for mmCIF label names; empty: all
-    std::string select = {};               ///< gemmi selection, of the file before any copying; empty: all
-    HeteroPolicy hetero = HeteroPolicy::Auto;
+    int model = 1;                            ///< position of the model in the file, from 1
+    bool join_models = false;                 ///< all models together as one structure; `model` is then not used
+    std::string assembly = {};                ///< biological assembly; empty: as deposited
+    std::string altloc = {};                  ///< one letter; empty: highest summed occupancy per residue
+    std::vector<std::string> chains = {};     ///< author names, "label:X" for mmCIF label names; empty: all
+    std::string select = {};                  ///< gemmi selection, of the file before any copying; empty: all
+    std::optional<HeteroPolicy> hetero = {};  ///< empty: None, but All where there is neither protein nor nucleic acid
     bool keep_waters = false;
     bool strict_radii = false;                  ///< an unknown atom type is an InputError
     bool checksum = true;                       ///< Structure::sha256 is found, in a millisecond per 1.5 MB

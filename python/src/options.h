@@ -23,8 +23,8 @@ public:
         if (given_.contains(name)) target = given_[name].cast<T>();
     }
 
-    template <class T, std::size_t N>
-    void read_word(const char* name, T& target, const Words<T, N>& words) const {
+    template <class Target, class T, std::size_t N>
+    void read_word(const char* name, Target& target, const Words<T, N>& words) const {
         if (given_.contains(name)) target = parse_word(name, given_[name].cast<std::string>(), words);
     }
 

@@ -129,7 +129,7 @@ void apply_waters(const RawModel& model, const ReadOptions& options, Chosen& cho
 
 // A small molecule, a lipid bilayer or a crystal of sugar is what its file is about, not something beside a polymer.
 HeteroPolicy policy_for(const RawModel& model, const ReadOptions& options) {
-    if (options.hetero != HeteroPolicy::Auto) return options.hetero;
+    if (options.hetero) return *options.hetero;
     const auto is_polymer = [](const RawResidue& residue) { return residue.kind == ResidueKind::Polymer; };
     const bool has_polymer = std::any_of(model.residues.begin(), model.residues.end(), is_polymer);
     return has_polymer ? HeteroPolicy::None : HeteroPolicy::All;
@@ -156,7 +156,7 @@ void apply_hetero(const RawModel& model, const ReadOptions& options, Chosen& cho
     const HeteroPolicy policy = policy_for(model, options);
     if (policy == HeteroPolicy::None) chosen.ligands = apply(ResidueKind::Ligand, "ligands");
     if (policy != HeteroPolicy::All) apply(ResidueKind::Ion, "all");
-    if (policy != options.hetero && policy == HeteroPolicy::All) tell_kept_hetero(model, chosen);
+    if (!options.hetero && policy == HeteroPolicy::All) tell_kept_hetero(model, chosen);
 }
 
 }  // namespace

@@ -39,7 +39,8 @@ public:
           assemblies_(!options.assembly.empty()) {
         if (file_.format == Format::Pdb) pdb_ = find_pdb_models(file_.text);
         if (file_.format == Format::Cif) cif_.emplace(file_.text, file_.path);
-        if (model_count() > 1) partners_ = cif_ ? find_partners(cif_->chains_of_models()) : partners_in_pdb();
+        if (cif_ && model_count() > 1) partners_ = find_partners(cif_->chains_of_models());
+        if (pdb_.spans.size() > 1) partners_ = partners_in_pdb();
     }
 
     const InputFile& file() const { return file_; }

@@ -82,7 +82,7 @@ TEST(SurfaceRequest, TakesValuesOfAllKinds) {
 }
 
 TEST(SurfaceRequest, AnExplicitHeteroNoneIsNotTheDefault) {
-    EXPECT_EQ(parse({"a.pdb"}).read.hetero, HeteroPolicy::Auto);
+    EXPECT_EQ(parse({"a.pdb"}).read.hetero, std::nullopt);
     EXPECT_EQ(parse({"a.pdb", "--hetero", "none"}).read.hetero, HeteroPolicy::None);
 }
 
@@ -166,7 +166,6 @@ TEST(SurfaceRequest, NamesItsWords) {
     EXPECT_STREQ(name_of(Method::Gaussian), "gaussian");
     EXPECT_STREQ(name_of(HydrogenPolicy::Auto), "auto");
     EXPECT_STREQ(name_of(HeteroPolicy::All), "all");
-    EXPECT_STREQ(name_of(HeteroPolicy::Auto), "none");
 }
 
 }  // namespace meniscus::cli
