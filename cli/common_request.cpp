@@ -25,7 +25,8 @@ std::vector<std::string> split_chains(const std::string& list) {
 
 void set_model(CommonRequest& request, const std::string& text) {
     request.all_models = text == "all";
-    if (!request.all_models) request.read.model = parse_count("--model", text);
+    request.read.join_models = text == "join";
+    if (!request.all_models && !request.read.join_models) request.read.model = parse_count("--model", text);
 }
 
 void add_waters(CLI::App& command, std::optional<bool>& keep) {
@@ -47,7 +48,7 @@ void set_altloc(CommonRequest& request, const std::string& text) {
 
 std::string spell_as_option(std::string_view option, std::string_view value) {
     if (option == "keep_waters") return value == "false" ? "--no-waters" : "--waters";
-    if (option == "model") return "--model N|all";
+    if (option == "model" && value == "N") return "--model N|all";
     return fmt::format("--{} {}", option, value);
 }
 
@@ -76,8 +77,12 @@ void add_atom_options(CLI::App& command, CommonRequest& request) {
         ->capture_default_str();
     add_choice(command, "--hydrogens", read.hydrogens, kHydrogenWords, "Hydrogens; auto: as the radii require");
     const auto model = [&request](const std::string& text) { set_model(request, text); };
-    command.add_option_function<std::string>("--model", model, "Model to read, counted from 1, or all")
-        ->type_name("N|all")
+    command
+        .add_option_function<std::string>(
+            "--model", model,
+            "Model to read, counted from 1\n; all: each as a structure of its own; join: all "
+            "together as one, copies of chain A being A-2, A-3 ...")
+        ->type_name("N|all|join")
         ->default_str("1");
     command.add_option("--assembly", read.assembly, rarely("Biological assembly named in the file"))->type_name("ID");
     const auto altloc = [&request](const std::string& text) { set_altloc(request, text); };

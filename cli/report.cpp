@@ -33,10 +33,12 @@ ordered_json if_used(bool used, const T& value) {
     return used ? ordered_json(value) : ordered_json();
 }
 
+ordered_json model_json(int model) { return model == kJoinedModels ? ordered_json("join") : ordered_json(model); }
+
 ordered_json input_block(const Structure& structure, double probe, const RunFacts& facts) {
     return {{"file", file_name(structure.file)},
             {"sha256", structure.sha256},
-            {"model", facts.model},
+            {"model", model_json(facts.model)},
             {"chain", if_used(!facts.chain.empty(), facts.chain)},
             {"atoms", structure.atoms.size()},
             {"residues", structure.residues.size()},
@@ -111,7 +113,7 @@ ordered_json options_block(ordered_json block, const CommonRequest& request) {
     const ReadOptions& o = request.read;
     block["radii"] = file_name(o.radii);
     block["hydrogens"] = name_of(o.hydrogens);
-    block["model"] = request.all_models ? ordered_json("all") : ordered_json(o.model);
+    block["model"] = request.all_models ? ordered_json("all") : model_json(o.join_models ? kJoinedModels : o.model);
     block["assembly"] = if_used(!o.assembly.empty(), o.assembly);
     block["altloc"] = if_used(!o.altloc.empty(), o.altloc);
     block["chains"] = if_used(!o.chains.empty(), o.chains);

@@ -25,9 +25,12 @@ struct ShownPart {
     bool open = false;
 };
 
+/// In the place of a model's position: all of them, put together.
+inline constexpr int kJoinedModels = 0;
+
 /// What the program itself knows about a run, beside the library's results.
 struct RunFacts {
-    int model = 1;                     ///< position in the file, from 1
+    int model = 1;                     ///< position in the file, from 1, or kJoinedModels
     int threads = 1;                   ///< in use
     double read_seconds = 0.0;         ///< with the start of the program; with all models: counted with the first
     double exact_seconds = 0.0;        ///< of exact measures beside those that the surface counts

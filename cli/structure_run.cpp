@@ -109,7 +109,8 @@ std::vector<Job> StructureRun::read_structures() const {
     options.checksum = !request_.report.empty() || std::any_of(outputs.begin(), outputs.end(), holds_structure);
     std::vector<Job> jobs;
     if (!request_.all_models) {
-        jobs.push_back({read_structure(request_.input, options), {}, options.model, ""});
+        const int model = options.join_models ? kJoinedModels : options.model;
+        jobs.push_back({read_structure(request_.input, options), {}, model, ""});
     } else {
         for (Structure& structure : read_all_models(request_.input, options))
             jobs.push_back({std::move(structure), {}, static_cast<int>(jobs.size()) + 1, ""});

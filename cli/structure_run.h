@@ -47,7 +47,7 @@ private:
 struct Job {
     Structure structure;
     std::vector<Output> outputs;
-    int model = 1;
+    int model = 1;        ///< position in the file, or kJoinedModels
     std::string chain{};  ///< the only one, with --per-chain
 };
 

@@ -49,6 +49,7 @@ void read_in_every_way(const FuzzedFile& file, std::string_view bytes) {
     read_once(file, {.hydrogens = HydrogenPolicy::Keep, .hetero = HeteroPolicy::All, .keep_waters = true});
     read_once(file, {.hetero = HeteroPolicy::None, .keep_waters = false});
     read_once(file, {.radii = "united", .assembly = "1", .altloc = "B"});
+    read_once(file, {.join_models = true});
     read_or_refuse(file.path(), [&] {
         for (const Structure& model : read_all_models(file.path())) require_sound(model);
     });

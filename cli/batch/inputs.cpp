@@ -32,13 +32,22 @@ constexpr std::size_t kLongestPath = 4096;  // bytes, as for the system
 constexpr std::array<std::string_view, 8> kSuffixes{".pdb",   ".ent", ".cif",  ".mmcif",
                                                     ".pdbqt", ".pqr", ".xyzr", ".xyzrn"};
 
+/// In the names of biological assemblies .pdb has a number behind it: 1abc.pdb1, 1abc.pdb12.
+std::size_t digits_of_assembly(std::string_view name) {
+    const std::size_t digits = name.size() - (name.find_last_not_of("0123456789") + 1);
+    name.remove_suffix(digits);
+    return digits <= 2 && name.ends_with(".pdb") ? digits : 0;
+}
+
 /// How many characters at the end of a name are suffixes of a structure; 0 if there are none.
 std::size_t suffix_length(const std::string& name) {
     const std::string small = CLI::detail::to_lower(name);
     const std::size_t packed = small.ends_with(".gz") ? 3 : 0;
-    const std::string_view inner = std::string_view(small).substr(0, small.size() - packed);
+    std::string_view inner = std::string_view(small).substr(0, small.size() - packed);
+    const std::size_t digits = digits_of_assembly(inner);
+    inner.remove_suffix(digits);
     for (const std::string_view suffix : kSuffixes)
-        if (inner.ends_with(suffix) && inner.size() > suffix.size()) return suffix.size() + packed;
+        if (inner.ends_with(suffix) && inner.size() > suffix.size()) return suffix.size() + digits + packed;
     return 0;
 }
 

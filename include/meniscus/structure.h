@@ -41,11 +41,12 @@ struct ReadOptions {
     std::string radii = "auto";  ///< auto, bondi, united, protor, naccess, parse, or the path of a file of rules
     HydrogenPolicy hydrogens = HydrogenPolicy::Auto;
     int model = 1;                              ///< position of the model in the file, from 1
+    bool join_models = false;                   ///< all models together as one structure; `model` is then not used
     std::string assembly = {};                  ///< biological assembly; empty: as deposited
     std::string altloc = {};                    ///< one letter; empty: highest summed occupancy per residue
     std::vector<std::string> chains = {};       ///< author names, "label:X" for mmCIF label names; empty: all
     std::string select = {};                    ///< gemmi selection, of the file before any copying; empty: all
-    std::optional<HeteroPolicy> hetero = {};    ///< empty: None, but everything of files with radii (PQR, xyzr)
+    std::optional<HeteroPolicy> hetero = {};    ///< empty: None, but All of files with radii, and without a polymer
     std::optional<bool> keep_waters = {};       ///< empty: no, but those of files with radii, with a warning
     bool strict_radii = false;                  ///< an unknown atom type is an InputError
     bool checksum = true;                       ///< Structure::sha256 is found, in a millisecond per 1.5 MB
@@ -54,7 +55,7 @@ struct ReadOptions {
 
 /// A residue that has at least one kept atom.
 struct Residue {
-    std::string chain;  ///< author name; copies made by an assembly are A-2, A-3 ...
+    std::string chain;  ///< author name; copies made by an assembly or found in joined models are A-2, A-3 ...
     std::string name;
     int number = 0;
     char insertion_code = ' ';
@@ -91,7 +92,8 @@ struct Structure {
 
 /// Reads PDB, mmCIF, PDBQT, PQR, xyzr or xyzrn, each possibly gzipped; "-" reads standard input, told by content.
 ///
-/// Every coordinate, radius and charge must be a finite number in full.
+/// Every coordinate, radius and charge must be a finite number in full. Where models after the first have chains that
+/// the first one lacks, they are partners and not copies; a warning names them then.
 /// throws   InputError "FILE:LINE:COLUMN: what; what to do"; UsageError for an unknown option value
 /// cost     O(size of the file)
 Structure read_structure(const std::string& path, const ReadOptions& options = {});
@@ -107,8 +109,8 @@ std::vector<bool> select_atoms(const Structure& structure, const std::string& ex
 /// The chains of a structure, each a structure of its own with the same radii, in the order of their first atoms.
 std::vector<Structure> split_chains(const Structure& structure);
 
-/// All models of a file as structures of their own, in file order (options.model is ignored). Their names are those
-/// of the file with _m01, _m02 ... behind.
+/// All models of a file as structures of their own, in file order (options.model and options.join_models are ignored).
+/// Their names are those of the file with _m01, _m02 ... behind.
 /// throws   as read_structure, for the first model that cannot be read
 std::vector<Structure> read_all_models(const std::string& path, const ReadOptions& options = {});
 

@@ -23,7 +23,7 @@ from ._structure import Path
 from ._writing import write_whole
 
 _COMMANDS = ("measure", "surface")
-_SUFFIX = re.compile(r"(?<=.)\.(pdb|ent|cif|mmcif|pdbqt|pqr|xyzr|xyzrn)(\.gz)?\Z", re.ASCII | re.DOTALL | re.IGNORECASE)
+_SUFFIX = re.compile(r"(?<=.)\.(pdb[0-9]{0,2}|ent|cif|mmcif|pdbqt|pqr|xyzr|xyzrn)(\.gz)?\Z", re.ASCII | re.DOTALL | re.IGNORECASE)
 
 # Options of `meniscus batch` that are of no use for one input, or parameters of map().
 _OWN = ("collect", "help", "help_all", "list", "o", "progress", "quiet", "report", "resume", "shard")

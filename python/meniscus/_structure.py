@@ -31,7 +31,7 @@ class Structure:
     radii      (n,) float64, Å; a read-only view
     element    (n,) text, upper case; empty where unknown
     name       (n,) text: CA, OXT
-    chain      (n,) text; copies of an assembly are A, A-2, A-3
+    chain      (n,) text; copies of an assembly or in joined models are A, A-2, A-3
     resname    (n,) text: ALA
     resnum     (n,) int32, as in the file
     icode      (n,) text; blank if there is none
@@ -256,7 +256,7 @@ def read(
     *,
     radii: Path = "auto",
     hydrogens: str = "auto",
-    model: int = 1,
+    model: int | str = 1,
     assembly: str | int | None = None,
     altloc: str | None = None,
     chains: Texts | None = None,
@@ -272,12 +272,14 @@ def read(
     radii         bondi, united, protor, naccess, parse, a file of rules, or auto: the file's own, else bondi if the
                   structure has hydrogens, else united
     hydrogens     auto (as the radii require), keep or drop
-    model         model to read, counted from 1; :func:`read_models` reads all
+    model         model to read, counted from 1; "join" puts all together, copies of chain A being A-2, A-3 ...;
+                  :func:`read_models` reads each as a structure of its own
     assembly      biological assembly named in the file
     altloc        alternative location to use, one character; by default the one with the highest occupancy
     chains        "A,B" or a list; "label:A" for mmCIF label names
     select        atoms to keep, in gemmi's syntax: "//A/10-50", "CA", "(ALA,GLY)"
-    hetero        none, ligands or all: atoms beside the polymer. By default none, but all of PQR files
+    hetero        none, ligands or all: atoms beside the polymer. By default none, but all of PQR files and of those that
+                  have neither protein nor nucleic acid
     waters        whether to keep waters. By default they are left out, but those of PQR files are kept, with a warning
     strict_radii  treat an atom of unknown type as an error
 
@@ -362,12 +364,15 @@ def radii(
 
 
 def _read_options(**given: Any) -> dict[str, Any]:
+    joins = isinstance(given["model"], str) and given["model"] == "join"
     options: dict[str, Any] = {
         "radii": text_of_path(given["radii"]),
         "hydrogens": _options.word("hydrogens", given["hydrogens"]),
-        "model": _options.whole("model", given["model"]),
+        "join_models": joins,
         "strict_radii": bool(given["strict_radii"]),
     }
+    if not joins:
+        options["model"] = _options.whole("model", given["model"])
     if given["hetero"] is not None:
         options["hetero"] = _options.word("hetero", given["hetero"])
     if given["waters"] is not None:

@@ -35,6 +35,7 @@ ReadOptions read_options(const py::dict& given) {
     options.read("radii", read.radii);
     options.read_word("hydrogens", read.hydrogens, kHydrogenWords);
     options.read("model", read.model);
+    options.read("join_models", read.join_models);
     options.read("assembly", read.assembly);
     options.read("altloc", read.altloc);
     options.read("chains", read.chains);

@@ -43,25 +43,26 @@ public:
     // Copies the kept atoms whose residues are wanted.
     template <class Wanted, class ChainName>
     void append(const RawOperator& op, bool moves, Wanted wanted, ChainName chain_name) {
+        // Atoms of a residue may stand in several places of the file.
         constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-        std::uint32_t current = kNone;
+        std::vector<std::uint32_t> copies(model_.residues.size(), kNone);
         for (std::size_t k = 0; k < chosen_.atoms.size(); ++k) {
             const RawAtom& atom = model_.atoms[chosen_.atoms[k]];
             if (!wanted(atom.residue)) continue;
-            if (atom.residue != current) add_residue(model_.residues[atom.residue], chain_name);
-            current = atom.residue;
+            std::uint32_t& copy = copies[atom.residue];
+            if (copy == kNone) copy = add_residue(model_.residues[atom.residue], chain_name);
             structure_.atoms.centres.push_back(moves ? op.apply(atom.centre) : atom.centre);
             structure_.atoms.radii.push_back(radii_.values[k]);
-            const auto residue = static_cast<std::uint32_t>(structure_.residues.size() - 1);
-            structure_.labels.push_back(to_label(atom, residue));
+            structure_.labels.push_back(to_label(atom, copy));
         }
     }
 
 private:
     template <class ChainName>
-    void add_residue(const RawResidue& residue, ChainName chain_name) {
+    std::uint32_t add_residue(const RawResidue& residue, ChainName chain_name) {
         structure_.residues.push_back(
             {chain_name(residue.chain), residue.name, residue.number, residue.insertion_code});
+        return static_cast<std::uint32_t>(structure_.residues.size() - 1);
     }
 
     const RawModel& model_;

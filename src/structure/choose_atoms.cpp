@@ -66,10 +66,21 @@ void apply_selection(const RawModel& model, const ReadOptions& options, Chosen& 
     chosen.drop("unselected", keep_if(chosen.atoms, [&](std::uint32_t i) { return selected[i]; }));
 }
 
+// Of atoms whose letter is not the one that was chosen.
+std::string substitutes(std::size_t count, const std::string& wanted) {
+    const bool one = count == 1;
+    const std::string lacking = one ? " lacks " : " lack ";
+    const std::string what =
+        wanted.empty() ? (one ? "its residue's alternative location" : "the alternative location of their residues")
+                       : "alternative location " + wanted;
+    return counted(count, "atom") + lacking + what + ": " + (one ? "its own best one" : "their own best ones") +
+           " taken";
+}
+
 void apply_altlocs(const RawModel& model, const ReadOptions& options, Chosen& chosen) {
-    const std::size_t before = chosen.atoms.size();
-    chosen.atoms = choose_altlocs(model, chosen.atoms, options.altloc);
-    const std::size_t count = before - chosen.atoms.size();
+    AltlocChoice choice = choose_altlocs(model, chosen.atoms, options.altloc);
+    const std::size_t count = chosen.atoms.size() - choice.atoms.size();
+    chosen.atoms = std::move(choice.atoms);
     chosen.drop("altlocs", count);
     if (count > 0 && options.altloc.empty()) {
         chosen.notes.push_back(counted(count, "atom") + " of alternative locations left out (choose one with " +
@@ -78,6 +89,8 @@ void apply_altlocs(const RawModel& model, const ReadOptions& options, Chosen& ch
     const auto is_wanted = [&](const RawAtom& a) { return a.altloc == options.altloc[0]; };
     if (!options.altloc.empty() && std::none_of(model.atoms.begin(), model.atoms.end(), is_wanted)) {
         chosen.warnings.push_back("no alternative location " + options.altloc + " here: highest occupancy taken");
+    } else if (choice.substitutes > 0) {
+        chosen.notes.push_back(substitutes(choice.substitutes, options.altloc));
     }
 }
 
@@ -128,17 +141,37 @@ void apply_waters(const RawModel& model, const ReadOptions& options, Chosen& cho
         chosen.notes.push_back(counted(count, "water") + left_out(count, options.spelling("keep_waters", "true")));
 }
 
+// A small molecule, a lipid bilayer or a crystal of sugar is what its file is about, not something beside a polymer.
+HeteroPolicy policy_for(const RawModel& model, const ReadOptions& options) {
+    if (options.hetero) return *options.hetero;
+    const auto is_polymer = [](const RawResidue& residue) { return residue.kind == ResidueKind::Polymer; };
+    const bool has_polymer = std::any_of(model.residues.begin(), model.residues.end(), is_polymer);
+    return has_polymer ? HeteroPolicy::None : HeteroPolicy::All;
+}
+
+void tell_kept_hetero(const RawModel& model, Chosen& chosen) {
+    std::set<std::uint32_t> residues;
+    for (const std::uint32_t i : chosen.atoms) residues.insert(model.atoms[i].residue);
+    std::map<std::string, std::size_t> names;
+    for (const std::uint32_t residue : residues)
+        if (model.residues[residue].kind != ResidueKind::Water) ++names[model.residues[residue].name];
+    if (!names.empty())
+        chosen.notes.push_back("neither protein nor nucleic acid here, so hetero groups are kept: " +
+                               list_of_counts(names));
+}
+
 void apply_hetero(const RawModel& model, const ReadOptions& options, Chosen& chosen) {
     if (model.has_radii && !options.hetero) return;
-    const HeteroPolicy policy = options.hetero.value_or(HeteroPolicy::None);
     const auto apply = [&](ResidueKind kind, const char* remedy) {
         auto names = drop_kind(model, kind, "hetero", chosen);
         if (!names.empty())
             chosen.notes.push_back(list_of_counts(names) + left_out(sum_of(names), options.spelling("hetero", remedy)));
         return names;
     };
+    const HeteroPolicy policy = policy_for(model, options);
     if (policy == HeteroPolicy::None) chosen.ligands = apply(ResidueKind::Ligand, "ligands");
     if (policy != HeteroPolicy::All) apply(ResidueKind::Ion, "all");
+    if (!options.hetero && policy == HeteroPolicy::All) tell_kept_hetero(model, chosen);
 }
 
 }  // namespace

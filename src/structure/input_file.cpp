@@ -42,11 +42,26 @@ std::string base_name(const std::string& path) {
     return name;
 }
 
-std::optional<Suffix> suffix_of(const std::string& path) {
-    const std::string name = lower_case(base_name(path));
+// In the names of biological assemblies .pdb has a number behind it: 1abc.pdb1, 1abc.pdb12.
+std::size_t digits_of_assembly(std::string_view name) {
+    const std::size_t digits = name.size() - (name.find_last_not_of("0123456789") + 1);
+    name.remove_suffix(digits);
+    return digits <= 2 && name.ends_with(".pdb") ? digits : 0;
+}
+
+struct FoundSuffix {
+    std::size_t length;
+    Format format;
+};
+
+std::optional<FoundSuffix> suffix_of(const std::string& path) {
+    std::string name = lower_case(base_name(path));
+    const std::size_t digits = digits_of_assembly(name);
+    name.resize(name.size() - digits);
     const auto* found =
         std::find_if(kSuffixes.begin(), kSuffixes.end(), [&](const Suffix& s) { return name.ends_with(s.text); });
-    return found == kSuffixes.end() ? std::nullopt : std::optional(*found);
+    if (found == kSuffixes.end()) return std::nullopt;
+    return FoundSuffix{found->text.size() + digits, found->format};
 }
 
 // The first line that says something: neither blank nor a comment.
@@ -151,7 +166,7 @@ void choose_format(InputFile& file) {
 std::string stem_of(const std::string& path) {
     if (path == "-") return "stdin";
     std::string name = base_name(path);
-    if (const auto suffix = suffix_of(path)) name.resize(name.size() - suffix->text.size());
+    if (const auto suffix = suffix_of(path)) name.resize(name.size() - suffix->length);
     return name.empty() ? "structure" : name;
 }
 

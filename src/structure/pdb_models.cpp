@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
 // Where the models of a PDB file begin and end, however oddly it marks them.
+#include <algorithm>
+#include <map>
 #include <set>
 
 #include "reading/numbers.h"
@@ -46,7 +48,7 @@ private:
             begin_model(line.substr(5));
         } else if (line.starts_with("ENDMDL") || trimmed(line) == "END") {
             if (open_ && explicit_ && !line.starts_with("ENDMDL")) unclosed_.note(model_line_);
-            close(lines_.begin());
+            close(lines_.begin(), line.starts_with("ENDMDL") ? 0 : lines_.number());
         }
     }
 
@@ -76,8 +78,8 @@ private:
         first_line_ = lines_.number();
     }
 
-    void close(std::size_t end) {
-        if (open_) result_.spans.push_back({begin_, end, first_line_, atoms_});
+    void close(std::size_t end, std::size_t end_record = 0) {
+        if (open_) result_.spans.push_back({begin_, end, first_line_, atoms_, end_record});
         if (open_ && result_.spans.size() > 1 && atoms_ != atoms_of_first_) different_.note(first_line_);
         if (open_ && result_.spans.size() == 1) atoms_of_first_ = atoms_;
         atoms_ = 0;
@@ -85,9 +87,10 @@ private:
     }
 
     PdbModels finish() {
-        for (const Irregularity& kind : {repeated_, unnumbered_, unclosed_, outside_, different_}) {
+        for (const Irregularity& kind : {repeated_, unnumbered_, unclosed_, outside_}) {
             if (kind.count > 0) result_.warnings.push_back(kind.message());
         }
+        if (different_.count > 0) result_.different_sizes = different_.message();
         return std::move(result_);
     }
 
@@ -110,8 +113,52 @@ private:
     Irregularity different_{"this model has a different number of atoms from the first"};
 };
 
+// Calls read(line) for the first of atom records that follow each other with the same columns from 18 to `last`.
+template <class Read>
+void for_each_residue(std::string_view text, const PdbModelSpan& model, std::size_t last, Read read) {
+    constexpr std::size_t kFirst = 18;
+    std::string_view before;
+    Lines lines(text.substr(model.begin, model.end - model.begin));
+    while (lines.next()) {
+        const std::string_view line = lines.line();
+        if (!is_atom_record(line) || line.size() < last) continue;
+        const std::string_view residue = line.substr(kFirst - 1, last - kFirst + 1);
+        if (residue != before) read(line);
+        before = residue;
+    }
+}
+
+using ResiduesOfChains = std::map<std::string, std::set<std::string_view>>;
+
+ResiduesOfChains residues_of_chains(std::string_view text, const PdbModelSpan& model) {
+    ResiduesOfChains residues;
+    for_each_residue(text, model, 27,
+                     [&](std::string_view line) { residues[chain_of_record(line)].insert(line.substr(17, 10)); });
+    return residues;
+}
+
 }  // namespace
 
 PdbModels find_pdb_models(std::string_view text) { return ModelFinder(text).run(); }
+
+std::set<std::string> chains_of(std::string_view text, const PdbModelSpan& model) {
+    std::set<std::string> chains;
+    for_each_residue(text, model, 22, [&](std::string_view line) { chains.insert(chain_of_record(line)); });
+    return chains;
+}
+
+std::set<std::string> namesakes_of(std::string_view text, const PdbModelSpan& first, const PdbModelSpan& other) {
+    const ResiduesOfChains known = residues_of_chains(text, first);
+    std::set<std::string> namesakes;
+    for (const auto& [chain, residues] : residues_of_chains(text, other)) {
+        const auto same = known.find(chain);
+        if (same == known.end()) continue;
+        const auto shared =
+            std::count_if(residues.begin(), residues.end(),
+                          [&, &there = same->second](std::string_view residue) { return there.contains(residue); });
+        if (2 * static_cast<std::size_t>(shared) < residues.size()) namesakes.insert(chain);
+    }
+    return namesakes;
+}
 
 }  // namespace meniscus::reading

@@ -253,6 +253,11 @@ std::string clean_header(std::string_view text, const std::string& file, bool wi
 
 }  // namespace
 
+std::string chain_of_record(std::string_view line) {
+    const std::string no_file;
+    return std::string(trimmed(residue_columns(AtomLine(line, 0, no_file)).chain));
+}
+
 std::string hybrid36_serial(std::size_t n) {
     constexpr std::size_t kDecimal = 100000;
     constexpr std::size_t kFirstUpper = 16796160;  // "A0000" in base 36

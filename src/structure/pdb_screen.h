@@ -5,6 +5,7 @@
 // wrong with it.
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,15 +21,26 @@ struct PdbModelSpan {
     std::size_t end = 0;         ///< offset behind its last line
     std::size_t first_line = 1;  ///< number of its first line
     std::size_t atoms = 0;       ///< how many records it has of them
+    std::size_t end_record = 0;  ///< number of the line with END that ends it, 0 if something else does
 };
 
 /// The models of a file, in file order; ENDMDL, END and a new MODEL all end one.
 struct PdbModels {
     std::vector<PdbModelSpan> spans;
     std::vector<std::string> warnings;  ///< irregular MODEL records, one line per kind
+    std::string different_sizes;        ///< a warning unless models are partners or are joined; empty without such
 };
 
 PdbModels find_pdb_models(std::string_view text);
+
+/// Names of the chains of a model, whatever else is in its records.
+std::set<std::string> chains_of(std::string_view text, const PdbModelSpan& model);
+
+/// Chains of another model with names of the first one's, of which less than half of the residues are in the first.
+std::set<std::string> namesakes_of(std::string_view text, const PdbModelSpan& first, const PdbModelSpan& other);
+
+/// Name of the chain in an atom record; empty for a blank one.
+std::string chain_of_record(std::string_view line);
 
 /// Atoms that follow each other with the same columns of their residue and segment.
 struct PdbRun {

@@ -25,7 +25,7 @@ enum class ResidueKind {
 struct RawResidue {
     std::string chain;        ///< author name
     std::string label_chain;  ///< mmCIF label name; empty in other formats
-    std::string segment;      ///< columns 73-76 of a PDB file
+    std::string segment;      ///< columns 73-76 of a PDB file; the same for all residues of a site (join_residues.h)
     std::string name;         ///< upper case
     int number = 0;
     char insertion_code = ' ';

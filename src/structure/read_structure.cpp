@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "meniscus/errors.h"
@@ -15,6 +16,8 @@
 #include "structure/gemmi/gemmi_reader.h"
 #include "structure/guessed_elements.h"
 #include "structure/input_file.h"
+#include "structure/join_models.h"
+#include "structure/join_residues.h"
 #include "structure/pdb_screen.h"
 #include "structure/pdbqt_reader.h"
 #include "structure/pqr_reader.h"
@@ -40,9 +43,13 @@ public:
         if (file_.format == Format::Pdbqt) pdb_ = find_pdb_models(file_.text);
         if (file_.format == Format::Pqr) pdb_ = find_pqr_models(file_.text);
         if (file_.format == Format::Cif) cif_.emplace(file_.text, file_.path);
+        if (cif_ && model_count() > 1) partners_ = find_partners(cif_->chains_of_models());
+        if (file_.format == Format::Pdb && pdb_.spans.size() > 1) partners_ = partners_in_pdb();
     }
 
     const InputFile& file() const { return file_; }
+
+    const Partners& partners() const { return partners_; }
 
     int model_count() const {
         if (cif_) return cif_->model_count();
@@ -54,11 +61,17 @@ public:
             throw InputError(file_.path + ": no model " + std::to_string(position) + "; there " +
                              (model_count() == 1 ? "is 1" : "are " + std::to_string(model_count())));
         }
-        RawModel model = parse(position);
-        append(model.notes, file_.notes);
-        append(model.warnings, file_.warnings);
-        append(model.warnings, pdb_.warnings);
-        classify_residues(model);
+        RawModel model = named_model(position);
+        append_lines(model);
+        if (!pdb_.different_sizes.empty() && !partners_.exist()) model.warnings.push_back(pdb_.different_sizes);
+        return model;
+    }
+
+    RawModel joined() const {
+        std::vector<RawModel> models;
+        for (int position = 1; position <= model_count(); ++position) models.push_back(named_model(position));
+        RawModel model = join_models(std::move(models), file_.path);
+        append_lines(model);
         return model;
     }
 
@@ -68,6 +81,30 @@ private:
         append(file_.notes, found.notes);
         append(file_.warnings, found.warnings);
         pdb_ = find_pdb_models(file_.text);
+    }
+
+    RawModel named_model(int position) const {
+        RawModel model = parse(position);
+        join_residues(model);
+        classify_residues(model);
+        return model;
+    }
+
+    void append_lines(RawModel& model) const {
+        append(model.notes, file_.notes);
+        append(model.warnings, file_.warnings);
+        append(model.warnings, pdb_.warnings);
+    }
+
+    // Of the two parts of a docked complex both may have a chain A; in other files the same name is a copy.
+    Partners partners_in_pdb() const {
+        std::vector<std::set<std::string>> chains;
+        for (const PdbModelSpan& span : pdb_.spans) chains.push_back(chains_of(file_.text, span));
+        Partners partners = find_partners(chains);
+        partners.end_record = pdb_.spans[0].end_record;
+        const bool is_pair = partners.end_record > 0 && pdb_.spans.size() == 2;
+        if (is_pair) partners.namesakes = namesakes_of(file_.text, pdb_.spans[0], pdb_.spans[1]);
+        return partners;
     }
 
     RawModel parse(int position) const {
@@ -96,10 +133,13 @@ private:
     bool assemblies_;
     PdbModels pdb_;
     std::optional<CifFile> cif_;
+    Partners partners_;
 };
 
 void check_options(const ReadOptions& options) {
     if (options.model < 1) throw UsageError("--model " + std::to_string(options.model) + ": models are counted from 1");
+    if (options.join_models && !options.assembly.empty())
+        throw UsageError("--model join: the models of a file are not to be copied by --assembly; give one of the two");
     if (options.altloc.size() > 1) throw UsageError("--altloc " + options.altloc + ": must be one character");
 }
 
@@ -141,6 +181,20 @@ Structure make_structure(const InputFile& file, const RawModel& model, const Rea
     return structure;
 }
 
+// What was taken of several models.
+void tell_models(const ModelSource& source, const ReadOptions& options, RawModel& model) {
+    const std::string count = std::to_string(source.model_count());
+    if (options.join_models) {
+        model.notes.push_back(count + " models put together");
+    } else if (options.model == 1 && source.partners().exist()) {
+        model.warnings.push_back(describe(source.partners()) + " (take all with " + options.spelling("model", "join") +
+                                 ")");
+    } else {
+        model.notes.push_back("model " + std::to_string(options.model) + " of " + count +
+                              " taken (choose another with " + options.spelling("model", "N") + ")");
+    }
+}
+
 std::string model_suffix(int position) {
     const std::string number = std::to_string(position);
     return "_m" + (number.size() < 2 ? "0" + number : number);
@@ -151,11 +205,8 @@ std::string model_suffix(int position) {
 Structure read_structure(const std::string& path, const ReadOptions& options) {
     check_options(options);
     const ModelSource source(path, options);
-    RawModel model = source.model(options.model);
-    if (source.model_count() > 1) {
-        model.notes.push_back("model " + std::to_string(options.model) + " of " + std::to_string(source.model_count()) +
-                              " taken (choose another with " + options.spelling("model", "N") + ")");
-    }
+    RawModel model = options.join_models ? source.joined() : source.model(options.model);
+    if (source.model_count() > 1) tell_models(source, options, model);
     return make_structure(source.file(), model, options);
 }
 

@@ -179,6 +179,19 @@ class Results(BatchTest):
         names = [json.loads(line)["result"]["input"] for line in log]
         self.assertEqual(names[:3], ["a/deep/m9.xyzr", "c/deep/m8.xyzr", "b/deep/m7.xyzr"])
 
+    def test_small_molecules_and_units_are_inputs_as_others(self):
+        atom = "{0:6}{1:5}  C{1}  {2} A   1    {3:8.3f}   0.000   0.000  1.00  0.00           C\n".format
+        folder = self.folder / "mixed"
+        folder.mkdir()
+        (folder / "ligand.pdb").write_text(atom("HETATM", 1, "UNL", 0) + atom("HETATM", 2, "UNL", 1.5))
+        (folder / "peptide.pdb").write_text(atom("ATOM", 1, "GLY", 0) + atom("HETATM", 2, "UNL", 9))
+        model = atom("ATOM", 1, "GLY", 0)
+        (folder / "unit.pdb1").write_text(f"MODEL 1\n{model}ENDMDL\nMODEL 2\n{model.replace('0.000  ', '4.000  ')}ENDMDL\n")
+        self.batch("measure", "mixed", "--out", "out", "--radii", "bondi", "--model", "join")
+        reports = {line["input"]: line["report"]["input"] for line in self.results()}
+        self.assertEqual({name: r["atoms"] for name, r in reports.items()},
+                         {"ligand.pdb": 2, "peptide.pdb": 1, "unit.pdb1": 2})
+
     def test_every_model_has_a_report(self):
         atom = "ATOM      1  CA  GLY A   1      {:6.3f}   0.000   0.000  1.00 10.00           C\n"
         self.write("x/two.pdb", "".join(f"MODEL     {i:4}\n{atom.format(i)}ENDMDL\n" for i in (1, 2)).encode())

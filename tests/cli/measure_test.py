@@ -198,6 +198,19 @@ class Tables(MeasureTest):
         self.assertEqual(self.files(), ["nmr.pdb", "t_m01.csv", "t_m02.csv", "three.xyzr"])
 
 
+class Rows(MeasureTest):
+    def test_a_residue_with_a_segment_on_some_atoms_is_one_row(self):
+        lines = EXTENDED.splitlines()
+        marked = [line[:66].ljust(72) + "A".rjust(4) + line[76:] if i % 2 else line for i, line in enumerate(lines)]
+        tables = []
+        for name, text in (("plain", lines), ("mixed", marked)):
+            self.write(name + ".pdb", "\n".join(text) + "\n")
+            self.measure(name + ".pdb", "--per", "residue", "-o", "t.csv", "--quiet")
+            tables.append(read_csv(self.folder / "t.csv"))
+        self.assertEqual([row["resnum"] for row in tables[0]], ["1", "2", "3"])
+        self.assertEqual(tables[1], tables[0])
+
+
 class Interfaces(MeasureTest):
     def test_two_atoms_have_the_closed_form(self):
         self.write("two.pdb", two_chains(4.0))
@@ -217,6 +230,21 @@ class Interfaces(MeasureTest):
             report = self.report("two.pdb", "--between", "all", "--radii", "bondi")
             self.assertEqual([(i["a"], i["b"]) for i in report["interfaces"]], [("A", "B")][:count])
         self.assertIn("no chains touch", self.measure("two.pdb", "--between", "all").stdout)
+
+    def test_copies_and_partners_in_several_models_have_an_interface(self):
+        atom = "ATOM  {0:5}  CA  GLY {1}   1    {2:8.3f}   0.000   0.000  1.00  0.00           C\n".format
+        self.write("unit.pdb1", f"MODEL 1\n{atom(1, 'A', 0)}ENDMDL\nMODEL 2\n{atom(1, 'A', 4)}ENDMDL\n")
+        self.write("dock.pdb", f"{atom(1, 'A', 0)}END\n{atom(1, 'B', 4)}END\n")
+        rules = json.loads((SOURCE / "docs" / "report.schema.json").read_text(encoding="utf-8"))
+        for name, between in (("unit.pdb1", "A:A-2"), ("dock.pdb", "A:B")):
+            report = self.report(name, "--model", "join", "--between", between, "--radii", "bondi")
+            self.assertEqual(schema.problems(report, rules), [])
+            self.assertEqual((report["input"]["model"], report["options"]["model"]), ("join", "join"))
+            self.assertEqual(report["input"]["warnings"], [])
+            self.assertAlmostEqual(report["interfaces"][0]["buried_sas"], 2 * (2 * math.pi * 3.1 * 1.1), delta=1e-6)
+        self.assertEqual(self.measure("dock.pdb", "--quiet").stderr,
+                         "meniscus: warning: dock.pdb: chain A taken, before END in line 2; chain B follows it (take all "
+                         "with --model join)\n")
 
     def test_wrong_pairs_are_refused_in_one_line(self):
         self.write("two.pdb", two_chains(4.0))

@@ -62,6 +62,17 @@ TEST(Report, TellsWhatWasReadAndDropped) {
     EXPECT_EQ(input["warnings"], nlohmann::ordered_json(sample_structure().warnings));
 }
 
+TEST(Report, JoinedModelsHaveAWordInThePlaceOfANumber) {
+    SurfaceRequest request;
+    request.read.join_models = true;
+    RunFacts facts = kFacts;
+    facts.model = kJoinedModels;
+    const auto report = make_report(request, sample_structure(), Surface{}, facts);
+    EXPECT_EQ(report["input"]["model"], "join");
+    EXPECT_EQ(report["options"]["model"], "join");
+    EXPECT_EQ(report["options"]["hetero"], "none");
+}
+
 TEST(Report, LeavesOutWhatAMethodDoesNotUse) {
     SurfaceRequest request;
     request.surface.method = Method::Direct;

@@ -81,9 +81,16 @@ TEST(SurfaceRequest, TakesValuesOfAllKinds) {
     EXPECT_EQ(request.report, "-");
 }
 
+TEST(SurfaceRequest, AnExplicitHeteroNoneIsNotTheDefault) {
+    EXPECT_EQ(parse({"a.pdb"}).read.hetero, std::nullopt);
+    EXPECT_EQ(parse({"a.pdb", "--hetero", "none"}).read.hetero, HeteroPolicy::None);
+}
+
 TEST(SurfaceRequest, TellsOneModelFromAll) {
     EXPECT_EQ(parse({"a.pdb", "--model", "3"}).read.model, 3);
     EXPECT_TRUE(parse({"a.pdb", "--model", "all"}).all_models);
+    EXPECT_TRUE(parse({"a.pdb", "--model", "join"}).read.join_models);
+    EXPECT_FALSE(parse({"a.pdb", "--model", "3"}).read.join_models);
     EXPECT_THROW(parse({"a.pdb", "--model", "0"}), UsageError);
     EXPECT_THROW(parse({"a.pdb", "--model", "ALL"}), UsageError);
 }

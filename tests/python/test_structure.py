@@ -55,6 +55,26 @@ class Reading(InScratchFolder):
         self.assertIn("model 1 of 2 taken (choose another with model=N)", notes)
         self.assertIn('1 LIG left out (keep it with hetero="ligands")', notes)
 
+    def test_models_can_be_joined(self):
+        atom = "ATOM      1  CA  GLY {}   1       {}.000   0.000   0.000  1.00  0.00           C\n".format
+        pathlib.Path("unit.pdb1").write_text(f"MODEL 1\n{atom('A', 0)}ENDMDL\nMODEL 2\n{atom('A', 4)}ENDMDL\n")
+        self.assertEqual(meniscus.read("unit.pdb1", model="join").chain.tolist(), ["A", "A-2"])
+        self.assertEqual(len(meniscus.read("unit.pdb1")), 1)
+        pathlib.Path("dock.pdb").write_text(f"{atom('A', 0)}END\n{atom('B', 4)}END\n")
+        with self.assertWarnsRegex(meniscus.ReadWarning, r'chain B follows it \(take all with model="join"\)'):
+            meniscus.read("dock.pdb")
+        self.assertEqual(meniscus.read("dock.pdb", model="join").chain.tolist(), ["A", "B"])
+
+    def test_a_small_molecule_is_kept_unless_none_is_given(self):
+        pathlib.Path("l.pdb").write_text("".join(
+            f"HETATM{i:5}  C{i}  UNL A   1    {2.0 * i:8.3f}   0.000   0.000  1.00  0.00           C\n" for i in (1, 2)))
+        molecule = read("l.pdb")
+        self.assertEqual(len(molecule), 2)
+        self.assertIn("neither protein nor nucleic acid here, so hetero groups are kept: 1 UNL", molecule.notes)
+        self.assertEqual([len(m) for m in (read("l.pdb", hetero="ligands"), read("l.pdb", hetero="all"))], [2, 2])
+        with self.assertRaisesRegex(meniscus.InputError, "no atoms left"):
+            meniscus.read("l.pdb", hetero="none")
+
     def test_options_choose_atoms(self):
         self.assertEqual(len(read(UBIQUITIN, waters=True)), 660)
         self.assertEqual(set(read(UBIQUITIN, select="CA").name), {"CA"})

@@ -94,6 +94,52 @@ TEST(ChooseAtoms, AnAltlocThatIsNotThereIsAWarning) {
     expect_contains(chosen.warnings.at(0), "no alternative location B");
 }
 
+TEST(ChooseAtoms, AtomsThatLackAnAltlocAreTold) {
+    RawModel model;
+    add_residue(model, "SER", 1, {"N", "C", "C", "O", "O"});
+    for (const std::size_t atom : {1U, 3U}) model.atoms[atom].altloc = 'A';
+    model.atoms[2].altloc = 'B';
+    model.atoms[4].altloc = 'C';
+    model.atoms[4].occupancy = 5.0;
+    const Chosen best = choose_atoms(model, {}, "f");
+    EXPECT_EQ(best.atoms, (std::vector<std::uint32_t>{0, 1, 4}));
+    EXPECT_EQ(best.notes, (std::vector<std::string>{"2 atoms of alternative locations left out (choose one with altloc "
+                                                    "= ID)",
+                                                    "1 atom lacks its residue's alternative location: its own best one "
+                                                    "taken"}));
+    const Chosen b = choose_atoms(model, {.altloc = "B"}, "f");
+    EXPECT_EQ(b.atoms, (std::vector<std::uint32_t>{0, 2, 4}));
+    EXPECT_EQ(b.notes, (std::vector<std::string>{"1 atom lacks alternative location B: its own best one taken"}));
+    EXPECT_TRUE(choose_atoms(model, {.altloc = "Z"}, "f").notes.empty());
+}
+
+// Two molecules, an ion and a water, in the order of mixed().
+RawModel without_polymer() {
+    RawModel model = mixed();
+    model.residues[0].kind = ResidueKind::Ligand;
+    model.residues[0].name = "UNL";
+    return model;
+}
+
+TEST(ChooseAtoms, WithoutPolymerHeteroGroupsAreKept) {
+    const Chosen chosen = choose_atoms(without_polymer(), {}, "f");
+    EXPECT_EQ(chosen.atoms.size(), 9U);
+    EXPECT_EQ(chosen.notes,
+              (std::vector<std::string>{"1 water left out (keep it with keep_waters = true)",
+                                        "neither protein nor nucleic acid here, so hetero groups are kept: 2 HEM, 1 "
+                                        "UNL, 1 ZN"}));
+    EXPECT_TRUE(chosen.warnings.empty());
+    EXPECT_TRUE(chosen.ligands.empty());
+}
+
+TEST(ChooseAtoms, WithoutPolymerAnExplicitWordHolds) {
+    EXPECT_TRUE(choose_atoms(without_polymer(), {.hetero = HeteroPolicy::None}, "f").atoms.empty());
+    const Chosen ligands = choose_atoms(without_polymer(), {.hetero = HeteroPolicy::Ligands}, "f");
+    EXPECT_EQ(ligands.atoms.size(), 8U);
+    EXPECT_EQ(ligands.notes.size(), 2U);
+    EXPECT_EQ(choose_atoms(without_polymer(), {.hetero = HeteroPolicy::All}, "f").notes.size(), 1U);
+}
+
 TEST(ListOfCounts, MostFrequentFirstAndNoMoreThanSix) {
     EXPECT_EQ(list_of_counts({{"CA", 1}, {"HEM", 4}}), "4 HEM, 1 CA");
     EXPECT_EQ(list_of_counts({{"", 2}}), "2 nameless");

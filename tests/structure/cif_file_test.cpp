@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "fragments.h"
+#include "structure/join_residues.h"
 
 namespace meniscus::reading {
 namespace {
@@ -140,13 +141,18 @@ TEST(GemmiCif, LongLoopsAreReadWholeWhetherTheirRowsGrowOrShrink) {
 
 // Alternatives of one site may take turns, and a residue may come back.
 TEST(GemmiCif, ResiduesOfNeighbouringRowsAreToldApart) {
-    const RawModel model = cif(std::string(kHead) +
-                               "ATOM 1 N N A SER A 1 0 0 0 1\nATOM 2 N N B THR A 1 0 0 1 1\n"
-                               "ATOM 3 C CA A SER A 1 1 0 0 1\nATOM 4 C CA A SER B 1 2 0 0 1\n"
-                               "ATOM 5 C CA A SER B 2 3 0 0 1\nATOM 6 C CB A SER B 2 4 0 0 1\n");
-    std::vector<std::uint32_t> residues;
-    for (const RawAtom& atom : model.atoms) residues.push_back(atom.residue);
-    EXPECT_EQ(residues, (std::vector<std::uint32_t>{0, 1, 0, 2, 3, 3}));
+    RawModel model = cif(std::string(kHead) +
+                         "ATOM 1 N N A SER A 1 0 0 0 1\nATOM 2 N N B THR A 1 0 0 1 1\n"
+                         "ATOM 3 C CA A SER A 1 1 0 0 1\nATOM 4 C CA A SER B 1 2 0 0 1\n"
+                         "ATOM 5 C CA A SER B 2 3 0 0 1\nATOM 6 C CB A SER B 2 4 0 0 1\n");
+    const auto residues = [&model] {
+        std::vector<std::uint32_t> found;
+        for (const RawAtom& atom : model.atoms) found.push_back(atom.residue);
+        return found;
+    };
+    EXPECT_EQ(residues(), (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 4}));
+    join_residues(model);
+    EXPECT_EQ(residues(), (std::vector<std::uint32_t>{0, 1, 0, 2, 3, 3}));
 }
 
 TEST(GemmiCif, OneAtomMayBeGivenInPairs) {

@@ -33,6 +33,10 @@ TEST(InputFile, SuffixTellsTheFormatInAnyCase) {
     EXPECT_EQ(load_bytes("data_a\n", "a.cif").format, Format::Cif);
     EXPECT_EQ(load_bytes("data_a\n", "a.mmcif").format, Format::Cif);
     EXPECT_EQ(load_bytes(kAtom, "a.pdbqt").format, Format::Pdbqt);
+    for (const char* name : {"a.pdb1", "a.PDB9", "a.pdb12"}) EXPECT_EQ(load_bytes(kAtom, name).name, "a") << name;
+    EXPECT_EQ(stem_of("d/1abc.pdb2.gz"), "1abc");
+    for (const char* name : {"a.pdb123", "a.pdbx", "a.ent1", "a.1"})
+        expect_contains(error_of_bytes(kAtom, name), "unknown suffix");
     EXPECT_EQ(load_bytes(kAtom, "a.pqr").format, Format::Pqr);
     EXPECT_EQ(load_bytes("0 0 0 1\n", "a.xyzr").format, Format::Xyzr);
     EXPECT_EQ(load_bytes("0 0 0 1\n", "a.xyzrn").format, Format::Xyzrn);

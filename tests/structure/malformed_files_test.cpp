@@ -19,16 +19,16 @@ struct Expected {
 
 constexpr auto kFiles = std::to_array<Expected>({
     {"biotite/altloc.cif", 14, "20 atoms of alternative locations left out"},
-    {"biotite/hetatm.pdb", 0, "1 LIG left out (keep "},
+    {"biotite/hetatm.pdb", 5, "hetero groups are kept: 1 LIG"},
     {"biotite/res_ids.cif", 23, "12 NAG, 6 FUC left out (keep "},
-    {"chemfiles/MOF-5.pdb", 0, "1 LIG left out (keep "},
-    {"chemfiles/atom-id-0.pdb", 0, "1 EST left out (keep "},
+    {"chemfiles/MOF-5.pdb", 53, "hetero groups are kept: 1 LIG"},
+    {"chemfiles/atom-id-0.pdb", 2, "hetero groups are kept: 1 EST"},
     {"chemfiles/crystal-maker.pdb", 8, "8 MOL XE"},
     {"chemfiles/end-endmdl.pdb", 2, "line 13: this MODEL number occurs more than once"},
     {"chemfiles/hemo.pdb", 449, "1 HEM left out (keep "},
     {"chemfiles/insertion-code.pdb", 3, "2 atoms at exactly the position of another atom"},
     {"chemfiles/model.pdb", 2223, "model 1 of 2 taken"},
-    {"chemfiles/odd-start.pdb", 0, "1 EST left out (keep "},
+    {"chemfiles/odd-start.pdb", 20, "hetero groups are kept: 1 EST"},
     {"chemfiles/psfgen-output.pdb", 26, "7 elements taken from atom names"},
     {"chemfiles/short-atom.pdb", 9, "9 elements in non-standard residues guessed"},
     {"chemfiles/short-cryst1.pdb", 9, "9 elements in non-standard residues guessed"},
@@ -58,9 +58,9 @@ constexpr auto kFiles = std::to_array<Expected>({
     {"pdb-tools/ensemble_error_MODEL.pdb", 2, "line 10: MODEL without a number"},
     {"pdb-tools/ensemble_more_OK.pdb", 4, "line 9: this model has a different number of atoms"},
     {"pdb-tools/hetatm.pdb", 2, "3 UNK left out (keep "},
-    {"pdb-tools/hetatm_bad.pdb", 0, "1 UNK left out (keep "},
-    {"pdb-tools/hetatm_ensemble.pdb", 0, "1 G39 left out (keep "},
-    {"pdb-tools/vu7.pdb", 0, "1 VU7 left out (keep "},
+    {"pdb-tools/hetatm_bad.pdb", 2, "hetero groups are kept: 1 UNK"},
+    {"pdb-tools/hetatm_ensemble.pdb", 20, "hetero groups are kept: 1 G39"},
+    {"pdb-tools/vu7.pdb", 30, "hetero groups are kept: 1 VU7"},
 });
 
 std::filesystem::path folder() { return *testing::test_data() / "malformed"; }

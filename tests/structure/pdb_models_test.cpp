@@ -15,6 +15,7 @@ std::string models_of(const std::string& text) {
     std::string description;
     for (const PdbModelSpan& span : models.spans) description += std::to_string(span.first_line) + " ";
     for (const std::string& line : models.warnings) description += "[" + line.substr(0, line.find(';')) + "]";
+    if (!models.different_sizes.empty()) description += "[" + models.different_sizes + "]";
     return description;
 }
 

@@ -66,6 +66,22 @@ TEST(ReadStructure, LigandsLeftOutAreKnownByName) {
     EXPECT_EQ(read_text(kGlycine + ligand, "g.pdb", {.hetero = HeteroPolicy::Ligands}).left_out_ligands, Ligands{});
 }
 
+TEST(ReadStructure, ASmallMoleculeIsKept) {
+    const std::string ligand =
+        pdb_line({.name = " C1 ", .residue = "UNL", .record = "HETATM", .element = " C"}) +
+        pdb_line({.name = " O1 ", .residue = "UNL", .x = 1.4, .record = "HETATM", .element = " O"});
+    const Structure s = read_text(ligand + kWater, "l.pdb");
+    EXPECT_EQ(s.atoms.size(), 2U);
+    EXPECT_TRUE(has_note(s, "neither protein nor nucleic acid here, so hetero groups are kept: 1 UNL"));
+    expect_contains(error_of(ligand, "l.pdb", {.hetero = HeteroPolicy::None}),
+                    "1 UNL left out (keep it with hetero = l");
+    expect_contains(error_of(kWater, "w.pdb"), "w.pdb: no atoms left: 1 water left out");
+    const std::string cif =
+        "data_l\nloop_\n_atom_site.group_PDB\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n"
+        "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\nHETATM C1 UNL 0 0 0\nHETATM O1 UNL 1.4 0 0\n";
+    EXPECT_EQ(read_text(cif, "l.cif").atoms.size(), 2U);
+}
+
 TEST(ReadStructure, TakesAFingerprintOnlyIfAskedFor) {
     EXPECT_EQ(read_text(kGlycine, "g.pdb", {.checksum = false}).sha256, "");
 }

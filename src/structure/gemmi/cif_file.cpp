@@ -537,6 +537,24 @@ struct CifFile::Content {
 
     int model_count() const { return std::max<int>(1, static_cast<int>(model_numbers.size())); }
 
+    std::string chain(std::size_t row) {
+        const CifSource source{file, text};
+        const AtomRow atom(source, atoms, row);
+        const Column::Index column = atom.has(Column::AuthAsym) ? Column::AuthAsym : Column::LabelAsym;
+        return atom.has(column) ? printable(unquoted(*atoms.at(column, row))) : "";
+    }
+
+    std::vector<std::set<std::string>> chains_of_models() {
+        std::vector<std::set<std::string>> chains(static_cast<std::size_t>(model_count()));
+        auto number = model_numbers.begin();
+        for (std::size_t i = 0; i < atoms.rows(); ++i) {
+            const std::string_view* const own = atoms.at(Column::ModelNumber, i);
+            if (own != nullptr && *own != *number) number = std::find(model_numbers.begin(), model_numbers.end(), *own);
+            chains[static_cast<std::size_t>(number - model_numbers.begin())].insert(chain(i));
+        }
+        return chains;
+    }
+
     RawModel model(int position) {
         RawModel model;
         model.model_count = model_count();
@@ -568,6 +586,8 @@ CifFile::CifFile(const std::string& text, const std::string& file)
 CifFile::~CifFile() = default;
 
 int CifFile::model_count() const { return content_->model_count(); }
+
+std::vector<std::set<std::string>> CifFile::chains_of_models() const { return content_->chains_of_models(); }
 
 RawModel CifFile::model(int position) const {
     return with_input_errors(content_->file, [&] { return content_->model(position); });

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "structure/raw_model.h"
 
@@ -22,6 +24,9 @@ public:
 
     /// Models in the file, told apart by pdbx_PDB_model_num.
     int model_count() const;
+
+    /// Names of the chains of every model, author's names where there are such.
+    std::vector<std::set<std::string>> chains_of_models() const;
 
     /// The model at a position, from 1. Precondition: 1 <= position <= model_count().
     /// throws   InputError with the line and column of a value that is no finite number
