@@ -29,7 +29,8 @@ namespace {
 
 constexpr std::size_t kLongestPath = 4096;  // bytes, as for the system
 
-constexpr std::array<std::string_view, 7> kSuffixes{".pdb", ".ent", ".cif", ".mmcif", ".pqr", ".xyzr", ".xyzrn"};
+constexpr std::array<std::string_view, 9> kSuffixes{".pdb", ".ent", ".cif",  ".mmcif", ".bcif",
+                                                    ".gro", ".pqr", ".xyzr", ".xyzrn"};
 
 /// How many characters at the end of a name are suffixes of a structure; 0 if there are none.
 std::size_t suffix_length(const std::string& name) {

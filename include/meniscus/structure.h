@@ -89,7 +89,8 @@ struct Structure {
     std::vector<std::string> warnings;  ///< assumptions that may make a number wrong: a line per kind
 };
 
-/// Reads PDB, mmCIF, PQR, xyzr or xyzrn, each possibly gzipped; "-" reads standard input, told by content.
+/// Reads PDB, mmCIF, BinaryCIF, GROMACS, PQR, xyzr or xyzrn, each possibly gzipped; "-" reads standard input, told by
+/// content.
 ///
 /// Every coordinate, radius and charge must be a finite number in full.
 /// throws   InputError "FILE:LINE:COLUMN: what; what to do"; UsageError for an unknown option value

@@ -12,6 +12,8 @@
 #include "reading/numbers.h"
 #include "reading/read_bytes.h"
 #include "reading/text.h"
+#include "structure/bcif_tables.h"
+#include "structure/gro_reader.h"
 #include "structure/sha256.h"
 
 namespace meniscus::reading {
@@ -27,6 +29,8 @@ constexpr auto kSuffixes = std::to_array<Suffix>({
     {".ent", Format::Pdb},
     {".cif", Format::Cif},
     {".mmcif", Format::Cif},
+    {".bcif", Format::Bcif},
+    {".gro", Format::Gro},
     {".pqr", Format::Pqr},
     {".xyzr", Format::Xyzr},
     {".xyzrn", Format::Xyzrn},
@@ -71,6 +75,8 @@ bool is_cif_start(std::string_view line) {
 }
 
 std::optional<Format> format_by_content(std::string_view text) {
+    if (is_bcif(text)) return Format::Bcif;
+    if (is_gro(text)) return Format::Gro;
     const std::string_view line = first_line(text);
     if (is_cif_start(line)) return Format::Cif;
     if (is_pdb_record(line)) return Format::Pdb;
@@ -78,8 +84,32 @@ std::optional<Format> format_by_content(std::string_view text) {
     return std::nullopt;
 }
 
+// The bytes of BinaryCIF are no text, under whatever name.
+void check_binary_content(const InputFile& file) {
+    if (file.format == Format::Bcif) return;
+    throw InputError(file.path + ": contains BinaryCIF but is named as another format; rename it to .bcif");
+}
+
+// Formats that begin with free text are told by what they lack, too.
+void check_gro(const InputFile& file, std::string_view line) {
+    if (file.format != Format::Gro && is_gro(file.text))
+        throw InputError(file.path +
+                         ": contains GROMACS coordinates but is named as another format; rename it to .gro");
+    if (file.format != Format::Gro || is_gro(file.text)) return;
+    if (is_cif_start(line)) throw InputError(file.path + ": contains mmCIF but is named .gro; rename it to .cif");
+    if (is_pdb_record(line))
+        throw InputError(file.path + ": contains PDB records but is named .gro; rename it to .pdb");
+}
+
+void check_bcif(const InputFile& file, std::string_view line) {
+    if (file.format != Format::Bcif) return;
+    if (is_cif_start(line)) throw InputError(file.path + ": contains mmCIF text but is named .bcif; rename it to .cif");
+    throw InputError(file.path + ": is not BinaryCIF, or its beginning is damaged; fetch the file again");
+}
+
 // Refuses what has a right name but is something else altogether.
 void check_content(const InputFile& file) {
+    if (is_bcif(file.text)) return check_binary_content(file);
     const std::string_view line = first_line(file.text);
     const std::string start = lower_case(std::string(line.substr(0, 200)));
     if (start.starts_with("<!doctype html") || start.find("<html") != std::string::npos) {
@@ -89,6 +119,8 @@ void check_content(const InputFile& file) {
         throw InputError(file.path + ": is XML, not a structure; download the PDB or mmCIF file");
     if (start.starts_with('{'))
         throw InputError(file.path + ": is JSON, not a structure; download the PDB or mmCIF file");
+    check_bcif(file, line);
+    check_gro(file, line);
     if (file.format == Format::Pdb && is_cif_start(line) && !is_pdb_record(line)) {
         throw InputError(file.path + ": contains mmCIF but is named as a PDB file; rename it to .cif");
     }
@@ -115,9 +147,9 @@ void choose_format(InputFile& file) {
     file.format = format.value_or(Format::Pdb);
     if (format) return;
     check_content(file);
-    const char* problem = file.path == "-" ? ": neither PDB nor mmCIF nor xyzr; " : ": unknown suffix; ";
+    const char* problem = file.path == "-" ? ": neither PDB nor mmCIF nor GROMACS nor xyzr; " : ": unknown suffix; ";
     throw InputError(file.path + problem +
-                     "supported formats are .pdb .ent .cif .mmcif .pqr .xyzr .xyzrn, each also .gz");
+                     "supported formats are .pdb .ent .cif .mmcif .bcif .gro .pqr .xyzr .xyzrn, each also .gz");
 }
 
 }  // namespace
@@ -143,7 +175,7 @@ InputFile load_bytes(std::string bytes, const std::string& path, Checksum checks
     } else {
         file.text = std::move(bytes);
     }
-    normalise_line_ends(file.text);
+    if (!is_bcif(file.text)) normalise_line_ends(file.text);
     choose_format(file);
     check_content(file);
     return file;

@@ -40,7 +40,7 @@ struct RawAtom {
     std::string element;        ///< upper case; empty if the file and the name do not tell
     char altloc = ' ';
     bool hetatm = false;
-    bool guessed_element = false;  ///< the name tells it, since a PDB file's own columns are blank
+    bool guessed_element = false;  ///< the name tells it, where the file could have told it itself, or all but tells it
     int serial = 0;
     double occupancy = 1.0;
     double b_factor = 0.0;
@@ -78,11 +78,12 @@ struct RawModel {
     std::vector<RawAtom> atoms;
     std::vector<RawResidue> residues;
     std::vector<RawAssembly> assemblies;
-    int model_count = 1;                ///< models in the file
-    bool has_names = true;              ///< false for bare spheres
-    bool has_radii = false;             ///< PQR, xyzr: radii are the file's own, and every atom is kept
-    std::vector<std::string> notes;     ///< see Structure::notes
-    std::vector<std::string> warnings;  ///< see Structure::warnings
+    int model_count = 1;     ///< models in the file
+    bool has_names = true;   ///< false for bare spheres
+    bool has_radii = false;  ///< PQR, xyzr: radii are the file's own, and every atom is kept
+    std::string why_guessed = "columns 77-78 are blank";  ///< why elements are guessed
+    std::vector<std::string> notes;                       ///< see Structure::notes
+    std::vector<std::string> warnings;                    ///< see Structure::warnings
 
     const RawResidue& residue_of(const RawAtom& atom) const { return residues[atom.residue]; }
 };

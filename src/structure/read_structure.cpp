@@ -14,6 +14,7 @@
 #include "structure/coincident.h"
 #include "structure/gemmi/cif_file.h"
 #include "structure/gemmi/gemmi_reader.h"
+#include "structure/gro_reader.h"
 #include "structure/input_file.h"
 #include "structure/pdb_screen.h"
 #include "structure/residue_kinds.h"
@@ -36,13 +37,15 @@ public:
           assemblies_(!options.assembly.empty()) {
         if (file_.format == Format::Pdb) pdb_ = find_pdb_models(file_.text);
         if (file_.format == Format::Cif) cif_.emplace(file_.text, file_.path);
+        if (file_.format == Format::Bcif) cif_.emplace(file_.text, file_.path, CifForm::Binary);
+        if (file_.format == Format::Gro) gro_ = find_gro_frames(file_.text, file_.path);
     }
 
     const InputFile& file() const { return file_; }
 
     int model_count() const {
         if (cif_) return cif_->model_count();
-        return std::max<int>(1, static_cast<int>(pdb_.spans.size()));
+        return std::max<int>(1, static_cast<int>(pdb_.spans.size() + gro_.size()));
     }
 
     RawModel model(int position) const {
@@ -61,6 +64,7 @@ private:
     RawModel parse(int position) const {
         switch (file_.format) {
             case Format::Cif:
+            case Format::Bcif:
                 return cif_->model(position);
             case Format::Pqr:
                 return parse_pqr(file_.text, file_.path);
@@ -68,6 +72,8 @@ private:
                 return parse_xyzr(file_.text, file_.path);
             case Format::Xyzrn:
                 return parse_xyzrn(file_.text, file_.path);
+            case Format::Gro:
+                return parse_gro(file_.text, gro_[static_cast<std::size_t>(position) - 1], file_.path);
             default:
                 return parse_pdb_model(position);
         }
@@ -82,6 +88,7 @@ private:
     InputFile file_;
     bool assemblies_;
     PdbModels pdb_;
+    std::vector<GroFrame> gro_;
     std::optional<CifFile> cif_;
 };
 
@@ -110,10 +117,10 @@ void tell_guessed_elements(const RawModel& model, Chosen& chosen) {
         ++(is_amino_acid(residue) || is_nucleotide(residue) || is_water(residue) ? certain : doubtful);
     }
     if (certain > 0)
-        chosen.notes.push_back(counted(certain, "element") + " taken from atom names: columns 77-78 are blank");
+        chosen.notes.push_back(counted(certain, "element") + " taken from atom names: " + model.why_guessed);
     if (doubtful > 0)
         chosen.warnings.push_back(counted(doubtful, "element") +
-                                  " in non-standard residues guessed from atom names: columns 77-78 are blank");
+                                  " in non-standard residues guessed from atom names: " + model.why_guessed);
 }
 
 Structure make_structure(const InputFile& file, const RawModel& model, const ReadOptions& options) {
