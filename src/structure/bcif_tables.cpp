@@ -16,8 +16,9 @@
 namespace meniscus::reading {
 namespace {
 
-// An atom of 21 columns takes three bytes for its coordinates alone: runs make all else small.
-constexpr std::size_t kValuesPerByte = 16;
+// An atom of 21 columns takes three bytes at least for its coordinates: runs may make all else small. Real files have
+// less than one value per byte.
+constexpr std::size_t kValuesPerByte = 8;
 
 // Decodes columns, and counts what they hold against the size of the file.
 class ColumnReader {

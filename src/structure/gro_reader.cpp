@@ -197,8 +197,7 @@ RawAtom to_gro_atom(const GroLine& line, const RawResidue& residue) {
     return atom;
 }
 
-// Atoms of a frame and the residues that they make. A residue ends where number or name change: numbers begin again
-// at 0 after 99999.
+// Atoms of a frame and the residues that they make.
 class FrameReader {
 public:
     FrameReader(const GroFrame& frame, const std::string& file) : frame_(frame), file_(file) {
@@ -222,17 +221,26 @@ private:
             ++virtual_sites_;
             return;
         }
-        if (model_.residues.empty() || model_.residues.back().number != number || model_.residues.back().name != name)
-            add_residue(number, name);
+        if (!is_of_last_residue(line, number, name)) add_residue(number, name);
         model_.atoms.push_back(to_gro_atom(line, model_.residues.back()));
         model_.atoms.back().residue = static_cast<std::uint32_t>(model_.residues.size() - 1);
         model_.atoms.back().serial = line.serial().value_or(static_cast<int>(i + 1));
+    }
+
+    // Of amino acids, nucleotides and waters the first atom comes a second time where the next one of the same number
+    // begins: of another chain, or of another insertion code, both of which the format leaves out.
+    bool is_of_last_residue(const GroLine& line, int number, const std::string& name) const {
+        if (model_.residues.empty()) return false;
+        const RawResidue& last = model_.residues.back();
+        if (last.number != number || last.name != name) return false;
+        return !is_standard_name(name) || model_.atoms[first_of_residue_].name != line.atom_name();
     }
 
     void add_residue(int number, const std::string& name) {
         RawResidue& residue = model_.residues.emplace_back();
         residue.number = number;
         residue.name = name;
+        first_of_residue_ = model_.atoms.size();
     }
 
     void finish() {
@@ -247,6 +255,7 @@ private:
     const GroFrame& frame_;
     const std::string& file_;
     RawModel model_;
+    std::size_t first_of_residue_ = 0;  // an atom
     std::size_t virtual_sites_ = 0;
 };
 

@@ -28,8 +28,8 @@ bool is_gro(std::string_view text);
 std::vector<GroFrame> find_gro_frames(std::string_view text, const std::string& file);
 
 /// The atoms of a frame, in Å. Residues of other names than those of amino acids, nucleotides and water are taken as
-/// hetero groups; virtual sites of water are left out with a note.
-/// throws   InputError with line and column
+/// hetero groups; virtual sites of water are left out with a note. Numbers begin again after 99999: a residue ends
+/// where number or name change, or its first atom comes again. throws   InputError with line and column
 RawModel parse_gro(std::string_view text, const GroFrame& frame, const std::string& file);
 
 }  // namespace meniscus::reading

@@ -88,6 +88,17 @@ TEST(GroReader, NumbersMayBeginAgain) {
     EXPECT_EQ(model.atoms[3].residue, 3U);
 }
 
+TEST(GroReader, NeighboursOfOneNumberAreToldApartByTheirFirstAtoms) {
+    const auto residues = [](const std::string& name) {
+        const std::string line = "    1" + name + "     N     1   0.000   0.000   0.000\n";
+        std::string other = line;
+        other[14] = 'C';
+        return gro("t\n4\n" + line + other + line + other + " 1 1 1\n").residues.size();
+    };
+    EXPECT_EQ(residues("ALA"), 2U);
+    EXPECT_EQ(residues("LIG"), 1U);  // whose atoms may all have one name
+}
+
 TEST(GroReader, FramesAreModels) {
     const std::string frame = one_atom("    1ALA     CA    1   1.000   0.000   0.000");
     const std::string other = one_atom("    1ALA     CA    1   2.000   0.000   0.000");
