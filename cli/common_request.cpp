@@ -50,8 +50,7 @@ std::vector<ReadFile> files_of_structure(const std::string& input, const ReadOpt
 
 void add_input(CLI::App& command, CommonRequest& request) {
     command
-        .add_option("INPUT", request.input,
-                    ".pdb .ent .cif .mmcif .bcif .gro .pqr .xyzr .xyzrn, also .gz; - is standard input")
+        .add_option("INPUT", request.input, ".pdb .ent .cif .mmcif .bcif .gro .pqr .xyzr .xyzrn, also .gz; - is stdin")
         ->required()
         ->type_name("");
 }
