@@ -29,8 +29,8 @@ namespace {
 
 constexpr std::size_t kLongestPath = 4096;  // bytes, as for the system
 
-constexpr std::array<std::string_view, 8> kSuffixes{".pdb",   ".ent", ".cif",  ".mmcif",
-                                                    ".pdbqt", ".pqr", ".xyzr", ".xyzrn"};
+constexpr std::array<std::string_view, 10> kSuffixes{".pdb", ".ent",   ".cif", ".mmcif", ".bcif",
+                                                     ".gro", ".pdbqt", ".pqr", ".xyzr",  ".xyzrn"};
 
 /// In the names of biological assemblies .pdb has a number behind it: 1abc.pdb1, 1abc.pdb12.
 std::size_t digits_of_assembly(std::string_view name) {

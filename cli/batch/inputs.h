@@ -25,8 +25,8 @@ struct FoundInputs {
     std::size_t left_out = 0;   ///< files of folders and archives whose suffix names no structure
 };
 
-/// Whether a name ends as structures do: .pdb .ent .cif .mmcif .pdbqt .pqr .xyzr .xyzrn, each also .gz; capitals count
-/// as well.
+/// Whether a name ends as structures do: .pdb .ent .cif .mmcif .bcif .gro .pdbqt .pqr .xyzr .xyzrn, each also .gz;
+/// capitals count as well.
 bool names_structure(const std::string& name);
 
 /// A name without the suffixes of structures: "ab/1abc.cif.gz" -> "ab/1abc".

@@ -90,7 +90,8 @@ struct Structure {
     std::vector<std::string> warnings;  ///< assumptions that may make a number wrong: a line per kind
 };
 
-/// Reads PDB, mmCIF, PDBQT, PQR, xyzr or xyzrn, each possibly gzipped; "-" reads standard input, told by content.
+/// Reads PDB, mmCIF, BinaryCIF, GROMACS, PDBQT, PQR, xyzr or xyzrn, each possibly gzipped; "-" reads standard input,
+/// told by content.
 ///
 /// Every coordinate, radius and charge must be a finite number in full. Where models after the first have chains that
 /// the first one lacks, they are partners and not copies; a warning names them then.

@@ -265,7 +265,7 @@ def read(
     waters: bool | None = None,
     strict_radii: bool = False,
 ) -> Structure:
-    """Reads PDB, mmCIF, PDBQT, PQR, xyzr or xyzrn, each possibly gzipped; "-" reads standard input.
+    """Reads PDB, mmCIF, BinaryCIF, GROMACS, PDBQT, PQR, xyzr or xyzrn, each possibly gzipped; "-" reads standard input.
 
     The options, their words and defaults are those of the command line (``docs/conventions.md``).
 

@@ -12,6 +12,8 @@
 #include "reading/numbers.h"
 #include "reading/read_bytes.h"
 #include "reading/text.h"
+#include "structure/bcif_tables.h"
+#include "structure/gro_reader.h"
 #include "structure/pdb_records.h"
 #include "structure/pdbqt_reader.h"
 #include "structure/sha256.h"
@@ -30,6 +32,8 @@ constexpr auto kSuffixes = std::to_array<Suffix>({
     {".pdbqt", Format::Pdbqt},
     {".cif", Format::Cif},
     {".mmcif", Format::Cif},
+    {".bcif", Format::Bcif},
+    {".gro", Format::Gro},
     {".pqr", Format::Pqr},
     {".xyzr", Format::Xyzr},
     {".xyzrn", Format::Xyzrn},
@@ -79,6 +83,8 @@ bool is_cif_start(std::string_view line) {
 }
 
 std::optional<Format> format_by_content(std::string_view text) {
+    if (is_bcif(text)) return Format::Bcif;
+    if (is_gro(text)) return Format::Gro;
     const std::string_view line = first_line(text);
     if (is_cif_start(line)) return Format::Cif;
     if (is_pdb_record(line)) return Format::Pdb;
@@ -90,8 +96,32 @@ std::string line_of(std::string_view text, std::size_t place) {
     return std::to_string(1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
 }
 
+// The bytes of BinaryCIF are no text, under whatever name.
+void check_binary_content(const InputFile& file) {
+    if (file.format == Format::Bcif) return;
+    throw InputError(file.path + ": contains BinaryCIF but is named as another format; rename it to .bcif");
+}
+
+// Formats that begin with free text are told by what they lack, too.
+void check_gro(const InputFile& file, std::string_view line) {
+    if (file.format != Format::Gro && is_gro(file.text))
+        throw InputError(file.path +
+                         ": contains GROMACS coordinates but is named as another format; rename it to .gro");
+    if (file.format != Format::Gro || is_gro(file.text)) return;
+    if (is_cif_start(line)) throw InputError(file.path + ": contains mmCIF but is named .gro; rename it to .cif");
+    if (is_pdb_record(line))
+        throw InputError(file.path + ": contains PDB records but is named .gro; rename it to .pdb");
+}
+
+void check_bcif(const InputFile& file, std::string_view line) {
+    if (file.format != Format::Bcif) return;
+    if (is_cif_start(line)) throw InputError(file.path + ": contains mmCIF text but is named .bcif; rename it to .cif");
+    throw InputError(file.path + ": is not BinaryCIF, or its beginning is damaged; fetch the file again");
+}
+
 // Refuses what has a right name but is something else altogether.
 void check_content(const InputFile& file) {
+    if (is_bcif(file.text)) return check_binary_content(file);
     const std::string_view line = first_line(file.text);
     const std::string start = lower_case(std::string(line.substr(0, 200)));
     if (start.starts_with("<!doctype html") || start.find("<html") != std::string::npos) {
@@ -101,6 +131,8 @@ void check_content(const InputFile& file) {
         throw InputError(file.path + ": is XML, not a structure; download the PDB or mmCIF file");
     if (start.starts_with('{'))
         throw InputError(file.path + ": is JSON, not a structure; download the PDB or mmCIF file");
+    check_bcif(file, line);
+    check_gro(file, line);
     if (file.format == Format::Pdb && is_cif_start(line) && !is_pdb_record(line)) {
         throw InputError(file.path + ": contains mmCIF but is named as a PDB file; rename it to .cif");
     }
@@ -143,6 +175,12 @@ void recognise_pdbqt(InputFile& file) {
     file.notes.emplace_back("read as PDBQT: charges and atom types of AutoDock in columns 67-79");
 }
 
+void tidy_text(InputFile& file) {
+    tell_line_ends(file);
+    normalise_line_ends(file.text);
+    remove_padding(file);
+}
+
 void choose_format(InputFile& file) {
     std::optional<Format> format;
     if (file.path == "-") {
@@ -156,9 +194,9 @@ void choose_format(InputFile& file) {
     file.format = format.value_or(Format::Pdb);
     if (format) return;
     check_content(file);
-    const char* problem = file.path == "-" ? ": neither PDB nor mmCIF nor xyzr; " : ": unknown suffix; ";
+    const char* problem = file.path == "-" ? ": neither PDB nor mmCIF nor GROMACS nor xyzr; " : ": unknown suffix; ";
     throw InputError(file.path + problem +
-                     "supported formats are .pdb .ent .cif .mmcif .pdbqt .pqr .xyzr .xyzrn, each also .gz");
+                     "supported formats are .pdb .ent .cif .mmcif .bcif .gro .pdbqt .pqr .xyzr .xyzrn, each also .gz");
 }
 
 }  // namespace
@@ -184,9 +222,7 @@ InputFile load_bytes(std::string bytes, const std::string& path, Checksum checks
     } else {
         file.text = std::move(bytes);
     }
-    tell_line_ends(file);
-    normalise_line_ends(file.text);
-    remove_padding(file);
+    if (!is_bcif(file.text)) tidy_text(file);
     choose_format(file);
     check_content(file);
     if (file.format == Format::Pdb) recognise_pdbqt(file);

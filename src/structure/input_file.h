@@ -9,10 +9,10 @@
 
 namespace meniscus::reading {
 
-enum class Format { Pdb, Pdbqt, Cif, Pqr, Xyzr, Xyzrn };
+enum class Format { Pdb, Pdbqt, Cif, Bcif, Pqr, Xyzr, Xyzrn, Gro };
 enum class Checksum { LeftOut, Found };
 
-/// A file as text: decompressed, lines ending with '\n', no byte order mark.
+/// A file as text: decompressed, lines ending with '\n', no byte order mark. BinaryCIF is left as its bytes are.
 struct InputFile {
     std::string path;    ///< as given; "-" for standard input
     std::string name;    ///< stem for outputs

@@ -40,7 +40,7 @@ struct RawAtom {
     std::string element;        ///< upper case; empty if the file and the name do not tell
     char altloc = ' ';
     bool hetatm = false;
-    bool guessed_element = false;  ///< the name tells it, since a PDB or mmCIF file does not
+    bool guessed_element = false;  ///< the name tells it, where the file could have told it itself, or all but tells it
     int serial = 0;
     double occupancy = 1.0;
     double b_factor = 0.0;
@@ -81,6 +81,7 @@ struct RawModel {
     int model_count = 1;                ///< models in the file
     bool has_names = true;              ///< false for bare spheres
     bool has_radii = false;             ///< PQR, xyzr: radii are the file's own; see choose_atoms()
+    std::string why_guessed = {};       ///< why elements are guessed, if not for the usual reason
     std::vector<std::string> notes;     ///< see Structure::notes
     std::vector<std::string> warnings;  ///< see Structure::warnings
 

@@ -14,6 +14,7 @@
 #include "structure/coincident.h"
 #include "structure/gemmi/cif_file.h"
 #include "structure/gemmi/gemmi_reader.h"
+#include "structure/gro_reader.h"
 #include "structure/guessed_elements.h"
 #include "structure/input_file.h"
 #include "structure/join_models.h"
@@ -43,6 +44,8 @@ public:
         if (file_.format == Format::Pdbqt) pdb_ = find_pdb_models(file_.text);
         if (file_.format == Format::Pqr) pdb_ = find_pqr_models(file_.text);
         if (file_.format == Format::Cif) cif_.emplace(file_.text, file_.path);
+        if (file_.format == Format::Bcif) cif_.emplace(file_.text, file_.path, CifForm::Binary);
+        if (file_.format == Format::Gro) gro_ = find_gro_frames(file_.text, file_.path);
         if (cif_ && model_count() > 1) partners_ = find_partners(cif_->chains_of_models());
         if (file_.format == Format::Pdb && pdb_.spans.size() > 1) partners_ = partners_in_pdb();
     }
@@ -53,7 +56,7 @@ public:
 
     int model_count() const {
         if (cif_) return cif_->model_count();
-        return std::max<int>(1, static_cast<int>(pdb_.spans.size()));
+        return std::max<int>(1, static_cast<int>(pdb_.spans.size() + gro_.size()));
     }
 
     RawModel model(int position) const {
@@ -110,6 +113,7 @@ private:
     RawModel parse(int position) const {
         switch (file_.format) {
             case Format::Cif:
+            case Format::Bcif:
                 return cif_->model(position);
             case Format::Pqr:
                 return parse_pqr(file_.text, pdb_.spans.at(static_cast<std::size_t>(position) - 1), file_.path);
@@ -117,6 +121,8 @@ private:
                 return parse_xyzr(file_.text, file_.path);
             case Format::Xyzrn:
                 return parse_xyzrn(file_.text, file_.path);
+            case Format::Gro:
+                return parse_gro(file_.text, gro_[static_cast<std::size_t>(position) - 1], file_.path);
             default:
                 return parse_pdb_model(position);
         }
@@ -132,6 +138,7 @@ private:
     InputFile file_;
     bool assemblies_;
     PdbModels pdb_;
+    std::vector<GroFrame> gro_;
     std::optional<CifFile> cif_;
     Partners partners_;
 };
@@ -156,12 +163,17 @@ void check_options(const ReadOptions& options) {
                      (reasons.empty() ? "; --chains or --select keep none" : ": " + reasons));
 }
 
+std::string why_guessed(const InputFile& file, const RawModel& model) {
+    if (!model.why_guessed.empty()) return model.why_guessed;
+    const bool is_cif = file.format == Format::Cif || file.format == Format::Bcif;
+    return is_cif ? "_atom_site.type_symbol is not given" : "columns 77-78 are blank";
+}
+
 Structure make_structure(const InputFile& file, const RawModel& model, const ReadOptions& options) {
     Chosen chosen = choose_atoms(model, options, file.path);
     const AssignedRadii radii = assign_radii(model, options, file.path, chosen);
     if (chosen.atoms.empty()) fail_empty(file.path, model, chosen);
-    tell_guessed_elements(
-        model, file.format == Format::Cif ? "_atom_site.type_symbol is not given" : "columns 77-78 are blank", chosen);
+    tell_guessed_elements(model, why_guessed(file, model), chosen);
     Structure structure;
     structure.file = file.path;
     structure.name = file.name;

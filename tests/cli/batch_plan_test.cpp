@@ -29,8 +29,8 @@ std::uint64_t weight_of(const std::vector<Task>& tasks) {
 }
 
 TEST(BatchNames, EndAsStructuresDo) {
-    for (const char* name : {"a.pdb", "a.ENT", "b/a.cif.gz", "a.mmcif", "a.pdbqt", "a.pqr", "a.xyzr", "a.xyzrn",
-                             "a.pdb.GZ", "a.pdb1", "a.PDB12.gz"})
+    for (const char* name : {"a.pdb", "a.ENT", "b/a.cif.gz", "a.mmcif", "a.bcif", "a.bcif.gz", "a.gro", "a.pdbqt",
+                             "a.pqr", "a.xyzr", "a.xyzrn", "a.pdb.GZ", "a.pdb1", "a.PDB12.gz"})
         EXPECT_TRUE(names_structure(name)) << name;
     for (const char* name : {"a.txt", "pdb", ".pdb", "a.gz", "a.pdb.bz2", "a.pdbx", ""})
         EXPECT_FALSE(names_structure(name)) << name;

@@ -43,7 +43,7 @@ TEST(InputFile, SuffixTellsTheFormatInAnyCase) {
 }
 
 TEST(InputFile, UnknownSuffixesAreErrorsThatNameTheKnown) {
-    expect_contains(error_of_bytes(kAtom, "a.txt"), ".pdb .ent .cif .mmcif .pdbqt .pqr .xyzr .xyzrn");
+    expect_contains(error_of_bytes(kAtom, "a.txt"), ".pdb .ent .cif .mmcif .bcif .gro .pdbqt .pqr .xyzr .xyzrn");
     expect_contains(error_of_bytes("", "/dev/null"), "unknown suffix");
 }
 
@@ -53,7 +53,7 @@ TEST(InputFile, StandardInputIsToldByContent) {
     EXPECT_EQ(load_bytes("# x\n\ndata_a\n", "-").format, Format::Cif);
     EXPECT_EQ(load_bytes("# spheres\n 0 0 0 1\n", "-").format, Format::Xyzr);
     EXPECT_EQ(load_bytes(gzipped("0 0 0 1\n"), "-").format, Format::Xyzr);
-    expect_contains(error_of_bytes("hello\n", "-"), "neither PDB nor mmCIF nor xyzr");
+    expect_contains(error_of_bytes("hello\n", "-"), "neither PDB nor mmCIF nor GROMACS nor xyzr");
     expect_contains(error_of_bytes("", "-"), "nothing came on standard input");
 }
 

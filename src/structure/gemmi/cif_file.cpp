@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <map>
 #include <new>
@@ -24,6 +25,7 @@
 #include "meniscus/errors.h"
 #include "reading/numbers.h"
 #include "reading/text.h"
+#include "structure/bcif_tables.h"
 #include "structure/cif_locate.h"
 #include "structure/element.h"
 #include "structure/gemmi/gemmi_shared.h"
@@ -196,24 +198,72 @@ Document parse_cif(const std::string& text, const std::string& file) {
     }
 }
 
+// ---- BinaryCIF
+
+// All that is asked of a document below.
+bool is_asked_for(std::string_view tag) {
+    constexpr std::array kTags{"_atom_site.", "_pdbx_struct_assembly.", "_pdbx_struct_assembly_gen.",
+                               "_pdbx_struct_assembly_prop.", "_pdbx_struct_oper_list."};
+    const std::string text(tag);
+    return gemmi::iequal(text, "_entity.id") || gemmi::iequal(text, "_entity.type") ||
+           std::any_of(kTags.begin(), kTags.end(), [&](const char* start) { return gemmi::istarts_with(text, start); });
+}
+
+std::vector<std::string_view> row_by_row(const BcifCategory& category) {
+    std::vector<std::string_view> values;
+    values.reserve(category.rows * category.columns.size());
+    for (std::size_t row = 0; row < category.rows; ++row)
+        for (const BcifColumn& column : category.columns) values.push_back(column.values[row]);
+    return values;
+}
+
+void add_loop(Document& document, const BcifCategory& category) {
+    document.blocks.back().items.emplace_back(gemmi::cif::LoopArg{});
+    gemmi::cif::Loop& loop = document.blocks.back().items.back().loop;
+    for (const BcifColumn& column : category.columns) loop.tags.push_back(column.tag);
+    std::vector<std::string_view> values = row_by_row(category);
+    const bool is_of_atoms = all_begin_with(loop, "_atom_site.");
+    const std::size_t kept = is_of_atoms ? loop.width() : values.size();
+    loop.values.assign(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(kept));
+    if (is_of_atoms) document.atom_loops.push_back({document.blocks.size() - 1, std::move(values)});
+}
+
+// The document that the same file as text would be. Takes the tables apart, since they are large.
+Document to_document(std::vector<BcifBlock> blocks, const std::string& file) {
+    Document document;
+    document.source = file;
+    for (BcifBlock& block : blocks) {
+        document.blocks.emplace_back(block.name);
+        for (BcifCategory& category : block.categories) {
+            add_loop(document, category);
+            category.columns.clear();
+        }
+    }
+    return document;
+}
+
 // A parsed file and what messages about it need.
 struct CifSource {
     const std::string& file;
-    const std::string& text;
+    const std::string* text;  // null for BinaryCIF, which has no lines
 
     [[noreturn]] void fail(Column::Index column, std::size_t row, std::string_view value, const char* remedy) const {
-        const std::string tag = tag_of(column);
-        fail_at(file, locate_cif_value(text, tag, row),
-                tag + " " + shown(value) + " is not a finite number; " + remedy);
+        fail_value(column, row, shown(value) + " is not a finite number; " + remedy);
     }
 
     [[noreturn]] void fail_name(Column::Index column, std::size_t row, std::string_view value) const {
-        fail_at(file, locate_cif_value(text, tag_of(column), row),
-                tag_of(column) + " " + shown(value) + " contains a byte that is not a printable character; correct it");
+        fail_value(column, row, shown(value) + " contains a byte that is not a printable character; correct it");
     }
 
+    // For BinaryCIF the row, from 1.
     std::size_t line_of(Column::Index column, std::size_t row) const {
-        return locate_cif_value(text, tag_of(column), row).line;
+        return text != nullptr ? locate_cif_value(*text, tag_of(column), row).line : row + 1;
+    }
+
+    [[noreturn]] void fail_value(Column::Index column, std::size_t row, const std::string& message) const {
+        const std::string tag = tag_of(column);
+        if (text != nullptr) fail_at(file, locate_cif_value(*text, tag, row), tag + " " + message);
+        throw InputError(file + ": row " + std::to_string(row + 1) + ": " + tag + " " + message);
     }
 
     static std::string tag_of(Column::Index column) {
@@ -487,17 +537,25 @@ std::vector<RawAssembly> read_assemblies(const gemmi::cif::Block& block) {
 
 struct CifFile::Content {
     std::string file;
-    const std::string& text;
+    const std::string* text = nullptr;  // of CIF
+    std::deque<std::string> values;     // of BinaryCIF; the document has views of them
     Document document;
     gemmi::cif::Block& block;
     AtomColumns atoms;
     std::vector<std::string_view> model_numbers;  // in file order
     EntityIds polymers;
 
-    Content(const std::string& content, const std::string& name)
+    Content(const std::string& content, const std::string& name) : Content(parse_cif(content, name), name) {
+        text = &content;
+    }
+
+    Content(BcifTables tables, const std::string& name) : Content(to_document(std::move(tables.blocks), name), name) {
+        values = std::move(tables.texts);  // where they are
+    }
+
+    Content(Document parsed, const std::string& name)
         : file(name),
-          text(content),
-          document(parse_cif(content, name)),
+          document(std::move(parsed)),
           block(coordinate_block(document, name)),
           atoms(checked_columns(block, name), values_of(block)) {
         for (auto row : block.find("_entity.", {"id", "type"})) {
@@ -580,8 +638,11 @@ struct CifFile::Content {
     }
 };
 
-CifFile::CifFile(const std::string& text, const std::string& file)
-    : content_(with_input_errors(file, [&] { return std::make_unique<Content>(text, file); })) {}
+CifFile::CifFile(const std::string& bytes, const std::string& file, CifForm form)
+    : content_(with_input_errors(file, [&] {
+          return form == CifForm::Text ? std::make_unique<Content>(bytes, file)
+                                       : std::make_unique<Content>(read_bcif(bytes, file, is_asked_for), file);
+      })) {}
 
 CifFile::~CifFile() = default;
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// mmCIF files. cif_file.cpp is the only file that includes gemmi's parser of CIF, which compiles slowly.
+// mmCIF and BinaryCIF files. cif_file.cpp is the only file that includes gemmi's parser of CIF, which compiles slowly.
 #pragma once
 
 #include <memory>
@@ -12,12 +12,14 @@
 
 namespace meniscus::reading {
 
-/// An mmCIF file, parsed; its atoms are checked when a model is asked for.
+enum class CifForm { Text, Binary };
+
+/// An mmCIF or BinaryCIF file, parsed; its atoms are checked when a model is asked for.
 class CifFile {
 public:
-    /// text     lines end with '\n' alone, as load_bytes leaves them; has to outlive the CifFile
+    /// bytes    have to outlive the CifFile; the lines of a text end with '\n' alone, as load_bytes leaves them
     /// throws   InputError with the place of a syntax error; if there are no coordinates
-    CifFile(const std::string& text, const std::string& file);
+    CifFile(const std::string& bytes, const std::string& file, CifForm form = CifForm::Text);
     ~CifFile();
     CifFile(const CifFile&) = delete;
     CifFile& operator=(const CifFile&) = delete;
@@ -29,7 +31,7 @@ public:
     std::vector<std::set<std::string>> chains_of_models() const;
 
     /// The model at a position, from 1. Precondition: 1 <= position <= model_count().
-    /// throws   InputError with the line and column of a value that is no finite number
+    /// throws   InputError with the line and column, or the row, of a value that is no finite number
     RawModel model(int position) const;
 
 private:
