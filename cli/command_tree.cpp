@@ -37,6 +37,12 @@ std::vector<std::string> subcommand_names(const CLI::App& command) {
     return names;
 }
 
+const CLI::App* find_subcommand(const CLI::App& command, const std::string& name) {
+    const std::vector<const CLI::App*> found =
+        command.get_subcommands([&](const CLI::App* inner) { return inner->get_name() == name; });
+    return found.empty() ? nullptr : found.front();
+}
+
 std::vector<const CLI::Option*> options_of(const CLI::App& command) {
     return command.get_options([](const CLI::Option* option) { return option->nonpositional(); });
 }

@@ -21,6 +21,9 @@ std::vector<Command> commands_of(const CLI::App& program);
 /// The names of the subcommands of a command.
 std::vector<std::string> subcommand_names(const CLI::App& command);
 
+/// The subcommand of this name; null if there is none.
+const CLI::App* find_subcommand(const CLI::App& command, const std::string& name);
+
 /// The options with names, in the order in which they were added.
 std::vector<const CLI::Option*> options_of(const CLI::App& command);
 

@@ -4,7 +4,6 @@
 
 #include <fmt/core.h>
 
-#include <CLI/StringTools.hpp>
 #include <algorithm>
 #include <cstdint>
 #include <sstream>
@@ -47,7 +46,13 @@ std::string escaped(const std::string& text) {
     return looks_like_request ? "\\&" + result : result;
 }
 
-std::string section(const std::string& title) { return ".SH \"" + escaped(CLI::detail::to_upper(title)) + "\"\n"; }
+std::string upper_case(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+    return text;
+}
+
+std::string section(const std::string& title) { return ".SH \"" + escaped(upper_case(title)) + "\"\n"; }
 
 /// Lines as they stand.
 std::string verbatim(const std::string& text) {
@@ -127,11 +132,10 @@ std::string with_inner(const CLI::App& program, const std::string& subcommand) {
 }  // namespace
 
 std::string man_page(const CLI::App& program, const std::string& subcommand) {
-    const CLI::App* app = subcommand.empty() ? &program : program.get_subcommand_no_throw(subcommand);
+    const CLI::App* app = subcommand.empty() ? &program : find_subcommand(program, subcommand);
     if (app == nullptr) throw UsageError("--man: unknown subcommand '" + subcommand + "'");
     const std::string name = "meniscus" + (subcommand.empty() ? "" : "-" + subcommand);
-    return fmt::format(".TH {} 1 \"\" \"Meniscus {}\" \"User commands\"\n", escaped(CLI::detail::to_upper(name)),
-                       kVersion) +
+    return fmt::format(".TH {} 1 \"\" \"Meniscus {}\" \"User commands\"\n", escaped(upper_case(name)), kVersion) +
            section("Name") + escaped(name) + " \\- " + escaped(app->get_description()) + "\n" +
            with_inner(program, subcommand) + see_also(program, subcommand);
 }

@@ -102,7 +102,7 @@ void check_words(const CLI::App& program, const std::vector<std::string>& words)
     if (words.empty() || words.front().starts_with("-")) return;
     const CLI::App* command = &program;
     for (const std::string& word : words) {
-        const CLI::App* inner = command->get_subcommand_no_throw(word);
+        const CLI::App* inner = find_subcommand(*command, word);
         if (inner == nullptr) break;
         command = inner;
     }
