@@ -84,7 +84,7 @@ class Words(Typing):
     def test_what_has_no_exact_form_is_refused_with_the_right_one(self):
         self.assertIn("//A,B", self.refusal("measure", "a.pdb", "--select", "chain A or chain B"))
         self.assertIn(";polymer", self.refusal("measure", "a.pdb", "--select", "protein"))
-        self.assertIn("--show", self.refusal("surface", "a.pdb", "-o", "a.ply", "--show", "not chain A"))
+        self.assertIn("--show", self.refusal("surface", "a.pdb", "-o", "a.ply", "--show", "not chain A", "-q"))
 
     def test_misspelt_and_misplaced_words(self):
         self.assertIn("did you mean meniscus measure?", self.refusal("mesure", "a.pdb"))
@@ -246,7 +246,7 @@ class Made(Typing):
             self.assertTrue(page.isascii())
             result = subprocess.run(["groff", "-man", "-ww", "-Tutf8"], input=page, capture_output=True, check=False)
             self.assertEqual((result.returncode, result.stderr), (0, b""), page[:200])
-            self.assertIn(b"DESCRIPTION", result.stdout)
+            self.assertIn(b"DESCRIPTION", re.sub(b".\x08", b"", result.stdout))  # without overstrikes
 
     def test_unknown_pages_are_refused(self):
         self.assertIn("choose one of bash zsh", self.refusal("--completion", "fish"))
