@@ -117,13 +117,19 @@ void add_probe(CLI::App& command, double& probe) {
 }
 
 void add_output_options(CLI::App& command, CommonRequest& request) {
-    command.add_option("-o", request.outputs, "File to write; its suffix is the format\n; repeatable")
+    command
+        .add_option("-o", request.outputs,
+                    "File to write; its suffix is the format\n; repeatable; - is standard output, with --format")
         ->type_name("FILE")
         ->allow_extra_args(false);
+    command
+        .add_option("--format", request.format,
+                    rarely("Write to standard output, in this format: a suffix without its point, as in ply or csv"))
+        ->type_name("FORMAT");
     const auto report = [&request](const std::string& path) { request.report = path == "/dev/stdout" ? "-" : path; };
     command.add_option_function<std::string>("--report", report, "Report as JSON; - for standard output")
         ->type_name("FILE");
-    command.add_flag("--quiet", request.quiet, "No summary, no notes, no progress bar");
+    command.add_flag("-q,--quiet", request.quiet, "No summary, no notes, no progress bar");
 }
 
 void add_run_options(CLI::App& command, CommonRequest& request, int& threads) {

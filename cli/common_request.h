@@ -26,6 +26,7 @@ struct CommonRequest {
     bool all_models = false;           ///< every model as a structure of its own; read.model is then not used
     bool per_chain = false;            ///< every chain as a structure of its own
     std::vector<std::string> outputs;  ///< -o, in order
+    std::string format;                ///< of the output that goes to standard output; empty if not given
     std::string report;                ///< path, "-" for standard output, empty for none
     bool quiet = false;
     ProgressMode progress = ProgressMode::Auto;
@@ -42,7 +43,7 @@ void add_atom_options(CLI::App& command, CommonRequest& request);
 
 void add_probe(CLI::App& command, double& probe);
 
-/// -o, --report, --quiet.
+/// -o, --format, --report, --quiet.
 void add_output_options(CLI::App& command, CommonRequest& request);
 
 /// --threads and --progress.

@@ -17,6 +17,7 @@
 #include "meniscus/threads.h"
 #include "meniscus/write.h"
 #include "messages.h"
+#include "standard_output.h"
 
 namespace meniscus::cli {
 
@@ -126,7 +127,7 @@ private:
             write_report(request_.report, make_report(request_, facts_));
         }
         throw_if_interrupted();
-        if (!request_.quiet && request_.report != "-") print(make_summary(request_, facts_));
+        print_summary(request_, make_summary(request_, facts_));
     }
 
     const CompareRequest& request_;
@@ -141,7 +142,10 @@ void add_compare_command(CLI::App& program, Outcome& outcome) {
     CLI::App* command = program.add_subcommand("compare", "How far two surfaces are from each other");
     const auto request = std::make_shared<CompareRequest>();
     add_compare_options(*command, *request);
-    command->callback([request, &outcome] { outcome = run_compare(*request); });
+    command->callback([request, &outcome] {
+        resolve_standard_output(*request);
+        outcome = run_compare(*request);
+    });
 }
 
 Outcome run_compare(const CompareRequest& request) { return CompareRun(request)(); }

@@ -5,12 +5,12 @@
 #include <fmt/core.h>
 
 #include <array>
-#include <filesystem>
 
 #include "help.h"
 #include "meniscus/read_mesh.h"
 #include "option_words.h"
 #include "output_plan.h"
+#include "standard_output.h"
 
 namespace meniscus::cli {
 
@@ -83,11 +83,11 @@ void check_request(const CompareRequest& request) {
     if (request.range && request.outputs.empty())
         throw UsageError("--range sets the colours of a mesh; ask for one with -o FILE.ply or FILE.glb");
     for (const std::string& path : request.outputs) {
-        const std::string suffix = std::filesystem::path(path).extension().string();
+        const std::string suffix = suffix_of(path);
         const bool holds_values =
             std::find(kWithoutValues.begin(), kWithoutValues.end(), suffix) == kWithoutValues.end();
         if (kind_of(path) != OutputKind::Mesh || !holds_values)
-            throw UsageError(fmt::format("-o {}: this format cannot hold distances; choose .ply or .glb", path));
+            throw UsageError(spell_output(path) + ": this format cannot hold distances; choose .ply or .glb");
     }
 }
 

@@ -87,6 +87,14 @@ std::string positionals(const CLI::App& app) {
 
 }  // namespace
 
+std::string brief_description(const CLI::Option& option) {
+    const std::string text = option.get_description();
+    const std::size_t start = text.starts_with('\n') ? 1 : 0;
+    return text.substr(start, text.find('\n', start) - start);
+}
+
+std::string full_description(const CLI::Option& option) { return describe(option, CLI::AppFormatMode::All); }
+
 std::string rarely(const std::string& text) { return "\n" + text; }
 
 std::string wrap(const std::string& text, const Wrap& layout) {

@@ -23,6 +23,10 @@ public:
 /// The description of an option that only --help-all shows.
 std::string rarely(const std::string& text);
 
+/// What an option does, in its first line (of rare ones, their only one), and in full with its default in brackets.
+std::string brief_description(const CLI::Option& option);
+std::string full_description(const CLI::Option& option);
+
 struct Wrap {
     std::size_t indent = 0;  ///< spaces before every line but the first
     std::size_t used = 0;    ///< characters that the first line has already

@@ -13,6 +13,7 @@
 #include "measure_summary.h"
 #include "meniscus/errors.h"
 #include "meniscus/write.h"
+#include "standard_output.h"
 
 namespace meniscus::cli {
 
@@ -63,6 +64,8 @@ private:
     void measure_between(const Structure& structure) {
         std::vector<ChainPair> pairs;
         for (const std::string& text : request_.between) {
+            if (const std::string restated = restate_between(text); !restated.empty())
+                note("--between " + text + ": understood as " + restated);
             if (const auto pair = parse_between(text))
                 pairs.push_back(*pair);
             else
@@ -135,7 +138,10 @@ void add_measure_command(CLI::App& program, Outcome& outcome) {
     CLI::App* command = program.add_subcommand("measure", "Exact areas and volumes, cavities, interfaces");
     const auto request = std::make_shared<MeasureRequest>();
     add_measure_options(*command, *request);
-    command->callback([request, &outcome] { outcome = run_measure(*request); });
+    command->callback([request, &outcome] {
+        resolve_standard_output(*request);
+        outcome = run_measure(*request);
+    });
 }
 
 Outcome run_measure(const MeasureRequest& request) { return MeasureRun(request)(); }

@@ -41,6 +41,15 @@ std::vector<std::string> split_names(const std::string& list, const std::string&
     return names;
 }
 
+/// "A,C" for "chain A+C", as PyMOL has it.
+std::string without_word(const std::string& group) {
+    constexpr std::string_view kWord = "chain ";
+    if (!group.starts_with(kWord)) return group;
+    std::string names = CLI::detail::trim_copy(group.substr(kWord.size()));
+    std::replace(names.begin(), names.end(), '+', ',');
+    return names;
+}
+
 std::size_t count_kind(const MeasureRequest& request, OutputKind kind) {
     return static_cast<std::size_t>(
         std::count_if(request.outputs.begin(), request.outputs.end(),
@@ -79,8 +88,8 @@ void check_request(const MeasureRequest& request) {
     const std::size_t tables = count_kind(request, OutputKind::Table);
     const std::size_t copies = count_kind(request, OutputKind::StructureCopy);
     if (request.per.size() > tables)
-        throw UsageError(
-            fmt::format("--per: given {} times for {} tables; add -o FILE.csv", request.per.size(), tables));
+        throw UsageError(fmt::format("--per: given {} times for {} tables; add -o FILE.csv or --format csv",
+                                     request.per.size(), tables));
     if (request.values.size() > copies)
         throw UsageError(fmt::format("--value: given {} times for {} copies of the structure; add -o FILE.pdb",
                                      request.values.size(), copies));
@@ -92,8 +101,17 @@ void check_request(const MeasureRequest& request) {
         throw UsageError("--per cavity: an interface has no cavities; leave out --between");
 }
 
-std::optional<ChainPair> parse_between(const std::string& text) {
-    if (text == "all") return std::nullopt;
+std::string restate_between(const std::string& text) {
+    const std::vector<std::string> groups = CLI::detail::split(text, ':');
+    std::string restated;
+    for (const std::string& group : groups) restated += (restated.empty() ? "" : ":") + without_word(group);
+    return restated == text ? "" : restated;
+}
+
+std::optional<ChainPair> parse_between(const std::string& given) {
+    if (given == "all") return std::nullopt;
+    const std::string restated = restate_between(given);
+    const std::string& text = restated.empty() ? given : restated;
     const std::size_t colon = text.find(':');
     if (colon == std::string::npos || text.find(':', colon + 1) != std::string::npos)
         throw UsageError(

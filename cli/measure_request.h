@@ -40,8 +40,11 @@ T choice_at(const std::vector<T>& asked, std::size_t place, T otherwise) {
 /// throws   UsageError
 void check_request(const MeasureRequest& request);
 
-/// The pair of groups of chains that "A,C:B" names; nothing for "all".
+/// "A,C:B" for "chain A+C:chain B", as PyMOL calls chains; empty for what is taken as it stands.
+std::string restate_between(const std::string& text);
+
+/// The pair of groups of chains that "A,C:B" names, or the same in the words above; nothing for "all".
 /// throws   UsageError for a text of another form
-std::optional<ChainPair> parse_between(const std::string& text);
+std::optional<ChainPair> parse_between(const std::string& given);
 
 }  // namespace meniscus::cli

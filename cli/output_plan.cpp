@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <CLI/StringTools.hpp>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -14,6 +15,7 @@
 #include <span>
 #include <utility>
 
+#include "io/atomic_file.h"
 #include "meniscus/errors.h"
 #include "meniscus/page.h"
 
@@ -36,6 +38,8 @@ constexpr std::array kSuffixes{
     Suffix{".vdb", OutputKind::Volume},    Suffix{".png", OutputKind::Picture}, Suffix{".html", OutputKind::Page},
 };
 
+bool is_pair(const std::string& suffix) { return suffix == ".vert"; }
+
 constexpr std::array kMeasureSuffixes{
     Suffix{".csv", OutputKind::Table},
     Suffix{".json", OutputKind::Table},
@@ -48,11 +52,21 @@ constexpr std::array kHistorySuffixes{
     Suffix{".json", OutputKind::History},
 };
 
+/// The formats of standard output are called by their suffixes without the point.
+[[noreturn]] void refuse_format(std::span<const Suffix> suffixes, const std::string& suffix) {
+    std::string known;
+    for (const Suffix& s : suffixes)
+        if (!is_pair(s.text)) known.append(known.empty() ? "" : " ").append(s.text + 1);
+    throw UsageError(
+        fmt::format("--format {}: unknown format; choose one of {}", suffix.empty() ? "" : suffix.substr(1), known));
+}
+
 OutputKind find_kind(std::span<const Suffix> suffixes, const std::string& path, const char* option = "-o") {
-    const std::string suffix = fs::path(path).extension().string();
+    const std::string suffix = suffix_of(path);
     const auto found =
         std::find_if(suffixes.begin(), suffixes.end(), [&](const Suffix& s) { return suffix == s.text; });
     if (found != suffixes.end()) return found->kind;
+    if (is_standard_output(path)) refuse_format(suffixes, suffix);
     std::string known;
     for (const Suffix& s : suffixes) known.append(known.empty() ? "" : " ").append(s.text);
     throw UsageError(fmt::format("{} {}: unknown suffix; choose one of {}", option, path, known));
@@ -91,7 +105,9 @@ OutputKind kind_of(const std::string& path) { return find_kind(kSuffixes, path);
 
 OutputKind measure_kind_of(const std::string& path) { return find_kind(kMeasureSuffixes, path); }
 
-bool holds_structure(const std::string& path) { return fs::path(path).extension() == ".npz"; }
+std::string suffix_of(const std::string& path) { return CLI::detail::to_lower(fs::path(path).extension().string()); }
+
+bool holds_structure(const std::string& path) { return suffix_of(path) == ".npz"; }
 
 std::vector<Output> plan_outputs(const std::vector<std::string>& asked, const std::string& name,
                                  const std::string& mark) {
@@ -102,7 +118,8 @@ std::vector<Output> plan_outputs(const std::vector<std::string>& asked, const st
     if (asked.empty() && pages_supported()) plan.push_back({name + ".html", OutputKind::Page});
     const std::size_t count = plan.size();
     for (std::size_t i = 0; i < count; ++i) {
-        if (plan[i].kind != OutputKind::Mesh || holds_structure(plan[i].path)) continue;
+        const std::string& path = plan[i].path;
+        if (plan[i].kind != OutputKind::Mesh || holds_structure(path) || is_standard_output(path)) continue;
         const Output table{atom_table_beside(plan[i].path), OutputKind::AtomTable};
         if (std::find(plan.begin(), plan.end(), table) == plan.end()) plan.push_back(table);
     }
@@ -140,7 +157,7 @@ std::string mark_of_chain(const std::string& chain) {
 
 std::vector<std::string> files_of(const std::string& path) {
     std::vector<std::string> files{path};
-    if (fs::path(path).extension() == ".vert") files.push_back(fs::path(path).replace_extension(".face").string());
+    if (is_pair(suffix_of(path))) files.push_back(fs::path(path).replace_extension(".face").string());
     return files;
 }
 
@@ -153,7 +170,7 @@ void check_paths(const std::vector<std::string>& paths, const std::vector<ReadFi
     for (const std::string& path : paths)
         for (std::string& file : files_of(path)) files.push_back(std::move(file));
     for (const std::string& path : files) {
-        if (path == "-" || is_special_file(path)) continue;
+        if (path == "-" || is_standard_output(path) || is_special_file(path)) continue;
         check_writable(path);
         const std::string file = identity(path);
         if (const auto source = sources.find(file); source != sources.end())

@@ -33,6 +33,9 @@ struct Output {
 OutputKind kind_of(const std::string& path);
 OutputKind measure_kind_of(const std::string& path);
 
+/// ".ply" for "a.PLY".
+std::string suffix_of(const std::string& path);
+
 /// Whether a mesh file has in itself which atoms it is of, and what they were read from.
 bool holds_structure(const std::string& path);
 

@@ -13,6 +13,7 @@
 #include "interrupt.h"
 #include "meniscus/threads.h"
 #include "messages.h"
+#include "standard_output.h"
 
 namespace meniscus::cli {
 
@@ -78,6 +79,12 @@ std::vector<Job> StructureRun::prepare_jobs() {
 void StructureRun::warn(const std::string& line) {
     progress_.clear();
     print_warning(std::cerr, line);
+}
+
+void StructureRun::note(const std::string& line) {
+    if (request_.quiet) return;
+    progress_.clear();
+    print_note(std::cerr, line);
 }
 
 /// Whether all these and the report can be written.
@@ -184,8 +191,7 @@ void StructureRun::finish() {
         }
         throw_if_interrupted();
     }
-    if (request_.quiet || request_.report == "-") return;
-    print(summary_);
+    print_summary(request_, summary_);
 }
 
 }  // namespace meniscus::cli

@@ -6,6 +6,7 @@
 
 #include "meniscus/list_of_counts.h"
 #include "messages.h"
+#include "standard_output.h"
 
 namespace meniscus::cli {
 
@@ -49,7 +50,7 @@ std::string describe_files(const std::vector<Output>& written) {
     std::string list;
     for (const Output& output : written)
         for (const std::string& file : files_of(output.path))
-            list.append(list.empty() ? "" : ", ").append(one_line(file));
+            list.append(list.empty() ? "" : ", ").append(one_line(output_label(file)));
     return list.empty() ? "" : summary_line("written", list);
 }
 

@@ -18,6 +18,7 @@
 #include "meniscus/mesh_part.h"
 #include "meniscus/page.h"
 #include "meniscus/tables.h"
+#include "standard_output.h"
 #include "summary.h"
 
 namespace meniscus::cli {
@@ -51,6 +52,8 @@ private:
         if (!request_.flow.history.empty()) outputs.push_back(plan_history(request_.flow.history, mark));
         if (request_.flow.snapshots > 0 && first_mesh(outputs) == nullptr)
             throw UsageError("--snapshots writes meshes beside the final one; name a mesh with -o");
+        if (const Output* mesh = first_mesh(outputs); mesh != nullptr && is_standard_output(mesh->path))
+            refuse_beside();
         if (request_.cavity_files && first_mesh(outputs) == nullptr)
             throw UsageError("--cavity-files writes meshes beside that of the surface; name a mesh with -o");
         if (has(outputs, OutputKind::Page) && !pages_supported())
@@ -77,12 +80,22 @@ private:
         return files;
     }
 
+    /// There are no names beside that of standard output.
+    void refuse_beside() const {
+        if (request_.flow.snapshots > 0)
+            throw UsageError("-o -: --snapshots writes meshes beside the final one; name it with -o FILE.SUFFIX");
+        if (request_.cavity_files)
+            throw UsageError(
+                "-o -: --cavity-files writes meshes beside that of the surface; name it with -o FILE.SUFFIX");
+    }
+
     static bool has(const std::vector<Output>& outputs, OutputKind kind) {
         return std::any_of(outputs.begin(), outputs.end(), [kind](const Output& o) { return o.kind == kind; });
     }
 
     static bool has_encoding(const Output& output) {
-        return output.path.ends_with(".ply") || output.path.ends_with(".stl");
+        const std::string suffix = suffix_of(output.path);
+        return suffix == ".ply" || suffix == ".stl";
     }
 
     static const Output* first_mesh(const std::vector<Output>& outputs) {
@@ -94,7 +107,10 @@ private:
     void compute(const Job& job) override {
         const SurfaceOptions& options = request_.surface;
         std::vector<bool> selected;
-        if (!request_.show.empty()) selected = select_atoms(job.structure, request_.show, "--show");
+        if (!request_.show.empty()) {
+            selected = select_atoms(job.structure, request_.show, "--show");
+            tell_how_understood(job.structure);
+        }
         values_ = ValueSources(request_.values, request_.picture.colours, job.structure, request_.per_chain);
         for (const std::string& line : values_.warnings()) warn(line);
         Stopwatch estimating;
@@ -123,6 +139,11 @@ private:
         volume_seconds_ = watch.lap();
         if (has(job.outputs, OutputKind::Page)) make_page(job.structure);
         page_seconds_ = watch.lap();
+    }
+
+    void tell_how_understood(const Structure& structure) {
+        const std::string restated = restate_selection(structure, request_.show, "--show");
+        if (!restated.empty()) note("--show " + request_.show + ": understood as " + restated);
     }
 
     void make_surface(const Job& job) {
@@ -331,7 +352,10 @@ void add_surface_command(CLI::App& program, Outcome& outcome) {
     CLI::App* command = program.add_subcommand("surface", "The surface as a mesh, picture and report");
     const auto request = std::make_shared<SurfaceRequest>();
     add_surface_options(*command, *request);
-    command->callback([request, &outcome] { outcome = run_surface(*request); });
+    command->callback([request, &outcome] {
+        resolve_standard_output(*request, request->encoding == Encoding::Text);
+        outcome = run_surface(*request);
+    });
 }
 
 Outcome run_surface(const SurfaceRequest& request) { return SurfaceRun(request)(); }

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "meniscus/structure.h"
+
 namespace meniscus::cli {
 
 namespace {
@@ -31,9 +33,31 @@ std::string nearest_option(const CLI::App& command, const std::string& word) {
     return nearest;
 }
 
+/// Whether a command, or one of its subcommands, has an option of this name.
+bool has_option(const CLI::App& command, const std::string& name) {
+    const std::vector<const CLI::App*> inner = command.get_subcommands({});
+    return command.get_option_no_throw(name) != nullptr ||
+           std::any_of(inner.begin(), inner.end(), [&](const CLI::App* app) { return has_option(*app, name); });
+}
+
+/// "meniscus measure", or several subcommands that have an option of this name; empty if none has.
+std::string owners_of(const CLI::App& whole, const std::string& name) {
+    std::string owners;
+    for (const CLI::App* command : whole.get_subcommands({}))
+        if (has_option(*command, name)) owners += (owners.empty() ? "meniscus " : " and ") + command->get_name();
+    return owners;
+}
+
+std::string nearest_name(const std::vector<std::string>& names, const std::string& word) {
+    const auto apart = [&](const std::string& name) { return letters_apart(name, word); };
+    const auto nearest =
+        std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) { return apart(a) < apart(b); });
+    return nearest != names.end() && word.size() > 3 && apart(*nearest) <= kMostLettersApart ? *nearest : "";
+}
+
 }  // namespace
 
-std::string explain_unknown_words(const CLI::App& program) {
+std::string explain_unknown_words(const CLI::App& program, const CLI::App& whole) {
     const std::vector<std::string> words = program.remaining(true);
     const auto option = std::find_if(words.begin(), words.end(), [](const auto& w) { return w.starts_with('-'); });
     const CLI::App* command = &program;
@@ -45,15 +69,20 @@ std::string explain_unknown_words(const CLI::App& program) {
     if (option == words.end())
         return fmt::format("{}: unexpected; there is only one INPUT, and outputs are named with -o", words.front());
     const std::string name = option->substr(0, option->find('='));
+    if (const std::string owners = owners_of(whole, name); !owners.empty())
+        return fmt::format("{} is an option of {}, not of meniscus{}", name, owners, help);
     const std::string meant = nearest_option(*command, name);
     if (!meant.empty()) return fmt::format("{}: unknown option; did you mean {}?", name, meant);
     return fmt::format("{}: unknown option; see meniscus{} --help", name, help);
 }
 
-std::string explain_unknown_subcommand(const std::string& word) {
+std::string explain_unknown_subcommand(const std::string& word, const std::vector<std::string>& names) {
+    if (const std::string hint = explain_identifier(word); !hint.empty()) return hint;
     std::error_code error;
     if (std::filesystem::exists(word, error))
         return fmt::format("unknown subcommand '{0}'; for its surface write meniscus surface {0}", word);
+    const std::string meant = nearest_name(names, CLI::detail::to_lower(word));
+    if (!meant.empty()) return fmt::format("unknown subcommand '{}'; did you mean meniscus {}?", word, meant);
     return fmt::format("unknown subcommand '{}'; see meniscus --help", word);
 }
 

@@ -5,15 +5,17 @@
 
 #include <CLI/App.hpp>
 #include <string>
+#include <vector>
 
 namespace meniscus::cli {
 
 /// "--colour: unknown option; did you mean --color?" for the first word that was left over.
 /// program   after a parse that failed with CLI::ExtrasError
-std::string explain_unknown_words(const CLI::App& program);
+/// whole     with every subcommand: "--between is an option of meniscus measure" for that of another one
+std::string explain_unknown_words(const CLI::App& program, const CLI::App& whole);
 
-/// "unknown subcommand 'x'; ..." for a first word that names none.
-std::string explain_unknown_subcommand(const std::string& word);
+/// "unknown subcommand 'x'; ..." for a first word that is none of `names`.
+std::string explain_unknown_subcommand(const std::string& word, const std::vector<std::string>& names);
 
 /// How many letters have to be put in, left out or exchanged to make one word of the other.
 std::size_t letters_apart(const std::string& a, const std::string& b);

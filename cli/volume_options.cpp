@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "help.h"
+#include "io/atomic_file.h"
 #include "meniscus/errors.h"
 #include "meniscus/file_name.h"
 #include "option_words.h"
@@ -74,7 +75,7 @@ bool is_given(const VolumeRequest& request, const char* name) {
 
 bool is_volume(const Output& output) { return output.kind == OutputKind::Volume; }
 
-std::string suffix_of(const Output& output) { return fs::path(output.path).extension().string(); }
+std::string suffix_of(const Output& output) { return cli::suffix_of(output.path); }
 
 void check_together(const VolumeRequest& request, const std::vector<Output>& outputs) {
     if (!request.given.empty() && std::none_of(outputs.begin(), outputs.end(), is_volume))
@@ -97,6 +98,8 @@ void check_format(const VolumeRequest& request, const Output& output) {
         throw UsageError(
             output.path +
             ": this build cannot write .vdb; install libopenvdb-dev and build again, or ask for .dx or .mrc");
+    if (request.apbs_maps && is_standard_output(output.path))
+        throw UsageError("-o -: --maps apbs writes several files; name them with -o NAME.dx");
     if (request.apbs_maps && suffix != ".dx")
         throw UsageError(output.path + ": APBS reads its maps as .dx; name a file with that suffix");
 }

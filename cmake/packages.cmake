@@ -54,6 +54,7 @@ endforeach()
 install(TARGETS meniscus_cli ${dropins} RUNTIME DESTINATION lib/meniscus ${of_bundle})
 install(DIRECTORY ${link_dir}/ DESTINATION lib/meniscus/dropins ${of_bundle})
 install_pages(${of_bundle})
+install_made_pages(${of_bundle})
 find_library(MENISCUS_FREETYPE libfreetype.so.6 REQUIRED)  # by the name under which it is loaded
 install(CODE "
   set(program \"$<TARGET_FILE:meniscus_cli>\")

@@ -146,6 +146,7 @@ void fill(Request& request, const CLI::App& command, const CommonRequest& given)
 void adapt_options(CLI::App& command) {
     command.remove_option(command.get_option("INPUT"));
     command.remove_option(command.get_option("--report"));
+    command.remove_option(command.get_option("--format"));
     for (CLI::Option* option : command.get_options())
         if (option != command.get_help_ptr() && option != command.get_help_all_ptr())
             option->description(rarely(option->get_description()));

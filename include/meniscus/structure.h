@@ -40,12 +40,14 @@ std::string spell_as_member(std::string_view option, std::string_view value);
 struct ReadOptions {
     std::string radii = "auto";  ///< auto, bondi, united, protor, naccess, parse, or the path of a file of rules
     HydrogenPolicy hydrogens = HydrogenPolicy::Auto;
-    int model = 1;                              ///< position of the model in the file, from 1
-    bool join_models = false;                   ///< all models together as one structure; `model` is then not used
-    std::string assembly = {};                  ///< biological assembly; empty: as deposited
-    std::string altloc = {};                    ///< one letter; empty: highest summed occupancy per residue
-    std::vector<std::string> chains = {};       ///< author names, "label:X" for mmCIF label names; empty: all
-    std::string select = {};                    ///< gemmi selection, of the file before any copying; empty: all
+    int model = 1;                         ///< position of the model in the file, from 1
+    bool join_models = false;              ///< all models together as one structure; `model` is then not used
+    std::string assembly = {};             ///< biological assembly; empty: as deposited
+    std::string altloc = {};               ///< one letter; empty: highest summed occupancy per residue
+    std::vector<std::string> chains = {};  ///< author names, "label:X" for mmCIF label names; empty: all
+    /// Of the file before any copying; in gemmi's syntax, or as PyMOL and VMD have it ("chain A and resi 10-50") where
+    /// that can be put exactly into gemmi's. Empty: all.
+    std::string select = {};
     std::optional<HeteroPolicy> hetero = {};    ///< empty: None, but All of files with radii, and without a polymer
     std::optional<bool> keep_waters = {};       ///< empty: no, but those of files with radii, with a warning
     bool strict_radii = false;                  ///< an unknown atom type is an InputError
@@ -99,6 +101,10 @@ struct Structure {
 /// cost     O(size of the file)
 Structure read_structure(const std::string& path, const ReadOptions& options = {});
 
+/// "1UBQ is not a file; Meniscus does not download: get 1ubq.cif from the PDB (...)" for a path that is no file but an
+/// identifier of the PDB, of UniProt or of AlphaFold DB, as read_structure() says it; else empty.
+std::string explain_identifier(const std::string& path);
+
 /// For each atom whether a selection names it, in the syntax of ReadOptions::select, by the structure's own names:
 /// copies of an assembly are chains of their own.
 ///
@@ -106,6 +112,13 @@ Structure read_structure(const std::string& path, const ReadOptions& options = {
 /// throws   UsageError for an expression that is not valid or selects nothing
 std::vector<bool> select_atoms(const Structure& structure, const std::string& expression,
                                const std::string& option = "selection");
+
+/// How select_atoms() understands an expression that is not in gemmi's syntax: "//A/10-50" for "chain A and resi
+/// 10-50",
+/// "(HEM)" for "HEM" where no chain and no atom has that name. Empty for what is taken as it stands.
+/// throws   UsageError for an expression that is not valid
+std::string restate_selection(const Structure& structure, const std::string& expression,
+                              const std::string& option = "selection");
 
 /// The chains of a structure, each a structure of its own with the same radii, in the order of their first atoms.
 std::vector<Structure> split_chains(const Structure& structure);

@@ -58,12 +58,14 @@ private:
 
 NotedNames noted_names;
 
+constexpr std::string_view kStandardOutput = "/dev/stdout";
+
 constexpr int kAttempts = 100;  // at a temporary name that nobody else uses
 
 // The standard streams under the names they have in /dev; -1 for other paths. They are written through the descriptor
 // that is open, because opening their names again would start at the beginning of a file they were sent to.
 int standard_stream(const std::string& path) {
-    if (path == "/dev/stdout" || path == "/dev/fd/1") return STDOUT_FILENO;
+    if (is_standard_output(path)) return STDOUT_FILENO;
     if (path == "/dev/stderr" || path == "/dev/fd/2") return STDERR_FILENO;
     return -1;
 }
@@ -81,6 +83,13 @@ std::string temporary_name_beside(const std::string& target) {
 }
 
 }  // namespace
+
+std::string standard_output_as(const std::string& format) { return std::string(kStandardOutput) + "." + format; }
+
+bool is_standard_output(const std::string& path) {
+    const std::size_t dot = std::min(path.rfind('.'), path.size());
+    return path == "/dev/fd/1" || path.substr(0, dot) == kStandardOutput;
+}
 
 void remove_temporary_files() noexcept { noted_names.unlink_all(); }
 
@@ -176,7 +185,8 @@ void AtomicFile::fail_without_temporary(int error) {
 }
 
 void AtomicFile::fail(int error) const {
-    throw OutputError(path_ + ": cannot be written: " + std::generic_category().message(error));
+    throw OutputError((is_standard_output(path_) ? "standard output" : path_) +
+                      ": cannot be written: " + std::generic_category().message(error));
 }
 
 }  // namespace meniscus

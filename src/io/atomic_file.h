@@ -19,11 +19,17 @@ namespace meniscus {
 /// called by a signal handler; nothing may be written afterwards.
 void remove_temporary_files() noexcept;
 
+/// The path under which writers that know a format by its suffix write to standard output: "/dev/stdout.ply".
+std::string standard_output_as(const std::string& format);
+
+/// Whether a path is one that standard_output_as() gives, or /dev/stdout itself.
+bool is_standard_output(const std::string& path);
+
 /// Writes to a temporary name in the folder of `path`; commit() gives it its real name.
 ///
 /// An older file stays as it was until then, and for good if commit() is never reached: the destructor removes the
 /// temporary file. A link is followed, so the file it points to is replaced and not the link. What is there already and
-/// is not a regular file (a device, a pipe, /dev/stdout) is written to directly.
+/// is not a regular file (a device, a pipe, /dev/stdout) is written to directly, and so is /dev/stdout.SUFFIX.
 /// throws   OutputError "PATH: cannot be written: reason" from every function
 class AtomicFile {
 public:

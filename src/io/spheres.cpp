@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
 
+#include "core/lower_case.h"
 #include "io/atomic_file.h"
 #include "io/labels.h"
 #include "io/sphere_names.h"
@@ -11,8 +12,8 @@
 namespace meniscus {
 
 void write_spheres(const std::string& path, const Structure& structure) {
-    const bool with_names = path.ends_with(".xyzrn");
-    if (!with_names && !path.ends_with(".xyzr"))
+    const bool with_names = lower_case(path).ends_with(".xyzrn");
+    if (!with_names && !lower_case(path).ends_with(".xyzr"))
         throw UsageError(path + ": unknown suffix for spheres; choose .xyzr or .xyzrn");
     check_labels(structure);
     AtomicFile file(path);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/lower_case.h"
 #include "io/atomic_file.h"
 #include "io/gemmi/gemmi_writer.h"
 #include "io/labels.h"
@@ -52,8 +53,8 @@ void check_pdb(const std::string& path, const Structure& structure, std::span<co
 }  // namespace
 
 void write_structure_copy(const std::string& path, const Structure& structure, std::span<const double> values) {
-    const bool pdb = path.ends_with(".pdb");
-    if (!pdb && !path.ends_with(".cif"))
+    const bool pdb = lower_case(path).ends_with(".pdb");
+    if (!pdb && !lower_case(path).ends_with(".cif"))
         throw UsageError(path + ": unknown suffix for a structure; choose .pdb or .cif");
     check_labels(structure);
     if (values.size() != structure.atoms.size()) throw UsageError(path + ": one value per atom is needed");

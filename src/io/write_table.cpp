@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/lower_case.h"
 #include "io/atomic_file.h"
 #include "io/csv.h"
 #include "meniscus/errors.h"
@@ -93,8 +94,9 @@ void write_json(AtomicFile& file, const Table& table) {
 }  // namespace
 
 void write_table(const std::string& path, const Table& table) {
-    const bool json = path.ends_with(".json");
-    if (!json && !path.ends_with(".csv")) throw UsageError(path + ": unknown suffix for a table; choose .csv or .json");
+    const bool json = lower_case(path).ends_with(".json");
+    if (!json && !lower_case(path).ends_with(".csv"))
+        throw UsageError(path + ": unknown suffix for a table; choose .csv or .json");
     if (std::any_of(table.rows.begin(), table.rows.end(),
                     [&](const auto& row) { return row.size() != table.columns.size(); }))
         throw UsageError(path + ": every row of a table needs one cell per column");

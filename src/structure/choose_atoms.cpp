@@ -8,6 +8,7 @@
 
 #include "meniscus/errors.h"
 #include "meniscus/list_of_counts.h"
+#include "reading/text.h"
 #include "structure/altlocs.h"
 #include "structure/gemmi/gemmi_reader.h"
 
@@ -62,6 +63,10 @@ void apply_chains(const RawModel& model, const std::vector<std::string>& chains,
 
 void apply_selection(const RawModel& model, const ReadOptions& options, Chosen& chosen) {
     if (options.select.empty()) return;
+    const std::string restated = restated_selection(model, options.select, "--select");
+    if (!restated.empty())
+        chosen.notes.push_back(options.spelling("select", printable(options.select)) + ": understood as " +
+                               printable(restated));
     const std::vector<bool> selected = selected_atoms(model, options.select, options.model);
     chosen.drop("unselected", keep_if(chosen.atoms, [&](std::uint32_t i) { return selected[i]; }));
 }

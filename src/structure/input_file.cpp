@@ -8,6 +8,7 @@
 
 #include "core/lower_case.h"
 #include "meniscus/errors.h"
+#include "meniscus/structure.h"
 #include "reading/gunzip.h"
 #include "reading/numbers.h"
 #include "reading/read_bytes.h"
@@ -230,6 +231,7 @@ InputFile load_bytes(std::string bytes, const std::string& path, Checksum checks
 }
 
 InputFile load_input(const std::string& path, Checksum checksum) {
+    if (const std::string hint = explain_identifier(path); !hint.empty()) throw InputError(hint);
     return load_bytes(read_bytes(path, "structure file"), path, checksum);
 }
 

@@ -63,6 +63,10 @@ std::vector<bool> select_atoms(const Structure& structure, const std::string& ex
     return selected;
 }
 
+std::string restate_selection(const Structure& structure, const std::string& expression, const std::string& option) {
+    return reading::restated_selection(to_model(structure), expression, option);
+}
+
 std::vector<Structure> split_chains(const Structure& structure) {
     std::vector<Structure> chains;
     std::map<std::string, std::size_t> number_of_chain;

@@ -17,7 +17,7 @@ constexpr std::size_t kName = 2;    // position of the atom's name among the wor
 constexpr std::size_t kNumber = 4;  // the first word of an atom that may be a number
 
 // Records without atoms, of the PDB format and of programs that write PQR; numbers may follow without a blank.
-constexpr auto kRecords = std::to_array<std::string_view>({
+constexpr auto kPqrRecords = std::to_array<std::string_view>({
     "HEADER", "OBSLTE", "TITLE",  "SPLIT",  "CAVEAT", "COMPND", "SOURCE", "KEYWDS", "EXPDTA", "NUMMDL",
     "MDLTYP", "AUTHOR", "REVDAT", "SPRSDE", "JRNL",   "REMARK", "DBREF",  "SEQADV", "SEQRES", "MODRES",
     "HET",    "HETNAM", "HETSYN", "FORMUL", "HELIX",  "SHEET",  "TURN",   "SSBOND", "LINK",   "CISPEP",
@@ -29,7 +29,7 @@ bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 
 std::size_t length_of_record(std::string_view word) { return word.starts_with("HETATM") ? 6 : 4; }
 
-bool is_decimal(std::string_view text) {
+bool is_one_decimal(std::string_view text) {
     return std::count(text.begin(), text.end(), '.') == 1 && finite_number(text).has_value();
 }
 
@@ -43,11 +43,11 @@ void cut(std::vector<Word>& words, std::size_t i, std::size_t length) {
 // Fields of one number each in columns 31-38, 39-46 and 47-54 leave no doubt: numbers that are separated by blanks do
 // not stand so by chance, because a field that cuts one of them has no point, or a blank inside.
 bool has_fixed_columns(std::string_view line) {
-    constexpr std::size_t kEnd = 54;
-    if (line.size() < kEnd || !trimmed(line.substr(27, 3)).empty()) return false;
-    const bool reaches_over = line.size() > kEnd && !is_blank(line[kEnd - 1]) && !is_blank(line[kEnd]);
-    return is_decimal(line.substr(30, 8)) && is_decimal(line.substr(38, 8)) && is_decimal(line.substr(46, 8)) &&
-           (!reaches_over || is_decimal(line.substr(kEnd, 8)));
+    constexpr std::size_t kEndOfZ = 54;
+    if (line.size() < kEndOfZ || !trimmed(line.substr(27, 3)).empty()) return false;
+    const bool reaches_over = line.size() > kEndOfZ && !is_blank(line[kEndOfZ - 1]) && !is_blank(line[kEndOfZ]);
+    return is_one_decimal(line.substr(30, 8)) && is_one_decimal(line.substr(38, 8)) &&
+           is_one_decimal(line.substr(46, 8)) && (!reaches_over || is_one_decimal(line.substr(kEndOfZ, 8)));
 }
 
 // Whether a word of a line in fixed columns is to be cut behind a column, over which it reaches.
@@ -61,7 +61,7 @@ bool ends_field(const Word& word, std::size_t column) {
         case 21:  // residue of four letters | chain
             return word.column == 18;
         case 62:  // charge | radius
-            return is_decimal(left) && is_decimal(word.text.substr(left.size()));
+            return is_one_decimal(left) && is_one_decimal(word.text.substr(left.size()));
         default:  // coordinates
             return true;
     }
@@ -103,7 +103,8 @@ PqrLine kind_of_pqr_line(std::string_view line) {
     if (word.starts_with("HETATM")) return PqrLine::Atom;
     const std::string letters(word.begin(), std::find_if_not(word.begin(), word.end(), is_capital));
     if (letters == "ATOM") return PqrLine::Atom;
-    return std::find(kRecords.begin(), kRecords.end(), letters) == kRecords.end() ? PqrLine::Unknown : PqrLine::Known;
+    return std::find(kPqrRecords.begin(), kPqrRecords.end(), letters) == kPqrRecords.end() ? PqrLine::Unknown
+                                                                                           : PqrLine::Known;
 }
 
 std::vector<Word> pqr_words(std::string_view line) {
@@ -134,7 +135,7 @@ bool has_grown_name(const std::vector<Word>& words) {
 bool may_be_atom(std::string_view line) {
     const std::vector<Word> words = words_of(line);
     const auto numbers =
-        std::count_if(words.begin(), words.end(), [](const Word& word) { return is_decimal(word.text); });
+        std::count_if(words.begin(), words.end(), [](const Word& word) { return is_one_decimal(word.text); });
     return (words.size() >= 9 && words.size() <= 12) || numbers >= 3;
 }
 

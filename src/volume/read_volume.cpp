@@ -6,6 +6,7 @@
 #include <array>
 #include <string_view>
 
+#include "core/lower_case.h"
 #include "meniscus/errors.h"
 #include "meniscus/volume.h"
 #include "volume/readers.h"
@@ -24,7 +25,7 @@ constexpr std::array kReadable{ReadableFormat{".dx", read_dx},      ReadableForm
 
 Volume read(const std::string& path, VolumePart part) {
     const auto found = std::find_if(kReadable.begin(), kReadable.end(),
-                                    [&](const ReadableFormat& f) { return path.ends_with(f.suffix); });
+                                    [&](const ReadableFormat& f) { return lower_case(path).ends_with(f.suffix); });
     if (found != kReadable.end()) return found->read(path, part);
     std::string known;
     for (const ReadableFormat& format : kReadable) known.append(known.empty() ? "" : " ").append(format.suffix);

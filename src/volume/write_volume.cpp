@@ -6,6 +6,7 @@
 #include <array>
 #include <string_view>
 
+#include "core/lower_case.h"
 #include "meniscus/errors.h"
 #include "meniscus/version.h"
 #include "meniscus/volume.h"
@@ -45,7 +46,7 @@ void write_volume(const std::string& path, const Volume& volume, VolumeContent c
         throw UsageError(fmt::format("{}: a volume with {} values has a grid of {} nodes; give one value per node",
                                      path, volume.values.size(), volume.grid.size()));
     const auto found = std::find_if(kWritable.begin(), kWritable.end(),
-                                    [&](const WritableFormat& f) { return path.ends_with(f.suffix); });
+                                    [&](const WritableFormat& f) { return lower_case(path).ends_with(f.suffix); });
     if (found != kWritable.end()) return found->write(path, volume, content);
     std::string known;
     for (const WritableFormat& format : kWritable) known.append(known.empty() ? "" : " ").append(format.suffix);

@@ -38,6 +38,8 @@ TEST_F(OutputPlan, TellsFormatsBySuffix) {
     EXPECT_EQ(kind_of("dir.x/a.b.stl"), OutputKind::Mesh);
     EXPECT_EQ(kind_of("a.xyzrn"), OutputKind::Spheres);
     EXPECT_EQ(kind_of("a.html"), OutputKind::Page);
+    EXPECT_EQ(kind_of("a.PLY"), OutputKind::Mesh);
+    EXPECT_EQ(measure_kind_of("a.Csv"), OutputKind::Table);
     for (const char* path : {"a", "a.", "a.foo", ".ply", "-", "", "dir.ply/"})
         EXPECT_THROW(kind_of(path), UsageError) << path;
 }

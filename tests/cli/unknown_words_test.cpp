@@ -20,7 +20,11 @@ std::string explained(std::vector<std::string> arguments) {
     command->add_flag("--keep-ridges");
     std::reverse(arguments.begin(), arguments.end());
     EXPECT_THROW(program.parse(arguments), CLI::ExtrasError);
-    return explain_unknown_words(program);
+    CLI::App whole("", "tool");
+    whole.add_subcommand("cut")->add_flag("--keep-ridges");
+    whole.add_subcommand("weigh")->add_flag("--between");
+    whole.add_subcommand("many")->add_subcommand("weigh")->add_flag("--between");
+    return explain_unknown_words(program, whole);
 }
 
 }  // namespace
@@ -32,14 +36,28 @@ TEST(UnknownWords, NamesTheOptionThatMayHaveBeenMeant) {
     EXPECT_EQ(explained({"cut", "a.pdb", "--bogus"}), "--bogus: unknown option; see meniscus cut --help");
 }
 
+TEST(UnknownWords, SaysWhoseOptionItIs) {
+    EXPECT_EQ(explained({"cut", "a.pdb", "--between=A:B"}),
+              "--between is an option of meniscus weigh and many, not of meniscus cut");
+}
+
 TEST(UnknownWords, SaysHowOutputsAreNamed) {
     EXPECT_EQ(explained({"cut", "a.pdb", "b.ply"}),
               "b.ply: unexpected; there is only one INPUT, and outputs are named with -o");
 }
 
 TEST(UnknownWords, AFileIsNoSubcommand) {
-    EXPECT_EQ(explain_unknown_subcommand("cutt"), "unknown subcommand 'cutt'; see meniscus --help");
-    EXPECT_EQ(explain_unknown_subcommand("."), "unknown subcommand '.'; for its surface write meniscus surface .");
+    EXPECT_EQ(explain_unknown_subcommand(".", {"cut"}),
+              "unknown subcommand '.'; for its surface write meniscus surface .");
+}
+
+TEST(UnknownWords, NamesTheSubcommandThatMayHaveBeenMeant) {
+    const std::vector<std::string> names{"surface", "measure"};
+    EXPECT_EQ(explain_unknown_subcommand("mesure", names),
+              "unknown subcommand 'mesure'; did you mean meniscus measure?");
+    EXPECT_EQ(explain_unknown_subcommand("Surface", names),
+              "unknown subcommand 'Surface'; did you mean meniscus surface?");
+    EXPECT_EQ(explain_unknown_subcommand("sell", names), "unknown subcommand 'sell'; see meniscus --help");
 }
 
 TEST(UnknownWords, LettersApart) {

@@ -34,7 +34,7 @@ def options_of_help(*command):
     for line in text.partition("\n\n")[2].splitlines():
         match = ENTRY.match(line)
         if match:
-            entry, value, words = match.group(1), match.group(3) or "", ""
+            entry, value, words = match.group(2) or match.group(1), match.group(3) or "", ""
         if entry and line.startswith("  "):
             words += " " + line.strip()
             default = re.search(r"\[([^\[\]]*)\]$", words)
@@ -63,7 +63,7 @@ class Options(unittest.TestCase):
                                              if name not in self.help[command]}
 
     def test_the_page_has_every_option_and_no_other(self):
-        known = set().union(*self.help.values()) | {"-h", "--help", "--help-all", "--version"}
+        known = set().union(*self.help.values()) | {"-h", "--help", "--help-all", "-q", "-V", "--version"}
         self.assertEqual(set(self.page), known)
         self.assertGreater(len(known), 40)
 

@@ -121,6 +121,12 @@ TEST(AtomicFile, AFullDiskIsAnError) {
               "/dev/full: cannot be written: No space left on device");
 }
 
+TEST(AtomicFile, StandardOutputMayHaveTheSuffixOfAFormat) {
+    EXPECT_EQ(standard_output_as("ply"), "/dev/stdout.ply");
+    for (const char* path : {"/dev/stdout", "/dev/stdout.ply", "/dev/fd/1"}) EXPECT_TRUE(is_standard_output(path));
+    for (const char* path : {"-", "stdout.ply", "/dev/stdout_a.ply", "a.ply"}) EXPECT_FALSE(is_standard_output(path));
+}
+
 TEST(AtomicFile, DevicesAreWrittenToDirectly) {
     EXPECT_EQ(message_of("/dev/null"), "no error");
     struct stat found {};

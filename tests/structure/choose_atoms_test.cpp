@@ -89,6 +89,15 @@ TEST(ChooseAtoms, ModelsWithTheirOwnRadiiLoseWhatTheyAreToldToLose) {
     EXPECT_EQ(choose_atoms(model, {.hetero = HeteroPolicy::All, .keep_waters = true}, "f").atoms.size(), 10U);
 }
 
+TEST(ChooseAtoms, ANoteSaysHowASelectionWasUnderstood) {
+    const auto notes_of = [](const std::string& select) {
+        return choose_atoms(mixed(), {.select = select}, "f").notes;
+    };
+    expect_contains(notes_of("chain A").at(0), "select = chain A: understood as //A");
+    expect_contains(notes_of("HEM").at(0), "select = HEM: understood as (HEM)");
+    for (const std::string& note : notes_of("//A")) EXPECT_EQ(note.find("understood"), std::string::npos);
+}
+
 TEST(ChooseAtoms, AnAltlocThatIsNotThereIsAWarning) {
     const Chosen chosen = choose_atoms(mixed(), {.altloc = "B"}, "f");
     expect_contains(chosen.warnings.at(0), "no alternative location B");

@@ -86,6 +86,28 @@ TEST(Selection, FollowsTheSyntaxOfGemmi) {
     EXPECT_EQ(count_selected("/2"), 0U);
 }
 
+// Of gemmi 0.5: "//A/1" was everything from residue 1 on.
+TEST(Selection, ASingleNumberIsOneResidue) {
+    EXPECT_EQ(count_selected("//A/1"), 3U);
+    EXPECT_EQ(count_selected("1"), 3U);
+    EXPECT_EQ(count_selected("1(GLY)"), 0U);
+    EXPECT_EQ(count_selected("2-"), 3U);
+    EXPECT_EQ(count_selected("//A/1;q>0.5"), 2U);
+}
+
+TEST(Selection, WordsOfPyMolAreTranslated) {
+    EXPECT_EQ(count_selected("chain A and resi 2"), 2U);
+    EXPECT_EQ(count_selected("resn ALA+GLY and name CA"), 2U);
+    EXPECT_EQ(count_selected("all"), 6U);
+    EXPECT_THROW(count_selected("chain A or chain B"), UsageError);
+}
+
+TEST(Selection, ABareNameThatIsNeitherChainNorAtomIsAResidue) {
+    EXPECT_EQ(count_selected("GLY"), 2U);
+    EXPECT_EQ(count_selected("ALA,GLY"), 5U);
+    EXPECT_EQ(count_selected("TRP"), 0U);
+}
+
 TEST(Selection, ABareNameThatIsNoChainIsAnAtom) {
     EXPECT_EQ(count_selected("CA"), 2U);
     EXPECT_EQ(count_selected("CA,N"), 4U);

@@ -20,6 +20,7 @@
 #include "reading/text.h"
 #include "structure/gemmi/gemmi_shared.h"
 #include "structure/residue_list.h"
+#include "structure/selection_words.h"
 
 namespace meniscus::reading {
 namespace {
@@ -142,21 +143,44 @@ bool matches_atom(const gemmi::Selection& selection, const RawAtom& atom) {
 
 gemmi::Selection parse_selection(const std::string& expression, const std::string& option) {
     try {
-        return gemmi::Selection(expression);
+        gemmi::Selection selection(expression);
+        // Older versions of gemmi take a single number for the first of a range without an end.
+        const bool is_range = expression.substr(0, expression.find(';')).find('-') != std::string::npos;
+        if (!selection.from_seqid.empty() && !is_range) selection.to_seqid = selection.from_seqid;
+        return selection;
     } catch (const std::exception& error) {
         throw UsageError(option + " " + shown(expression) + ": " + printable(error.what(), kOfGemmi) +
                          "; write for instance //A/10-50 or (ALA,GLY) or CA[C]");
     }
 }
 
-// A bare name is a chain to gemmi; if there is no such chain, it is meant as atom names ("CA").
+bool has_chain(const RawModel& model, const gemmi::Selection& selection) {
+    return std::any_of(model.residues.begin(), model.residues.end(),
+                       [&](const RawResidue& residue) { return selection.matches(gemmi::Chain(residue.chain)); });
+}
+
+bool has_atom(const RawModel& model, const gemmi::Selection& selection) {
+    return std::any_of(model.atoms.begin(), model.atoms.end(),
+                       [&](const RawAtom& atom) { return matches_atom(selection, atom); });
+}
+
+bool has_residue(const RawModel& model, const gemmi::Selection& selection) {
+    return std::any_of(model.residues.begin(), model.residues.end(),
+                       [&](const RawResidue& residue) { return matches_residue(selection, residue); });
+}
+
+// A bare name is a chain to gemmi; if there is no such chain, it is meant as atom names ("CA"), and if there is no such
+// atom either, as residue names ("HEM").
 std::string meant(const RawModel& model, const std::string& expression, const std::string& option) {
-    if (expression.find_first_of("/([:;*!.-") != std::string::npos) return expression;
-    const gemmi::Selection selection = parse_selection(expression, option);
-    const bool is_chain = std::any_of(model.residues.begin(), model.residues.end(), [&](const RawResidue& residue) {
-        return selection.matches(gemmi::Chain(residue.chain));
-    });
-    return is_chain ? expression : "/*/*/*/" + expression;
+    const bool is_bare = expression.find_first_of("/([:;*!.- ") == std::string::npos;
+    if (is_bare && has_chain(model, parse_selection(expression, option))) return expression;
+    if (is_in_words(expression)) return in_gemmi_syntax(expression, option);
+    if (!is_bare) return expression;
+    const std::string of_atoms = "/*/*/*/" + expression;
+    const std::string of_residues = "(" + expression + ")";
+    const bool names_residues =
+        !has_atom(model, parse_selection(of_atoms, option)) && has_residue(model, parse_selection(of_residues, option));
+    return names_residues ? of_residues : of_atoms;
 }
 
 }  // namespace
@@ -173,6 +197,12 @@ std::vector<bool> selected_atoms(const RawModel& model, const std::string& expre
         selected[i] = in_residue[model.atoms[i].residue] && matches_atom(selection, model.atoms[i]);
     }
     return selected;
+}
+
+std::string restated_selection(const RawModel& model, const std::string& expression, const std::string& option) {
+    const std::string understood = meant(model, expression, option);
+    const bool is_as_given = understood == expression || understood == "/*/*/*/" + expression;
+    return is_as_given ? "" : understood;
 }
 
 std::vector<RawAssembly> assemblies_of(const gemmi::cif::Block& block) {

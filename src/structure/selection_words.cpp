@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "structure/selection_words.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "core/lower_case.h"
+#include "meniscus/errors.h"
+#include "reading/text.h"
+
+namespace meniscus::reading {
+namespace {
+
+enum class Part { Chain, Residue, Numbers, Atom, Element, AltLoc, BFactor, Occupancy };
+
+struct Keyword {
+    std::string_view word;
+    Part part;
+};
+
+constexpr auto kKeywords = std::to_array<Keyword>({
+    {"chain", Part::Chain},     {"c.", Part::Chain},     {"resn", Part::Residue},        {"r.", Part::Residue},
+    {"resname", Part::Residue}, {"resi", Part::Numbers}, {"i.", Part::Numbers},          {"resid", Part::Numbers},
+    {"name", Part::Atom},       {"n.", Part::Atom},      {"elem", Part::Element},        {"e.", Part::Element},
+    {"element", Part::Element}, {"alt", Part::AltLoc},   {"altloc", Part::AltLoc},       {"b", Part::BFactor},
+    {"beta", Part::BFactor},    {"q", Part::Occupancy},  {"occupancy", Part::Occupancy},
+});
+
+// Words that stand alone and have no exact counterpart, with what to write instead.
+struct Refused {
+    std::string_view word;
+    std::string_view remedy;
+};
+
+constexpr const char* kForms = "write for instance //A,B/10-50, //A/(HEM) or //A/10-50/CA";
+constexpr const char* kPolymerRemedy =
+    "the polymer is kept without any selection; name its chains, as in //A,B, or write ;polymer";
+constexpr const char* kHydrogenRemedy = "hydrogens are kept and dropped by an option of their own";
+
+constexpr auto kRefused = std::to_array<Refused>({
+    {"protein", kPolymerRemedy},
+    {"polymer.protein", kPolymerRemedy},
+    {"nucleic", kPolymerRemedy},
+    {"polymer.nucleic", kPolymerRemedy},
+    {"hetatm", "name the residues, as in (HEM,NAG)"},
+    {"hetero", "name the residues, as in (HEM,NAG)"},
+    {"organic", "name the residues, as in (HEM,NAG)"},
+    {"backbone", "name its atoms, as in N,CA,C,O"},
+    {"bb.", "name its atoms, as in N,CA,C,O"},
+    {"sidechain", "the atoms beside the main chain are !N,CA,C,O"},
+    {"sc.", "the atoms beside the main chain are !N,CA,C,O"},
+    {"hydrogens", kHydrogenRemedy},
+    {"hydrogen", kHydrogenRemedy},
+    {"hydro", kHydrogenRemedy},
+    {"noh", kHydrogenRemedy},
+    {"h.", kHydrogenRemedy},
+    {"or", kForms},
+    {"|", kForms},
+    {"not", "an exclamation mark at the head of a list excludes it, as in //!A or (!HEM)"},
+    {"segi", kForms},
+    {"segid", kForms},
+    {"segname", kForms},
+    {"within", kForms},
+    {"around", kForms},
+    {"byres", kForms},
+    {"br.", kForms},
+    {"same", kForms},
+    {"index", kForms},
+    {"residue", kForms},
+});
+
+// Words that gemmi's syntax has counterparts of, in the place after the atoms.
+constexpr auto kKinds = std::to_array<Refused>({
+    {"polymer", ";polymer"},
+    {"solvent", ";solvent"},
+    {"sol.", ";solvent"},
+    {"water", ";solvent"},
+    {"waters", ";solvent"},
+});
+
+template <class List>
+auto find_word(const List& list, const std::string& word) {
+    return std::find_if(list.begin(), list.end(), [&](const auto& entry) { return entry.word == word; });
+}
+
+bool is_and(const std::string& word) { return word == "and" || word == "&"; }
+
+bool is_known(const std::string& word) {
+    return find_word(kKeywords, word) != kKeywords.end() || find_word(kRefused, word) != kRefused.end() ||
+           find_word(kKinds, word) != kKinds.end() || word == "all";
+}
+
+std::vector<std::string> words_of(const std::string& expression) {
+    std::string spaced;
+    for (const char c : expression) {
+        const bool parts = c == '&' || c == '|' || c == '<' || c == '>' || c == '=';
+        spaced += parts ? std::string{' ', c, ' '} : std::string(1, c);
+    }
+    std::vector<std::string> result;
+    Words walk(spaced);
+    for (std::string_view word = walk.next(); !word.empty(); word = walk.next()) result.emplace_back(word);
+    return result;
+}
+
+// "A+B", "A,B" and "A B" as "A,B".
+std::string listed(const std::vector<std::string>& values) {
+    std::string list;
+    for (const std::string& value : values) list += (list.empty() ? "" : ",") + value;
+    std::replace(list.begin(), list.end(), '+', ',');
+    return list;
+}
+
+bool is_number(std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+class Translation {
+public:
+    Translation(const std::string& expression, const std::string& option) : expression_(expression), option_(option) {}
+
+    std::string operator()() {
+        const std::vector<std::string> words = words_of(expression_);
+        for (auto word = words.begin(); word != words.end();) {
+            const auto end = std::find_if(word, words.end(), [](const auto& w) { return is_and(lower_case(w)); });
+            add_condition({word, end});
+            word = end == words.end() ? end : std::next(end);
+            if (end != words.end() && word == words.end()) refuse("nothing follows " + *end, kForms);
+        }
+        return composed();
+    }
+
+private:
+    [[noreturn]] void refuse(const std::string& problem, std::string_view remedy) const {
+        throw UsageError(option_ + " " + shown(expression_) + ": " + problem + "; " + std::string(remedy));
+    }
+
+    void add_condition(const std::vector<std::string>& words) {
+        if (words.empty()) refuse("a condition is missing", kForms);
+        for (const std::string& word : words)
+            if (const auto found = find_word(kRefused, lower_case(word)); found != kRefused.end())
+                refuse("'" + word + "' has no exact counterpart in gemmi's syntax", found->remedy);
+        const std::string first = lower_case(words.front());
+        if (words.size() == 1 && first == "all") return;
+        if (const auto kind = find_word(kKinds, first); words.size() == 1 && kind != kKinds.end()) {
+            kinds_ += kind->remedy;
+            return;
+        }
+        const auto keyword = find_word(kKeywords, first);
+        if (keyword == kKeywords.end() || words.size() == 1) refuse(shown(words.front()) + " is no condition", kForms);
+        add(keyword->part, {words.begin() + 1, words.end()});
+    }
+
+    void add(Part part, const std::vector<std::string>& values) {
+        const bool compares = part == Part::BFactor || part == Part::Occupancy;
+        std::string text = compares ? listed(values) : part == Part::Numbers ? range(values) : names(values);
+        if (compares) text.erase(std::remove(text.begin(), text.end(), ','), text.end());
+        if (!parts_.try_emplace(part, text).second) refuse("the same condition stands there twice", kForms);
+    }
+
+    std::string names(const std::vector<std::string>& values) const {
+        const std::string list = listed(values);
+        const bool is_plain = std::all_of(list.begin(), list.end(), [](unsigned char c) {
+            return std::isalnum(c) != 0 || c == ',' || c == '\'' || c == '_';
+        });
+        const bool has_gap = list.front() == ',' || list.back() == ',' || list.find(",,") != std::string::npos;
+        if (!is_plain || has_gap) refuse("'" + printable(list, kOfWord) + "' is no list of names", kForms);
+        return list;
+    }
+
+    // "10-50", "10:50" and "10 to 50" as "10-50", "10" as "10-10".
+    std::string range(const std::vector<std::string>& values) const {
+        std::string text = values.front();
+        if (values.size() == 3 && lower_case(values[1]) == "to")
+            text += "-" + values[2];
+        else if (values.size() != 1)
+            refuse("several residue numbers", "gemmi's syntax takes one range, as in //A/10-50");
+        std::replace(text.begin(), text.end(), ':', '-');
+        const std::size_t dash = text.find('-');
+        const std::string first = text.substr(0, dash);
+        const std::string last = dash == std::string::npos ? first : text.substr(dash + 1);
+        if (!is_number(first) || !is_number(last))
+            refuse("'" + printable(text, kOfWord) + "' is no residue number and no range of them",
+                   "gemmi's syntax takes one range, as in //A/10-50");
+        return first + "-" + last;
+    }
+
+    std::string part(Part which, const std::string& otherwise) const {
+        const auto found = parts_.find(which);
+        return found == parts_.end() ? otherwise : found->second;
+    }
+
+    bool has(Part which) const { return parts_.contains(which); }
+
+    // "10(HEM)-50" is how gemmi writes names and numbers of residues together.
+    std::string residues() const {
+        const std::string names = has(Part::Residue) ? "(" + part(Part::Residue, "") + ")" : "";
+        if (!has(Part::Numbers)) return names;
+        const std::string numbers = part(Part::Numbers, "");
+        const std::size_t dash = numbers.find('-');
+        return numbers.substr(0, dash) + names + numbers.substr(dash);
+    }
+
+    std::string atoms() const {
+        std::string text = part(Part::Atom, "");
+        if (has(Part::Element)) text += "[" + part(Part::Element, "") + "]";
+        if (has(Part::AltLoc)) text += ":" + part(Part::AltLoc, "");
+        return text;
+    }
+
+    std::string composed() const {
+        std::string behind = kinds_;
+        if (has(Part::BFactor)) behind += ";b" + part(Part::BFactor, "");
+        if (has(Part::Occupancy)) behind += ";q" + part(Part::Occupancy, "");
+        const std::string residue_part = residues();
+        const std::string atom_part = atoms();
+        if (residue_part.empty() && atom_part.empty() && !has(Part::Chain)) return behind.empty() ? "*" : behind;
+        std::string text = "//" + part(Part::Chain, "*");
+        if (!residue_part.empty() || !atom_part.empty()) text += "/" + (residue_part.empty() ? "*" : residue_part);
+        if (!atom_part.empty()) text += "/" + atom_part;
+        return text + behind;
+    }
+
+    const std::string& expression_;
+    const std::string& option_;
+    std::map<Part, std::string> parts_;
+    std::string kinds_;
+};
+
+}  // namespace
+
+bool is_in_words(const std::string& expression) {
+    const std::vector<std::string> words = words_of(expression);
+    if (words.empty() || expression.front() == ';') return false;
+    const std::string first = lower_case(words.front());
+    if (words.size() == 1) return is_known(first) && find_word(kKeywords, first) == kKeywords.end();
+    return is_known(first) || std::any_of(words.begin(), words.end(), [](const std::string& word) {
+               const std::string lower = lower_case(word);
+               return is_and(lower) || lower == "or" || lower == "not";
+           });
+}
+
+std::string in_gemmi_syntax(const std::string& expression, const std::string& option) {
+    return Translation(expression, option)();
+}
+
+}  // namespace meniscus::reading
