@@ -80,6 +80,12 @@ void StructureRun::warn(const std::string& line) {
     print_warning(std::cerr, line);
 }
 
+void StructureRun::note(const std::string& line) {
+    if (request_.quiet) return;
+    progress_.clear();
+    print_note(std::cerr, line);
+}
+
 /// Whether all these and the report can be written.
 void StructureRun::check(std::vector<std::string> paths) const {
     if (!request_.report.empty()) paths.push_back(request_.report);

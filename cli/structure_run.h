@@ -82,6 +82,7 @@ protected:
     /// Processor time that the structure will take, to be shown with its progress, s.
     void expect(double seconds) { progress_.expect(seconds / threads_in_use(threads_)); }
     void warn(const std::string& line);
+    void note(const std::string& line);
     void show(std::string_view stage, double fraction) { progress_.update(stage, fraction); }
 
 private:

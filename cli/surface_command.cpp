@@ -97,6 +97,7 @@ private:
         if (!request_.show.empty()) selected = select_atoms(job.structure, request_.show, "--show");
         values_ = ValueSources(request_.values, request_.picture.colours, job.structure, request_.per_chain);
         for (const std::string& line : values_.warnings()) warn(line);
+        for (const std::string& line : values_.notes()) note(line);
         Stopwatch estimating;
         const bool has_volume = has(job.outputs, OutputKind::Volume);
         VolumeGrid grid;
