@@ -94,14 +94,14 @@ std::vector<ChainPair> touching_chains(const Structure& structure, double probe)
 
 /// The interfaces of pairs of groups of chains and ligands.
 ///
-/// spelling  of options in messages, as in ReadOptions
+/// spelling  of options in messages; nullptr: as members of ReadOptions
 /// throws    UsageError for a chain or ligand that has no kept atom, with the option that keeps it, or is on both sides
 /// of
 ///           a pair
 /// cost      that of measure_interfaces()
 std::vector<ChainInterface> chain_interfaces(const Structure& structure, std::span<const ChainPair> pairs,
                                              const MeasureOptions& options = {},
-                                             OptionSpelling spelling = spell_as_member);
+                                             OptionSpelling spelling = nullptr);
 
 /// An entry of a table: nothing, a truth value, a whole number, a number or a text.
 using Cell = std::variant<std::monostate, bool, std::int64_t, double, std::string>;

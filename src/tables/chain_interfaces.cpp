@@ -80,10 +80,13 @@ private:
     [[noreturn]] void refuse_ligand(const Partner& partner, const std::string& name) const {
         for (const std::string& residue : partner.residues)
             if (structure_.left_out_ligands.contains(residue))
-                throw UsageError(residue + " was left out with the other ligands; keep them with " +
-                                 spelling_("hetero", "ligands"));
+                throw UsageError(residue + " was left out with the other ligands; keep them with " + hetero("ligands"));
         throw UsageError("there is no residue " + name + " among the kept atoms; ligands are kept with " +
-                         spelling_("hetero", "ligands") + ", ions, too, with " + spelling_("hetero", "all"));
+                         hetero("ligands") + ", ions, too, with " + hetero("all"));
+    }
+
+    std::string hetero(const char* value) const {
+        return spelling_ != nullptr ? spelling_("hetero", value) : std::string("hetero = ") + value;
     }
 
     bool is_residue(const std::string& name) const {
