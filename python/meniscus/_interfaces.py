@@ -73,10 +73,13 @@ def pairs_of(between: Between) -> Pairs:
     if isinstance(between, str):
         return None if between == "all" else [_pair(between)]
     values = list(between or [])
-    one = len(values) == 2 and not any(isinstance(v, str) and ":" in v for v in values) and isinstance(between, tuple)
-    return [_pair(values)] if one and not _are_pairs(values) else [_pair(value) for value in values]
+    return [_pair(values)] if _is_one_pair(values, isinstance(between, tuple)) else [_pair(value) for value in values]
 
 
-def _are_pairs(values: list[Any]) -> bool:
-    """(("A", "B"), ("A", "C")): two pairs, whereas (["A", "C"], "B") and (["A"], ["B"]) are one."""
-    return all(isinstance(value, tuple) and len(value) == 2 for value in values)
+def _is_one_pair(values: list[Any], is_tuple: bool) -> bool:
+    """Of ("A", "B") and (["A", "C"], ["B"]), but not of ("A:B", "A:C") and (("A", "B"), ("A", "C"))."""
+    if len(values) != 2:
+        return False
+    if any(isinstance(value, str) for value in values):
+        return any(isinstance(value, str) and ":" not in value for value in values)
+    return is_tuple and not all(isinstance(value, tuple) for value in values)

@@ -23,7 +23,7 @@ Progress = Optional[Callable[[str, float], object]]
 
 
 _VERTEX_ARRAYS = ("normals", "atom", "residue", "patch", "component", "area", "mean_curvature", "gaussian_curvature",
-                  "shape_index", "depth")
+                  "shape_index")
 
 
 class _Vertices:
@@ -144,7 +144,7 @@ class Points(_Vertices):
         return self._mesh.vertices
 
     def numpy(self, copy: bool = False) -> dict[str, npt.NDArray[Any]]:
-        """All arrays by their names: points and those of every point.
+        """The arrays by their names: points and those of every point, without ``depth``.
 
         copy  arrays of their own, which may be written to and which ``torch.from_numpy`` takes without a warning
         """
@@ -195,7 +195,7 @@ class Surface(_Vertices):
         return self._mesh.triangles
 
     def numpy(self, copy: bool = False) -> dict[str, npt.NDArray[Any]]:
-        """All arrays by their names: vertices, triangles, and those of every vertex.
+        """The arrays by their names: vertices, triangles, and those of every vertex, without ``depth``.
 
         copy  arrays of their own, which may be written to and which ``torch.from_numpy`` takes without a warning
 
