@@ -100,8 +100,7 @@ std::vector<ChainPair> touching_chains(const Structure& structure, double probe)
 ///           a pair
 /// cost      that of measure_interfaces()
 std::vector<ChainInterface> chain_interfaces(const Structure& structure, std::span<const ChainPair> pairs,
-                                             const MeasureOptions& options = {},
-                                             OptionSpelling spelling = nullptr);
+                                             const MeasureOptions& options = {}, OptionSpelling spelling = nullptr);
 
 /// An entry of a table: nothing, a truth value, a whole number, a number or a text.
 using Cell = std::variant<std::monostate, bool, std::int64_t, double, std::string>;

@@ -75,13 +75,13 @@ py::dict interface_dict(const ChainInterface& i) {
     return block;
 }
 
-py::list blocks(const Interfaces& interfaces) {
+py::list interface_blocks(const Interfaces& interfaces) {
     py::list list;
     for (const ChainInterface& i : interfaces.all) list.append(interface_dict(i));
     return list;
 }
 
-Names disputed(const Interfaces& interfaces) {
+Names disputed_patches(const Interfaces& interfaces) {
     Names all;
     for (const ChainInterface& i : interfaces.all)
         all.insert(all.end(), i.areas.disputed.begin(), i.areas.disputed.end());
@@ -92,7 +92,8 @@ Table table_of(const Interfaces& interfaces, const Structure& structure, const s
     return interface_table(structure, interfaces.all, parse_word("per", per, kRowsPerWords));
 }
 
-void save(const Interfaces& interfaces, const Structure& structure, const std::string& path, const std::string& per) {
+void save_interfaces(const Interfaces& interfaces, const Structure& structure, const std::string& path,
+                     const std::string& per) {
     const py::gil_scoped_release release;
     write_table(path, table_of(interfaces, structure, per));
 }
@@ -101,12 +102,12 @@ void save(const Interfaces& interfaces, const Structure& structure, const std::s
 
 void bind_interfaces(py::module_& module) {
     py::class_<Interfaces, std::shared_ptr<Interfaces>> type(module, "Interfaces");
-    type.def_property_readonly("blocks", &blocks);
-    type.def_property_readonly("disputed", &disputed);
+    type.def_property_readonly("blocks", &interface_blocks);
+    type.def_property_readonly("disputed", &disputed_patches);
     type.def("table", [](const Interfaces& interfaces, const Structure& structure, const std::string& per) {
         return table_columns(table_of(interfaces, structure, per));
     });
-    type.def("save", &save, py::arg("structure"), py::arg("path"), py::arg("per"));
+    type.def("save", &save_interfaces, py::arg("structure"), py::arg("path"), py::arg("per"));
     def_pickle<Interfaces>(type);
     module.def("measure_interfaces", &measure_pairs, py::arg("structure"), py::arg("pairs"), py::arg("options"));
 }
