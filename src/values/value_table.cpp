@@ -33,6 +33,7 @@ constexpr std::array kPassedOver{"x", "y", "z", "radius", "element"};
 
 /// The column by which tables of interfaces tell which one a row is about.
 constexpr const char* kInterface = "interface";
+constexpr std::size_t kMostInterfaces = 1000;
 
 /// Which columns of a file are what.
 struct Columns {
@@ -155,6 +156,12 @@ private:
         for (const CsvRow& row : rows.subspan(1))
             if (column < row.size()) interfaces.insert(row[column].text);
         if (interfaces.size() < 2) return;
+        if (interfaces.size() > kMostInterfaces)
+            fail_at(file_, rows.front()[column].place,
+                    "names " + std::to_string(interfaces.size()) +
+                        " interfaces, each of which would have arrays of its "
+                        "own; leave at most " +
+                        std::to_string(kMostInterfaces));
         columns_.interface = column;
         table_.texts.erase(text);
     }
@@ -200,16 +207,20 @@ private:
         return blocks_.emplace(interface, std::move(block)).first->second;
     }
 
-    /// "A:b" and "a:B", or "A,B:C" and "A:B,C", would be the same word.
+    /// "A:b" and "a:B", or "A,B:C" and "A:B,C", would be the same word, and "mean" of "curvature" another array's name.
     std::string free_ending(const std::string& word) const {
-        const auto is_taken = [&](const std::string& ending) {
-            return std::any_of(blocks_.begin(), blocks_.end(), [&](const auto& block) {
-                return lower_case(block.second.ending) == lower_case(ending);
-            });
-        };
         std::string ending = "_" + word;
-        for (int n = 2; is_taken(ending); ++n) ending = "_" + word + "_" + std::to_string(n);
+        for (int n = 2; !is_free(ending); ++n) ending = "_" + word + "_" + std::to_string(n);
         return ending;
+    }
+
+    bool is_free(const std::string& ending) const {
+        return std::all_of(columns_.values.begin(), columns_.values.end(), [&](std::size_t column) {
+            const std::string name = names_[column] + ending;
+            return is_value_name(name) &&
+                   std::none_of(table_.columns.begin(), table_.columns.end(),
+                                [&](const auto& c) { return lower_case(c.name) == lower_case(name); });
+        });
     }
 
     /// A table of what was deposited is about its copies, too, unless it has rows of theirs.

@@ -151,6 +151,18 @@ TEST(ValueTable, EveryOneOfSeveralInterfacesHasArraysOfItsOwn) {
               "t.csv:4:1: repeats the atoms or residue of line 2; leave one of them out");
 }
 
+TEST(ValueTable, NoArrayOfAnInterfaceHasANameThatIsTaken) {
+    const ValueTable table =
+        table_of("interface,side,serial,mean,v,v_A\ncurvature,a,1,3,1,1\nA:B,a,1,5,1,1\nB,a,2,5,1,1\n");
+    ASSERT_EQ(table.columns.size(), 9U);
+    EXPECT_EQ(table.columns[0].name, "mean_curvature_2");
+    EXPECT_EQ(table.columns[4].name, "v_A_B");
+    EXPECT_EQ(table.columns[8].name, "v_A_B_2");
+    std::string many = "interface,side,serial,v\n";
+    for (int i = 0; i < 1001; ++i) many += "I" + std::to_string(i) + ",a,1,1\n";
+    EXPECT_TRUE(message_of(many).starts_with("t.csv:1:1: names 1001 interfaces"));
+}
+
 TEST(ValueTable, OneChainNeedsNoName) {
     Structure one = small_complex();
     for (Residue& residue : one.residues) residue.chain = "A";
