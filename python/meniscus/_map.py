@@ -17,8 +17,9 @@ import threading
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, Protocol, Union
 
-from . import _options, _program
+from . import _options
 from ._errors import InputError, LimitError, OutputError, UsageError, text_of_path
+from ._program import find as find_program
 from ._structure import Path
 from ._writing import write_whole
 
@@ -111,7 +112,7 @@ class _Work:
 
     def compute(self, task: _Task, children: _Children | None = None) -> _Lines:
         """One input by one run of `meniscus batch`, whose record it is."""
-        program = self.program or _program.find()
+        program = self.program or find_program()
         if program is None:
             raise FileNotFoundError(errno.ENOENT, "the program is neither in this package nor on the PATH; install it "
                                                   "(docs/install.md), or name it with program=", "meniscus")

@@ -219,7 +219,7 @@ class Interfaces(MeasureTest):
         self.assertIn("no chains touch", self.measure("two.pdb", "--between", "all").stdout)
 
     def test_a_ligand_is_a_partner_by_its_name(self):
-        ligand = "HETATM    4  C1  HEP A   2      {:8.3f}   0.000   0.000  1.00  0.00           C\n"
+        ligand = "HETATM    4  C1  HEP A   2    {:8.3f}   0.000   0.000  1.00  0.00           C\n"
         atoms = two_chains(20.0) + ligand.format(4.0) + ligand.format(5.2).replace("    4  C1", "    5  C2")
         self.write("two.pdb", atoms)
         (found,) = self.report("two.pdb", "--between", "A:(HEP)", "--hetero", "ligands", "-o", "t.csv",
