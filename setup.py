@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Meniscus authors
 # SPDX-License-Identifier: Apache-2.0
-"""Builds the extension module of the Python package with CMake; everything else is in pyproject.toml.
+"""Builds the extension module of the Python package, and the program that it brings along, with CMake; everything else
+is in pyproject.toml.
 
 MENISCUS_BUILD  a CMake build folder of this project, configured with MENISCUS_PYTHON=ON for the same Python: what has
                 been built there is used. Without it everything is built, which takes some minutes.
@@ -31,19 +32,22 @@ class CMakeBuild(build_ext):
         build = pathlib.Path(given or self.build_temp).resolve()
         if not given:
             self.configure(build)
-        subprocess.run(["cmake", "--build", str(build), "--target", "meniscus_python"], check=True)
+        subprocess.run(["cmake", "--build", str(build), "--target", "meniscus_python", "meniscus_cli"], check=True)
         built = build / "python" / "meniscus" / MODULE
         if not built.is_file():
             raise SystemExit(f"{build} was not configured for {sys.executable}: there is no {built}")
         target = pathlib.Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
         self.copy_file(str(built), str(target))
+        program = target.parent / "bin" / "meniscus"
+        program.parent.mkdir(exist_ok=True)
+        self.copy_file(str(build / "cli" / "meniscus"), str(program))
 
     @staticmethod
     def configure(build):
         """FindPython and older modules are both told which Python it is: this one, whatever comes first on the PATH."""
         subprocess.run(["cmake", "-S", str(ROOT), "-B", str(build), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                        "-DMENISCUS_PYTHON=ON", "-DMENISCUS_CLI=OFF", "-DMENISCUS_TESTS=OFF", "-DMENISCUS_INSTALL=OFF",
+                        "-DMENISCUS_PYTHON=ON", "-DMENISCUS_CLI=ON", "-DMENISCUS_TESTS=OFF", "-DMENISCUS_INSTALL=OFF",
                         f"-DPython_EXECUTABLE={sys.executable}", f"-DPYTHON_EXECUTABLE={sys.executable}"], check=True)
 
 

@@ -72,7 +72,7 @@ private:
                 pairs = touching_chains(structure, options_.probe);
         }
         try {
-            interfaces_ = chain_interfaces(structure, pairs, options_);
+            interfaces_ = chain_interfaces(structure, pairs, options_, spell_as_option);
         } catch (const UsageError& error) {
             throw UsageError(std::string("--between: ") + error.what());
         }

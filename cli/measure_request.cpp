@@ -33,10 +33,24 @@ void add_choices(CLI::App& command, const char* name, std::vector<T>& target, co
         ->default_str(words.front().first);
 }
 
+/// At commas that are not within parentheses, as in A,(HEM,NAG).
+std::vector<std::string> split_outside_parentheses(const std::string& list) {
+    std::vector<std::string> names{""};
+    int depth = 0;
+    for (const char c : list) {
+        if (c == '(') ++depth;
+        if (c == ')') --depth;
+        if (c == ',' && depth == 0)
+            names.emplace_back();
+        else
+            names.back() += c;
+    }
+    return names;
+}
+
 std::vector<std::string> split_names(const std::string& list, const std::string& whole) {
-    std::vector<std::string> names = CLI::detail::split(list, ',');
-    const bool ends_empty = list.empty() || list.back() == ',';
-    if (ends_empty || std::find(names.begin(), names.end(), "") != names.end())
+    std::vector<std::string> names = split_outside_parentheses(list);
+    if (std::find(names.begin(), names.end(), "") != names.end())
         throw UsageError(fmt::format("--between: empty name in '{}'; write --between A:B, A,C:B or all", whole));
     return names;
 }
@@ -67,7 +81,8 @@ void add_measure_options(CLI::App& command, MeasureRequest& request) {
     add_probe(command, request.measure.probe);
     command
         .add_option("--between", request.between,
-                    "Interface of groups of chains, as in A,C:B\n, or all: every pair of chains that touch; repeatable")
+                    "Interface of groups of chains, as in A,C:B\n, or all: every pair of chains that touch; "
+                    "repeatable. A ligand by its residue name in parentheses: 'A:(HEM)', 'A:B(HEM)'")
         ->type_name("A:B|all")
         ->allow_extra_args(false);
     command.option_defaults()->group("Output");

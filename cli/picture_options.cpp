@@ -31,8 +31,6 @@ constexpr std::array kSmallestWithLegend{320, 240};
 
 constexpr const char* kViewWords = "auto, front, back, left, right, top, bottom, or X,Y,Z[:UX,UY,UZ]";
 
-constexpr Words<Colour, 3> kBackgrounds{{{"white", kWhite}, {"black", {0, 0, 0, 255}}, {"transparent", kTransparent}}};
-
 std::vector<std::string> split(const std::string& text, char separator) {
     return text.empty() ? std::vector<std::string>{""} : CLI::detail::split(text, separator);
 }
@@ -41,7 +39,13 @@ ColourOptions parse_colours(const std::string& text) {
     const std::vector<std::string> parts = split(text, ':');
     if (parts.size() != 1 && parts.size() != 3)
         throw UsageError(fmt::format("--color: '{}' is neither a scheme nor SCHEME:MIN:MAX", text));
-    const bool of_values = !is_word_of(kColourSchemeWords, parts[0]) && is_value_name(parts[0]);
+    const bool is_scheme = is_word_of(kColourSchemeWords, parts[0]);
+    if (parts.size() == 1 && !is_scheme)
+        if (const auto colour = colour_of_text(text)) return {.scheme = ColourScheme::Single, .colour = colour};
+    if (text.starts_with('#'))
+        throw UsageError(
+            fmt::format("--color: '{}' is not a colour; write six hexadecimal digits, as in '#ff6347'", text));
+    const bool of_values = !is_scheme && is_value_name(parts[0]);
     ColourOptions colours{.scheme = ColourScheme::Value};
     if (of_values)
         colours.value = parts[0];
@@ -127,15 +131,12 @@ void set_size(PictureOptions& picture, const std::string& text) {
 }
 
 Colour parse_background(const std::string& text) {
-    constexpr std::string_view kHexDigits = "0123456789abcdefABCDEF";
-    if (!text.starts_with('#')) return parse_word("--background", text, kBackgrounds);
-    if (text.size() != 7 || text.find_first_not_of(kHexDigits, 1) != std::string::npos)
-        throw UsageError(
-            fmt::format("--background: '{}' is not a colour; write six hexadecimal digits, as in #ffcc00", text));
-    const auto channel = [&](std::size_t place) {
-        return static_cast<std::uint8_t>(std::stoi(text.substr(place, 2), nullptr, 16));
-    };
-    return {channel(1), channel(3), channel(5), 255};
+    if (text == "transparent") return kTransparent;
+    if (const auto colour = colour_of_text(text)) return *colour;
+    throw UsageError(fmt::format(
+        "--background: '{}' is not a colour; write transparent, a name of CSS such as white or navy, or six "
+        "hexadecimal digits, as in '#ffcc00'",
+        text));
 }
 
 std::string describe(const Colour& c) {
@@ -176,7 +177,8 @@ void add_colour(CLI::App& command, PictureRequest& request) {
             "--color", read,
             fmt::format("Colours of pictures, meshes and pages\n: {}; auto: chain if "
                         "there are several, else single. curvature, "
-                        "depth and bfactor also as SCHEME:MIN:MAX; or NAME[:MIN:MAX] of values",
+                        "depth and bfactor also as SCHEME:MIN:MAX; or NAME[:MIN:MAX] of values; or one "
+                        "colour by its CSS name, such as tomato, or as '#rrggbb'",
                         join(kColourSchemeWords, ", ")))
         ->type_name("SCHEME")
         ->default_str(kColourSchemeWords.front().first);
@@ -204,7 +206,8 @@ void add_picture_options(CLI::App& command, PictureRequest& request) {
                 });
     add_drawing(command, request, "--size", "WxH", "1600x1200", "Size of pictures, in pixels",
                 [&](const std::string& text) { set_size(picture, text); });
-    add_drawing(command, request, "--background", "COLOR", "white", "white, black, transparent, #rrggbb",
+    add_drawing(command, request, "--background", "COLOR", "white",
+                "white, black, transparent, #rrggbb\n, or another colour by its CSS name",
                 [&](const std::string& text) { picture.background = parse_background(text); });
     add_drawing(command, request, "--depth-cue", "F", "0", rarely("Fade distant parts into the background, 0 to 1"),
                 [&](const std::string& text) {
@@ -233,6 +236,7 @@ void report_picture(const PictureRequest& request, const Structure& structure, c
     colours.scheme = scheme_in_force(colours.scheme, structure);
     const bool of_values = colours.scheme == ColourScheme::Value;
     options["color"] = of_values ? colours.value : word_for(kColourSchemeWords, colours.scheme);
+    if (colours.colour) options["color"] = describe(*colours.colour);
     options["color_range"] = nullptr;
     if (takes_range(colours.scheme)) {
         const ValueRange range = range_in_force(colours, mesh, structure);

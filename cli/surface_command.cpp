@@ -113,6 +113,7 @@ private:
         }
         values_ = ValueSources(request_.values, request_.picture.colours, job.structure, request_.per_chain);
         for (const std::string& line : values_.warnings()) warn(line);
+        for (const std::string& line : values_.notes()) note(line);
         Stopwatch estimating;
         const bool has_volume = has(job.outputs, OutputKind::Volume);
         VolumeGrid grid;

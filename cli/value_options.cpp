@@ -35,6 +35,11 @@ SampledMap parse_sample(const std::string& text) {
     return map;
 }
 
+bool wants_depth(const std::string& text) {
+    if (text != "depth") throw UsageError(fmt::format("--arrays: unknown value '{}'; choose one of depth", text));
+    return true;
+}
+
 std::size_t count_missing(const VertexValues& values) {
     return static_cast<std::size_t>(
         std::count_if(values.values.begin(), values.values.end(), [](float v) { return std::isnan(v); }));
@@ -98,6 +103,12 @@ void add_value_options(CLI::App& command, ValueRequest& request) {
                     "chains becomes a vertex array; repeatable")
         ->type_name("FILE.csv")
         ->allow_extra_args(false);
+    const auto arrays = [&request](const std::string& text) { request.depth = wants_depth(text); };
+    command
+        .add_option_function<std::string>(
+            "--arrays", arrays,
+            rarely("Further vertex arrays: depth, how deep in pockets and cavities the surface lies, Å"))
+        ->type_name("depth");
 }
 
 void check_values(const ValueRequest& request, const ColourOptions& colours) {
@@ -107,8 +118,8 @@ void check_values(const ValueRequest& request, const ColourOptions& colours) {
     if (colours.scheme != ColourScheme::Value || !request.tables.empty()) return;
     if (std::none_of(request.maps.begin(), request.maps.end(), is_named))
         throw UsageError(
-            fmt::format("--color: unknown value '{}'; choose one of {}, or the name of values from --sample or "
-                        "--values",
+            fmt::format("--color: unknown value '{}'; choose one of {}, the name of values from --sample or "
+                        "--values, or a colour such as tomato or '#ff6347'",
                         colours.value, join(kColourSchemeWords, ", ")));
 }
 
@@ -123,6 +134,7 @@ void report_values(const ValueRequest& request, ordered_json& options) {
     ordered_json tables = ordered_json::array();
     for (const std::string& path : request.tables) tables.push_back(file_name(path));
     options["values"] = std::move(tables);
+    options["arrays"] = request.depth ? ordered_json::array({"depth"}) : ordered_json::array();
 }
 
 ValueSources::ValueSources(const ValueRequest& request, const ColourOptions& colours, const Structure& structure,
@@ -130,7 +142,8 @@ ValueSources::ValueSources(const ValueRequest& request, const ColourOptions& col
     : sampling_(request.sampling) {
     for (const std::string& path : request.tables) add_table(path, structure, one_chain);
     for (const SampledMap& map : request.maps) maps_.push_back({map, read_volume(map.path)});
-    check_names(colours);
+    check_names(colours, request.depth);
+    if (request.depth || colours.scheme == ColourScheme::Depth) depth_of_ = &structure;
     if (auto more = values_of_scheme(colours.scheme, structure)) columns_.push_back({std::move(*more), structure.file});
 }
 
@@ -140,6 +153,9 @@ void ValueSources::add_table(const std::string& path, const Structure& structure
     if (table.strange_rows > 0 && !one_chain)
         warnings_.push_back(fmt::format("{}: {} of {} rows match nothing that is kept of {}", path, table.strange_rows,
                                         table.rows, structure.file));
+    if (!table.texts.empty())
+        notes_.push_back(fmt::format("{}: left alone, since no cell is a number: {} {}", path,
+                                     table.texts.size() == 1 ? "column" : "columns", fmt::join(table.texts, ", ")));
     for (AtomValues& column : table.columns) columns_.push_back({std::move(column), path});
 }
 
@@ -150,9 +166,11 @@ std::vector<std::string> ValueSources::names() const {
     return all;
 }
 
-void ValueSources::check_names(const ColourOptions& colours) const {
+void ValueSources::check_names(const ColourOptions& colours, bool has_depth) const {
     std::set<std::string> seen;
-    for (const std::string& name : names())
+    std::vector<std::string> all = names();
+    if (has_depth && colours.scheme != ColourScheme::Depth) all.emplace_back("depth");
+    for (const std::string& name : all)
         if (!seen.insert(CLI::detail::to_lower(name)).second)
             throw UsageError(fmt::format("two arrays of values have the name '{}'; rename one of them", name));
     if (colours.scheme == ColourScheme::Value) {
@@ -163,11 +181,22 @@ void ValueSources::check_names(const ColourOptions& colours) const {
         throw UsageError(fmt::format("--color: '{}' is a scheme and also the name of values of {}; rename the values",
                                      word, path_of(word)));
     }
+    check_colour(colours);
+}
+
+/// Values named as the colour that is asked for may be meant as well.
+void ValueSources::check_colour(const ColourOptions& colours) const {
+    if (!colours.colour) return;
+    for (const std::string& name : names())
+        if (colour_of_text(name) == colours.colour)
+            throw UsageError(fmt::format(
+                "--color: '{}' is a colour and also the name of values of {}; rename the values", name, path_of(name)));
 }
 
 const std::string& ValueSources::path_of(const std::string& name) const {
     for (const Map& map : maps_)
         if (map.asked.name == name) return map.asked.path;
+    if (depth_of_ != nullptr && name == "depth") return depth_of_->file;
     return std::find_if(columns_.begin(), columns_.end(), [&](const Column& c) { return c.values.name == name; })->path;
 }
 
@@ -175,6 +204,7 @@ std::vector<VertexValues> ValueSources::at_vertices(const Mesh& mesh) const {
     std::vector<VertexValues> all;
     for (const Column& column : columns_) all.push_back(values_at_vertices(mesh, column.values));
     for (const Map& map : maps_) all.push_back(sample_volume(mesh, map.asked.name, map.volume, sampling_));
+    if (depth_of_ != nullptr) all.push_back(depth_values(mesh, *depth_of_));
     return all;
 }
 

@@ -26,10 +26,11 @@ struct ValueRequest {
     SampleVolumeOptions sampling;
     std::string sampled_by{};         ///< an option that was given and that only maps heed; empty if there is none
     std::vector<std::string> tables;  ///< paths
+    bool depth = false;               ///< --arrays depth
 };
 
-/// --sample, --offset, --interpolation, --values. `request` must outlive the parser. While parsing, UsageError is
-/// thrown for values that make no sense.
+/// --sample, --offset, --interpolation, --values, --arrays. `request` must outlive the parser. While parsing,
+/// UsageError is thrown for values that make no sense.
 void add_value_options(CLI::App& command, ValueRequest& request);
 
 /// What depends on several of these options and on --color.
@@ -43,13 +44,15 @@ void report_values(const ValueRequest& request, nlohmann::ordered_json& options)
 class ValueSources {
 public:
     ValueSources() = default;
-    /// Also the B factors, where they are what the surface shows.
+    /// Also the B factors and depths, where they are what the surface shows.
+    /// structure   must outlive the sources
     /// one_chain   of several: rows of tables may be about the others
     /// throws      InputError; UsageError for two arrays of one name, and for a name that --color gives but no file has
     ValueSources(const ValueRequest& request, const ColourOptions& colours, const Structure& structure, bool one_chain);
 
     /// What may be worth knowing of the files, one line each.
     const std::vector<std::string>& warnings() const { return warnings_; }
+    const std::vector<std::string>& notes() const { return notes_; }
 
     std::vector<VertexValues> at_vertices(const Mesh& mesh) const;
 
@@ -72,7 +75,8 @@ private:
     };
 
     void add_table(const std::string& path, const Structure& structure, bool one_chain);
-    void check_names(const ColourOptions& colours) const;
+    void check_names(const ColourOptions& colours, bool has_depth) const;
+    void check_colour(const ColourOptions& colours) const;
     std::vector<std::string> names() const;
     const std::string& path_of(const std::string& name) const;
 
@@ -80,6 +84,8 @@ private:
     std::vector<Map> maps_;
     std::vector<Column> columns_;
     std::vector<std::string> warnings_;
+    std::vector<std::string> notes_;
+    const Structure* depth_of_ = nullptr;  // where depths are asked for
 };
 
 }  // namespace meniscus::cli

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "meniscus/accessible_surface.h"
@@ -45,12 +46,22 @@ struct ColourOptions {
     ColourScheme scheme = ColourScheme::Automatic;
     std::optional<ValueRange> range{};  ///< Curvature, BFactor, Depth and Value only; nothing: default_range()
     std::string value{};                ///< Value only
+    std::optional<Colour> colour{};     ///< Single only; nothing: light blue
 
     bool operator==(const ColourOptions&) const = default;
 };
 
 /// Radius of the probe that cannot enter what ColourScheme::Depth calls deep, Å.
 inline constexpr double kDepthProbe = 10.0;
+
+/// The colour that people write as one of the names of CSS ("tomato", in any case) or as "#rrggbb"; nothing for any
+/// other text. source   CSS Color Module Level 4, W3C 2022, section 6.1; without its words for transparency
+std::optional<Colour> colour_of_text(std::string_view text);
+
+/// How deep in pockets and cavities every vertex lies, Å: its distance within the SES of a probe of kDepthProbe, 0
+/// outside. The array has the name "depth".
+/// cost     builds an AccessibleSurface and asks it for every vertex, parallel
+VertexValues depth_values(const Mesh& mesh, const Structure& structure);
 
 /// The scheme that Automatic stands for; any other stands for itself.
 ColourScheme scheme_in_force(ColourScheme scheme, const Structure& structure);
@@ -71,7 +82,7 @@ ValueRange range_in_force(const ColourOptions& options, const Mesh& mesh, const 
 /// mesh     with `atoms`, which index the structure's atoms, and the array that the scheme shows
 /// throws   UsageError for an array that is missing, an atom that the structure does not have, a range that is empty
 ///          or not finite, and one for a scheme that takes none
-/// cost     O(n); Depth also builds an AccessibleSurface and asks it for every vertex
+/// cost     O(n); Depth also that of depth_values(), unless the mesh has values of this name: then these are shown
 std::vector<Colour> colour_vertices(const Mesh& mesh, const Structure& structure, const ColourOptions& options = {});
 
 /// Colours of values that have a middle: blue, white, red; those that are no numbers are grey.

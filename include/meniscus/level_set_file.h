@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "meniscus/level_set.h"
 
@@ -21,5 +22,12 @@ void write_level_set(const std::string& path, const LevelSet& level_set);
 /// throws   InputError, in one line, for a file that cannot be read, is of another kind or version, has been cut off or
 ///          changed (a checksum tells), or describes no grid. Nothing is allocated that the file is too short to hold.
 LevelSet read_level_set(const std::string& path);
+
+/// What write_level_set() would write, and the level set back from it.
+///
+/// name     of the bytes in messages
+/// throws   as write_level_set() and read_level_set()
+std::string level_set_bytes(const LevelSet& level_set);
+LevelSet level_set_from_bytes(std::string_view bytes, const std::string& name);
 
 }  // namespace meniscus

@@ -74,13 +74,14 @@ enum class AtomValue {
 /// One value per atom.
 std::vector<double> atom_values(const Structure& structure, const Measures& measures, AtomValue value);
 
-/// Two groups of chains, by author names.
+/// Two groups of chains and ligands: "A" is a chain by its author name, "(HEM)" all residues of that name, "(HEM,NAG)"
+/// of several, and "A(HEM)" those in chain A. What one side names as a residue does not belong to a chain of the other.
 struct ChainPair {
     std::vector<std::string> a;
     std::vector<std::string> b;
 };
 
-/// The interface of two groups of chains.
+/// The interface of two groups of chains and ligands.
 struct ChainInterface {
     ChainPair chains;
     AtomGroup group_a;
@@ -91,12 +92,15 @@ struct ChainInterface {
 /// Every pair of chains that touch (touching_groups), in the order of chains_of().
 std::vector<ChainPair> touching_chains(const Structure& structure, double probe);
 
-/// The interfaces of pairs of groups of chains.
+/// The interfaces of pairs of groups of chains and ligands.
 ///
-/// throws   UsageError for a chain that has no kept atom or is on both sides of a pair
-/// cost     that of measure_interfaces()
+/// spelling  of options in messages; nullptr: as members of ReadOptions
+/// throws    UsageError for a chain or ligand that has no kept atom, with the option that keeps it, or is on both sides
+/// of
+///           a pair
+/// cost      that of measure_interfaces()
 std::vector<ChainInterface> chain_interfaces(const Structure& structure, std::span<const ChainPair> pairs,
-                                             const MeasureOptions& options = {});
+                                             const MeasureOptions& options = {}, OptionSpelling spelling = nullptr);
 
 /// An entry of a table: nothing, a truth value, a whole number, a number or a text.
 using Cell = std::variant<std::monostate, bool, std::int64_t, double, std::string>;

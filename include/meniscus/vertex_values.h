@@ -25,7 +25,8 @@ struct AtomValues {
 struct ValueTable {
     std::vector<AtomValues> columns;
     std::size_t rows = 0;
-    std::size_t strange_rows = 0;  ///< that name nothing of the structure
+    std::size_t strange_rows = 0;      ///< that name nothing of the structure
+    std::vector<std::string> texts{};  ///< columns left alone, since no cell of theirs is a number
 };
 
 /// Reads values by atom, residue or chain from comma-separated text with one line of names (.csv, also .csv.gz).
@@ -33,9 +34,10 @@ struct ValueTable {
 /// What a row is about is told by columns named as in tables of measures: index, or chain, resnum, icode, name, altloc,
 /// or serial; chain is not needed where the structure has one only. What of these, and of resname, stands beside an
 /// index, or beside a residue's number, must agree with the structure. All other columns are values, one array each;
-/// an empty cell, NA or nan is no value, true and false are 1 and 0.
-/// throws   InputError "FILE:LINE:COLUMN: what; what to do"
-/// cost     O(n log n)
+/// an empty cell, NA or nan is no value, true and false are 1 and 0. Columns of which no cell is a number are left
+/// alone. In tables of several interfaces, which have a column `interface` and name a residue once for each of them,
+/// every interface has arrays of its own: buried_sas_A_B for A:B. throws   InputError "FILE:LINE:COLUMN: what; what to
+/// do" cost     O(n log n)
 ValueTable read_value_table(const std::string& path, const Structure& structure);
 
 /// throws   InputError for a table whose rows all name something that the structure does not have

@@ -11,13 +11,17 @@
 >>> surface.save("1ubq.ply", color="patch")
 
 Lengths are in Å, areas in Å², volumes in Å³, curvatures in Å⁻¹. The level-set function is negative inside the molecule;
-normals point into the solvent. Arrays of results are read-only views: nothing is copied.
+normals point into the solvent. Arrays of results are read-only views: nothing is copied. ``numpy(copy=True)`` of a
+surface or structure, and ``copy()`` of any array, give arrays of your own. Indices are int32.
+
+Structures, surfaces and measures can be pickled and copied, to the bit; a pickle is for the version that made it.
 
 A tutorial is in ``docs/python.md``.
 """
 from ._compare import Compared, Comparison, Distance, compare
 from ._core import version as __version__
 from ._errors import CheckWarning, InputError, LimitError, OutputError, ReadWarning, UsageError
+from ._interfaces import Interface
 from ._map import map
 from ._measures import Component, Measures, measure, signed_distance
 from ._structure import Structure, radii, read, read_models
@@ -30,6 +34,7 @@ __all__ = [
     "Component",
     "Distance",
     "InputError",
+    "Interface",
     "LimitError",
     "Measures",
     "OutputError",

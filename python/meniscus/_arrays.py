@@ -3,6 +3,7 @@
 """Arrays at the border: checked by type, shape and value, copied only where they have to be converted."""
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -78,3 +79,9 @@ def texts(name: str, values: Any, count: int) -> list[str]:
     if len(result) != count:
         raise UsageError(f"{name}: {len(result)} entries for {count} atoms")
     return result
+
+
+def arrays_of(owner: object, names: Iterable[str], copy: bool) -> dict[str, npt.NDArray[Any]]:
+    """Attributes that are arrays, by name; copied, they may be written to."""
+    arrays = {name: getattr(owner, name) for name in names}
+    return {name: np.array(array, copy=True) for name, array in arrays.items()} if copy else arrays

@@ -80,7 +80,7 @@ class Comparison:
 
     @property
     def triangles(self) -> Indices:
-        """(m, 3) uint32: triangles of A's mesh; a view."""
+        """(m, 3) int32: triangles of A's mesh; a view."""
         return self._a.mesh.triangles
 
     def save(self, path: Path, range: tuple[float, float] | None = None) -> None:

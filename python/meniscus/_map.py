@@ -19,6 +19,7 @@ from typing import Any, Protocol, Union
 
 from . import _options
 from ._errors import InputError, LimitError, OutputError, UsageError, text_of_path
+from ._program import find as find_program
 from ._structure import Path
 from ._writing import write_whole
 
@@ -111,10 +112,10 @@ class _Work:
 
     def compute(self, task: _Task, children: _Children | None = None) -> _Lines:
         """One input by one run of `meniscus batch`, whose record it is."""
-        program = self.program or shutil.which("meniscus")
+        program = self.program or find_program()
         if program is None:
-            raise FileNotFoundError(errno.ENOENT, "the program is not on the PATH; install it (docs/install.md), or "
-                                                  "name it with program=", "meniscus")
+            raise FileNotFoundError(errno.ENOENT, "the program is neither in this package nor on the PATH; install it "
+                                                  "(docs/install.md), or name it with program=", "meniscus")
         with tempfile.TemporaryDirectory(prefix="meniscus-", dir=self.scratch) as scratch:
             endings = [word for ending in task.endings for word in ("-o", ending)]
             # A worker may be in a task of a Slurm array, of which a batch would take its part.
@@ -369,7 +370,7 @@ def map(
     time_limit    for each file, in seconds, or as in "15m" and "2h"
     memory_limit  for each file: "500M", "4G"
     mixed_radii   whether the radius set may differ from file to file
-    program       path of ``meniscus``. None: found on the PATH
+    program       path of ``meniscus``. None: the one that was installed with this package, else found on the PATH
     jobs          files computed at a time without a client; None: the number of cores
     options       options of the command: ``min_cavity=5`` is ``--min-cavity=5``, ``waters=True`` is ``--waters``,
                   ``waters=False`` is ``--no-waters``, and a list repeats an option

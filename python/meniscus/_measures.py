@@ -13,6 +13,7 @@ import numpy.typing as npt
 from . import _core, _options
 from ._arrays import Floats, positions
 from ._errors import CheckWarning, UsageError, text_of_path
+from ._interfaces import Between, Interface, Pairs, pairs_of
 from ._structure import Path, Structure, as_structure
 
 Point = tuple[float, float, float]
@@ -39,7 +40,7 @@ class Component:
     """centroid of its surface, Å"""
     inside_of: int | None
     """index of the component that directly encloses it"""
-    atoms: npt.NDArray[np.uint32] = dataclasses.field(repr=False, compare=False)
+    atoms: npt.NDArray[np.int32] = dataclasses.field(repr=False, compare=False)
     """(k,), indices of the atoms that touch it"""
     inscribed_centre: Point
     """centre of the largest sphere that fits into a cavity, Å"""
@@ -69,10 +70,14 @@ class Measures:
     True
     """
 
-    def __init__(self, core: _core.Measures, structure: Structure) -> None:
+    def __init__(self, core: _core.Measures, structure: Structure, interfaces: _core.Interfaces | None = None) -> None:
         self._core = core
         self._structure = structure
+        self._interfaces = interfaces
         self._components: list[Component] | None = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_components": None}
 
     def __repr__(self) -> str:
         return (f"<meniscus.Measures: SES {self.ses_area:.2f} Å², {self.ses_volume:.2f} Å³; "
@@ -183,18 +188,38 @@ class Measures:
 
     @property
     def agreed(self) -> bool:
-        """Whether two evaluations with independent perturbations agree."""
-        return self._core.agreed
+        """Whether two evaluations with independent perturbations agree, of interfaces, too."""
+        return self._core.agreed and not self.disputed
 
     @property
     def disputed(self) -> list[str]:
         """Patches on which they do not agree."""
-        return self._core.disputed
+        return self._core.disputed + ([] if self._interfaces is None else self._interfaces.disputed)
 
     @property
     def degenerate(self) -> bool:
         """Whether probe positions coincide, as on lattices; the bound for agreement is then wider."""
         return self._core.degenerate
+
+    @property
+    def interfaces(self) -> list[Interface]:
+        """The interfaces that ``measure(..., between=...)`` asked for, in that order."""
+        return [] if self._interfaces is None else [Interface(**block) for block in self._interfaces.blocks]
+
+    def interface_table(self, per: str = "residue") -> dict[str, list[Any]]:
+        """A list per column, one row per residue, atom or chain of each side of each interface: areas alone and in the
+        complex, and what is buried; the columns are in ``docs/conventions.md``.
+        """
+        return self._asked_interfaces().table(self._structure._core, _options.word("per", per))
+
+    def save_interfaces(self, path: Path, per: str = "residue") -> None:
+        """Writes that table as .csv or .json. Raises OSError if it cannot be written."""
+        self._asked_interfaces().save(self._structure._core, text_of_path(path), _options.word("per", per))
+
+    def _asked_interfaces(self) -> _core.Interfaces:
+        if self._interfaces is None:
+            raise UsageError("between: no interface was measured; ask for one with measure(..., between=('A', 'B'))")
+        return self._interfaces
 
     def table(self, per: str = "atom") -> dict[str, list[Any]]:
         """A list per column, one row per atom, residue, chain or cavity; the columns are in ``docs/conventions.md``.
@@ -211,19 +236,23 @@ class Measures:
 
 
 def measure(
-    atoms: Structure | npt.ArrayLike,
+    atoms: Structure | Path | npt.ArrayLike,
     radii: npt.ArrayLike | None = None,
     probe: float = 1.4,
     *,
+    between: Between = None,
     cavities: bool = True,
     depth: bool = False,
     threads: int = 0,
 ) -> Measures:
     """Exact areas and volumes of the SAS and SES with error estimates, shares of atoms, components and cavities.
 
-    atoms     a Structure, or centres (n, 3), Å
-    radii     (n,), Å; required with centres
+    atoms     a Structure; the path of a file, which :func:`read` reads with its defaults; or centres (n, 3), Å
+    radii     (n,), Å; required with centres. With a path, the name of a radius set
     probe     probe radius, Å; 0 gives the van der Waals surface
+    between   interfaces, too: ("A", "B") or "A:B", ("A,C", "B") or (["A", "C"], "B"), a list of such pairs, or "all" for
+              every pair of chains that touch. A ligand is named in parentheses, ("A", "(HEM)"), or "B(HEM)" for that of
+              chain B; it must have been kept: read(..., hetero="ligands")
     cavities  also find which component encloses which, and inscribed spheres
     depth     also measure the depth of every atom
     threads   0: all cores; results do not depend on it
@@ -234,11 +263,26 @@ def measure(
     >>> ball = meniscus.measure([[0, 0, 0]], [2.0], probe=1.0)
     >>> numpy.allclose([ball.ses_area, ball.sas_area], [16 * numpy.pi, 36 * numpy.pi])
     True
+    >>> round(meniscus.measure("1ubq.pdb").ses_area, 1)
+    3892.2
+    >>> two = meniscus.Structure.from_arrays([[0, 0, 0], [3, 0, 0]], 1.7, chain=["A", "B"])
+    >>> round(meniscus.measure(two, between=("A", "B")).interfaces[0].buried_sas, 1)
+    62.3
     """
     structure = as_structure(atoms, radii)
     options = {"probe": _options.number("probe", probe), "cavities": bool(cavities), "depth": bool(depth),
                "threads": _options.count("threads", threads)}
-    return checked(Measures(_core.measure(structure._core, options), structure), stacklevel=3)
+    pairs = pairs_of(between)
+    core = _core.measure(structure._core, options)
+    found = None if between is None else _interfaces(structure, pairs, options)
+    return checked(Measures(core, structure, found), stacklevel=3)
+
+
+def _interfaces(structure: Structure, pairs: Pairs, options: dict[str, Any]) -> _core.Interfaces:
+    try:
+        return _core.measure_interfaces(structure._core, pairs, options)
+    except UsageError as error:
+        raise UsageError(f"between: {error}") from None
 
 
 def checked(measures: Measures, stacklevel: int) -> Measures:
@@ -250,7 +294,7 @@ def checked(measures: Measures, stacklevel: int) -> Measures:
 
 
 def signed_distance(
-    atoms: Structure | npt.ArrayLike,
+    atoms: Structure | Path | npt.ArrayLike,
     radii: npt.ArrayLike | None = None,
     points: npt.ArrayLike | None = None,
     probe: float = 1.4,
@@ -258,7 +302,7 @@ def signed_distance(
 ) -> Floats:
     """Signed distances from the exact solvent-excluded surface, (m,), Å; negative inside.
 
-    atoms     a Structure, or centres (n, 3), Å
+    atoms     a Structure, the path of a file, or centres (n, 3), Å
     radii     (n,), Å; required with centres
     points    (m, 3), Å; anywhere; required
     probe     probe radius, Å

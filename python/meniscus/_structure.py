@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core, _options
-from ._arrays import Floats, one_per, positions, texts, whole_per
+from ._arrays import Floats, arrays_of, one_per, positions, texts, whole_per
 from ._errors import InputError, ReadWarning, UsageError, text_of_path, unreadable
 
 Path = Union[str, "os.PathLike[str]"]
@@ -35,7 +35,7 @@ class Structure:
     resname    (n,) text: ALA
     resnum     (n,) int32, as in the file
     icode      (n,) text; blank if there is none
-    residue    (n,) uint32, from 0, over the kept residues
+    residue    (n,) int32, from 0, over the kept residues
     altloc     (n,) text; blank if there is none
     serial     (n,) int32
     b_factor   (n,) float64
@@ -53,6 +53,9 @@ class Structure:
     def __init__(self, core: _core.Structure) -> None:
         self._core = core
         self._residues: dict[str, Any] | None = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {"_core": self._core, "_residues": None}
 
     @classmethod
     def from_arrays(
@@ -175,7 +178,7 @@ class Structure:
         return np.array(self._core.altloc, dtype=np.str_)
 
     @property
-    def residue(self) -> npt.NDArray[np.uint32]:
+    def residue(self) -> npt.NDArray[np.int32]:
         return self._core.residue
 
     @property
@@ -193,6 +196,17 @@ class Structure:
     @property
     def charge(self) -> Floats:
         return self._core.charge
+
+    def numpy(self, copy: bool = False) -> dict[str, npt.NDArray[Any]]:
+        """The columns of numbers by their names: xyz, radii, resnum, residue, serial, b_factor, occupancy, charge.
+
+        copy  arrays of their own, which may be written to and which ``torch.from_numpy`` takes without a warning
+
+        >>> meniscus.read("1ubq.pdb").numpy(copy=True)["xyz"].flags.writeable
+        True
+        """
+        names = ("xyz", "radii", "resnum", "residue", "serial", "b_factor", "occupancy", "charge")
+        return arrays_of(self, names, copy)
 
     @property
     def _per_residue(self) -> dict[str, Any]:
@@ -295,12 +309,16 @@ def read(
     """
     options = _read_options(radii=radii, hydrogens=hydrogens, model=model, assembly=assembly, altloc=altloc,
                             chains=chains, select=select, hetero=hetero, waters=waters, strict_radii=strict_radii)
+    return _read(path, options, stacklevel=4)
+
+
+def _read(path: Path, options: dict[str, Any], stacklevel: int) -> Structure:
     text = text_of_path(path)
     try:
         structure = Structure(_core.read(text, options))
     except InputError as error:
         raise (unreadable(text, str(error)) if text != "-" else None) or error from None
-    _warn(structure.warnings)
+    _warn(structure.warnings, stacklevel)
     return structure
 
 
@@ -329,7 +347,7 @@ def read_models(
         structures = [Structure(core) for core in _core.read_models(text, options)]
     except InputError as error:
         raise (unreadable(text, str(error)) if text != "-" else None) or error from None
-    _warn(line for structure in structures for line in structure.warnings)
+    _warn((line for structure in structures for line in structure.warnings), stacklevel=3)
     return structures
 
 
@@ -385,19 +403,27 @@ def _read_options(**given: Any) -> dict[str, Any]:
     return options
 
 
-def _warn(lines: Iterable[str]) -> None:
+def _warn(lines: Iterable[str], stacklevel: int) -> None:
     for line in dict.fromkeys(lines):
-        warnings.warn(line, ReadWarning, stacklevel=3)
+        warnings.warn(line, ReadWarning, stacklevel=stacklevel)
 
 
-def as_structure(atoms: Structure | npt.ArrayLike, sizes: npt.ArrayLike | str | None) -> Structure:
-    """What the functions take as atoms: a structure, or centres and radii."""
+def _structure_of_file(path: Path, sizes: npt.ArrayLike | str | None) -> Structure:
+    """As read() reads it, for a function that was called from outside."""
+    if not isinstance(sizes, (str, os.PathLike, type(None))):
+        raise UsageError("radii: with a file, the name of a set such as 'bondi'; numbers go with an array of centres")
+    options = {"radii": "auto" if sizes is None else text_of_path(sizes)}
+    return _read(path, options, stacklevel=5)
+
+
+def as_structure(atoms: Structure | Path | npt.ArrayLike, sizes: npt.ArrayLike | str | None) -> Structure:
+    """What the functions take as atoms: a structure, a file, or centres and radii."""
     if isinstance(atoms, Structure):
         if sizes is not None:
             raise UsageError("radii: a Structure has its own radii; make another with Structure.from_arrays")
         return atoms
     if isinstance(atoms, (str, os.PathLike)):
-        raise TypeError(f"atoms: read the file first: meniscus.read({os.fspath(atoms)!r})")
+        return _structure_of_file(atoms, sizes)
     if sizes is None:
         raise TypeError("radii: required with an array of centres, (n,) in Å; meniscus.radii() gives those of elements")
     if isinstance(sizes, str):

@@ -12,22 +12,31 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core, _options, _writing
-from ._arrays import Floats, positions
+from ._arrays import Floats, arrays_of, positions
 from ._errors import CheckWarning, UsageError, opening, text_of_path
 from ._measures import Component, Measures, checked
 from ._structure import Path, Structure, as_structure
 
 Singles = npt.NDArray[np.float32]
-Indices = npt.NDArray[np.uint32]
+Indices = npt.NDArray[np.int32]
 Progress = Optional[Callable[[str, float], object]]
 
 
-class _Vertices:
-    """Arrays with one entry per point of the surface. They are read-only; most are views."""
+_VERTEX_ARRAYS = ("normals", "atom", "residue", "patch", "component", "area", "mean_curvature", "gaussian_curvature",
+                  "shape_index")
 
-    def __init__(self, mesh: _core.Mesh, structure: Structure) -> None:
+
+class _Vertices:
+    """Arrays with one entry per point of the surface. They are read-only; most are views. ``numpy(copy=True)`` and the
+    method ``copy()`` of every array give arrays that may be written to."""
+
+    def __init__(self, mesh: _core.Mesh, structure: Structure, threads: int) -> None:
         self._mesh = mesh
         self._structure = structure
+        self._threads = threads
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {"_mesh": self._mesh, "_structure": self._structure, "_threads": self._threads}
 
     @property
     def structure(self) -> Structure:
@@ -41,12 +50,12 @@ class _Vertices:
 
     @property
     def atom(self) -> Indices:
-        """(n,) uint32: index of the nearest of the atoms that the vertex's patch touches."""
+        """(n,) int32: index of the nearest of the atoms that the vertex's patch touches."""
         return self._mesh.atom
 
     @property
     def residue(self) -> Indices:
-        """(n,) uint32: index of the residue of that atom; a new array."""
+        """(n,) int32: index of the residue of that atom; a new array."""
         return self._structure.residue[self.atom]
 
     @property
@@ -56,7 +65,7 @@ class _Vertices:
 
     @property
     def component(self) -> Indices:
-        """(n,) uint32: 0 outer, then the others by enclosed volume, largest first."""
+        """(n,) int32: 0 outer, then the others by enclosed volume, largest first."""
         return self._mesh.component
 
     @property
@@ -79,8 +88,16 @@ class _Vertices:
         """(n,) float32, from -1 (cup) over 0 (saddle) to 1 (ball)."""
         return self._mesh.shape_index
 
+    @cached_property
+    def depth(self) -> Singles:
+        """(n,) float32, Å: how deep in pockets and cavities the surface lies, which is the distance within the surface of
+        a probe of 10 Å; 0 outside. Found on first use, then kept; saved with ``values={"depth": surface.depth}`` and
+        with ``color="depth"``.
+        """
+        return _core.depth_values(self._mesh, self._structure._core, self._threads)
+
     def colors(self, color: str = "auto", values: _writing.Values = None) -> npt.NDArray[np.uint8]:
-        """(n, 4) uint8, sRGB and alpha: the colours of a scheme of ``--color``.
+        """(n, 4) uint8, sRGB and alpha: the colours of a scheme of ``--color``, or one colour: "tomato", "#ff6347".
 
         values  arrays (n,) by name, which ``color`` may also name: "phi" or "phi:-5:5"
         """
@@ -126,6 +143,13 @@ class Points(_Vertices):
         """(n, 3) float64, Å."""
         return self._mesh.vertices
 
+    def numpy(self, copy: bool = False) -> dict[str, npt.NDArray[Any]]:
+        """The arrays by their names: points and those of every point, without ``depth``.
+
+        copy  arrays of their own, which may be written to and which ``torch.from_numpy`` takes without a warning
+        """
+        return arrays_of(self, ("points", *_VERTEX_ARRAYS), copy)
+
     def save(self, path: Path, color: _writing.Color = "auto", *, values: _writing.Values = None,
              ascii: bool = False) -> None:
         """Writes the points as .ply (a point cloud with all arrays) or .npz; values are further arrays, by name."""
@@ -144,10 +168,17 @@ class Surface(_Vertices):
     """
 
     def __init__(self, core: _core.Surface, structure: Structure, options: dict[str, Any]) -> None:
-        super().__init__(core.mesh, structure)
+        super().__init__(core.mesh, structure, options["threads"])
         self._core = core
         self._options = options
         self._measures: Measures | None = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {"core": self._core, "structure": self._structure, "options": self._options, "measures": self._measures}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        Surface.__init__(self, state["core"], state["structure"], state["options"])
+        self._measures = state["measures"]
 
     def __repr__(self) -> str:
         return (f"<meniscus.Surface: {len(self.vertices)} vertices, {len(self.triangles)} triangles, "
@@ -160,8 +191,19 @@ class Surface(_Vertices):
 
     @property
     def triangles(self) -> Indices:
-        """(m, 3) uint32, counter-clockwise seen from the solvent."""
+        """(m, 3) int32, counter-clockwise seen from the solvent."""
         return self._mesh.triangles
+
+    def numpy(self, copy: bool = False) -> dict[str, npt.NDArray[Any]]:
+        """The arrays by their names: vertices, triangles, and those of every vertex, without ``depth``.
+
+        copy  arrays of their own, which may be written to and which ``torch.from_numpy`` takes without a warning
+
+        >>> arrays = meniscus.surface([[0, 0, 0]], [2.0]).numpy(copy=True)
+        >>> arrays["triangles"].dtype, arrays["triangles"].flags.writeable
+        (dtype('int32'), True)
+        """
+        return arrays_of(self, ("vertices", "triangles", *_VERTEX_ARRAYS), copy)
 
     @property
     def options(self) -> dict[str, Any]:
@@ -254,7 +296,7 @@ class Surface(_Vertices):
         (99, True)
         """
         mesh = self._core.sample(_options.number("density", density), _options.seed(seed), self._options["threads"])
-        return Points(mesh, self._structure)
+        return Points(mesh, self._structure, self._threads)
 
     def save(
         self,
@@ -290,8 +332,9 @@ class Surface(_Vertices):
         .dx .mrc .vdb                  values on a regular grid
         .mls                           the level set without loss
 
-        color       a scheme of ``--color`` ("patch", "curvature:-1:1"), the name of one of the values ("phi:-5:5"), or
-                    (n, 3) or (n, 4) uint8, one per vertex
+        color       a scheme of ``--color`` ("patch", "curvature:-1:1"), the name of one of the values ("phi:-5:5"), one
+                    colour by its CSS name or "#rrggbb", or (n, 3) or (n, 4) uint8, one per vertex. "depth", "bfactor"
+                    and "plddt" are written as a vertex array, too
         values      further arrays (n,), by name, such as from :meth:`map_values` and :meth:`table_values`
         ascii       write .ply and .stl as text
         show        write only the part of a mesh that belongs to these atoms, as in "//A/10-50" (``--show``)
@@ -302,7 +345,7 @@ class Surface(_Vertices):
         size        width and height in pixels
         view        auto, front, back, left, right, top, bottom; or the direction towards the viewer (x, y, z); or two
                     directions, towards the viewer and upwards
-        background  white, black, transparent or "#rrggbb"
+        background  white, black, transparent, another name of CSS or "#rrggbb"
         perspective, outline, depth_cue, legend   as on the command line
         cut         cuts the surface by a plane that faces the viewer: "auto" (through the largest cavity), "cavity:N",
                     a depth behind the nearest point, Å, or a point (x, y, z); or by any plane: a point and a normal
@@ -333,7 +376,7 @@ class Surface(_Vertices):
 
 
 def surface(
-    atoms: Structure | npt.ArrayLike,
+    atoms: Structure | Path | npt.ArrayLike,
     radii: npt.ArrayLike | None = None,
     probe: float = 1.4,
     spacing: float | None = None,
@@ -371,8 +414,9 @@ def surface(
 ) -> Surface:
     """The solvent-excluded surface of atoms.
 
-    atoms    a Structure, or centres (n, 3), Å; lists and arrays of any real type
-    radii    (n,), Å; required with centres
+    atoms    a Structure; the path of a file, which :func:`read` reads with its defaults; or centres (n, 3), Å, as lists
+             or arrays of any real type
+    radii    (n,), Å; required with centres. With a path, the name of a radius set
     probe    probe radius, Å; 0 gives the van der Waals surface
     spacing  grid spacing, Å; None: 0.5, and with edge or vertex_density half or a quarter of that for small surfaces
              whose area would otherwise be off by more than 0.5 %
@@ -404,7 +448,7 @@ def surface(
 
     >>> ball = meniscus.surface([[0, 0, 0]], [2.0], probe=1.4, spacing=0.25)
     >>> ball.vertices.dtype, ball.triangles.dtype, ball.patch.dtype
-    (dtype('float64'), dtype('uint32'), dtype('uint8'))
+    (dtype('float64'), dtype('int32'), dtype('uint8'))
     >>> round(float(numpy.median(ball.mean_curvature)), 2)
     0.5
     """

@@ -35,7 +35,7 @@ _VIEWS = {
     "top": ((0, 1, 0), (0, 0, -1)),
     "bottom": ((0, -1, 0), (0, 0, 1)),
 }
-_BACKGROUNDS = {"white": (255, 255, 255, 255), "black": (0, 0, 0, 255), "transparent": (255, 255, 255, 0)}
+_TRANSPARENT = (255, 255, 255, 0)
 _POINT_ARRAYS = ("normals", "atom", "residue", "patch", "component", "area", "mean_curvature", "gaussian_curvature",
                  "shape_index")
 
@@ -98,12 +98,11 @@ def _directions(view: View) -> tuple[Sequence[float], Sequence[float]] | None:
 
 
 def _background(background: str) -> tuple[int, ...]:
-    if background in _BACKGROUNDS:
-        return _BACKGROUNDS[background]
-    if not re.fullmatch("#[0-9a-fA-F]{6}", background):
+    colour = _TRANSPARENT if background == "transparent" else _core.named_color(background)
+    if colour is None:
         raise UsageError(f"background: '{background}' is not a colour; choose white, black, transparent or, "
-                         "for instance, #ffcc00")
-    return (*bytes.fromhex(background[1:]), 255)
+                         "for instance, navy or #ffcc00")
+    return colour
 
 
 def _cut(cut: Cut) -> dict[str, Any] | None:

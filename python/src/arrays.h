@@ -7,11 +7,13 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "meniscus/colour.h"
+#include "meniscus/errors.h"
 #include "meniscus/mesh.h"
 #include "meniscus/vec3.h"
 
@@ -30,9 +32,15 @@ struct ElementOf<Vec3> {
     using Number = double;
     static constexpr py::ssize_t kColumns = 3;
 };
+/// Indices are signed for users: torch knows no others. None is as large as 2^31 (refuse_large_indices()).
+template <>
+struct ElementOf<std::uint32_t> {
+    using Number = std::int32_t;
+    static constexpr py::ssize_t kColumns = 1;
+};
 template <>
 struct ElementOf<Triangle> {
-    using Number = VertexId;
+    using Number = std::int32_t;
     static constexpr py::ssize_t kColumns = 3;
 };
 template <>
@@ -46,6 +54,12 @@ struct ElementOf<Colour> {
     using Number = std::uint8_t;
     static constexpr py::ssize_t kColumns = 4;
 };
+
+/// throws   LimitError for a mesh whose indices do not all fit into the arrays that users see
+inline void refuse_large_indices(const Mesh& mesh) {
+    if (mesh.vertices.size() > std::size_t{std::numeric_limits<std::int32_t>::max()})
+        throw LimitError("a mesh of more than 2^31 - 1 vertices has no index arrays in Python; use a coarser spacing");
+}
 
 /// Memory of `owner` as an array of shape (n,) or (n, columns) that cannot be written to and keeps the owner alive.
 template <class T>

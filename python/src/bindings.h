@@ -5,11 +5,18 @@
 
 #include <pybind11/pybind11.h>
 
+#include <string>
+#include <string_view>
+
 namespace meniscus::python {
+
+/// `hetero="ligands"`, `waters=True`: an option of reading as a keyword of read(), see OptionSpelling.
+std::string spell_as_keyword(std::string_view option, std::string_view value);
 
 void bind_errors(pybind11::module_& module);
 void bind_structure(pybind11::module_& module);
 void bind_measures(pybind11::module_& module);
+void bind_interfaces(pybind11::module_& module);
 void bind_surface(pybind11::module_& module);
 void bind_compare(pybind11::module_& module);
 void bind_writers(pybind11::module_& module);

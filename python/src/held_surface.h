@@ -19,6 +19,7 @@ public:
         : structure_(std::move(structure)), surface_(std::move(surface)) {}
 
     const Structure& structure() const { return *structure_; }
+    const std::shared_ptr<const Structure>& shared_structure() const { return structure_; }
     const Surface& surface() const { return surface_; }
 
     /// The exact surface, made when it is first asked for.

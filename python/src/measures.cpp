@@ -14,6 +14,8 @@
 #include "meniscus/threads.h"
 #include "meniscus/write.h"
 #include "options.h"
+#include "pickling.h"
+#include "table_columns.h"
 
 namespace meniscus::python {
 
@@ -81,27 +83,8 @@ py::list components(const Measures& measures) {
     return list;
 }
 
-py::object cell_object(const Cell& cell) {
-    return std::visit(
-        [](const auto& value) -> py::object {
-            if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::monostate>)
-                return py::none();
-            else
-                return py::cast(value);
-        },
-        cell);
-}
-
-/// A list per column.
 py::dict table(const Measures& measures, const Structure& structure, const std::string& per) {
-    const Table table = measures_table(structure, measures, parse_word("per", per, kRowsPerWords));
-    py::dict columns;
-    for (std::size_t c = 0; c < table.columns.size(); ++c) {
-        py::list values;
-        for (const std::vector<Cell>& row : table.rows) values.append(cell_object(row[c]));
-        columns[py::str(table.columns[c])] = values;
-    }
-    return columns;
+    return table_columns(measures_table(structure, measures, parse_word("per", per, kRowsPerWords)));
 }
 
 void save_table(const Measures& measures, const Structure& structure, const std::string& path, const std::string& per) {
@@ -143,6 +126,7 @@ void bind_measures(py::module_& module) {
     def_column("atom_toroidal_area", &AtomMeasure::toroidal_area);
     def_column("atom_reentrant_area", &AtomMeasure::reentrant_area);
     def_column("atom_depth", &AtomMeasure::depth);
+    def_pickle<Measures>(type);
     type.def("table", &table, py::arg("structure"), py::arg("per"));
     type.def("save", &save_table, py::arg("structure"), py::arg("path"), py::arg("per"));
     module.def("measure", &measure_structure, py::arg("structure"), py::arg("options"));

@@ -12,15 +12,10 @@
 #include "bindings.h"
 #include "meniscus/radii.h"
 #include "options.h"
+#include "pickling.h"
 
 namespace meniscus::python {
 
-namespace {
-
-using StructurePointer = std::shared_ptr<Structure>;
-using Texts = std::vector<std::string>;
-
-/// `hetero="ligands"`, `waters=True`: an option of reading as a keyword of read(), see OptionSpelling.
 std::string spell_as_keyword(std::string_view option, std::string_view value) {
     const std::string name(option == "keep_waters" ? "waters" : option);
     if (value == "true" || value == "false") return name + (value == "true" ? "=True" : "=False");
@@ -28,6 +23,11 @@ std::string spell_as_keyword(std::string_view option, std::string_view value) {
         std::all_of(value.begin(), value.end(), [](unsigned char c) { return std::isupper(c) != 0; });
     return name + "=" + (is_chosen_by_user ? std::string(value) : '"' + std::string(value) + '"');
 }
+
+namespace {
+
+using StructurePointer = std::shared_ptr<Structure>;
+using Texts = std::vector<std::string>;
 
 ReadOptions read_options(const py::dict& given) {
     const Options options(given);
@@ -208,6 +208,7 @@ void bind_structure(py::module_& module) {
     type.def_readonly("notes", &Structure::notes);
     type.def_readonly("warnings", &Structure::warnings);
     bind_columns(type);
+    def_pickle<Structure>(type);
     module.def("read", &read, py::arg("path"), py::arg("options"));
     module.def("read_models", &read_models, py::arg("path"), py::arg("options"));
     module.def("split_chains", &split, py::arg("structure"));

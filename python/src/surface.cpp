@@ -10,9 +10,11 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "held_surface.h"
+#include "meniscus/colours.h"
 #include "meniscus/sample.h"
 #include "meniscus/threads.h"
 #include "options.h"
+#include "pickling.h"
 
 namespace meniscus::python {
 
@@ -100,9 +102,31 @@ std::shared_ptr<HeldSurface> compute(const std::shared_ptr<Structure>& structure
     const SurfaceOptions options = surface_options(Options(given));
     Watcher watcher(progress);
     const py::gil_scoped_release release;
-    return std::make_shared<HeldSurface>(
-        structure, compute_surface(structure->atoms, options,
-                                   [&watcher](std::string_view stage, double fraction) { watcher(stage, fraction); }));
+    Surface surface = compute_surface(
+        structure->atoms, options, [&watcher](std::string_view stage, double fraction) { watcher(stage, fraction); });
+    refuse_large_indices(surface.mesh);
+    return std::make_shared<HeldSurface>(structure, std::move(surface));
+}
+
+/// The structure as an object of its own, so that a pickle holds it once, whoever else refers to it.
+py::tuple surface_state(const HeldSurface& held) {
+    return py::make_tuple(std::const_pointer_cast<Structure>(held.shared_structure()), to_bytes(held.surface()));
+}
+
+std::shared_ptr<HeldSurface> surface_of_state(const py::tuple& state) {
+    if (state.size() != 2) throw InputError("this is no pickle of a surface");
+    return std::make_shared<HeldSurface>(state[0].cast<std::shared_ptr<Structure>>(),
+                                         from_bytes<Surface>(state[1].cast<py::bytes>()));
+}
+
+py::array depths(const Mesh& mesh, const Structure& structure, int threads) {
+    VertexValues values;
+    {
+        const py::gil_scoped_release release;
+        const ThreadLimit limit(threads);
+        values = depth_values(mesh, structure);
+    }
+    return owning(std::move(values.values));
 }
 
 py::dict percentiles(const Percentiles& p) {
@@ -201,7 +225,7 @@ Mesh sample(const HeldSurface& held, double density, std::uint64_t seed, int thr
 }
 
 void bind_mesh(py::module_& module) {
-    py::class_<Mesh> type(module, "Mesh");
+    py::class_<Mesh, std::shared_ptr<Mesh>> type(module, "Mesh");
     const auto def_array = [&type](const char* name, auto member) {
         type.def_property_readonly(name, [member](const py::object& self) {
             return view(std::span(std::as_const(self.cast<const Mesh&>().*member)), self);
@@ -219,6 +243,7 @@ void bind_mesh(py::module_& module) {
     def_array("mean_curvature", &Mesh::mean_curvatures);
     def_array("gaussian_curvature", &Mesh::gaussian_curvatures);
     def_array("shape_index", &Mesh::shape_indices);
+    def_pickle<Mesh>(type);
 }
 
 }  // namespace
@@ -235,9 +260,11 @@ void bind_surface(py::module_& module) {
     type.def_property_readonly("passed", [](const HeldSurface& held) { return held.surface().passed(); });
     type.def_property_readonly("has_level_set",
                                [](const HeldSurface& held) { return held.surface().level_set != nullptr; });
+    type.def(py::pickle(&surface_state, &surface_of_state));
     type.def("values", &values, py::arg("points"));
     type.def("gradients", &gradients, py::arg("points"));
     type.def("sample", &sample, py::arg("density"), py::arg("seed"), py::arg("threads"));
+    module.def("depth_values", &depths, py::arg("mesh"), py::arg("structure"), py::arg("threads"));
     module.def("compute_surface", &compute, py::arg("structure"), py::arg("options"), py::arg("progress"));
 }
 

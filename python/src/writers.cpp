@@ -50,6 +50,8 @@ struct Colouring {
     /// With the values that were given, and those that the scheme brings along.
     Mesh complete(const Mesh& mesh, const Structure& structure) const {
         Mesh with = mesh;
+        if (options.scheme == ColourScheme::Depth && given.empty() && !has_values("depth"))
+            with.values.push_back(depth_values(mesh, structure));
         if (const auto more = values_of_scheme(options.scheme, structure))
             with.values.push_back(values_at_vertices(mesh, *more));
         with.values.insert(with.values.end(), values.begin(), values.end());
@@ -57,10 +59,28 @@ struct Colouring {
     }
 
 private:
+    bool has_values(const std::string& name) const {
+        return std::any_of(values.begin(), values.end(), [&](const VertexValues& v) { return v.name == name; });
+    }
+
+    /// A scheme, the name of values that are given, or a colour.
     void choose(const std::string& word) {
-        const bool of_values = !is_word_of(kColourSchemeWords, word) && is_value_name(word) && !values.empty();
+        const bool is_scheme = is_word_of(kColourSchemeWords, word);
+        if (!is_scheme && !has_values(word)) options.colour = colour_of_text(word);
+        const bool of_values = !is_scheme && !options.colour && is_value_name(word) && !values.empty();
         if (of_values) options.value = word;
-        options.scheme = of_values ? ColourScheme::Value : parse_word("color", word, kColourSchemeWords);
+        if (options.colour)
+            options.scheme = ColourScheme::Single;
+        else
+            options.scheme = of_values ? ColourScheme::Value : scheme_of(word);
+    }
+
+    static ColourScheme scheme_of(const std::string& word) {
+        try {
+            return parse_word("color", word, kColourSchemeWords);
+        } catch (const UsageError& error) {
+            throw UsageError(std::string(error.what()) + ", or a colour such as tomato or #ff6347");
+        }
     }
 
     void take_values(const py::dict& arrays) {
@@ -298,11 +318,19 @@ py::dict table_values(const Mesh& mesh, const Structure& structure, const std::s
     return arrays;
 }
 
+/// Red, green, blue and alpha of a name of CSS or of "#rrggbb"; None for any other text.
+py::object named_colour(const std::string& text) {
+    const std::optional<Colour> colour = colour_of_text(text);
+    if (!colour) return py::none();
+    return py::make_tuple(colour->red, colour->green, colour->blue, colour->alpha);
+}
+
 using WithoutGil = py::call_guard<py::gil_scoped_release>;
 
 }  // namespace
 
 void bind_writers(py::module_& module) {
+    module.def("named_color", &named_colour, py::arg("text"));
     module.def("colors", &colours, py::arg("mesh"), py::arg("structure"), py::arg("options"));
     module.def("map_values", &map_values, py::arg("mesh"), py::arg("path"), py::arg("options"));
     module.def("table_values", &table_values, py::arg("mesh"), py::arg("structure"), py::arg("path"));

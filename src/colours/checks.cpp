@@ -11,6 +11,8 @@ namespace meniscus {
 void check_options(const ColourOptions& options) {
     if ((options.scheme == ColourScheme::Value) == options.value.empty())
         throw UsageError("a name of values is for the scheme of values, and for no other");
+    if (options.colour && options.scheme != ColourScheme::Single)
+        throw UsageError("one colour is for the scheme of one colour, and for no other");
     if (!options.range) return;
     if (!takes_range(options.scheme))
         throw UsageError("only curvature, depth, bfactor and values take a range of values");

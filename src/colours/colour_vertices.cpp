@@ -36,6 +36,14 @@ std::vector<Colour> by_value(const std::vector<T>& values, std::span<const Colou
     return colours;
 }
 
+/// Depths take a second surface; whoever has them brings them along.
+std::vector<Colour> by_depth(const Mesh& mesh, const Structure& structure, const ValueRange& range) {
+    const VertexValues* brought = brought_depths(mesh);
+    if (brought == nullptr) return by_value(depths(mesh, structure), cold_ramp(), range);
+    check_values(brought->values, mesh, "depth");
+    return by_value(brought->values, cold_ramp(), range);
+}
+
 /// What is no number lies outside every range; it must not reach the ramp.
 Colour curvature_colour(const ValueRange& range, double curvature) {
     return ramp_colour(diverging_ramp(), std::isnan(curvature) ? 0.0 : place_in(range, curvature));
@@ -76,7 +84,7 @@ std::vector<Colour> colour_vertices(const Mesh& mesh, const Structure& structure
     if (options.scheme == ColourScheme::Component) return by_component(mesh);
     if (options.scheme == ColourScheme::Value) return by_name(mesh, options);
     const ValueRange range = range_in_force(options, structure);
-    if (options.scheme == ColourScheme::Depth) return by_value(depths(mesh, structure), cold_ramp(), range);
+    if (options.scheme == ColourScheme::Depth) return by_depth(mesh, structure, range);
     check_values(mesh.mean_curvatures, mesh, "mean_curvature");
     return by_value(mesh.mean_curvatures, diverging_ramp(), range);
 }

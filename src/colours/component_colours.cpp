@@ -28,7 +28,7 @@ std::vector<Colour> component_colours(const Mesh& mesh) {
     std::vector<Colour> colours;
     std::size_t cavities = 0;
     for (const double volume : volumes_of_components(mesh))
-        colours.push_back(volume < 0.0 ? distinct_colour(1 + cavities++ % (kDistinctColours - 1)) : kPlain);
+        colours.push_back(volume < 0.0 ? distinct_colour(++cavities) : kPlain);
     return colours;
 }
 

@@ -15,4 +15,15 @@ std::vector<double> depths(const Mesh& mesh, const Structure& structure) {
     return depth;
 }
 
+VertexValues depth_values(const Mesh& mesh, const Structure& structure) {
+    const std::vector<double> depth = depths(mesh, structure);
+    return {"depth", {depth.begin(), depth.end()}};
+}
+
+const VertexValues* brought_depths(const Mesh& mesh) {
+    const auto found = std::find_if(mesh.values.begin(), mesh.values.end(),
+                                    [](const VertexValues& values) { return values.name == "depth"; });
+    return found == mesh.values.end() ? nullptr : &*found;
+}
+
 }  // namespace meniscus

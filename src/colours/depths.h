@@ -14,4 +14,7 @@ namespace meniscus {
 /// cost     O(n log n)
 std::vector<double> depths(const Mesh& mesh, const Structure& structure);
 
+/// The values "depth" of the mesh, or nothing where it has none.
+const VertexValues* brought_depths(const Mesh& mesh);
+
 }  // namespace meniscus

@@ -104,7 +104,8 @@ double place_in(const ValueRange& range, double value) {
 std::optional<FeatureColours> feature_colours(const Structure& structure, const ColourOptions& options) {
     switch (scheme_in_force(options.scheme, structure)) {
         case ColourScheme::Single:
-            return FeatureColours{.of_atom = std::vector<Colour>(structure.atoms.size(), kPlain)};
+            return FeatureColours{.of_atom =
+                                      std::vector<Colour>(structure.atoms.size(), options.colour.value_or(kPlain))};
         case ColourScheme::Patch:
             return FeatureColours{.of_atom = std::vector<Colour>(structure.atoms.size(), kContact),
                                   .of_patch = {kContact, kToroidal, kReentrant}};

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "colours/further_colours.h"
+
 namespace meniscus {
 namespace {
 
@@ -42,7 +44,10 @@ std::uint8_t between(std::uint8_t a, std::uint8_t b, double share) {
 
 }  // namespace
 
-Colour distinct_colour(std::size_t n) { return kDistinct[n % kDistinct.size()]; }
+Colour distinct_colour(std::size_t n) {
+    const std::size_t place = n % kAllColours;
+    return place < kDistinct.size() ? kDistinct[place] : further_colours(kDistinct, kAllColours)[place];
+}
 
 Colour ramp_colour(std::span<const Colour> ramp, double value) {
     const double place = std::clamp(value, 0.0, 1.0) * static_cast<double>(ramp.size() - 1);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
 // Palettes: distinct colours for things that have no order, ramps for values. All but the conventional ones (elements,
-// pLDDT) are told apart by the colour-blind.
+// pLDDT) are told apart by the colour-blind, as long as there are no more than twelve classes.
 #pragma once
 
 #include <cstddef>
@@ -22,12 +22,17 @@ constexpr Colour rgb(std::uint32_t code) {
 inline constexpr Colour kPlain = rgb(0x77AADD);
 inline constexpr Colour kNeutral = rgb(0xCCCCCC);
 
+/// Colours that everybody can tell apart, and all that there are.
 inline constexpr std::size_t kDistinctColours = 12;
+inline constexpr std::size_t kAllColours = 1024;
 
-/// The n-th of a row of distinct colours, which begins again after kDistinctColours; the first is kPlain.
+/// The n-th of a row of distinct colours, which begins again after kAllColours; the first is kPlain.
+///
+/// Up to kDistinctColours they are told apart by the colour-blind too; those that follow are each as far as can be from
+/// all before it and from kNeutral in normal vision, and come ever closer (docs/design/colours.md).
 /// source   P. Tol, Colour Schemes, SRON technical note 2021 ("light", "medium contrast", "vibrant") and one of Okabe &
 ///          Ito 2008, in an order in which each is as far as can be from those before it, for the colour-blind too
-///          (docs/design/colours.md)
+/// cost     the first call beyond kDistinctColours takes some 20 ms
 Colour distinct_colour(std::size_t n);
 
 /// Values from 0 to 1, values beyond as the ends; colours between those of the ramp are linear in sRGB.

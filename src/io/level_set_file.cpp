@@ -12,8 +12,11 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <istream>
 #include <limits>
 #include <memory>
+#include <sstream>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -70,35 +73,53 @@ private:
     uLong sum_ = 0;
 };
 
+/// Where the bytes of a level set go.
+using Sink = std::function<void(std::string_view)>;
+
 class Writer {
 public:
-    explicit Writer(const std::string& path) : file_(path) {}
+    explicit Writer(Sink sink) : sink_(std::move(sink)) {}
 
     void write(const void* data, std::size_t size) {
         if (size == 0) return;
         checksum_.add(data, size);
-        file_.write(std::string_view(static_cast<const char*>(data), size));
+        sink_({static_cast<const char*>(data), size});
     }
 
     void finish() {
-        file_.bytes(checksum_.value());
-        file_.commit();
+        const std::uint32_t sum = checksum_.value();
+        sink_({reinterpret_cast<const char*>(&sum), sizeof sum});
     }
 
 private:
-    AtomicFile file_;
+    Sink sink_;
     Checksum checksum_;
 };
 
+void write_to(Writer writer, const LevelSet& level_set) {
+    const BlockGrid& grid = level_set.grid();
+    Header header;
+    header.blocks = grid.block_count();
+    header.spacing = grid.spacing();
+    header.origin = {grid.origin().x, grid.origin().y, grid.origin().z};
+    writer.write(&header, sizeof header);
+    for (const BlockCoord& c : grid.coords()) {
+        const StoredBlock block{c.x, c.y, c.z};
+        writer.write(block.data(), sizeof block);
+    }
+    writer.write(level_set.coefficients().data(), level_set.coefficients().size_bytes());
+    writer.finish();
+}
+
+[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+    throw InputError(name + ": " + what + "; write the level set again");
+}
+
 class Reader {
 public:
-    explicit Reader(const std::string& path) : path_(path) {
-        std::error_code error;
-        size_ = std::filesystem::file_size(path, error);
-        if (error) fail("cannot be read: " + error.message());
-        file_.open(path, std::ios::binary);
-        if (!file_) fail("cannot be read");
-    }
+    /// size   of what the stream holds, bytes
+    Reader(std::string name, std::istream& stream, std::uint64_t size)
+        : name_(std::move(name)), stream_(stream), size_(size) {}
 
     LevelSet read() {
         const Header header = read_header();
@@ -134,8 +155,8 @@ private:
 
     void take(void* data, std::size_t size) {
         if (size == 0) return;
-        file_.read(static_cast<char*>(data), static_cast<std::streamsize>(size));
-        if (!file_) fail("cannot be read to its end");
+        stream_.read(static_cast<char*>(data), static_cast<std::streamsize>(size));
+        if (!stream_) fail("cannot be read to its end");
         checksum_.add(data, size);
     }
 
@@ -159,34 +180,40 @@ private:
         return blocks;
     }
 
-    [[noreturn]] void fail(const std::string& what) const {
-        throw InputError(path_ + ": " + what + "; write the level set again");
-    }
+    [[noreturn]] void fail(const std::string& what) const { refuse(name_, what); }
 
-    std::string path_;
+    std::string name_;
+    std::istream& stream_;
     std::uint64_t size_ = 0;
-    std::ifstream file_;
     Checksum checksum_;
 };
 
 }  // namespace
 
 void write_level_set(const std::string& path, const LevelSet& level_set) {
-    const BlockGrid& grid = level_set.grid();
-    Header header;
-    header.blocks = grid.block_count();
-    header.spacing = grid.spacing();
-    header.origin = {grid.origin().x, grid.origin().y, grid.origin().z};
-    Writer writer(path);
-    writer.write(&header, sizeof header);
-    for (const BlockCoord& c : grid.coords()) {
-        const StoredBlock block{c.x, c.y, c.z};
-        writer.write(block.data(), sizeof block);
-    }
-    writer.write(level_set.coefficients().data(), level_set.coefficients().size_bytes());
-    writer.finish();
+    AtomicFile file(path);
+    write_to(Writer([&file](std::string_view bytes) { file.write(bytes); }), level_set);
+    file.commit();
 }
 
-LevelSet read_level_set(const std::string& path) { return Reader(path).read(); }
+LevelSet read_level_set(const std::string& path) {
+    std::error_code error;
+    const std::uint64_t size = std::filesystem::file_size(path, error);
+    if (error) refuse(path, "cannot be read: " + error.message());
+    std::ifstream file(path, std::ios::binary);
+    if (!file) refuse(path, "cannot be read");
+    return Reader(path, file, size).read();
+}
+
+std::string level_set_bytes(const LevelSet& level_set) {
+    std::string all;
+    write_to(Writer([&all](std::string_view bytes) { all += bytes; }), level_set);
+    return all;
+}
+
+LevelSet level_set_from_bytes(std::string_view bytes, const std::string& name) {
+    std::istringstream stream{std::string(bytes), std::ios::binary};
+    return Reader(name, stream, bytes.size()).read();
+}
 
 }  // namespace meniscus

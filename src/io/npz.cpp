@@ -38,9 +38,10 @@ template <>
 struct Element<float> {
     static constexpr const char* kType = "<f4";
 };
+/// Indices, all below 2^31, are read as signed numbers: torch knows no others of this size.
 template <>
 struct Element<std::uint32_t> {
-    static constexpr const char* kType = "<u4";
+    static constexpr const char* kType = "<i4";
 };
 template <>
 struct Element<std::int32_t> {
@@ -57,7 +58,7 @@ struct Element<Vec3> {
 };
 template <>
 struct Element<Triangle> {
-    static constexpr const char* kType = "<u4";
+    static constexpr const char* kType = "<i4";
     static constexpr int kColumns = 3;
 };
 template <>

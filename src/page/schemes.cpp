@@ -133,7 +133,9 @@ std::vector<OfferedScheme> offered_schemes(const Mesh& mesh, const Structure& st
         const bool asked_for = scheme.scheme == shown;
         if (!asked_for && !shows_something(scheme.scheme, mesh, structure)) continue;
         offered.push_back({scheme.id, scheme.label, {.scheme = scheme.scheme}});
-        if (asked_for) offered.back().options.range = first.range;
+        if (!asked_for) continue;
+        offered.back().options.range = first.range;
+        offered.back().options.colour = first.colour;
     }
     for (const VertexValues& values : mesh.values) {
         if (is_scheme(values.name)) continue;

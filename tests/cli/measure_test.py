@@ -246,6 +246,21 @@ class Interfaces(MeasureTest):
                          "meniscus: warning: dock.pdb: chain A taken, before END in line 2; chain B follows it (take all "
                          "with --model join)\n")
 
+    def test_a_ligand_is_a_partner_by_its_name(self):
+        ligand = "HETATM    4  C1  HEP A   2    {:8.3f}   0.000   0.000  1.00  0.00           C\n"
+        atoms = two_chains(20.0) + ligand.format(4.0) + ligand.format(5.2).replace("    4  C1", "    5  C2")
+        self.write("two.pdb", atoms)
+        (found,) = self.report("two.pdb", "--between", "A:(HEP)", "--hetero", "ligands", "-o", "t.csv",
+                               "--per", "atom")["interfaces"]
+        self.assertEqual((found["a"], found["b"]), ("A", "(HEP)"))
+        self.assertGreater(found["buried_sas"], 10)
+        rows = read_csv(self.folder / "t.csv")
+        self.assertEqual([(r["side"], r["name"]) for r in rows], [("a", "CA"), ("b", "C1"), ("b", "C2")])
+        for partner, hint in (("(HEP)", "HEP was left out with the other ligands; keep them with --hetero ligands"),
+                              ("(ZN)", "ions, too, with --hetero all"), ("HEP", "residues of that name are (HEP)")):
+            result = self.measure("two.pdb", "--between", f"A:{partner}", code=2)
+            self.assertIn(hint, result.stderr)
+
     def test_wrong_pairs_are_refused_in_one_line(self):
         self.write("two.pdb", two_chains(4.0))
         for arguments in (["--between", "A:X"], ["--between", "A"], ["--between", "A:A"], ["--between", ":"],

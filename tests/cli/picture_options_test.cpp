@@ -48,6 +48,21 @@ TEST(PictureOptions, TakesValuesOfAllKinds) {
     EXPECT_NE(request.drawn_by, "");
     EXPECT_EQ(parse_picture({"--color", "patch"}).drawn_by, "");
     EXPECT_EQ(parse_picture({"--background", "transparent"}).picture.background, kTransparent);
+    EXPECT_EQ(parse_picture({"--background", "navy"}).picture.background, (Colour{0, 0, 128}));
+}
+
+TEST(PictureOptions, OneColourIsANameOrSixDigits) {
+    for (const char* text : {"tomato", "#ff6347"}) {
+        const PictureRequest request = parse_picture({"--color", text});
+        EXPECT_EQ(request.colours.scheme, ColourScheme::Single);
+        EXPECT_EQ(request.colours.colour, (Colour{255, 99, 71}));
+        nlohmann::ordered_json options;
+        report_picture(request, {}, {}, false, options);
+        EXPECT_EQ(options["color"], "#ff6347");
+    }
+    EXPECT_EQ(parse_picture({"--color", "gold:0:1"}).colours.value, "gold");
+    EXPECT_EQ(refusal({"--color", "#ff634"}),
+              "--color: '#ff634' is not a colour; write six hexadecimal digits, as in '#ff6347'");
 }
 
 TEST(PictureOptions, ViewsAreWordsOrDirections) {
@@ -92,7 +107,7 @@ TEST(PictureOptions, WhatMakesNoSenseIsRefusedWithItsOption) {
         EXPECT_TRUE(refusal({"--view", text}).starts_with("--view: ")) << text;
     for (const char* text : {"", "100", "100x", "x100", "0x5", "-1x5", "1.5x2", "16385x1", "2x3x4", "100X100"})
         EXPECT_TRUE(refusal({"--size", text}).starts_with("--size: ")) << text;
-    for (const char* text : {"", "red", "#12", "#12345g", "#1234567", "123456"})
+    for (const char* text : {"", "reddish", "#12", "#12345g", "#1234567", "123456"})
         EXPECT_TRUE(refusal({"--background", text}).starts_with("--background: ")) << text;
     for (const char* text : {"", "middle", "cavity", "cavity:", "cavity:0", "cavity:x", "-1", "nan", "1,2", "1,2,3,4",
                              "1,2,3:", "1,2,3:0,0,0", "1,2,x"})

@@ -61,6 +61,53 @@ class Values(ProgramTest):
             self.assertIn(message, result.stderr, words)
         self.assertFalse((self.folder / "a.ply").exists())
 
+    def test_tables_of_measure_are_taken(self):
+        atoms = "ATOM  {:5} {:4} GLY {}{:4}    {:8.3f}   0.000   0.000  1.00  5.00           C\n"
+        (self.folder / "two.pdb").write_text("".join(
+            atoms.format(i + 1, " CA ", chain, i + 1, 3.0 * i) for i, chain in enumerate("ABC")))
+        for between, names in (["A:B"], ["buried_sas"]), (["A:B", "B:C"], ["buried_sas_A_B", "buried_sas_B_C"]):
+            words = [word for pair in between for word in ("--between", pair)]
+            self.run_program("measure", "two.pdb", *words, "-o", "t.csv", "--quiet")
+            report = self.report("two.pdb", "--values", "t.csv", "-o", "a.ply", "--color", f"{names[0]}:0:50")
+            found = [block["name"] for block in report["values"]]
+            self.assertTrue(set(names) <= set(found), found)
+        for per in ("residue", "atom", "chain"):
+            self.run_program("measure", "two.pdb", "-o", "t.csv", "--per", per, "--quiet")
+            self.assertIn("sas_area", {block["name"] for block in self.report(
+                "two.pdb", "--values", "t.csv", "-o", "a.ply")["values"]})
+
+    def test_columns_of_text_are_left_alone_with_a_note(self):
+        (self.folder / "gly.pdb").write_text(glycine())
+        (self.folder / "t.csv").write_text("resnum,kind,score\n1,core,2.5\n", encoding="ascii")
+        result = self.surface("gly.pdb", "--values", "t.csv", "-o", "a.ply")
+        self.assertIn("meniscus: note: t.csv: left alone, since no cell is a number: column kind", result.stderr)
+        self.assertNotIn("left alone", self.surface("gly.pdb", "--values", "t.csv", "-o", "a.ply", "--quiet").stderr)
+
+    def test_depth_is_an_array(self):
+        (self.folder / "gly.pdb").write_text(glycine())
+        (self.folder / "t.csv").write_text("resnum,depth\n1,2.5\n", encoding="ascii")
+        for words in (["--arrays", "depth"], ["--color", "depth"], ["--arrays", "depth", "--color", "depth"]):
+            report = self.report("gly.pdb", *words, "-o", "a.ply", "-o", "a.glb", "-o", "a.npz", "-o", "a.vtp", "-o", "a.html")
+            (block,) = report["values"]
+            self.assertEqual((block["name"], block["missing"]), ("depth", 0))
+            self.assertIn(b"property float depth", (self.folder / "a.ply").read_bytes())
+            self.assertIn(b"_DEPTH", (self.folder / "a.glb").read_bytes())
+            self.assertIn(b"depth.npy", (self.folder / "a.npz").read_bytes())
+        self.assertEqual(self.report("gly.pdb", "--arrays", "depth", "-o", "a.ply")["options"]["arrays"], ["depth"])
+        self.assertIn("choose one of depth", self.refused("gly.pdb", "--arrays", "width", "-o", "b.ply"))
+        self.assertIn("two arrays", self.refused("gly.pdb", "--arrays", "depth", "--values", "t.csv", "-o", "b.ply"))
+
+    def test_one_colour_has_a_name(self):
+        (self.folder / "gly.pdb").write_text(glycine())
+        for colour in ("tomato", "#ff6347"):
+            report = self.report("gly.pdb", "--color", colour, "-o", "a.ply", "-o", "a.html", "--ascii")
+            self.assertEqual(report["options"]["color"], "#ff6347")
+            lines = (self.folder / "a.ply").read_text(encoding="ascii").splitlines()
+            self.assertEqual(lines[lines.index("end_header") + 1].split()[-4:], ["255", "99", "71", "255"])
+        (self.folder / "t.csv").write_text("resnum,gold\n1,2.5\n", encoding="ascii")
+        self.assertIn("rename", self.refused("gly.pdb", "--values", "t.csv", "--color", "gold", "-o", "b.ply"))
+        self.surface("gly.pdb", "--values", "t.csv", "--color", "gold:0:5", "-o", "b.ply")
+
     def test_files_that_are_read_are_not_overwritten(self):
         (self.folder / "gly.pdb").write_text(glycine())
         self.write_map("phi.dx", "1 1 1 1 1 1 1 1")

@@ -29,6 +29,11 @@ TEST(ColourChecks, ANameOfValuesGoesWithTheirSchemeAlone) {
     EXPECT_THROW(check_options({.scheme = ColourScheme::Chain, .value = "phi"}), UsageError);
 }
 
+TEST(ColourChecks, AColourGoesWithTheSchemeOfOneAlone) {
+    EXPECT_NO_THROW(check_options({.scheme = ColourScheme::Single, .colour = Colour{1, 2, 3}}));
+    EXPECT_THROW(check_options({.scheme = ColourScheme::Chain, .colour = Colour{1, 2, 3}}), UsageError);
+}
+
 TEST(ColourChecks, VerticesMustNameAtomsThatTheStructureHas) {
     Mesh mesh = testing::vertex_per_atom();
     EXPECT_NO_THROW(check_atoms(mesh, testing::small_complex()));

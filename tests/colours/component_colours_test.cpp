@@ -28,7 +28,7 @@ TEST(ComponentColours, NoCavityHasTheColourOfOuterPiecesHoweverManyThereAre) {
     const std::vector<Colour> colours = component_colours(mesh);
     ASSERT_EQ(colours.size(), 30U);
     for (const Colour& colour : colours) EXPECT_NE(colour, kPlain);
-    EXPECT_EQ(colours[kDistinctColours - 1], colours[0]);
+    for (std::size_t i = 1; i < colours.size(); ++i) EXPECT_NE(colours[i], colours[0]) << i;
 }
 
 TEST(ComponentColours, AnEmptyMeshHasNone) { EXPECT_TRUE(component_colours({}).empty()); }

@@ -21,5 +21,17 @@ TEST(Depths, AreBelowTheSurfaceOfALargeProbe) {
     EXPECT_NEAR(depth[1], std::hypot(height, 2.0) - kDepthProbe, 1e-9);
 }
 
+TEST(Depths, AreAVertexArrayThatColoursAreTakenFrom) {
+    auto [mesh, two] = testing::groove();
+    const VertexValues values = depth_values(mesh, two);
+    EXPECT_EQ(values.name, "depth");
+    EXPECT_EQ(values.values[1], static_cast<float>(depths(mesh, two)[1]));
+    const auto own = colour_vertices(mesh, two, {.scheme = ColourScheme::Depth});
+    mesh.values.push_back(values);
+    EXPECT_EQ(colour_vertices(mesh, two, {.scheme = ColourScheme::Depth}), own);
+    std::swap(mesh.values[0].values[0], mesh.values[0].values[1]);
+    EXPECT_EQ(colour_vertices(mesh, two, {.scheme = ColourScheme::Depth})[0], own[1]);
+}
+
 }  // namespace
 }  // namespace meniscus

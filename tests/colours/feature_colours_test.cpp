@@ -37,6 +37,12 @@ TEST(FeatureColours, PatchesAreToldApartByTheColourBlindToo) {
     EXPECT_GT(testing::smallest_difference(patches), 12.5);
 }
 
+TEST(FeatureColours, OneColourMayBeChosen) {
+    const Colour tomato{255, 99, 71};
+    const auto colours = feature_colours(small_complex(), {.scheme = ColourScheme::Single, .colour = tomato});
+    EXPECT_EQ(colours->of_atom, std::vector<Colour>(6, tomato));
+}
+
 TEST(FeatureColours, PatchesGoBeforeAtoms) {
     const FeatureColours patch = colours_of(ColourScheme::Patch);
     EXPECT_EQ(patch.at(0, PatchKind::Toroidal), patch.at(5, PatchKind::Toroidal));

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -44,8 +45,26 @@ TEST(Palettes, DistinctColoursAreToldApartByTheColourBlindToo) {
     EXPECT_GT(testing::smallest_difference(first_colours(kDistinctColours)), 7.5);
     for (std::size_t i = 0; i < kDistinctColours; ++i)
         EXPECT_GT(testing::smallest_difference(std::vector{distinct_colour(i), distinct_colour(i + 1)}), 12.5) << i;
-    EXPECT_EQ(distinct_colour(kDistinctColours), distinct_colour(0));
     EXPECT_EQ(distinct_colour(0), kPlain);
+}
+
+double smallest_normal_difference(const std::vector<Colour>& colours) {
+    double smallest = 100.0;
+    for (std::size_t i = 0; i < colours.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            smallest = std::min(smallest, testing::difference(testing::seen(colours[i], testing::kVisions.front()),
+                                                              testing::seen(colours[j], testing::kVisions.front())));
+    return smallest;
+}
+
+TEST(Palettes, FurtherColoursAreToldApartInNormalVisionAndDoNotRepeat) {
+    EXPECT_GT(smallest_normal_difference(first_colours(60)), 9.0);
+    EXPECT_GT(smallest_normal_difference(first_colours(100)), 8.5);
+    std::set<std::array<int, 3>> seen;
+    for (const Colour& c : first_colours(kAllColours)) seen.insert({c.red, c.green, c.blue});
+    EXPECT_EQ(seen.size(), kAllColours);
+    EXPECT_FALSE(seen.contains({kNeutral.red, kNeutral.green, kNeutral.blue}));
+    EXPECT_EQ(distinct_colour(kAllColours), distinct_colour(0));
 }
 
 TEST(Palettes, SequentialRampsOnlyDarken) {

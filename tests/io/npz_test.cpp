@@ -57,7 +57,7 @@ TEST(Npz, MeshArraysReadBack) {
     const auto entries = written_npz(mesh, {.colours = colours});
     EXPECT_EQ(description(entries.at("vertices.npy")), "{'descr': '<f8', 'fortran_order': False, 'shape': (4, 3), }");
     EXPECT_EQ(values_of<double>(entries.at("vertices.npy"))[3], mesh.vertices[1].x);
-    EXPECT_EQ(description(entries.at("triangles.npy")), "{'descr': '<u4', 'fortran_order': False, 'shape': (4, 3), }");
+    EXPECT_EQ(description(entries.at("triangles.npy")), "{'descr': '<i4', 'fortran_order': False, 'shape': (4, 3), }");
     EXPECT_EQ(values_of<Triangle>(entries.at("triangles.npy")), mesh.triangles);
     EXPECT_EQ(description(entries.at("patch.npy")), "{'descr': '|u1', 'fortran_order': False, 'shape': (4,), }");
     EXPECT_EQ(values_of<float>(entries.at("phi.npy")), mesh.values[0].values);

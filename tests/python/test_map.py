@@ -165,7 +165,7 @@ class Refusals(InScratchFolder):
     def test_the_program_is_missing(self):
         paths = [write("a.xyzr")]
         with unittest.mock.patch.dict(os.environ, PATH="/nonexistent"):
-            self.refused(FileNotFoundError, "program is not on the PATH; install it", paths, program=None)
+            self.refused(FileNotFoundError, "program is neither in this package nor on the PATH; install it", paths, program=None)
         self.refused(FileNotFoundError, "nowhere/meniscus", paths, program="nowhere/meniscus")
 
     def test_what_is_on_the_path_is_found(self):

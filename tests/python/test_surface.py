@@ -11,8 +11,8 @@ from support import CENTRES, RADII, UBIQUITIN, read
 
 import meniscus
 
-ARRAYS = {"vertices": np.float64, "normals": np.float64, "triangles": np.uint32, "atom": np.uint32,
-          "patch": np.uint8, "component": np.uint32, "area": np.float32, "mean_curvature": np.float32,
+ARRAYS = {"vertices": np.float64, "normals": np.float64, "triangles": np.int32, "atom": np.int32,
+          "patch": np.uint8, "component": np.int32, "area": np.float32, "mean_curvature": np.float32,
           "gaussian_curvature": np.float32, "shape_index": np.float32}
 
 
@@ -139,9 +139,7 @@ class WhatComesIn(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, message):
                 meniscus.surface(xyz, radii)
 
-    def test_a_path_or_missing_radii_are_type_errors_that_help(self):
-        with self.assertRaisesRegex(TypeError, "meniscus.read"):
-            meniscus.surface(UBIQUITIN)
+    def test_missing_radii_are_a_type_error_that_helps(self):
         with self.assertRaisesRegex(TypeError, "meniscus.radii"):
             meniscus.surface(CENTRES)
 

@@ -28,7 +28,7 @@ surface.save("x.ply", color="patch")
 surface.sample(density="much")
 """
 # Its classes have a metaclass and an __init__ that takes anything.
-OF_PYBIND11 = r"meniscus\._core\.(ComparedSurface|Measures|Mesh|Structure|Surface)(\.__init__)?" + "\n"
+OF_PYBIND11 = r"meniscus\._core\.(ComparedSurface|Interfaces|Measures|Mesh|Structure|Surface)(\.__init__)?" + "\n"
 
 
 @unittest.skipUnless(importlib.util.find_spec("mypy"), "mypy is not installed")

@@ -20,6 +20,10 @@ ball = meniscus.surface([[0, 0, 0]], [2.0])
 assert abs(ball.measures.ses_area - 50.26548) < 1e-4
 ball.save("ball.ply")
 ball.save("ball.png", size=(64, 48))
+pathlib.Path("ball.xyzr").write_text("0 0 0 2.0\\n")
+(found,) = meniscus.map(["ball.xyzr"], jobs=1)
+assert found["status"] == "done", found
+assert abs(found["report"]["exact"]["ses_area"] - 50.26548) < 1e-4
 print("meniscus", meniscus.__version__, "from a wheel")
 """
 
@@ -61,7 +65,11 @@ def main():
         run(sys.executable, "-m", "venv", "--system-site-packages", folder / "venv")  # for numpy
         python = folder / "venv" / "bin" / "python"
         run(python, "-m", "pip", "install", "--no-index", "--no-deps", wheel)
-        print(run(python, "-c", USE, cwd=folder), end="")
+        # Without a program on the PATH: it must be the one of the wheel.
+        alone = {**os.environ, "PATH": "/usr/bin:/bin"}
+        print(run(python, "-c", USE, cwd=folder, env=alone), end="")
+        version = run(folder / "venv" / "bin" / "meniscus", "--version", cwd=folder, env=alone).strip()
+        assert version.split()[-1] == wheel.name.split("-")[1], version
 
 
 main()

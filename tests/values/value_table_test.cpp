@@ -97,7 +97,9 @@ TEST(ValueTable, MistakesAreToldWithTheirPlace) {
     EXPECT_EQ(message_of("chain,resnum\nA,1\n").substr(0, 34), "t.csv:1:1: no column of values; ad");
     EXPECT_EQ(message_of("v\n1\n").substr(0, 40), "t.csv:1:1: no column says which atoms or");
     EXPECT_EQ(message_of("resnum,v\n1,1\n").substr(0, 28), "t.csv:1:1: no column 'chain'");
-    EXPECT_EQ(message_of("chain,resnum,v\nA,1,high\n").substr(0, 38), "t.csv:2:5: column 'v' holds 'high', wh");
+    EXPECT_EQ(message_of("chain,resnum,v\nA,1,high\nB,1,2\n").substr(0, 38), "t.csv:2:5: column 'v' holds 'high', wh");
+    EXPECT_EQ(message_of("chain,resnum,v\nA,1,high\n"),
+              "t.csv:1:1: no column of values: no cell of column 'v' is a number");
     EXPECT_EQ(message_of("chain,resnum,v\nA,one,1\n"), "t.csv:2:3: resnum 'one' is not a whole number");
     EXPECT_EQ(message_of("chain,resnum,v\nA,1\n"), "t.csv:2:1: has 2 cells under 3 names");
     EXPECT_TRUE(
@@ -116,6 +118,49 @@ TEST(ValueTable, AtomsOfOneNameInAResidueAreNotCopiesOfEachOther) {
     for (AtomLabel& label : nameless.labels) label.residue = 0;
     for (AtomLabel& label : nameless.labels) label.name = "X";
     expect_values(table_of("index,v\n0,1\n2,3\n", nameless).columns[0].of_atom, {1, kNone, 3, kNone, kNone, kNone});
+}
+
+TEST(ValueTable, ColumnsOfTextAreLeftAlone) {
+    const ValueTable table = table_of("chain,resnum,two words,v,empty\nA,1,core,1,\nB,1,,2,\n");
+    EXPECT_EQ(table.texts, (std::vector<std::string>{"two words"}));
+    ASSERT_EQ(table.columns.size(), 2U);
+    EXPECT_EQ(table.columns[0].name, "v");
+    EXPECT_EQ(table.columns[1].name, "empty");
+}
+
+TEST(ValueTable, TheTableOfOneInterfaceHasPlainNames) {
+    const ValueTable table =
+        table_of("interface,side,chain,resnum,icode,resname,buried_sas\nA:B,a,A,1,,ALA,3\nA:B,b,B,1,,GLY,4\n");
+    ASSERT_EQ(table.columns.size(), 1U);
+    EXPECT_EQ(table.columns[0].name, "buried_sas");
+    EXPECT_EQ(table.texts, (std::vector<std::string>{"interface", "side"}));
+    expect_values(table.columns[0].of_atom, {3, 3, kNone, kNone, 4, kNone});
+}
+
+TEST(ValueTable, EveryOneOfSeveralInterfacesHasArraysOfItsOwn) {
+    const ValueTable table =
+        table_of("interface,side,chain,resnum,v\nA:B,a,A,1,3\n\"A:B,LONG\",a,A,1,5\nA:B,b,B,1,4\nA:b,b,B,1,6\n");
+    ASSERT_EQ(table.columns.size(), 3U);
+    EXPECT_EQ(table.columns[0].name, "v_A_B");
+    EXPECT_EQ(table.columns[1].name, "v_A_B_LONG");
+    EXPECT_EQ(table.columns[2].name, "v_A_b_2");
+    expect_values(table.columns[0].of_atom, {3, 3, kNone, kNone, 4, kNone});
+    expect_values(table.columns[1].of_atom, {5, 5, kNone, kNone, kNone, kNone});
+    EXPECT_EQ(table.texts, (std::vector<std::string>{"side"}));
+    EXPECT_EQ(message_of("interface,side,chain,resnum,v\nA:B,a,A,1,3\nA:C,a,A,1,3\nA:B,a,A,1,5\n"),
+              "t.csv:4:1: repeats the atoms or residue of line 2; leave one of them out");
+}
+
+TEST(ValueTable, NoArrayOfAnInterfaceHasANameThatIsTaken) {
+    const ValueTable table =
+        table_of("interface,side,serial,mean,v,v_A\ncurvature,a,1,3,1,1\nA:B,a,1,5,1,1\nB,a,2,5,1,1\n");
+    ASSERT_EQ(table.columns.size(), 9U);
+    EXPECT_EQ(table.columns[0].name, "mean_curvature_2");
+    EXPECT_EQ(table.columns[4].name, "v_A_B");
+    EXPECT_EQ(table.columns[8].name, "v_A_B_2");
+    std::string many = "interface,side,serial,v\n";
+    for (int i = 0; i < 1001; ++i) many += "I" + std::to_string(i) + ",a,1,1\n";
+    EXPECT_TRUE(message_of(many).starts_with("t.csv:1:1: names 1001 interfaces"));
 }
 
 TEST(ValueTable, OneChainNeedsNoName) {

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The members of what can be pickled. Each list is checked by the compiler: it names as many members as there are, so
+// that a new one cannot be forgotten. Whoever adds one counts kArchiveLayout up.
+#pragma once
+
+#include "meniscus/structure.h"
+#include "meniscus/surface.h"
+#include "meniscus/tables.h"
+
+namespace meniscus {
+
+template <class Archive>
+void fields(Archive& archive, Atoms& s) {
+    auto& [centres, radii] = s;
+    archive(centres, radii);
+}
+
+template <class Archive>
+void fields(Archive& archive, AtomLabel& s) {
+    auto& [residue, name, element, altloc, serial, b_factor, occupancy, charge] = s;
+    archive(residue, name, element, altloc, serial, b_factor, occupancy, charge);
+}
+
+template <class Archive>
+void fields(Archive& archive, Residue& s) {
+    auto& [chain, name, number, insertion_code] = s;
+    archive(chain, name, number, insertion_code);
+}
+
+template <class Archive>
+void fields(Archive& archive, Structure& s) {
+    auto& [file, name, sha256, radii_set, atoms, labels, residues, dropped, left_out_ligands, notes, warnings] = s;
+    archive(file, name, sha256, radii_set, atoms, labels, residues, dropped, left_out_ligands, notes, warnings);
+}
+
+template <class Archive>
+void fields(Archive& archive, SurfaceTotals& s) {
+    auto& [sas_area, sas_volume, ses_area, ses_volume, contact_area, toroidal_area, reentrant_area] = s;
+    archive(sas_area, sas_volume, ses_area, ses_volume, contact_area, toroidal_area, reentrant_area);
+}
+
+template <class Archive>
+void fields(Archive& archive, MeasureOptions& s) {
+    auto& [probe, cavities, depth, threads] = s;
+    archive(probe, cavities, depth, threads);
+}
+
+template <class Archive>
+void fields(Archive& archive, PatchAreas& s) {
+    auto& [contact, toroidal, reentrant] = s;
+    archive(contact, toroidal, reentrant);
+}
+
+template <class Archive>
+void fields(Archive& archive, PatchMeasure& s) {
+    auto& [kind, atoms, component, ses_area, sas_area, first_share] = s;
+    archive(kind, atoms, component, ses_area, sas_area, first_share);
+}
+
+template <class Archive>
+void fields(Archive& archive, SurfaceComponent& s) {
+    auto& [kind, ses_area, contact_area, toroidal_area, reentrant_area, ses_volume, sas_area, sas_volume,
+           sas_components, centre, inside_of, atoms, inscribed_centre, inscribed_radius, errors] = s;
+    archive(kind, ses_area, contact_area, toroidal_area, reentrant_area, ses_volume, sas_area, sas_volume,
+            sas_components, centre, inside_of, atoms, inscribed_centre, inscribed_radius, errors);
+}
+
+template <class Archive>
+void fields(Archive& archive, Measures& s) {
+    auto& [options, totals, errors, sas_components, largest_sas_piece, components, atoms, patches, agreed, degenerate,
+           disputed] = s;
+    archive(options, totals, errors, sas_components, largest_sas_piece, components, atoms, patches, agreed, degenerate,
+            disputed);
+}
+
+template <class Archive>
+void fields(Archive& archive, ChainPair& s) {
+    auto& [a, b] = s;
+    archive(a, b);
+}
+
+template <class Archive>
+void fields(Archive& archive, InterfaceAtom& s) {
+    auto& [sas_alone, sas_complex, ses_alone, ses_complex] = s;
+    archive(sas_alone, sas_complex, ses_alone, ses_complex);
+}
+
+template <class Archive>
+void fields(Archive& archive, Interface& s) {
+    auto& [sas_a, sas_b, sas_ab, ses_a, ses_b, ses_ab, sas_error, ses_error, atoms_a, atoms_b, agreed, disputed] = s;
+    archive(sas_a, sas_b, sas_ab, ses_a, ses_b, ses_ab, sas_error, ses_error, atoms_a, atoms_b, agreed, disputed);
+}
+
+template <class Archive>
+void fields(Archive& archive, ChainInterface& s) {
+    auto& [chains, group_a, group_b, areas] = s;
+    archive(chains, group_a, group_b, areas);
+}
+
+template <class Archive>
+void fields(Archive& archive, VertexValues& s) {
+    auto& [name, values] = s;
+    archive(name, values);
+}
+
+template <class Archive>
+void fields(Archive& archive, Mesh& s) {
+    auto& [vertices, normals, atoms, patches, components, areas, mean_curvatures, gaussian_curvatures, shape_indices,
+           values, triangles] = s;
+    archive(vertices, normals, atoms, patches, components, areas, mean_curvatures, gaussian_curvatures, shape_indices,
+            values, triangles);
+}
+
+template <class Archive>
+void fields(Archive& archive, MeshComponent& s) {
+    auto& [vertices, triangles, area, volume] = s;
+    archive(vertices, triangles, area, volume);
+}
+
+template <class Archive>
+void fields(Archive& archive, MeshMeasures& s) {
+    auto& [area, volume, closed, manifold, euler_characteristic, smallest_angle_deg, shortest_edge, components] = s;
+    archive(area, volume, closed, manifold, euler_characteristic, smallest_angle_deg, shortest_edge, components);
+}
+
+template <class Archive>
+void fields(Archive& archive, FlowOptions& s) {
+    auto& [curvature, anchor, reinitialiser, solver, slope, time_step, half_width, max_steps, tolerance] = s;
+    archive(curvature, anchor, reinitialiser, solver, slope, time_step, half_width, max_steps, tolerance);
+}
+
+template <class Archive>
+void fields(Archive& archive, RemeshOptions& s) {
+    auto& [edge, adaptive, keep_ridges, corners, simplify_topology, finer_grid] = s;
+    archive(edge, adaptive, keep_ridges, corners, simplify_topology, finer_grid);
+}
+
+template <class Archive>
+void fields(Archive& archive, SurfaceOptions& s) {
+    auto& [method, surface, probe, spacing, density, flow, history, initial_area, quality, two_sided_distance, exact,
+           verify, pieces, min_cavity, fill_cavities, remesh, threads, memory_limit_mb] = s;
+    archive(method, surface, probe, spacing, density, flow, history, initial_area, quality, two_sided_distance, exact,
+            verify, pieces, min_cavity, fill_cavities, remesh, threads, memory_limit_mb);
+}
+
+template <class Archive>
+void fields(Archive& archive, Percentiles& s) {
+    auto& [min, p5, p50, p95, max] = s;
+    archive(min, p5, p50, p95, max);
+}
+
+template <class Archive>
+void fields(Archive& archive, DistanceSummary& s) {
+    auto& [mean, p99, max] = s;
+    archive(mean, p99, max);
+}
+
+template <class Archive>
+void fields(Archive& archive, MeshQuality& s) {
+    auto& [angles, smallest_angles, edges, aspect_ratios] = s;
+    archive(angles, smallest_angles, edges, aspect_ratios);
+}
+
+template <class Archive>
+void fields(Archive& archive, TwoSidedDistance& s) {
+    auto& [to_exact, from_exact] = s;
+    archive(to_exact, from_exact);
+}
+
+template <class Archive>
+void fields(Archive& archive, DroppedPieces& s) {
+    auto& [cavities, islands] = s;
+    archive(cavities, islands);
+}
+
+template <class Archive>
+void fields(Archive& archive, FilledCavities& s) {
+    auto& [cavities, islands, volume, walls, rest] = s;
+    archive(cavities, islands, volume, walls, rest);
+}
+
+template <class Archive>
+void fields(Archive& archive, SimplifiedTopology& s) {
+    auto& [handles, pieces] = s;
+    archive(handles, pieces);
+}
+
+template <class Archive>
+void fields(Archive& archive, FlowSummary& s) {
+    auto& [steps, time, converged, end, residual, mean_distance, max_distance, solver_iterations, initial_area,
+           reinitialisations, kept_step, explanation] = s;
+    archive(steps, time, converged, end, residual, mean_distance, max_distance, solver_iterations, initial_area,
+            reinitialisations, kept_step, explanation);
+}
+
+template <class Archive>
+void fields(Archive& archive, FlowStep& s) {
+    auto& [step, time, area, volume, mean_distance, max_distance, residual, solver_iterations, components, genus] = s;
+    archive(step, time, area, volume, mean_distance, max_distance, residual, solver_iterations, components, genus);
+}
+
+template <class Archive>
+void fields(Archive& archive, Check& s) {
+    auto& [name, passed, value, bound] = s;
+    archive(name, passed, value, bound);
+}
+
+template <class Archive>
+void fields(Archive& archive, Cost& s) {
+    auto& [area, vertices, memory_mb, seconds] = s;
+    archive(area, vertices, memory_mb, seconds);
+}
+
+template <class Archive>
+void fields(Archive& archive, StageTimes& s) {
+    auto& [estimate, geometry, exact, band, flow, mesh] = s;
+    archive(estimate, geometry, exact, band, flow, mesh);
+}
+
+template <class Archive>
+void fields(Archive& archive, Surface& s) {
+    auto& [options, mesh, measures, corrected_area, corrected_volume, exact, distance, quality, two_sided, dropped,
+           filled, simplified, self_intersections, flow, history, level_set, checks, expected, seconds] = s;
+    archive(options, mesh, measures, corrected_area, corrected_volume, exact, distance, quality, two_sided, dropped,
+            filled, simplified, self_intersections, flow, history, level_set, checks, expected, seconds);
+}
+
+}  // namespace meniscus
