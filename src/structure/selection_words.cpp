@@ -95,7 +95,7 @@ bool is_known(const std::string& word) {
            find_word(kKinds, word) != kKinds.end() || word == "all";
 }
 
-std::vector<std::string> words_of(const std::string& expression) {
+std::vector<std::string> split_words(const std::string& expression) {
     std::string spaced;
     for (const char c : expression) {
         const bool parts = c == '&' || c == '|' || c == '<' || c == '>' || c == '=';
@@ -124,7 +124,7 @@ public:
     Translation(const std::string& expression, const std::string& option) : expression_(expression), option_(option) {}
 
     std::string operator()() {
-        const std::vector<std::string> words = words_of(expression_);
+        const std::vector<std::string> words = split_words(expression_);
         for (auto word = words.begin(); word != words.end();) {
             const auto end = std::find_if(word, words.end(), [](const auto& w) { return is_and(lower_case(w)); });
             add_condition({word, end});
@@ -234,7 +234,7 @@ private:
 }  // namespace
 
 bool is_in_words(const std::string& expression) {
-    const std::vector<std::string> words = words_of(expression);
+    const std::vector<std::string> words = split_words(expression);
     if (words.empty() || expression.front() == ';') return false;
     const std::string first = lower_case(words.front());
     if (words.size() == 1) return is_known(first) && find_word(kKeywords, first) == kKeywords.end();
