@@ -16,7 +16,9 @@ using testing::has_warning;
 using testing::pdb_line;
 using testing::read_text;
 
-std::string reported(const std::string& name) { return (*testing::test_data() / "malformed/reports" / name).string(); }
+std::string reported_lines_of(const std::string& name) {
+    return (*testing::test_data() / "malformed/reports" / name).string();
+}
 
 struct Said {
     const char* file;
@@ -32,7 +34,7 @@ TEST(ReportedLines, AllAtomsAreReadWithOneWarning) {
            "line 24: _atom_site.pdbx_formal_charge '1+' is not a number; taken as missing (67 times)"},
           {"packmol_leading.pdb", "line 31: 'ATOM': a record behind blanks"},
           {"nulpad.pdb", "line 69: zero bytes behind the last record, left out"}}) {
-        const Structure s = read_structure(reported(file));
+        const Structure s = read_structure(reported_lines_of(file));
         EXPECT_EQ(s.atoms.size(), 67U) << file;
         EXPECT_EQ(s.warnings.size(), 1U) << file;
         EXPECT_TRUE(has_warning(s, warning)) << file << ": " << s.warnings.at(0);
@@ -43,7 +45,7 @@ TEST(ReportedLines, AllAtomsAreReadWithOneWarning) {
 TEST(ReportedLines, ATwoLetterChainShiftsTheRest) {
     MENISCUS_NEED_TEST_DATA();
     try {
-        read_structure(reported("boltz_lig.pdb"));
+        read_structure(reported_lines_of("boltz_lig.pdb"));
         FAIL();
     } catch (const InputError& error) {
         expect_contains(error.what(),
@@ -53,7 +55,7 @@ TEST(ReportedLines, ATwoLetterChainShiftsTheRest) {
 
 TEST(ReportedLines, HalogensWithoutColumnsOfTheirElements) {
     MENISCUS_NEED_TEST_DATA();
-    const Structure s = read_structure(reported("halogens_noelem.pdb"), {.hetero = HeteroPolicy::All});
+    const Structure s = read_structure(reported_lines_of("halogens_noelem.pdb"), {.hetero = HeteroPolicy::All});
     std::map<std::string, int> found;
     for (const AtomLabel& label : s.labels) ++found[label.element];
     EXPECT_EQ(found,
