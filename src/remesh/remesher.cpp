@@ -11,7 +11,7 @@
 #include <numeric>
 #include <optional>
 #include <span>
-#include <string>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -427,14 +427,7 @@ private:
     // changes: where the mesh still passes through itself, or is crumpled. That would take longer to mend than all the
     // other attempts.
     std::vector<Vec3> mend(Mesh& mesh, std::span<const VertexId> order, const WorkingMesh& before, int attempt) {
-        SliverOptions slivers{.edge = options_.edge,
-                              .longest_edge = kLongest * *std::max_element(mesh_.targets.begin(), mesh_.targets.end()),
-                              .search_everywhere = true};
-        if (attempt == 1) slivers.most_bad = kMostInCube;
-        slivers.most_crumpled = kMayCrumple + mesh.triangles.size() / kOneCrumpledIn;
-        slivers.most_hard_tries = kHardTries + mesh.triangles.size() / kOneTryPer;
-        if (attempt < kAttempts) slivers.most_tangled = kMostInCube;
-        want(options_.keep_ridges || was_crumpled_ ? kWantedBesideRidges : kWanted, slivers);
+        SliverOptions slivers = sliver_options(mesh.triangles.size(), attempt);
         for (const VertexId v : order) {
             mesh.normals.push_back(to_small(mesh_.points[v].normal));
             slivers.held.push_back(mesh_.holds[v] == Hold::Ridge);
@@ -458,11 +451,25 @@ private:
         return crossings.empty() ? crumpled : crossings;
     }
 
-    [[noreturn]] static void refuse(std::size_t triangles) {
-        throw UsageError(
-            "even triangles with edges this long do not fit this surface: of " + std::to_string(triangles) +
-            " triangles too many would be crumpled in folds narrower than an edge; choose a shorter edge, or "
-            "no edge for the triangles of the grid");
+    SliverOptions sliver_options(std::size_t triangles, int attempt) const {
+        SliverOptions slivers{.edge = options_.edge,
+                              .longest_edge = kLongest * *std::max_element(mesh_.targets.begin(), mesh_.targets.end()),
+                              .search_everywhere = true};
+        if (attempt == 1) slivers.most_bad = kMostInCube;
+        if (attempt < kAttempts) slivers.most_tangled = kMostInCube;
+        slivers.most_crumpled = kMayCrumple + triangles / kOneCrumpledIn;
+        slivers.most_hard_tries = kHardTries + triangles / kOneTryPer;
+        want(options_.keep_ridges || was_crumpled_ ? kWantedBesideRidges : kWanted, slivers);
+        return slivers;
+    }
+
+    [[noreturn]] void refuse(std::size_t triangles) const {
+        std::ostringstream message;
+        message << "edge " << options_.edge << ": the surface has folds narrower than that all over, and too many of "
+                << triangles
+                << " triangles would be crumpled; choose a smaller edge, or leave it out for the triangles of "
+                << "the grid";
+        throw UsageError(message.str());
     }
 
     static void want(const WantedAngles& angles, SliverOptions& slivers) {

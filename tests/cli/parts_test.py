@@ -12,7 +12,7 @@ import unittest
 
 import mesh_files
 import schema
-from program_test import SHELL, SOURCE, UBIQUITIN, ProgramTest
+from program_case import SHELL, SOURCE, UBIQUITIN, ProgramTest
 
 RULES = json.loads((SOURCE / "docs" / "report.schema.json").read_text(encoding="utf-8"))
 COMPLEX = SOURCE / "examples" / "1a0q.pdb"

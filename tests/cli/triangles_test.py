@@ -9,7 +9,7 @@ import json
 import sys
 import unittest
 
-from program_test import UBIQUITIN, ProgramTest
+from program_case import UBIQUITIN, ProgramTest
 
 
 class EveryMesh(ProgramTest):

@@ -10,7 +10,7 @@ import sys
 import unittest
 
 import schema
-from program_test import SOURCE, ProgramTest, glycine
+from program_case import SOURCE, ProgramTest, glycine
 
 
 class Values(ProgramTest):
