@@ -103,6 +103,14 @@ void check_binary_content(const InputFile& file) {
     throw InputError(file.path + ": contains BinaryCIF but is named as another format; rename it to .bcif");
 }
 
+// A title may begin like any record.
+bool has_atom_records(std::string_view text) {
+    Lines lines(text);
+    while (lines.next())
+        if (is_atom_record(lines.line())) return true;
+    return false;
+}
+
 // Formats that begin with free text are told by what they lack, too.
 void check_gro(const InputFile& file, std::string_view line) {
     if (file.format != Format::Gro && is_gro(file.text))
@@ -110,7 +118,7 @@ void check_gro(const InputFile& file, std::string_view line) {
                          ": contains GROMACS coordinates but is named as another format; rename it to .gro");
     if (file.format != Format::Gro || is_gro(file.text)) return;
     if (is_cif_start(line)) throw InputError(file.path + ": contains mmCIF but is named .gro; rename it to .cif");
-    if (is_pdb_record(line))
+    if (has_atom_records(file.text))
         throw InputError(file.path + ": contains PDB records but is named .gro; rename it to .pdb");
 }
 

@@ -237,7 +237,10 @@ bool is_in_words(const std::string& expression) {
     const std::vector<std::string> words = split_words(expression);
     if (words.empty() || expression.front() == ';') return false;
     const std::string first = lower_case(words.front());
-    if (words.size() == 1) return is_known(first) && find_word(kKeywords, first) == kKeywords.end();
+    // Alone, "b" is a chain; "chain" lacks its value, and saying so helps.
+    constexpr std::size_t kLongestName = 3;
+    if (words.size() == 1)
+        return is_known(first) && (first.size() > kLongestName || find_word(kKeywords, first) == kKeywords.end());
     return is_known(first) || std::any_of(words.begin(), words.end(), [](const std::string& word) {
                const std::string lower = lower_case(word);
                return is_and(lower) || lower == "or" || lower == "not";
