@@ -106,8 +106,8 @@ int SplineCursor::sign() const {
 }
 
 LevelSetSample nowhere() {
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    return {kNan, {kNan, kNan, kNan}, {kNan, kNan, kNan, kNan, kNan, kNan}};
+    constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+    return {kNothing, {kNothing, kNothing, kNothing}, {kNothing, kNothing, kNothing, kNothing, kNothing, kNothing}};
 }
 
 namespace {
