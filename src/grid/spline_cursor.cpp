@@ -106,8 +106,8 @@ int SplineCursor::sign() const {
 }
 
 LevelSetSample nowhere() {
-    constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-    return {kNothing, {kNothing, kNothing, kNothing}, {kNothing, kNothing, kNothing, kNothing, kNothing, kNothing}};
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    return {unknown, {unknown, unknown, unknown}, {unknown, unknown, unknown, unknown, unknown, unknown}};
 }
 
 namespace {
