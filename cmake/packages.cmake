@@ -5,6 +5,7 @@
 set(CPACK_GENERATOR "DEB;TGZ")
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/package-kinds.cmake)
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/package-permissions.cmake)
+set(CPACK_POST_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/package-owner.cmake)
 set(CPACK_PACKAGE_NAME meniscus)
 set(CPACK_PACKAGE_VENDOR "The Meniscus authors")
 set(CPACK_PACKAGE_CONTACT "The Meniscus authors")

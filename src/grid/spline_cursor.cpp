@@ -106,8 +106,8 @@ int SplineCursor::sign() const {
 }
 
 LevelSetSample nowhere() {
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-    return {kNan, {kNan, kNan, kNan}, {kNan, kNan, kNan, kNan, kNan, kNan}};
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    return {unknown, {unknown, unknown, unknown}, {unknown, unknown, unknown, unknown, unknown, unknown}};
 }
 
 namespace {
