@@ -47,7 +47,7 @@ std::string entry(const std::string& left, const std::string& text) {
 
 std::string option_entry(const CLI::Option& option, CLI::AppFormatMode mode) {
     std::string left = option.get_name(false, true);
-    std::replace(left.begin(), left.end(), ',', ' ');
+    if (const std::size_t comma = left.find(','); comma != std::string::npos) left.insert(comma + 1, " ");
     if (option.get_type_size() != 0 && !option.get_type_name().empty()) left += " " + option.get_type_name();
     return entry(left, describe(option, mode));
 }

@@ -43,11 +43,11 @@ class Help(ProgramTest):
                        "--tolerance --history --snapshots --components --min-cavity --edge --vertex-density --adaptive "
                        "--keep-ridges --corners --simplify-topology --verify -o --memory --ascii --color --view --size "
                        "--background --depth-cue --perspective --outline").split():
-            self.assertIn(f"  {option} ", text)
+            self.assertRegex(text, f"(?m)^  (-[a-z], )?{option} ")
         text = self.run_program("measure", "--help-all").stdout
         for option in ("--probe --radii --hydrogens --model --assembly --altloc --chains --select --hetero --waters "
                        "--strict-radii --report --threads --quiet --progress -o --between --per --value").split():
-            self.assertIn(f"  {option} ", text)
+            self.assertRegex(text, f"(?m)^  (-[a-z], )?{option} ")
 
 
 class Usage(ProgramTest):

@@ -189,7 +189,7 @@ class Pipes(Typing):
 
 def options_of_help(*command):
     text = subprocess.run([PROGRAM, *command, "--help-all"], capture_output=True, encoding="utf-8", check=True).stdout
-    return set(re.findall(r"^  (?:-\w )?(--?[\w-]+)", text.partition("\n\n")[2], re.MULTILINE))
+    return set(re.findall(r"^  (?:-\w, )?(--?[\w-]+)", text.partition("\n\n")[2], re.MULTILINE))
 
 
 class Made(Typing):

@@ -22,7 +22,7 @@ sys.path.append(str(SOURCE / "tests" / "support"))
 from sanitized import is_sanitized  # noqa: E402
 
 REFERENCE = SOURCE / "docs" / "reference"
-ENTRY = re.compile(r"^  (-[\w-]+)(?: (--[\w-]+))?(?: (\S+))?(?:  |$)")
+ENTRY = re.compile(r"^  (-[\w-]+)(?:, (--[\w-]+))?(?: (\S+))?(?:  |$)")
 CODE = re.compile(r"`([^`]*)`")
 
 
