@@ -133,6 +133,11 @@ bool is_pdb_record(std::string_view line) {
     return is_known(name) || is_atom_record(name);
 }
 
+bool is_record_name(std::string_view letters) {
+    return std::any_of(kRecords.begin(), kRecords.end(),
+                       [&](std::string_view r) { return r.substr(0, count_letters(r)) == letters; });
+}
+
 RecordOddities tidy_records(std::string& text, const std::string& file) { return RecordTidier(text, file).run(); }
 
 }  // namespace meniscus::reading

@@ -15,6 +15,9 @@ bool is_atom_record(std::string_view line);
 /// True for every record of the format, in any case and behind any blanks.
 bool is_pdb_record(std::string_view line);
 
+/// True for the name of a record of the format without its digits: TER, CRYST.
+bool is_record_name(std::string_view letters);
+
 /// What was found about the names of records; a line per kind, with the number of the first line of the kind.
 struct RecordOddities {
     std::vector<std::string> notes;

@@ -8,6 +8,7 @@
 #include "radii/aliases.h"
 #include "reading/numbers.h"
 #include "structure/element.h"
+#include "structure/pdb_records.h"
 
 namespace meniscus::reading {
 namespace {
@@ -15,15 +16,6 @@ namespace {
 constexpr std::size_t kLongestName = 4;
 constexpr std::size_t kName = 2;    // position of the atom's name among the words
 constexpr std::size_t kNumber = 4;  // the first word of an atom that may be a number
-
-// Records without atoms, of the PDB format and of programs that write PQR; numbers may follow without a blank.
-constexpr auto kPqrRecords = std::to_array<std::string_view>({
-    "HEADER", "OBSLTE", "TITLE",  "SPLIT",  "CAVEAT", "COMPND", "SOURCE", "KEYWDS", "EXPDTA", "NUMMDL",
-    "MDLTYP", "AUTHOR", "REVDAT", "SPRSDE", "JRNL",   "REMARK", "DBREF",  "SEQADV", "SEQRES", "MODRES",
-    "HET",    "HETNAM", "HETSYN", "FORMUL", "HELIX",  "SHEET",  "TURN",   "SSBOND", "LINK",   "CISPEP",
-    "SITE",   "CRYST",  "ORIGX",  "SCALE",  "MTRIX",  "MODEL",  "ANISOU", "SIGATM", "SIGUIJ", "TER",
-    "ENDMDL", "CONECT", "MASTER", "END",    "USER",   "BOX",
-});
 
 bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 
@@ -103,8 +95,7 @@ PqrLine kind_of_pqr_line(std::string_view line) {
     if (word.starts_with("HETATM")) return PqrLine::Atom;
     const std::string letters(word.begin(), std::find_if_not(word.begin(), word.end(), is_capital));
     if (letters == "ATOM") return PqrLine::Atom;
-    return std::find(kPqrRecords.begin(), kPqrRecords.end(), letters) == kPqrRecords.end() ? PqrLine::Unknown
-                                                                                           : PqrLine::Known;
+    return is_record_name(letters) || letters == "BOX" ? PqrLine::Known : PqrLine::Unknown;
 }
 
 std::vector<Word> pqr_words(std::string_view line) {
