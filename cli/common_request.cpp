@@ -60,9 +60,7 @@ std::vector<ReadFile> files_of_structure(const std::string& input, const ReadOpt
 }
 
 void add_input(CLI::App& command, CommonRequest& request) {
-    command
-        .add_option("INPUT", request.input,
-                    ".pdb .ent .cif .mmcif .bcif .gro .pdbqt .pqr .xyzr .xyzrn, .gz; or -")
+    command.add_option("INPUT", request.input, ".pdb .ent .cif .mmcif .bcif .gro .pdbqt .pqr .xyzr .xyzrn, .gz; or -")
         ->required()
         ->type_name("");
 }
