@@ -3,6 +3,7 @@
 #include "program.h"
 
 #include <fmt/core.h>
+#include <CLI/Config.hpp>  // defines what App.hpp only declares; the program needs that once
 
 #include <algorithm>
 #include <array>
