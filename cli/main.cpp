@@ -43,8 +43,10 @@ int report_parse_error(const CLI::App& program, const CLI::ParseError& error) {
         std::cout.flush();
         return std::cout ? kDone : fail(kOutputError, "standard output: cannot be written");
     }
-    if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr)
-        return fail(kUsageError, meniscus::cli::explain_parse_error(program, error));
+    const bool lacks_something = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+    const bool has_words_left = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
+                                (lacks_something && meniscus::cli::has_unknown_options(program));
+    if (!has_words_left) return fail(kUsageError, meniscus::cli::explain_parse_error(program, error));
     Outcome ignored = Outcome::Done;
     const auto whole = meniscus::cli::make_program("", ignored);
     return fail(kUsageError, meniscus::cli::explain_unknown_words(program, *whole));

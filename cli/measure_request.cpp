@@ -103,11 +103,9 @@ void check_request(const MeasureRequest& request) {
     const std::size_t tables = count_kind(request, OutputKind::Table);
     const std::size_t copies = count_kind(request, OutputKind::StructureCopy);
     if (request.per.size() > tables)
-        throw UsageError(fmt::format("--per: given {} times for {} tables; add -o FILE.csv or --format csv",
-                                     request.per.size(), tables));
+        throw UsageError("--per: each needs a table of its own; add -o FILE.csv or --format csv");
     if (request.values.size() > copies)
-        throw UsageError(fmt::format("--value: given {} times for {} copies of the structure; add -o FILE.pdb",
-                                     request.values.size(), copies));
+        throw UsageError("--value: each needs a copy of the structure of its own; add -o FILE.pdb");
     if (request.between.empty()) return;
     for (const std::string& text : request.between)
         if (!parse_between(text) && request.between.size() > 1)

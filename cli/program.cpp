@@ -62,9 +62,10 @@ std::vector<std::string> names_of_subcommands() {
 
 bool is_truth(const std::string& value) { return value == "true" || value == "false"; }
 
-/// "--waters=5", which would count as five times --waters.
-void check_flag_values(const CLI::App& command, const std::vector<std::string>& words) {
+/// "--waters=5", which would count as five times --waters, and "-o=x.ply", which would name a file "=x.ply".
+void check_signs(const CLI::App& command, const std::vector<std::string>& words) {
     for (const std::string& word : words) {
+        if (word.starts_with("-o=")) throw UsageError(fmt::format("{}: write -o {}", word, word.substr(3)));
         const std::size_t sign = word.find('=');
         if (!word.starts_with("--") || sign == std::string::npos || is_truth(word.substr(sign + 1))) continue;
         const std::string name = word.substr(0, sign);
@@ -74,11 +75,25 @@ void check_flag_values(const CLI::App& command, const std::vector<std::string>& 
     }
 }
 
-/// "help surface" -> "surface --help"
-std::vector<std::string> help_words(const std::vector<std::string>& words) {
-    std::vector<std::string> asked(words.begin() + 1, words.end());
-    if (asked.empty() || asked.back().find("--help") != 0) asked.emplace_back("--help");
-    return asked;
+/// "help surface", "--help surface" and "surface help" as "surface --help".
+std::vector<std::string> help_words(std::vector<std::string> words) {
+    const auto asks = [](const std::string& word) {
+        return word == "help" || word == "-h" || word.starts_with("--help");
+    };
+    if (!words.empty() && asks(words.front()))
+        std::rotate(words.begin(), words.begin() + 1, words.end());
+    else if (words.size() != 2)
+        return words;
+    if (words.empty() || words.back() != "help") return words;
+    words.pop_back();
+    if (words.empty() || !words.back().starts_with("--help")) words.emplace_back("--help");
+    return words;
+}
+
+/// Options of the program itself come first; those of subcommands after their names.
+void check_leading_option(const CLI::App& program, const std::vector<std::string>& words) {
+    const std::string name = words.front().substr(0, words.front().find('='));
+    if (program.get_option_no_throw(name) == nullptr) throw UsageError(explain_leading_option(program, words));
 }
 
 }  // namespace
@@ -96,11 +111,12 @@ std::unique_ptr<CLI::App> make_program(const std::string& first_word, Outcome& o
 }
 
 std::vector<std::string> prepare_words(const std::vector<std::string>& words) {
-    return join_negative_values(!words.empty() && words.front() == "help" ? help_words(words) : words);
+    return join_negative_values(help_words(words));
 }
 
 void check_words(const CLI::App& program, const std::vector<std::string>& words) {
-    if (words.empty() || words.front().starts_with("-")) return;
+    if (words.empty()) return;
+    if (words.front().starts_with("-")) return check_leading_option(program, words);
     const CLI::App* command = &program;
     for (const std::string& word : words) {
         const CLI::App* inner = find_subcommand(*command, word);
@@ -108,13 +124,14 @@ void check_words(const CLI::App& program, const std::vector<std::string>& words)
         command = inner;
     }
     if (command == &program) throw UsageError(explain_unknown_subcommand(words.front(), names_of_subcommands()));
-    check_flag_values(*command, words);
+    check_signs(*command, words);
 }
 
 bool print_made_page(const std::vector<std::string>& words) {
     if (words.empty() || (words.front() != "--completion" && words.front() != "--man")) return false;
     Outcome ignored = Outcome::Done;
     const auto program = make_program("", ignored);
+    if (words.size() > 2) throw UsageError(words[2] + ": unexpected; " + words[0] + " takes one word");
     const std::string what = words.size() > 1 ? words[1] : "";
     print(words.front() == "--man" ? man_page(*program, what) : completion_script(*program, what));
     return true;

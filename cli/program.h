@@ -18,12 +18,12 @@ namespace meniscus::cli {
 ///              take longer to make than to parse
 std::unique_ptr<CLI::App> make_program(const std::string& first_word, Outcome& outcome);
 
-/// The words of a command line as the parser takes them: "help surface" as "surface --help", negative numbers joined
-/// with their options.
+/// The words of a command line as the parser takes them: "help surface" and "--help surface" as "surface --help",
+/// negative numbers joined with their options.
 std::vector<std::string> prepare_words(const std::vector<std::string>& words);
 
-/// Refuses what the parser would have no clear message for: a first word that names no subcommand, a value for an
-/// option that takes none. throws   UsageError
+/// Refuses what the parser would have no clear message for: a first word that names no subcommand, an option before the
+/// subcommand, a value for an option that takes none. throws   UsageError
 void check_words(const CLI::App& program, const std::vector<std::string>& words);
 
 /// Help for shells and packages, which help does not list: "--completion bash|zsh" and "--man [SUBCOMMAND]".

@@ -108,8 +108,8 @@ private:
         const SurfaceOptions& options = request_.surface;
         std::vector<bool> selected;
         if (!request_.show.empty()) {
-            selected = select_atoms(job.structure, request_.show, "--show");
             tell_how_understood(job.structure);
+            selected = select_atoms(job.structure, request_.show, "--show");
         }
         values_ = ValueSources(request_.values, request_.picture.colours, job.structure, request_.per_chain);
         for (const std::string& line : values_.warnings()) warn(line);

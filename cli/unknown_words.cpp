@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "command_tree.h"
 #include "meniscus/structure.h"
 
 namespace meniscus::cli {
@@ -48,6 +49,10 @@ std::string owners_of(const CLI::App& whole, const std::string& name) {
     return owners;
 }
 
+std::string stands_too_early(const std::string& name, const std::string& command) {
+    return fmt::format("{1}: options come after the subcommand; write {0} {1} ...", command, name);
+}
+
 std::string nearest_name(const std::vector<std::string>& names, const std::string& word) {
     const auto apart = [&](const std::string& name) { return letters_apart(name, word); };
     const auto nearest =
@@ -56,6 +61,11 @@ std::string nearest_name(const std::vector<std::string>& names, const std::strin
 }
 
 }  // namespace
+
+bool has_unknown_options(const CLI::App& program) {
+    const std::vector<std::string> words = program.remaining(true);
+    return std::any_of(words.begin(), words.end(), [](const auto& word) { return word.starts_with('-'); });
+}
 
 std::string explain_unknown_words(const CLI::App& program, const CLI::App& whole) {
     const std::vector<std::string> words = program.remaining(true);
@@ -69,11 +79,25 @@ std::string explain_unknown_words(const CLI::App& program, const CLI::App& whole
     if (option == words.end())
         return fmt::format("{}: unexpected; there is only one INPUT, and outputs are named with -o", words.front());
     const std::string name = option->substr(0, option->find('='));
+    if (command->get_option_no_throw(name) != nullptr) return stands_too_early(name, "meniscus" + help);
+    if (whole.get_option_no_throw(name) != nullptr)
+        return fmt::format("{0} is an option of meniscus itself; write meniscus {0}", name);
     if (const std::string owners = owners_of(whole, name); !owners.empty())
         return fmt::format("{} is an option of {}, not of meniscus{}", name, owners, help);
     const std::string meant = nearest_option(*command, name);
     if (!meant.empty()) return fmt::format("{}: unknown option; did you mean {}?", name, meant);
     return fmt::format("{}: unknown option; see meniscus{} --help", name, help);
+}
+
+std::string explain_leading_option(const CLI::App& whole, const std::vector<std::string>& words) {
+    const std::string name = words.front().substr(0, words.front().find('='));
+    const auto is_subcommand = [&](const std::string& word) { return find_subcommand(whole, word) != nullptr; };
+    const auto subcommand = std::find_if(words.begin(), words.end(), is_subcommand);
+    if (subcommand != words.end()) return stands_too_early(name, "meniscus " + *subcommand);
+    if (name == "-v") return "-v: unknown option; did you mean -V?";
+    const std::string meant = nearest_option(whole, name);
+    if (!meant.empty()) return fmt::format("{}: unknown option; did you mean {}?", name, meant);
+    return fmt::format("{}: unknown option before any subcommand; see meniscus --help", name);
 }
 
 std::string explain_unknown_subcommand(const std::string& word, const std::vector<std::string>& names) {

@@ -20,6 +20,12 @@ using nlohmann::ordered_json;
 
 namespace {
 
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  meniscus batch measure structures --out results        every file of a folder\n"
+    "  meniscus batch surface a.pdb b.cif --out meshes -o .ply  a mesh for each\n"
+    "Options: meniscus help batch measure, meniscus help batch surface.";
+
 constexpr std::size_t kMostRows = 50;  // of failures that are shown
 
 /// A table of what failed, by name.
@@ -39,6 +45,7 @@ std::string table_of_failures(const std::vector<ordered_json>& failed) {
 
 void add_batch_command(CLI::App& program, Outcome& outcome) {
     CLI::App* command = program.add_subcommand("batch", "Many inputs, a line of results for each");
+    command->footer(kExamples);
     const auto request = std::make_shared<batch::Request>();
     batch::add_subcommands(*command, *request, [request, &outcome] { outcome = run_batch(*request); });
 }

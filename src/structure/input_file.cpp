@@ -190,6 +190,13 @@ void tidy_text(InputFile& file) {
     remove_padding(file);
 }
 
+bool is_named_as_mesh(const std::string& path) {
+    constexpr auto kMeshes =
+        std::to_array<std::string_view>({".ply", ".obj", ".stl", ".off", ".glb", ".vtp", ".vert", ".face", ".npz"});
+    const std::string name = lower_case(base_name(path));
+    return std::any_of(kMeshes.begin(), kMeshes.end(), [&](std::string_view end) { return name.ends_with(end); });
+}
+
 void choose_format(InputFile& file) {
     std::optional<Format> format;
     if (file.path == "-") {
@@ -202,6 +209,8 @@ void choose_format(InputFile& file) {
     }
     file.format = format.value_or(Format::Pdb);
     if (format) return;
+    if (is_named_as_mesh(file.path))
+        throw InputError(file.path + ": is a mesh, not a structure; give the structure that it was made from");
     check_content(file);
     const char* problem = file.path == "-" ? ": neither PDB nor mmCIF nor GROMACS nor xyzr; " : ": unknown suffix; ";
     throw InputError(file.path + problem +

@@ -57,10 +57,11 @@ Structure without_atoms(const Structure& structure) {
 
 std::vector<bool> select_atoms(const Structure& structure, const std::string& expression, const std::string& option) {
     std::vector<bool> selected = reading::selected_atoms(to_model(structure), expression, 1, option);
-    if (std::find(selected.begin(), selected.end(), true) == selected.end())
-        throw UsageError(option + " " + reading::printable(expression, reading::kOfWord) +
-                         ": selects none of the kept atoms; write for instance //A/10-50");
-    return selected;
+    if (std::find(selected.begin(), selected.end(), true) != selected.end()) return selected;
+    const std::string restated = restate_selection(structure, expression, option);
+    throw UsageError(option + " " + reading::printable(expression, reading::kOfWord) + ": " +
+                     (restated.empty() ? "" : "understood as " + reading::printable(restated) + ", ") +
+                     "selects none of the kept atoms; write for instance //A/10-50");
 }
 
 std::string restate_selection(const Structure& structure, const std::string& expression, const std::string& option) {

@@ -11,6 +11,7 @@
 
 #include "core/lower_case.h"
 #include "meniscus/errors.h"
+#include "reading/numbers.h"
 #include "reading/text.h"
 
 namespace meniscus::reading {
@@ -24,11 +25,11 @@ struct Keyword {
 };
 
 constexpr auto kKeywords = std::to_array<Keyword>({
-    {"chain", Part::Chain},     {"c.", Part::Chain},     {"resn", Part::Residue},        {"r.", Part::Residue},
-    {"resname", Part::Residue}, {"resi", Part::Numbers}, {"i.", Part::Numbers},          {"resid", Part::Numbers},
-    {"name", Part::Atom},       {"n.", Part::Atom},      {"elem", Part::Element},        {"e.", Part::Element},
-    {"element", Part::Element}, {"alt", Part::AltLoc},   {"altloc", Part::AltLoc},       {"b", Part::BFactor},
-    {"beta", Part::BFactor},    {"q", Part::Occupancy},  {"occupancy", Part::Occupancy},
+    {"chain", Part::Chain},     {"c.", Part::Chain},       {"resn", Part::Residue}, {"r.", Part::Residue},
+    {"resname", Part::Residue}, {"resi", Part::Numbers},   {"i.", Part::Numbers},   {"resid", Part::Numbers},
+    {"name", Part::Atom},       {"n.", Part::Atom},        {"elem", Part::Element}, {"e.", Part::Element},
+    {"element", Part::Element}, {"symbol", Part::Element}, {"alt", Part::AltLoc},   {"altloc", Part::AltLoc},
+    {"b", Part::BFactor},       {"beta", Part::BFactor},   {"q", Part::Occupancy},  {"occupancy", Part::Occupancy},
 });
 
 // Words that stand alone and have no exact counterpart, with what to write instead.
@@ -40,7 +41,8 @@ struct Refused {
 constexpr const char* kForms = "write for instance //A,B/10-50, //A/(HEM) or //A/10-50/CA";
 constexpr const char* kPolymerRemedy =
     "the polymer is kept without any selection; name its chains, as in //A,B, or write ;polymer";
-constexpr const char* kHydrogenRemedy = "hydrogens are kept and dropped by an option of their own";
+constexpr const char* kHydrogenRemedy = "leave hydrogens out with --hydrogens drop";
+constexpr const char* kOneRange = "write one range, as in //A/10-50";
 
 constexpr auto kRefused = std::to_array<Refused>({
     {"protein", kPolymerRemedy},
@@ -49,6 +51,8 @@ constexpr auto kRefused = std::to_array<Refused>({
     {"polymer.nucleic", kPolymerRemedy},
     {"hetatm", "name the residues, as in (HEM,NAG)"},
     {"hetero", "name the residues, as in (HEM,NAG)"},
+    {"ligand", "name the residues, as in (HEM,NAG)"},
+    {"ligands", "name the residues, as in (HEM,NAG)"},
     {"organic", "name the residues, as in (HEM,NAG)"},
     {"backbone", "name its atoms, as in N,CA,C,O"},
     {"bb.", "name its atoms, as in N,CA,C,O"},
@@ -95,15 +99,28 @@ bool is_known(const std::string& word) {
            find_word(kKinds, word) != kKinds.end() || word == "all";
 }
 
+std::string_view without_quotes(std::string_view word) {
+    const bool is_quoted = word.size() > 2 && (word[0] == '\'' || word[0] == '"') && word.front() == word.back();
+    return is_quoted ? word.substr(1, word.size() - 2) : word;
+}
+
+// "(chain A and resn SER)": brackets around the whole, as other programs' lists and examples have them.
+std::string without_brackets(const std::string& expression) {
+    const std::string text(trimmed(expression));
+    const bool is_bracketed = text.starts_with('(') && text.find(')') == text.size() - 1;
+    return is_bracketed && text.find(' ') != std::string::npos ? text.substr(1, text.size() - 2) : text;
+}
+
 std::vector<std::string> split_words(const std::string& expression) {
     std::string spaced;
-    for (const char c : expression) {
+    for (const char c : without_brackets(expression)) {
         const bool parts = c == '&' || c == '|' || c == '<' || c == '>' || c == '=';
         spaced += parts ? std::string{' ', c, ' '} : std::string(1, c);
     }
     std::vector<std::string> result;
     Words walk(spaced);
-    for (std::string_view word = walk.next(); !word.empty(); word = walk.next()) result.emplace_back(word);
+    for (std::string_view word = walk.next(); !word.empty(); word = walk.next())
+        result.emplace_back(without_quotes(word));
     return result;
 }
 
@@ -151,7 +168,8 @@ private:
             return;
         }
         const auto keyword = find_word(kKeywords, first);
-        if (keyword == kKeywords.end() || words.size() == 1) refuse(shown(words.front()) + " is no condition", kForms);
+        if (keyword == kKeywords.end() || words.size() == 1)
+            refuse(shown(words.front()) + " is not a condition", kForms);
         add(keyword->part, {words.begin() + 1, words.end()});
     }
 
@@ -168,25 +186,38 @@ private:
             return std::isalnum(c) != 0 || c == ',' || c == '\'' || c == '_';
         });
         const bool has_gap = list.front() == ',' || list.back() == ',' || list.find(",,") != std::string::npos;
-        if (!is_plain || has_gap) refuse("'" + printable(list, kOfWord) + "' is no list of names", kForms);
+        if (!is_plain || has_gap) refuse("'" + printable(list, kOfWord) + "' is not a list of names", kForms);
         return list;
     }
 
-    // "10-50", "10:50" and "10 to 50" as "10-50", "10" as "10-10".
+    // "10-50", "10:50" and "10 to 50" as "10-50.Z", with the insertion codes of its last number; "10" as "10-10" and
+    // "10A" as "10.A-10.A", residues of their own.
     std::string range(const std::vector<std::string>& values) const {
         std::string text = values.front();
         if (values.size() == 3 && lower_case(values[1]) == "to")
             text += "-" + values[2];
         else if (values.size() != 1)
-            refuse("several residue numbers", "gemmi's syntax takes one range, as in //A/10-50");
+            refuse("several residue numbers", kOneRange);
         std::replace(text.begin(), text.end(), ':', '-');
         const std::size_t dash = text.find('-');
+        if (dash == std::string::npos) return numbered(text) + "-" + numbered(text);
         const std::string first = text.substr(0, dash);
-        const std::string last = dash == std::string::npos ? first : text.substr(dash + 1);
-        if (!is_number(first) || !is_number(last))
-            refuse("'" + printable(text, kOfWord) + "' is no residue number and no range of them",
-                   "gemmi's syntax takes one range, as in //A/10-50");
-        return first + "-" + last;
+        const std::string last = text.substr(dash + 1);
+        if (!is_number(first) || !is_number(last)) refuse_numbers(text);
+        return first + "-" + last + ".Z";
+    }
+
+    // "10", or "10.A" for "10A".
+    std::string numbered(const std::string& text) const {
+        if (is_number(text)) return text;
+        const std::string number = text.substr(0, text.size() - 1);
+        if (!is_number(number) || std::isalpha(static_cast<unsigned char>(text.back())) == 0) refuse_numbers(text);
+        return number + "." + text.back();
+    }
+
+    [[noreturn]] void refuse_numbers(const std::string& text) const {
+        refuse("'" + printable(text, kOfWord) + "' is neither a residue number nor a range of them",
+               std::string(kOneRange) + "; with insertion codes, //A/10.A-50.C");
     }
 
     std::string part(Part which, const std::string& otherwise) const {
@@ -241,10 +272,13 @@ bool is_in_words(const std::string& expression) {
     constexpr std::size_t kLongestName = 3;
     if (words.size() == 1)
         return is_known(first) && (first.size() > kLongestName || find_word(kKeywords, first) == kKeywords.end());
-    return is_known(first) || std::any_of(words.begin(), words.end(), [](const std::string& word) {
-               const std::string lower = lower_case(word);
-               return is_and(lower) || lower == "or" || lower == "not";
-           });
+    // Words between blanks are no selection of gemmi's, which has slashes or semicolons between its parts.
+    const bool has_words = trimmed(expression).find(' ') != std::string_view::npos;
+    if (is_known(first) || (has_words && expression.find_first_of("/;") == std::string::npos)) return true;
+    return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+        const std::string lower = lower_case(word);
+        return is_and(lower) || lower == "or" || lower == "not";
+    });
 }
 
 std::string in_gemmi_syntax(const std::string& expression, const std::string& option) {

@@ -68,12 +68,37 @@ class Words(Typing):
         self.assertIn(hint, self.refusal("1ubq"))
         self.assertIn("alphafold.ebi.ac.uk/entry/P69905", self.refusal("measure", "P69905", code=3))
 
+    def test_options_before_the_subcommand_and_unknown_ones_are_named(self):
+        early = "--quiet: options come after the subcommand; write meniscus measure --quiet ..."
+        self.assertIn(early, self.refusal("--quiet", "measure", "a.pdb"))
+        self.assertIn("write meniscus batch measure --out ...", self.refusal("batch", "--out", "x", "measure", "a.pdb"))
+        self.assertIn("--nosuch: unknown option", self.refusal("surface", "--nosuch"))
+        self.assertIn("-V is an option of meniscus itself; write meniscus -V", self.refusal("surface", "-V"))
+        self.assertIn("-v: unknown option; did you mean -V?", self.refusal("-v"))
+        self.assertIn("--foo: unknown option", self.refusal("--foo"))
+        self.assertIn("-o=y.ply: write -o y.ply", self.refusal("surface", "a.pdb", "-o=y.ply"))
+
+    def test_help_is_asked_for_in_any_order(self):
+        wanted = self.run_program("surface", "--help").stdout
+        for words in (("help", "surface"), ("--help", "surface"), ("-h", "surface"), ("surface", "help")):
+            self.assertEqual(self.run_program(*words).stdout, wanted, words)
+        self.assertEqual(self.run_program("--help-all", "compare").stdout,
+                         self.run_program("compare", "--help-all").stdout)
+        self.assertIn(b"meniscus help batch measure", self.run_program("help", "batch").stdout)
+
+    def test_a_mesh_is_not_a_structure(self):
+        for name in ("a.ply", "a.stl"):
+            (self.folder / name).write_bytes(b"ply\0\0")
+            self.assertIn("is a mesh, not a structure", self.messages("measure", name, code=3))
+
     def test_selections_of_pymol_are_understood_with_a_note(self):
         text = self.messages("measure", "a.pdb", "--select", "chain A and resi 1-1")
-        self.assertIn("note: a.pdb: --select chain A and resi 1-1: understood as //A/1-1\n", text)
+        self.assertIn("note: a.pdb: --select chain A and resi 1-1: understood as //A/1-1.Z\n", text)
         text = self.messages("surface", "a.pdb", "--show", "chain A and name CA", "-o", "a.ply", "--spacing", "1")
         self.assertIn("note: --show chain A and name CA: understood as //A/*/CA\n", text)
         self.assertNotIn("understood", self.messages("measure", "a.pdb", "--select", "chain A", "--quiet"))
+        self.assertIn("--show resi 500: understood as //*/500-500, selects none of the kept atoms",
+                      self.messages("surface", "a.pdb", "--show", "resi 500", "-o", "b.ply", "--spacing", "1", code=2))
         text = self.messages("measure", "a.pdb", "--between", "chain A:chain B")
         self.assertIn("note: --between chain A:chain B: understood as A:B\n", text)
 

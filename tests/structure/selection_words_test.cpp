@@ -31,12 +31,12 @@ TEST(SelectionWords, OfPyMolAreTranslated) {
     EXPECT_EQ(translated("chain A"), "//A");
     EXPECT_EQ(translated("chain A+B"), "//A,B");
     EXPECT_EQ(translated("resn HEM"), "//*/(HEM)");
-    EXPECT_EQ(translated("resi 10-50"), "//*/10-50");
+    EXPECT_EQ(translated("resi 10-50"), "//*/10-50.Z");
     EXPECT_EQ(translated("resi 60"), "//*/60-60");
     EXPECT_EQ(translated("name CA"), "//*/*/CA");
-    EXPECT_EQ(translated("chain A and resi 10-50"), "//A/10-50");
-    EXPECT_EQ(translated("c. A & i. 10-50 & n. CA+CB"), "//A/10-50/CA,CB");
-    EXPECT_EQ(translated("resn ALA AND resi 1-9"), "//*/1(ALA)-9");
+    EXPECT_EQ(translated("chain A and resi 10-50"), "//A/10-50.Z");
+    EXPECT_EQ(translated("c. A & i. 10-50 & n. CA+CB"), "//A/10-50.Z/CA,CB");
+    EXPECT_EQ(translated("resn ALA AND resi 1-9"), "//*/1(ALA)-9.Z");
     EXPECT_EQ(translated("elem FE"), "//*/*/[FE]");
     EXPECT_EQ(translated("chain A and alt B"), "//A/*/:B");
     EXPECT_EQ(translated("b > 50"), ";b>50");
@@ -44,12 +44,23 @@ TEST(SelectionWords, OfPyMolAreTranslated) {
     EXPECT_EQ(translated("solvent"), ";solvent");
     EXPECT_EQ(translated("polymer and chain A"), "//A;polymer");
     EXPECT_EQ(translated("all"), "*");
+    EXPECT_EQ(translated("(chain L)"), "//L");
+    EXPECT_EQ(translated("chain 'L' and symbol C"), "//L/*/[C]");
+    EXPECT_EQ(translated("chain \"L\""), "//L");
+}
+
+// PyMOL takes 82, 82A and 82B as parts of 80-82, but 82 alone as this residue only.
+TEST(SelectionWords, RangesHaveTheInsertionCodesOfTheirLastNumber) {
+    EXPECT_EQ(translated("chain H and resi 80-82"), "//H/80-82.Z");
+    EXPECT_EQ(translated("chain H and resi 82"), "//H/82-82");
+    EXPECT_EQ(translated("chain H and resi 82A"), "//H/82.A-82.A");
+    expect_refused("resi 82A-82C", "//A/10.A-50.C");
 }
 
 TEST(SelectionWords, OfVmdAreTranslated) {
     EXPECT_EQ(translated("chain A B"), "//A,B");
     EXPECT_EQ(translated("resname HEM and name FE"), "//*/(HEM)/FE");
-    EXPECT_EQ(translated("resid 10 to 50"), "//*/10-50");
+    EXPECT_EQ(translated("resid 10 to 50"), "//*/10-50.Z");
     EXPECT_EQ(translated("water"), ";solvent");
     EXPECT_EQ(translated("beta > 50 and chain A"), "//A;b>50");
 }
@@ -63,17 +74,20 @@ TEST(SelectionWords, WhatIsNotExactIsRefusedWithTheRightForm) {
     expect_refused("resi 10-50+60", "one range");
     expect_refused("resid 10 20 30", "one range");
     expect_refused("resi -5-10", "one range");
-    expect_refused("resn H*", "no list of names");
+    expect_refused("resn H*", "not a list of names");
     expect_refused("chain A and chain B", "twice");
     expect_refused("chain A and", "nothing follows");
-    expect_refused("chain", "is no condition");
-    expect_refused("//A and resi 10", "is no condition");
+    expect_refused("chain", "is not a condition");
+    expect_refused("//A and resi 10", "is not a condition");
     expect_refused("hetatm", "(HEM,NAG)");
+    expect_refused("id 5", "'id' is not a condition");
+    expect_refused("ligand", "(HEM,NAG)");
     expect_refused("within 5 of chain A", "no exact counterpart");
 }
 
 TEST(SelectionWords, SelectionsOfGemmiAreNone) {
-    for (const char* expression : {"A", "CA", "//A/10-50", "(HEM)", ";q>0.5", "; b > 50", "A,B", "b", "N,CA", "", "!A"})
+    for (const char* expression : {"A", "CA", "//A/10-50", "(HEM)", ";q>0.5", "; b > 50", "A,B", "b", "N,CA", "", "!A",
+                                   "//A;b>50", "//A ;b > 50"})
         EXPECT_FALSE(is_in_words(expression)) << expression;
 }
 
