@@ -221,6 +221,37 @@ TEST(BcifFile, ValuesThatAreNoNumbersAreErrorsWithTheirRow) {
     expect_contains(error_of_atoms(columns), "row 2: _atom_site.label_atom_id 'C?' contains a byte");
 }
 
+TEST(BcifFile, TheNumberOfRowsIsWhole) {
+    const auto error_of_rows = [](double rows) {
+        std::string bytes = testing::bcif_file({{"_atom_site", 2, two_atoms()}});
+        const std::string key = testing::packed("rowCount");
+        const std::string two = key + testing::packed(std::int64_t{2});
+        bytes.replace(bytes.find(two), two.size(), key + testing::packed(rows));
+        return error_of_bcif(bytes);
+    };
+    EXPECT_EQ(error_of_rows(2.0), "");
+    expect_contains(error_of_rows(2.5), "no number of rows");
+}
+
+TEST(BcifFile, MessagesCountRows) {
+    std::vector<Column> columns = two_atoms();
+    columns.push_back(number_column("occupancy", {1.0, std::numeric_limits<double>::quiet_NaN()}));
+    columns.push_back(text_column("type_symbol", {"C", "Qq"}));
+    const RawModel model =
+        CifFile(testing::bcif_file({{"_atom_site", 2, columns}}), "f.bcif", CifForm::Binary).model(1);
+    EXPECT_EQ(model.warnings,
+              std::vector<std::string>{"row 2: _atom_site.occupancy 'nan' is not a number; taken as missing"});
+    EXPECT_EQ(model.why_guessed, "_atom_site.type_symbol 'Qq' in row 2 is no element");
+}
+
+TEST(BcifFile, NumbersOfResiduesAreIntegers) {
+    std::vector<Column> columns = two_atoms();
+    columns.push_back(number_column("auth_seq_id", {1, 2147483653.0}));
+    expect_contains(error_of_atoms(columns), "row 2: _atom_site.auth_seq_id '2147483653' is not an integer");
+    columns.back() = text_column("label_alt_id", {"A1", "A2"});
+    expect_contains(error_of_atoms(columns), "row 1: _atom_site.label_alt_id 'A1' is longer than one character");
+}
+
 // The columns that are not asked for may hold anything.
 TEST(BcifFile, OtherTablesAreNotDecoded) {
     EXPECT_EQ(error_of_bcif(testing::bcif_file(
