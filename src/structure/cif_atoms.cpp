@@ -159,7 +159,9 @@ void AtomRow::set_number(RawResidue& residue) const {
         digits.remove_suffix(1);
     }
     const auto value = integer(digits);
-    if (!value) fail(column, "is not an integer; correct it");
+    const bool is_long = digits.find_first_not_of("+-0123456789") == std::string_view::npos && digits.size() > 9;
+    if (!value)
+        fail(column, is_long ? "is larger than a residue number may be; correct it" : "is not an integer; correct it");
     residue.number = *value;
 }
 

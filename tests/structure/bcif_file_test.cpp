@@ -249,7 +249,7 @@ TEST(BcifFile, MessagesCountRows) {
 TEST(BcifFile, NumbersOfResiduesAreIntegers) {
     std::vector<Column> columns = two_atoms();
     columns.push_back(number_column("auth_seq_id", {1, 2147483653.0}));
-    expect_contains(error_of_atoms(columns), "row 2: _atom_site.auth_seq_id '2147483653' is not an integer");
+    expect_contains(error_of_atoms(columns), "row 2: _atom_site.auth_seq_id '2147483653' is larger than");
     columns.back() = text_column("label_alt_id", {"A1", "A2"});
     expect_contains(error_of_atoms(columns), "row 1: _atom_site.label_alt_id 'A1' is longer than one character");
 }
