@@ -8,6 +8,7 @@
 #include <set>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 #include "radii/aliases.h"
 
@@ -57,13 +58,31 @@ bool is_main_chain(std::string_view residue, std::string_view atom) {
     return std::find(kNames.begin(), kNames.end(), canonical_names(residue, atom).atom) != kNames.end();
 }
 
-// The letter of every site.
+// Atoms that have alternatives: those with a letter, and those without one whose residue has the same atom with one.
+// Such a blank is an alternative like any letter, as where a program adds a second place and leaves the first as it
+// was.
+class AtomsWithAlternatives {
+public:
+    AtomsWithAlternatives(const RawModel& model, const std::vector<std::uint32_t>& kept) {
+        for (const std::uint32_t i : kept)
+            if (const RawAtom& atom = model.atoms[i]; atom.altloc != ' ') lettered_.insert({atom.residue, atom.name});
+    }
+
+    bool contain(const RawAtom& atom) const {
+        return atom.altloc != ' ' || (!lettered_.empty() && lettered_.contains({atom.residue, atom.name}));
+    }
+
+private:
+    std::set<std::pair<std::uint32_t, std::string_view>> lettered_;
+};
+
+// The letter of every site, which may be a blank.
 std::map<SiteKey, char> choices_of_sites(const RawModel& model, const std::vector<std::uint32_t>& kept,
-                                         const std::string& wanted) {
+                                         const AtomsWithAlternatives& alternatives, const std::string& wanted) {
     std::map<SiteKey, Alternatives> sites;
     for (const std::uint32_t i : kept) {
         const RawAtom& atom = model.atoms[i];
-        if (atom.altloc != ' ') add(sites[key_of(model.residue_of(atom))], atom);
+        if (alternatives.contain(atom)) add(sites[key_of(model.residue_of(atom))], atom);
     }
     std::map<SiteKey, char> choices;
     for (const auto& [key, site] : sites) choices.emplace(key, choice(site, wanted));
@@ -72,14 +91,14 @@ std::map<SiteKey, char> choices_of_sites(const RawModel& model, const std::vecto
 
 // Atoms of one name at a site.
 struct NamedAtoms {
-    bool settled = false;  ///< there is one of the site's letter, or one without a letter
+    bool settled = false;  ///< there is one of the site's letter, or one without alternatives
     Alternatives others;   ///< letters that are not the site's
 };
 
 class Chooser {
 public:
     Chooser(const RawModel& model, const std::vector<std::uint32_t>& kept, const std::string& wanted)
-        : model_(model), sites_(choices_of_sites(model, kept, wanted)) {
+        : model_(model), alternatives_(model, kept), sites_(choices_of_sites(model, kept, alternatives_, wanted)) {
         for (const std::uint32_t i : kept) {
             const RawAtom& atom = model.atoms[i];
             if (const auto site = sites_.find(key_of(model.residue_of(atom))); site != sites_.end()) note(atom, *site);
@@ -88,12 +107,14 @@ public:
 
     // Precondition: atoms come in file order, each once.
     bool takes(const RawAtom& atom) {
-        if (atom.altloc == ' ' || is_of_its_site(atom)) return true;
+        if (!has_alternatives(atom) || is_of_its_site(atom)) return true;
         std::vector<Vec3>& taken = taken_[key_of(model_.residue_of(atom))];
         if (!is_substitute(atom) || is_renamed(atom, taken)) return false;
         taken.push_back(atom.centre);
         return true;
     }
+
+    bool has_alternatives(const RawAtom& atom) const { return alternatives_.contain(atom); }
 
     bool is_of_its_site(const RawAtom& atom) const { return sites_.at(key_of(model_.residue_of(atom))) == atom.altloc; }
 
@@ -121,14 +142,14 @@ private:
         const std::string& residue = model_.residue_of(atom).name;
         NamedAtoms& here = in_residue_[{site.first, residue, atom.name}];
         NamedAtoms& anywhere = at_site_[{site.first, atom.name}];
-        if (atom.altloc == ' ' || atom.altloc == site.second) {
+        if (!has_alternatives(atom) || atom.altloc == site.second) {
             here.settled = anywhere.settled = true;
             taken_[site.first].push_back(atom.centre);
         } else {
             add(here.others, atom);
             add(anywhere.others, atom);
         }
-        if (atom.altloc == site.second) has_letter_of_site_.insert({site.first, residue});
+        if (has_alternatives(atom) && atom.altloc == site.second) has_letter_of_site_.insert({site.first, residue});
     }
 
     static bool is_best(const NamedAtoms& atoms, const RawAtom& atom) {
@@ -136,6 +157,7 @@ private:
     }
 
     const RawModel& model_;
+    AtomsWithAlternatives alternatives_;
     std::map<SiteKey, char> sites_;
     std::map<SiteKey, std::vector<Vec3>> taken_;  // places of atoms that stay
     std::map<std::tuple<SiteKey, std::string_view, std::string_view>, NamedAtoms> in_residue_;
@@ -152,8 +174,8 @@ AltlocChoice choose_altlocs(const RawModel& model, const std::vector<std::uint32
         const RawAtom& atom = model.atoms[i];
         if (!chooser.takes(atom)) continue;
         result.atoms.push_back(i);
-        const bool is_as_asked =
-            atom.altloc == ' ' || (wanted.empty() ? chooser.is_of_its_site(atom) : atom.altloc == wanted[0]);
+        const bool is_as_asked = !chooser.has_alternatives(atom) ||
+                                 (wanted.empty() ? chooser.is_of_its_site(atom) : atom.altloc == wanted[0]);
         result.substitutes += is_as_asked ? 0 : 1;
     }
     return result;

@@ -23,7 +23,8 @@ struct AltlocChoice {
 ///
 /// An atom of the chosen residue that lacks the letter stays in its own best alternative: main and side chain may have
 /// letters of their own, and neither is lost to the other. An atom within 0.5 Å of one that stays is no such atom, but
-/// the same one with another name (H and D). Atoms without an alternative letter stay.
+/// the same one with another name (H and D). Atoms without an alternative letter stay, unless their residue has the
+/// same atom with a letter: then having none is an alternative, too.
 ///
 /// kept     indices into model.atoms, in file order; kinds of residues must be set
 AltlocChoice choose_altlocs(const RawModel& model, const std::vector<std::uint32_t>& kept, const std::string& wanted);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -128,7 +129,8 @@ const std::vector<PackedValue>& list_of(const PackedValue& map, std::string_view
 
 std::size_t rows_of(const PackedValue& category) {
     const PackedValue* const rows = category.find("rowCount");
-    if (rows == nullptr || !rows->is_number() || !(rows->real >= 0.0) || rows->real > 1e15)
+    const bool is_count = rows != nullptr && rows->is_number() && rows->real >= 0.0 && rows->real <= 1e15;
+    if (!is_count || rows->real != std::floor(rows->real))
         throw DamagedData("no number of rows where \"rowCount\" is to be", category.at);
     return static_cast<std::size_t>(rows->real);
 }

@@ -24,10 +24,13 @@ struct OddLines {
     }
 
     /// Appends "line 31: BEFORE 'example' AFTER (3 times)"; nothing if there is none of the kind.
-    void tell(const std::string& before, const std::string& after, std::vector<std::string>& lines) const {
+    ///
+    /// unit   what first_line counts
+    void tell(const std::string& before, const std::string& after, std::vector<std::string>& lines,
+              const std::string& unit = "line") const {
         if (count == 0) return;
         const std::string times = count > 1 ? " (" + std::to_string(count) + " times)" : "";
-        lines.push_back("line " + std::to_string(first_line) + ": " + before + example + after + times);
+        lines.push_back(unit + " " + std::to_string(first_line) + ": " + before + example + after + times);
     }
 };
 

@@ -80,8 +80,6 @@ private:
 
     void close(std::size_t end, std::size_t end_record = 0) {
         if (open_) result_.spans.push_back({begin_, end, first_line_, atoms_, end_record});
-        if (open_ && result_.spans.size() > 1 && atoms_ != atoms_of_first_) different_.note(first_line_);
-        if (open_ && result_.spans.size() == 1) atoms_of_first_ = atoms_;
         atoms_ = 0;
         open_ = false;
     }
@@ -90,7 +88,6 @@ private:
         for (const Irregularity& kind : {repeated_, unnumbered_, unclosed_, outside_}) {
             if (kind.count > 0) result_.warnings.push_back(kind.message());
         }
-        if (different_.count > 0) result_.different_sizes = different_.message();
         return std::move(result_);
     }
 
@@ -103,14 +100,12 @@ private:
     std::size_t begin_ = 0;
     std::size_t first_line_ = 0;
     std::size_t model_line_ = 0;
-    std::size_t atoms_ = 0;           // of the model that is open
-    std::size_t atoms_of_first_ = 0;  // of the first model
+    std::size_t atoms_ = 0;  // of the model that is open
     Irregularity repeated_{"this MODEL number occurs more than once; models are counted by position"};
     Irregularity unnumbered_{"MODEL without a number; models are counted by position"};
     Irregularity unclosed_{
         "this MODEL is never closed by ENDMDL; it is taken to end at the next MODEL, END or the end"};
     Irregularity outside_{"atoms outside MODEL and ENDMDL; taken as a model of their own"};
-    Irregularity different_{"this model has a different number of atoms from the first"};
 };
 
 // Calls read(line) for the first of atom records that follow each other with the same columns from 18 to `last`.

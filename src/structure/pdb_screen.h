@@ -28,7 +28,6 @@ struct PdbModelSpan {
 struct PdbModels {
     std::vector<PdbModelSpan> spans;
     std::vector<std::string> warnings;  ///< irregular MODEL records, one line per kind
-    std::string different_sizes;        ///< a warning unless models are partners or are joined; empty without such
 };
 
 PdbModels find_pdb_models(std::string_view text);

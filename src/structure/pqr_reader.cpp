@@ -152,13 +152,6 @@ bool is_model_record(std::string_view line) {
     return word == "MODEL";
 }
 
-bool has_atoms(std::string_view text) {
-    Lines lines(text);
-    while (lines.next())
-        if (kind_of_pqr_line(lines.line()) == PqrLine::Atom) return true;
-    return false;
-}
-
 }  // namespace
 
 RawModel parse_pqr(std::string_view text, const PdbModelSpan& part, const std::string& file) {
@@ -180,18 +173,18 @@ PdbModels find_pqr_models(std::string_view text) {
     PdbModelSpan next{.begin = 0, .end = text.size()};
     Lines lines(text);
     while (lines.next()) {
+        if (kind_of_pqr_line(lines.line()) == PqrLine::Atom) ++next.atoms;
         if (!is_model_record(lines.line())) continue;
-        models.spans.push_back({next.begin, lines.begin(), next.first_line, 0});
-        next.begin = lines.begin();
-        next.first_line = lines.number();
+        next.end = lines.begin();
+        models.spans.push_back(next);
+        next = {.begin = lines.begin(), .end = text.size(), .first_line = lines.number()};
     }
     models.spans.push_back(next);
     if (models.spans.size() < 3) {
         models.spans = {{.begin = 0, .end = text.size()}};
         return models;
     }
-    const PdbModelSpan& before = models.spans.front();
-    if (has_atoms(text.substr(before.begin, before.end - before.begin)))
+    if (models.spans.front().atoms > 0)
         models.warnings.emplace_back("line 1: atoms outside MODEL and ENDMDL; taken as a model of their own");
     else
         models.spans.erase(models.spans.begin());

@@ -48,6 +48,7 @@ public:
         if (file_.format == Format::Gro) gro_ = find_gro_frames(file_.text, file_.path);
         if (cif_ && model_count() > 1) partners_ = find_partners(cif_->chains_of_models());
         if (file_.format == Format::Pdb && pdb_.spans.size() > 1) partners_ = partners_in_pdb();
+        if (!partners_.exist()) different_sizes_ = different_sizes();
     }
 
     const InputFile& file() const { return file_; }
@@ -66,7 +67,7 @@ public:
         }
         RawModel model = named_model(position);
         append_lines(model);
-        if (!pdb_.different_sizes.empty() && !partners_.exist()) model.warnings.push_back(pdb_.different_sizes);
+        if (!different_sizes_.empty()) model.warnings.push_back(different_sizes_);
         return model;
     }
 
@@ -97,6 +98,31 @@ private:
         append(model.notes, file_.notes);
         append(model.warnings, file_.warnings);
         append(model.warnings, pdb_.warnings);
+    }
+
+    std::vector<std::size_t> atoms_of_models() const {
+        if (cif_) return cif_->atoms_of_models();
+        std::vector<std::size_t> atoms;
+        for (const PdbModelSpan& span : pdb_.spans) atoms.push_back(span.atoms);
+        for (const GroFrame& frame : gro_) atoms.push_back(frame.atoms);
+        return atoms;
+    }
+
+    std::string place_of_model(std::size_t i) const {
+        if (cif_) return cif_->place_of_model(static_cast<int>(i) + 1);
+        return "line " + std::to_string(gro_.empty() ? pdb_.spans[i].first_line : gro_[i].first_line);
+    }
+
+    // A warning, empty without such models. Partners are different, and so may be models that are put together.
+    std::string different_sizes() const {
+        const std::vector<std::size_t> atoms = atoms_of_models();
+        const auto differs = [&](std::size_t count) { return count != atoms.front(); };
+        const auto first = std::find_if(atoms.begin(), atoms.end(), differs);
+        if (first == atoms.end()) return {};
+        const auto count = std::count_if(first, atoms.end(), differs);
+        return place_of_model(static_cast<std::size_t>(first - atoms.begin())) +
+               ": this model has a different number of atoms from the first" +
+               (count > 1 ? " (" + std::to_string(count) + " times)" : "");
     }
 
     // Of the two parts of a docked complex both may have a chain A; in other files the same name is a copy.
@@ -141,6 +167,7 @@ private:
     std::vector<GroFrame> gro_;
     std::optional<CifFile> cif_;
     Partners partners_;
+    std::string different_sizes_;
 };
 
 void check_options(const ReadOptions& options) {

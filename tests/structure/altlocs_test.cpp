@@ -135,5 +135,43 @@ TEST(Altlocs, AnAtomWithAndWithoutALetterIsNotTakenTwice) {
     EXPECT_EQ(kept(model), (Kept{0, 2}));
 }
 
+// As where a program adds a second place of a side chain and leaves the first as it was.
+TEST(Altlocs, WithoutALetterBesideOneWithALetterIsAnAlternative) {
+    RawModel model;
+    add_residue(model, "SER", 1, {"N", "CB", "CB", "OG", "OG"});
+    set(model, 2, 'B', 0.4);
+    set(model, 4, 'B', 0.4);
+    EXPECT_EQ(kept(model), (Kept{0, 1, 3}));
+    EXPECT_EQ(kept(model, "B"), (Kept{0, 2, 4}));
+    EXPECT_EQ(kept(model, "A"), (Kept{0, 1, 3}));
+    for (const std::size_t atom : {1U, 3U}) set(model, atom, ' ', 0.3);
+    EXPECT_EQ(kept(model), (Kept{0, 2, 4}));
+    for (const std::size_t atom : {1U, 3U}) set(model, atom, ' ', 0.4);
+    EXPECT_EQ(kept(model), (Kept{0, 1, 3}));
+    EXPECT_EQ(choose_altlocs(model, all_atoms(model), "").substitutes, 0U);
+}
+
+// One choice for the residue: CB alone would be taken of B, OG alone without a letter.
+TEST(Altlocs, WithAndWithoutALetterAreNotMixedInAResidue) {
+    RawModel model;
+    add_residue(model, "SER", 1, {"CB", "CB", "OG", "OG", "HG"});
+    set(model, 0, ' ', 0.4);
+    set(model, 1, 'B', 0.6);
+    set(model, 2, ' ', 0.9);
+    set(model, 3, 'B', 0.1);
+    set(model, 4, 'B', 0.1);
+    EXPECT_EQ(kept(model), (Kept{0, 2, 4}));
+    EXPECT_EQ(choose_altlocs(model, all_atoms(model), "").substitutes, 1U);
+}
+
+TEST(Altlocs, NamesakesOfOtherResiduesAreNoAlternatives) {
+    RawModel model;
+    add_residue(model, "SER", 1, {"CB", "OG"});
+    add_residue(model, "SER", 2, {"CB", "CB"});
+    set(model, 2, 'A', 0.1);
+    set(model, 3, 'B', 0.2);
+    EXPECT_EQ(kept(model), (Kept{0, 1, 3}));
+}
+
 }  // namespace
 }  // namespace meniscus::reading

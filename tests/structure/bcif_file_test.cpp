@@ -118,13 +118,15 @@ TEST(BcifFile, GivesWhatTheTextGives) {
 TEST(BcifFile, IsReadByItsSuffixAlsoGzippedAndByContentFromStandardInput) {
     const std::string bytes = bcif_of(kSmallCif);
     const Structure text = testing::read_text(kSmallCif, "a.cif");
+    const std::string different = ": this model has a different number of atoms from the first";
     for (const auto& [name, content] :
          {std::pair<std::string, std::string>{"a.bcif", bytes}, {"a.bcif.gz", testing::gzipped(bytes)}}) {
         const Structure binary = testing::read_text(content, name);
         EXPECT_EQ(binary.name, "a");
         EXPECT_EQ(binary.atoms.centres, text.atoms.centres);
         EXPECT_EQ(binary.notes, text.notes);
-        EXPECT_EQ(binary.warnings, text.warnings);
+        EXPECT_EQ(text.warnings, std::vector<std::string>{"line 34" + different});
+        EXPECT_EQ(binary.warnings, std::vector<std::string>{"row 8" + different});
         EXPECT_EQ(binary.dropped, text.dropped);
     }
     EXPECT_EQ(load_bytes(bytes, "-").format, Format::Bcif);
@@ -219,6 +221,37 @@ TEST(BcifFile, ValuesThatAreNoNumbersAreErrorsWithTheirRow) {
     columns[1].mask = testing::packed_nil();
     columns[3] = text_column("label_atom_id", {"CA", "C\n"});
     expect_contains(error_of_atoms(columns), "row 2: _atom_site.label_atom_id 'C?' contains a byte");
+}
+
+TEST(BcifFile, TheNumberOfRowsIsWhole) {
+    const auto error_of_rows = [](double rows) {
+        std::string bytes = testing::bcif_file({{"_atom_site", 2, two_atoms()}});
+        const std::string key = testing::packed("rowCount");
+        const std::string two = key + testing::packed(std::int64_t{2});
+        bytes.replace(bytes.find(two), two.size(), key + testing::packed(rows));
+        return error_of_bcif(bytes);
+    };
+    EXPECT_EQ(error_of_rows(2.0), "");
+    expect_contains(error_of_rows(2.5), "no number of rows");
+}
+
+TEST(BcifFile, MessagesCountRows) {
+    std::vector<Column> columns = two_atoms();
+    columns.push_back(number_column("occupancy", {1.0, std::numeric_limits<double>::quiet_NaN()}));
+    columns.push_back(text_column("type_symbol", {"C", "Qq"}));
+    const RawModel model =
+        CifFile(testing::bcif_file({{"_atom_site", 2, columns}}), "f.bcif", CifForm::Binary).model(1);
+    EXPECT_EQ(model.warnings,
+              std::vector<std::string>{"row 2: _atom_site.occupancy 'nan' is not a number; taken as missing"});
+    EXPECT_EQ(model.why_guessed, "_atom_site.type_symbol 'Qq' in row 2 is no element");
+}
+
+TEST(BcifFile, NumbersOfResiduesAreIntegers) {
+    std::vector<Column> columns = two_atoms();
+    columns.push_back(number_column("auth_seq_id", {1, 2147483653.0}));
+    expect_contains(error_of_atoms(columns), "row 2: _atom_site.auth_seq_id '2147483653' is larger than");
+    columns.back() = text_column("label_alt_id", {"A1", "A2"});
+    expect_contains(error_of_atoms(columns), "row 1: _atom_site.label_alt_id 'A1' is longer than one character");
 }
 
 // The columns that are not asked for may hold anything.

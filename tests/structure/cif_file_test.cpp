@@ -49,14 +49,86 @@ TEST(GemmiCif, ModelsAreToldApartByNumberAndCountedByPosition) {
     EXPECT_EQ(cif(text, 2).atoms.at(0).centre.x, 2.0);
 }
 
+TEST(GemmiCif, ModelsAreToldApartByTheValueOfTheirNumbers) {
+    const auto models = [](const std::string& first, const std::string& second) {
+        return kHead + ("ATOM 1 C C . ALA A 1 1 0 0 " + first + "\nATOM 2 C C . ALA A 1 2 0 0 " + second + "\n");
+    };
+    for (const auto& [first, second] :
+         {std::pair{"1", "01"}, {"1", "'1'"}, {"+1", "1"}, {"?", "?"}, {".", "?"}, {"-0", "0"}}) {
+        EXPECT_EQ(CifFile(models(first, second), "f").model_count(), 1) << first << second;
+        EXPECT_EQ(cif(models(first, second)).atoms.size(), 2U) << first << second;
+    }
+    EXPECT_EQ(CifFile(models("1", "'2'"), "f").model_count(), 2);
+    for (const char* odd : {"?", ".", "x", "1.0", "'?'", "1A"})
+        expect_contains(cif_error(models("1", odd)), "f.cif:16:28: _atom_site.pdbx_PDB_model_num ");
+    expect_contains(cif_error(models("?", "1")), "f.cif:15:28: _atom_site.pdbx_PDB_model_num '?' is not an integer; ");
+}
+
+TEST(GemmiCif, ModelsMayTakeTurns) {
+    const std::string text = std::string(kHead) +
+                             "ATOM 1 C C . ALA A 1 1 0 0 7\nATOM 2 C C . ALA B 1 2 0 0 3\n"
+                             "ATOM 3 O O . ALA A 1 3 0 0 7\n";
+    const CifFile file(text, "f.cif");
+    EXPECT_EQ(file.atoms_of_models(), (std::vector<std::size_t>{2, 1}));
+    EXPECT_EQ(file.place_of_model(2), "line 16");
+    EXPECT_EQ(file.chains_of_models(), (std::vector<std::set<std::string>>{{"A"}, {"B"}}));
+    EXPECT_EQ(file.model(1).atoms.at(1).centre.x, 3.0);
+    EXPECT_EQ(file.model(2).atoms.at(0).centre.x, 2.0);
+}
+
 TEST(GemmiCif, ABadCoordinateIsAnErrorWithItsPlace) {
     const std::string good = "ATOM 1 C C . ALA A 1 1 0 0 1\n";
     for (const char* value : {"?", ".", "nan", "1e400", "11,104", "'1 2'", "********"}) {
         const std::string error = cif_error(kHead + good + "ATOM 2 C C . ALA A 1 0 " + value + " 0 1\n");
         EXPECT_TRUE(error.starts_with("f.cif:16:24: _atom_site.Cartn_y")) << error;
     }
-    expect_contains(cif_error(std::string(kHead) + "ATOM 2 C C . ALA A x9x 0 0 0 1\n"),
-                    "f.cif:15:20: _atom_site.auth_seq");
+    expect_contains(cif_error(std::string(kHead) + "ATOM 2 C C . ALA A 1 1e300 0 0 1\n"),
+                    "f.cif:15:22: _atom_site.Cartn_x '1e300' is farther from the origin than 1e12 Å");
+    EXPECT_EQ(cif_error(std::string(kHead) + "ATOM 2 C C . ALA A 1 -1e12 0 0 1\n"), "");
+}
+
+TEST(GemmiCif, ResidueNumbersAreIntegersWithAtMostOneLetter) {
+    const auto row = [](const std::string& number) { return kHead + ("ATOM 1 C C . ALA A " + number) + " 0 0 0 1\n"; };
+    for (const char* number : {"x9x", "15-", "15*", "151.", "1.0", "AB", "15AB", "A"})
+        expect_contains(cif_error(row(number)), "f.cif:15:20: _atom_site.auth_seq_id '" + std::string(number) +
+                                                    "' is not an integer; correct it");
+    expect_contains(cif_error(row("2147483653")), "f.cif:15:20: _atom_site.auth_seq_id '2147483653' is larger than ");
+    EXPECT_EQ(cif(row("-15A")).residues.at(0).number, -15);
+    EXPECT_EQ(cif(row("-15A")).residues[0].insertion_code, 'A');
+    EXPECT_EQ(cif(row("2147483647")).residues.at(0).number, 2147483647);
+}
+
+// Of a longer one the first letter would make one of two.
+TEST(GemmiCif, LettersAreOneCharacter) {
+    const auto atom = [](const std::string& alternative) {
+        return kHead + ("ATOM 1 C C " + alternative) + " ALA A 1 0 0 0 1\n";
+    };
+    expect_contains(cif_error(atom("A1")), "f.cif:15:12: _atom_site.label_alt_id 'A1' is longer than one character; ");
+    EXPECT_EQ(cif(atom("1")).atoms.at(0).altloc, '1');
+    EXPECT_EQ(cif(atom("' '")).atoms.at(0).altloc, ' ');
+    EXPECT_EQ(cif(atom("'B '")).atoms.at(0).altloc, 'B');
+    const std::string head = std::string(kHead) + "_atom_site.pdbx_PDB_ins_code\n";
+    expect_contains(cif_error(head + "ATOM 1 C C . ALA A 1 0 0 0 1 AA\n"),
+                    "f.cif:16:30: _atom_site.pdbx_PDB_ins_code 'AA' is longer than one character; ");
+}
+
+TEST(GemmiCif, AnElementMayHaveItsCharge) {
+    const auto read = [](const std::string& symbol) {
+        return cif(kHead + ("HETATM 1 " + symbol) + " CA . LIG A 1 0 0 0 1\n");
+    };
+    for (const char* symbol : {"Ca2+", "CA2+", "ca+2", "Ca+"}) {
+        EXPECT_EQ(read(symbol).atoms.at(0).element, "CA") << symbol;
+        EXPECT_FALSE(read(symbol).atoms[0].guessed_element) << symbol;
+        EXPECT_EQ(read(symbol).notes.at(0),
+                  "line 15: charges in _atom_site.type_symbol such as that of '" + std::string(symbol) + "' left out");
+    }
+    EXPECT_EQ(read("O-").atoms.at(0).element, "O");
+    for (const char* symbol : {"Qq", "C2", "X", "2+", "Qq2+"}) {
+        EXPECT_TRUE(read(symbol).atoms.at(0).guessed_element) << symbol;
+        EXPECT_EQ(read(symbol).why_guessed,
+                  "_atom_site.type_symbol '" + std::string(symbol) + "' in line 15 is no element");
+    }
+    EXPECT_EQ(read("?").why_guessed, "");
 }
 
 TEST(GemmiCif, StandardUncertaintiesAreLeftOutWithANote) {
@@ -190,6 +262,9 @@ TEST(GemmiCif, BrokenFilesAreErrors) {
     expect_contains(cif_error(kHead + atom + (kHead + 7) + atom), "f.cif:");
     expect_contains(cif_error(kHead + atom + "data_x\n_a.b 'never closed\n"), "f.cif:");
     expect_contains(cif_error("no data here\n"), "not valid CIF");
+    expect_contains(cif_error("data_x\n_a.c 1\nloop_\n_a.b\n_A.b\n1 2\n"), "f.cif:3:1: duplicate tag _A.b; ");
+    expect_contains(cif_error("data_x\n_a.b 1\n_a.b 1\n"), "f.cif:3:1: duplicate tag _a.b; ");
+    expect_contains(cif_error("data_x\n_a.b 1\ndata_X\n"), "f.cif: duplicate block name: X; ");
 }
 
 TEST(GemmiCif, ColumnsInTwoLoopsAreAnError) {

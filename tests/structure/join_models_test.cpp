@@ -115,6 +115,28 @@ TEST(JoinModels, DifferentSizesMatterToCopiesOnly) {
     EXPECT_FALSE(has_warning(read_text(text, "m.pdb", {.join_models = true}), "different number of atoms"));
 }
 
+TEST(JoinModels, DifferentSizesAreToldInAllFormats) {
+    const auto warning = [](const std::string& text, const std::string& name) {
+        for (const std::string& line : read_text(text, name, {.hetero = HeteroPolicy::All}).warnings)
+            if (line.find("different number of atoms") != std::string::npos) return line;
+        return std::string();
+    };
+    const std::string different = ": this model has a different number of atoms from the first";
+    const std::string atom = pdb_line({});
+    const std::string twice = "MODEL 2\n" + atom + atom + "ENDMDL\n";
+    EXPECT_EQ(warning("MODEL 1\n" + atom + "ENDMDL\n" + twice + twice, "m.pdb"), "line 4" + different + " (2 times)");
+    const std::string pqr = "ATOM 1 CA ALA 1 0 0 0 0 1\n";
+    EXPECT_EQ(warning("MODEL 1\n" + pqr + "ENDMDL\nMODEL 2\n" + pqr + pqr + "ENDMDL\n", "m.pqr"), "line 4" + different);
+    const std::string gro = "    1ALA     CA    1   0.126  -1.624   1.679\n";
+    EXPECT_EQ(warning("t\n1\n" + gro + " 1 1 1\nt\n2\n" + gro + gro + " 1 1 1\n", "m.gro"), "line 7" + different);
+    EXPECT_EQ(warning("t\n1\n" + gro + " 1 1 1\nt\n1\n" + gro + " 1 1 1\n", "m.gro"), "");
+    const std::string cif =
+        "data_x\nloop_\n_atom_site.pdbx_PDB_model_num\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n"
+        "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n1 CA ALA 0 0 0\n2 CA ALA 0 0 0\n";
+    EXPECT_EQ(warning(cif, "m.cif"), "");
+    EXPECT_EQ(warning(cif + "2 C ALA 0 0 2\n", "m.cif"), "line 10" + different);
+}
+
 TEST(JoinModels, OneModelIsTakenAsItIs) {
     const Structure s = read_text(kReceptor, "o.pdb", {.join_models = true});
     EXPECT_EQ(s.atoms.size(), 2U);

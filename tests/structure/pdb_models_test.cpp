@@ -15,7 +15,6 @@ std::string models_of(const std::string& text) {
     std::string description;
     for (const PdbModelSpan& span : models.spans) description += std::to_string(span.first_line) + " ";
     for (const std::string& line : models.warnings) description += "[" + line.substr(0, line.find(';')) + "]";
-    if (!models.different_sizes.empty()) description += "[" + models.different_sizes + "]";
     return description;
 }
 
@@ -57,11 +56,6 @@ TEST(PdbModels, AtomsOutsideModelsAreAModel) {
               "1 4 [line 4: atoms outside MODEL and ENDMDL]");
     EXPECT_EQ(models_of(join({"A", "ENDMDL", "MODEL 2", "A", "ENDMDL"})),
               "1 3 [line 1: atoms outside MODEL and ENDMDL]");
-}
-
-TEST(PdbModels, DifferentNumbersOfAtomsAreNoted) {
-    EXPECT_EQ(models_of(join({"MODEL 1", "A", "ENDMDL", "MODEL 2", "A", "A", "ENDMDL"})),
-              "1 4 [line 4: this model has a different number of atoms from the first]");
 }
 
 }  // namespace

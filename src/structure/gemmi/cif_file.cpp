@@ -13,8 +13,6 @@
 #include <array>
 #include <cstddef>
 #include <deque>
-#include <functional>
-#include <map>
 #include <new>
 #include <optional>
 #include <set>
@@ -23,43 +21,24 @@
 #include <vector>
 
 #include "meniscus/errors.h"
-#include "reading/numbers.h"
 #include "reading/text.h"
 #include "structure/bcif_tables.h"
-#include "structure/cif_locate.h"
-#include "structure/element.h"
+#include "structure/cif_atoms.h"
 #include "structure/gemmi/gemmi_shared.h"
-#include "structure/odd_lines.h"
 #include "structure/residue_list.h"
 
 namespace meniscus::reading {
 namespace {
 
-// Columns of _atom_site in the order in which gemmi's table has them; those with '?' may be missing.
-// clang-format off
-struct Column {
-    enum Index {
-        X, Y, Z, Group, Id, Symbol, LabelAtom, AuthAtom, AltId, LabelComp, AuthComp, LabelAsym, AuthAsym, Entity,
-        LabelSeq, AuthSeq, Insertion, Occupancy, B, Charge, ModelNumber
-    };
-};
-
-const std::vector<std::string>& atom_tags() {
-    static const std::vector<std::string> tags{
-        "Cartn_x", "Cartn_y", "Cartn_z", "?group_PDB", "?id", "?type_symbol", "?label_atom_id", "?auth_atom_id",
-        "?label_alt_id", "?label_comp_id", "?auth_comp_id", "?label_asym_id", "?auth_asym_id", "?label_entity_id",
-        "?label_seq_id", "?auth_seq_id", "?pdbx_PDB_ins_code", "?occupancy", "?B_iso_or_equiv",
-        "?pdbx_formal_charge", "?pdbx_PDB_model_num"};
-    return tags;
-}
-// clang-format on
-
-// "file:12:5(340): what" of gemmi's CIF parser without the offset in bytes.
+// What gemmi says behind the name of the file, with a place of lines and columns alone: ":12:5: what" for ":12:5(340):
+// what" of its parser, and for ":12 in data_1ABC: what" of its checks, which know where a loop or a pair begins.
 std::string tidy_message(const std::string& message) {
-    const std::size_t open = message.find('(');
-    const std::size_t close = message.find("): ");
-    if (open == std::string::npos || close == std::string::npos || open > close) return message;
-    return message.substr(0, open) + message.substr(close + 1);
+    const std::size_t behind_place = std::min(message.find_first_not_of(":0123456789"), message.size());
+    const std::string_view rest = std::string_view(message).substr(behind_place);
+    const bool has_block = gemmi::starts_with(std::string(rest), " in data_");
+    const std::size_t end = rest.find(": ");
+    if (end == std::string_view::npos || (!has_block && rest[0] != '(')) return message;
+    return message.substr(0, behind_place) + (has_block ? ":1" : "") + std::string(rest.substr(end));
 }
 
 bool all_begin_with(const gemmi::cif::Loop& loop, const std::string& prefix) {
@@ -191,9 +170,9 @@ Document parse_cif(const std::string& text, const std::string& file) {
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {
-        const std::string message = tidy_message(error.what());
+        const std::string message = error.what();
         const std::string own = gemmi::starts_with(message, file + ":") ? message.substr(file.size()) : ": " + message;
-        throw InputError(file + printable(own, kOfGemmi) +
+        throw InputError(file + printable(tidy_message(own), kOfGemmi) +
                          "; this is not valid CIF, correct it or fetch the file again");
     }
 }
@@ -242,220 +221,6 @@ Document to_document(std::vector<BcifBlock> blocks, const std::string& file) {
     return document;
 }
 
-// A parsed file and what messages about it need.
-struct CifSource {
-    const std::string& file;
-    const std::string* text;  // null for BinaryCIF, which has no lines
-
-    [[noreturn]] void fail(Column::Index column, std::size_t row, std::string_view value, const char* remedy) const {
-        fail_value(column, row, shown(value) + " is not a finite number; " + remedy);
-    }
-
-    [[noreturn]] void fail_name(Column::Index column, std::size_t row, std::string_view value) const {
-        fail_value(column, row, shown(value) + " contains a byte that is not a printable character; correct it");
-    }
-
-    // For BinaryCIF the row, from 1.
-    std::size_t line_of(Column::Index column, std::size_t row) const {
-        return text != nullptr ? locate_cif_value(*text, tag_of(column), row).line : row + 1;
-    }
-
-    [[noreturn]] void fail_value(Column::Index column, std::size_t row, const std::string& message) const {
-        const std::string tag = tag_of(column);
-        if (text != nullptr) fail_at(file, locate_cif_value(*text, tag, row), tag + " " + message);
-        throw InputError(file + ": row " + std::to_string(row + 1) + ": " + tag + " " + message);
-    }
-
-    static std::string tag_of(Column::Index column) {
-        const std::string& listed = atom_tags()[column];
-        return "_atom_site." + listed.substr(listed[0] == '?' ? 1 : 0);
-    }
-};
-
-// Values that are read otherwise than they are written.
-struct OddValues {
-    OddLines uncertain;
-    std::map<Column::Index, OddLines> no_numbers;  // of columns that no result needs
-
-    void tell(RawModel& model) const {
-        uncertain.tell("standard uncertainties such as that of ", " left out", model.notes);
-        for (const auto& [column, odd] : no_numbers)
-            odd.tell(CifSource::tag_of(column) + " ", " is not a number; taken as missing", model.warnings);
-    }
-};
-
-// The number in front of a standard uncertainty in its last digits: "1.0" of "1.0(2)".
-std::string_view without_uncertainty(std::string_view text) {
-    if (text.empty() || text.back() != ')') return text;
-    const std::size_t open = text.find('(');
-    const std::string_view digits = text.substr(open + 1, text.size() - open - 2);
-    const bool is_one = !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
-    return open != std::string_view::npos && is_one ? text.substr(0, open) : text;
-}
-
-// As gemmi::cif::as_string, without a copy.
-std::string_view unquoted(std::string_view text) {
-    if (text.size() < 2 || (text[0] != '"' && text[0] != '\'' && text[0] != ';')) return text;
-    if (text[0] != ';') return text.substr(1, text.size() - 2);
-    if (text[text.size() - 2] != '\n') return text;
-    return text.substr(1, text.size() - 3);  // there is no '\r' before '\n' (CifFile)
-}
-
-// The columns of _atom_site.
-class AtomColumns {
-public:
-    // values   of all atoms; none for an atom that is given in pairs
-    AtomColumns(gemmi::cif::Table table, std::vector<std::string_view> values)
-        : values_(std::move(values)), stride_(table.get_loop() != nullptr ? table.get_loop()->width() : 0) {
-        first_.fill(kNone);
-        for (std::size_t c = 0; c < first_.size(); ++c) {
-            const std::string* const first = table[0].ptr_at(static_cast<int>(c));
-            if (first == nullptr) continue;
-            if (const gemmi::cif::Loop* const loop = table.get_loop()) {
-                first_[c] = static_cast<std::size_t>(first - loop->values.data());
-            } else {
-                first_[c] = values_.size();
-                values_.push_back(*first);
-            }
-        }
-    }
-
-    std::size_t rows() const { return stride_ == 0 ? 1 : values_.size() / stride_; }
-
-    // Null for a column that the file has not.
-    const std::string_view* at(Column::Index column, std::size_t row) const {
-        const std::size_t first = first_[column];
-        return first == kNone ? nullptr : &values_[first + row * stride_];
-    }
-
-private:
-    static constexpr std::size_t kNone = ~std::size_t{0};
-
-    std::array<std::size_t, Column::ModelNumber + 1> first_{};  // places in the first row
-    std::vector<std::string_view> values_;
-    std::size_t stride_;  // an atom that is given in pairs has no other row
-};
-
-// One row of _atom_site.
-class AtomRow {
-public:
-    AtomRow(const CifSource& source, const AtomColumns& columns, std::size_t index)
-        : source_(source), columns_(columns), index_(index) {}
-
-    bool has(Column::Index column) const { return value_of(column) != nullptr; }
-
-    std::string_view text(Column::Index column) const {
-        const std::string_view* const value = value_of(column);
-        if (value == nullptr) return {};
-        const std::string_view text = unquoted(*value);
-        if (find_unprintable(text) != std::string_view::npos) source_.fail_name(column, index_, text);
-        return text;
-    }
-
-    // The first of two columns that has a value: author's names before label names.
-    std::string_view text(Column::Index first, Column::Index second) const { return text(has(first) ? first : second); }
-
-    char letter(Column::Index column) const {
-        const std::string_view value = text(column);
-        return value.empty() ? ' ' : value[0];
-    }
-
-    double coordinate(Column::Index column, OddValues& odd) const {
-        const auto value = number(column, odd);
-        if (!value) source_.fail(column, index_, *columns_.at(column, index_), "correct it or leave the atom out");
-        return *value;
-    }
-
-    // Of a column that no result needs.
-    double number_or(Column::Index column, double otherwise, OddValues& odd) const {
-        if (!has(column)) return otherwise;
-        const auto value = number(column, odd);
-        if (!value) note(odd.no_numbers[column], column);
-        return value.value_or(otherwise);
-    }
-
-    // A residue number; old files write the insertion code behind it ("15A").
-    void residue_number(RawResidue& residue) const {
-        const Column::Index column = has(Column::AuthSeq) ? Column::AuthSeq : Column::LabelSeq;
-        std::string_view digits = text(column);
-        if (digits.empty()) return;
-        if (!integer(digits) && residue.insertion_code == ' ') {
-            residue.insertion_code = digits.back();
-            digits.remove_suffix(1);
-        }
-        const auto value = integer(digits);
-        if (!value) source_.fail(column, index_, *columns_.at(column, index_), "residue numbers must be integers");
-        residue.number = *value;
-    }
-
-    // Whether all that a residue is made of is the same text.
-    bool is_of_residue_of(const AtomRow& other) const {
-        constexpr std::array kColumns{Column::AuthAsym, Column::LabelAsym, Column::AuthComp,  Column::LabelComp,
-                                      Column::AuthSeq,  Column::LabelSeq,  Column::Insertion, Column::Entity};
-        return std::all_of(kColumns.begin(), kColumns.end(), [&](Column::Index column) {
-            const std::string_view* const a = columns_.at(column, index_);
-            return a == nullptr || *a == *columns_.at(column, other.index_);
-        });
-    }
-
-private:
-    // Nothing if there is no value, or one that is no finite number.
-    std::optional<double> number(Column::Index column, OddValues& odd) const {
-        const std::string_view* const text = value_of(column);
-        if (text == nullptr) return std::nullopt;
-        const std::string_view whole = unquoted(*text);
-        const std::string_view plain = without_uncertainty(whole);
-        const auto value = finite_number(plain);
-        if (value && plain.size() < whole.size()) note(odd.uncertain, column);
-        return value;
-    }
-
-    void note(OddLines& odd, Column::Index column) const {
-        odd.add(odd.count > 0 ? 0 : source_.line_of(column, index_), *columns_.at(column, index_));
-    }
-
-    // None where the file has no such column, or says that there is no value.
-    const std::string_view* value_of(Column::Index column) const {
-        const std::string_view* const value = columns_.at(column, index_);
-        return value == nullptr || *value == "?" || *value == "." ? nullptr : value;
-    }
-
-    const CifSource& source_;
-    const AtomColumns& columns_;
-    std::size_t index_;
-};
-
-using EntityIds = std::set<std::string, std::less<>>;
-
-RawResidue to_residue(const AtomRow& row, const EntityIds& polymers) {
-    RawResidue residue;
-    residue.chain = row.text(Column::AuthAsym, Column::LabelAsym);
-    residue.label_chain = row.text(Column::LabelAsym);
-    residue.name = upper_case(row.text(Column::AuthComp, Column::LabelComp));
-    residue.insertion_code = row.letter(Column::Insertion);
-    row.residue_number(residue);
-    residue.in_sequence = polymers.count(row.text(Column::Entity)) > 0;
-    return residue;
-}
-
-bool is_hetatm(std::string_view group) { return group.size() == 6 && upper_case(group) == "HETATM"; }
-
-RawAtom to_atom(const AtomRow& row, const std::string& residue_name, OddValues& odd) {
-    RawAtom atom;
-    atom.centre = {row.coordinate(Column::X, odd), row.coordinate(Column::Y, odd), row.coordinate(Column::Z, odd)};
-    atom.name = upper_case(row.text(Column::AuthAtom, Column::LabelAtom));
-    atom.element = element_symbol(row.text(Column::Symbol));
-    atom.guessed_element = atom.element.empty();
-    if (atom.guessed_element) atom.element = element_from_name(atom.name, residue_name);
-    atom.altloc = row.letter(Column::AltId);
-    atom.hetatm = is_hetatm(row.text(Column::Group));
-    atom.serial = integer(row.text(Column::Id)).value_or(0);
-    atom.occupancy = row.number_or(Column::Occupancy, atom.occupancy, odd);
-    atom.b_factor = row.number_or(Column::B, atom.b_factor, odd);
-    atom.charge = row.number_or(Column::Charge, atom.charge, odd);
-    return atom;
-}
-
 // The first block with coordinates; an error if none has any.
 gemmi::cif::Block& coordinate_block(gemmi::cif::Document& document, const std::string& file) {
     gemmi::cif::Block* other = nullptr;
@@ -493,6 +258,20 @@ void check_one_table(const gemmi::cif::Block& block, const std::string& file) {
         if (loops > 1 || (loops == 1 && pairs > 0))
             refuse(file, item, "_atom_site is given a second time; put all its columns into one loop");
     }
+}
+
+// values   of all atoms; none for an atom that is given in pairs
+AtomTable to_atom_table(gemmi::cif::Table table, std::vector<std::string_view> values) {
+    const gemmi::cif::Loop* const loop = table.get_loop();
+    AtomTable::FirstRow first;
+    first.fill(AtomTable::kNone);
+    for (std::size_t c = 0; c < first.size(); ++c) {
+        const std::string* const value = table[0].ptr_at(static_cast<int>(c));
+        if (value == nullptr) continue;
+        first[c] = loop != nullptr ? static_cast<std::size_t>(value - loop->values.data()) : values.size();
+        if (loop == nullptr) values.push_back(*value);
+    }
+    return {std::move(values), first, loop != nullptr ? loop->width() : 0};
 }
 
 // The table of atoms; an error if it has not all that is needed.
@@ -541,30 +320,26 @@ struct CifFile::Content {
     std::deque<std::string> values;     // of BinaryCIF; the document has views of them
     Document document;
     gemmi::cif::Block& block;
-    AtomColumns atoms;
-    std::vector<std::string_view> model_numbers;  // in file order
+    AtomTable atoms;
+    RowModels models;
     EntityIds polymers;
 
-    Content(const std::string& content, const std::string& name) : Content(parse_cif(content, name), name) {
-        text = &content;
-    }
+    Content(const std::string& content, const std::string& name) : Content(parse_cif(content, name), name, &content) {}
 
-    Content(BcifTables tables, const std::string& name) : Content(to_document(std::move(tables.blocks), name), name) {
+    Content(BcifTables tables, const std::string& name)
+        : Content(to_document(std::move(tables.blocks), name), name, nullptr) {
         values = std::move(tables.texts);  // where they are
     }
 
-    Content(Document parsed, const std::string& name)
+    Content(Document parsed, const std::string& name, const std::string* content)
         : file(name),
+          text(content),
           document(std::move(parsed)),
           block(coordinate_block(document, name)),
-          atoms(checked_columns(block, name), values_of(block)) {
+          atoms(to_atom_table(checked_columns(block, name), values_of(block))),
+          models({file, text}, atoms) {
         for (auto row : block.find("_entity.", {"id", "type"})) {
             if (row.str(1) == "polymer") polymers.insert(row.str(0));
-        }
-        if (atoms.at(Column::ModelNumber, 0) == nullptr) return;
-        for (std::size_t i = 0; i < atoms.rows(); ++i) {
-            const std::string_view number = *atoms.at(Column::ModelNumber, i);
-            if (model_numbers.empty() || number != model_numbers.back()) add_model(number);
         }
     }
 
@@ -588,51 +363,43 @@ struct CifFile::Content {
                                  "; give each block a file of its own");
     }
 
-    void add_model(std::string_view number) {
-        const auto found = std::find(model_numbers.begin(), model_numbers.end(), number);
-        if (found == model_numbers.end()) model_numbers.push_back(number);
+    std::string chain(std::size_t row) const {
+        const std::string_view* const author = atoms.value(AtomColumn::AuthAsym, row);
+        const std::string_view* const name = author != nullptr ? author : atoms.value(AtomColumn::LabelAsym, row);
+        return name != nullptr ? printable(unquoted(*name)) : "";
     }
 
-    int model_count() const { return std::max<int>(1, static_cast<int>(model_numbers.size())); }
-
-    std::string chain(std::size_t row) {
-        const CifSource source{file, text};
-        const AtomRow atom(source, atoms, row);
-        const Column::Index column = atom.has(Column::AuthAsym) ? Column::AuthAsym : Column::LabelAsym;
-        return atom.has(column) ? printable(unquoted(*atoms.at(column, row))) : "";
-    }
-
-    std::vector<std::set<std::string>> chains_of_models() {
-        std::vector<std::set<std::string>> chains(static_cast<std::size_t>(model_count()));
-        auto number = model_numbers.begin();
-        for (std::size_t i = 0; i < atoms.rows(); ++i) {
-            const std::string_view* const own = atoms.at(Column::ModelNumber, i);
-            if (own != nullptr && *own != *number) number = std::find(model_numbers.begin(), model_numbers.end(), *own);
-            chains[static_cast<std::size_t>(number - model_numbers.begin())].insert(chain(i));
-        }
+    std::vector<std::set<std::string>> chains_of_models() const {
+        std::vector<std::set<std::string>> chains(models.count());
+        for (std::size_t i = 0; i < atoms.rows(); ++i) chains[models.of(i)].insert(chain(i));
         return chains;
     }
 
-    RawModel model(int position) {
+    std::string place_of_model(std::size_t index) const {
+        const CifSource source{file, text};
+        return source.unit() + " " + std::to_string(source.place_of(AtomColumn::X, models.first_row(index)));
+    }
+
+    RawModel model(std::size_t index) {
         RawModel model;
-        model.model_count = model_count();
+        model.model_count = static_cast<int>(models.count());
         ResidueList residues(model.residues);
         const CifSource source{file, text};
-        model.atoms.reserve(atoms.rows() / static_cast<std::size_t>(model_count()));
+        model.atoms.reserve(models.atoms(index));
         std::optional<AtomRow> before;
         OddValues odd;
         for (std::size_t i = 0; i < atoms.rows(); ++i) {
-            if (!model_numbers.empty() && *atoms.at(Column::ModelNumber, i) != model_numbers[position - 1]) continue;
+            if (models.of(i) != index) continue;
             const AtomRow row(source, atoms, i);
             const bool as_before = before && row.is_of_residue_of(*before);
             const std::uint32_t residue =
-                as_before ? model.atoms.back().residue : residues.index_of(to_residue(row, polymers));
-            model.atoms.push_back(to_atom(row, model.residues[residue].name, odd));
+                as_before ? model.atoms.back().residue : residues.index_of(residue_of_row(row, polymers));
+            model.atoms.push_back(atom_of_row(row, model.residues[residue].name, odd));
             model.atoms.back().residue = residue;
             before.emplace(row);
         }
         model.assemblies = read_assemblies(block);
-        odd.tell(model);
+        odd.tell(source, model);
         tell_other_blocks(model);
         return model;
     }
@@ -646,12 +413,22 @@ CifFile::CifFile(const std::string& bytes, const std::string& file, CifForm form
 
 CifFile::~CifFile() = default;
 
-int CifFile::model_count() const { return content_->model_count(); }
+int CifFile::model_count() const { return static_cast<int>(content_->models.count()); }
 
 std::vector<std::set<std::string>> CifFile::chains_of_models() const { return content_->chains_of_models(); }
 
+std::vector<std::size_t> CifFile::atoms_of_models() const {
+    std::vector<std::size_t> atoms;
+    for (std::size_t i = 0; i < content_->models.count(); ++i) atoms.push_back(content_->models.atoms(i));
+    return atoms;
+}
+
+std::string CifFile::place_of_model(int position) const {
+    return content_->place_of_model(static_cast<std::size_t>(position) - 1);
+}
+
 RawModel CifFile::model(int position) const {
-    return with_input_errors(content_->file, [&] { return content_->model(position); });
+    return with_input_errors(content_->file, [&] { return content_->model(static_cast<std::size_t>(position) - 1); });
 }
 
 }  // namespace meniscus::reading
