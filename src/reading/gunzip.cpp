@@ -27,7 +27,7 @@ constexpr int kGzipWindow = 15 + 16;  // largest window, gzip header (zlib.h, in
 // A zlib stream that is closed on every way out.
 class Inflater {
 public:
-    explicit Inflater(std::string_view bytes) : rest_(bytes), size_(bytes.size()) {
+    explicit Inflater(std::string_view bytes) : bytes_(bytes), rest_(bytes) {
         if (inflateInit2(&stream_, kGzipWindow) != Z_OK) throw std::bad_alloc();
     }
     ~Inflater() { inflateEnd(&stream_); }
@@ -45,13 +45,18 @@ public:
     }
 
     /// Bytes of input used so far.
-    std::size_t taken() const { return size_ - rest_.size() - stream_.avail_in; }
+    std::size_t taken() const { return bytes_.size() - rest_.size() - stream_.avail_in; }
 
-    // After the end of a member: begins the next one; false if there is none (padding behind it is ignored).
-    bool next_member() {
-        feed();
-        if (stream_.avail_in < 2 || stream_.next_in[0] != 0x1f || stream_.next_in[1] != 0x8b) return false;
-        return inflateReset(&stream_) == Z_OK;
+    // After the end of a member: begins the next one; false if there is none. Archives and tapes fill their blocks with
+    // zero bytes, which are ignored; anything else is a damaged member, whose content would be missing.
+    bool next_member(const std::string& file) {
+        const std::size_t next = std::min(bytes_.find_first_not_of('\0', taken()), bytes_.size());
+        rest_ = bytes_.substr(next);
+        stream_.avail_in = 0;
+        if (rest_.empty()) return false;
+        if (is_gzip(rest_)) return inflateReset(&stream_) == Z_OK;
+        throw InputError(file + ": byte " + std::to_string(next + 1) +
+                         ": what follows the gzip data here is none; the file is damaged, fetch it again");
     }
 
 private:
@@ -64,8 +69,8 @@ private:
     }
 
     z_stream stream_{};
-    std::string_view rest_;
-    std::size_t size_;
+    std::string_view bytes_;
+    std::string_view rest_;  // of the bytes, behind what zlib has been given
     std::array<Bytef, std::size_t{1} << 16U> buffer_{};
 };
 
@@ -99,7 +104,7 @@ std::string gunzip(std::string_view bytes, const std::string& file) {
         if (content.size() > kSuspicious && content.size() > room) {
             throw LimitError(file + ": too large for the memory when decompressed; pass a part of it");
         }
-        if (code == Z_STREAM_END && !inflater.next_member()) return content;
+        if (code == Z_STREAM_END && !inflater.next_member(file)) return content;
         if (code == Z_BUF_ERROR) {
             throw InputError(file + ": the gzip data end too early; the file is cut off, fetch it again");
         }

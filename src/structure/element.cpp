@@ -56,15 +56,24 @@ std::string unmistakable_element(std::string_view letters) {
     return !ambiguous || std::find(kCertain.begin(), kCertain.end(), pair) != kCertain.end() ? pair : std::string();
 }
 
-// The residue is one atom of its own name: "CA" in CA, "SOD" in SOD, "ZN" in ZN2.
+std::string letters_of(std::string_view name) {
+    std::string letters(name);
+    letters.erase(std::remove_if(letters.begin(), letters.end(), [](char c) { return !is_letter(c); }), letters.end());
+    return letters;
+}
+
+// "NA" in NA+, "CA" in CA2+. Names of ligands have no signs, and digits alone do not make them ions.
+bool is_charged_name(std::string_view name, std::string_view residue) {
+    return residue.find_first_of("+-") != std::string_view::npos && name == letters_of(residue);
+}
+
+// The residue is one atom of its own name: "CA" in CA, "SOD" in SOD, "ZN" in ZN2, "NA" in NA+.
 std::string ion_element(std::string_view name, std::string_view residue) {
     const auto* ion = std::find_if(kIons.begin(), kIons.end(), [&](const Ion& i) { return i.name == residue; });
-    const bool same = name == residue;
+    const bool same = name == residue || is_charged_name(name, residue);
     if (ion != kIons.end() && (same || name == ion->element)) return std::string(ion->element);
     if (!same || residue.size() > 4) return {};
-    std::string letters(residue);
-    letters.erase(std::remove_if(letters.begin(), letters.end(), [](char c) { return !is_letter(c); }), letters.end());
-    return element_symbol(letters);
+    return element_symbol(letters_of(residue));
 }
 
 }  // namespace
@@ -89,6 +98,12 @@ std::string element_from_name(std::string_view name, std::string_view residue) {
     if (is_standard(residue)) return standard_element(letters);
     if (std::string pair = unmistakable_element(letters); !pair.empty()) return pair;
     return one_letter_element(letters);
+}
+
+std::string element_of_ion(std::string_view name, std::string_view residue) {
+    const std::string upper = upper_case(trimmed(name));
+    const bool is_ion = residue == "ION" || letters_of(upper) == letters_of(residue);
+    return is_ion && !is_standard(residue) ? ion_element(upper, upper) : std::string();
 }
 
 std::string element_from_columns(std::string_view name, std::string_view residue) {

@@ -16,6 +16,11 @@ std::string element_from_columns(std::string_view name, std::string_view residue
 /// Element from a name without alignment (PQR, xyzrn, mmCIF without type_symbol).
 std::string element_from_name(std::string_view name, std::string_view residue);
 
+/// Element of the only atom of a residue that is an ion, because both have the same name but for digits and signs ("NA"
+/// in NA2) or because the residue is named ION. residue is upper case without blanks.
+/// returns  the symbol in upper case; empty if the names do not tell an ion
+std::string element_of_ion(std::string_view name, std::string_view residue);
+
 /// The symbol in upper case if the text is one (any case, blanks around it), else empty.
 std::string element_symbol(std::string_view text);
 

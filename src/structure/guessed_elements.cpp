@@ -9,6 +9,7 @@
 
 #include "core/lower_case.h"
 #include "radii/aliases.h"
+#include "structure/element.h"
 
 namespace meniscus::reading {
 namespace {
@@ -33,6 +34,16 @@ std::string listed(const std::map<std::string, std::size_t>& counts) {
 }
 
 }  // namespace
+
+void correct_lone_ions(RawModel& model) {
+    std::vector<std::uint32_t> atoms(model.residues.size());
+    for (const RawAtom& atom : model.atoms) ++atoms[atom.residue];
+    for (RawAtom& atom : model.atoms) {
+        if (!atom.guessed_element || atoms[atom.residue] > 1) continue;
+        std::string ion = element_of_ion(atom.name, model.residue_of(atom).name);
+        if (!ion.empty()) atom.element = std::move(ion);
+    }
+}
 
 void tell_guessed_elements(const RawModel& model, const std::string& missing, Chosen& chosen) {
     std::size_t certain = 0;

@@ -10,6 +10,10 @@
 
 namespace meniscus::reading {
 
+/// Sets the guessed elements of atoms that are alone in their residues, where the names tell an ion: "NA" in ION is
+/// sodium (element_of_ion).
+void correct_lone_ions(RawModel& model);
+
 /// Adds a note for the standard residues, whose names leave no doubt, and a warning for all others, where "CA" may be
 /// carbon or calcium, with the elements that were guessed.
 ///

@@ -17,6 +17,7 @@
 #include "structure/gro_reader.h"
 #include "structure/pdb_records.h"
 #include "structure/pdbqt_reader.h"
+#include "structure/pqr_content.h"
 #include "structure/sha256.h"
 
 namespace meniscus::reading {
@@ -88,7 +89,7 @@ std::optional<Format> format_by_content(std::string_view text) {
     if (is_gro(text)) return Format::Gro;
     const std::string_view line = first_line(text);
     if (is_cif_start(line)) return Format::Cif;
-    if (is_pdb_record(line)) return Format::Pdb;
+    if (is_pdb_record(line)) return is_surely_pqr(text) ? Format::Pqr : Format::Pdb;
     if (finite_number(Words(line).next())) return Format::Xyzr;
     return std::nullopt;
 }
@@ -184,6 +185,19 @@ void recognise_pdbqt(InputFile& file) {
     file.notes.emplace_back("read as PDBQT: charges and atom types of AutoDock in columns 67-79");
 }
 
+// Read as the other, PDB and PQR give wrong radii without any error.
+void check_radii_columns(const InputFile& file) {
+    if (file.format == Format::Pqr && is_surely_pdb(file.text))
+        throw InputError(
+            file.path +
+            ": looks like a PDB file (occupancy and B factor where charge and radius belong); rename it to "
+            ".pdb");
+    if (file.format == Format::Pdb && is_surely_pqr(file.text))
+        throw InputError(file.path +
+                         ": contains PQR (charge and radius where occupancy and B factor belong) but is named as a PDB "
+                         "file; rename it to .pqr");
+}
+
 void tidy_text(InputFile& file) {
     tell_line_ends(file);
     normalise_line_ends(file.text);
@@ -244,6 +258,7 @@ InputFile load_bytes(std::string bytes, const std::string& path, Checksum checks
     choose_format(file);
     check_content(file);
     if (file.format == Format::Pdb) recognise_pdbqt(file);
+    check_radii_columns(file);
     return file;
 }
 

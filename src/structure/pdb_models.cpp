@@ -32,23 +32,25 @@ class ModelFinder {
 public:
     explicit ModelFinder(std::string_view text) : lines_(text) {}
 
-    PdbModels run() {
-        while (lines_.next()) read(lines_.line());
+    template <class KindOf>
+    PdbModels run(KindOf kind_of) {
+        while (lines_.next()) read(kind_of(lines_.line()));
         if (open_ && explicit_) unclosed_.note(model_line_);
         close(lines_.end());
         return finish();
     }
 
 private:
-    void read(std::string_view line) {
-        if (is_atom_record(line)) {
+    void read(ModelLine kind) {
+        const bool is_end = kind == ModelLine::End;
+        if (kind == ModelLine::Atom) {
             if (!open_) begin_without_record();
             ++atoms_;
-        } else if (line.starts_with("MODEL ") || line == "MODEL") {
-            begin_model(line.substr(5));
-        } else if (line.starts_with("ENDMDL") || trimmed(line) == "END") {
-            if (open_ && explicit_ && !line.starts_with("ENDMDL")) unclosed_.note(model_line_);
-            close(lines_.begin(), line.starts_with("ENDMDL") ? 0 : lines_.number());
+        } else if (kind == ModelLine::Model) {
+            begin_model(trimmed(lines_.line()).substr(5));
+        } else if (is_end || kind == ModelLine::Endmdl) {
+            if (open_ && explicit_ && is_end) unclosed_.note(model_line_);
+            close(lines_.begin(), is_end ? lines_.number() : 0);
         }
     }
 
@@ -108,6 +110,13 @@ private:
     Irregularity outside_{"atoms outside MODEL and ENDMDL; taken as a model of their own"};
 };
 
+ModelLine kind_in_pdb(std::string_view line) {
+    if (is_atom_record(line)) return ModelLine::Atom;
+    if (line.starts_with("MODEL ") || line == "MODEL") return ModelLine::Model;
+    if (line.starts_with("ENDMDL")) return ModelLine::Endmdl;
+    return trimmed(line) == "END" ? ModelLine::End : ModelLine::Other;
+}
+
 // Calls read(line) for the first of atom records that follow each other with the same columns from 18 to `last`.
 template <class Read>
 void for_each_residue(std::string_view text, const PdbModelSpan& model, std::size_t last, Read read) {
@@ -134,7 +143,11 @@ ResiduesOfChains residues_of_chains(std::string_view text, const PdbModelSpan& m
 
 }  // namespace
 
-PdbModels find_pdb_models(std::string_view text) { return ModelFinder(text).run(); }
+PdbModels find_models(std::string_view text, ModelLine (*kind_of)(std::string_view line)) {
+    return ModelFinder(text).run(kind_of);
+}
+
+PdbModels find_pdb_models(std::string_view text) { return ModelFinder(text).run(kind_in_pdb); }
 
 std::set<std::string> chains_of(std::string_view text, const PdbModelSpan& model) {
     std::set<std::string> chains;

@@ -57,6 +57,14 @@ std::size_t count_letters(std::string_view name) {
     return std::min(name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ"), name.size());
 }
 
+// Where a file ends without a line end, and another was written behind it: "ENDATOM      1".
+void refuse_joined(std::string_view line, std::size_t from, std::size_t number, const std::string& file) {
+    const std::size_t place = std::min(line.find("ATOM  ", from), line.find("HETATM", from));
+    if (place == std::string_view::npos || !has_coordinates(line.substr(place))) return;
+    fail_at(file, {number, place + 1},
+            "an atom record begins within a line; put it on a line of its own, as where two files were joined");
+}
+
 class RecordTidier {
 public:
     RecordTidier(std::string& text, const std::string& file) : text_(text), file_(file), lines_(text) {}
@@ -84,14 +92,9 @@ private:
             unknown_.add(lines_.number(), Words(line).next());
     }
 
-    // Where a file ends without a line end, and another was written behind it: "ENDATOM      1".
     void check_joined(std::string_view line, std::size_t shortest) const {
         if (line.size() <= shortest) return;
-        const std::size_t from = is_atom_record(line) ? kCoordinatesEnd : 1;
-        const std::size_t place = std::min(line.find("ATOM  ", from), line.find("HETATM", from));
-        if (place == std::string_view::npos || !has_coordinates(line.substr(place))) return;
-        fail_at(file_, {lines_.number(), place + 1},
-                "an atom record begins within a line; put it on a line of its own, as where two files were joined");
+        refuse_joined(line, is_atom_record(line) ? kCoordinatesEnd : 1, lines_.number(), file_);
     }
 
     void tidy(std::string_view line, std::size_t indent, const std::string& name) {
@@ -136,6 +139,11 @@ bool is_pdb_record(std::string_view line) {
 bool is_record_name(std::string_view letters) {
     return std::any_of(kRecords.begin(), kRecords.end(),
                        [&](std::string_view r) { return r.substr(0, count_letters(r)) == letters; });
+}
+
+void check_joined_record(std::string_view line, std::size_t number, const std::string& file) {
+    const std::size_t indent = std::min(line.find_first_not_of(" \t"), line.size());
+    if (may_be_the_last(record_name(line, indent))) refuse_joined(line, indent + 1, number, file);
 }
 
 RecordOddities tidy_records(std::string& text, const std::string& file) { return RecordTidier(text, file).run(); }

@@ -18,6 +18,10 @@ bool is_pdb_record(std::string_view line);
 /// True for the name of a record of the format without its digits: TER, CRYST.
 bool is_record_name(std::string_view letters);
 
+/// For other formats with such records, a line without an atom of its own.
+/// throws   InputError if an atom record begins within the line of END, TER, CONECT or MASTER
+void check_joined_record(std::string_view line, std::size_t number, const std::string& file);
+
 /// What was found about the names of records; a line per kind, with the number of the first line of the kind.
 struct RecordOddities {
     std::vector<std::string> notes;

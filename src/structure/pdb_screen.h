@@ -32,6 +32,12 @@ struct PdbModels {
 
 PdbModels find_pdb_models(std::string_view text);
 
+/// What a line means to the models of a file.
+enum class ModelLine { Atom, Model, Endmdl, End, Other };
+
+/// The models of another format with such records, whose lines are told by a function. MODEL may stand behind blanks.
+PdbModels find_models(std::string_view text, ModelLine (*kind_of)(std::string_view line));
+
 /// Names of the chains of a model, whatever else is in its records.
 std::set<std::string> chains_of(std::string_view text, const PdbModelSpan& model);
 

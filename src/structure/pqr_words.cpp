@@ -14,8 +14,8 @@ namespace meniscus::reading {
 namespace {
 
 constexpr std::size_t kLongestName = 4;
-constexpr std::size_t kName = 2;    // position of the atom's name among the words
-constexpr std::size_t kNumber = 4;  // the first word of an atom that may be a number
+constexpr std::size_t kNameWord = 2;    // position of the atom's name among the words
+constexpr std::size_t kNumberWord = 4;  // the first word of an atom that may be a number
 
 bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 
@@ -75,13 +75,13 @@ void cut_at_columns(std::vector<Word>& words) {
 
 // "HD21ASN": no name is so long, and none ends with a residue.
 void cut_name(std::vector<Word>& words) {
-    if (words.size() <= kName || words[kName].text.size() <= kLongestName) return;
-    const std::string word = upper_case(words[kName].text);
+    if (words.size() <= kNameWord || words[kNameWord].text.size() <= kLongestName) return;
+    const std::string word = upper_case(words[kNameWord].text);
     for (std::size_t length = kLongestName; length > 0; --length) {
         const std::string residue = word.substr(length);
         const bool is_known = is_amino_acid(residue) || is_nucleotide(residue) || is_water(residue);
         if (residue.size() < 3 || !is_known) continue;
-        cut(words, kName, length);
+        cut(words, kNameWord, length);
         return;
     }
 }
@@ -112,15 +112,15 @@ const Word* find_grown_numbers(const std::vector<Word>& words) {
     const auto has_two_points = [](const Word& word) {
         return std::count(word.text.begin(), word.text.end(), '.') > 1;
     };
-    const std::size_t first = std::min(kNumber, words.size());
+    const std::size_t first = std::min(kNumberWord, words.size());
     const auto found = std::find_if(words.begin() + static_cast<std::ptrdiff_t>(first), words.end(), has_two_points);
     return found == words.end() ? nullptr : &*found;
 }
 
 bool has_grown_name(const std::vector<Word>& words) {
     constexpr std::size_t kWords = 10;  // of an atom without a chain
-    if (words.size() <= kName + 1 || words[kName].text.size() <= kLongestName) return false;
-    return words.size() < kWords || (words.size() == kWords && words[kName + 1].text.size() == 1);
+    if (words.size() <= kNameWord + 1 || words[kNameWord].text.size() <= kLongestName) return false;
+    return words.size() < kWords || (words.size() == kWords && words[kNameWord + 1].text.size() == 1);
 }
 
 bool may_be_atom(std::string_view line) {

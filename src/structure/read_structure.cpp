@@ -90,6 +90,7 @@ private:
     RawModel named_model(int position) const {
         RawModel model = parse(position);
         join_residues(model);
+        correct_lone_ions(model);
         classify_residues(model);
         return model;
     }

@@ -18,10 +18,27 @@ TEST(Gunzip, GivesBackTheContent) {
 }
 
 TEST(Gunzip, ReadsAllMembersAndIgnoresPadding) {
+    const std::string zeros(512, '\0');
     EXPECT_EQ(gunzip(gzipped("one ") + gzipped("two"), "f"), "one two");
-    EXPECT_EQ(gunzip(gzipped("one") + std::string(512, '\0'), "f"), "one");
+    EXPECT_EQ(gunzip(gzipped("one") + zeros, "f"), "one");
+    EXPECT_EQ(gunzip(gzipped("one ") + zeros + gzipped("two") + zeros, "f"), "one two");
+}
+
+TEST(Gunzip, NothingBehindAMemberIsDroppedSilently) {
+    const std::string one = gzipped("one");
+    const std::string two = gzipped("two");
+    const std::string damaged = "X" + two.substr(1);
+    for (const std::string& rest : {damaged, std::string(3, '\0') + damaged, two.substr(0, 1), std::string("\n")}) {
+        const std::size_t place = one.size() + rest.find_first_not_of('\0') + 1;
+        try {
+            gunzip(one + rest, "f");
+            ADD_FAILURE() << rest.size();
+        } catch (const InputError& error) {
+            testing::expect_contains(error.what(), "f: byte " + std::to_string(place) + ": what follows the gzip data");
+        }
+    }
     // A size of the content that is none: room for it is not even looked for.
-    EXPECT_LT(gunzip(gzipped("one") + std::string(4, '\xff'), "f").capacity(), 1000U);
+    EXPECT_THROW(gunzip(one + std::string(4, '\xff'), "f"), InputError);
 }
 
 TEST(Gunzip, CutOrDamagedDataAreErrors) {

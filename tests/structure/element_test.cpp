@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 namespace meniscus::reading {
 namespace {
 
@@ -69,6 +72,27 @@ TEST(Element, IonsByTheNamesOfForceFields) {
     EXPECT_EQ(element_from_columns(" CLA", "CLA"), "CL");
     EXPECT_EQ(element_from_name("POT", "POT"), "K");
     EXPECT_EQ(element_from_name("NA+", "NA+"), "NA");
+}
+
+TEST(Element, IonsMayBeNamedWithTheirCharge) {
+    for (const auto& [residue, name] : std::vector<std::pair<const char*, const char*>>{
+             {"NA+", "NA"}, {"CL-", "CL"}, {"K+", "K"}, {"MG2+", "MG"}, {"CA2+", "CA"}, {"CS+", "CS"}, {"CD+2", "CD"}})
+        EXPECT_EQ(element_from_name(name, residue), name) << residue;
+    EXPECT_EQ(element_from_columns(" NA ", "NA+"), "NA");
+    EXPECT_EQ(element_from_name("CA", "LIG+"), "C");
+    EXPECT_EQ(element_from_name("NA", "NA2"), "N");  // which may be a ligand
+}
+
+TEST(Element, AnAtomAloneMayBeAnIonByItsResidue) {
+    EXPECT_EQ(element_of_ion("NA", "NA2"), "NA");
+    EXPECT_EQ(element_of_ion("CS", "CS1"), "CS");
+    EXPECT_EQ(element_of_ion("CA", "ION"), "CA");
+    EXPECT_EQ(element_of_ion("CL-", "ION"), "CL");
+    EXPECT_EQ(element_of_ion("SOD", "ION"), "NA");
+    EXPECT_EQ(element_of_ion("CLA", "ION"), "CL");
+    for (const char* residue : {"LIG", "ALA", "UNK", "HOH", "CAX"})
+        EXPECT_EQ(element_of_ion("CA", residue), "") << residue;
+    EXPECT_EQ(element_of_ion("C1", "LIG"), "");
 }
 
 TEST(Element, WithoutAlignmentOnlyPlainCasesAreTwoLetters) {

@@ -112,6 +112,18 @@ TEST(GroReader, FramesAreModels) {
                     "a.gro:8:1: the file ends after 1 of 2 atoms");
 }
 
+TEST(GroReader, IonsOfForceFieldsHaveTheirElements) {
+    const Structure ions = read_text(
+        "t\n7\n    1NA+     NA    1   0.000   0.000   0.000\n    2CA2+    CA    2   1.000   0.000   0.000\n"
+        "    3NA2     NA    3   2.000   0.000   0.000\n    4ION      CA    4   3.000   0.000   0.000\n"
+        "    5ION     CLA    5   4.000   0.000   0.000\n    6LIG     CA    6   5.000   0.000   0.000\n"
+        "    6LIG     CB    7   5.100   0.000   0.000\n 9 9 9\n",
+        kEverything, kAll);
+    EXPECT_TRUE(
+        has_warning(ions, "7 elements in non-standard residues guessed from atom names: 2 Ca, 2 Na, 2 C, 1 Cl") ||
+        has_warning(ions, "2 C, 2 Ca, 2 Na, 1 Cl"));
+}
+
 TEST(GroReader, MissingAndWrongLinesAreNamed) {
     const std::string line = "    1ALA     CA    1   1.000   0.000   0.000";
     expect_contains(error_of("", "a.gro"), "a.gro:1:1: the line of the title is missing");
@@ -163,6 +175,8 @@ TEST(GroReader, ASimulationGivesItsProtein) {
     EXPECT_EQ(protein.radii_set, "bondi");
     EXPECT_FALSE(has_warning(protein, "unknown element"));
     EXPECT_EQ(read_structure(path.string(), kAll).atoms.size(), 36597U);
+    const Structure sodium = read_structure(path.string(), {.select = "(NA+)", .hetero = HeteroPolicy::All});
+    EXPECT_TRUE(has_warning(sodium, "4 elements in non-standard residues guessed from atom names: 4 Na"));
 }
 
 }  // namespace

@@ -62,7 +62,18 @@ TEST(Pqr, ErrorsNameTheirPlace) {
     EXPECT_TRUE(error_in_pqr("ATOM 1 N ALA 1 0 nan 0 0 1.5 N\n").starts_with("f:1:18: y coordinate 'nan'"));
     EXPECT_TRUE(error_in_pqr("\nATOM 1 N ALA 1 0 0 0 1,0 1.5\n").starts_with("f:2:22: charge '1,0'"));
     expect_contains(error_in_pqr("ATOM 1 N ALA 1 0 0 0 0\n"), "this line has 9");
-    expect_contains(error_in_pqr("ATOM 1 N ALA A 0 0 0 0 1\n"), "residue number 'A'");
+    expect_contains(error_in_pqr("ATOM 1 N ALA A 0.5 0 0 0 1\n"), "residue number 'A'");
+}
+
+TEST(Pqr, AWordThatIsMissingIsNotTakenForAnother) {
+    const std::string numbers = " 27.340 24.430 2.614 0.1000";
+    const std::string no_radius = error_in_pqr("ATOM 1 N MET A 1" + numbers + "\n");
+    EXPECT_TRUE(no_radius.starts_with("f:1:44: a PQR atom has 10 words, or 11 with a chain (here 'A')")) << no_radius;
+    const std::string no_serial = error_in_pqr("ATOM N MET A 1" + numbers + " 1.62\n");
+    EXPECT_TRUE(no_serial.starts_with("f:1:6: serial number 'N' is not an integer")) << no_serial;
+    expect_contains(error_in_pqr("ATOM 1000000HD21 ASN A 1" + numbers + " 1.62\n"), "serial number '1000000HD21'");
+    for (const char* serial : {"-1", "A0000", "186a0", "*****", "***"})
+        EXPECT_EQ(one_atom(std::string("ATOM ") + serial + " N MET A 1" + numbers + " 1.62").atom.name, "N") << serial;
 }
 
 TEST(Pqr, ASerialNumberMayHaveGrownOntoItsRecord) {
@@ -176,6 +187,51 @@ TEST(Pqr, ModelsAreTakenOneByOneAndEndEndsNone) {
     EXPECT_EQ(read_text(two, "a.pqr", {.model = 2}).atoms.size(), 2U);
     EXPECT_TRUE(has_warning(read_text(atom + two, "a.pqr"), "atoms outside MODEL and ENDMDL"));
     expect_contains(error_of("MODEL 1\n" + atom + "MODEL 2\nATOM 1 N\n", "a.pqr", {.model = 2}), "a.pqr:4:9: ");
+}
+
+TEST(Pqr, EndmdlAloneSeparatesModels) {
+    const std::string atom = "ATOM 1 N ALA 1 0.0 0.0 0.0 0 1\n";
+    const auto atoms = [](const std::string& text, int model) {
+        return read_text(text, "a.pqr", {.model = model}).atoms.size();
+    };
+    const std::string two = atom + " endmdl\n" + atom + "TER\nEND\n" + atom + "ENDMDL\n";
+    EXPECT_EQ(atoms(two, 1), 1U);
+    EXPECT_EQ(atoms(two, 2), 2U);
+    EXPECT_TRUE(has_warning(read_text(two, "a.pqr"), "different number of atoms"));
+    const std::string behind = "MODEL 1\n" + atom + "ENDMDL\n" + atom;
+    EXPECT_EQ(atoms(behind, 1), 1U);
+    EXPECT_TRUE(has_warning(read_text(behind, "a.pqr"), "line 4: atoms outside MODEL and ENDMDL"));
+    EXPECT_EQ(atoms("MODEL1\n" + atom + "ENDMDL\n MODEL 2\n" + atom + atom + "ENDMDL\n" + atom, 2), 2U);
+}
+
+TEST(Pqr, LinesBetweenModelsAreReadAsWell) {
+    const std::string atom = "ATOM 1 N ALA 1 0.0 0.0 0.0 0 1\n";
+    const std::string odd = "ATM 1 N ALA 1 0.0 0.0 0.0 0 1\n";
+    expect_contains(error_of(odd + atom, "a.pqr"), "a.pqr:1:1: 'ATM' is no record");
+    expect_contains(error_of(atom + "ENDMDL\n" + odd + atom, "a.pqr", {.model = 2}), "a.pqr:3:1: 'ATM' is no record");
+    expect_contains(error_of(atom + "ENDMDL\n" + odd, "a.pqr"), "a.pqr:3:1: 'ATM' is no record");
+    expect_contains(error_of("REMARK\nEND\n", "a.pqr"), "no atoms in this file");
+}
+
+TEST(Pqr, NoAtomIsLostInALineOfSomethingElse) {
+    const std::string atom = "ATOM      2  C   ALA A   1       1.000   2.000   3.000  0.1000 1.7000\n";
+    for (const std::string before : {"END   ", "END", "TER   ", "TER 1 ALA A 1 ", "CONECT    1    2", "ENDMDL"}) {
+        const std::string message = error_in_pqr(before + atom);
+        EXPECT_TRUE(message.starts_with("f:1:" + std::to_string(before.size() + 1) + ": an atom record begins within"))
+            << message;
+    }
+    const std::string first = "ATOM 1 N ALA A 1 1.0 2.0 3.0 0.1 1.7 ";
+    expect_contains(error_in_pqr(first + atom), "f:1:38: another atom begins within the line");
+    expect_contains(error_in_pqr(first + "N atom 2 C ALA A 1 1.0 2.0 3.0 0.1 1.7\n"), "f:1:38: another atom begins");
+    EXPECT_EQ(error_in_pqr(first + "N N1+ 0.5\n"), "");
+}
+
+TEST(Pqr, AnAtomInACommentIsTold) {
+    const std::string atom = "ATOM 2 C ALA A 1 1.0 2.0 3.0 0.1 1.7\n";
+    const RawModel model = parse_pqr(atom + "#" + atom + "## " + atom + "# 1.0 2.0 3.0\n# ATOM and so on\n", "f");
+    EXPECT_EQ(model.atoms.size(), 1U);
+    EXPECT_EQ(model.warnings, std::vector<std::string>{"line 2: '#ATOM' begins a comment, but the line has coordinates "
+                                                       "as an atom has; left out (2 times)"});
 }
 
 TEST(Pqr, OptionsChooseAtoms) {
