@@ -3,6 +3,7 @@
 #include "structure/pdb_line.h"
 
 #include "fragments.h"
+#include "structure/element.h"
 
 namespace meniscus {
 namespace {
