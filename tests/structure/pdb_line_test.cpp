@@ -69,7 +69,7 @@ int number_of(const std::string& from_23) {
 }
 
 TEST(PdbLine, ResidueNumbersThatAreNoneAreRefused) {
-    for (const char* text : {"X1?*", "****", " 1 1", "1.0 ", "271A", "A1  ", "Aa00", "A000 1", "  --"}) {
+    for (const char* text : {"X1?*", "****", " 1 1", "1.0 ", "271A", "A1  ", "Aa00", "A0001", "  --"}) {
         const std::string error = with_number(text);
         EXPECT_TRUE(error.starts_with("n.pdb:1:23: residue number '")) << error << text;
     }
