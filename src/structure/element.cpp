@@ -118,4 +118,10 @@ std::string element_from_columns(std::string_view name, std::string_view residue
     return pair.empty() || !ion_element(trimmed(upper), residue).empty() ? element : pair;
 }
 
+bool may_be_element(std::string_view name, std::string_view residue, std::string_view symbol) {
+    if (symbol.size() != 2) return false;
+    if (element_from_columns(name, residue) == symbol) return true;
+    return !is_standard(residue) && without_leading_digits(upper_case(trimmed(name))).starts_with(symbol);
+}
+
 }  // namespace meniscus::reading

@@ -24,6 +24,10 @@ std::string element_of_ion(std::string_view name, std::string_view residue);
 /// The symbol in upper case if the text is one (any case, blanks around it), else empty.
 std::string element_symbol(std::string_view text);
 
+/// True if an atom of this name (four columns) may be of an element of two letters: what element_from_columns tells, or
+/// outside the standard residues a name that begins with the symbol, wherever it stands in its columns.
+bool may_be_element(std::string_view name, std::string_view residue, std::string_view symbol);
+
 std::string upper_case(std::string_view text);
 
 }  // namespace meniscus::reading

@@ -94,6 +94,10 @@ std::optional<Format> format_by_content(std::string_view text) {
     return std::nullopt;
 }
 
+std::string column_of(std::string_view text, std::size_t place) {
+    return std::to_string(place - (text.substr(0, place).find_last_of('\n') + 1) + 1);
+}
+
 std::string line_of(std::string_view text, std::size_t place) {
     return std::to_string(1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n'));
 }
@@ -151,8 +155,8 @@ void check_content(const InputFile& file) {
     }
     const std::size_t zero = file.text.find('\0');
     if (zero == std::string::npos) return;
-    throw InputError(file.path + ":" + line_of(file.text, zero) +
-                     ": a zero byte; this is not a text file, or it is damaged");
+    throw InputError(file.path + ":" + line_of(file.text, zero) + ":" + column_of(file.text, zero) +
+                     ": a zero byte; this is not a text file, or it is damaged: fetch or write it again");
 }
 
 // Old programs fill the last block of a file with zero bytes; so does a file system after a crash.
@@ -169,7 +173,7 @@ void tell_line_ends(InputFile& file) {
     const std::string& text = file.text;
     if (text.starts_with("\xEF\xBB\xBF")) file.notes.push_back("line 1: a byte-order mark, left out");
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-        throw InputError(file.path + ":1: text in UTF-16; save the file as UTF-8 or ASCII");
+        throw InputError(file.path + ":1:1: text in UTF-16; save the file as UTF-8 or ASCII");
     for (std::size_t i = text.find('\r'); i != std::string::npos; i = text.find('\r', i + 1)) {
         if (i + 1 == text.size() || text[i + 1] == '\n') continue;
         file.notes.push_back("line " + line_of(text, i) +
@@ -196,6 +200,15 @@ void check_radii_columns(const InputFile& file) {
         throw InputError(file.path +
                          ": contains PQR (charge and radius where occupancy and B factor belong) but is named as a PDB "
                          "file; rename it to .pqr");
+}
+
+// The names of records come first: without their capitals and places no atom is known as one.
+void tidy_pdb(InputFile& file) {
+    if (file.format != Format::Pdb && file.format != Format::Pdbqt) return;
+    RecordOddities found = tidy_records(file.text, file.path);
+    file.notes.insert(file.notes.end(), found.notes.begin(), found.notes.end());
+    file.warnings.insert(file.warnings.end(), found.warnings.begin(), found.warnings.end());
+    if (file.format == Format::Pdb) recognise_pdbqt(file);
 }
 
 void tidy_text(InputFile& file) {
@@ -257,7 +270,7 @@ InputFile load_bytes(std::string bytes, const std::string& path, Checksum checks
     if (!is_bcif(file.text)) tidy_text(file);
     choose_format(file);
     check_content(file);
-    if (file.format == Format::Pdb) recognise_pdbqt(file);
+    tidy_pdb(file);
     check_radii_columns(file);
     return file;
 }

@@ -12,7 +12,8 @@ namespace meniscus::reading {
 enum class Format { Pdb, Pdbqt, Cif, Bcif, Pqr, Xyzr, Xyzrn, Gro };
 enum class Checksum { LeftOut, Found };
 
-/// A file as text: decompressed, lines ending with '\n', no byte order mark. BinaryCIF is left as its bytes are.
+/// A file as text: decompressed, lines ending with '\n', no byte order mark, records of PDB tidied (pdb_records.h).
+/// BinaryCIF is left as its bytes are.
 struct InputFile {
     std::string path;    ///< as given; "-" for standard input
     std::string name;    ///< stem for outputs

@@ -43,14 +43,10 @@ private:
     std::map<std::string, std::string> of_model_;
 };
 
-// Copies of a biological unit are side by side; the models of an ensemble are where the first one is.
-bool lie_on_each_other(const RawModel& a, const RawModel& b) {
-    constexpr double kNear = 4.0;  // Å
-    if (a.atoms.size() != b.atoms.size()) return false;
-    std::size_t near = 0;
-    for (std::size_t i = 0; i < a.atoms.size(); ++i)
-        near += squared_norm(a.atoms[i].centre - b.atoms[i].centre) < kNear * kNear ? 1 : 0;
-    return 2 * near > a.atoms.size();
+std::vector<Vec3> places_of(const RawModel& model) {
+    std::vector<Vec3> places;
+    for (const RawAtom& atom : model.atoms) places.push_back(atom.centre);
+    return places;
 }
 
 void append_model(RawModel& whole, RawModel part, const std::string& file) {
@@ -77,8 +73,16 @@ std::string list_of_chains(const std::set<std::string>& chains) {
 
 }  // namespace
 
+bool lie_on_each_other(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    constexpr double kNear = 4.0;  // Å
+    if (a.size() != b.size()) return false;
+    std::size_t near = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) near += squared_norm(a[i] - b[i]) < kNear * kNear ? 1 : 0;
+    return 2 * near > a.size();
+}
+
 RawModel join_models(std::vector<RawModel> models, const std::string& file) {
-    const bool is_ensemble = models.size() > 1 && lie_on_each_other(models[0], models[1]);
+    const bool is_ensemble = models.size() > 1 && lie_on_each_other(places_of(models[0]), places_of(models[1]));
     ChainNames names(models);
     for (RawModel& model : models) {
         names.begin_model();

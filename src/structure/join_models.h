@@ -19,12 +19,16 @@ namespace meniscus::reading {
 /// throws   LimitError if there would be more atoms than an index can count
 RawModel join_models(std::vector<RawModel> models, const std::string& file);
 
+/// True if most of the points are near those of the same index, as in the models of an ensemble; copies of a biological
+/// unit and the partners of a complex are side by side. False if there are more of one than of the other.
+bool lie_on_each_other(const std::vector<Vec3>& a, const std::vector<Vec3>& b);
+
 /// Chains of a file with several models that are partners of the first model and not copies of it, such as the ligand
 /// that a docking program writes behind the receptor's END.
 struct Partners {
     std::set<std::string> taken;      ///< chains of the first model
     std::set<std::string> others;     ///< chains that only other models have
-    std::set<std::string> namesakes;  ///< chains with names of the first model's, but with other residues
+    std::set<std::string> namesakes;  ///< chains with names of the first model's, but of other residues or elsewhere
     std::size_t end_record = 0;       ///< number of the line with END that ends the first model, 0 if there is none
 
     bool exist() const { return !others.empty() || !namesakes.empty(); }

@@ -7,6 +7,7 @@
 
 #include "reading/numbers.h"
 #include "reading/text.h"
+#include "structure/join_models.h"
 #include "structure/pdb_screen.h"
 
 namespace meniscus::reading {
@@ -28,6 +29,14 @@ struct Irregularity {
     }
 };
 
+// "MODEL        1", "MODEL", "MODEL1", "MODEL_1"; but not "MODELS".
+bool is_pdb_model_record(std::string_view line) {
+    constexpr std::string_view kModel = "MODEL";
+    if (!line.starts_with(kModel)) return false;
+    const char behind = line.size() > kModel.size() ? line[kModel.size()] : ' ';
+    return (behind < 'A' || behind > 'Z') && (behind < 'a' || behind > 'z');
+}
+
 class ModelFinder {
 public:
     explicit ModelFinder(std::string_view text) : lines_(text) {}
@@ -46,6 +55,7 @@ private:
         if (kind == ModelLine::Atom) {
             if (!open_) begin_without_record();
             ++atoms_;
+            chain_width_ = chain_width_of_record(lines_.line(), chain_width_);
         } else if (kind == ModelLine::Model) {
             begin_model(trimmed(lines_.line()).substr(5));
         } else if (is_end || kind == ModelLine::Endmdl) {
@@ -81,12 +91,13 @@ private:
     }
 
     void close(std::size_t end, std::size_t end_record = 0) {
-        if (open_) result_.spans.push_back({begin_, end, first_line_, atoms_, end_record});
+        if (open_) result_.spans.push_back({begin_, end, first_line_, atoms_, end_record, ChainWidth::Unknown});
         atoms_ = 0;
         open_ = false;
     }
 
     PdbModels finish() {
+        for (PdbModelSpan& span : result_.spans) span.chain_width = chain_width_;
         for (const Irregularity& kind : {repeated_, unnumbered_, unclosed_, outside_}) {
             if (kind.count > 0) result_.warnings.push_back(kind.message());
         }
@@ -96,6 +107,7 @@ private:
     Lines lines_;
     PdbModels result_;
     std::set<std::string> numbers_;
+    ChainWidth chain_width_ = ChainWidth::Unknown;
     bool open_ = false;
     bool explicit_ = false;
     bool seen_explicit_ = false;
@@ -112,7 +124,7 @@ private:
 
 ModelLine kind_in_pdb(std::string_view line) {
     if (is_atom_record(line)) return ModelLine::Atom;
-    if (line.starts_with("MODEL ") || line == "MODEL") return ModelLine::Model;
+    if (is_pdb_model_record(line)) return ModelLine::Model;
     if (line.starts_with("ENDMDL")) return ModelLine::Endmdl;
     return trimmed(line) == "END" ? ModelLine::End : ModelLine::Other;
 }
@@ -136,9 +148,52 @@ using ResiduesOfChains = std::map<std::string, std::set<std::string_view>>;
 
 ResiduesOfChains residues_of_chains(std::string_view text, const PdbModelSpan& model) {
     ResiduesOfChains residues;
-    for_each_residue(text, model, 27,
-                     [&](std::string_view line) { residues[chain_of_record(line)].insert(line.substr(17, 10)); });
+    for_each_residue(text, model, 27, [&](std::string_view line) {
+        residues[chain_of_record(line, model.chain_width)].insert(line.substr(17, 10));
+    });
     return residues;
+}
+
+// Of atoms with coordinates, by the columns of their names and residues.
+using PlacesOfAtoms = std::map<std::string_view, Vec3>;
+
+std::map<std::string, PlacesOfAtoms> places_of_chains(std::string_view text, const PdbModelSpan& model) {
+    std::map<std::string, PlacesOfAtoms> places;
+    Lines lines(text.substr(model.begin, model.end - model.begin));
+    while (lines.next()) {
+        const std::string_view line = lines.line();
+        if (!is_atom_record(line) || line.size() < kPdbCoordinatesEnd) continue;
+        const auto x = finite_number(line.substr(30, 8));
+        const auto y = finite_number(line.substr(38, 8));
+        const auto z = finite_number(line.substr(46, 8));
+        if (x && y && z)
+            places[chain_of_record(line, model.chain_width)].emplace(line.substr(12, 15), Vec3{*x, *y, *z});
+    }
+    return places;
+}
+
+// Whether the atoms that both have are elsewhere: the other subunit of a homodimer, no second frame of the first.
+bool lie_apart(const PlacesOfAtoms& known, const PlacesOfAtoms& other) {
+    std::vector<Vec3> first;
+    std::vector<Vec3> second;
+    for (const auto& [name, place] : other) {
+        const auto same = known.find(name);
+        if (same == known.end()) continue;
+        first.push_back(same->second);
+        second.push_back(place);
+    }
+    return !first.empty() && !lie_on_each_other(first, second);
+}
+
+// Chains of the same name and residues that are not where the first model has them.
+std::set<std::string> moved_chains(std::string_view text, const PdbModelSpan& first, const PdbModelSpan& other) {
+    const std::map<std::string, PlacesOfAtoms> known = places_of_chains(text, first);
+    std::set<std::string> moved;
+    for (const auto& [chain, places] : places_of_chains(text, other)) {
+        const auto same = known.find(chain);
+        if (same != known.end() && lie_apart(same->second, places)) moved.insert(chain);
+    }
+    return moved;
 }
 
 }  // namespace
@@ -151,13 +206,14 @@ PdbModels find_pdb_models(std::string_view text) { return ModelFinder(text).run(
 
 std::set<std::string> chains_of(std::string_view text, const PdbModelSpan& model) {
     std::set<std::string> chains;
-    for_each_residue(text, model, 22, [&](std::string_view line) { chains.insert(chain_of_record(line)); });
+    for_each_residue(text, model, 22,
+                     [&](std::string_view line) { chains.insert(chain_of_record(line, model.chain_width)); });
     return chains;
 }
 
 std::set<std::string> namesakes_of(std::string_view text, const PdbModelSpan& first, const PdbModelSpan& other) {
     const ResiduesOfChains known = residues_of_chains(text, first);
-    std::set<std::string> namesakes;
+    std::set<std::string> namesakes = moved_chains(text, first, other);
     for (const auto& [chain, residues] : residues_of_chains(text, other)) {
         const auto same = known.find(chain);
         if (same == known.end()) continue;

@@ -28,6 +28,9 @@ constexpr auto kRead = std::to_array<std::string_view>({"ENDMDL", "END", "MODEL"
 
 constexpr std::size_t kNameWidth = 6;
 
+// What may stand in front of a record. A form feed begins a page of a printed listing.
+constexpr std::string_view kBlanks = " \t\f\v";
+
 // The first columns from the first character that is no blank, in capitals.
 std::string record_name(std::string_view line, std::size_t indent) {
     std::string name = upper_case(line.substr(indent, kNameWidth));
@@ -39,27 +42,40 @@ bool is_known(std::string_view name) {
     return std::any_of(kRecords.begin(), kRecords.end(), [&](std::string_view r) { return name.starts_with(r); });
 }
 
+std::size_t count_letters(std::string_view name) {
+    return std::min(name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ"), name.size());
+}
+
 bool is_read(std::string_view name) {
     const std::string_view word = trimmed(name);
-    return is_atom_record(name) || std::find(kRead.begin(), kRead.end(), word) != kRead.end();
+    return is_atom_record(name) || std::find(kRead.begin(), kRead.end(), word) != kRead.end() ||
+           name.substr(0, count_letters(name)) == "MODEL";
 }
 
 // A byte behind the name of ATOM that leaves it a name.
 bool may_follow_atom(char c) { return is_blank(c) || (c >= '0' && c <= '9') || c == '*' || c == '-'; }
 
-// Records behind which nothing else may stand in their line, so that another file's first atom is seen there.
+// Records of anything but free text, so that an atom is seen behind them in their line.
 bool may_be_the_last(std::string_view name) {
-    constexpr auto kLast = std::to_array<std::string_view>({"END", "TER", "CONECT", "MASTER"});
+    constexpr auto kLast = std::to_array<std::string_view>(
+        {"END", "TER", "CONECT", "MASTER", "ANISOU", "SIGATM", "SIGUIJ", "MODEL", "CRYST1", "ORIGX", "SCALE", "MTRIX"});
     return std::any_of(kLast.begin(), kLast.end(), [&](std::string_view r) { return name.starts_with(r); });
 }
 
-std::size_t count_letters(std::string_view name) {
-    return std::min(name.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ"), name.size());
+// Where ATOM or HETATM begins in any case, with a blank or the digits of its serial number behind it.
+std::size_t find_atom_name(std::string_view line, std::size_t from) {
+    for (std::size_t i = from; i + kNameWidth < line.size(); ++i) {
+        if ((line[i] | 0x20) != 'a' && (line[i] | 0x20) != 'h') continue;
+        const std::string name = upper_case(line.substr(i, kNameWidth + 1));
+        const char behind = name[name.starts_with("HETATM") ? kNameWidth : 4];
+        if (is_atom_record(name) && (is_blank(behind) || (behind >= '0' && behind <= '9'))) return i;
+    }
+    return std::string_view::npos;
 }
 
 // Where a file ends without a line end, and another was written behind it: "ENDATOM      1".
 void refuse_joined(std::string_view line, std::size_t from, std::size_t number, const std::string& file) {
-    const std::size_t place = std::min(line.find("ATOM  ", from), line.find("HETATM", from));
+    const std::size_t place = find_atom_name(line, from);
     if (place == std::string_view::npos || !has_coordinates(line.substr(place))) return;
     fail_at(file, {number, place + 1},
             "an atom record begins within a line; put it on a line of its own, as where two files were joined");
@@ -82,7 +98,7 @@ public:
 private:
     void read(std::string_view line) {
         if (is_atom_record(line)) return check_joined(line, kRecordLength);
-        const std::size_t indent = line.find_first_not_of(" \t");
+        const std::size_t indent = line.find_first_not_of(kBlanks);
         if (indent == std::string_view::npos) return;
         const std::string name = record_name(line, indent);
         if (may_be_the_last(name)) check_joined(line, indent + 1);
@@ -108,7 +124,7 @@ private:
         if (has_usual_columns(line))
             std::fill_n(begin, indent + word.size(), ' ');
         else
-            std::rotate(begin, begin + indent, begin + line.size());
+            std::fill(std::rotate(begin, begin + indent, begin + line.size()), begin + line.size(), ' ');
         std::copy(word.begin(), word.end(), begin);
     }
 
@@ -131,7 +147,7 @@ bool is_atom_record(std::string_view line) {
 }
 
 bool is_pdb_record(std::string_view line) {
-    const std::size_t indent = std::min(line.find_first_not_of(" \t"), line.size());
+    const std::size_t indent = std::min(line.find_first_not_of(kBlanks), line.size());
     const std::string name = record_name(line, indent);
     return is_known(name) || is_atom_record(name);
 }

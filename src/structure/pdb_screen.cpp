@@ -3,144 +3,25 @@
 #include "structure/pdb_screen.h"
 
 #include <cstdint>
-#include <optional>
 #include <type_traits>
 #include <utility>
 
-#include "radii/aliases.h"
 #include "reading/numbers.h"
 #include "reading/text.h"
 #include "structure/element.h"
 #include "structure/odd_lines.h"
-#include "structure/pdb_columns.h"
+#include "structure/pdb_line.h"
 
 namespace meniscus::reading {
 namespace {
 
 constexpr std::size_t kRecordLength = 80;
-constexpr std::size_t kCoordinatesEnd = 54;  // column 54 is the last of z
-
-// An ATOM or HETATM line under examination; columns are those of the format, from 1.
-class AtomLine {
-public:
-    AtomLine(std::string_view line, std::size_t number, const std::string& file)
-        : line_(without_blank_end(line)), number_(number), file_(file) {}
-
-    std::string_view columns(std::size_t first, std::size_t last) const {
-        if (first > line_.size()) return {};
-        return line_.substr(first - 1, last - first + 1);
-    }
-
-    // The columns, filled up with blanks to their full width.
-    std::string padded(std::size_t first, std::size_t last) const {
-        std::string text(columns(first, last));
-        text.resize(last - first + 1, ' ');
-        return text;
-    }
-
-    std::string_view text() const { return line_; }
-
-    bool is_hetatm() const { return line_.starts_with("HETATM"); }
-
-    std::size_t number() const { return number_; }
-
-    [[noreturn]] void fail(std::size_t column, const std::string& message) const {
-        fail_at(file_, {number_, column}, message);
-    }
-
-    void check_columns() const {
-        if (has_usual_columns(line_)) return;
-        if (const auto fault = find_column_fault(line_)) fail(fault->column, fault->message);
-    }
-
-    void check_length() const {
-        if (line_.size() >= kCoordinatesEnd) return;
-        const std::size_t tab = line_.find('\t');
-        if (tab != std::string_view::npos) fail(tab + 1, "a tab in an atom record; the PDB format has fixed columns");
-        fail(line_.size() + 1, "the record ends before the coordinates do (column 54); the file is cut off or damaged");
-    }
-
-    // Names go into messages, tables and pages; no format of structures has other characters in them.
-    void check_names() const {
-        const std::size_t place = find_unprintable(columns(13, 27));
-        if (place == std::string_view::npos) return;
-        fail(13 + place, "a byte that is not a printable character in the names of an atom; correct it");
-    }
-
-    double coordinate(std::size_t first, char axis) const {
-        const std::string_view field = columns(first, first + 7);
-        if (const auto value = finite_number(field)) return *value;
-        fail(first, std::string(1, axis) + " coordinate " + shown(field) +
-                        " is not a finite number; correct it or leave the atom out");
-    }
-
-    // A field of no consequence for any surface; nothing if it is blank or no number.
-    std::optional<double> optional_number(std::size_t first, std::size_t last, OddLines& odd) const {
-        const std::string_view field = trimmed(columns(first, last));
-        if (field.empty()) return std::nullopt;
-        const auto value = finite_number(field);
-        if (!value) odd.add(number_, field);
-        return value;
-    }
-
-private:
-    std::string_view line_;
-    std::size_t number_;
-    const std::string& file_;
-};
-
-struct ResidueColumns {
-    std::string name;
-    std::string chain;  // two columns
-};
-
-// Columns 18-22 hold a name of three letters and a chain of one or two, or, as MD programs write it, a name of four
-// letters (TIP3, POPC) and a chain of one or none.
-ResidueColumns residue_columns(const AtomLine& line) {
-    const std::string columns = line.padded(18, 22);
-    const std::string four = upper_case(trimmed(columns.substr(0, 4)));
-    const bool is_long_name = columns[3] != ' ' && columns[2] != ' ' && (columns[4] == ' ' || is_water(four));
-    if (is_long_name) return {four, std::string(" ") + columns[4]};
-    return {upper_case(trimmed(columns.substr(0, 3))), columns.substr(3, 2)};
-}
-
-// Old files have an entry name and a line number in columns 73-80: text there is an element only if it is a symbol.
-std::string element_columns(const AtomLine& line) {
-    const std::string_view field = line.columns(77, 78);
-    // Right-justified as it should be, or alone in its columns; "N  " of a longer text does not get here.
-    return element_symbol(field);
-}
-
-// "2+", "+2", "1-", "+", "0" or blank; a sign alone is no charge.
-int charge_columns(const AtomLine& line, OddLines& odd) {
-    const std::string_view field = trimmed(line.columns(79, 80));
-    if (field.empty()) return 0;
-    const std::size_t signs = static_cast<std::size_t>(field.find('+') != field.npos || field.find('-') != field.npos);
-    std::size_t digits = 0;
-    int charge = 0;
-    for (const char c : field) {
-        if (c < '0' || c > '9') continue;
-        ++digits;
-        charge = c - '0';
-    }
-    if (digits + signs != field.size() || digits > 1) {
-        odd.add(line.number(), field);
-        return 0;
-    }
-    return field.find('-') != field.npos ? -charge : charge;
-}
-
-int serial_columns(const AtomLine& line) {
-    // A serial of six or seven digits reaches into column 5 of ATOM, or into column 12.
-    const std::size_t first = line.text().starts_with("ATOM") ? 5 : 7;
-    return integer(line.columns(first, 12)).value_or(integer(line.columns(7, 11)).value_or(0));
-}
 
 // Appends the record of a run's first atom as the parser gets it: full length, one-column chain layout, own serial.
 void append_record(const AtomLine& line, const ResidueColumns& residue, std::string_view segment, std::size_t serial,
                    std::string& text) {
     const std::size_t begin = text.size();
-    text += line.text().substr(0, kCoordinatesEnd);
+    text += line.text().substr(0, kPdbCoordinatesEnd);
     text.resize(begin + kRecordLength, ' ');
     const auto put = [&](std::size_t column, std::string_view field) {
         field.copy(&text[begin + column - 1], field.size());
@@ -157,17 +38,21 @@ void append_record(const AtomLine& line, const ResidueColumns& residue, std::str
     text += '\n';
 }
 
-// Fields that hold what they should not, without harm to any result.
+// Fields that hold what they should not, or stand where they should not, and can be read all the same.
 struct OddFields {
     OddLines occupancy;
     OddLines b_factor;
     OddLines charge;
+    OddLines element;
+    OddLines residue;
 
     std::vector<std::string> told() const {
         std::vector<std::string> lines;
         occupancy.tell("occupancy ", " is not a number; taken as missing", lines);
         b_factor.tell("B factor ", " is not a number; taken as missing", lines);
         charge.tell("charge ", " is neither blank nor a digit and a sign; taken as missing", lines);
+        element.tell("element ", " stands one column beside columns 77-78; read from where it stands", lines);
+        residue.tell("", " in columns 18-22 is read as a residue name of four letters and a chain name of one", lines);
         return lines;
     }
 };
@@ -175,7 +60,7 @@ struct OddFields {
 // Takes the atoms of a model one by one.
 class Screen {
 public:
-    explicit Screen(CleanPdb& clean) : clean_(clean) {}
+    Screen(CleanPdb& clean, ChainWidth width) : clean_(clean), width_(width) {}
 
     void take(const AtomLine& line) {
         line.check_columns();
@@ -189,13 +74,7 @@ public:
         atom.name = upper_case(trimmed(line.columns(13, 16)));
         atom.altloc = line.columns(17, 17).front();
         atom.hetatm = line.is_hetatm();
-        atom.element = element_columns(line);
-        if (atom.element.empty()) {
-            atom.element = element_from_columns(line.padded(13, 16), clean_.runs.back().residue);
-            atom.guessed_element = true;
-        } else {
-            atom.charge = charge_columns(line, odd_.charge);
-        }
+        take_element(line, atom);
         atom.serial = serial_columns(line);
         atom.occupancy = line.optional_number(55, 60, odd_.occupancy).value_or(atom.occupancy);
         atom.b_factor = line.optional_number(61, 66, odd_.b_factor).value_or(atom.b_factor);
@@ -208,12 +87,28 @@ private:
     void begin_run(const AtomLine& line) {
         residue_ = line.columns(18, 27);
         segment_ = line.columns(73, 76);
-        ResidueColumns residue = residue_columns(line);
+        ResidueColumns residue = residue_columns(line, width_);
+        if (residue.ambiguous) odd_.residue.add(line.number(), line.columns(18, 22));
         append_record(line, residue, trimmed(segment_), clean_.runs.size() + 1, clean_.text);
-        clean_.runs.push_back({std::move(residue.name), printable(trimmed(segment_))});
+        const ResidueNumber number = residue_number(line);
+        clean_.runs.push_back({std::move(residue.name), printable(trimmed(segment_)), number});
+    }
+
+    // Text where the symbol belongs is an element only if it is a symbol.
+    void take_element(const AtomLine& line, RawAtom& atom) {
+        const int shift = element_shift(line, clean_.runs.back().residue);
+        const std::string_view columns = element_columns(line, shift);
+        if (shift != 0) odd_.element.add(line.number(), columns);
+        atom.element = element_symbol(columns);
+        atom.guessed_element = atom.element.empty();
+        if (atom.guessed_element)
+            atom.element = element_from_columns(line.padded(13, 16), clean_.runs.back().residue);
+        else
+            atom.charge = charge_columns(line, shift, odd_.charge);
     }
 
     CleanPdb& clean_;
+    ChainWidth width_;
     OddFields odd_;
     std::string_view residue_;  // of the last atom
     std::string_view segment_;
@@ -253,11 +148,6 @@ std::string clean_header(std::string_view text, const std::string& file, bool wi
 
 }  // namespace
 
-std::string chain_of_record(std::string_view line) {
-    const std::string no_file;
-    return std::string(trimmed(residue_columns(AtomLine(line, 0, no_file)).chain));
-}
-
 std::string hybrid36_serial(std::size_t n) {
     constexpr std::size_t kDecimal = 100000;
     constexpr std::size_t kFirstUpper = 16796160;  // "A0000" in base 36
@@ -277,7 +167,7 @@ CleanPdb screen_pdb(std::string_view text, const PdbModelSpan& model, const std:
     CleanPdb clean;
     clean.text = clean_header(text, file, with_assemblies);
     clean.atoms.reserve(model.atoms);
-    Screen screen(clean);
+    Screen screen(clean, model.chain_width);
     Lines lines(text.substr(model.begin, model.end - model.begin));
     while (lines.next()) {
         const std::string_view line = lines.line();

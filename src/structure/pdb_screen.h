@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "structure/pdb_line.h"
 #include "structure/pdb_records.h"
 #include "structure/raw_model.h"
 
@@ -22,6 +23,7 @@ struct PdbModelSpan {
     std::size_t first_line = 1;  ///< number of its first line
     std::size_t atoms = 0;       ///< how many records it has of them
     std::size_t end_record = 0;  ///< number of the line with END that ends it, 0 if something else does
+    ChainWidth chain_width = ChainWidth::Unknown;  ///< of the file's chains
 };
 
 /// The models of a file, in file order; ENDMDL, END and a new MODEL all end one.
@@ -41,16 +43,15 @@ PdbModels find_models(std::string_view text, ModelLine (*kind_of)(std::string_vi
 /// Names of the chains of a model, whatever else is in its records.
 std::set<std::string> chains_of(std::string_view text, const PdbModelSpan& model);
 
-/// Chains of another model with names of the first one's, of which less than half of the residues are in the first.
+/// Chains of another model with names of the first one's that are no copies of these in the same place: less than half
+/// of their residues are in the first, or less than half of their atoms lie near those of the first.
 std::set<std::string> namesakes_of(std::string_view text, const PdbModelSpan& first, const PdbModelSpan& other);
-
-/// Name of the chain in an atom record; empty for a blank one.
-std::string chain_of_record(std::string_view line);
 
 /// Atoms that follow each other with the same columns of their residue and segment.
 struct PdbRun {
     std::string residue;  ///< name, up to four letters
     std::string segment;
+    ResidueNumber number;
 };
 
 /// A model ready for the parser.

@@ -40,14 +40,13 @@ public:
     ModelSource(const std::string& path, const ReadOptions& options)
         : file_(load_input(path, options.checksum ? Checksum::Found : Checksum::LeftOut)),
           assemblies_(!options.assembly.empty()) {
-        if (file_.format == Format::Pdb) find_models();
-        if (file_.format == Format::Pdbqt) pdb_ = find_pdb_models(file_.text);
+        if (is_pdb()) pdb_ = find_pdb_models(file_.text);
         if (file_.format == Format::Pqr) pdb_ = find_pqr_models(file_.text);
         if (file_.format == Format::Cif) cif_.emplace(file_.text, file_.path);
         if (file_.format == Format::Bcif) cif_.emplace(file_.text, file_.path, CifForm::Binary);
         if (file_.format == Format::Gro) gro_ = find_gro_frames(file_.text, file_.path);
         if (cif_ && model_count() > 1) partners_ = find_partners(cif_->chains_of_models());
-        if (file_.format == Format::Pdb && pdb_.spans.size() > 1) partners_ = partners_in_pdb();
+        if (is_pdb() && pdb_.spans.size() > 1) partners_ = partners_in_pdb();
         if (!partners_.exist()) different_sizes_ = different_sizes();
     }
 
@@ -79,13 +78,16 @@ public:
         return model;
     }
 
-private:
-    void find_models() {
-        const RecordOddities found = tidy_records(file_.text, file_.path);
-        append(file_.notes, found.notes);
-        append(file_.warnings, found.warnings);
-        pdb_ = find_pdb_models(file_.text);
+    // Another model, one with atoms, where a MODEL record has none behind it; 0 if there is nothing of the kind.
+    int filled_instead_of(int position) const {
+        const auto& spans = pdb_.spans;
+        if (spans.size() < 2 || spans.at(static_cast<std::size_t>(position) - 1).atoms > 0) return 0;
+        const auto filled = std::find_if(spans.begin(), spans.end(), [](const auto& span) { return span.atoms > 0; });
+        return filled == spans.end() ? 0 : static_cast<int>(filled - spans.begin()) + 1;
     }
+
+private:
+    bool is_pdb() const { return file_.format == Format::Pdb || file_.format == Format::Pdbqt; }
 
     RawModel named_model(int position) const {
         RawModel model = parse(position);
@@ -221,6 +223,14 @@ Structure make_structure(const InputFile& file, const RawModel& model, const Rea
     return structure;
 }
 
+RawModel model_with_atoms(const ModelSource& source, int position, const ReadOptions& options) {
+    RawModel model = source.model(position);
+    if (const int other = source.filled_instead_of(position); other > 0)
+        throw InputError(source.file().path + ": model " + std::to_string(position) +
+                         " has no atoms; take another with " + options.spelling("model", std::to_string(other)));
+    return model;
+}
+
 // What was taken of several models.
 void tell_models(const ModelSource& source, const ReadOptions& options, RawModel& model) {
     const std::string count = std::to_string(source.model_count());
@@ -245,7 +255,7 @@ std::string model_suffix(int position) {
 Structure read_structure(const std::string& path, const ReadOptions& options) {
     check_options(options);
     const ModelSource source(path, options);
-    RawModel model = options.join_models ? source.joined() : source.model(options.model);
+    RawModel model = options.join_models ? source.joined() : model_with_atoms(source, options.model, options);
     if (source.model_count() > 1) tell_models(source, options, model);
     return make_structure(source.file(), model, options);
 }
@@ -257,7 +267,7 @@ std::vector<Structure> read_all_models(const std::string& path, const ReadOption
     for (int position = 1; position <= source.model_count(); ++position) {
         ReadOptions own = options;
         own.model = position;
-        structures.push_back(make_structure(source.file(), source.model(position), own));
+        structures.push_back(make_structure(source.file(), model_with_atoms(source, position, options), own));
         structures.back().name += model_suffix(position);
     }
     return structures;

@@ -87,7 +87,7 @@ TEST(InputFile, WhatIsNoStructureIsNamed) {
     expect_contains(error_of_bytes("{\"data_1\": 1}", "a.pdb"), "JSON");
     expect_contains(error_of_bytes("data_1\nloop_\n", "a.pdb"), "rename it to .cif");
     expect_contains(error_of_bytes(kAtom, "a.cif"), "rename it to .pdb");
-    expect_contains(error_of_bytes(std::string("HEADER\nAT\0M", 11), "a.pdb"), "a.pdb:2: a zero byte");
+    expect_contains(error_of_bytes(std::string("HEADER\nAT\0M", 11), "a.pdb"), "a.pdb:2:3: a zero byte");
 }
 
 TEST(InputFile, ZeroBytesBehindTheLastRecordArePadding) {
@@ -100,8 +100,8 @@ TEST(InputFile, ZeroBytesBehindTheLastRecordArePadding) {
         expect_contains(file.warnings[0], "line 2: zero bytes behind the last record");
     }
     EXPECT_EQ(load_bytes("data_a\n" + zeros, "a.cif").warnings.size(), 1U);
-    expect_contains(error_of_bytes(kAtom + zeros + kAtom, "a.pdb"), "a.pdb:2: a zero byte");
-    expect_contains(error_of_bytes(zeros, "a.pdb"), "a.pdb:1: a zero byte");
+    expect_contains(error_of_bytes(kAtom + zeros + kAtom, "a.pdb"), "a.pdb:2:1: a zero byte");
+    expect_contains(error_of_bytes(zeros, "a.pdb"), "a.pdb:1:1: a zero byte");
 }
 
 TEST(InputFile, MarksAndLineEndsAreToldWhereSomethingIsAssumed) {
@@ -113,7 +113,7 @@ TEST(InputFile, MarksAndLineEndsAreToldWhereSomethingIsAssumed) {
                                                "A\0T\0O\0M\0",
                                                10),
                                    "a.pdb"),
-                    "a.pdb:1: text in UTF-16");
+                    "a.pdb:1:1: text in UTF-16");
 }
 
 TEST(InputFile, StandardInputMayBeginWithALowerCaseRecord) {

@@ -96,6 +96,31 @@ TEST(JoinModels, BothPartnersMayHaveTheSameName) {
     EXPECT_TRUE(read_text(kReceptor + "END\n" + kReceptor + "END\n", "t.pdb").warnings.empty());
 }
 
+TEST(JoinModels, TheOtherSubunitOfAHomodimerIsAPartner) {
+    const auto subunit = [](double shift, char chain) {
+        return pdb_line({.name = " N  ", .x = shift, .chain = chain}) +
+               pdb_line({.name = " CA ", .x = shift + 1.5, .chain = chain}) +
+               pdb_line({.name = " C  ", .x = shift + 2.5, .chain = chain});
+    };
+    const std::string end = "END\n";
+    EXPECT_TRUE(has_warning(read_text(subunit(0, 'A') + end + subunit(30, 'A') + end, "d.pdb"),
+                            "chain A taken, before END in line 4; another chain A follows it (take all"));
+    EXPECT_TRUE(has_warning(read_text(subunit(0, ' ') + end + subunit(30, ' '), "d.pdb"), "another chain (blank)"));
+    const std::string shorter = pdb_line({.name = " CA ", .x = 30.0}) + pdb_line({.name = " C  ", .x = 31.5});
+    EXPECT_TRUE(has_warning(read_text(subunit(0, 'A') + end + shorter, "d.pdb"), "another chain A follows it"));
+    EXPECT_TRUE(read_text(subunit(0, 'A') + end + subunit(2, 'A') + end, "frames.pdb").warnings.empty());
+    const std::string frames = subunit(0, 'A') + end + subunit(30, 'A') + end + subunit(60, 'A') + end;
+    EXPECT_TRUE(read_text(frames, "frames.pdb").warnings.empty());
+}
+
+TEST(JoinModels, AnEmptyModelNamesAnother) {
+    const std::string text = "MODEL 1\nENDMDL\nMODEL 2\n" + kReceptor + "ENDMDL\n";
+    EXPECT_EQ(error_of(text, "e.pdb"), "e.pdb: model 1 has no atoms; take another with model = 2");
+    EXPECT_EQ(read_text(text, "e.pdb", {.model = 2}).atoms.size(), 2U);
+    EXPECT_EQ(read_text(text, "e.pdb", {.join_models = true}).atoms.size(), 2U);
+    expect_contains(error_of("MODEL 1\nENDMDL\nMODEL 2\nENDMDL\n", "e.pdb"), "no atoms in this file");
+}
+
 TEST(JoinModels, CopiesAreANoteAsBefore) {
     const std::string moved = pdb_line({.name = " N  ", .x = 30.0}) + pdb_line({.name = " CA ", .x = 31.5});
     const std::string text = "MODEL 1\n" + kReceptor + "ENDMDL\nMODEL 2\n" + moved + "ENDMDL\n";

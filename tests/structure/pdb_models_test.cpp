@@ -45,6 +45,16 @@ TEST(PdbModels, RepeatedAndMissingNumbersAreNoted) {
     EXPECT_EQ(models_of(join({"MODEL", "A", "ENDMDL"})), "1 [line 1: MODEL without a number]");
 }
 
+TEST(PdbModels, AnythingButALetterMayFollowTheName) {
+    for (const char* behind : {"1", "\t1", "_1", "-1", ":1"}) {
+        const std::string record = std::string("MODEL") + behind;
+        EXPECT_TRUE(models_of(join({record, "A", "MODEL 2", "A"})).starts_with("1 3 ")) << record;
+    }
+    EXPECT_EQ(models_of(join({"MODELS", "A", "MODELLER 10", "A"})), "2 ");
+    EXPECT_EQ(models_of(join({"MODEL1", "A", "ENDMDL", "MODEL1", "A", "ENDMDL"})),
+              "1 4 [line 4: this MODEL number occurs more than once]");
+}
+
 TEST(PdbModels, ModelsNeverClosedAreNotedOnce) {
     EXPECT_EQ(models_of(join({"MODEL 1", "A", "MODEL 2", "A", "END"})),
               "1 3 [line 1: this MODEL is never closed by ENDMDL]");

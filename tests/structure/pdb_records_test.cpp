@@ -100,5 +100,29 @@ TEST(PdbRecords, FilesJoinedWithoutALineEndAreRefused) {
     EXPECT_EQ(tidy_error(whole + "  ATOM\nENDATOM\n"), "");
 }
 
+TEST(PdbRecords, AnAtomBehindAnyRecordIsSeenInAnyCase) {
+    std::string whole = kOfRecords.substr(0, kOfRecords.size() - 1);
+    whole.resize(80, ' ');
+    std::string anisou = "ANISOU    1  CA  ALA A   1     1000   1000   1000    100    100    100       C  ";
+    for (const char* name : {"ATOM ", "atom ", "Atom ", "HETATM", "hetatm"}) {
+        const std::string atom = name + kOfRecords.substr(std::string(name).size());
+        for (const std::string& before : {whole, anisou})
+            expect_contains(tidy_error(before + atom), "f.pdb:1:81: an atom record begins within a line");
+    }
+    std::string wide = kOfRecords;
+    for (const char* name : {"ATOM 100000", "ATOM1000000", "HETATM12345"})
+        expect_contains(tidy_error(whole + wide.replace(0, 11, name)), "f.pdb:1:81: ");
+    expect_contains(tidy_error("MODEL        2" + kOfRecords), "f.pdb:1:15: ");
+    EXPECT_EQ(tidy_error(anisou + "\n" + whole + "  atomic 1.5 2.5 3.5\n"), "");
+}
+
+TEST(PdbRecords, AFormFeedIsABlankInFront) {
+    const std::string line = kOfRecords.substr(0, kOfRecords.size() - 1);
+    const Tidied result = tidied("\f" + kOfRecords + "\v" + kOfRecords + "\f\n");
+    EXPECT_EQ(result.text, line + " \n" + line + " \n\f\n");
+    ASSERT_EQ(result.found.warnings.size(), 1U);
+    expect_contains(result.found.warnings[0], "line 1: 'ATOM': a record behind blanks");
+}
+
 }  // namespace
 }  // namespace meniscus::reading

@@ -86,6 +86,31 @@ TEST(Pdbqt, IsRecognisedUnderTheNameOfPdb) {
                                  "1ABC 123\n"));
 }
 
+TEST(Pdbqt, RecordsAreTidiedAsInPdb) {
+    const std::string atom = pdbqt_line({}, "A");
+    const auto other = [](const std::string& name) {
+        return name + pdbqt_line({.name = " N  ", .x = 2.0}, "NA").substr(4);
+    };
+    for (const char* name : {"a.pdbqt", "a.pdb"}) {
+        const Structure moved = read_text(atom + other(" ATOM"), name);
+        EXPECT_EQ(moved.atoms.size(), 2U);
+        EXPECT_EQ(moved.labels.at(1).element, "N");
+        EXPECT_TRUE(testing::has_warning(moved, "line 2: 'ATOM': a record behind blanks"));
+        const Structure lower = read_text(other("atom") + other("atom"), name);
+        EXPECT_EQ(lower.atoms.size(), 2U);
+        EXPECT_EQ(lower.labels.at(1).charge, -0.3);
+        EXPECT_TRUE(testing::has_warning(read_text(atom + other("#ATOM"), name), "is no record of the PDB format"));
+        const std::string joined = atom.substr(0, atom.size() - 1) + " " + other("ATOM");
+        expect_contains(error_of(joined, name), ":1:81: an atom record begins within a line");
+    }
+}
+
+TEST(Pdbqt, APartnerBehindEndIsAWarning) {
+    const std::string ligand = pdbqt_line({.residue = "LIG", .x = 9.0, .chain = 'B'}, "C");
+    EXPECT_TRUE(testing::has_warning(read_text(pdbqt_line({}, "A") + "END\n" + ligand, "a.pdbqt"),
+                                     "chain A taken, before END in line 2; chain B follows it"));
+}
+
 TEST(Pdbqt, ErrorsKeepTheirPlaces) {
     std::string wrong = pdbqt_line({.x = 2.0}, "C");
     wrong.replace(46, 8, "********");

@@ -84,13 +84,8 @@ RawResidue to_residue(const gemmi::Structure& structure, const ParsedRun& parsed
     residue.chain = parsed.chain->name;
     residue.segment = run.segment;
     residue.name = run.residue;
-    residue.number = parsed.residue->seqid.num.has_value() ? *parsed.residue->seqid.num : 0;
-    residue.insertion_code = parsed.residue->seqid.icode;
-    // Numbers above 9999 as some programs write them, one column too wide.
-    if (residue.insertion_code >= '0' && residue.insertion_code <= '9') {
-        residue.number = residue.number * 10 + (residue.insertion_code - '0');
-        residue.insertion_code = ' ';
-    }
+    residue.number = run.number.number;
+    residue.insertion_code = run.number.insertion_code;
     residue.in_sequence = is_listed(structure, *parsed.chain, *parsed.residue);
     return residue;
 }
