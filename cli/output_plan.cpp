@@ -91,10 +91,9 @@ std::string identity(const std::string& path) {
 void check_writable(const std::string& path) {
     std::error_code error;
     if (fs::is_directory(path, error)) throw OutputError(path + ": is a folder; name a file");
+    if (const std::string text = missing_folder(path); !text.empty()) throw OutputError(text);
     const fs::path parent = fs::path(path).parent_path();
     const std::string folder = parent.empty() ? "." : parent.string();
-    if (!fs::is_directory(folder, error))
-        throw OutputError(fmt::format("{}: there is no folder '{}'; create it first", path, folder));
     if (access(folder.c_str(), W_OK | X_OK) != 0)
         throw OutputError(fmt::format("{}: the folder '{}' is not writable", path, folder));
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -140,10 +141,10 @@ void report_values(const ValueRequest& request, ordered_json& options) {
 ValueSources::ValueSources(const ValueRequest& request, const ColourOptions& colours, const Structure& structure,
                            bool one_chain)
     : sampling_(request.sampling) {
+    if (request.depth || colours.scheme == ColourScheme::Depth) depth_of_ = &structure;
     for (const std::string& path : request.tables) add_table(path, structure, one_chain);
     for (const SampledMap& map : request.maps) maps_.push_back({map, read_volume(map.path)});
-    check_names(colours, request.depth);
-    if (request.depth || colours.scheme == ColourScheme::Depth) depth_of_ = &structure;
+    check_names(colours);
     if (auto more = values_of_scheme(colours.scheme, structure)) columns_.push_back({std::move(*more), structure.file});
 }
 
@@ -156,7 +157,16 @@ void ValueSources::add_table(const std::string& path, const Structure& structure
     if (!table.texts.empty())
         notes_.push_back(fmt::format("{}: left alone, since no cell is a number: {} {}", path,
                                      table.texts.size() == 1 ? "column" : "columns", fmt::join(table.texts, ", ")));
+    if (depth_of_ != nullptr && table.columns.size() > 1) leave_to_depth(table, path);
     for (AtomValues& column : table.columns) columns_.push_back({std::move(column), path});
+}
+
+void ValueSources::leave_to_depth(ValueTable& table, const std::string& path) {
+    const auto is_depth = [](const AtomValues& column) { return CLI::detail::to_lower(column.name) == "depth"; };
+    if (std::erase_if(table.columns, is_depth) > 0)
+        notes_.push_back(path +
+                         ": column 'depth' left alone, since the depths of the surface are asked for; rename the "
+                         "column to have it, too");
 }
 
 std::vector<std::string> ValueSources::names() const {
@@ -166,13 +176,27 @@ std::vector<std::string> ValueSources::names() const {
     return all;
 }
 
-void ValueSources::check_names(const ColourOptions& colours, bool has_depth) const {
+/// No two arrays may have one name.
+void ValueSources::check_twins() const {
+    std::vector<std::pair<std::string, std::string>> all;
+    for (const Column& column : columns_) all.emplace_back(column.values.name, column.path);
+    for (const Map& map : maps_) all.emplace_back(map.asked.name, map.asked.path);
+    std::map<std::string, std::string> paths;
+    for (const auto& [name, path] : all)
+        if (const auto [twin, is_new] = paths.emplace(CLI::detail::to_lower(name), path); !is_new)
+            throw UsageError(fmt::format(
+                "two arrays of values have the name '{}', one of {} and one of {}; rename one of them, that "
+                "of a table in its first line",
+                name, twin->second, path));
+}
+
+void ValueSources::check_names(const ColourOptions& colours) const {
+    check_twins();
     std::set<std::string> seen;
-    std::vector<std::string> all = names();
-    if (has_depth && colours.scheme != ColourScheme::Depth) all.emplace_back("depth");
-    for (const std::string& name : all)
-        if (!seen.insert(CLI::detail::to_lower(name)).second)
-            throw UsageError(fmt::format("two arrays of values have the name '{}'; rename one of them", name));
+    for (const std::string& name : names()) seen.insert(CLI::detail::to_lower(name));
+    if (depth_of_ != nullptr && colours.scheme != ColourScheme::Depth && seen.contains("depth"))
+        throw UsageError(
+            fmt::format("--arrays: 'depth' is also the name of values of {}; rename the values", path_of("depth")));
     if (colours.scheme == ColourScheme::Value) {
         if (!seen.contains(CLI::detail::to_lower(colours.value)))
             throw UsageError(fmt::format("--color: there are no values '{}'; choose one of {}", colours.value,
@@ -194,10 +218,12 @@ void ValueSources::check_colour(const ColourOptions& colours) const {
 }
 
 const std::string& ValueSources::path_of(const std::string& name) const {
+    const std::string word = CLI::detail::to_lower(name);
     for (const Map& map : maps_)
-        if (map.asked.name == name) return map.asked.path;
-    if (depth_of_ != nullptr && name == "depth") return depth_of_->file;
-    return std::find_if(columns_.begin(), columns_.end(), [&](const Column& c) { return c.values.name == name; })->path;
+        if (CLI::detail::to_lower(map.asked.name) == word) return map.asked.path;
+    for (const Column& column : columns_)
+        if (CLI::detail::to_lower(column.values.name) == word) return column.path;
+    return depth_of_->file;
 }
 
 std::vector<VertexValues> ValueSources::at_vertices(const Mesh& mesh) const {

@@ -47,6 +47,7 @@ public:
     /// Also the B factors and depths, where they are what the surface shows.
     /// structure   must outlive the sources
     /// one_chain   of several: rows of tables may be about the others
+    /// Depths of the surface go before a column of that name in a table that has others, as tables of `measure` have.
     /// throws      InputError; UsageError for two arrays of one name, and for a name that --color gives but no file has
     ValueSources(const ValueRequest& request, const ColourOptions& colours, const Structure& structure, bool one_chain);
 
@@ -75,7 +76,9 @@ private:
     };
 
     void add_table(const std::string& path, const Structure& structure, bool one_chain);
-    void check_names(const ColourOptions& colours, bool has_depth) const;
+    void leave_to_depth(ValueTable& table, const std::string& path);
+    void check_names(const ColourOptions& colours) const;
+    void check_twins() const;
     void check_colour(const ColourOptions& colours) const;
     std::vector<std::string> names() const;
     const std::string& path_of(const std::string& name) const;

@@ -28,15 +28,26 @@ constexpr const char* kExamples =
 
 constexpr std::size_t kMostRows = 50;  // of failures that are shown
 
+/// The length of the longest text under a key.
+std::size_t longest(const std::vector<ordered_json>& results, const char* key) {
+    std::size_t length = 0;
+    for (const ordered_json& result : results) length = std::max(length, result[key].get<std::string>().size());
+    return length;
+}
+
+std::string counted_as(std::size_t count, const char* noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
 /// A table of what failed, by name.
 std::string table_of_failures(const std::vector<ordered_json>& failed) {
-    std::size_t width = 0;
-    for (const ordered_json& result : failed) width = std::max(width, result["input"].get<std::string>().size());
-    width = std::min(width, std::size_t{40});
+    const std::size_t width = std::min(longest(failed, "input"), std::size_t{40});
+    const std::size_t width_of_status = longest(failed, "status");
     std::string text;
     for (std::size_t i = 0; i < std::min(failed.size(), kMostRows); ++i)
-        text += fmt::format("  {:<{}}  {:<13}  {}\n", one_line(failed[i]["input"].get<std::string>()), width,
-                            failed[i]["status"].get<std::string>(), one_line(failed[i]["error"].get<std::string>()));
+        text += fmt::format("  {:<{}}  {:<{}}  {}\n", one_line(failed[i]["input"].get<std::string>()), width,
+                            failed[i]["status"].get<std::string>(), width_of_status,
+                            one_line(failed[i]["error"].get<std::string>()));
     if (failed.size() > kMostRows) text += fmt::format("  and {} more\n", failed.size() - kMostRows);
     return text;
 }
@@ -60,14 +71,15 @@ Outcome run_batch(const batch::Request& request) {
     std::string summary;
     if (computes) {
         batch::RunResult result = batch::Run(request, shard, places)();
-        summary = fmt::format("{}  {} inputs, {} failed, {} already done, {:.1f} s\n", places.outputs(), result.inputs,
-                              result.failed.size(), result.done_before, result.seconds);
+        summary =
+            fmt::format("{}  {}, {} failed, {} already done, {:.1f} s\n", places.outputs(),
+                        counted_as(result.inputs, "input"), result.failed.size(), result.done_before, result.seconds);
         failed = std::move(result.failed);
     }
     if (collects) {
         batch::Collected collected = batch::collect(places);
-        summary +=
-            fmt::format("{}  {} lines, {} failed\n", places.results(), collected.inputs, collected.failed.size());
+        summary += fmt::format("{}  {}, {} failed\n", places.results(), counted_as(collected.inputs, "line"),
+                               collected.failed.size());
         failed = std::move(collected.failed);
     }
     if (!request.quiet) print(summary + table_of_failures(failed));

@@ -68,12 +68,6 @@ bool is_text(const std::string& name) {
 
 bool is_archive(const std::string& name) { return CLI::detail::to_lower(name).ends_with(".tar"); }
 
-bool is_packed_archive(const std::string& name) {
-    constexpr std::array kPacked{".tar.gz", ".tgz", ".tar.bz2", ".tbz2", ".tar.xz", ".txz", ".tar.zst"};
-    const std::string lower = CLI::detail::to_lower(name);
-    return std::any_of(kPacked.begin(), kPacked.end(), [&](const char* suffix) { return lower.ends_with(suffix); });
-}
-
 [[noreturn]] void refuse(const fs::path& path, const std::error_code& error) {
     throw InputError(fmt::format("{}: cannot be read: {}", path.string(), error.message()));
 }
@@ -117,14 +111,18 @@ public:
     void add(const std::string& word, const fs::path& root = {}) {
         std::error_code error;
         const fs::file_status status = fs::status(word, error);
-        if (!fs::exists(status))
-            refuse(word, error ? error : std::make_error_code(std::errc::no_such_file_or_directory));
+        if (!fs::exists(status)) return add_file(word, root);  // its process tells what is wrong
         if (fs::is_directory(status)) return add_folder(word);
         if (is_archive(word)) return add_archive(word);
         if (is_packed_archive(word))
             throw InputError(word +
                              ": is a compressed archive; decompress it to .tar first, so that its members can be "
                              "reached one by one");
+        add_file(word, root);
+    }
+
+    /// What is named itself, whatever its suffix.
+    void add_file(const std::string& word, const fs::path& root) {
         const fs::path path(word);
         fs::path name = path.filename();
         if (!base_.empty())
@@ -171,8 +169,8 @@ public:
             throw UsageError(
                 found_.left_out == 0
                     ? "there are no inputs"
-                    : fmt::format("there are no inputs: {} files found, but none has the suffix of a structure",
-                                  found_.left_out));
+                    : fmt::format("there are no inputs: {} {} found, but none has the suffix of a structure",
+                                  found_.left_out, found_.left_out == 1 ? "file" : "files"));
         return std::move(found_);
     }
 
@@ -243,12 +241,31 @@ private:
 
 }  // namespace
 
+bool is_packed_archive(const std::string& name) {
+    constexpr std::array kPacked{".tar.gz", ".tgz", ".tar.bz2", ".tbz2", ".tar.xz", ".txz", ".tar.zst", ".zip"};
+    const std::string lower = CLI::detail::to_lower(name);
+    return std::any_of(kPacked.begin(), kPacked.end(), [&](const char* suffix) { return lower.ends_with(suffix); });
+}
+
 bool names_structure(const std::string& name) { return suffix_length(name) > 0; }
 
 std::string without_suffix(const std::string& name) { return name.substr(0, name.size() - suffix_length(name)); }
 
+namespace {
+
+/// Where all that was typed is wrong, an option or the folder is rather than one input.
+void refuse_if_none_is_there(const std::vector<std::string>& words) {
+    std::error_code error;
+    const auto is_there = [&](const std::string& word) { return word == "-" || fs::exists(word, error); };
+    if (words.empty() || std::any_of(words.begin(), words.end(), is_there)) return;
+    refuse(words.front(), error ? error : std::make_error_code(std::errc::no_such_file_or_directory));
+}
+
+}  // namespace
+
 FoundInputs find_inputs(const Sources& sources) {
     Search search(sources);
+    if (sources.list.empty()) refuse_if_none_is_there(sources.words);
     for (const std::string& word : sources.words) {
         if (word == "-")
             search.add_list(std::cin, "standard input");

@@ -32,6 +32,9 @@ bool names_structure(const std::string& name);
 /// A name without the suffixes of structures: "ab/1abc.cif.gz" -> "ab/1abc".
 std::string without_suffix(const std::string& name);
 
+/// Whether a name is that of an archive whose members cannot be reached one by one: .tar.gz, .tgz, .zip and others.
+bool is_packed_archive(const std::string& name);
+
 /// Where inputs are looked for.
 struct Sources {
     std::vector<std::string> words;  ///< files, folders, .tar archives; "-" for a list on standard input
@@ -46,9 +49,11 @@ struct Sources {
 /// its path below that folder, and one of a list by its path below the deepest folder that holds all files of the list.
 /// A member of an archive is always called by its path in it. What is named itself is taken whatever its suffix.
 ///
-/// Paths are compared as they are written; links are not followed.
+/// Paths are compared as they are written; links are not followed. What is not there is a file of no bytes, which fails
+/// when it is read, unless nothing is there of what the words name.
 ///
-/// throws  InputError for what is not there or cannot be read, and for names that are no text (UTF-8); UsageError for
+/// throws  InputError for words of which none is there, for what cannot be read, and for names that are no text
+/// (UTF-8); UsageError for
 ///         two inputs of one name, for a base that is no folder, for what is not below it, and where there are none
 FoundInputs find_inputs(const Sources& sources);
 

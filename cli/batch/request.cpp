@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "batch/inputs.h"
 #include "help.h"
 #include "measure_request.h"
 #include "meniscus/errors.h"
@@ -134,6 +135,8 @@ void fill(Request& request, const CLI::App& command, const CommonRequest& given)
     request.endings = given.outputs;
     if (request.command == "surface" && request.endings.empty()) request.endings = {".ply"};
     check_endings(request);
+    if (is_packed_archive(request.out))
+        throw UsageError("--out " + request.out + ": archives of outputs are not compressed; name a folder, or a .tar");
     request.may_mix_radii = request.may_mix_radii || given.read.radii != "auto";
     request.quiet = given.quiet;
     request.progress = given.progress;

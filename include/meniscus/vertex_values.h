@@ -29,7 +29,8 @@ struct ValueTable {
     std::vector<std::string> texts{};  ///< columns left alone, since no cell of theirs is a number
 };
 
-/// Reads values by atom, residue or chain from comma-separated text with one line of names (.csv, also .csv.gz).
+/// Reads values by atom, residue or chain from comma-separated text with one line of names (.csv, also .csv.gz); cells
+/// may also be separated by semicolons or tabs.
 ///
 /// What a row is about is told by columns named as in tables of measures: index, or chain, resnum, icode, name, altloc,
 /// or serial; chain is not needed where the structure has one only. What of these, and of resname, stands beside an

@@ -14,7 +14,7 @@ Lengths are in Å, areas in Å², volumes in Å³, curvatures in Å⁻¹. The le
 normals point into the solvent. Arrays of results are read-only views: nothing is copied. ``numpy(copy=True)`` of a
 surface or structure, and ``copy()`` of any array, give arrays of your own. Indices are int32.
 
-Structures, surfaces and measures can be pickled and copied, to the bit; a pickle is for the version that made it.
+Structures, surfaces, measures and comparisons can be pickled and copied, to the bit; a pickle is for the version that made it.
 
 A tutorial is in ``docs/python.md``.
 """

@@ -4,14 +4,16 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Union
-
+from typing import TYPE_CHECKING, Any, Union
 
 from . import _core, _options
 from ._arrays import Floats
 from ._errors import UsageError, opening, text_of_path
-from ._structure import Path, Structure, read
+from ._structure import Path, Reading, Structure, check_reading, read_for_caller
 from ._surface import Indices, Singles, Surface
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 _WITH_VALUES = (".ply", ".glb", ".vtp", ".npz")
 
@@ -53,7 +55,7 @@ class Comparison:
 
     def __init__(self, a: _core.ComparedSurface, b: _core.ComparedSurface, options: dict[str, float | int],
                  structure: Structure | None) -> None:
-        self._a = a
+        self._mesh = a.mesh
         self._structure = structure
         self._probe = options["probe"]
         self.a = Compared(**a.measures)
@@ -63,6 +65,10 @@ class Comparison:
         self.b_to_a = Distance(**found["b_to_a"])
         self.distances: Singles = found["distances"]
         """(n,) float32, Å: signed distances of ``vertices`` to B, positive outside."""
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self.distances.flags.writeable = False
 
     def __repr__(self) -> str:
         return (f"<meniscus.Comparison: mean {self.a_to_b.mean:.4g} and {self.b_to_a.mean:.4g} Å, "
@@ -76,12 +82,12 @@ class Comparison:
     @property
     def vertices(self) -> Floats:
         """(n, 3) float64, Å: vertices of A's mesh; a view."""
-        return self._a.mesh.vertices
+        return self._mesh.vertices
 
     @property
     def triangles(self) -> Indices:
         """(m, 3) int32: triangles of A's mesh; a view."""
-        return self._a.mesh.triangles
+        return self._mesh.triangles
 
     def save(self, path: Path, range: tuple[float, float] | None = None) -> None:
         """Writes A's mesh (.ply .glb .vtp .npz) with the vertex array ``distance`` and its colours: blue inside B, red
@@ -95,7 +101,7 @@ class Comparison:
         reach = max(self.a_to_b.p99, 1e-3)
         low, high = (-reach, reach) if range is None else range
         structure = self._structure
-        _core.write_compared(target, self._a, self.distances,
+        _core.write_compared(target, self._mesh, self.distances,
                              (_options.number("range", low), _options.number("range", high)),
                              None if structure is None else structure._core, None if structure is None else self._probe)
 
@@ -105,14 +111,19 @@ def _mesh_of_file(path: str) -> _core.ComparedSurface:
         return _core.compared_file(path)
 
 
-def _side(value: Comparable, options: dict[str, float | int]) -> tuple[_core.ComparedSurface, Structure | None]:
+def _is_structure_file(value: Comparable) -> bool:
+    return not isinstance(value, (Surface, Structure)) and not _core.is_mesh_file(text_of_path(value))
+
+
+def _side(value: Comparable, options: dict[str, float | int], reading: Reading
+          ) -> tuple[_core.ComparedSurface, Structure | None]:
     if isinstance(value, Surface):
         return _core.compared_mesh(value._core.mesh), value.structure
     if not isinstance(value, Structure):
         path = text_of_path(value)
         if _core.is_mesh_file(path):
             return _mesh_of_file(path), None
-        value = read(path)
+        value = read_for_caller(path, reading)
     return _core.compared_structure(value._core, options), value
 
 
@@ -124,6 +135,7 @@ def compare(
     points: float = 10.0,
     spacing: float = 0.5,
     threads: int = 0,
+    **reading: Unpack[Reading],
 ) -> Comparison:
     """Distances between two surfaces, both ways, by points spread over their triangles.
 
@@ -133,6 +145,7 @@ def compare(
     points   minimum number of points per Å²
     spacing  grid spacing of the mesh that is used to spread points over a structure's surface, Å
     threads  0: all cores; results do not depend on it
+    reading  for paths of structures, the arguments of :func:`read` beside radii: waters=True, chains="A" ...
 
     Raises ValueError for invalid arguments, :class:`InputError` for a file that is not valid, OSError for a file that
     cannot be opened. Other Python threads keep running.
@@ -144,5 +157,6 @@ def compare(
     """
     options = {"probe": _options.number("probe", probe), "points": _options.number("points", points),
                "spacing": _options.number("spacing", spacing), "threads": _options.count("threads", threads)}
-    (first, structure), (second, _) = _side(a, options), _side(b, options)
+    check_reading(reading, has_path=_is_structure_file(a) or _is_structure_file(b))
+    (first, structure), (second, _) = _side(a, options, reading), _side(b, options, reading)
     return Comparison(first, second, options, structure)

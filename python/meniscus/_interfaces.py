@@ -52,8 +52,9 @@ class Interface:
 
 
 def _names(side: Any) -> list[str]:
-    """"A,(HEM,NAG)" as a list; a list is one already."""
+    """"A,(HEM,NAG)" and "chain A+B" as lists; a list is one already."""
     if isinstance(side, str):
+        side = re.sub("^chain (.*)", lambda match: match[1].strip().replace("+", ","), side)
         side = re.split(r",(?![^(]*\))", side)
     names = list(side)
     if not names or not all(isinstance(name, str) and name for name in names):

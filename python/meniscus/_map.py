@@ -53,7 +53,7 @@ class _Task:
     """its path below the base"""
     path: str
     size: int
-    """bytes"""
+    """bytes; -1 where there is no such file"""
     endings: tuple[str, ...]
     """of its outputs, as the program is given them"""
 
@@ -120,7 +120,7 @@ class _Work:
             endings = [word for ending in task.endings for word in ("-o", ending)]
             # A worker may be in a task of a Slurm array, of which a batch would take its part.
             words = [program, "batch", *self.words, *endings, f"--base={self.base}", f"--out={scratch}", "--jobs=1",
-                     "--shard=0/1", "--quiet", "--progress=off", "--", task.path]
+                     "--shard=0/1", "--quiet", "--progress=off", *_input_words(task, scratch)]
             code, messages = (children or _Children()).run(words, self.folder if os.path.isdir(self.folder) else None)
             if code not in (0, 6):
                 raise _error_of(program, code, messages)
@@ -128,6 +128,16 @@ class _Work:
             if self.out is not None:
                 _move(json.loads(lines.result)["outputs"], scratch, self.out)
         return lines
+
+
+def _input_words(task: _Task, scratch: str) -> list[str]:
+    """A file that is missing stands in a list: then it is a line of the results, and does not end the batch."""
+    if task.size >= 0:
+        return ["--", task.path]
+    path = os.path.join(scratch, "list")
+    with open(path, "wb") as file:
+        file.write(os.fsencode(task.path))
+    return [f"--list={path}"]
 
 
 def _content(folder: str, name: str) -> bytes:
@@ -180,7 +190,11 @@ def _name(path: str, base: str) -> str:
 
 
 def _size(path: str) -> int:
-    size = os.stat(path).st_size
+    """-1 where there is no such file; what hinders its reading is told by the program."""
+    try:
+        size = os.stat(path).st_size
+    except OSError:
+        return -1
     if os.path.isdir(path) or path.lower().endswith(".tar"):
         raise UsageError(f"{path}: holds many inputs; name each file in it, or use meniscus batch")
     return size
@@ -196,6 +210,8 @@ def _tasks(paths: Iterable[str], base: str, endings: Sequence[str]) -> list[_Tas
         # Names that differ only in their suffix keep it, so that their outputs differ.
         kept = name[len(stems[name]):] if uses[stems[name]] > 1 else ""
         tasks.append(_Task(name, path, _size(path), tuple(kept + ending for ending in endings)))
+    if tasks and all(task.size < 0 for task in tasks):
+        raise FileNotFoundError(errno.ENOENT, "none of the files is there", tasks[0].path)
     return sorted(tasks, key=lambda task: -task.size)
 
 
@@ -298,7 +314,7 @@ def _folder(name: str, folder: Path | None) -> str | None:
     if folder is None:
         return None
     text = text_of_path(folder)
-    if not text or text.endswith(".tar"):
+    if not text or text.endswith((".tar", ".tar.gz", ".tgz", ".zip")):
         raise UsageError(f"{name}: must be a folder, not '{text}'")
     return os.path.abspath(text)
 
@@ -375,8 +391,8 @@ def map(
     options       options of the command: ``min_cavity=5`` is ``--min-cavity=5``, ``waters=True`` is ``--waters``,
                   ``waters=False`` is ``--no-waters``, and a list repeats an option
 
-    Raises ValueError for invalid arguments and for mixed radii, OSError for a missing file, for outputs that cannot be
-    written and if the program is not found. Ctrl-C ends the processes on this machine; workers finish the files that
+    Raises ValueError for invalid arguments and for mixed radii, OSError if none of the files is there, for outputs that
+    cannot be written and if the program is not found. Ctrl-C ends the processes on this machine; workers finish the files that
     they have begun.
 
     >>> found = meniscus.map(["1ubq.pdb"], probe=1.2)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import dataclasses
 import warnings
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -14,7 +14,10 @@ from . import _core, _options
 from ._arrays import Floats, positions
 from ._errors import CheckWarning, UsageError, text_of_path
 from ._interfaces import Between, Interface, Pairs, pairs_of
-from ._structure import Path, Structure, as_structure
+from ._structure import Path, Reading, Structure, as_structure
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 Point = tuple[float, float, float]
 
@@ -237,18 +240,20 @@ class Measures:
 
 def measure(
     atoms: Structure | Path | npt.ArrayLike,
-    radii: npt.ArrayLike | None = None,
+    radii: npt.ArrayLike | Path | None = None,
     probe: float = 1.4,
     *,
     between: Between = None,
     cavities: bool = True,
     depth: bool = False,
     threads: int = 0,
+    **reading: Unpack[Reading],
 ) -> Measures:
     """Exact areas and volumes of the SAS and SES with error estimates, shares of atoms, components and cavities.
 
-    atoms     a Structure; the path of a file, which :func:`read` reads with its defaults; or centres (n, 3), Å
+    atoms     a Structure; the path of a file; or centres (n, 3), Å
     radii     (n,), Å; required with centres. With a path, the name of a radius set
+    reading   with a path, the other arguments of :func:`read`: waters=True, chains="A" ...
     probe     probe radius, Å; 0 gives the van der Waals surface
     between   interfaces, too: ("A", "B") or "A:B", ("A,C", "B") or (["A", "C"], "B"), a list of such pairs, or "all" for
               every pair of chains that touch. A ligand is named in parentheses, ("A", "(HEM)"), or "B(HEM)" for that of
@@ -269,7 +274,7 @@ def measure(
     >>> round(meniscus.measure(two, between=("A", "B")).interfaces[0].buried_sas, 1)
     62.3
     """
-    structure = as_structure(atoms, radii)
+    structure = as_structure(atoms, radii, reading)
     options = {"probe": _options.number("probe", probe), "cavities": bool(cavities), "depth": bool(depth),
                "threads": _options.count("threads", threads)}
     pairs = pairs_of(between)
@@ -295,10 +300,11 @@ def checked(measures: Measures, stacklevel: int) -> Measures:
 
 def signed_distance(
     atoms: Structure | Path | npt.ArrayLike,
-    radii: npt.ArrayLike | None = None,
+    radii: npt.ArrayLike | Path | None = None,
     points: npt.ArrayLike | None = None,
     probe: float = 1.4,
     threads: int = 0,
+    **reading: Unpack[Reading],
 ) -> Floats:
     """Signed distances from the exact solvent-excluded surface, (m,), Å; negative inside.
 
@@ -307,6 +313,7 @@ def signed_distance(
     points    (m, 3), Å; anywhere; required
     probe     probe radius, Å
     threads   0: all cores; results do not depend on it
+    reading   with a path, the other arguments of :func:`read`
 
     Exact inside and on the surface; outside, next to ridges, a lower bound with the correct zero set. Takes about
     0.1 µs per point for points as close together as those of a grid and 3 µs for isolated ones, plus the geometry of
@@ -317,7 +324,7 @@ def signed_distance(
     >>> bool(meniscus.signed_distance(meniscus.read("1ubq.pdb"), points=[[0, 0, 0]]) > 20)
     True
     """
-    structure = as_structure(atoms, radii)
+    structure = as_structure(atoms, radii, reading)
     if points is None:
         raise TypeError("points: required, (m, 3) in Å")
     return _core.signed_distance(structure._core, _options.number("probe", probe), positions("points", points),

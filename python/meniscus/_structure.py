@@ -3,11 +3,12 @@
 """Atoms with radii and names: read from files, or made of arrays."""
 from __future__ import annotations
 
+import inspect
 import os
 import pathlib
 import warnings
-from collections.abc import Iterable, Sequence
-from typing import Any, Union
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, TypedDict, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -389,6 +390,9 @@ def _read_options(**given: Any) -> dict[str, Any]:
         "join_models": joins,
         "strict_radii": bool(given["strict_radii"]),
     }
+    if isinstance(given["model"], str) and not joins:
+        raise TypeError(f"model: must be a whole number or \"join\", not {given['model']!r}; read_models() reads every "
+                        "model")
     if not joins:
         options["model"] = _options.whole("model", given["model"])
     if given["hetero"] is not None:
@@ -403,29 +407,74 @@ def _read_options(**given: Any) -> dict[str, Any]:
     return options
 
 
+class Reading(TypedDict, total=False):
+    """The keywords of :func:`read` beside radii, which every function takes that takes the path of a structure."""
+
+    hydrogens: str
+    model: int | str
+    assembly: str | int | None
+    altloc: str | None
+    chains: Texts | None
+    select: str | None
+    hetero: str | None
+    waters: bool | None
+    strict_radii: bool
+
+
+_DEFAULTS = {name: parameter.default for name, parameter in inspect.signature(read).parameters.items()
+             if parameter.kind is parameter.KEYWORD_ONLY}
+
+
+def check_reading(reading: Mapping[str, object], has_path: bool) -> None:
+    """Refuses what is no keyword of read(), and all of them where no path is given."""
+    for name in reading:
+        if name not in _DEFAULTS:
+            raise TypeError(f"unexpected keyword argument {name!r}")
+        if not has_path:
+            raise TypeError(f"{name} is an argument of read(); it applies where the path of a structure is given")
+
+
+def read_for_caller(path: Path, reading: Mapping[str, object]) -> Structure:
+    """As read() does, for a function that was called from outside and calls a function that calls this one."""
+    check_reading(reading, has_path=True)
+    return _read(path, _read_options(**{**_DEFAULTS, **reading}), stacklevel=6)
+
+
 def _warn(lines: Iterable[str], stacklevel: int) -> None:
     for line in dict.fromkeys(lines):
         warnings.warn(line, ReadWarning, stacklevel=stacklevel)
 
 
-def _structure_of_file(path: Path, sizes: npt.ArrayLike | str | None) -> Structure:
-    """As read() reads it, for a function that was called from outside."""
-    if not isinstance(sizes, (str, os.PathLike, type(None))):
+def _set_for_file(sizes: npt.ArrayLike | Path | None) -> Mapping[str, object]:
+    if sizes is None:
+        return {}
+    if not isinstance(sizes, (str, os.PathLike)):
         raise UsageError("radii: with a file, the name of a set such as 'bondi'; numbers go with an array of centres")
-    options = {"radii": "auto" if sizes is None else text_of_path(sizes)}
-    return _read(path, options, stacklevel=5)
+    return {"radii": sizes}
 
 
-def as_structure(atoms: Structure | Path | npt.ArrayLike, sizes: npt.ArrayLike | str | None) -> Structure:
-    """What the functions take as atoms: a structure, a file, or centres and radii."""
+def _check_type(atoms: Any) -> None:
+    """Refuses what is neither a list nor an array, such as None, bytes, an open file or a Surface."""
+    if isinstance(atoms, (list, tuple)) or (not isinstance(atoms, (bytes, bytearray)) and np.ndim(atoms) > 0):
+        return
+    hint = "; its atoms are its .structure" if isinstance(getattr(atoms, "structure", None), Structure) else ""
+    raise TypeError("atoms: must be a Structure, the path of a file, or centres of shape (n, 3), not "
+                    f"{type(atoms).__name__}{hint}")
+
+
+def as_structure(atoms: Structure | Path | npt.ArrayLike, sizes: npt.ArrayLike | Path | None,
+                 reading: Mapping[str, object]) -> Structure:
+    """What the functions take as atoms: a structure, a file and keywords of read(), or centres and radii."""
+    if isinstance(atoms, (str, os.PathLike)):
+        return read_for_caller(atoms, {**_set_for_file(sizes), **reading})
+    check_reading(reading, has_path=False)
     if isinstance(atoms, Structure):
         if sizes is not None:
             raise UsageError("radii: a Structure has its own radii; make another with Structure.from_arrays")
         return atoms
-    if isinstance(atoms, (str, os.PathLike)):
-        return _structure_of_file(atoms, sizes)
+    _check_type(atoms)
     if sizes is None:
         raise TypeError("radii: required with an array of centres, (n,) in Å; meniscus.radii() gives those of elements")
-    if isinstance(sizes, str):
+    if isinstance(sizes, (str, os.PathLike)):
         raise TypeError(f"radii: must be numbers with an array of centres; see meniscus.radii(set={sizes!r})")
     return Structure.from_arrays(atoms, sizes)

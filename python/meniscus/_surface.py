@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import Any, Optional
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -15,15 +15,31 @@ from . import _core, _options, _writing
 from ._arrays import Floats, arrays_of, positions
 from ._errors import CheckWarning, UsageError, opening, text_of_path
 from ._measures import Component, Measures, checked
-from ._structure import Path, Structure, as_structure
+from ._structure import Path, Reading, Structure, as_structure
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 Singles = npt.NDArray[np.float32]
 Indices = npt.NDArray[np.int32]
 Progress = Optional[Callable[[str, float], object]]
+Arrays = Union[None, str, Sequence[str]]
 
 
 _VERTEX_ARRAYS = ("normals", "atom", "residue", "patch", "component", "area", "mean_curvature", "gaussian_curvature",
                   "shape_index")
+
+
+_FURTHER_ARRAYS = ("depth",)
+
+
+def _further(arrays: Arrays) -> list[str]:
+    """Names of arrays that are found only when asked for."""
+    names = [arrays] if isinstance(arrays, str) else list(arrays or [])
+    for name in names:
+        if name not in _FURTHER_ARRAYS:
+            raise UsageError(f"arrays: unknown value {name!r}; choose one of {', '.join(_FURTHER_ARRAYS)}")
+    return names
 
 
 class _Vertices:
@@ -91,10 +107,18 @@ class _Vertices:
     @cached_property
     def depth(self) -> Singles:
         """(n,) float32, Å: how deep in pockets and cavities the surface lies, which is the distance within the surface of
-        a probe of 10 Å; 0 outside. Found on first use, then kept; saved with ``values={"depth": surface.depth}`` and
-        with ``color="depth"``.
+        a probe of 10 Å; 0 outside. Found on first use, then kept; saved with ``arrays="depth"`` and with
+        ``color="depth"``.
         """
         return _core.depth_values(self._mesh, self._structure._core, self._threads)
+
+    def _with_arrays(self, values: _writing.Values, arrays: Arrays) -> _writing.Values:
+        """The values, and the further arrays that are asked for."""
+        names = _further(arrays)
+        twice = [name for name in names if name in (values or {})]
+        if twice:
+            raise UsageError(f"arrays: '{twice[0]}' is also the name of values; rename the values")
+        return {**(values or {}), **{name: getattr(self, name) for name in names}} if names else values
 
     def colors(self, color: str = "auto", values: _writing.Values = None) -> npt.NDArray[np.uint8]:
         """(n, 4) uint8, sRGB and alpha: the colours of a scheme of ``--color``, or one colour: "tomato", "#ff6347".
@@ -143,17 +167,22 @@ class Points(_Vertices):
         """(n, 3) float64, Å."""
         return self._mesh.vertices
 
-    def numpy(self, copy: bool = False) -> dict[str, npt.NDArray[Any]]:
-        """The arrays by their names: points and those of every point, without ``depth``.
+    def numpy(self, copy: bool = False, arrays: Arrays = None) -> dict[str, npt.NDArray[Any]]:
+        """The arrays by their names: points and those of every point.
 
-        copy  arrays of their own, which may be written to and which ``torch.from_numpy`` takes without a warning
+        copy    arrays of their own, which may be written to and which ``torch.from_numpy`` takes without a warning
+        arrays  "depth", too, which has to be found first
         """
-        return arrays_of(self, ("points", *_VERTEX_ARRAYS), copy)
+        return arrays_of(self, ("points", *_VERTEX_ARRAYS, *_further(arrays)), copy)
 
     def save(self, path: Path, color: _writing.Color = "auto", *, values: _writing.Values = None,
-             ascii: bool = False) -> None:
-        """Writes the points as .ply (a point cloud with all arrays) or .npz; values are further arrays, by name."""
-        _writing.save_points(text_of_path(path), self, color, values, ascii)
+             arrays: Arrays = None, ascii: bool = False) -> None:
+        """Writes the points as .ply (a point cloud with all arrays) or .npz.
+
+        values  further arrays (n,), by name
+        arrays  "depth", too
+        """
+        _writing.save_points(text_of_path(path), self, color, self._with_arrays(values, arrays), ascii)
 
 
 class Surface(_Vertices):
@@ -194,16 +223,17 @@ class Surface(_Vertices):
         """(m, 3) int32, counter-clockwise seen from the solvent."""
         return self._mesh.triangles
 
-    def numpy(self, copy: bool = False) -> dict[str, npt.NDArray[Any]]:
-        """The arrays by their names: vertices, triangles, and those of every vertex, without ``depth``.
+    def numpy(self, copy: bool = False, arrays: Arrays = None) -> dict[str, npt.NDArray[Any]]:
+        """The arrays by their names: vertices, triangles, and those of every vertex.
 
-        copy  arrays of their own, which may be written to and which ``torch.from_numpy`` takes without a warning
+        copy    arrays of their own, which may be written to and which ``torch.from_numpy`` takes without a warning
+        arrays  "depth", too, which has to be found first
 
         >>> arrays = meniscus.surface([[0, 0, 0]], [2.0]).numpy(copy=True)
         >>> arrays["triangles"].dtype, arrays["triangles"].flags.writeable
         (dtype('int32'), True)
         """
-        return arrays_of(self, ("vertices", "triangles", *_VERTEX_ARRAYS), copy)
+        return arrays_of(self, ("vertices", "triangles", *_VERTEX_ARRAYS, *_further(arrays)), copy)
 
     @property
     def options(self) -> dict[str, Any]:
@@ -304,6 +334,7 @@ class Surface(_Vertices):
         color: _writing.Color = "auto",
         *,
         values: _writing.Values = None,
+        arrays: Arrays = None,
         ascii: bool = False,
         show: str | None = None,
         cavity: int | None = None,
@@ -336,6 +367,7 @@ class Surface(_Vertices):
                     colour by its CSS name or "#rrggbb", or (n, 3) or (n, 4) uint8, one per vertex. "depth", "bfactor"
                     and "plddt" are written as a vertex array, too
         values      further arrays (n,), by name, such as from :meth:`map_values` and :meth:`table_values`
+        arrays      "depth": how deep in pockets the surface lies, whatever the colours are (``--arrays``)
         ascii       write .ply and .stl as text
         show        write only the part of a mesh that belongs to these atoms, as in "//A/10-50" (``--show``)
         cavity      write only the wall of the cavity with this number, from 1 (``--cavity-files``); meshes only
@@ -372,12 +404,12 @@ class Surface(_Vertices):
                    "outline": outline, "depth_cue": depth_cue, "cut": cut, "legend": legend, "grid": grid, "field": field,
                    "eps": eps, "ion_radius": ion_radius, "maps": maps}
         part = {"show": show, "cavity_file": cavity}
-        _writing.save_surface(text_of_path(path), self, color, values, ascii, part, drawing)
+        _writing.save_surface(text_of_path(path), self, color, self._with_arrays(values, arrays), ascii, part, drawing)
 
 
 def surface(
     atoms: Structure | Path | npt.ArrayLike,
-    radii: npt.ArrayLike | None = None,
+    radii: npt.ArrayLike | Path | None = None,
     probe: float = 1.4,
     spacing: float | None = None,
     method: str = "flow",
@@ -411,15 +443,16 @@ def surface(
     threads: int = 0,
     memory: int | str | None = None,
     progress: Progress = None,
+    **reading: Unpack[Reading],
 ) -> Surface:
     """The solvent-excluded surface of atoms.
 
-    atoms    a Structure; the path of a file, which :func:`read` reads with its defaults; or centres (n, 3), Å, as lists
-             or arrays of any real type
+    atoms    a Structure; the path of a file; or centres (n, 3), Å, as lists or arrays of any real type
     radii    (n,), Å; required with centres. With a path, the name of a radius set
     probe    probe radius, Å; 0 gives the van der Waals surface
     spacing  grid spacing, Å; None: 0.5, and with edge or vertex_density half or a quarter of that for small surfaces
              whose area would otherwise be off by more than 0.5 %
+    reading  with a path, the other arguments of :func:`read`: waters=True, chains="A" ...
     method   flow (smooth level set), direct (exact distance, sharp ridges) or gaussian (only the start of the flow)
 
     The other arguments have the names and defaults of the command line (``meniscus surface --help``):
@@ -452,7 +485,7 @@ def surface(
     >>> round(float(numpy.median(ball.mean_curvature)), 2)
     0.5
     """
-    structure = as_structure(atoms, radii)
+    structure = as_structure(atoms, radii, reading)
     options: dict[str, Any] = {
         "probe": _options.number("probe", probe),
         "finer_grid": spacing is None,

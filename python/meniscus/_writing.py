@@ -56,6 +56,8 @@ def colour_options(color: Color) -> dict[str, Any]:
 
 def value_options(values: Values, count: int) -> dict[str, Any]:
     """Arrays by name, in single precision, one number per vertex."""
+    if not isinstance(values, (Mapping, type(None))):
+        raise TypeError(f"values: must be arrays by name, such as {{'area': array}}, not {type(values).__name__}")
     arrays = {}
     for name, array in (values or {}).items():
         if np.asarray(array).dtype.kind not in "fiub":
@@ -226,7 +228,8 @@ def _save_point_arrays(path: str, points: Points, more: dict[str, npt.NDArray[An
         else:
             write_whole(path, lambda file: np.savez_compressed(file, **arrays))
     except OSError as error:
-        raise OutputError(f"{path}: cannot be written: {error.strerror or error}") from error
+        raise OutputError(_core.missing_folder(path) or f"{path}: cannot be written: {error.strerror or error}"
+                          ) from error
 
 
 def write_whole(path: str, write: Callable[[BinaryIO], Any]) -> None:

@@ -70,9 +70,9 @@ py::dict compare(const Held& a, const Held& b, const py::dict& given) {
 }
 
 /// A's mesh with its distances, as the command line writes it.
-void save(const std::string& path, const ComparedSurface& surface, const py::array_t<float>& distances,
+void save(const std::string& path, const Mesh& compared, const py::array_t<float>& distances,
           const std::pair<double, double>& range, const Structure* structure, std::optional<double> probe) {
-    Mesh mesh = surface.mesh;
+    Mesh mesh = compared;
     mesh.values.push_back({"distance", {distances.data(), distances.data() + distances.size()}});
     const py::gil_scoped_release release;
     const std::vector<Colour> colours = colour_values(mesh.values.back().values, {range.first, range.second});
@@ -92,7 +92,7 @@ void bind_compare(py::module_& module) {
     module.def("compared_mesh", &from_mesh, py::arg("mesh"));
     module.def("compared_structure", &from_structure, py::arg("structure"), py::arg("options"));
     module.def("compare", &compare, py::arg("a"), py::arg("b"), py::arg("options"));
-    module.def("write_compared", &save, py::arg("path"), py::arg("surface"), py::arg("distances"), py::arg("range"),
+    module.def("write_compared", &save, py::arg("path"), py::arg("mesh"), py::arg("distances"), py::arg("range"),
                py::arg("structure"), py::arg("probe"));
 }
 

@@ -9,6 +9,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "held_surface.h"
+#include "io/atomic_file.h"
 #include "meniscus/colours.h"
 #include "meniscus/draw_surface.h"
 #include "meniscus/errors.h"
@@ -339,6 +340,7 @@ void bind_writers(py::module_& module) {
                py::arg("options"));
     module.def("write_picture", &save_picture, py::arg("path"), py::arg("surface"), py::arg("options"));
     module.def("write_page", &save_page, py::arg("path"), py::arg("surface"), py::arg("measures"), py::arg("options"));
+    module.def("missing_folder", &missing_folder, py::arg("path"));
     module.def("write_level_set", &save_level_set, py::arg("path"), py::arg("surface"));
     module.def("write_volume", &save_volume, py::arg("path"), py::arg("surface"), py::arg("options"));
     module.def("write_spheres", &write_spheres, py::arg("path"), py::arg("structure"), WithoutGil());

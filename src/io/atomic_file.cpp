@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <system_error>
 #include <utility>
@@ -89,6 +90,14 @@ std::string standard_output_as(const std::string& format) { return std::string(k
 bool is_standard_output(const std::string& path) {
     const std::size_t dot = std::min(path.rfind('.'), path.size());
     return path == "/dev/fd/1" || path.substr(0, dot) == kStandardOutput;
+}
+
+std::string missing_folder(const std::string& path) {
+    const std::filesystem::path parent = std::filesystem::path(path).parent_path();
+    std::error_code error;
+    if (parent.empty() || std::filesystem::is_directory(parent, error)) return "";
+    if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory) return "";
+    return path + ": there is no folder '" + parent.string() + "'; create it first";
 }
 
 void remove_temporary_files() noexcept { noted_names.unlink_all(); }
@@ -185,6 +194,7 @@ void AtomicFile::fail_without_temporary(int error) {
 }
 
 void AtomicFile::fail(int error) const {
+    if (const std::string text = missing_folder(path_); error == ENOENT && !text.empty()) throw OutputError(text);
     throw OutputError((is_standard_output(path_) ? "standard output" : path_) +
                       ": cannot be written: " + std::generic_category().message(error));
 }

@@ -25,12 +25,15 @@ std::string standard_output_as(const std::string& format);
 /// Whether a path is one that standard_output_as() gives, or /dev/stdout itself.
 bool is_standard_output(const std::string& path);
 
+/// "PATH: there is no folder 'X'; create it first" for a file in a folder that is not there, else empty.
+std::string missing_folder(const std::string& path);
+
 /// Writes to a temporary name in the folder of `path`; commit() gives it its real name.
 ///
 /// An older file stays as it was until then, and for good if commit() is never reached: the destructor removes the
 /// temporary file. A link is followed, so the file it points to is replaced and not the link. What is there already and
 /// is not a regular file (a device, a pipe, /dev/stdout) is written to directly, and so is /dev/stdout.SUFFIX.
-/// throws   OutputError "PATH: cannot be written: reason" from every function
+/// throws   OutputError "PATH: cannot be written: reason" from every function, or missing_folder() from the first
 class AtomicFile {
 public:
     explicit AtomicFile(std::string path);

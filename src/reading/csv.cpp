@@ -2,12 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reading/csv.h"
 
+#include <algorithm>
+
 namespace meniscus::reading {
 namespace {
 
+char separator_of(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of('\n'), text.size()));
+    const std::string_view names = text.substr(0, text.find('\n'));
+    for (const char separator : {',', ';', '\t'})
+        if (names.find(separator) != std::string_view::npos) return separator;
+    return ',';
+}
+
 class CsvReader {
 public:
-    CsvReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+    CsvReader(std::string_view text, const std::string& file)
+        : text_(text), file_(file), separator_(separator_of(text)) {}
 
     std::vector<CsvRow> rows() {
         std::vector<CsvRow> all;
@@ -24,7 +35,7 @@ private:
 
     CsvRow next_row() {
         CsvRow row{next_cell()};
-        while (at(',')) {
+        while (at(separator_)) {
             ++position_;
             row.push_back(next_cell());
         }
@@ -42,10 +53,11 @@ private:
         CsvCell cell{.text = {}, .place = here()};
         if (at('"')) {
             cell.text = quoted(cell.place);
-            if (position_ < text_.size() && !at(',') && !at('\n'))
+            if (position_ < text_.size() && !at(separator_) && !at('\n'))
                 fail_at(file_, here(), "text follows the closing quote; write \"\" for a quote in the text");
         } else {
-            const std::size_t end = std::min(text_.find_first_of(",\n", position_), text_.size());
+            const std::size_t end =
+                std::min(text_.find_first_of(std::string{separator_, '\n'}, position_), text_.size());
             cell.text = text_.substr(position_, end - position_);
             position_ = end;
         }
@@ -69,6 +81,7 @@ private:
 
     std::string_view text_;
     const std::string& file_;
+    char separator_;
     std::size_t position_ = 0;
     std::size_t line_ = 1;
     std::size_t line_begin_ = 0;

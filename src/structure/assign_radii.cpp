@@ -19,16 +19,17 @@ namespace {
 
 constexpr double kDisulfideBond = 2.5;  // Å; the bond has 2.05, sulphurs not bonded stay 3.4 apart
 
-RadiusSet named_set(const std::string& name) {
+RadiusSet named_set(const ReadOptions& options) {
+    const std::string& name = options.radii;
     if (auto set = find_radius_set(name)) return *set;
     std::error_code ignored;
     if (std::filesystem::exists(name, ignored)) return read_radius_rules(name);
-    throw UsageError("--radii " + name + ": neither a radius set nor a file; choose one of " + radius_set_names() +
-                     ", auto, or a file of rules");
+    throw UsageError(options.spelling("radii", name) + ": neither a radius set nor a file; choose one of " +
+                     radius_set_names() + ", auto, or a file of rules");
 }
 
 RadiusSet choose_set(const ReadOptions& options, const HydrogenCount& hydrogens) {
-    if (options.radii != "auto") return named_set(options.radii);
+    if (options.radii != "auto") return named_set(options);
     const bool keeps = options.hydrogens == HydrogenPolicy::Keep && hydrogens.all > 0;
     const bool complete = options.hydrogens == HydrogenPolicy::Auto && hydrogens.is_complete();
     return *find_radius_set(keeps || complete ? "bondi" : "united");
@@ -43,8 +44,8 @@ void apply_hydrogens(const RawModel& model, const ReadOptions& options, const Ra
                      const HydrogenCount& hydrogens, Chosen& chosen) {
     if (options.hydrogens == HydrogenPolicy::Keep) {
         if (set.united && hydrogens.all > 0) {
-            throw UsageError("--hydrogens keep: the radii of " + set.name +
-                             " already include the hydrogens; use --radii bondi");
+            throw UsageError(options.spelling("hydrogens", "keep") + ": the radii of " + set.name +
+                             " already include the hydrogens; use " + options.spelling("radii", "bondi"));
         }
         return;
     }

@@ -71,10 +71,17 @@ private:
 
     [[noreturn]] void refuse(const Partner& partner, const std::string& name) const {
         if (partner.is_ligand()) refuse_ligand(partner, name);
-        std::string message =
-            "there is no chain '" + name + "' among the kept atoms; there are " + listed(chains_.names);
+        std::string message = "there is no chain '" + name + "' among the kept atoms" + what_there_is();
         if (is_residue(name)) message += "; the residues of that name are (" + name + ")";
         throw UsageError(message);
+    }
+
+    std::string what_there_is() const {
+        std::vector<std::string> named;
+        std::copy_if(chains_.names.begin(), chains_.names.end(), std::back_inserter(named),
+                     [](const std::string& chain) { return !chain.empty(); });
+        if (named.empty()) return ", whose chains have no names; give a file that names them, such as PDB or mmCIF";
+        return "; there are " + listed(named) + (named.size() < chains_.names.size() ? " and one without a name" : "");
     }
 
     [[noreturn]] void refuse_ligand(const Partner& partner, const std::string& name) const {

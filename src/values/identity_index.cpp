@@ -59,6 +59,12 @@ bool IdentityIndex::is_identity(const std::string& column) {
     return std::find(kIdentity.begin(), kIdentity.end(), column) != kIdentity.end();
 }
 
+std::string IdentityIndex::identity_columns() {
+    std::string list;
+    for (const char* column : kIdentity) list.append(list.empty() ? "" : ", ").append(column);
+    return list;
+}
+
 std::string IdentityIndex::missing_columns(const IdentityColumns& columns) const {
     const auto has = [&](const char* column) { return columns.contains(column); };
     if (has("index") || has("serial")) return "";
@@ -66,7 +72,8 @@ std::string IdentityIndex::missing_columns(const IdentityColumns& columns) const
         return "no column 'chain', but the structure has several chains; add it";
     if (has("name") && !has("resnum")) return "a column 'name' but no 'resnum'; add it";
     if (has("resnum") || has("chain")) return "";
-    return "no column says which atoms or residues the rows belong to; add a column resnum, chain, index or serial";
+    return "no column says which atoms or residues the rows belong to; add a column resnum, chain, index or serial, in "
+           "small letters";
 }
 
 std::vector<std::uint32_t> IdentityIndex::atoms_of(const CellOf& cell, const std::string& file) const {

@@ -30,6 +30,8 @@ public:
     explicit IdentityIndex(const Structure& structure);
 
     static bool is_identity(const std::string& column);
+    /// The names of all such columns, for messages: "index, chain, ...".
+    static std::string identity_columns();
 
     /// What is wrong with these columns, and what to do; empty if they tell atoms apart.
     std::string missing_columns(const IdentityColumns& columns) const;

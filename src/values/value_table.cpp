@@ -50,17 +50,28 @@ std::optional<bool> truth_in(std::string_view text) {
     return std::nullopt;
 }
 
-/// Whether a column is text: it has cells, and none of them is a value.
+/// "0,9", as spreadsheets write 0.9 in some languages.
+bool has_decimal_comma(std::string_view text) {
+    std::string number(text);
+    const std::size_t comma = number.find(',');
+    if (comma == std::string::npos) return false;
+    number[comma] = '.';
+    return reading::finite_number(number).has_value();
+}
+
+/// Whether a column is text: it has cells, and none of them is a value, or was meant as one.
 bool is_text(std::span<const CsvRow> rows, std::size_t column) {
     bool has_text = false;
+    bool are_numbers = true;
     for (const CsvRow& row : rows) {
         if (column >= row.size()) continue;
         const std::string_view cell = reading::trimmed(row[column].text);
         if (is_no_value(cell)) continue;
         if (truth_in(cell) || reading::whole_number<double>(cell)) return false;
         has_text = true;
+        are_numbers = are_numbers && has_decimal_comma(cell);
     }
-    return has_text;
+    return has_text && !are_numbers;
 }
 
 /// What is left of the name of an interface where only letters, digits and '_' may stand: A_C_B of "A,C:B".
@@ -82,7 +93,27 @@ double value_in(const CsvCell& cell, const std::string& column, const std::strin
     if (number && std::abs(*number) <= double{std::numeric_limits<float>::max()}) return *number;
     fail_at(file, cell.place,
             "column " + shown(column) + " holds " + shown(text) +
-                ", which is not a number within single precision; leave the column out, or the cell empty");
+                (has_decimal_comma(text)
+                     ? "; write decimals with a point"
+                     : ", which is not a number within single precision; leave the column out, or the cell empty"));
+}
+
+/// Whether these are the names of a table of cavities, which `measure --per cavity` writes.
+bool is_of_cavities(const CsvRow& names) {
+    return std::any_of(names.begin(), names.end(), [](const CsvCell& cell) { return cell.text == "inscribed_radius"; });
+}
+
+bool is_json(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \n\t");
+    return first != std::string_view::npos && (text[first] == '{' || text[first] == '[');
+}
+
+/// For columns that are named as vertex arrays of the surface are, but were meant to say what a row is about.
+std::string hint_for(const std::string& name) {
+    const std::string word = lower_case(name);
+    return word == "residue" || word == "atom" ? "; columns that say what a row is about are " +
+                                                     IdentityIndex::identity_columns() + ", in small letters"
+                                               : "";
 }
 
 /// The arrays of one interface, or of a table that is about none.
@@ -100,8 +131,10 @@ public:
     ValueTable read() {
         std::string text = reading::read_unzipped(file_, "table of values");
         reading::normalise_line_ends(text);
+        if (is_json(text)) refuse_kind("JSON");
         const std::vector<CsvRow> rows = reading::read_csv(text, file_);
         if (rows.empty()) throw InputError(file_ + ": is empty; write a header line and one line per residue or atom");
+        if (is_of_cavities(rows.front())) refuse_kind("a table of cavities");
         read_names(rows);
         for (const CsvRow& row : std::span(rows).subspan(1)) read_row(row);
         if (blocks_.empty()) add_block("");
@@ -110,6 +143,12 @@ public:
     }
 
 private:
+    [[noreturn]] void refuse_kind(const std::string& kind) const {
+        throw InputError(file_ + ": is " + kind +
+                         "; values are read from comma-separated tables (.csv) with a row for each atom, residue or "
+                         "chain");
+    }
+
     void read_names(std::span<const CsvRow> rows) {
         const CsvRow& first = rows.front();
         std::set<std::string> seen;
@@ -142,7 +181,8 @@ private:
             fail_at(file_, cell.place,
                     shown(names_[column]) +
                         " cannot be the name of values; write letters, digits and '_', not the name of "
-                        "another vertex array");
+                        "another vertex array" +
+                        hint_for(names_[column]));
         columns_.values.push_back(column);
     }
 

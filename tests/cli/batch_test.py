@@ -288,8 +288,40 @@ class Inputs(BatchTest):
         self.assertIn("list: cannot be read", self.refused("measure", "--list", "list", "--out", "out", code=3))
         (self.folder / "notes").mkdir()
         (self.folder / "notes/a.txt").write_text("")
-        self.assertIn("no inputs: 1 files found, but none has the suffix", self.refused("measure", "notes", "--out", "out"))
+        self.assertIn("no inputs: 1 file found, but none has the suffix", self.refused("measure", "notes", "--out", "out"))
         self.assertIn("INPUTS: missing; name files, folders or archives", self.refused("measure", "--out", "out"))
+
+    def test_what_is_missing_fails_alone(self):
+        (self.folder / "list").write_text("in/a/deep/m0.xyzr\nin/none.pdb\nin/top.XYZR\n")
+        for words in (["--list", "list"], ["in/top.XYZR", "in/none.pdb", "in/a/deep/m0.xyzr"]):
+            text = self.batch("measure", *words, "--out", "out", code=6).stdout
+            results = self.results()
+            self.assertEqual([r["status"] for r in results], ["done", "failed", "done"])
+            self.assertEqual((results[1]["input"], results[1]["exit"]), ("none.pdb", 3))
+            self.assertRegex(results[1]["error"], r"^none\.pdb: cannot be .*: No such file or directory")
+            self.assertIn("3 inputs, 1 failed", text)
+            self.write("none.pdb", UBIQUITIN)
+            self.batch("measure", *words, "--out", "out", "--resume", "--mixed-radii")
+            self.assertEqual({r["status"] for r in self.results()}, {"done"})
+            (self.inputs / "none.pdb").unlink()
+            shutil.rmtree(self.folder / "out")
+
+    def test_where_nothing_is_there_it_is_refused(self):
+        error = self.refused("measure", "no.pdb", "nor.pdb", "--out", "out", code=3)
+        self.assertEqual(error, "meniscus: error: no.pdb: cannot be read: No such file or directory")
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_outputs_are_not_compressed(self):
+        for name in ("o.tar.gz", "o.TGZ", "o.zip", "o.tar.xz"):
+            self.assertIn(f"--out {name}: archives of outputs are not compressed; name a folder, or a .tar",
+                          self.refused("measure", "in", "--out", name))
+            self.assertFalse((self.folder / name).exists())
+
+    def test_counts_of_one_and_columns_of_failures(self):
+        text = self.batch("measure", "in/top.XYZR", "--out", "one").stdout
+        self.assertRegex(text, r"one  1 input, 0 failed, .*\none/results.jsonl  1 line, 0 failed\n")
+        text = self.batch("measure", "in/bad.xyzr", "--out", "two", code=6).stdout
+        self.assertIn("\n  bad.xyzr  failed  bad.xyzr:2:", text)
 
     def test_members_outside_are_refused(self):
         with tarfile.open(self.folder / "evil.tar", "w") as tar:

@@ -71,6 +71,18 @@ class Values(ProgramTest):
             report = self.report("two.pdb", "--values", "t.csv", "-o", "a.ply", "--color", f"{names[0]}:0:50")
             found = [block["name"] for block in report["values"]]
             self.assertTrue(set(names) <= set(found), found)
+        self.run_program("measure", "two.pdb", "-o", "t.csv", "-o", "r.csv", "--per", "atom", "--per", "residue", "--quiet")
+        for words in (["--color", "depth"], ["--arrays", "depth"]):
+            result = self.surface("two.pdb", "--values", "t.csv", "-o", "a.ply", *words)
+            self.assertIn("note: t.csv: column 'depth' left alone, since the depths of the surface are asked", result.stderr)
+            report = self.report("two.pdb", "--values", "t.csv", "-o", "a.ply", *words)
+            self.assertEqual({block["name"]: block["file"] for block in report["values"]}["depth"], "two.pdb")
+        self.assertIn("have the name 'sas_area', one of t.csv and one of r.csv; rename",
+                      self.refused("two.pdb", "--values", "t.csv", "--values", "r.csv", "-o", "b.ply"))
+        self.run_program("measure", "two.pdb", "-o", "t.csv", "-o", "t.json", "--per", "cavity", "--quiet")
+        for name, kind in ("t.csv", "a table of cavities"), ("t.json", "JSON"):
+            result = self.surface("two.pdb", "--values", name, "-o", "b.ply", code=3)
+            self.assertIn(f"{name}: is {kind}; values are read from", result.stderr)
         for per in ("residue", "atom", "chain"):
             self.run_program("measure", "two.pdb", "-o", "t.csv", "--per", per, "--quiet")
             self.assertIn("sas_area", {block["name"] for block in self.report(
@@ -95,7 +107,8 @@ class Values(ProgramTest):
             self.assertIn(b"depth.npy", (self.folder / "a.npz").read_bytes())
         self.assertEqual(self.report("gly.pdb", "--arrays", "depth", "-o", "a.ply")["options"]["arrays"], ["depth"])
         self.assertIn("choose one of depth", self.refused("gly.pdb", "--arrays", "width", "-o", "b.ply"))
-        self.assertIn("two arrays", self.refused("gly.pdb", "--arrays", "depth", "--values", "t.csv", "-o", "b.ply"))
+        self.assertIn("'depth' is also the name of values of t.csv; rename",
+                      self.refused("gly.pdb", "--arrays", "depth", "--values", "t.csv", "-o", "b.ply"))
 
     def test_one_colour_has_a_name(self):
         (self.folder / "gly.pdb").write_text(glycine())

@@ -98,7 +98,7 @@ TEST(AtomicFile, FoldersAndMissingFoldersAreErrorsThatNameThePath) {
     std::filesystem::create_directory(folder / "sub");
     EXPECT_EQ(message_of(folder / "sub"), (folder / "sub") + ": cannot be written: Is a directory");
     EXPECT_EQ(message_of(folder / "none/a.txt"),
-              (folder / "none/a.txt") + ": cannot be written: No such file or directory");
+              (folder / "none/a.txt") + ": there is no folder '" + (folder / "none") + "'; create it first");
     EXPECT_EQ(folder.listing(), Names{"sub"});
 }
 

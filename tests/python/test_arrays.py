@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Arrays as other libraries take them: types of indices, copies that may be written to, depths."""
 import importlib.util
+import inspect
+import os
 import unittest
 import warnings
 
@@ -69,6 +71,23 @@ class Arrays(InScratchFolder):
         with open("a.ply", "rb") as one, open("b.ply", "rb") as other:
             self.assertEqual(one.read(), other.read())
 
+    def test_depth_is_an_array_as_others_when_asked_for(self):
+        depth = self.surface.depth
+        self.assertNotIn("depth", self.surface.numpy())
+        for arrays in ("depth", ["depth"]):
+            self.assertEqual(self.surface.numpy(copy=True, arrays=arrays)["depth"].tobytes(), depth.tobytes())
+        self.surface.save("a.npz", arrays="depth", color="patch")
+        self.assertEqual(np.load("a.npz")["depth"].tobytes(), depth.tobytes())
+        points = self.surface.sample()
+        self.assertEqual(points.numpy(arrays="depth")["depth"].tobytes(), points.depth.tobytes())
+        points.save("p.npz", arrays="depth")
+        self.assertEqual(np.load("p.npz")["depth"].tobytes(), points.depth.tobytes())
+        for call in (self.surface.numpy, points.numpy, lambda arrays: self.surface.save("x.ply", arrays=arrays)):
+            with self.assertRaisesRegex(meniscus.UsageError, "arrays: unknown value 'width'; choose one of depth"):
+                call(arrays="width")
+        with self.assertRaisesRegex(meniscus.UsageError, "'depth' is also the name of values"):
+            self.surface.save("x.ply", arrays="depth", values={"depth": depth})
+
     def test_one_colour_has_a_name(self):
         for color in ("tomato", "Tomato", "#ff6347"):
             self.assertEqual(np.unique(self.surface.colors(color), axis=0).tolist(), [[255, 99, 71, 255]])
@@ -81,7 +100,7 @@ class Arrays(InScratchFolder):
         self.surface.save("a.html", color="navy")
 
 
-class Paths(unittest.TestCase):
+class Paths(InScratchFolder):
     def test_a_path_is_read(self):
         import pathlib
         protein = read(UBIQUITIN)
@@ -99,6 +118,55 @@ class Paths(unittest.TestCase):
             meniscus.surface("no-such-file.pdb")
         with self.assertRaisesRegex(meniscus.UsageError, "numbers go with an array"):
             meniscus.measure(UBIQUITIN, [1.0, 2.0])
+
+    def test_keywords_of_reading_go_with_a_path(self):
+        wet = {"waters": True, "select": "//A/1-20", "hydrogens": "drop"}
+        count = len(read(UBIQUITIN, **wet))
+        self.assertEqual(len(meniscus.measure(UBIQUITIN, "bondi", **wet).structure), count)
+        self.assertEqual(len(meniscus.surface(UBIQUITIN, spacing=1.0, **wet).structure), count)
+        dry = meniscus.signed_distance(read(UBIQUITIN), points=[[30, 30, 30]])
+        self.assertEqual(meniscus.signed_distance(UBIQUITIN, points=[[30, 30, 30]], waters=False), dry)
+        part = read(UBIQUITIN, select="//A/1-20")
+        found = meniscus.compare(UBIQUITIN, part, select="//A/1-20", spacing=1.0)
+        self.assertLess(found.hausdorff, 0.01)
+
+    def test_keywords_of_reading_go_with_nothing_else(self):
+        protein = read(UBIQUITIN)
+        for call in (lambda **reading: meniscus.surface(protein, **reading),
+                     lambda **reading: meniscus.measure(CENTRES, RADII, **reading),
+                     lambda **reading: meniscus.signed_distance(CENTRES, RADII, [[0, 0, 0]], **reading),
+                     lambda **reading: meniscus.compare(protein, protein, **reading)):
+            with self.assertRaisesRegex(TypeError, r"waters is an argument of read\(\); it applies where the path"):
+                call(waters=True)
+            with self.assertRaisesRegex(TypeError, "unexpected keyword argument 'watters'"):
+                call(watters=True)
+        with self.assertRaisesRegex(TypeError, "unexpected keyword argument 'watters'"):
+            meniscus.measure(UBIQUITIN, watters=True)
+
+    def test_they_are_described_once(self):
+        from meniscus import _structure
+        parameters = inspect.signature(meniscus.read).parameters
+        self.assertEqual(set(_structure.Reading.__annotations__), set(parameters) - {"path", "radii"})
+
+    def test_warnings_of_reading_name_the_line_of_the_caller(self):
+        with open("odd.pqr", "w", encoding="ascii") as file:
+            file.write("ATOM 1 N ALA 1 0 0 0 0 1.5\nATOM 2 O HOH 2 5 0 0 0 1.5\n")
+        for call in (lambda: meniscus.measure("odd.pqr"), lambda: meniscus.surface("odd.pqr"),
+                     lambda: meniscus.compare("odd.pqr", "odd.pqr"), lambda: meniscus.read("odd.pqr")):
+            with self.assertWarns(meniscus.ReadWarning) as caught:
+                call()
+            self.assertEqual(os.path.basename(caught.filename), "test_arrays.py")
+
+    def test_what_is_no_atoms_is_called_by_its_type(self):
+        surface = meniscus.surface(CENTRES, RADII)
+        with open("empty", "wb+") as file:
+            for atoms, name in ((None, "NoneType"), (b"1ubq.pdb", "bytes"), (file, "BufferedRandom"), (3.0, "float")):
+                for call in (meniscus.surface, meniscus.measure):
+                    with self.assertRaisesRegex(TypeError, f"atoms: must be a Structure, .* not {name}$"):
+                        call(atoms)
+        for atoms, name in ((surface, "Surface"), (surface.measures, "Measures"), (surface.sample(), "Points")):
+            with self.assertRaisesRegex(TypeError, f"not {name}; its atoms are its .structure"):
+                meniscus.measure(atoms)
 
 
 class Interfaces(InScratchFolder):
@@ -125,6 +193,9 @@ class Interfaces(InScratchFolder):
             self.assertEqual(names(between), one, between)
         self.assertEqual(names(("A,C", "B")), [(("A", "C"), ("B",))])
         self.assertEqual(names((["A", "C"], "B")), [(("A", "C"), ("B",))])
+        for between in ("chain A:chain B", ("chain A", "B"), ["chain A:B"]):
+            self.assertEqual(names(between), one, between)
+        self.assertEqual(names("chain A+C:B"), [(("A", "C"), ("B",))])
         self.assertEqual(names([("A", "B"), ("B", "C")]), one + [(("B",), ("C",))])
         self.assertEqual(names(("A:B", "B:C")), one + [(("B",), ("C",))])
         self.assertEqual(names("all"), one + [(("B",), ("C",))])

@@ -1,9 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The Meniscus authors
 # SPDX-License-Identifier: Apache-2.0
 """Distances between surfaces."""
+import copy
 import json
 import os
 import pathlib
+import pickle
 import subprocess
 import tempfile
 import unittest
@@ -48,6 +50,18 @@ class Compare(unittest.TestCase):
         self.assertEqual(report["a_to_b"]["mean"], found.a_to_b.mean)
         self.assertEqual(report["b_to_a"]["signed_mean"], found.b_to_a.signed_mean)
         self.assertEqual((self.folder / "python.ply").read_bytes(), (self.folder / "program.ply").read_bytes())
+
+    def test_what_was_found_can_be_pickled_and_copied(self):
+        protein = ball(2.0)
+        found = meniscus.compare(meniscus.surface(protein), protein)
+        for again in (pickle.loads(pickle.dumps(found)), copy.deepcopy(found), copy.copy(found)):
+            self.assertEqual((again.a, again.b, again.a_to_b, again.b_to_a), (found.a, found.b, found.a_to_b, found.b_to_a))
+            for name in ("vertices", "triangles", "distances"):
+                self.assertEqual(getattr(again, name).tobytes(), getattr(found, name).tobytes())
+                self.assertFalse(getattr(again, name).flags.writeable)
+            again.save(self.folder / "again.ply")
+            found.save(self.folder / "found.ply")
+            self.assertEqual((self.folder / "again.ply").read_bytes(), (self.folder / "found.ply").read_bytes())
 
     def read(self):
         return meniscus.read(self.folder / "b.xyzr")

@@ -71,6 +71,15 @@ class Map(InScratchFolder):
         self.assertEqual(found[1]["error"], "took longer than 1 s")
         self.assertIsNone(found[0]["report"])
 
+    def test_a_missing_file_is_a_failure_as_in_a_batch(self):
+        paths = [*self.paths, "in/none.xyzr"]
+        write("list", "\n".join(paths) + "\n")
+        batch("measure", "--list", "list", "--out", "expected")
+        found = run(paths, out="out")
+        self.assertEqual([record["status"] for record in found], ["done", "done", "done", "failed"])
+        self.assertRegex(found[3]["error"], r"^none\.xyzr: cannot be .*: No such file or directory")
+        self.assertEqual(contents("out"), contents("expected"))
+
     def test_the_files_are_those_of_a_batch(self):
         twins = [write("in/twin.xyzr"), write("in/twin.xyzrn", "0 0 0 1.7 1 C_GLY_1\n")]
         bad = write("in/c/bad.xyzr", "0 0\n")
@@ -145,7 +154,8 @@ class Refusals(InScratchFolder):
         self.refused(usage, "command: unknown value 'compare'", paths, command="compare")
         self.refused(usage, "outputs: give a folder", paths, outputs=[".csv"])
         self.refused(usage, "give only the ending", paths, out="out", outputs=["a.csv"])
-        self.refused(usage, "out: must be a folder, not 'x.tar'", paths, out="x.tar")
+        for out in ("x.tar", "x.tar.gz", "x.tgz", "x.zip"):
+            self.refused(usage, f"out: must be a folder, not '{out}'", paths, out=out)
         self.refused(usage, "jobs 0", paths, jobs=0)
         self.refused(usage, "jobs: the workers", paths, client=unittest.mock.Mock(), jobs=2)
         for option in ("report", "resume", "shard", "list"):
@@ -154,7 +164,7 @@ class Refusals(InScratchFolder):
         self.refused(usage, "holds many inputs", [write("in.tar", "")])
         self.refused(TypeError, "list of paths", "in/a.xyzr")
         self.refused(TypeError, "a path must be text", [b"a.xyzr"])
-        self.refused(FileNotFoundError, "none.xyzr", ["none.xyzr", *paths])
+        self.refused(FileNotFoundError, "none of the files is there: .*none.xyzr", ["none.xyzr"])
         self.refused(meniscus.OutputError, "cannot be written", paths, out="in/a.xyzr/out")
 
     def test_outputs_of_two_inputs_at_one_place(self):

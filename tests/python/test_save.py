@@ -278,13 +278,20 @@ class Saving(InScratchFolder):
 
     def test_what_cannot_be_written_is_an_os_error_and_leaves_nothing(self):
         for suffix in ("ply", "npz", "png", "mls", "stl", "glb", "vtp", "html", "dx", "mrc"):
-            with self.assertRaisesRegex(OSError, f"nosuch/x.{suffix}: cannot be written"):
+            with self.assertRaisesRegex(OSError, f"nosuch/x.{suffix}: there is no folder 'nosuch'; create it first"):
                 self.surface.save(f"nosuch/x.{suffix}", size=(8, 8))
             os.mkdir(f"x.{suffix}")
             with self.assertRaises(OSError):
                 self.surface.save(f"x.{suffix}", size=(8, 8))
             os.rmdir(f"x.{suffix}")
+        with self.assertRaisesRegex(OSError, "nosuch/p.npz: there is no folder 'nosuch'; create it first"):
+            self.surface.sample().save("nosuch/p.npz")
         self.assertEqual(os.listdir(), [])
+
+    def test_values_without_a_name_are_a_type_error(self):
+        for values in (self.surface.area, [1.0], "area"):
+            with self.assertRaisesRegex(TypeError, "values: must be arrays by name, such as {'area': array}, not "):
+                self.surface.save("x.ply", values=values)
 
 
 if __name__ == "__main__":

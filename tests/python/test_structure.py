@@ -99,10 +99,14 @@ class Reading(InScratchFolder):
                                  ({"hydrogens": "add"}, "hydrogens: unknown value 'add'; choose one of auto, keep, drop"),
                                  ({"chains": "A,"}, "chains: empty name"),
                                  ({"model": 0}, "--model 0: models are counted from 1"),
-                                 ({"radii": "nosuch"}, "--radii nosuch: neither a radius set nor a file")):
+                                 ({"radii": "nosuch"}, "radii=\"nosuch\": neither a radius set nor a file")):
             with self.assertRaises(ValueError) as caught:
                 meniscus.read(UBIQUITIN, **options)
             self.assertIn(message, str(caught.exception))
+
+    def test_all_models_are_read_by_another_function(self):
+        with self.assertRaisesRegex(TypeError, r"must be a whole number or \"join\", not 'all'; read_models\(\) reads"):
+            meniscus.read(UBIQUITIN, model="all")
 
     def test_types_that_cannot_be_meant_are_type_errors(self):
         for options in ({"model": "1"}, {"model": 1.5}, {"model": True}, {"hetero": 3}):

@@ -23,6 +23,12 @@ TEST(Csv, CellsAreSeparatedByCommasAndRowsByLines) {
     EXPECT_EQ(texts("a,b\n1,\n\n,2"), (Texts{{"a", "b"}, {"1", ""}, {"", "2"}}));
 }
 
+TEST(Csv, SemicolonsAndTabsSeparateWhereTheFirstLineHasNoComma) {
+    EXPECT_EQ(texts("\na;b\n\"1;2\";0,5\n"), (Texts{{"a", "b"}, {"1;2", "0,5"}}));
+    EXPECT_EQ(texts("a\tb c\n1\t2;3\n"), (Texts{{"a", "b c"}, {"1", "2;3"}}));
+    EXPECT_EQ(texts("a,b;c\n1,2;3\n"), (Texts{{"a", "b;c"}, {"1", "2;3"}}));
+}
+
 TEST(Csv, QuotesHoldCommasQuotesAndLines) {
     EXPECT_EQ(texts("\"a,b\",\"say \"\"x\"\"\"\n\"two\nlines\",end\n"),
               (Texts{{"a,b", "say \"x\""}, {"two\nlines", "end"}}));

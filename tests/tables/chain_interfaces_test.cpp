@@ -71,6 +71,25 @@ TEST(ChainInterfaces, SayHowALigandIsKept) {
     EXPECT_EQ(message_of({{"A"}, {"()"}}), "'()' lacks the name of a residue; write for instance (HEM)");
 }
 
+TEST(ChainInterfaces, SayWhereChainsHaveNoNames) {
+    Structure s = small_complex();
+    const auto message_of = [&]() -> std::string {
+        try {
+            chain_interfaces(s, std::vector<ChainPair>{{{"X"}, {"B"}}});
+        } catch (const UsageError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    s.residues.front().chain = "";
+    EXPECT_TRUE(message_of().ends_with("; there are A, B, LONG and one without a name")) << message_of();
+    for (Residue& residue : s.residues) residue.chain = "";
+    EXPECT_EQ(
+        message_of(),
+        "there is no chain 'X' among the kept atoms, whose chains have no names; give a file that names them, such "
+        "as PDB or mmCIF");
+}
+
 TEST(ChainInterfaces, RefuseUnknownChainsAndChainsOnBothSides) {
     const Structure s = small_complex();
     const auto of = [&](const ChainPair& pair) { return chain_interfaces(s, std::vector<ChainPair>{pair}); };

@@ -112,6 +112,31 @@ TEST(ValueTable, MistakesAreToldWithTheirPlace) {
             << name;
 }
 
+TEST(ValueTable, TablesOfOtherKindsAreCalledByTheirName) {
+    const std::string what =
+        "; values are read from comma-separated tables (.csv) with a row for each atom, residue or chain";
+    EXPECT_EQ(message_of("component,ses_area,inscribed_radius\n1,2,3\n"), "t.csv: is a table of cavities" + what);
+    EXPECT_EQ(message_of(" [\n{\"a\": 1}]"), "t.csv: is JSON" + what);
+    EXPECT_EQ(message_of("{\"a\": [1, 2]}"), "t.csv: is JSON" + what);
+}
+
+TEST(ValueTable, SemicolonsAndTabsOfSpreadsheetsAreTaken) {
+    for (const char* text : {"chain;resnum;v\nA;1;0.5\n", "chain\tresnum\tv\nA\t1\t0.5\n"})
+        expect_values(table_of(text).columns[0].of_atom, {0.5, 0.5, kNone, kNone, kNone, kNone});
+    const std::string what = "column 'v' holds '0,5'; write decimals with a point";
+    EXPECT_EQ(message_of("chain;resnum;v\nA;1;0,5\n"), "t.csv:2:5: " + what);
+    EXPECT_EQ(message_of("chain;resnum;v\nB;1;1\nA;1;0,5\n"), "t.csv:3:5: " + what);
+    EXPECT_EQ(table_of("chain,resnum,note,v\nA,1,\"1,2\",1\nB,1,x,2\n").texts, (std::vector<std::string>{"note"}));
+}
+
+TEST(ValueTable, ColumnsThatWereMeantToIdentifyAreTold) {
+    EXPECT_TRUE(message_of("Chain,Residue,v\nA,1,1\n")
+                    .ends_with("columns that say what a row is about are index, chain, resname, resnum, icode, name, "
+                               "altloc, serial, in small letters"));
+    EXPECT_TRUE(message_of("Chain,Resnum,v\nA,1,1\n").ends_with("or serial, in small letters"));
+    EXPECT_EQ(message_of("serial,area\n1,1\n").find("small letters"), std::string::npos);
+}
+
 TEST(ValueTable, AtomsOfOneNameInAResidueAreNotCopiesOfEachOther) {
     Structure nameless = small_complex();
     nameless.residues = {{}};
