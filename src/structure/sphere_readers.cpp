@@ -22,19 +22,19 @@ RawModel sphere_model(bool has_names) {
 
 // "CA_ALA_12", as MSMS writes names, and "CA_ALA_12B_A" with insertion code and chain; else a name alone.
 RawResidue xyzrn_residue(const WordLine& line, RawAtom& atom) {
-    constexpr std::size_t kNameWord = 5;
+    constexpr std::size_t kLabelWord = 5;
     RawResidue residue;
-    if (line.size() <= kNameWord) return residue;
+    if (line.size() <= kLabelWord) return residue;
     std::vector<std::string_view> parts;
-    for (std::string_view rest = line.name(kNameWord); parts.size() < 3; rest.remove_prefix(parts.back().size() + 1)) {
+    for (std::string_view rest = line.name(kLabelWord); parts.size() < 3; rest.remove_prefix(parts.back().size() + 1)) {
         parts.push_back(rest.substr(0, rest.find('_')));
         if (parts.back().size() == rest.size()) break;
     }
     atom.name = upper_case(parts[0]);
     if (parts.size() < 3 || !set_number(parts[2], residue)) return residue;
     residue.name = upper_case(parts[1]);
-    const std::size_t used = static_cast<std::size_t>(parts[2].data() + parts[2].size() - line[kNameWord].data());
-    if (used < line[kNameWord].size()) residue.chain = std::string(line[kNameWord].substr(used + 1));
+    const std::size_t used = static_cast<std::size_t>(parts[2].data() + parts[2].size() - line[kLabelWord].data());
+    if (used < line[kLabelWord].size()) residue.chain = std::string(line[kLabelWord].substr(used + 1));
     return residue;
 }
 

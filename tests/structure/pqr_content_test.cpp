@@ -86,8 +86,9 @@ TEST(PqrContent, RealFilesAreWhatTheyAreNamed) {
             if (!name.ends_with(".pqr") && !name.ends_with(".pdb")) continue;
             const std::string text = testing::read_file(name);
             EXPECT_EQ(is_surely_pqr(text), name.ends_with(".pqr")) << name;
-            if (name.ends_with(".pqr")) EXPECT_FALSE(is_surely_pdb(text)) << name;
-            pqr += static_cast<std::size_t>(name.ends_with(".pqr"));
+            if (!name.ends_with(".pqr")) continue;
+            EXPECT_FALSE(is_surely_pdb(text)) << name;
+            ++pqr;
         }
     }
     EXPECT_GE(pqr, 5U);
