@@ -86,7 +86,7 @@ TEST(PqrContent, RealFilesAreWhatTheyAreNamed) {
             if (!name.ends_with(".pqr") && !name.ends_with(".pdb")) continue;
             const std::string text = testing::read_file(name);
             EXPECT_EQ(is_surely_pqr(text), name.ends_with(".pqr")) << name;
-            if (name.ends_with(".pqr")) EXPECT_FALSE(is_surely_pdb(text)) << name;
+            EXPECT_FALSE(name.ends_with(".pqr") && is_surely_pdb(text)) << name;
             pqr += static_cast<std::size_t>(name.ends_with(".pqr"));
         }
     }
