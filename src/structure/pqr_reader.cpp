@@ -125,19 +125,13 @@ ModelLine kind_in_pqr(std::string_view line) {
                                                                                              : ModelLine::Other;
 }
 
-// A line between two models goes to the one behind it, so that none is passed over unseen.
+// Lines between two models go to the one before, so that none is passed over unseen.
 void cover_text(std::string_view text, std::vector<PdbModelSpan>& spans) {
     if (spans.empty()) spans.push_back({});
+    spans.front().begin = 0;
+    spans.front().first_line = 1;
+    for (std::size_t i = 0; i + 1 < spans.size(); ++i) spans[i].end = spans[i + 1].begin;
     spans.back().end = text.size();
-    std::size_t begin = 0;
-    std::size_t first_line = 1;
-    for (PdbModelSpan& span : spans) {
-        span.begin = begin;
-        span.first_line = first_line;
-        const std::string_view own = text.substr(begin, span.end - begin);
-        first_line += static_cast<std::size_t>(std::count(own.begin(), own.end(), '\n'));
-        begin = span.end;
-    }
 }
 
 }  // namespace

@@ -115,13 +115,12 @@ TEST(GroReader, FramesAreModels) {
 TEST(GroReader, IonsOfForceFieldsHaveTheirElements) {
     const Structure ions = read_text(
         "t\n7\n    1NA+     NA    1   0.000   0.000   0.000\n    2CA2+    CA    2   1.000   0.000   0.000\n"
-        "    3NA2     NA    3   2.000   0.000   0.000\n    4ION      CA    4   3.000   0.000   0.000\n"
-        "    5ION     CLA    5   4.000   0.000   0.000\n    6LIG     CA    6   5.000   0.000   0.000\n"
+        "    3NA2     NA    3   2.000   0.000   0.000\n    4ION     CA    4   3.000   0.000   0.000\n"
+        "    5ION    CLA    5   4.000   0.000   0.000\n    6LIG     CA    6   5.000   0.000   0.000\n"
         "    6LIG     CB    7   5.100   0.000   0.000\n 9 9 9\n",
         kEverything, kAll);
     EXPECT_TRUE(
-        has_warning(ions, "7 elements in non-standard residues guessed from atom names: 2 Ca, 2 Na, 2 C, 1 Cl") ||
-        has_warning(ions, "2 C, 2 Ca, 2 Na, 1 Cl"));
+        has_warning(ions, "7 elements in non-standard residues guessed from atom names: 2 C, 2 Ca, 2 Na, 1 Cl"));
 }
 
 TEST(GroReader, MissingAndWrongLinesAreNamed) {
