@@ -125,13 +125,22 @@ ModelLine kind_in_pqr(std::string_view line) {
                                                                                              : ModelLine::Other;
 }
 
-// Lines between two models go to the one before, so that none is passed over unseen.
+// ENDMDL goes to the model that it ends, other lines between two models to the one behind, so that none is passed over
+// unseen.
 void cover_text(std::string_view text, std::vector<PdbModelSpan>& spans) {
     if (spans.empty()) spans.push_back({});
-    spans.front().begin = 0;
-    spans.front().first_line = 1;
-    for (std::size_t i = 0; i + 1 < spans.size(); ++i) spans[i].end = spans[i + 1].begin;
     spans.back().end = text.size();
+    std::size_t begin = 0;
+    std::size_t first_line = 1;
+    for (PdbModelSpan& span : spans) {
+        const std::string_view last = text.substr(span.end, text.find('\n', span.end) - span.end);
+        if (kind_in_pqr(last) == ModelLine::Endmdl) span.end = std::min(span.end + last.size() + 1, text.size());
+        span.begin = begin;
+        span.first_line = first_line;
+        const std::string_view own = text.substr(begin, span.end - begin);
+        first_line += static_cast<std::size_t>(std::count(own.begin(), own.end(), '\n'));
+        begin = span.end;
+    }
 }
 
 }  // namespace
