@@ -246,6 +246,8 @@ void choose_format(InputFile& file) {
 
 }  // namespace
 
+bool is_biological_unit(const std::string& path) { return digits_of_assembly(lower_case(base_name(path))) > 0; }
+
 std::string stem_of(const std::string& path) {
     if (path == "-") return "stdin";
     std::string name = base_name(path);

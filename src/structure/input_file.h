@@ -31,6 +31,9 @@ InputFile load_input(const std::string& path, Checksum checksum = Checksum::Foun
 /// The same from bytes already in memory; the path tells name and format as if they came from there.
 InputFile load_bytes(std::string bytes, const std::string& path, Checksum checksum = Checksum::Found);
 
+/// Whether a file is named as a biological unit: 1abc.pdb1, 1abc.pdb2.gz.
+bool is_biological_unit(const std::string& path);
+
 /// "1ubq" for "dir/1ubq.pdb.gz", "stdin" for "-".
 std::string stem_of(const std::string& path);
 

@@ -81,8 +81,10 @@ bool lie_on_each_other(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     return 2 * near > a.size();
 }
 
+bool lie_on_each_other(const RawModel& a, const RawModel& b) { return lie_on_each_other(places_of(a), places_of(b)); }
+
 RawModel join_models(std::vector<RawModel> models, const std::string& file) {
-    const bool is_ensemble = models.size() > 1 && lie_on_each_other(places_of(models[0]), places_of(models[1]));
+    const bool is_ensemble = models.size() > 1 && lie_on_each_other(models[0], models[1]);
     ChainNames names(models);
     for (RawModel& model : models) {
         names.begin_model();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "structure/pdb_line.h"
 
+#include <charconv>
 #include <cmath>
 
 #include "core/largest_length.h"
@@ -140,20 +141,33 @@ std::string chain_of_record(std::string_view line, ChainWidth width) {
     return std::string(trimmed(residue_columns(AtomLine(line, 0, no_file), width).chain));
 }
 
-ResidueNumber residue_number(const AtomLine& line) {
+// What VMD writes for numbers of more than four digits: the number in hexadecimal, or stars.
+std::optional<int> vmd_number(std::string_view columns) {
+    if (columns == "****") return 0;
+    int value = 0;
+    const auto [end, error] = std::from_chars(columns.data(), columns.data() + columns.size(), value, 16);
+    const bool is_whole = error == std::errc() && end == columns.data() + columns.size();
+    return is_whole && columns.size() == 4 && is_decimal_digit(columns[0]) ? std::optional(value) : std::nullopt;
+}
+
+ResidueNumber residue_number(const AtomLine& line, OddLines& odd) {
     const std::string columns = line.padded(23, 28);
+    const std::string_view four = std::string_view(columns).substr(0, 4);
     const char code = columns[4];
     const bool is_wide = is_decimal_digit(code);
-    if (!is_wide && trimmed(std::string_view(columns).substr(0, 4)).empty()) return {0, code};
+    if (!is_wide && trimmed(four).empty()) return {0, code};
     const std::string shown_number = shown(trimmed(line.columns(23, code == ' ' ? 27 : 30)));
     if (code != ' ' && columns[5] != ' ')
         line.fail(23, "residue number " + shown_number +
                           " has no room in columns 23-27; begin with 1 again in another chain, or write mmCIF");
-    const auto number = is_wide ? integer(line.columns(23, 27)) : hybrid36_number(line.columns(23, 26));
-    if (!number)
+    const auto number = is_wide ? integer(line.columns(23, 27)) : hybrid36_number(four);
+    if (number) return {*number, is_wide ? ' ' : code};
+    const auto of_vmd = is_wide ? std::nullopt : vmd_number(four);
+    if (!of_vmd)
         line.fail(23, "residue number " + shown_number +
                           " is not an integer; correct it, or write mmCIF if it is one of more than four digits");
-    return {*number, is_wide ? ' ' : code};
+    odd.add(line.number(), four);
+    return {*of_vmd, code};
 }
 
 int element_shift(const AtomLine& line, std::string_view residue) {

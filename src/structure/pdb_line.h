@@ -68,8 +68,8 @@ struct ResidueNumber {
 };
 
 /// Columns 23-27: an integer, of five digits if the last takes the place of the insertion code, or hybrid-36 (A000 is
-/// 10000). A blank one is 0.
-ResidueNumber residue_number(const AtomLine& line);
+/// 10000). A blank one is 0. VMD's hexadecimal numbers and stars (0) are odd.
+ResidueNumber residue_number(const AtomLine& line, OddLines& odd);
 
 /// -1 or 1 if columns 76-77 or 78-79 hold an element of two letters that agrees with the atom's name, of which only one
 /// letter is in columns 77-78; otherwise 0.

@@ -45,6 +45,7 @@ struct OddFields {
     OddLines charge;
     OddLines element;
     OddLines residue;
+    OddLines number;
 
     std::vector<std::string> told() const {
         std::vector<std::string> lines;
@@ -53,6 +54,7 @@ struct OddFields {
         charge.tell("charge ", " is neither blank nor a digit and a sign; taken as missing", lines);
         element.tell("element ", " stands one column beside columns 77-78; read from where it stands", lines);
         residue.tell("", " in columns 18-22 is read as a residue name of four letters and a chain name of one", lines);
+        number.tell("residue number ", " is not decimal; read as VMD writes it, in hexadecimal, and **** as 0", lines);
         return lines;
     }
 };
@@ -90,7 +92,7 @@ private:
         ResidueColumns residue = residue_columns(line, width_);
         if (residue.ambiguous) odd_.residue.add(line.number(), line.columns(18, 22));
         append_record(line, residue, trimmed(segment_), clean_.runs.size() + 1, clean_.text);
-        const ResidueNumber number = residue_number(line);
+        const ResidueNumber number = residue_number(line, odd_.number);
         clean_.runs.push_back({std::move(residue.name), printable(trimmed(segment_)), number});
     }
 

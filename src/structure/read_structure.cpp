@@ -78,6 +78,11 @@ public:
         return model;
     }
 
+    // Whether the models are the copies that make up a biological unit, of which one is only a part.
+    bool are_copies() const {
+        return model_count() > 1 && is_biological_unit(file_.path) && !lie_on_each_other(parse(1), parse(2));
+    }
+
     // Another model, one with atoms, where a MODEL record has none behind it; 0 if there is nothing of the kind.
     int filled_instead_of(int position) const {
         const auto& spans = pdb_.spans;
@@ -239,6 +244,9 @@ void tell_models(const ModelSource& source, const ReadOptions& options, RawModel
     } else if (options.model == 1 && source.partners().exist()) {
         model.warnings.push_back(describe(source.partners()) + " (take all with " + options.spelling("model", "join") +
                                  ")");
+    } else if (options.model == 1 && source.are_copies()) {
+        model.warnings.push_back("model 1 of " + count + " taken, a part of the biological unit (take all with " +
+                                 options.spelling("model", "join") + ")");
     } else {
         model.notes.push_back("model " + std::to_string(options.model) + " of " + count +
                               " taken (choose another with " + options.spelling("model", "N") + ")");

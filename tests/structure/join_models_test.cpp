@@ -121,13 +121,16 @@ TEST(JoinModels, AnEmptyModelNamesAnother) {
     expect_contains(error_of("MODEL 1\nENDMDL\nMODEL 2\nENDMDL\n", "e.pdb"), "no atoms in this file");
 }
 
-TEST(JoinModels, CopiesAreANoteAsBefore) {
+TEST(JoinModels, OneCopyOfABiologicalUnitIsAWarning) {
     const std::string moved = pdb_line({.name = " N  ", .x = 30.0}) + pdb_line({.name = " CA ", .x = 31.5});
     const std::string text = "MODEL 1\n" + kReceptor + "ENDMDL\nMODEL 2\n" + moved + "ENDMDL\n";
     const Structure first = read_text(text, "b.pdb1");
     EXPECT_EQ(first.name, "b");
-    EXPECT_TRUE(has_note(first, "model 1 of 2 taken"));
-    EXPECT_TRUE(first.warnings.empty());
+    EXPECT_TRUE(has_warning(first, "model 1 of 2 taken, a part of the biological unit"));
+    EXPECT_TRUE(read_text(text, "b.pdb").warnings.empty());
+    EXPECT_TRUE(has_note(read_text(text, "b.pdb"), "model 1 of 2 taken"));
+    const std::string ensemble = "MODEL 1\n" + kReceptor + "ENDMDL\nMODEL 2\n" + kReceptor + "ENDMDL\n";
+    EXPECT_TRUE(read_text(ensemble, "b.pdb1").warnings.empty());
     const Structure both = read_text(gzipped(text), "b.pdb1.gz", {.join_models = true});
     EXPECT_EQ(both.atoms.size(), 4U);
     EXPECT_EQ(both.residues.at(1).chain, "A-2");

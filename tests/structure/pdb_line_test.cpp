@@ -69,13 +69,13 @@ int number_of(const std::string& from_23) {
 }
 
 TEST(PdbLine, ResidueNumbersThatAreNoneAreRefused) {
-    for (const char* text : {"X1?*", "****", " 1 1", "1.0 ", "271A", "A1  ", "Aa00", "A0001", "  --"}) {
+    for (const char* text : {"X1?*", "***1", " 1 1", "1.0 ", "271G", "A1  ", "Aa00", "A0001", "  --"}) {
         const std::string error = with_number(text);
         EXPECT_TRUE(error.starts_with("n.pdb:1:23: residue number '")) << error << text;
     }
     expect_contains(with_number("X1?*"), "residue number 'X1?*' is not an integer; correct it");
     expect_contains(with_number("100001"), "residue number '100001' has no room in columns 23-27");
-    EXPECT_TRUE(with_number("****", "n.pdbqt").starts_with("n.pdbqt:1:23: "));
+    EXPECT_TRUE(with_number("***1", "n.pdbqt").starts_with("n.pdbqt:1:23: "));
 }
 
 TEST(PdbLine, ResidueNumbersInTheirColumns) {
@@ -90,6 +90,8 @@ TEST(PdbLine, ResidueNumbersInTheirColumns) {
                                        {"A000", 10000},
                                        {"ZZZZ", 1223055},
                                        {"a000", 1223056},
+                                       {"271a", 10010},
+                                       {"****", 0},
                                        {"     ", 0}})
         EXPECT_EQ(number_of(text), number) << text;
 }
