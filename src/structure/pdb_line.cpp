@@ -68,6 +68,8 @@ bool is_shifted_element(const AtomLine& line, int shift, std::string_view residu
 AtomLine::AtomLine(std::string_view line, std::size_t number, const std::string& file)
     : line_(without_blank_end(line)), number_(number), file_(file) {}
 
+bool AtomLine::is_hetatm() const { return line_.starts_with("HETATM"); }
+
 std::string_view AtomLine::columns(std::size_t first, std::size_t last) const {
     if (first > line_.size()) return {};
     return line_.substr(first - 1, last - first + 1);

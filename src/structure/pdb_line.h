@@ -20,7 +20,7 @@ public:
 
     std::string_view text() const { return line_; }
     std::size_t number() const { return number_; }
-    bool is_hetatm() const { return line_.starts_with("HETATM"); }
+    bool is_hetatm() const;
 
     std::string_view columns(std::size_t first, std::size_t last) const;
 
