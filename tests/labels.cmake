@@ -30,8 +30,11 @@ endfunction()
 
 function(meniscus_covers result)
   file(RELATIVE_PATH own ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  # What everything is built with, or of.
+  set(common CMakeLists.txt src/CMakeLists.txt cmake packages.txt include src/core tests/CMakeLists.txt tests/labels.cmake
+    tests/support)
   set(labels slow)
-  foreach(path IN LISTS ARGN ITEMS ${own})
+  foreach(path IN LISTS ARGN common ITEMS ${own})
     if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${path})
       message(FATAL_ERROR "${path}, which a slow test is said to cover, does not exist")
     endif()

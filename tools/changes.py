@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a change touches: the files that differ from where the change began.
 
-usage: changes.py PATH ...    ends with 0 if a file has changed that is one of these or below one of these folders, else 1
+usage: changes.py PATH ...    ends with 0 if a file has changed that is one of these or below one of these folders, with 1
+                              if none has, with 2 where that cannot be told
 """
 import functools
 import os
@@ -33,7 +34,9 @@ def base():
     if os.environ.get("MENISCUS_BASE"):
         found = git("rev-parse", "--verify", os.environ["MENISCUS_BASE"] + "^{commit}")
         if found is None:
-            raise SystemExit(f"MENISCUS_BASE={os.environ['MENISCUS_BASE']}: not a commit of this repository")
+            print(f"MENISCUS_BASE={os.environ['MENISCUS_BASE']}: not a commit of this repository; name one, or unset it",
+                  file=sys.stderr)
+            raise SystemExit(2)
         return found
     merge_base = git("merge-base", "HEAD", "refs/remotes/origin/HEAD")
     if merge_base and merge_base != git("rev-parse", "HEAD"):
@@ -47,10 +50,14 @@ def changed():
 
     None where base() is not known: everything counts as changed then.
     """
-    if base() is None:
+    own = pathlib.Path(__file__).resolve()
+    if base() is None or git("ls-files", "--error-unmatch", str(own)) is None:  # unpacked within another repository
         return None
-    names = f"{git('diff', '--name-only', '--no-renames', base())}\n{git('ls-files', '--others', '--exclude-standard')}"
-    return frozenset(pathlib.Path(name) for name in names.splitlines() if name)
+    differing = git("diff", "--relative", "-z", "--name-only", "--no-renames", base())
+    unknown = git("ls-files", "-z", "--others", "--exclude-standard")
+    if differing is None or unknown is None:
+        return None
+    return frozenset(pathlib.Path(name) for name in (differing + "\0" + unknown).split("\0") if name)
 
 
 def touches(*prefixes):
@@ -61,4 +68,7 @@ def touches(*prefixes):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) < 2:
+        print(__doc__, file=sys.stderr)
+        sys.exit(2)
     sys.exit(0 if touches(*sys.argv[1:]) else 1)

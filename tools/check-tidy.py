@@ -32,7 +32,7 @@ COMMANDS = ROOT / "build" / "checked" / "commands"
 TOGETHER = 12  # sources at most
 
 # What GCC has compiled beforehand clang cannot read, and sources must not need it.
-PRECOMPILED = re.compile(r" -Winvalid-pch -include \S+")
+PRECOMPILED = re.compile(r' -Winvalid-pch -include ("[^"]*"|\S+)')
 # What a line without indentation declares, but for members.
 DECLARED = re.compile(r"^(?!TEST|template|namespace|static_assert)\w[^\n({=;]*?(?<!:)\b(\w+)(?= ?[({=;[]| : | final\b)",
                       re.MULTILINE)
@@ -97,7 +97,7 @@ class Bundles:
 
 def touched(paths):
     """The sources that the change touches, and those that include a header that it touches."""
-    if changes.changed() is None:
+    if changes.changed() is None or changes.touches(*named(SETTINGS), "tools/check-tidy.py", "cmake/settings.cmake"):
         return list(paths), []
     itself = [path for path in paths if path in changes.changed()]
     through_headers = [path for path in paths if path not in changes.changed() and changes.changed() & set(closure(path))]

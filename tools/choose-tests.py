@@ -29,17 +29,27 @@ def is_needed(labels):
     return "slow" not in labels or changes.touches(*covers)
 
 
+def listed_tests(build):
+    listed = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], capture_output=True, text=True, check=False)
+    if listed.returncode != 0:
+        print(listed.stderr or listed.stdout, end="", file=sys.stderr)
+        sys.exit(f"choose-tests: {build}: ctest cannot list its tests; configure and build it")
+    return json.loads(listed.stdout)["tests"]
+
+
 def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
     build = pathlib.Path(sys.argv[1])
-    listed = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], capture_output=True, text=True, check=True)
-    tests = {test["name"]: labels_of(test) for test in json.loads(listed.stdout)["tests"]}
+    tests = {test["name"]: labels_of(test) for test in listed_tests(build)}
     left_out = [name for name, labels in tests.items() if not is_needed(labels)]
     slow = [name for name in left_out if "full" not in tests[name]]
     full = [name for name in left_out if "full" in tests[name]]
     since = (changes.base() or "")[:9]
-    (build / "left-out.txt").write_text(
-        f"{len(slow)} slow tests left out, since nothing that they cover has changed since {since}: {' '.join(slow)}\n"
-        f"{len(full)} tests left to ./test --full: {' '.join(full)}\n")
+    reasons = {f"slow tests left out, since nothing that they cover has changed since {since}": slow,
+               "tests left to ./test --full": full}
+    lines = [f"{len(names)} {reason}: {' '.join(names)}\n" for reason, names in reasons.items() if names]
+    (build / "left-out.txt").write_text("".join(lines))
     print("^(" + "|".join(re.escape(name) for name in left_out) + ")$")
 
 

@@ -108,11 +108,32 @@ run_ninja() {
     fi
 }
 
+# What matters of a build's log: not the steps that have passed.
+show_errors() { sed '/^\[[0-9]/d' "$1"; }
+
+# Whether the compiler cache is there and can write what it keeps.
+has_compiler_cache() {
+    local folder result=0
+    command -v ccache >/dev/null || return 1
+    folder=$(mktemp -d)
+    ccache c++ -x c++ -c /dev/null -o "$folder/empty.o" >/dev/null 2>&1 </dev/null || result=1
+    rm -rf "$folder"
+    return $result
+}
+
 # A compiler cache where there is one. An environment that has chosen another launcher keeps it.
-if command -v ccache >/dev/null && [ -z "${CMAKE_CXX_COMPILER_LAUNCHER-}" ]; then
+if [ -z "${CMAKE_CXX_COMPILER_LAUNCHER-}" ] && has_compiler_cache; then
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache
     export CCACHE_SLOPPINESS="${CCACHE_SLOPPINESS-pch_defines,time_macros}"
 fi
+
+# drop_unusable_launcher FOLDER: where a build folder was configured with a compiler cache that can no longer be used.
+drop_unusable_launcher() {
+    [ -f "$1/CMakeCache.txt" ] && [ -z "${CMAKE_CXX_COMPILER_LAUNCHER-}" ] || return 0
+    if grep -q '^CMAKE_CXX_COMPILER_LAUNCHER:.*=ccache$' "$1/CMakeCache.txt"; then
+        quietly cmake -DCMAKE_CXX_COMPILER_LAUNCHER= "$1"
+    fi
+}
 
 # Removes a build folder that was configured for another place of the project.
 forget_moved_build() {
@@ -124,5 +145,5 @@ forget_moved_build() {
 lock_build() {
     mkdir -p "$1"
     exec 9>"$1.lock"
-    flock 9
+    flock -n 9 || { say "waiting for another ./run or ./test that builds in $1"; flock 9; }
 }

@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from shlex import quote
 
 SOURCE = pathlib.Path(sys.argv[1]).resolve()
 # Stand-ins for the system's programs: what is installed is a line in `installed`, what is called one in `called`.
@@ -32,7 +33,7 @@ class SetupTest(unittest.TestCase):
         return self.bash(f"packages_of {' '.join(sections)}").split()
 
     def bash(self, words):
-        done = subprocess.run(["bash", "-euc", f"root={SOURCE}; . {SOURCE}/tools/setup.sh; {words}"], cwd=self.folder,
+        done = subprocess.run(["bash", "-euc", f"root={quote(str(SOURCE))}; . {quote(str(SOURCE))}/tools/setup.sh; {words}"], cwd=self.folder,
                               env={**os.environ, "PATH": f"{self.folder}:{os.environ['PATH']}"}, capture_output=True,
                               text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)

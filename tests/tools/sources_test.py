@@ -6,11 +6,14 @@
 usage: sources_test.py SOURCE_DIR
 """
 import importlib.util
+import os
 import pathlib
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
+from shlex import quote
 
 SOURCE = pathlib.Path(sys.argv[1]).resolve()
 sys.path.insert(0, str(SOURCE / "tools"))
@@ -108,8 +111,8 @@ class TidyTest(unittest.TestCase):
         self.tidy.copy_settings()
 
     def bundles_of(self, *names):
-        command = f"c++ -I{SOURCE}/src -I{SOURCE}/include -std=c++20 -o x.o -c {{}}"
-        return self.tidy.Bundles({pathlib.Path(name): command.format(SOURCE / name) for name in names})
+        command = f"c++ {quote(f'-I{SOURCE}/src')} {quote(f'-I{SOURCE}/include')} -std=c++20 -o x.o -c "
+        return self.tidy.Bundles({pathlib.Path(name): command + quote(str(SOURCE / name)) for name in names})
 
     def test_sources_pass_together(self):
         """Else each would be looked at alone, which nobody would see."""
@@ -133,6 +136,46 @@ class ProjectTest(unittest.TestCase):
     def test_every_file_to_include_is_seen_by_a_source_file(self):
         seen = {part for path in sources.sources(".cpp") for part in sources.closure(path)}
         self.assertEqual([path for path in sources.sources(".inc") if path not in seen], [])
+
+    def test_every_test_is_run(self):
+        rooms = (SOURCE / "tests" / "CMakeLists.txt").read_text()
+        for path in sorted((SOURCE / "tests").glob("*/*")):
+            if path.name == "CMakeLists.txt":
+                self.assertRegex(rooms, rf"\b{path.parent.name}\b", "tests/CMakeLists.txt does not name this room")
+            elif path.match("*_test.cpp") or path.match("*_test.py") or path.match("test_*.py"):
+                listed = (path.parent / "CMakeLists.txt").read_text()
+                name = path.stem.removeprefix("test_").removesuffix("_test")
+                self.assertRegex(listed, rf"\b{name}(_test)?\b", f"{path.parent}/CMakeLists.txt does not name {path.name}")
+
+    def test_what_a_change_touches(self):
+        """In a repository of its own, also where that lies below another, and with names that git would quote."""
+        with tempfile.TemporaryDirectory() as folder:
+            place = pathlib.Path(folder) / "vendor" / "m"
+            (place / "tools").mkdir(parents=True)
+            shutil.copy(SOURCE / "tools" / "changes.py", place / "tools")
+            (place / "src").mkdir()
+            (place / "src" / "a.cpp").write_text("1")
+
+            def git(*words):
+                subprocess.run(["git", "-c", "user.name=x", "-c", "user.email=x@y", *words], cwd=folder, check=True,
+                               capture_output=True)
+
+            def code(*words, base=""):
+                environment = {**os.environ, "MENISCUS_BASE": base}
+                return subprocess.run([sys.executable, place / "tools" / "changes.py", *words], cwd=place, env=environment,
+                                      capture_output=True, check=False).returncode
+
+            git("init", "-q")
+            self.assertEqual(code("src"), 0, "not in the repository: everything counts as changed")
+            git("add", ".")
+            git("commit", "-qm", "first")
+            (place / "src" / "a.cpp").write_text("2")
+            git("commit", "-qam", "second")
+            self.assertEqual((code("src"), code("tests"), code("src", base="HEAD"), code("src", base="none"), code()),
+                             (0, 1, 1, 2, 2))
+            (place / "tests").mkdir()
+            (place / "tests" / "änderung.cpp").write_text("3")
+            self.assertEqual(code("tests/änderung.cpp"), 0)
 
 
 if __name__ == "__main__":
