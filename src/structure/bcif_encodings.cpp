@@ -60,7 +60,7 @@ std::int64_t integer_of(const PackedValue& map, std::string_view key) {
 BcifType type_of(const PackedValue& map, std::string_view key) {
     const std::int64_t type = integer_of(map, key);
     if ((type < 1 || type > 6) && type != 32 && type != 33)
-        throw DamagedData("\"" + std::string(key) + "\" is no type of numbers", member(map, key).at);
+        throw DamagedData("\"" + std::string(key) + "\" is not a type of numbers", member(map, key).at);
     return static_cast<BcifType>(type);
 }
 

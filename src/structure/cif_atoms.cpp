@@ -116,7 +116,7 @@ void OddValues::tell(const CifSource& source, RawModel& model) const {
         odd.tell(CifSource::tag_of(column) + " ", " is not a number; taken as missing", model.warnings, unit);
     if (no_elements.count > 0)
         model.why_guessed = symbol + " " + no_elements.example + " in " + unit + " " +
-                            std::to_string(no_elements.first_line) + " is no element" +
+                            std::to_string(no_elements.first_line) + " is not an element" +
                             (without_symbol ? ", and missing elsewhere" : "");
 }
 

@@ -90,7 +90,7 @@ public:
         RecordOddities found;
         lower_.tell("the name of a record in lower case, ", "; read as capitals", found.notes);
         moved_.tell("", ": a record behind blanks; read as if it began in the first column", found.warnings);
-        unknown_.tell("", " is no record of the PDB format, but the line has coordinates as an atom has; left out",
+        unknown_.tell("", " is not a record of the PDB format, but the line has coordinates as an atom has; left out",
                       found.warnings);
         return found;
     }

@@ -103,7 +103,7 @@ private:
         const WordLine line(file_, number, words_of(text));
         if (may_be_atom(text)) {
             line.fail(0, shown(line[0]) +
-                             " is no record, but the line may be meant as an atom; begin it with ATOM or "
+                             " is not a record, but the line may be meant as an atom; begin it with ATOM or "
                              "HETATM, or with REMARK if it is a comment");
         }
         if (unknown_++ == 0) first_unknown_ = number;

@@ -243,7 +243,7 @@ TEST(BcifFile, MessagesCountRows) {
         CifFile(testing::bcif_file({{"_atom_site", 2, columns}}), "f.bcif", CifForm::Binary).model(1);
     EXPECT_EQ(model.warnings,
               std::vector<std::string>{"row 2: _atom_site.occupancy 'nan' is not a number; taken as missing"});
-    EXPECT_EQ(model.why_guessed, "_atom_site.type_symbol 'Qq' in row 2 is no element");
+    EXPECT_EQ(model.why_guessed, "_atom_site.type_symbol 'Qq' in row 2 is not an element");
 }
 
 TEST(BcifFile, NumbersOfResiduesAreIntegers) {

@@ -126,7 +126,7 @@ TEST(GemmiCif, AnElementMayHaveItsCharge) {
     for (const char* symbol : {"Qq", "C2", "X", "2+", "Qq2+"}) {
         EXPECT_TRUE(read(symbol).atoms.at(0).guessed_element) << symbol;
         EXPECT_EQ(read(symbol).why_guessed,
-                  "_atom_site.type_symbol '" + std::string(symbol) + "' in line 15 is no element");
+                  "_atom_site.type_symbol '" + std::string(symbol) + "' in line 15 is not an element");
     }
     EXPECT_EQ(read("?").why_guessed, "");
 }

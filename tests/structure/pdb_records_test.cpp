@@ -83,7 +83,7 @@ TEST(PdbRecords, LinesLikeAtomsUnderAnotherNameAreTold) {
         const Tidied result = tidied(kOfRecords + name + rest + name + rest + "END\n");
         ASSERT_EQ(result.found.warnings.size(), 1U) << name;
         EXPECT_TRUE(result.found.warnings[0].starts_with("line 2: ")) << result.found.warnings[0];
-        expect_contains(result.found.warnings[0], "is no record of the PDB format, but the line has coordinates");
+        expect_contains(result.found.warnings[0], "is not a record of the PDB format, but the line has coordinates");
         expect_contains(result.found.warnings[0], "(2 times)");
     }
     EXPECT_EQ(tidied("END\nATM 1 CA ALA 1 1.5 2.5 3.5\n").found.warnings.size(), 1U);

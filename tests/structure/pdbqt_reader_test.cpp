@@ -99,7 +99,7 @@ TEST(Pdbqt, RecordsAreTidiedAsInPdb) {
         const Structure lower = read_text(other("atom") + other("atom"), name);
         EXPECT_EQ(lower.atoms.size(), 2U);
         EXPECT_EQ(lower.labels.at(1).charge, -0.3);
-        EXPECT_TRUE(testing::has_warning(read_text(atom + other("#ATOM"), name), "is no record of the PDB format"));
+        EXPECT_TRUE(testing::has_warning(read_text(atom + other("#ATOM"), name), "is not a record of the PDB format"));
         const std::string joined = atom.substr(0, atom.size() - 1) + " " + other("ATOM");
         expect_contains(error_of(joined, name), ":1:81: an atom record begins within a line");
     }

@@ -167,8 +167,8 @@ TEST(Pqr, TheElementBehindTheRadiusCountsIfTheNameBearsItOut) {
 TEST(Pqr, NoLineThatMayBeAnAtomIsPassedOver) {
     const std::string atom = "ATOM 1 N ALA 1 0 0 0 0 1\n";
     const std::string wrong = error_in_pqr(atom + "ATM 2 C ALA 1 2.0 0.0 0.0 0 1\n");
-    EXPECT_TRUE(wrong.starts_with("f:2:1: 'ATM' is no record, but the line may be meant as an atom")) << wrong;
-    expect_contains(error_in_pqr(atom + "2 C ALA 2.0 0.0 0.0\n"), "f:2:1: '2' is no record");
+    EXPECT_TRUE(wrong.starts_with("f:2:1: 'ATM' is not a record, but the line may be meant as an atom")) << wrong;
+    expect_contains(error_in_pqr(atom + "2 C ALA 2.0 0.0 0.0\n"), "f:2:1: '2' is not a record");
     const RawModel model = parse_pqr(atom +
                                          "by hand\n# 1 2 3 4 5 6 7 8 9\nREMARK 1.0 2.0 3.0 4 5 6 7 8 9 10\n"
                                          "CONECT10001 1 2 3 4 5 6 7 8\nCRYST1 1.0 1.0 1.0 90 90 90 P 1 1\nmore\n",
@@ -207,9 +207,9 @@ TEST(Pqr, EndmdlAloneSeparatesModels) {
 TEST(Pqr, LinesBetweenModelsAreReadAsWell) {
     const std::string atom = "ATOM 1 N ALA 1 0.0 0.0 0.0 0 1\n";
     const std::string odd = "ATM 1 N ALA 1 0.0 0.0 0.0 0 1\n";
-    expect_contains(error_of(odd + atom, "a.pqr"), "a.pqr:1:1: 'ATM' is no record");
-    expect_contains(error_of(atom + "ENDMDL\n" + odd + atom, "a.pqr", {.model = 2}), "a.pqr:3:1: 'ATM' is no record");
-    expect_contains(error_of(atom + "ENDMDL\n" + odd, "a.pqr"), "a.pqr:3:1: 'ATM' is no record");
+    expect_contains(error_of(odd + atom, "a.pqr"), "a.pqr:1:1: 'ATM' is not a record");
+    expect_contains(error_of(atom + "ENDMDL\n" + odd + atom, "a.pqr", {.model = 2}), "a.pqr:3:1: 'ATM' is not a record");
+    expect_contains(error_of(atom + "ENDMDL\n" + odd, "a.pqr"), "a.pqr:3:1: 'ATM' is not a record");
     expect_contains(error_of("REMARK\nEND\n", "a.pqr"), "no atoms in this file");
 }
 

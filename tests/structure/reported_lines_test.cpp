@@ -92,9 +92,9 @@ TEST(ReportedLines, AFileOfNoKnownRecordSaysWhatItHas) {
     std::string text = kTwo;
     text.replace(0, 4, "ATM ");
     EXPECT_EQ(read_text(text, "a.pdb").atoms.size(), 1U);
-    EXPECT_TRUE(has_warning(read_text(text, "a.pdb"), "line 1: 'ATM' is no record of the PDB format"));
+    EXPECT_TRUE(has_warning(read_text(text, "a.pdb"), "line 1: 'ATM' is not a record of the PDB format"));
     expect_contains(error_of(text.substr(0, text.find('\n') + 1), "a.pdb"),
-                    "no atoms in this file; check that it is the right one (line 1: 'ATM' is no record");
+                    "no atoms in this file; check that it is the right one (line 1: 'ATM' is not a record");
 }
 
 TEST(ReportedLines, ElementsThatAnMmcifFileDoesNotGiveAreTold) {
