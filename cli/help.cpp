@@ -88,7 +88,7 @@ std::string positionals(const CLI::App& app) {
 }  // namespace
 
 std::string brief_description(const CLI::Option& option) {
-    const std::string text = option.get_description();
+    const std::string& text = option.get_description();
     const std::size_t start = text.starts_with('\n') ? 1 : 0;
     return text.substr(start, text.find('\n', start) - start);
 }

@@ -65,7 +65,7 @@ private:
         std::vector<ChainPair> pairs;
         for (const std::string& text : request_.between) {
             if (const std::string restated = restate_between(text); !restated.empty())
-                note("--between " + text + ": understood as " + restated);
+                note(fmt::format("--between {}: understood as {}", text, restated));
             if (const auto pair = parse_between(text))
                 pairs.push_back(*pair);
             else

@@ -55,8 +55,9 @@ void add_subcommands(CLI::App& program, const std::string& first_word, Outcome& 
 }
 
 std::vector<std::string> names_of_subcommands() {
-    std::vector<std::string> names;
-    for (const Subcommand& command : kSubcommands) names.emplace_back(command.name);
+    std::vector<std::string> names(kSubcommands.size());
+    std::transform(kSubcommands.begin(), kSubcommands.end(), names.begin(),
+                   [](const Subcommand& command) { return std::string(command.name); });
     return names;
 }
 

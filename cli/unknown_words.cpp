@@ -101,7 +101,7 @@ std::string explain_leading_option(const CLI::App& whole, const std::vector<std:
 }
 
 std::string explain_unknown_subcommand(const std::string& word, const std::vector<std::string>& names) {
-    if (const std::string hint = explain_identifier(word); !hint.empty()) return hint;
+    if (std::string hint = explain_identifier(word); !hint.empty()) return hint;
     std::error_code error;
     if (std::filesystem::exists(word, error))
         return fmt::format("unknown subcommand '{0}'; for its surface write meniscus surface {0}", word);
