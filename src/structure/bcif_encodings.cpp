@@ -82,7 +82,7 @@ std::vector<Value> numbers_of(std::string_view bytes, const PackedValue& encodin
                           encoding.at);
     std::vector<Value> values(bytes.size() / sizeof(Number));
     for (std::size_t i = 0; i < values.size(); ++i)
-        values[i] = static_cast<Value>(little_endian<Number>(bytes.data() + i * sizeof(Number)));
+        values[i] = Value{little_endian<Number>(bytes.data() + i * sizeof(Number))};
     return values;
 }
 

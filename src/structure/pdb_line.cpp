@@ -58,7 +58,7 @@ std::optional<int> hybrid36_number(std::string_view columns) {
 bool is_shifted_element(const AtomLine& line, int shift, std::string_view residue) {
     const std::string_view columns = element_columns(line, shift);
     if (columns.size() < 2 || !is_upper_letter(columns[0]) || !is_any_letter(columns[1])) return false;
-    const auto first = static_cast<std::size_t>(77 + shift);
+    const auto first = std::size_t{77} + static_cast<std::size_t>(shift);
     if (line.columns(first - 1, first - 1) != " " || is_any_letter(line.padded(first + 2, first + 2)[0])) return false;
     return may_be_element(line.padded(13, 16), residue, element_symbol(columns));
 }
@@ -179,7 +179,7 @@ int element_shift(const AtomLine& line, std::string_view residue) {
 }
 
 int charge_columns(const AtomLine& line, int shift, OddLines& odd) {
-    const auto first = static_cast<std::size_t>(79 + shift);
+    const auto first = std::size_t{79} + static_cast<std::size_t>(shift);
     const std::string_view field = trimmed(line.columns(first, first + 1));
     if (field.empty()) return 0;
     const std::size_t signs = static_cast<std::size_t>(field.find('+') != field.npos || field.find('-') != field.npos);

@@ -77,7 +77,7 @@ int element_shift(const AtomLine& line, std::string_view residue);
 
 /// Columns 77-78, or those beside them.
 inline std::string_view element_columns(const AtomLine& line, int shift) {
-    const auto first = static_cast<std::size_t>(77 + shift);
+    const auto first = std::size_t{77} + static_cast<std::size_t>(shift);
     return line.columns(first, first + 1);
 }
 

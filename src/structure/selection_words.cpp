@@ -181,7 +181,7 @@ private:
     }
 
     std::string names(const std::vector<std::string>& values) const {
-        const std::string list = listed(values);
+        std::string list = listed(values);
         const bool is_plain = std::all_of(list.begin(), list.end(), [](unsigned char c) {
             return std::isalnum(c) != 0 || c == ',' || c == '\'' || c == '_';
         });
@@ -229,7 +229,7 @@ private:
 
     // "10(HEM)-50" is how gemmi writes names and numbers of residues together.
     std::string residues() const {
-        const std::string names = has(Part::Residue) ? "(" + part(Part::Residue, "") + ")" : "";
+        std::string names = has(Part::Residue) ? "(" + part(Part::Residue, "") + ")" : "";
         if (!has(Part::Numbers)) return names;
         const std::string numbers = part(Part::Numbers, "");
         const std::size_t dash = numbers.find('-');
@@ -269,9 +269,9 @@ bool is_in_words(const std::string& expression) {
     if (words.empty() || expression.front() == ';') return false;
     const std::string first = lower_case(words.front());
     // Alone, "b" is a chain; "chain" lacks its value, and saying so helps.
-    constexpr std::size_t kLongestName = 3;
+    constexpr std::size_t kLongestOfChains = 3;
     if (words.size() == 1)
-        return is_known(first) && (first.size() > kLongestName || find_word(kKeywords, first) == kKeywords.end());
+        return is_known(first) && (first.size() > kLongestOfChains || find_word(kKeywords, first) == kKeywords.end());
     // Words between blanks are no selection of gemmi's, which has slashes or semicolons between its parts.
     const bool has_words = trimmed(expression).find(' ') != std::string_view::npos;
     if (is_known(first) || (has_words && expression.find_first_of("/;") == std::string::npos)) return true;
