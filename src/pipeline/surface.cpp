@@ -174,6 +174,8 @@ private:
         const RemeshOptions& remesh = options_.remesh;
         if (!remesh.is_on() || !remesh.finer_grid || remesh.simplify_topology) return false;
         if (options_.method == Method::Gaussian || observer_) return false;
+        // A flow that leads away from the surface does so on any grid, and takes minutes for it on a fine one.
+        if (options_.method == Method::Flow && !surface_.flow.converged) return false;
         return std::abs(surface_.corrected_area / yardstick_.kept.ses_area - 1.0) > kWantedArea;
     }
 

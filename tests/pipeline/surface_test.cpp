@@ -206,6 +206,15 @@ TEST(Surface, AnAreaThatIsOffAsksForAFinerGrid) {
     EXPECT_EQ(compute_surface(atoms, options).options.spacing, 0.5);
 }
 
+TEST(Surface, AFlowThatDoesNotConvergeIsNotRepeatedOnAFinerGrid) {
+    const Atoms atoms = spheres_with_narrow_necks();
+    const Surface surface = compute_surface(
+        atoms, {.flow = {.time_step = 0.1, .max_steps = 2}, .remesh = {.edge = 1.0, .finer_grid = true}});
+    EXPECT_GT(std::abs(surface.corrected_area / measure(atoms).totals.ses_area - 1.0), 5e-3);
+    EXPECT_FALSE(surface.flow.converged);
+    EXPECT_EQ(surface.options.spacing, 0.5);
+}
+
 TEST(Surface, IsMeasuredExactlyOnRequestAndOtherwiseTheSame) {
     const Atoms atoms = spheres_with_narrow_necks();
     for (const double edge : {0.0, 1.0})
