@@ -26,7 +26,10 @@ std::vector<std::string> split_chains(const std::string& list) {
 void set_model(CommonRequest& request, const std::string& text) {
     request.all_models = text == "all";
     request.read.join_models = text == "join";
-    if (!request.all_models && !request.read.join_models) request.read.model = parse_count("--model", text);
+    if (request.all_models || request.read.join_models) return;
+    if (text.find_first_not_of("+-0123456789") != std::string::npos)
+        throw UsageError(fmt::format("--model: unknown value '{}'; write a number counted from 1, all or join", text));
+    request.read.model = parse_count("--model", text);
 }
 
 void add_waters(CLI::App& command, std::optional<bool>& keep) {

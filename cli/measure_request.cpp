@@ -33,34 +33,10 @@ void add_choices(CLI::App& command, const char* name, std::vector<T>& target, co
         ->default_str(words.front().first);
 }
 
-/// At commas that are not within parentheses, as in A,(HEM,NAG).
-std::vector<std::string> split_outside_parentheses(const std::string& list) {
-    std::vector<std::string> names{""};
-    int depth = 0;
-    for (const char c : list) {
-        if (c == '(') ++depth;
-        if (c == ')') --depth;
-        if (c == ',' && depth == 0)
-            names.emplace_back();
-        else
-            names.back() += c;
-    }
-    return names;
-}
-
-std::vector<std::string> split_names(const std::string& list, const std::string& whole) {
-    std::vector<std::string> names = split_outside_parentheses(list);
+std::vector<std::string> checked_group(const std::string& group, const std::string& whole) {
+    std::vector<std::string> names = split_group(group);
     if (std::find(names.begin(), names.end(), "") != names.end())
         throw UsageError(fmt::format("--between: empty name in '{}'; write --between A:B, A,C:B or all", whole));
-    return names;
-}
-
-/// "A,C" for "chain A+C", as PyMOL has it.
-std::string without_word(const std::string& group) {
-    constexpr std::string_view kWord = "chain ";
-    if (!group.starts_with(kWord)) return group;
-    std::string names = CLI::detail::trim_copy(group.substr(kWord.size()));
-    std::replace(names.begin(), names.end(), '+', ',');
     return names;
 }
 
@@ -115,21 +91,19 @@ void check_request(const MeasureRequest& request) {
 }
 
 std::string restate_between(const std::string& text) {
-    const std::vector<std::string> groups = CLI::detail::split(text, ':');
     std::string restated;
-    for (const std::string& group : groups) restated += (restated.empty() ? "" : ":") + without_word(group);
+    for (const std::string& group : CLI::detail::split(text, ':'))
+        restated += (restated.empty() ? "" : ":") + CLI::detail::join(split_group(group), ",");
     return restated == text ? "" : restated;
 }
 
-std::optional<ChainPair> parse_between(const std::string& given) {
-    if (given == "all") return std::nullopt;
-    const std::string restated = restate_between(given);
-    const std::string& text = restated.empty() ? given : restated;
+std::optional<ChainPair> parse_between(const std::string& text) {
+    if (text == "all") return std::nullopt;
     const std::size_t colon = text.find(':');
     if (colon == std::string::npos || text.find(':', colon + 1) != std::string::npos)
         throw UsageError(
             fmt::format("--between: '{}' is not a pair of groups; write --between A:B, A,C:B or all", text));
-    return ChainPair{split_names(text.substr(0, colon), text), split_names(text.substr(colon + 1), text)};
+    return ChainPair{checked_group(text.substr(0, colon), text), checked_group(text.substr(colon + 1), text)};
 }
 
 }  // namespace meniscus::cli

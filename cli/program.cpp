@@ -81,10 +81,10 @@ std::vector<std::string> help_words(std::vector<std::string> words) {
     const auto asks = [](const std::string& word) {
         return word == "help" || word == "-h" || word.starts_with("--help");
     };
-    if (!words.empty() && asks(words.front()))
-        std::rotate(words.begin(), words.begin() + 1, words.end());
-    else if (words.size() != 2)
-        return words;
+    constexpr std::size_t kMostWords = 3;  // "batch help measure"
+    const auto asking = std::find_if(words.begin(), words.end(), asks);
+    if (asking == words.end() || (asking != words.begin() && words.size() > kMostWords)) return words;
+    std::rotate(asking, asking + 1, words.end());
     if (words.empty() || words.back() != "help") return words;
     words.pop_back();
     if (words.empty() || !words.back().starts_with("--help")) words.emplace_back("--help");

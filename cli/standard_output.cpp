@@ -73,7 +73,8 @@ void resolve_standard_output(CommonRequest& request, bool as_text) {
     }
     check_alone(request);
     if (request.format.empty())
-        throw UsageError("-o -: standard output has no suffix that tells the format; add --format, as in --format ply");
+        throw UsageError(
+            "-o -: standard output has no suffix that tells the format; add --format, a suffix without its point");
     const std::string format = plain_format(request.format);
     check_format(format);
     *place = standard_output_as(format);

@@ -93,7 +93,8 @@ std::string explain_leading_option(const CLI::App& whole, const std::vector<std:
     const std::string name = words.front().substr(0, words.front().find('='));
     const auto is_subcommand = [&](const std::string& word) { return find_subcommand(whole, word) != nullptr; };
     const auto subcommand = std::find_if(words.begin(), words.end(), is_subcommand);
-    if (subcommand != words.end()) return stands_too_early(name, "meniscus " + *subcommand);
+    if (subcommand != words.end() && has_option(*find_subcommand(whole, *subcommand), name))
+        return stands_too_early(name, "meniscus " + *subcommand);
     if (name == "-v") return "-v: unknown option; did you mean -V?";
     const std::string meant = nearest_option(whole, name);
     if (!meant.empty()) return fmt::format("{}: unknown option; did you mean {}?", name, meant);

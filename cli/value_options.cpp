@@ -10,6 +10,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
 #include "help.h"
 #include "meniscus/file_name.h"
@@ -236,6 +237,7 @@ std::vector<VertexValues> ValueSources::at_vertices(const Mesh& mesh) const {
 
 std::vector<std::string> ValueSources::judge(const std::vector<VertexValues>& values) const {
     std::vector<std::string> lines;
+    std::map<std::pair<std::string, std::size_t>, std::vector<std::string>> of_tables;  // by path and vertices without
     for (const VertexValues& array : values) {
         const std::size_t missing = count_missing(array);
         if (missing == 0) continue;
@@ -245,9 +247,17 @@ std::vector<std::string> ValueSources::judge(const std::vector<VertexValues>& va
         if (of_map && missing == array.values.size())
             throw InputError(path +
                              ": the whole surface lies outside this map; do both have the same coordinate frame?");
-        lines.push_back(fmt::format("{}: {} of {} vertices have no value '{}'{}", path, missing, array.values.size(),
-                                    array.name, of_map ? ": they lie outside the map" : ""));
+        if (of_map)
+            lines.push_back(fmt::format("{}: {} of {} vertices have no value '{}': they lie outside the map", path,
+                                        missing, array.values.size(), array.name));
+        else
+            of_tables[{path, missing}].push_back(array.name);
     }
+    // The columns of a table lack the same rows.
+    for (const auto& [table, names] : of_tables)
+        lines.push_back(fmt::format("{}: {} of {} vertices have no value '{}'{}", table.first, table.second,
+                                    values.front().values.size(), names.front(),
+                                    names.size() > 1 ? fmt::format(", nor of {} more", names.size() - 1) : ""));
     return lines;
 }
 

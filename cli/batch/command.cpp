@@ -12,6 +12,7 @@
 #include "batch/records.h"
 #include "batch/run.h"
 #include "messages.h"
+#include "reading/text.h"
 #include "report.h"
 
 namespace meniscus::cli {
@@ -33,10 +34,6 @@ std::size_t longest(const std::vector<ordered_json>& results, const char* key) {
     std::size_t length = 0;
     for (const ordered_json& result : results) length = std::max(length, result[key].get<std::string>().size());
     return length;
-}
-
-std::string counted_as(std::size_t count, const char* noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 /// A table of what failed, by name.
@@ -71,14 +68,14 @@ Outcome run_batch(const batch::Request& request) {
     std::string summary;
     if (computes) {
         batch::RunResult result = batch::Run(request, shard, places)();
-        summary =
-            fmt::format("{}  {}, {} failed, {} already done, {:.1f} s\n", places.outputs(),
-                        counted_as(result.inputs, "input"), result.failed.size(), result.done_before, result.seconds);
+        summary = fmt::format("{}  {}, {} failed, {} already done, {:.1f} s\n", places.outputs(),
+                              reading::counted(result.inputs, "input"), result.failed.size(), result.done_before,
+                              result.seconds);
         failed = std::move(result.failed);
     }
     if (collects) {
         batch::Collected collected = batch::collect(places);
-        summary += fmt::format("{}  {}, {} failed\n", places.results(), counted_as(collected.inputs, "line"),
+        summary += fmt::format("{}  {}, {} failed\n", places.results(), reading::counted(collected.inputs, "line"),
                                collected.failed.size());
         failed = std::move(collected.failed);
     }

@@ -19,7 +19,9 @@
 
 #include "batch/archive.h"
 #include "meniscus/errors.h"
+#include "meniscus/structure.h"
 #include "next_line.h"
+#include "reading/text.h"
 
 namespace meniscus::cli::batch {
 
@@ -69,6 +71,7 @@ bool is_text(const std::string& name) {
 bool is_archive(const std::string& name) { return CLI::detail::to_lower(name).ends_with(".tar"); }
 
 [[noreturn]] void refuse(const fs::path& path, const std::error_code& error) {
+    if (const std::string hint = explain_identifier(path.string()); !hint.empty()) throw InputError(hint);
     throw InputError(fmt::format("{}: cannot be read: {}", path.string(), error.message()));
 }
 
@@ -109,6 +112,8 @@ public:
 
     /// What one word names; files are called by their path below the base or else `root`, or by their name.
     void add(const std::string& word, const fs::path& root = {}) {
+        if (word.empty())
+            throw UsageError("INPUTS: an empty name; leave it out (a variable of the shell may be empty)");
         std::error_code error;
         const fs::file_status status = fs::status(word, error);
         if (!fs::exists(status)) return add_file(word, root);  // its process tells what is wrong
@@ -124,7 +129,7 @@ public:
     /// What is named itself, whatever its suffix.
     void add_file(const std::string& word, const fs::path& root) {
         const fs::path path(word);
-        fs::path name = path.filename();
+        fs::path name = word == "-" ? path : normal(path).filename();
         if (!base_.empty())
             name = below_base(path);
         else if (!root.empty())
@@ -166,11 +171,10 @@ public:
                 fmt::format("{} of {} and of {}: two inputs with the same name; give the folder that holds both",
                             twin->name, twin->path, std::next(twin)->path));
         if (inputs.empty())
-            throw UsageError(
-                found_.left_out == 0
-                    ? "there are no inputs"
-                    : fmt::format("there are no inputs: {} {} found, but none has the suffix of a structure",
-                                  found_.left_out, found_.left_out == 1 ? "file" : "files"));
+            throw UsageError(found_.left_out == 0
+                                 ? "there are no inputs"
+                                 : fmt::format("there are no inputs: {} found, but none has the suffix of a structure",
+                                               reading::counted(found_.left_out, "file")));
         return std::move(found_);
     }
 

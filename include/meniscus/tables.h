@@ -81,6 +81,10 @@ struct ChainPair {
     std::vector<std::string> b;
 };
 
+/// The names of a group as it is written: "A,(HEM,NAG)" is A and (HEM,NAG), and so is PyMOL's "chain A+C" A and C.
+/// Names may be empty, as in "A,".
+std::vector<std::string> split_group(const std::string& text);
+
 /// The interface of two groups of chains and ligands.
 struct ChainInterface {
     ChainPair chains;

@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import dataclasses
-import re
 from collections.abc import Sequence
 from typing import Any, Optional, Union
 
 import numpy as np
 import numpy.typing as npt
 
+from . import _core
 from ._arrays import Floats
 from ._errors import UsageError
 
@@ -54,8 +54,7 @@ class Interface:
 def _names(side: Any) -> list[str]:
     """"A,(HEM,NAG)" and "chain A+B" as lists; a list is one already."""
     if isinstance(side, str):
-        side = re.sub("^chain (.*)", lambda match: match[1].strip().replace("+", ","), side)
-        side = re.split(r",(?![^(]*\))", side)
+        side = _core.split_group(side)
     names = list(side)
     if not names or not all(isinstance(name, str) and name for name in names):
         raise UsageError(f"between: {side!r} names no chains; write 'A', 'A,C', ['A', 'C'], or '(HEM)' for a ligand")

@@ -109,6 +109,7 @@ void bind_interfaces(py::module_& module) {
     });
     type.def("save", &save_interfaces, py::arg("structure"), py::arg("path"), py::arg("per"));
     def_pickle<Interfaces>(type);
+    module.def("split_group", &split_group, py::arg("text"));
     module.def("measure_interfaces", &measure_pairs, py::arg("structure"), py::arg("pairs"), py::arg("options"));
 }
 

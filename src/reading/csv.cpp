@@ -3,16 +3,24 @@
 #include "reading/csv.h"
 
 #include <algorithm>
+#include <array>
 
 namespace meniscus::reading {
 namespace {
 
+constexpr std::string_view kSeparators = ",;\t";  // of as many in the header, the first
+
 char separator_of(std::string_view text) {
     text.remove_prefix(std::min(text.find_first_not_of('\n'), text.size()));
     const std::string_view names = text.substr(0, text.find('\n'));
-    for (const char separator : {',', ';', '\t'})
-        if (names.find(separator) != std::string_view::npos) return separator;
-    return ',';
+    std::array<std::size_t, 3> counts{};  // outside quotes
+    bool is_quoted = false;
+    for (const char c : names) {
+        if (c == '"') is_quoted = !is_quoted;
+        const std::size_t which = kSeparators.find(c);
+        if (!is_quoted && which != std::string_view::npos) ++counts[which];
+    }
+    return kSeparators[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
 }
 
 class CsvReader {

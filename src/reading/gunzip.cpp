@@ -56,7 +56,7 @@ public:
         if (rest_.empty()) return false;
         if (is_gzip(rest_)) return inflateReset(&stream_) == Z_OK;
         throw InputError(file + ": byte " + std::to_string(next + 1) +
-                         ": what follows the gzip data here is none; the file is damaged, fetch it again");
+                         ": what follows here is not gzip data; the file is damaged, fetch it again");
     }
 
 private:

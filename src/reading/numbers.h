@@ -13,6 +13,9 @@
 namespace meniscus::reading {
 
 inline bool is_blank(char c) { return c == ' ' || c == '\t'; }
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+inline bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
+inline bool is_letter(char c) { return is_capital(c) || (c >= 'a' && c <= 'z'); }
 
 /// The text without blanks and tabs at its end.
 inline std::string_view without_blank_end(std::string_view text) {

@@ -32,6 +32,11 @@ inline constexpr std::size_t kOfWord = 40;
 /// A word as it may stand in a message: printable, in quotes, cut short.
 std::string shown(std::string_view word);
 
+/// "1 atom", "5 atoms".
+inline std::string counted(std::size_t count, const std::string& noun) {
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
 /// Walks through a text whose lines end with '\n'.
 class Lines {
 public:

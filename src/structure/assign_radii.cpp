@@ -12,6 +12,7 @@
 #include "meniscus/list_of_counts.h"
 #include "radii/element_radii.h"
 #include "radii/rule_file.h"
+#include "reading/text.h"
 #include "structure/hydrogens.h"
 
 namespace meniscus::reading {

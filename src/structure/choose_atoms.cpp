@@ -3,6 +3,7 @@
 #include "structure/choose_atoms.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -10,6 +11,7 @@
 #include "meniscus/list_of_counts.h"
 #include "reading/text.h"
 #include "structure/altlocs.h"
+#include "structure/element.h"
 #include "structure/gemmi/gemmi_reader.h"
 
 namespace meniscus::reading {
@@ -34,7 +36,8 @@ std::string chain_names(const RawModel& model) {
 }
 
 [[noreturn]] void fail_chain(const RawModel& model, const std::string& chain, const std::string& file) {
-    throw InputError(file + ": no chain " + chain + "; chains of the file: " + chain_names(model));
+    throw InputError(file + ": no chain " + chain + "; chains of the file: " + chain_names(model) +
+                     (model.left_out.empty() ? "" : " (" + model.left_out + ")"));
 }
 
 // Keeps the atoms for which `stays` is true and returns how many went.
@@ -181,8 +184,23 @@ void apply_hetero(const RawModel& model, const ReadOptions& options, Chosen& cho
 
 }  // namespace
 
-std::string counted(std::size_t count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+// Programs for molecular dynamics write ions into ATOM records, where they pass for parts of the polymer.
+void tell_ions_of_polymer(const RawModel& model, const ReadOptions& options, Chosen& chosen) {
+    std::vector<std::uint32_t> atoms_of(model.residues.size(), 0);
+    for (const std::uint32_t i : chosen.atoms) ++atoms_of[model.atoms[i].residue];
+    std::map<std::string, std::size_t> ions;
+    for (const std::uint32_t i : chosen.atoms) {
+        const RawAtom& atom = model.atoms[i];
+        const RawResidue& residue = model.residue_of(atom);
+        const bool may_be = residue.kind == ResidueKind::Polymer && !residue.in_sequence && !atom.hetatm;
+        if (may_be && atoms_of[atom.residue] == 1 && !element_of_ion(atom.name, residue.name).empty())
+            ++ions[residue.name];
+    }
+    std::string names;
+    for (const auto& [name, count] : ions) names += (names.empty() ? "" : ",") + name;
+    if (!ions.empty())
+        chosen.warnings.push_back("ions in ATOM records kept, as parts of the polymer: " + list_of_counts(ions) +
+                                  " (leave them out with " + options.spelling("select", "(!" + names + ")") + ")");
 }
 
 Chosen choose_atoms(const RawModel& model, const ReadOptions& options, const std::string& file) {
@@ -194,6 +212,7 @@ Chosen choose_atoms(const RawModel& model, const ReadOptions& options, const std
     if (!model.has_radii) apply_altlocs(model, options, chosen);
     apply_waters(model, options, chosen);
     apply_hetero(model, options, chosen);
+    if (!model.has_radii) tell_ions_of_polymer(model, options, chosen);
     return chosen;
 }
 

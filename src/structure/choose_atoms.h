@@ -34,7 +34,4 @@ struct Chosen {
 /// throws   InputError for a chain that does not exist; UsageError for a selection that is not valid
 Chosen choose_atoms(const RawModel& model, const ReadOptions& options, const std::string& file);
 
-/// "1 atom", "5 atoms".
-std::string counted(std::size_t count, const std::string& noun);
-
 }  // namespace meniscus::reading

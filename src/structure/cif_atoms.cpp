@@ -34,8 +34,6 @@ std::string_view without_charge(std::string_view text) {
 
 bool is_hetatm_group(std::string_view group) { return group.size() == 6 && upper_case(group) == "HETATM"; }
 
-bool is_insertion_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-
 bool has_model_numbers(const AtomTable& table) {
     for (std::size_t row = 0; row < table.rows(); ++row)
         if (table.value(AtomColumn::ModelNumber, row) != nullptr) return true;
@@ -154,7 +152,7 @@ void AtomRow::set_number(RawResidue& residue) const {
     const AtomColumn::Index column = has(AtomColumn::AuthSeq) ? AtomColumn::AuthSeq : AtomColumn::LabelSeq;
     std::string_view digits = text(column);
     if (digits.empty()) return;
-    if (residue.insertion_code == ' ' && is_insertion_letter(digits.back())) {
+    if (residue.insertion_code == ' ' && is_letter(digits.back())) {
         residue.insertion_code = digits.back();
         digits.remove_suffix(1);
     }

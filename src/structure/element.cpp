@@ -26,10 +26,8 @@ constexpr auto kIons = std::to_array<Ion>({
 
 constexpr std::string_view kCommon = "CNOSPHD";  // elements of the standard residues
 
-bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
-
 std::string without_leading_digits(std::string_view name) {
-    const auto* first = std::find_if(name.begin(), name.end(), is_letter);
+    const auto* first = std::find_if(name.begin(), name.end(), is_capital);
     return {first, name.end()};
 }
 
@@ -58,7 +56,7 @@ std::string unmistakable_element(std::string_view letters) {
 
 std::string letters_of(std::string_view name) {
     std::string letters(name);
-    letters.erase(std::remove_if(letters.begin(), letters.end(), [](char c) { return !is_letter(c); }), letters.end());
+    letters.erase(std::remove_if(letters.begin(), letters.end(), [](char c) { return !is_capital(c); }), letters.end());
     return letters;
 }
 
@@ -109,7 +107,7 @@ std::string element_of_ion(std::string_view name, std::string_view residue) {
 std::string element_from_columns(std::string_view name, std::string_view residue) {
     const std::string upper = upper_case(name);
     std::string element = element_from_name(upper, residue);
-    const bool two_columns = upper.size() >= 2 && is_letter(upper[0]) && is_letter(upper[1]);
+    const bool two_columns = upper.size() >= 2 && is_capital(upper[0]) && is_capital(upper[1]);
     if (!two_columns) return element;
     // In columns of their own two letters are a symbol: "CA  " of a ligand is calcium.
     const bool full = upper.size() == 4 && upper[3] != ' ';

@@ -9,6 +9,7 @@
 
 #include "core/lower_case.h"
 #include "radii/aliases.h"
+#include "reading/text.h"
 #include "structure/element.h"
 
 namespace meniscus::reading {

@@ -7,18 +7,13 @@
 
 #include "core/lower_case.h"
 #include "meniscus/structure.h"
+#include "reading/numbers.h"
 
 namespace meniscus {
 namespace {
 
-constexpr std::string_view kDigits = "0123456789";
-constexpr std::string_view kSmallLetters = "abcdefghijklmnopqrstuvwxyz";
-
-bool is_in(std::string_view characters, char c) { return characters.find(c) != std::string_view::npos; }
-
-bool is_digit(char c) { return is_in(kDigits, c); }
-
-bool is_letter(char c) { return is_in(kSmallLetters, c); }
+using reading::is_digit;
+using reading::is_letter;
 
 bool all_of(std::string_view text, bool (*holds)(char)) { return std::all_of(text.begin(), text.end(), holds); }
 
@@ -38,7 +33,7 @@ std::string_view pdb_code(std::string_view word) {
 bool is_accession(std::string_view word) {
     if (word.size() != 6 && word.size() != 10) return false;
     if (!is_letter(word[0]) || !all_of(word, is_letter_or_digit)) return false;
-    const bool is_old = is_in("opq", word[0]);
+    const bool is_old = std::string_view("opq").find(word[0]) != std::string_view::npos;
     if (is_old) return word.size() == 6 && is_digit(word[1]) && is_digit(word[5]);
     for (std::size_t block = 1; block < word.size(); block += 4)
         if (!is_digit(word[block]) || (block + 4 < word.size() && !is_letter(word[block + 1]))) return false;

@@ -15,6 +15,8 @@
 #include "reading/text.h"
 #include "structure/bcif_tables.h"
 #include "structure/gro_reader.h"
+#include "structure/odd_lines.h"
+#include "structure/pdb_columns.h"
 #include "structure/pdb_records.h"
 #include "structure/pdbqt_reader.h"
 #include "structure/pqr_content.h"
@@ -211,6 +213,19 @@ void tidy_pdb(InputFile& file) {
     if (file.format == Format::Pdb) recognise_pdbqt(file);
 }
 
+// Comments of mmCIF are passed over by its grammar, whatever they hold.
+void tell_atoms_in_comments(InputFile& file) {
+    OddLines comments;
+    const std::string_view text = file.text;
+    for (std::size_t at = text.find("\n#"); at != text.npos; at = text.find("\n#", at + 1)) {
+        const std::string_view line = text.substr(at + 1, text.find('\n', at + 1) - at - 1);
+        const std::size_t name = line.find_first_not_of("# \t");
+        if (name != line.npos && is_atom_record(line.substr(name)) && has_coordinates(line))
+            comments.add(comments.count > 0 ? 0 : std::stoul(line_of(text, at + 1)), line.substr(0, 20));
+    }
+    comments.tell("", " is a comment, but has coordinates as an atom has; left out", file.warnings);
+}
+
 void tidy_text(InputFile& file) {
     tell_line_ends(file);
     normalise_line_ends(file.text);
@@ -274,6 +289,7 @@ InputFile load_bytes(std::string bytes, const std::string& path, Checksum checks
     check_content(file);
     tidy_pdb(file);
     check_radii_columns(file);
+    if (file.format == Format::Cif) tell_atoms_in_comments(file);
     return file;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "structure/join_models.h"
 
+#include <algorithm>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -81,7 +82,14 @@ bool lie_on_each_other(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     return 2 * near > a.size();
 }
 
-bool lie_on_each_other(const RawModel& a, const RawModel& b) { return lie_on_each_other(places_of(a), places_of(b)); }
+bool lie_on_each_other(const RawModel& a, const RawModel& b) {
+    std::vector<Vec3> places_a = places_of(a);
+    std::vector<Vec3> places_b = places_of(b);
+    const std::size_t common = std::min(places_a.size(), places_b.size());
+    places_a.resize(common);
+    places_b.resize(common);
+    return lie_on_each_other(places_a, places_b);
+}
 
 RawModel join_models(std::vector<RawModel> models, const std::string& file) {
     const bool is_ensemble = models.size() > 1 && lie_on_each_other(models[0], models[1]);

@@ -22,6 +22,8 @@ RawModel join_models(std::vector<RawModel> models, const std::string& file);
 /// True if most of the points are near those of the same index, as in the models of an ensemble; copies of a biological
 /// unit and the partners of a complex are side by side. False if there are more of one than of the other.
 bool lie_on_each_other(const std::vector<Vec3>& a, const std::vector<Vec3>& b);
+
+/// The same of the atoms that both have by their number: where one is missing its neighbours are near enough.
 bool lie_on_each_other(const RawModel& a, const RawModel& b);
 
 /// Chains of a file with several models that are partners of the first model and not copies of it, such as the ligand

@@ -19,7 +19,6 @@ constexpr std::size_t kPoint = 4;  // offset of the decimal point in its columns
 
 constexpr std::string_view kWhere = "the PDB format has x, y and z in columns 31-38, 39-46 and 47-54";
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_of_number(char c) { return is_digit(c) || c == '.'; }
 
 char at(std::string_view line, std::size_t offset) { return offset < line.size() ? line[offset] : ' '; }
@@ -114,10 +113,18 @@ bool has_names_in_place(std::string_view line) {
     return is_digit(at(line, 25)) && line.substr(std::min<std::size_t>(27, line.size()), 3) == "   ";
 }
 
+// What follows the coordinates may be missing.
+bool has_occupancy_in_place(std::string_view line) {
+    constexpr std::size_t kOccupancyPoint = 57;
+    return trimmed(line.substr(std::min(kEnd, line.size()), 12)).empty() || at(line, kOccupancyPoint) == '.' ||
+           std::count(line.begin() + static_cast<std::ptrdiff_t>(kEnd), line.end(), '.') == 0;
+}
+
 std::optional<ColumnFault> find_common_shift(std::string_view line, const Points& points) {
     const int shift = common_shift(line, points);
-    // Numbers alone may be written to the left of their columns.
-    const bool are_left = shift < 0 && has_names_in_place(line) && points.offsets[0] >= kX;
+    // Coordinates alone may be written to the left of their columns.
+    const bool are_left =
+        shift < 0 && has_names_in_place(line) && points.offsets[0] >= kX && has_occupancy_in_place(line);
     if (shift == 0 || are_left) return std::nullopt;
     const std::optional<ColumnFault> cause = find_cause(line, shift);
     if (cause) return ColumnFault{cause->column, by_columns(shift) + cause->message + kWayOut};

@@ -8,14 +8,15 @@
 #include <string>
 #include <string_view>
 
+#include "reading/numbers.h"
+
 namespace meniscus::reading {
 
 /// True if all three coordinates seem to have a fourth decimal behind their columns: numbers of four decimals, moved by
 /// one column, have their points where those of three decimals have them. An occupancy of 100.00 is no decimal.
 inline bool has_fourth_decimals(std::string_view line) {
-    const auto is_digit = [line](std::size_t offset) { return line[offset] >= '0' && line[offset] <= '9'; };
     const bool is_occupancy = line.size() > 57 && line[57] == '.';
-    return line.size() > 54 && is_digit(38) && is_digit(46) && is_digit(54) && !is_occupancy;
+    return line.size() > 54 && is_digit(line[38]) && is_digit(line[46]) && is_digit(line[54]) && !is_occupancy;
 }
 
 /// True if the decimal points of x, y and z stand in columns 35, 43 and 51, as in nearly every file, and no number

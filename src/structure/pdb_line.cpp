@@ -15,10 +15,6 @@
 namespace meniscus::reading {
 namespace {
 
-bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_upper_letter(char c) { return c >= 'A' && c <= 'Z'; }
-bool is_any_letter(char c) { return is_upper_letter(c) || (c >= 'a' && c <= 'z'); }
-
 // Residues with names that are known whoever writes them.
 bool is_well_known(std::string_view residue) {
     return is_amino_acid(residue) || is_nucleotide(residue) || is_water(residue);
@@ -41,25 +37,34 @@ std::optional<int> hybrid36_number(std::string_view columns) {
     constexpr int kBase = 36;
     constexpr int kLetters = 26;
     constexpr int kPerLetter = kBase * kBase * kBase;
-    if (!is_any_letter(columns[0])) return integer(columns);
-    const char first = is_upper_letter(columns[0]) ? 'A' : 'a';
+    if (!is_letter(columns[0])) return integer(columns);
+    const char first = is_capital(columns[0]) ? 'A' : 'a';
     int value = 10000 - 10 * kPerLetter + (first == 'A' ? 0 : kLetters * kPerLetter);
     int power = kPerLetter;
     for (const char c : columns) {
         const bool is_letter_digit = c >= first && c < first + kLetters;
-        if (!is_letter_digit && !is_decimal_digit(c)) return std::nullopt;
+        if (!is_letter_digit && !is_digit(c)) return std::nullopt;
         value += power * (is_letter_digit ? c - first + 10 : c - '0');
         power /= kBase;
     }
     return value;
 }
 
+// What VMD writes for numbers of more than four digits: the number in hexadecimal, or stars.
+std::optional<int> vmd_number(std::string_view columns) {
+    if (columns == "****") return 0;
+    int value = 0;
+    const auto [end, error] = std::from_chars(columns.data(), columns.data() + columns.size(), value, 16);
+    const bool is_whole = error == std::errc() && end == columns.data() + columns.size();
+    return is_whole && columns.size() == 4 && is_digit(columns[0]) ? std::optional(value) : std::nullopt;
+}
+
 // Whether a symbol of two letters stands in the columns beside those of the element, alone and with a capital first.
 bool is_shifted_element(const AtomLine& line, int shift, std::string_view residue) {
     const std::string_view columns = element_columns(line, shift);
-    if (columns.size() < 2 || !is_upper_letter(columns[0]) || !is_any_letter(columns[1])) return false;
+    if (columns.size() < 2 || !is_capital(columns[0]) || !is_letter(columns[1])) return false;
     const auto first = std::size_t{77} + static_cast<std::size_t>(shift);
-    if (line.columns(first - 1, first - 1) != " " || is_any_letter(line.padded(first + 2, first + 2)[0])) return false;
+    if (line.columns(first - 1, first - 1) != " " || is_letter(line.padded(first + 2, first + 2)[0])) return false;
     return may_be_element(line.padded(13, 16), residue, element_symbol(columns));
 }
 
@@ -92,8 +97,6 @@ void AtomLine::check_columns() const {
 
 void AtomLine::check_length() const {
     if (line_.size() >= kPdbCoordinatesEnd) return;
-    const std::size_t tab = line_.find('\t');
-    if (tab != std::string_view::npos) fail(tab + 1, "a tab in an atom record; the PDB format has fixed columns");
     fail(line_.size() + 1, "the record ends before the coordinates do (column 54); the file is cut off or damaged");
 }
 
@@ -143,20 +146,11 @@ std::string chain_of_record(std::string_view line, ChainWidth width) {
     return std::string(trimmed(residue_columns(AtomLine(line, 0, no_file), width).chain));
 }
 
-// What VMD writes for numbers of more than four digits: the number in hexadecimal, or stars.
-std::optional<int> vmd_number(std::string_view columns) {
-    if (columns == "****") return 0;
-    int value = 0;
-    const auto [end, error] = std::from_chars(columns.data(), columns.data() + columns.size(), value, 16);
-    const bool is_whole = error == std::errc() && end == columns.data() + columns.size();
-    return is_whole && columns.size() == 4 && is_decimal_digit(columns[0]) ? std::optional(value) : std::nullopt;
-}
-
 ResidueNumber residue_number(const AtomLine& line, OddLines& odd) {
     const std::string columns = line.padded(23, 28);
     const std::string_view four = std::string_view(columns).substr(0, 4);
     const char code = columns[4];
-    const bool is_wide = is_decimal_digit(code);
+    const bool is_wide = is_digit(code);
     if (!is_wide && trimmed(four).empty()) return {0, code};
     const std::string shown_number = shown(trimmed(line.columns(23, code == ' ' ? 27 : 30)));
     if (code != ' ' && columns[5] != ' ')
@@ -186,7 +180,7 @@ int charge_columns(const AtomLine& line, int shift, OddLines& odd) {
     std::size_t digits = 0;
     int charge = 0;
     for (const char c : field) {
-        if (!is_decimal_digit(c)) continue;
+        if (!is_digit(c)) continue;
         ++digits;
         charge = c - '0';
     }

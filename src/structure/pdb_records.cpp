@@ -81,6 +81,18 @@ void refuse_joined(std::string_view line, std::size_t from, std::size_t number, 
             "an atom record begins within a line; put it on a line of its own, as where two files were joined");
 }
 
+// Whether a name stands between the first word and the first decimal, as in an atom; tables of energies, scores and
+// matrices have numbers alone.
+bool names_something(std::string_view line) {
+    Words words(line);
+    words.next();
+    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+        if (std::any_of(word.begin(), word.end(), is_letter)) return true;
+        if (word.find('.') != std::string_view::npos) return false;
+    }
+    return false;
+}
+
 class RecordTidier {
 public:
     RecordTidier(std::string& text, const std::string& file) : text_(text), file_(file), lines_(text) {}
@@ -104,7 +116,7 @@ private:
         if (may_be_the_last(name)) check_joined(line, indent + 1);
         if (is_read(name))
             tidy(line, indent, name);
-        else if (!is_known(name) && has_coordinates(line))
+        else if (!is_known(name) && has_coordinates(line) && names_something(line))
             unknown_.add(lines_.number(), Words(line).next());
     }
 

@@ -54,7 +54,10 @@ struct OddFields {
         charge.tell("charge ", " is neither blank nor a digit and a sign; taken as missing", lines);
         element.tell("element ", " stands one column beside columns 77-78; read from where it stands", lines);
         residue.tell("", " in columns 18-22 is read as a residue name of four letters and a chain name of one", lines);
-        number.tell("residue number ", " is not decimal; read as VMD writes it, in hexadecimal, and **** as 0", lines);
+        number.tell("residue number ",
+                    " is as VMD writes those above 9999, in hexadecimal or as stars (taken as 0); others may be "
+                    "hexadecimal although they look decimal",
+                    lines);
         return lines;
     }
 };

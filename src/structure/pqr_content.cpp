@@ -34,6 +34,12 @@ bool has_b_factor_in_columns(std::string_view line) {
            (line.size() == kBFactorEnd || is_blank(line[kBFactorEnd]));
 }
 
+// One number each for occupancy and B factor, of whatever decimals, and the symbol of an element.
+bool has_pdb_fields(std::string_view line) {
+    if (line.size() < 78 || !has_usual_columns(line) || element_symbol(line.substr(76, 2)).empty()) return false;
+    return finite_number(occupancy_columns(line)) && finite_number(b_factor_columns(line));
+}
+
 bool is_like_pdb(std::string_view line) {
     if (!has_b_factor_in_columns(line)) return false;
     const double occupancy = *finite_number(occupancy_columns(line));
@@ -78,7 +84,7 @@ bool is_surely_pqr(std::string_view text) {
         const std::string_view line = lines.line();
         if (tells_radii(line)) return true;
         if (kind_of_pqr_line(line) != PqrLine::Atom) continue;
-        if (has_b_factor_in_columns(line) || !seen.take(line)) return false;
+        if (has_b_factor_in_columns(line) || has_pdb_fields(line) || !seen.take(line)) return false;
     }
     return seen.has_charges && is_plausible(seen.largest_radius);
 }

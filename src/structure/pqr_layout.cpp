@@ -20,7 +20,7 @@ bool is_residue_number(std::string_view word) {
     return set_number(word, ignored);
 }
 
-bool is_alphanumeric(char c) { return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+bool is_alphanumeric(char c) { return is_digit(c) || is_letter(c); }
 
 // Where five columns are too few for a serial number, programs write stars, hexadecimal digits or hybrid-36.
 bool is_serial_word(std::string_view word) {

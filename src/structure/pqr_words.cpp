@@ -17,8 +17,6 @@ constexpr std::size_t kLongestName = 4;
 constexpr std::size_t kNameWord = 2;    // position of the atom's name among the words
 constexpr std::size_t kNumberWord = 4;  // the first word of an atom that may be a number
 
-bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
-
 std::size_t length_of_record(std::string_view word) { return word.starts_with("HETATM") ? 6 : 4; }
 
 bool is_one_decimal(std::string_view text) {
@@ -73,6 +71,36 @@ void cut_at_columns(std::vector<Word>& words) {
     }
 }
 
+// The columns of `gmx editconf -mead`: the chain follows the residue, and its number the chain, without a blank.
+struct PqrField {
+    std::size_t first;  // offset
+    std::size_t width;
+};
+
+constexpr auto kGromacsNames = std::to_array<PqrField>({{0, 6}, {6, 5}, {12, 4}, {16, 4}, {20, 1}, {21, 4}});
+constexpr auto kGromacsNumbers = std::to_array<PqrField>({{26, 8}, {35, 8}, {44, 8}, {53, 6}, {60, 6}});
+
+// A blank in front of every number, and one number in every field.
+bool has_gromacs_columns(std::string_view line) {
+    constexpr std::size_t kEndOfRadius = 66;
+    if (line.size() < kEndOfRadius || !integer(line.substr(21, 4)) || trimmed(line.substr(16, 4)).empty()) return false;
+    return std::all_of(kGromacsNumbers.begin(), kGromacsNumbers.end(), [&](const PqrField& field) {
+        return is_blank(line[field.first - 1]) && is_one_decimal(line.substr(field.first, field.width));
+    });
+}
+
+std::vector<Word> gromacs_words(std::string_view line) {
+    std::vector<Word> words;
+    const auto take = [&](const PqrField& field) {
+        const std::string_view text = line.substr(field.first, field.width);
+        const std::size_t begin = text.find_first_not_of(" \t");
+        if (begin != std::string_view::npos) words.push_back({trimmed(text), field.first + begin + 1});
+    };
+    for (const PqrField& field : kGromacsNames) take(field);
+    for (const PqrField& field : kGromacsNumbers) take(field);
+    return words;
+}
+
 // "HD21ASN": no name is so long, and none ends with a residue.
 void cut_name(std::vector<Word>& words) {
     if (words.size() <= kNameWord || words[kNameWord].text.size() <= kLongestName) return;
@@ -99,6 +127,7 @@ PqrLine kind_of_pqr_line(std::string_view line) {
 }
 
 std::vector<Word> pqr_words(std::string_view line) {
+    if (has_gromacs_columns(line)) return gromacs_words(line);
     std::vector<Word> words = words_of(line);
     if (words.empty()) return words;
     const std::size_t record = length_of_record(upper_case(words[0].text));

@@ -82,6 +82,7 @@ struct RawModel {
     bool has_names = true;              ///< false for bare spheres
     bool has_radii = false;             ///< PQR, xyzr: radii are the file's own; see choose_atoms()
     std::string why_guessed = {};       ///< why elements are guessed, if not for the usual reason
+    std::string left_out = {};          ///< what other models have, with the way to take it
     std::vector<std::string> notes;     ///< see Structure::notes
     std::vector<std::string> warnings;  ///< see Structure::warnings
 

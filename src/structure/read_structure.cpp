@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "meniscus/errors.h"
+#include "reading/text.h"
 #include "structure/assign_radii.h"
 #include "structure/build_structure.h"
 #include "structure/choose_atoms.h"
@@ -47,7 +48,7 @@ public:
         if (file_.format == Format::Gro) gro_ = find_gro_frames(file_.text, file_.path);
         if (cif_ && model_count() > 1) partners_ = find_partners(cif_->chains_of_models());
         if (is_pdb() && pdb_.spans.size() > 1) partners_ = partners_in_pdb();
-        if (!partners_.exist()) different_sizes_ = different_sizes();
+        if (!partners_.exist() && !are_copies()) different_sizes_ = different_sizes();
     }
 
     const InputFile& file() const { return file_; }
@@ -190,7 +191,8 @@ void check_options(const ReadOptions& options) {
         throw InputError(path + ": no atoms in this file; check that it is the right one" +
                          (model.warnings.empty() ? "" : " (" + model.warnings.front() + ")"));
     }
-    std::vector<std::string> lines = chosen.notes;
+    std::vector<std::string> lines = model.warnings;
+    append(lines, chosen.notes);
     append(lines, chosen.warnings);
     std::string reasons;
     for (const std::string& line : lines) reasons += (reasons.empty() ? "" : "; ") + line;
@@ -200,6 +202,7 @@ void check_options(const ReadOptions& options) {
 
 std::string why_guessed(const InputFile& file, const RawModel& model) {
     if (!model.why_guessed.empty()) return model.why_guessed;
+    if (file.format == Format::Pdbqt) return "the types of atoms in columns 78-79 are not AutoDock's";
     const bool is_cif = file.format == Format::Cif || file.format == Format::Bcif;
     return is_cif ? "_atom_site.type_symbol is not given" : "columns 77-78 are blank";
 }
@@ -242,8 +245,8 @@ void tell_models(const ModelSource& source, const ReadOptions& options, RawModel
     if (options.join_models) {
         model.notes.push_back(count + " models put together");
     } else if (options.model == 1 && source.partners().exist()) {
-        model.warnings.push_back(describe(source.partners()) + " (take all with " + options.spelling("model", "join") +
-                                 ")");
+        model.left_out = describe(source.partners()) + " (take all with " + options.spelling("model", "join") + ")";
+        model.warnings.push_back(model.left_out);
     } else if (options.model == 1 && source.are_copies()) {
         model.warnings.push_back("model 1 of " + count + " taken, a part of the biological unit (take all with " +
                                  options.spelling("model", "join") + ")");

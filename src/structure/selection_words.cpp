@@ -100,7 +100,7 @@ bool is_known(const std::string& word) {
 }
 
 std::string_view without_quotes(std::string_view word) {
-    const bool is_quoted = word.size() > 2 && (word[0] == '\'' || word[0] == '"') && word.front() == word.back();
+    const bool is_quoted = word.size() >= 2 && (word[0] == '\'' || word[0] == '"') && word.front() == word.back();
     return is_quoted ? word.substr(1, word.size() - 2) : word;
 }
 
@@ -170,23 +170,42 @@ private:
         const auto keyword = find_word(kKeywords, first);
         if (keyword == kKeywords.end() || words.size() == 1)
             refuse(shown(words.front()) + " is not a condition", kForms);
+        for (auto word = words.begin() + 1; word != words.end(); ++word)
+            if (begins_condition(*word)) refuse("'and' is missing before '" + *word + "'", kForms);
         add(keyword->part, {words.begin() + 1, words.end()});
+    }
+
+    // A name that is also a word of the language is meant as a name: "chain B", "resn ALL".
+    static bool begins_condition(const std::string& word) {
+        constexpr std::size_t kLongestChain = 2;
+        return word.size() > kLongestChain && word == lower_case(word) && is_known(word);
     }
 
     void add(Part part, const std::vector<std::string>& values) {
         const bool compares = part == Part::BFactor || part == Part::Occupancy;
-        std::string text = compares ? listed(values) : part == Part::Numbers ? range(values) : names(values);
-        if (compares) text.erase(std::remove(text.begin(), text.end(), ','), text.end());
+        const std::string text = compares ? comparison(values) : part == Part::Numbers ? range(values) : names(values);
         if (!parts_.try_emplace(part, text).second) refuse("the same condition stands there twice", kForms);
+    }
+
+    // "<50"
+    std::string comparison(const std::vector<std::string>& values) const {
+        const bool is_one = values.size() == 2 && (values[0] == "<" || values[0] == ">" || values[0] == "=");
+        if (!is_one || !finite_number(values[1]))
+            refuse("a value is compared with one number by <, > or =", "write for instance b > 50");
+        return values[0] + values[1];
     }
 
     std::string names(const std::vector<std::string>& values) const {
         std::string list = listed(values);
+        if (list.empty()) refuse("an empty name", "gemmi's syntax has none; name what is to be kept instead");
         const bool is_plain = std::all_of(list.begin(), list.end(), [](unsigned char c) {
             return std::isalnum(c) != 0 || c == ',' || c == '\'' || c == '_';
         });
         const bool has_gap = list.front() == ',' || list.back() == ',' || list.find(",,") != std::string::npos;
-        if (!is_plain || has_gap) refuse("'" + printable(list, kOfWord) + "' is not a list of names", kForms);
+        const bool may_be_copy = list.find('-') != std::string::npos;
+        if (!is_plain || has_gap)
+            refuse("'" + printable(list, kOfWord) + "' is not a list of names",
+                   may_be_copy ? "copies of chains are named by --chains, as in --chains A-2" : kForms);
         return list;
     }
 
@@ -197,25 +216,38 @@ private:
         if (values.size() == 3 && lower_case(values[1]) == "to")
             text += "-" + values[2];
         else if (values.size() != 1)
-            refuse("several residue numbers", kOneRange);
+            refuse("several ranges or residues cannot be named", kOneRange);
+        if (text.find_first_of("+,") != std::string::npos)
+            refuse("several ranges or residues cannot be named", kOneRange);
         std::replace(text.begin(), text.end(), ':', '-');
         const std::size_t dash = text.find('-');
         if (dash == std::string::npos) return numbered(text) + "-" + numbered(text);
         const std::string first = text.substr(0, dash);
         const std::string last = text.substr(dash + 1);
         if (!is_number(first) || !is_number(last)) refuse_numbers(text);
+        check_size(first);
+        check_size(last);
         return first + "-" + last + ".Z";
     }
 
     // "10", or "10.A" for "10A".
     std::string numbered(const std::string& text) const {
+        const std::string number = is_number(text) ? text : text.substr(0, text.size() - 1);
+        check_size(number);
         if (is_number(text)) return text;
-        const std::string number = text.substr(0, text.size() - 1);
         if (!is_number(number) || std::isalpha(static_cast<unsigned char>(text.back())) == 0) refuse_numbers(text);
         return number + "." + text.back();
     }
 
+    void check_size(const std::string& number) const {
+        if (is_number(number) && !integer(number))
+            refuse(printable(number, kOfWord) + " is larger than a residue number may be", "correct it");
+    }
+
     [[noreturn]] void refuse_numbers(const std::string& text) const {
+        if (text.starts_with('-'))
+            refuse("gemmi's syntax has no negative residue numbers",
+                   "write a range up to a positive one, as in //A/-50");
         refuse("'" + printable(text, kOfWord) + "' is neither a residue number nor a range of them",
                std::string(kOneRange) + "; with insertion codes, //A/10.A-50.C");
     }

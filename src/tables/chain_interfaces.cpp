@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <string_view>
 
 #include "meniscus/errors.h"
 #include "meniscus/tables.h"
@@ -172,6 +173,21 @@ void check_groups(const ChainPair& pair, const AtomGroup& a, const AtomGroup& b)
 }
 
 }  // namespace
+
+std::vector<std::string> split_group(const std::string& text) {
+    constexpr std::string_view kWord = "chain ";
+    const bool is_in_words = text.starts_with(kWord);
+    std::vector<std::string> names{""};
+    int depth = 0;
+    for (const char c : is_in_words ? text.substr(kWord.size()) : text) {
+        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+        if (depth == 0 && (c == ',' || (is_in_words && c == '+')))
+            names.emplace_back();
+        else if (c != ' ')
+            names.back() += c;
+    }
+    return names;
+}
 
 std::vector<ChainPair> touching_chains(const Structure& structure, double probe) {
     check_match(structure, structure.atoms.size());

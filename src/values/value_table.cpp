@@ -154,6 +154,7 @@ private:
         std::set<std::string> seen;
         for (std::size_t c = 0; c < first.size(); ++c) {
             names_.emplace_back(reading::trimmed(first[c].text));
+            if (names_.back().empty()) continue;  // pandas' index, or a separator at the end of the line
             if (!seen.insert(names_.back()).second)
                 fail_at(file_, first[c].place, "a second column " + shown(names_.back()) + "; rename one of them");
             sort_in(rows, c);

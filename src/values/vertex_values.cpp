@@ -9,6 +9,7 @@
 
 #include "core/lower_case.h"
 #include "meniscus/errors.h"
+#include "reading/numbers.h"
 
 namespace meniscus {
 namespace {
@@ -19,8 +20,8 @@ constexpr std::array<std::string_view, 19> kTaken{
     "component",  "red", "green", "blue", "alpha", "vertices", "area", "mean_curvature", "gaussian_curvature",
     "shape_index"};
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool may_begin_name(char c) { return reading::is_letter(c) || c == '_'; }
+bool may_be_in_name(char c) { return may_begin_name(c) || reading::is_digit(c); }
 
 std::vector<Vec3> places(const Mesh& mesh, double offset) {
     std::vector<Vec3> points = mesh.vertices;
@@ -35,8 +36,8 @@ std::vector<float> to_single(const std::vector<double>& values) { return {values
 }  // namespace
 
 bool is_value_name(const std::string& name) {
-    if (name.empty() || !is_letter(name.front())) return false;
-    if (!std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c); })) return false;
+    if (name.empty() || !may_begin_name(name.front())) return false;
+    if (!std::all_of(name.begin(), name.end(), may_be_in_name)) return false;
     return std::find(kTaken.begin(), kTaken.end(), lower_case(name)) == kTaken.end();
 }
 

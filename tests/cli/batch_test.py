@@ -306,6 +306,13 @@ class Inputs(BatchTest):
             (self.inputs / "none.pdb").unlink()
             shutil.rmtree(self.folder / "out")
 
+    def test_missing_folders_are_missing_inputs(self):
+        self.batch("measure", "in/top.XYZR", "nodir/", "--out", "out", code=6)
+        self.assertEqual([r["input"] for r in self.results()], ["nodir", "top.XYZR"])
+
+    def test_empty_names_are_refused(self):
+        self.assertIn("INPUTS: an empty name", self.refused("measure", "in/top.XYZR", "", "--out", "out"))
+
     def test_where_nothing_is_there_it_is_refused(self):
         error = self.refused("measure", "no.pdb", "nor.pdb", "--out", "out", code=3)
         self.assertEqual(error, "meniscus: error: no.pdb: cannot be read: No such file or directory")

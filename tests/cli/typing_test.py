@@ -76,11 +76,15 @@ class Words(Typing):
         self.assertIn("-V is an option of meniscus itself; write meniscus -V", self.refusal("surface", "-V"))
         self.assertIn("-v: unknown option; did you mean -V?", self.refusal("-v"))
         self.assertIn("--foo: unknown option", self.refusal("--foo"))
+        self.assertIn("--foo: unknown option", self.refusal("--foo", "measure", "a.pdb"))
         self.assertIn("-o=y.ply: write -o y.ply", self.refusal("surface", "a.pdb", "-o=y.ply"))
 
     def test_help_is_asked_for_in_any_order(self):
         wanted = self.run_program("surface", "--help").stdout
         for words in (("help", "surface"), ("--help", "surface"), ("-h", "surface"), ("surface", "help")):
+            self.assertEqual(self.run_program(*words).stdout, wanted, words)
+        wanted = self.run_program("batch", "measure", "--help").stdout
+        for words in (("help", "batch", "measure"), ("batch", "help", "measure"), ("batch", "measure", "help")):
             self.assertEqual(self.run_program(*words).stdout, wanted, words)
         self.assertEqual(self.run_program("--help-all", "compare").stdout,
                          self.run_program("compare", "--help-all").stdout)
@@ -99,6 +103,9 @@ class Words(Typing):
         self.assertNotIn("understood", self.messages("measure", "a.pdb", "--select", "chain A", "--quiet"))
         self.assertIn("--show resi 500: understood as //*/500-500, selects none of the kept atoms",
                       self.messages("surface", "a.pdb", "--show", "resi 500", "-o", "b.ply", "--spacing", "1", code=2))
+        text = self.messages("measure", "a.pdb", "--select", "//A/-1")
+        self.assertIn("--select //A/-1: understood as all residues up to 1\n", text)
+        self.assertIn("larger than residue numbers may be", self.messages("measure", "a.pdb", "--select", "//A/4294967297", code=2))
         text = self.messages("measure", "a.pdb", "--between", "chain A:chain B")
         self.assertIn("note: --between chain A:chain B: understood as A:B\n", text)
 

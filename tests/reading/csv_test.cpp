@@ -23,7 +23,9 @@ TEST(Csv, CellsAreSeparatedByCommasAndRowsByLines) {
     EXPECT_EQ(texts("a,b\n1,\n\n,2"), (Texts{{"a", "b"}, {"1", ""}, {"", "2"}}));
 }
 
-TEST(Csv, SemicolonsAndTabsSeparateWhereTheFirstLineHasNoComma) {
+TEST(Csv, WhatStandsMostOftenInTheFirstLineSeparates) {
+    EXPECT_EQ(texts("a;b;c (x, y)\n1;2;3\n"), (Texts{{"a", "b", "c (x, y)"}, {"1", "2", "3"}}));
+    EXPECT_EQ(texts("a\t\"b,c,d\"\n1\t2\n"), (Texts{{"a", "b,c,d"}, {"1", "2"}}));
     EXPECT_EQ(texts("\na;b\n\"1;2\";0,5\n"), (Texts{{"a", "b"}, {"1;2", "0,5"}}));
     EXPECT_EQ(texts("a\tb c\n1\t2;3\n"), (Texts{{"a", "b c"}, {"1", "2;3"}}));
     EXPECT_EQ(texts("a,b;c\n1,2;3\n"), (Texts{{"a", "b;c"}, {"1", "2;3"}}));

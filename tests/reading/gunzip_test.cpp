@@ -34,7 +34,8 @@ TEST(Gunzip, NothingBehindAMemberIsDroppedSilently) {
             gunzip(one + rest, "f");
             ADD_FAILURE() << rest.size();
         } catch (const InputError& error) {
-            testing::expect_contains(error.what(), "f: byte " + std::to_string(place) + ": what follows the gzip data");
+            testing::expect_contains(error.what(),
+                                     "f: byte " + std::to_string(place) + ": what follows here is not gzip data");
         }
     }
     // A size of the content that is none: room for it is not even looked for.

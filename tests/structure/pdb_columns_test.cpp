@@ -36,6 +36,12 @@ TEST(PdbColumns, UsualLinesAndOtherNumbersOfDecimalsAreInPlace) {
     }
 }
 
+TEST(PdbColumns, WhatFollowsCoordinatesToTheLeftMustBeInPlace) {
+    std::string line = kInPlace;
+    expect_contains(fault_of(line.erase(30, 1)), "31: columns are shifted by 1 to the left");
+    expect_contains(fault_of(line.erase(30, 1)), "31: columns are shifted by 2 to the left");
+}
+
 TEST(PdbColumns, ShiftedLinesSayByHowManyAndFromWhere) {
     const auto says = [](const std::string& line, const std::string& what) { expect_contains(fault_of(line), what); };
     says(put_before(23, "1"), "22: columns are shifted by 1 to the right from the chain name 'A1' on");

@@ -87,6 +87,10 @@ TEST(PdbRecords, LinesLikeAtomsUnderAnotherNameAreTold) {
         expect_contains(result.found.warnings[0], "(2 times)");
     }
     EXPECT_EQ(tidied("END\nATM 1 CA ALA 1 1.5 2.5 3.5\n").found.warnings.size(), 1U);
+    // Rosetta's energies, a matrix of Swiss-PdbViewer, scores of CASP.
+    for (const char* table : {"ALA:NtermProteinFull_1 -1.250 0.521 3.333\n", "SPDBVT     1.000   0.000   0.000\n",
+                              "weights 1 0.55 0.94 1.25\n", "SCORE 0.912 0.855 0.801\n"})
+        EXPECT_TRUE(tidied(kOfRecords + table).found.warnings.empty()) << table;
 }
 
 TEST(PdbRecords, FilesJoinedWithoutALineEndAreRefused) {

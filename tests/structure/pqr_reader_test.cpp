@@ -158,6 +158,19 @@ TEST(Pqr, ReadsWhatOtherProgramsWrite) {
     EXPECT_EQ(fpocket.atom.radius, 3.62);
 }
 
+// "%-6s%5d %-4.4s%4.4s%c%4d %8.3f %8.3f %8.3f %6.2f %6.2f"
+TEST(Pqr, GromacsWritesTheChainBehindTheResidue) {
+    const OneAtom one = one_atom("ATOM      2  CA  META1001   26.266   25.413    2.842   0.07   1.70");
+    EXPECT_EQ(one.residue.name, "MET");
+    EXPECT_EQ(one.residue.chain, "A");
+    EXPECT_EQ(one.residue.number, 1001);
+    EXPECT_EQ(one.atom.centre, (Vec3{26.266, 25.413, 2.842}));
+    EXPECT_EQ(one.atom.radius, 1.7);
+    EXPECT_EQ(one_atom("ATOM    603 OE1 HISEA  77   45.747   30.081   19.708  -0.83   1.52").residue.name, "HISE");
+    const std::string water = "ATOM    603 OW   SOLA  77   45.747   30.081   19.708  -0.83   1.52\n";
+    EXPECT_TRUE(has_warning(read_text(water + water, "w.pqr"), "1 water"));
+}
+
 TEST(Pqr, TheElementBehindTheRadiusCountsIfTheNameBearsItOut) {
     EXPECT_EQ(one_atom("ATOM 1 CA LIG 1 1 2 3 0.1 1.2 CA").atom.element, "CA");
     EXPECT_EQ(one_atom("ATOM 1 CA LIG 1 1 2 3 0.1 1.2 C").atom.element, "C");
@@ -208,7 +221,8 @@ TEST(Pqr, LinesBetweenModelsAreReadAsWell) {
     const std::string atom = "ATOM 1 N ALA 1 0.0 0.0 0.0 0 1\n";
     const std::string odd = "ATM 1 N ALA 1 0.0 0.0 0.0 0 1\n";
     expect_contains(error_of(odd + atom, "a.pqr"), "a.pqr:1:1: 'ATM' is not a record");
-    expect_contains(error_of(atom + "ENDMDL\n" + odd + atom, "a.pqr", {.model = 2}), "a.pqr:3:1: 'ATM' is not a record");
+    expect_contains(error_of(atom + "ENDMDL\n" + odd + atom, "a.pqr", {.model = 2}),
+                    "a.pqr:3:1: 'ATM' is not a record");
     expect_contains(error_of(atom + "ENDMDL\n" + odd, "a.pqr"), "a.pqr:3:1: 'ATM' is not a record");
     expect_contains(error_of("REMARK\nEND\n", "a.pqr"), "no atoms in this file");
 }

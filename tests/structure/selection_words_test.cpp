@@ -72,14 +72,24 @@ TEST(SelectionWords, WhatIsNotExactIsRefusedWithTheRightForm) {
     expect_refused("protein", "kept without any selection");
     expect_refused("backbone", "N,CA,C,O");
     expect_refused("resi 10-50+60", "one range");
+    expect_refused("resi 10+20+30", "several ranges or residues");
     expect_refused("resid 10 20 30", "one range");
-    expect_refused("resi -5-10", "one range");
+    expect_refused("resi -5-10", "no negative residue numbers");
     expect_refused("resn H*", "not a list of names");
     expect_refused("chain A and chain B", "twice");
     expect_refused("chain A and", "nothing follows");
     expect_refused("chain", "is not a condition");
     expect_refused("//A and resi 10", "is not a condition");
     expect_refused("hetatm", "(HEM,NAG)");
+    expect_refused("chain A resi 2", "'and' is missing before 'resi'");
+    expect_refused("chain A polymer", "'and' is missing before 'polymer'");
+    for (const char* text : {"b < 1,0", "b > 10 20", "b >= 10", "b 10", "q = x"})
+        expect_refused(text, "compared with one number");
+    expect_refused("chain ''", "an empty name");
+    expect_refused("chain A-2", "--chains A-2");
+    expect_refused("resi -2", "no negative residue numbers");
+    expect_refused("resi 4294967298", "larger than a residue number may be");
+    expect_refused("resi 2-4294967299", "larger than a residue number may be");
     expect_refused("id 5", "'id' is not a condition");
     expect_refused("ligand", "(HEM,NAG)");
     expect_refused("within 5 of chain A", "no exact counterpart");

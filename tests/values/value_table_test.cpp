@@ -153,6 +153,12 @@ TEST(ValueTable, ColumnsOfTextAreLeftAlone) {
     EXPECT_EQ(table.columns[1].name, "empty");
 }
 
+TEST(ValueTable, ColumnsWithoutANameAreLeftAlone) {
+    const ValueTable table = table_of(",chain,resnum,v,\n0,A,1,5,\n1,B,1,6,\n");
+    ASSERT_EQ(table.columns.size(), 1U);
+    EXPECT_EQ(table.columns[0].name, "v");
+}
+
 TEST(ValueTable, TheTableOfOneInterfaceHasPlainNames) {
     const ValueTable table =
         table_of("interface,side,chain,resnum,icode,resname,buried_sas\nA:B,a,A,1,,ALA,3\nA:B,b,B,1,,GLY,4\n");

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "meniscus/errors.h"
+#include "reading/numbers.h"
 #include "reading/text.h"
 #include "structure/gemmi/gemmi_shared.h"
 #include "structure/residue_list.h"
@@ -136,7 +137,21 @@ bool matches_atom(const gemmi::Selection& selection, const RawAtom& atom) {
     return selection.matches(copy);
 }
 
+// gemmi would go on from zero behind the largest number.
+void check_numbers(const std::string& expression, const std::string& option) {
+    constexpr const char* kDigits = "0123456789";
+    std::size_t end = 0;
+    for (std::size_t i = expression.find_first_of(kDigits); i < expression.size();
+         i = expression.find_first_of(kDigits, end)) {
+        end = std::min(expression.find_first_not_of(kDigits, i), expression.size());
+        if (!integer(std::string_view(expression).substr(i, end - i)))
+            throw UsageError(option + " " + shown(expression) +
+                             ": a number larger than residue numbers may be; correct it");
+    }
+}
+
 gemmi::Selection parse_selection(const std::string& expression, const std::string& option) {
+    check_numbers(expression, option);
     try {
         gemmi::Selection selection(expression);
         // Older versions of gemmi take a single number for the first of a range without an end.
@@ -152,6 +167,14 @@ gemmi::Selection parse_selection(const std::string& expression, const std::strin
 bool has_chain(const RawModel& model, const gemmi::Selection& selection) {
     return std::any_of(model.residues.begin(), model.residues.end(),
                        [&](const RawResidue& residue) { return selection.matches(gemmi::Chain(residue.chain)); });
+}
+
+// "2" in "//A/-2", which is no negative number.
+std::string end_of_open_range(const std::string& expression) {
+    const std::size_t slash = expression.find("/-");
+    if (slash == std::string::npos) return {};
+    const std::size_t first = slash + 2;
+    return expression.substr(first, expression.find_first_not_of("0123456789", first) - first);
 }
 
 bool has_atom(const RawModel& model, const gemmi::Selection& selection) {
@@ -197,7 +220,9 @@ std::vector<bool> selected_atoms(const RawModel& model, const std::string& expre
 std::string restated_selection(const RawModel& model, const std::string& expression, const std::string& option) {
     const std::string understood = meant(model, expression, option);
     const bool is_as_given = understood == expression || understood == "/*/*/*/" + expression;
-    return is_as_given ? "" : understood;
+    if (!is_as_given) return understood;
+    const std::string last = end_of_open_range(expression);
+    return last.empty() ? "" : "all residues up to " + last;
 }
 
 std::vector<RawAssembly> assemblies_of(const gemmi::cif::Block& block) {
