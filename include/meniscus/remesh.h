@@ -34,8 +34,8 @@ struct RemeshOptions {
     bool simplify_topology = false;
 
     /// A surface whose corrected area is more than 0.5 % from the exact one is computed again on a grid of half the
-    /// spacing, and if need be of a quarter, where that covers no more than 150,000 squares of the grid. Not if its flow
-    /// has not converged.
+    /// spacing, and if need be of a quarter, where that covers no more than 150,000 squares of the grid. Not if its
+    /// flow has not converged.
     bool finer_grid = false;
 
     bool is_on() const { return edge > 0.0; }
