@@ -182,8 +182,6 @@ void apply_hetero(const RawModel& model, const ReadOptions& options, Chosen& cho
     if (!options.hetero && policy == HeteroPolicy::All) tell_kept_hetero(model, chosen);
 }
 
-}  // namespace
-
 // Programs for molecular dynamics write ions into ATOM records, where they pass for parts of the polymer.
 void tell_ions_of_polymer(const RawModel& model, const ReadOptions& options, Chosen& chosen) {
     std::vector<std::uint32_t> atoms_of(model.residues.size(), 0);
@@ -202,6 +200,8 @@ void tell_ions_of_polymer(const RawModel& model, const ReadOptions& options, Cho
         chosen.warnings.push_back("ions in ATOM records kept, as parts of the polymer: " + list_of_counts(ions) +
                                   " (leave them out with " + options.spelling("select", "(!" + names + ")") + ")");
 }
+
+}  // namespace
 
 Chosen choose_atoms(const RawModel& model, const ReadOptions& options, const std::string& file) {
     Chosen chosen;

@@ -316,6 +316,7 @@ class Inputs(BatchTest):
     def test_where_nothing_is_there_it_is_refused(self):
         error = self.refused("measure", "no.pdb", "nor.pdb", "--out", "out", code=3)
         self.assertEqual(error, "meniscus: error: no.pdb: cannot be read: No such file or directory")
+        self.assertIn("get 1ubq.cif from the PDB", self.refused("measure", "1UBQ", "--out", "out", code=3))
         self.assertFalse((self.folder / "out").exists())
 
     def test_outputs_are_not_compressed(self):

@@ -58,6 +58,7 @@ TEST(CommonRequest, KnowsWhetherWatersAndHeteroAtomsWereAskedFor) {
 }
 
 TEST(CommonRequest, RefusesWhatMakesNoSense) {
+    EXPECT_THROW(parse({"a.pdb", "--model", "foo"}), UsageError);
     EXPECT_THROW(parse({"a.pdb", "--probe", "-1"}), UsageError);
     EXPECT_THROW(parse({"a.pdb", "--threads", "0"}), UsageError);
     EXPECT_THROW(parse({"a.pdb", "--hydrogens", "some"}), UsageError);

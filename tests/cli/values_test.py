@@ -132,6 +132,13 @@ class Values(ProgramTest):
         self.assertIn("would overwrite the file of --radii", self.refused("gly.pdb", "--radii", "rules", "--report", "./rules"))
         self.assertEqual((self.folder / "a.atoms.csv").read_text(encoding="ascii"), table)
 
+    def test_columns_without_the_same_vertices_are_told_in_one_line(self):
+        (self.folder / "gly.pdb").write_text(glycine())
+        (self.folder / "t.csv").write_text("name,resnum,a,b,c\nCA,1,1,2,3\n", encoding="ascii")
+        result = self.surface("gly.pdb", "--values", "t.csv", "-o", "a.ply")
+        self.assertEqual(result.stderr.count("have no value"), 1, result.stderr)
+        self.assertRegex(result.stderr, r"t.csv: \d+ of \d+ vertices have no value 'a', nor of 2 more\n")
+
     def test_missing_values_are_in_every_format(self):
         (self.folder / "gly.pdb").write_text(glycine())
         (self.folder / "t.csv").write_text("name,resnum,score\nCA,1,2.5\n", encoding="ascii")

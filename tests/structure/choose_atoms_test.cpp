@@ -64,6 +64,33 @@ TEST(ChooseAtoms, ChainsGoByAuthorOrLabelName) {
     }
 }
 
+TEST(ChooseAtoms, ChainsOfOtherModelsAreNamedWhereOneIsMissing) {
+    RawModel model = mixed();
+    model.left_out = "chain B follows it";
+    try {
+        choose_atoms(model, {.chains = {"B"}}, "f");
+        FAIL();
+    } catch (const InputError& error) {
+        expect_contains(error.what(), "f: no chain B; chains of the file: A (chain B follows it)");
+    }
+}
+
+TEST(ChooseAtoms, IonsInAtomRecordsAreKeptWithAWarning) {
+    RawModel model;
+    add_residue(model, "ALA", 1, {"N", "C"});
+    add_residue(model, "NA", 2, {"NA"});
+    add_residue(model, "NA", 3, {"NA"});
+    add_residue(model, "CL", 4, {"CL"});
+    add_residue(model, "ALA", 5, {"CA"});
+    const Chosen chosen = choose_atoms(model, {}, "f");
+    EXPECT_EQ(chosen.atoms.size(), 6U);
+    EXPECT_EQ(chosen.warnings, std::vector<std::string>{"ions in ATOM records kept, as parts of the polymer: 2 NA, 1 CL "
+                                                        "(leave them out with select = (!CL,NA))"});
+    EXPECT_TRUE(choose_atoms(model, {.select = "(!CL,NA)"}, "f").warnings.empty());
+    for (reading::RawResidue& residue : model.residues) residue.in_sequence = true;
+    EXPECT_TRUE(choose_atoms(model, {}, "f").warnings.empty()) << "SEQRES tells what the polymer is";
+}
+
 TEST(ChooseAtoms, ModelsWithTheirOwnRadiiKeepEveryAtom) {
     RawModel model = mixed();
     model.has_radii = true;

@@ -120,6 +120,15 @@ TEST(InputFile, StandardInputMayBeginWithALowerCaseRecord) {
     EXPECT_EQ(load_bytes(" atom      1  N   ALA A   1       0.000   0.000   0.000\n", "-").format, Format::Pdb);
 }
 
+TEST(InputFile, CommentsOfMmcifWithCoordinatesAreAWarning) {
+    const std::string row = "ATOM 1 N N ALA A 1 27.340 24.430 2.614 1.00 9.67\n";
+    EXPECT_TRUE(load_bytes("data_a\n# ATOM is a record\n#\n" + row, "a.cif").warnings.empty());
+    const InputFile file = load_bytes("data_a\n#" + row + row + "# " + row, "a.cif");
+    ASSERT_EQ(file.warnings.size(), 1U);
+    expect_contains(file.warnings[0], "line 2: '#ATOM 1 N");
+    expect_contains(file.warnings[0], "is a comment, but has coordinates as an atom has; left out (2 times)");
+}
+
 TEST(InputFile, FoldersAndMissingFilesAreErrors) {
     EXPECT_THROW(load_input("/"), InputError);
     EXPECT_THROW(load_input("/no/such.pdb"), InputError);

@@ -137,6 +137,17 @@ TEST(JoinModels, OneCopyOfABiologicalUnitIsAWarning) {
     EXPECT_EQ(read_text(text, "b.pdb1", {.join_models = true, .chains = {"A-2"}}).atoms.size(), 2U);
 }
 
+TEST(JoinModels, CopiesOfABiologicalUnitMayHaveDifferentSizes) {
+    const std::string text = "MODEL 1\n" + kReceptor + "ENDMDL\nMODEL 2\n" + pdb_line({.x = 30.0}) + "ENDMDL\n";
+    EXPECT_FALSE(has_warning(read_text(text, "b.pdb1"), "different number of atoms"));
+    EXPECT_TRUE(has_warning(read_text(text, "b.pdb"), "different number of atoms"));
+}
+
+TEST(JoinModels, AChainThatOnlyFollowsIsNamedWhereItIsMissing) {
+    expect_contains(error_of(kReceptor + "END\n" + kLigand + "END\n", "c.pdb", {.chains = {"B"}}),
+                    "no chain B; chains of the file: A (chain A taken, before END in line 3; chain B follows it");
+}
+
 TEST(JoinModels, DifferentSizesMatterToCopiesOnly) {
     const std::string text = "MODEL 1\n" + kReceptor + "ENDMDL\nMODEL 2\n" + pdb_line({.name = " N  "}) + "ENDMDL\n";
     EXPECT_TRUE(has_warning(read_text(text, "m.pdb"), "different number of atoms"));

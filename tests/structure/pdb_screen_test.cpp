@@ -175,5 +175,13 @@ TEST(PdbScreen, Hybrid36Serials) {
     EXPECT_EQ(hybrid36_serial(0), "    0");
 }
 
+TEST(PdbScreen, NumbersAsVmdWritesThemAreAWarning) {
+    const CleanPdb clean = screen(changed(23, "270f") + changed(23, "****") + changed(23, "2710"));
+    ASSERT_EQ(clean.warnings.size(), 1U);
+    expect_contains(clean.warnings[0],
+                    "residue number '270f' is as VMD writes those above 9999, in hexadecimal or as stars (taken as 0); "
+                    "others may be hexadecimal although they look decimal (2 times)");
+}
+
 }  // namespace
 }  // namespace meniscus::reading

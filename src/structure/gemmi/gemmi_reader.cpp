@@ -218,7 +218,7 @@ std::vector<bool> selected_atoms(const RawModel& model, const std::string& expre
 }
 
 std::string restated_selection(const RawModel& model, const std::string& expression, const std::string& option) {
-    const std::string understood = meant(model, expression, option);
+    std::string understood = meant(model, expression, option);
     const bool is_as_given = understood == expression || understood == "/*/*/*/" + expression;
     if (!is_as_given) return understood;
     const std::string last = end_of_open_range(expression);
