@@ -22,9 +22,7 @@ struct PrincipalCurvatures {
     ///
     /// 1 on a ball, 0.5 on a ridge, 0 on a symmetric saddle, -0.5 in a rut, -1 in a cup. Where both are equal it is 1
     /// or -1 by their sign, and 0 on a plane, which has no shape index.
-    double shape_index() const {
-        return std::atan2(largest + smallest, largest - smallest) * (2.0 * std::numbers::inv_pi);
-    }
+    double shape_index() const;
 
     /// Both limited to [-limit, limit], limit in Å^-1, and 0 where not a number: |mean| <= limit, |gaussian| <= limit².
     PrincipalCurvatures capped(double limit) const {

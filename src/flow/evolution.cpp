@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "flow/closest_points.h"
 #include "flow/reinitialise.h"
@@ -243,7 +244,7 @@ bool ends(Evolution& flow, const std::vector<double>& left, const FlowOptions& o
 
 double fraction_done(const std::vector<double>& left, const FlowOptions& options) {
     const double by_steps = static_cast<double>(left.size()) / options.max_steps;
-    const double by_residual = std::log(left[0] / left.back()) / std::log(left[0] / options.tolerance);
+    const double by_residual = elementary::log(left[0] / left.back()) / elementary::log(left[0] / options.tolerance);
     return std::clamp(options.anchor > 0.0 ? by_residual : by_steps, 0.0, 0.9);
 }
 

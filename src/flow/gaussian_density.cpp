@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "flow/density_kernels.h"
 #include "grid/block_kernels.h"
@@ -67,8 +68,8 @@ public:
         const double most = sum_of(largest_);
         const double least = sum_of(least_);
         const double scale = 2.0 * density_.c_ * density_.mean_radius_;  // negative: Φ0 = ln(sum) / scale
-        if (most == 0.0 || std::log(most) / scale > margin) return Where::Outside;
-        return std::log(least) / scale < -margin ? Where::Inside : Where::Near;
+        if (most == 0.0 || elementary::log(most) / scale > margin) return Where::Outside;
+        return elementary::log(least) / scale < -margin ? Where::Inside : Where::Near;
     }
 
     // Those of the box gone to.
@@ -145,9 +146,9 @@ void GaussianDensity::evaluate(const BlockNodes& block, double margin, const Sph
     for (std::size_t i = 0; i < atoms.size(); ++i)
         largest = std::max(largest, exponent(atoms, i, box.squared_distance(position_in(atoms, i))));
     const double per_length = 2.0 * -c_ * mean_radius_;
-    const double most = std::exp(margin * per_length - largest);
-    const double least = std::exp(-margin * per_length - largest);
-    const double negligible = least * std::exp(-kSmallestExponent);
+    const double most = elementary::exp(margin * per_length - largest);
+    const double least = elementary::exp(-margin * per_length - largest);
+    const double negligible = least * elementary::exp(-kSmallestExponent);
     double sums[kBlockNodes] = {};
     AxisProduct terms;
     for (std::size_t i = 0; i < atoms.size(); ++i) {
@@ -161,7 +162,7 @@ void GaussianDensity::evaluate(const BlockNodes& block, double margin, const Sph
     }
     for (int n = 0; n < kBlockNodes; ++n) {
         const double sum = sums[n];
-        const double exponent = sum > 0.0 ? largest + std::log(sum) : largest_exponent(block, n, atoms);
+        const double exponent = sum > 0.0 ? largest + elementary::log(sum) : largest_exponent(block, n, atoms);
         const double value = sum > 0.0 && sum >= most ? -margin : -exponent / per_length;
         values[static_cast<std::size_t>(n)] = static_cast<float>(std::clamp(value, -margin, margin));
     }

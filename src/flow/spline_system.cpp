@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/bits.h"
+#include "core/elementary.h"
 #include "core/fresh_memory.h"
 #include "core/parallel.h"
 
@@ -119,7 +120,7 @@ private:
     struct Rotation {
         double cosine;
         double sine;
-        Rotation(double a, double b) : cosine(a / std::hypot(a, b)), sine(b / std::hypot(a, b)) {}
+        Rotation(double a, double b) : cosine(a / std::sqrt(a * a + b * b)), sine(b / std::sqrt(a * a + b * b)) {}
         void turn(double& a, double& b) const {
             const double turned = cosine * a + sine * b;
             b = cosine * b - sine * a;
@@ -375,7 +376,7 @@ SolveResult SplineSystem::solve_richardson(const Stencil& stencil, const BlockFi
     const double middle = std::lerp(range.least, range.greatest, 0.5 * (kFirstError + kLastError));
     const double radius = 0.5 * (kLastError - kFirstError) * (range.greatest - range.least);
     const auto correction_of = [&](int step) {
-        return (1.0 / (middle + radius * std::cos(std::numbers::pi * (step + 0.5) / kCycle))) * inverse;
+        return (1.0 / (middle + radius * elementary::cos(std::numbers::pi * (step + 0.5) / kCycle))) * inverse;
     };
     SolveResult result;
     double before = std::numeric_limits<double>::infinity();  // residual at the start of a cycle

@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/elementary.h"
 #include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "core/perpendicular.h"
@@ -252,7 +253,7 @@ struct InPlane {
 // turn.
 double swept_angle(const InPlane& start, const InPlane& end, double pseudo) {
     constexpr double kTurn = 2.0 * std::numbers::pi;
-    double sweep = std::atan2(start.x * end.y - start.y * end.x, start.x * end.x + start.y * end.y);
+    double sweep = elementary::atan2(start.x * end.y - start.y * end.x, start.x * end.x + start.y * end.y);
     if (sweep < 0.0) sweep += kTurn;
     if (pseudo < 1.0 && sweep > 0.75 * kTurn) return 0.0;
     if (pseudo > 3.0 && sweep < 0.25 * kTurn) return kTurn;
@@ -283,10 +284,10 @@ SasArc make_arc(const AccessibleSurface::Data& data, const VertexTable& table, s
     const InPlane start = in_plane(arc.start);
     arc.angle = swept_angle(start, in_plane(arc.end), view.sweep);
     const double half = 0.5 * arc.angle;
-    arc.cos_half = std::cos(half);
+    arc.cos_half = elementary::cos(half);
     const double length = std::sqrt(start.x * start.x + start.y * start.y);
     if (length > 0.0) {
-        const double sine = std::sin(half) / length;
+        const double sine = elementary::sin(half) / length;
         const double cosine = arc.cos_half / length;
         arc.middle = (cosine * start.x - sine * start.y) * e1 + (sine * start.x + cosine * start.y) * e2;
     }
@@ -408,7 +409,7 @@ void build_trees(AccessibleSurface::Data& data) {
 
 bool try_build(AccessibleSurface::Data& data, const CellList& cells, std::uint64_t seed, int attempt,
                const AccessibleSurface::Data* before) {
-    data.perturbation = std::max(kPerturbation, kPerturbationOfRadius * data.rho_max) * std::pow(10.0, attempt);
+    data.perturbation = std::max(kPerturbation, kPerturbationOfRadius * data.rho_max) * elementary::pow(10.0, attempt);
     for (std::size_t i = 0; i < data.atoms.size(); ++i)
         data.rho[i] =
             data.atoms.radii[i] + data.probe +

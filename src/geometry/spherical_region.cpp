@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/elementary.h"
 #include "core/perpendicular.h"
 
 namespace meniscus {
@@ -79,7 +80,7 @@ Vec3 SphericalRegions::point_on(std::size_t arc, double part) const {
     const CapPlane& cap = caps_[contour_[arc].cap];
     const Vec3 e1 = measured_[arc].start - cap.t * cap.axis;
     const double angle = part * measured_[arc].angle;
-    return normalised(cap.t * cap.axis + std::cos(angle) * e1 + std::sin(angle) * cross(e1, cap.axis));
+    return normalised(cap.t * cap.axis + elementary::cos(angle) * e1 + elementary::sin(angle) * cross(e1, cap.axis));
 }
 
 std::uint32_t SphericalRegions::count_cap_clusters() const {
@@ -116,21 +117,21 @@ void SphericalRegions::walk(const Vec3& from, const Vec3& to) const {
     crossings_.clear();
     const Vec3 normal = cross(from, to);
     const Vec3 ahead = normalised(cross(normal, from));
-    const double length = std::atan2(dot(to, ahead), dot(to, from));
+    const double length = elementary::atan2(dot(to, ahead), dot(to, from));
     for (std::uint32_t a = 0; a < contour_.size(); ++a) {
         const CapPlane& cap = caps_[contour_[a].cap];
         const double c = dot(cap.axis, from);
         const double s = dot(cap.axis, ahead);
-        const double amplitude = std::hypot(c, s);
+        const double amplitude = std::sqrt(c * c + s * s);
         if (amplitude <= std::abs(cap.t)) continue;
-        const double top = std::atan2(s, c);
-        const double half = std::acos(cap.t / amplitude);
+        const double top = elementary::atan2(s, c);
+        const double half = elementary::acos(cap.t / amplitude);
         for (const bool into_cap : {true, false}) {
             const double at = std::remainder(into_cap ? top - half : top + half, 2.0 * kPi);
             if (at <= 0.0 || at >= length) continue;
-            const Vec3 n = std::cos(at) * from + std::sin(at) * ahead;
+            const Vec3 n = elementary::cos(at) * from + elementary::sin(at) * ahead;
             const Vec3 e1 = normalised(measured_[a].start - cap.t * cap.axis);
-            const double angle = wrapped_turn(std::atan2(dot(n, cross(e1, cap.axis)), dot(n, e1)));
+            const double angle = wrapped_turn(elementary::atan2(dot(n, cross(e1, cap.axis)), dot(n, e1)));
             if (angle <= measured_[a].angle) crossings_.push_back({at, into_cap, a});
         }
     }

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/elementary.h"
 #include "geometry/canonical_atoms.h"
 
 namespace meniscus {
@@ -44,7 +45,7 @@ std::vector<Box> boxes_of(const Mesh& mesh, const std::vector<std::uint32_t>& or
 double angle_at(const Vec3& p, const Vec3& q, const Vec3& r) {
     const Vec3 a = q - p;
     const Vec3 b = r - p;
-    return std::atan2(norm(cross(a, b)), dot(a, b));
+    return elementary::atan2(norm(cross(a, b)), dot(a, b));
 }
 
 // Where in a triangle the point nearest to another is: at a corner, on an edge, within.

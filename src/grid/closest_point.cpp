@@ -58,7 +58,8 @@ Step newton_step(const LevelSetSample& at, const Vec3& d, double spacing) {
     const double a11 = dot(e1, w1);
     const double a12 = dot(e2, w1);
     const double a22 = dot(e2, stiffness_times(e2));
-    const double least = 0.5 * (a11 + a22) - std::hypot(0.5 * (a11 - a22), a12);
+    const double half_difference = 0.5 * (a11 - a22);
+    const double least = 0.5 * (a11 + a22) - std::sqrt(half_difference * half_difference + a12 * a12);
     const double shift = std::max(0.0, kLeastStiffness - least);
     const double b1 = dot(e1, pull);
     const double b2 = dot(e2, pull);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/elementary.h"
 #include "core/golden_angle.h"
 #include "core/odd_direction.h"
 #include "core/parallel.h"
@@ -121,7 +122,7 @@ private:
 // A frame that turns from call to call, so that a search along its axes does not stall in a crease.
 std::array<Vec3, 3> turning_frame(int turn) {
     const double angle = kGoldenAngle * turn;
-    const Vec3 e1 = normalised({std::cos(angle), std::sin(angle), 0.6 * std::cos(1.7 * angle)});
+    const Vec3 e1 = normalised({elementary::cos(angle), elementary::sin(angle), 0.6 * elementary::cos(1.7 * angle)});
     const Vec3 e2 = perpendicular(e1);
     return {e1, e2, cross(e1, e2)};
 }

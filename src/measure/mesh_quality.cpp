@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/bits.h"
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "measure/triangle_lanes.h"
 
@@ -104,7 +105,7 @@ private:
     std::array<std::vector<double>, kParts.size()> within_;
 };
 
-double degrees(double cosine) { return std::acos(cosine) * (180.0 / std::numbers::pi); }
+double degrees(double cosine) { return elementary::acos(cosine) * (180.0 / std::numbers::pi); }
 
 // Angles grow with 1 - cosine.
 Percentiles angles_of(const Percentiles& p) {
@@ -126,7 +127,7 @@ class AngleBins {
 public:
     AngleBins() {
         const double width = std::numbers::pi / static_cast<double>(kCount);
-        for (std::size_t i = 0; i < kCount; ++i) ends_[i] = std::cos(static_cast<double>(i + 1) * width);
+        for (std::size_t i = 0; i < kCount; ++i) ends_[i] = elementary::cos(static_cast<double>(i + 1) * width);
         ends_.back() = -2.0;  // the last one ends with 180 degrees, which belong to it
         for (std::size_t cell = 0; cell < kCells; ++cell) {
             const double highest = (static_cast<double>(cell) + 1.0) / kPerUnit - 1.0;

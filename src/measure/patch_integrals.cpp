@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/elementary.h"
 #include "core/pairs.h"
 
 namespace meniscus {
@@ -55,7 +56,7 @@ ToroidalPatch toroidal_patch(const SasArc& arc, double probe) {
     ToroidalPatch patch{.pieces = {{{first, last}}}, .count = 1};
     if (!meets_its_axis(arc, probe)) return patch;
     const double cosine = arc.radius / probe;
-    const ToroidalPatch::Angle cusp{std::acos(cosine), std::sqrt(1.0 - cosine * cosine), cosine};
+    const ToroidalPatch::Angle cusp{elementary::acos(cosine), std::sqrt(1.0 - cosine * cosine), cosine};
     patch.pieces = {{{first, mirrored(cusp)}, {cusp, last}}};
     patch.count = 2;
     return patch;
@@ -81,7 +82,7 @@ PatchIntegrals toroidal_piece(const SasArc& arc, double probe, const ToroidalPat
     const double i1 = a * sine - probe * cos2;
     const double i2 = -a * cosine - probe * sin_cos;
     const double i3 = (a * a + probe * probe) * sine - a * probe * (cos2 + turn);
-    const Vec3 radial = arc.whole_circle() ? Vec3{} : 2.0 * std::sin(0.5 * arc.angle) * arc.middle;  // ∫ e dθ
+    const Vec3 radial = arc.whole_circle() ? Vec3{} : 2.0 * elementary::sin(0.5 * arc.angle) * arc.middle;  // ∫ e dθ
     const Vec3 normal = probe * (i1 * radial - arc.angle * i2 * arc.axis);                           // ∫ n dA
     PatchIntegrals patch;
     patch.area = arc.angle * probe * i0;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/elementary.h"
 #include "core/mix_bits.h"
 #include "core/workspaces.h"
 #include "geometry/neighbour_caps.h"
@@ -93,7 +94,7 @@ private:
     bool cut(std::uint32_t v, int attempt, ReentrantPatch& patch) {
         caps_.clear();
         for (std::uint32_t k = 0; k < kEdges; ++k) caps_.add({near_.triangle().sides[k], 0.0, k});
-        const double growth = std::pow(10.0, std::max(0, attempt - kMaxAttempts / 2));
+        const double growth = elementary::pow(10.0, std::max(0, attempt - kMaxAttempts / 2));
         const std::uint64_t seed = seed_ + 977 * static_cast<std::uint64_t>(attempt);
         for (Cap probe : probes_) {
             probe.t += growth * plane_shift(v, probe.atom, seed) / data_.probe;

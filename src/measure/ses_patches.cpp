@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/elementary.h"
 #include "core/parallel_list.h"
 #include "geometry/nearest_feature.h"
 
@@ -168,7 +169,7 @@ std::uint32_t SesPatches::patch_across(std::uint32_t vertex, const TrimmedArc& a
         const Vec3 to_point = point - data_->vertices[w].position;
         const Vec3 from_axis = to_point - dot(to_point, other.axis) * other.axis;
         const Vec3 middle = other.middle - dot(other.middle, other.axis) * other.axis;
-        const double angle = std::atan2(norm(cross(from_axis, middle)), dot(from_axis, middle));
+        const double angle = elementary::atan2(norm(cross(from_axis, middle)), dot(from_axis, middle));
         const double beyond = angle - 0.5 * other.angle;
         if (beyond >= least) continue;
         least = beyond;

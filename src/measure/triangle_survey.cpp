@@ -9,6 +9,7 @@
 
 #include "core/bits.h"
 #include "core/corner_numbers.h"
+#include "core/elementary.h"
 #include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "meniscus/errors.h"
@@ -162,9 +163,9 @@ MeshMeasures TriangleSurvey::measures(std::span<const std::uint32_t> of_vertex) 
         measures.area += piece.area;
         measures.volume += piece.volume;
     }
-    const double tangent = std::sqrt(smallest.opposite / smallest.adjacent);
     if (chunks_.empty()) return measures;
-    measures.smallest_angle_deg = std::atan(tangent) * 180.0 / std::numbers::pi;
+    const double angle = elementary::atan2(std::sqrt(smallest.opposite), std::sqrt(smallest.adjacent));
+    measures.smallest_angle_deg = angle * 180.0 / std::numbers::pi;
     measures.shortest_edge = std::sqrt(shortest);
     return measures;
 }

@@ -91,7 +91,7 @@ public:
         constexpr double kAlmost = 0.65;  // β; distances that are too small are all alike
         const double share = 1.0 / static_cast<double>(kCandidatesPerPoint);
         reach_ = 2.0 * std::sqrt(area / (2.0 * std::numbers::sqrt3 * static_cast<double>(count)));
-        least_ = reach_ * (1.0 - std::pow(share, 1.5)) * kAlmost;
+        least_ = reach_ * (1.0 - share * std::sqrt(share)) * kAlmost;
     }
 
     double reach() const { return reach_; }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/elementary.h"
 #include "geometry/box_tree.h"
 #include "mesh/components.h"
 #include "pipeline/surface_projector.h"
@@ -98,7 +99,7 @@ double solid_angle(const Vec3& from, const Mesh& mesh, const Triangle& triangle)
     const double la = norm(a);
     const double lb = norm(b);
     const double lc = norm(c);
-    return 2.0 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+    return 2.0 * elementary::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
 }
 
 DroppedPieces drop_small_cavities(Mesh& zero_set, double least_volume, const SurfaceProjector& project, Mesh* walls) {

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "core/elementary.h"
 #include "core/golden_angle.h"
 #include "core/parallel.h"
 #include "grid/block_grid.h"
@@ -42,7 +43,7 @@ std::array<Vec3, kDirections> spiral() {
         const double z = 1.0 - (2.0 * static_cast<double>(k) + 1.0) / static_cast<double>(kDirections);
         const double angle = kGoldenAngle * static_cast<double>(k);
         const double across = std::sqrt(1.0 - z * z);
-        directions[k] = {across * std::cos(angle), across * std::sin(angle), z};
+        directions[k] = {across * elementary::cos(angle), across * elementary::sin(angle), z};
     }
     return directions;
 }
@@ -118,7 +119,7 @@ constexpr double kLargestProbe = 5.0;
 // 0 for the van der Waals surface to 0.38 for water.
 double bridged_area(double contact_area, double exposed, double probe) {
     const double b = std::min(probe, 0.3 + 0.057 * probe);
-    return contact_area * std::pow(exposed, -b);
+    return contact_area * elementary::exp(-b * elementary::log(exposed));
 }
 
 // Of the ball whose atoms were as far from its centre in the mean square, and whose radius is larger by theirs.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/elementary.h"
 #include "core/parallel.h"
 #include "measure/surface_measures.h"
 #include "remesh/self_intersections.h"
@@ -71,7 +72,7 @@ std::vector<Vec3> crossings_near(Mesh& mesh, std::span<const Vec3> places, doubl
 
 // Where a triangle has got a small angle.
 void add_narrowed(const Mesh& mesh, std::span<const Vec3> before, std::vector<Vec3>& places) {
-    const double narrow = std::cos(kSmallAngle * std::numbers::pi / 180.0);
+    const double narrow = elementary::cos(kSmallAngle * std::numbers::pi / 180.0);
     const auto is_narrow = [&](std::span<const Vec3> vertices, const Triangle& t) {
         return cosine_of_smallest_angle(vertices[t[0]], vertices[t[1]], vertices[t[2]]) > narrow;
     };

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/corner_numbers.h"
+#include "core/elementary.h"
 #include "geometry/box_tree.h"
 #include "remesh/self_intersections.h"
 #include "remesh/working_mesh.h"
@@ -55,7 +56,10 @@ double tangent_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
     return product > 0.0 ? norm(area_vector(a, b, c)) / product : 0.0;
 }
 
-double tangent_of_degrees(double degrees) { return std::tan(degrees * std::numbers::pi / 180.0); }
+double tangent_of_degrees(double degrees) {
+    const double angle = degrees * std::numbers::pi / 180.0;
+    return elementary::sin(angle) / elementary::cos(angle);
+}
 
 std::vector<std::size_t> Patch::star(VertexId v) const {
     std::vector<std::size_t> found;

@@ -9,6 +9,8 @@
 #include <span>
 #include <utility>
 
+#include "core/elementary.h"
+
 namespace meniscus {
 namespace {
 
@@ -319,7 +321,7 @@ const std::vector<SurfacePoint>& PatchMender::places_round(const SurfacePoint& c
         for (int k = 0; k < kPerRing; ++k) {
             const double angle = 2.0 * std::numbers::pi * k / kPerRing;
             places_.push_back(centre);
-            places_.back().position += ring * step * (std::cos(angle) * u + std::sin(angle) * w);
+            places_.back().position += ring * step * (elementary::cos(angle) * u + elementary::sin(angle) * w);
         }
     project_(places_);
     return places_;

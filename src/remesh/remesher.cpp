@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/elementary.h"
 #include "core/group_by.h"
 #include "core/parallel.h"
 #include "core/parallel_list.h"
@@ -480,7 +481,7 @@ private:
 
     // Where a mesh has small angles or passes through itself.
     std::vector<Vec3> bad_places(const Mesh& mesh, const WorkingMesh& before) {
-        const double narrow = std::cos(kWantedWithoutRidges.smallest * std::numbers::pi / 180.0);
+        const double narrow = elementary::cos(kWantedWithoutRidges.smallest * std::numbers::pi / 180.0);
         std::vector<Vec3> places = new_crossings(mesh, before);
         for (const auto& [a, b, c] : mesh.triangles) {
             const Vec3& p = mesh.vertices[a];
