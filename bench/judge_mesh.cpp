@@ -17,7 +17,7 @@
 #include <utility>
 
 #include "core/parallel.h"
-#include "geometry/triangle_tree.h"
+#include "space/triangle_tree.h"
 #include "measure/weighted_distances.h"
 #include "meniscus/mesh_quality.h"
 #include "meniscus/structure.h"

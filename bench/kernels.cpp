@@ -11,7 +11,7 @@
 #include "core/parallel.h"
 #include "flow/evolution.h"
 #include "flow/spline_system.h"
-#include "geometry/local_features.h"
+#include "nearest/local_features.h"
 #include "measure/corrected.h"
 #include "meniscus/level_set.h"
 #include "meniscus/measures.h"

@@ -19,7 +19,7 @@
 #include "flow/closest_points.h"
 #include "flow/evolution.h"
 #include "flow/gaussian_density.h"
-#include "flow/reinitialise.h"
+#include "flow/paper/reinitialise.h"
 #include "meniscus/level_set.h"
 #include "mesh/extract.h"
 

@@ -11,8 +11,8 @@
 #include <exception>
 #include <new>
 
-#include "io/atomic_file.h"
 #include "messages.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus::cli {
 

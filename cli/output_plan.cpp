@@ -15,9 +15,9 @@
 #include <span>
 #include <utility>
 
-#include "io/atomic_file.h"
 #include "meniscus/errors.h"
 #include "meniscus/page.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus::cli {
 

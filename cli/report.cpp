@@ -14,12 +14,12 @@
 #include <thread>
 
 #include "exact_blocks.h"
-#include "io/atomic_file.h"
 #include "meniscus/errors.h"
 #include "meniscus/file_name.h"
 #include "meniscus/version.h"
 #include "meniscus/words.h"
 #include "output_plan.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus::cli {
 

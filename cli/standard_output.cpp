@@ -12,8 +12,8 @@
 #include <iostream>
 #include <string_view>
 
-#include "io/atomic_file.h"
 #include "meniscus/errors.h"
+#include "platform/atomic_file.h"
 #include "report.h"
 
 namespace meniscus::cli {

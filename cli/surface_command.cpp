@@ -11,13 +11,13 @@
 
 #include "exact_blocks.h"
 #include "interrupt.h"
-#include "io/atomic_file.h"
 #include "meniscus/draw_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/measures.h"
 #include "meniscus/mesh_part.h"
 #include "meniscus/page.h"
 #include "meniscus/tables.h"
+#include "platform/atomic_file.h"
 #include "standard_output.h"
 #include "summary.h"
 

@@ -10,10 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "help.h"
-#include "io/atomic_file.h"
 #include "meniscus/errors.h"
 #include "meniscus/file_name.h"
 #include "option_words.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus::cli {
 

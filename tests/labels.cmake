@@ -31,7 +31,7 @@ endfunction()
 function(meniscus_covers result)
   file(RELATIVE_PATH own ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
   # What everything is built with, or of.
-  set(common CMakeLists.txt src/CMakeLists.txt cmake packages.txt include src/core tests/CMakeLists.txt tests/labels.cmake
+  set(common CMakeLists.txt src/CMakeLists.txt cmake packages.txt include src/core src/simd src/platform tests/CMakeLists.txt tests/labels.cmake
     tests/support)
   set(labels slow)
   foreach(path IN LISTS ARGN common ITEMS ${own})

@@ -9,33 +9,43 @@ from sources import ROOT, includes, sources
 # What a room may include beside itself, core and the public headers.
 ROOMS = {
     "core": (),
-    "reading": (),
-    "structure": ("reading", "radii"),
+    "simd": (),
+    "platform": (),
+    "space": ("simd",),
+    "geometry": ("space", "simd", "platform"),
+    "nearest": ("geometry", "space", "simd"),
+    "exact": ("nearest", "geometry", "space", "simd"),
+    "grid": ("simd", "platform"),
+    "band": ("nearest", "geometry", "grid", "simd", "platform"),
+    "flow": ("band", "nearest", "geometry", "grid", "simd", "platform"),
+    "mesh": ("grid", "simd", "platform"),
+    "measure": ("mesh", "nearest", "space", "simd", "platform"),
+    "remesh": ("measure", "mesh", "nearest", "space", "simd", "platform"),
+    "project": ("remesh", "measure", "nearest", "grid", "simd", "platform"),
+    "cavities": ("project", "remesh", "mesh", "space", "platform"),
+    "pipeline": ("cavities", "project", "remesh", "measure", "mesh", "flow", "band", "grid", "exact", "nearest", "geometry",
+                 "space", "platform"),
+    "reading": ("platform",),
     "radii": ("reading",),
-    "geometry": (),
-    "grid": (),
-    "band": ("geometry", "grid"),
-    "flow": ("geometry", "grid", "band"),
-    "mesh": ("grid",),
-    "remesh": ("geometry", "measure"),
-    "measure": ("geometry", "mesh"),
+    "structure": ("reading", "radii"),
     "tables": ("radii",),
-    "colours": ("radii",),
-    "render": (),
-    "io": ("grid",),
-    "values": ("reading",),
+    "io": ("reading", "colours", "grid", "platform"),
     "mesh_io": ("reading", "mesh"),
-    "volume": ("reading", "io"),
-    "page": ("colours", "render", "io"),
-    "pipeline": ("geometry", "grid", "band", "flow", "mesh", "remesh", "measure"),
+    "volume": ("reading", "io", "platform"),
+    "values": ("reading",),
+    "colours": ("reading", "radii", "platform"),
+    "render": ("colours", "platform"),
+    "page": ("colours", "render", "io", "platform"),
+    "draw": (),
 }
 # What clients may use beside the public headers: how to write a file of their own whole or not at all, how foreign
 # words stand in messages, and how to load a library.
-FOR_CLIENTS = ("src/io/atomic_file.h", "src/reading/text.h", "src/core/loaded_library.h")
+FOR_CLIENTS = ("src/platform/atomic_file.h", "src/reading/text.h", "src/platform/loaded_library.h")
 # Public headers that numerical rooms must not see, and words that only some folders may include.
 FILE_HEADERS = ("include/meniscus/structure.h", "include/meniscus/write.h", "include/meniscus/level_set_file.h",
                 "include/meniscus/volume.h", "include/meniscus/read_mesh.h")
-NUMERICAL = ("geometry", "grid", "band", "flow", "mesh", "remesh", "measure", "render")
+NUMERICAL = ("core", "simd", "space", "geometry", "nearest", "exact", "grid", "band", "flow", "mesh", "measure", "remesh",
+             "project", "cavities", "render")
 ONLY_IN = {
     "<tbb/": ("src/core/",),
     "<gemmi/": ("src/structure/", "src/radii/", "src/io/gemmi/"),
@@ -46,7 +56,7 @@ ONLY_IN = {
     "<CLI/": ("cli/", "tests/cli/"),
     "<pybind11/": ("python/",),
     "<iostream>": ("cli/", "src/structure/", "src/io/", "tests/", "bench/", "fuzz/"),
-    "<fstream>": ("cli/", "src/core/", "src/structure/", "src/radii/", "src/io/", "tests/", "bench/", "fuzz/"),
+    "<fstream>": ("cli/", "src/platform/", "src/structure/", "src/radii/", "src/io/", "tests/", "bench/", "fuzz/"),
 }
 
 

@@ -12,7 +12,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDERS = ("include", "src", "cli", "python", "tests", "bench", "fuzz")
 INCLUDE_PATHS = ("include", "src", "cli", "tests")
-# A file may also be named by a macro, for another to include (src/core/kernel_sets.inc).
+# A file may also be named by a macro, for another to include (src/simd/kernel_sets.inc).
 INCLUDE = re.compile(r'^\s*#\s*(?:include|define\s+\w+)\s*"([^"]+)"', re.MULTILINE)
 
 

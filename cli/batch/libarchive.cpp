@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "core/loaded_library.h"
 #include "meniscus/errors.h"
+#include "platform/loaded_library.h"
 
 namespace meniscus::cli::batch {
 

@@ -17,9 +17,9 @@
 #include <thread>
 #include <utility>
 
-#include "io/atomic_file.h"
 #include "meniscus/errors.h"
 #include "messages.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus::cli::batch {
 

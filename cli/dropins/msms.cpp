@@ -11,12 +11,12 @@
 #include "dropins/msms_report.h"
 #include "dropins/sphere_file.h"
 #include "dropins/surface_pieces.h"
-#include "io/atomic_file.h"
 #include "meniscus/errors.h"
 #include "meniscus/measures.h"
 #include "meniscus/remesh.h"
 #include "meniscus/surface.h"
 #include "meniscus/write.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus::dropins {
 namespace {

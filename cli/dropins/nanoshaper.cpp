@@ -13,12 +13,12 @@
 #include "dropins/guarded.h"
 #include "dropins/nanoshaper_options.h"
 #include "dropins/sphere_file.h"
-#include "io/atomic_file.h"
 #include "meniscus/errors.h"
 #include "meniscus/remesh.h"
 #include "meniscus/surface.h"
 #include "meniscus/version.h"
 #include "meniscus/write.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus::dropins {
 namespace {

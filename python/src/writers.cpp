@@ -9,7 +9,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "held_surface.h"
-#include "io/atomic_file.h"
+#include "platform/atomic_file.h"
 #include "meniscus/colours.h"
 #include "meniscus/draw_surface.h"
 #include "meniscus/errors.h"

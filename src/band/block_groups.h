@@ -12,8 +12,8 @@
 #include "core/group_by.h"
 #include "core/parallel.h"
 #include "core/workspaces.h"
-#include "geometry/local_features.h"
 #include "grid/block_grid.h"
+#include "nearest/local_features.h"
 
 namespace meniscus {
 

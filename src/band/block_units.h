@@ -7,12 +7,12 @@
 #include <cstdint>
 #include <span>
 
-#include "geometry/local_features.h"
-#include "geometry/nearest_batch.h"
-#include "geometry/nearest_kernels.h"
 #include "grid/block_grid.h"
 #include "grid/inside_bits.h"
 #include "meniscus/accessible_surface.h"
+#include "nearest/local_features.h"
+#include "nearest/nearest_batch.h"
+#include "nearest/nearest_kernels.h"
 
 namespace meniscus {
 

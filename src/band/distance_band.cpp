@@ -12,7 +12,7 @@
 #include "band/block_groups.h"
 #include "band/block_units.h"
 #include "core/bits.h"
-#include "core/fresh_memory.h"
+#include "platform/fresh_memory.h"
 
 namespace meniscus {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "core/bits.h"
-#include "core/fresh_memory.h"
 #include "core/parallel.h"
-#include "geometry/nearest_kernels.h"
+#include "nearest/nearest_kernels.h"
+#include "platform/fresh_memory.h"
 
 namespace meniscus {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "core/columns.h"
 #include "geometry/accessible_surface_data.h"
-#include "geometry/local_features.h"
 #include "meniscus/vec3.h"
+#include "nearest/local_features.h"
 
 namespace meniscus {
 

@@ -13,15 +13,15 @@
 #include <type_traits>
 
 #include "core/bits.h"
-#include "core/instructions.h"
-#include "core/sign_bits.h"
+#include "simd/instructions.h"
+#include "simd/sign_bits.h"
 
 #define MENISCUS_KERNELS "band/side_kernels.inc"
 
 namespace meniscus {
 namespace {
 
-#include "core/kernel_sets.inc"
+#include "simd/kernel_sets.inc"
 
 }  // namespace
 

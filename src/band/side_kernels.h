@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "band/side_features.h"
-#include "geometry/nearest_kernels.h"
+#include "nearest/nearest_kernels.h"
 
 namespace meniscus {
 

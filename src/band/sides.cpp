@@ -11,9 +11,9 @@
 #include "band/side_kernels.h"
 #include "band/unit_places.h"
 #include "core/bits.h"
-#include "core/fresh_memory.h"
 #include "geometry/accessible_surface_data.h"
-#include "geometry/nearest_batch.h"
+#include "nearest/nearest_batch.h"
+#include "platform/fresh_memory.h"
 
 namespace meniscus {
 namespace {

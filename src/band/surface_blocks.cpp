@@ -14,8 +14,8 @@
 #include "core/parallel_list.h"
 #include "core/workspaces.h"
 #include "geometry/accessible_surface_data.h"
-#include "geometry/nearest_batch.h"
 #include "meniscus/errors.h"
+#include "nearest/nearest_batch.h"
 
 namespace meniscus {
 namespace {

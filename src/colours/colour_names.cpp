@@ -6,8 +6,8 @@
 #include <string>
 
 #include "colours/palettes.h"
-#include "core/lower_case.h"
 #include "meniscus/colours.h"
+#include "reading/lower_case.h"
 
 namespace meniscus {
 namespace {

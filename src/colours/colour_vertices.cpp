@@ -9,9 +9,9 @@
 #include "colours/depths.h"
 #include "colours/feature_colours.h"
 #include "colours/palettes.h"
-#include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "meniscus/vertex_values.h"
+#include "platform/fresh_memory.h"
 
 namespace meniscus {
 namespace {

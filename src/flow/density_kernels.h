@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/local_features.h"
 #include "grid/block_kernels.h"
+#include "nearest/local_features.h"
 
 namespace meniscus {
 

@@ -9,7 +9,7 @@
 #include "core/elementary.h"
 #include "core/parallel.h"
 #include "flow/closest_points.h"
-#include "flow/reinitialise.h"
+#include "flow/paper/reinitialise.h"
 #include "flow/spline_system.h"
 #include "flow/steady_state.h"
 #include "grid/stencil.h"

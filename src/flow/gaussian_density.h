@@ -10,9 +10,9 @@
 
 #include "band/surface_blocks.h"
 #include "geometry/accessible_surface_data.h"
-#include "geometry/local_features.h"
 #include "grid/block_grid.h"
 #include "meniscus/node_field.h"
+#include "nearest/local_features.h"
 
 namespace meniscus {
 

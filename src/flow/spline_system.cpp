@@ -14,8 +14,8 @@
 
 #include "core/bits.h"
 #include "core/elementary.h"
-#include "core/fresh_memory.h"
 #include "core/parallel.h"
+#include "platform/fresh_memory.h"
 
 namespace meniscus {
 namespace {

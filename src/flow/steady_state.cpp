@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "flow/spline_system.h"
 #include "grid/block_kernels.h"
 #include "grid/stencil.h"
+#include "platform/fresh_memory.h"
 
 namespace meniscus {
 namespace {

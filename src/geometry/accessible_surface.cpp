@@ -11,13 +11,13 @@
 #include <stdexcept>
 
 #include "core/elementary.h"
-#include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "core/perpendicular.h"
 #include "core/workspaces.h"
 #include "geometry/accessible_surface_data.h"
-#include "geometry/cell_list.h"
 #include "geometry/neighbour_caps.h"
+#include "platform/fresh_memory.h"
+#include "space/cell_list.h"
 
 namespace meniscus {
 namespace {

@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "geometry/box_tree.h"
-#include "geometry/canonical_atoms.h"
 #include "geometry/contour.h"
 #include "meniscus/accessible_surface.h"
+#include "space/box_tree.h"
+#include "space/canonical_atoms.h"
 
 namespace meniscus {
 

@@ -9,7 +9,7 @@
 
 #include "geometry/accessible_surface_data.h"
 #include "geometry/cap_kernels.h"
-#include "geometry/cell_list.h"
+#include "space/cell_list.h"
 
 namespace meniscus {
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <bit>
 
-#include "core/fresh_memory.h"
 #include "core/parallel.h"
+#include "platform/fresh_memory.h"
 
 namespace meniscus {
 namespace {

@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "grid/block_kernels.h"
 
-#include "core/instructions.h"
+#include <cstring>
+
+#include "simd/instructions.h"
+
+#define MENISCUS_KERNELS "grid/block_kernels.inc"
 
 namespace meniscus {
+namespace {
 
-// Defined where row_kernels.cpp is compiled for them.
-extern const BlockKernels kPlainKernels;
-#ifdef MENISCUS_AVX2_KERNELS
-extern const BlockKernels kAvx2Kernels;
-#endif
+#include "simd/kernel_sets.inc"
+
+}  // namespace
 
 void find_blocks_around(const BlockGrid& grid, std::span<const float> field, BlockId block, const float* missing,
                         BlocksAround& around) {
@@ -21,24 +24,10 @@ void find_blocks_around(const BlockGrid& grid, std::span<const float> field, Blo
     }
 }
 
-std::vector<const BlockKernels*> all_block_kernels() {
-    std::vector<const BlockKernels*> all{&kPlainKernels};
-#ifdef MENISCUS_AVX2_KERNELS
-    if (__builtin_cpu_supports("avx2") != 0) all.push_back(&kAvx2Kernels);
-#endif
-    return all;
-}
-
-const BlockKernels& choose_block_kernels(std::string_view instructions) {
-    const std::vector<const BlockKernels*> all = all_block_kernels();
-    std::vector<std::string_view> names;
-    names.reserve(all.size());
-    for (const BlockKernels* kernels : all) names.push_back(kernels->instructions);
-    return *all[choose_instructions(names, instructions)];
-}
+std::vector<BlockKernels> supported_block_kernels() { return kernels_of_this_machine(); }
 
 const BlockKernels& block_kernels() {
-    static const BlockKernels& chosen = choose_block_kernels(wanted_instructions());
+    static const BlockKernels chosen = choose_kernels(supported_block_kernels(), wanted_instructions());
     return chosen;
 }
 

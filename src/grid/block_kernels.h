@@ -66,7 +66,7 @@ struct AxisProduct {
 
 /// Arrays hold the nodes of one block, as fields on the grid do, and do not overlap.
 struct BlockKernels {
-    std::string_view instructions;  ///< "plain" or "avx2"
+    std::string_view instructions;  ///< "plain", "avx2" or "avx512"
 
     /// image = stencil applied to the block in the middle, as apply_stencil() up to rounding.
     void (*apply)(const StencilWeights& weights, const BlocksAround& around, float* image);
@@ -102,10 +102,7 @@ struct BlockKernels {
 };
 
 /// The kernels that this machine can run, the slowest first: the plain ones.
-std::vector<const BlockKernels*> all_block_kernels();
-
-/// Those with the wanted instructions; the fastest ones if there are none.
-const BlockKernels& choose_block_kernels(std::string_view instructions);
+std::vector<BlockKernels> supported_block_kernels();
 
 /// Those with the instructions that the environment variable MENISCUS_INSTRUCTIONS names, else the fastest ones; the
 /// same from the first call to the end of the program.

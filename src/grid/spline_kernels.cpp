@@ -11,8 +11,8 @@
 #include <type_traits>
 
 #include "core/bits.h"
-#include "core/instructions.h"
-#include "core/sign_bits.h"
+#include "simd/instructions.h"
+#include "simd/sign_bits.h"
 
 #define MENISCUS_KERNELS "grid/spline_kernels.inc"
 
@@ -23,7 +23,7 @@ constexpr double kCloseEnough = 1e-7;  // of a spacing: |Φ| of a landing
 constexpr int kUsualSteps = 2;         // of Newton's method
 constexpr int kMostSteps = 4;          // after them
 
-#include "core/kernel_sets.inc"
+#include "simd/kernel_sets.inc"
 
 }  // namespace
 

@@ -8,11 +8,11 @@
 #include <string_view>
 
 #include "core/parallel.h"
-#include "io/atomic_file.h"
 #include "io/csv.h"
 #include "io/labels.h"
 #include "io/text_buffer.h"
 #include "meniscus/write.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus {
 namespace {

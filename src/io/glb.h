@@ -3,8 +3,8 @@
 // GLB: binary glTF 2.0, which viewers of 3D models, web pages and presentation programs read.
 #pragma once
 
-#include "io/atomic_file.h"
 #include "meniscus/write.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus {
 

@@ -22,8 +22,8 @@
 #include <vector>
 
 #include "grid/block_grid.h"
-#include "io/atomic_file.h"
 #include "meniscus/errors.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus {
 namespace {

@@ -17,11 +17,11 @@
 #include <string_view>
 #include <vector>
 
-#include "io/atomic_file.h"
 #include "io/sphere_names.h"
 #include "meniscus/errors.h"
 #include "meniscus/file_name.h"
 #include "meniscus/version.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus {
 namespace {

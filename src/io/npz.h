@@ -3,8 +3,8 @@
 // NPZ: arrays by name, which numpy.load reads.
 #pragma once
 
-#include "io/atomic_file.h"
 #include "meniscus/write.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus {
 

@@ -3,8 +3,8 @@
 // OFF: positions and triangles, as text.
 #pragma once
 
-#include "io/atomic_file.h"
 #include "meniscus/mesh.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus {
 

@@ -3,8 +3,8 @@
 // PLY: the only format here that carries every array of a mesh.
 #pragma once
 
-#include "io/atomic_file.h"
 #include "meniscus/write.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus {
 

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "io/atomic_file.h"
 #include "meniscus/errors.h"
 #include "meniscus/write.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "io/atomic_file.h"
 #include "meniscus/mesh.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus {
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
 
-#include "core/lower_case.h"
-#include "io/atomic_file.h"
 #include "io/labels.h"
 #include "io/sphere_names.h"
 #include "meniscus/errors.h"
 #include "meniscus/write.h"
+#include "platform/atomic_file.h"
+#include "reading/lower_case.h"
 
 namespace meniscus {
 

@@ -3,8 +3,8 @@
 // STL: triangles without shared vertices, binary or text.
 #pragma once
 
-#include "io/atomic_file.h"
 #include "meniscus/write.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus {
 

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "core/lower_case.h"
-#include "io/atomic_file.h"
 #include "io/gemmi/gemmi_writer.h"
 #include "io/labels.h"
 #include "meniscus/errors.h"
 #include "meniscus/write.h"
+#include "platform/atomic_file.h"
+#include "reading/lower_case.h"
 
 namespace meniscus {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/digits.h"
+#include "core/digits.h"
 
 namespace meniscus {
 

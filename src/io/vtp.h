@@ -3,8 +3,8 @@
 // VTP: VTK's XML files of polygons, which ParaView, PyVista and VTK's own programs read.
 #pragma once
 
-#include "io/atomic_file.h"
 #include "meniscus/write.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus {
 

@@ -8,10 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/fresh_memory.h"
-#include "core/lower_case.h"
 #include "core/parallel.h"
-#include "io/atomic_file.h"
 #include "io/glb.h"
 #include "io/measured_arrays.h"
 #include "io/msms_pair.h"
@@ -25,6 +22,9 @@
 #include "meniscus/errors.h"
 #include "meniscus/threads.h"
 #include "meniscus/write.h"
+#include "platform/atomic_file.h"
+#include "platform/fresh_memory.h"
+#include "reading/lower_case.h"
 
 namespace meniscus {
 namespace {

@@ -5,11 +5,11 @@
 #include <string>
 #include <string_view>
 
-#include "core/lower_case.h"
-#include "io/atomic_file.h"
 #include "io/csv.h"
 #include "meniscus/errors.h"
 #include "meniscus/write.h"
+#include "platform/atomic_file.h"
+#include "reading/lower_case.h"
 
 namespace meniscus {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "core/corner_numbers.h"
-#include "core/fresh_memory.h"
 #include "core/parallel.h"
+#include "mesh/corner_numbers.h"
+#include "platform/fresh_memory.h"
 
 namespace meniscus {
 namespace {

@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "core/local_corners.h"
 #include "core/parallel.h"
-#include "core/tangent_planes.h"
 #include "measure/lanes.h"
 #include "measure/triangle_lanes.h"
 #include "measure/triangle_sum.h"
 #include "meniscus/errors.h"
+#include "mesh/local_corners.h"
+#include "simd/tangent_planes.h"
 
 namespace meniscus {
 namespace {

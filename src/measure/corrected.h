@@ -38,7 +38,7 @@ using Projector = std::function<void(std::span<Vec3> points, std::span<Vec3> nor
 /// cost       O(4^divisions n) for n triangles; a middle is projected once or, where batches meet, twice
 CorrectedMeasures corrected_measures(const Mesh& mesh, const Projector& project, int divisions = 1);
 
-/// The same with the middles left where corners and normals tell (core/tangent_planes.inc), which costs no projection:
+/// The same with the middles left where corners and normals tell (simd/tangent_planes.inc), which costs no projection:
 /// order h⁴ too, but with a larger factor, and of no use next to creases.
 ///
 /// throws   UsageError if the mesh has no normals

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "core/parallel.h"
-#include "geometry/local_features.h"
-#include "geometry/triangle_tree.h"
 #include "measure/triangle_parts.h"
 #include "measure/weighted_distances.h"
+#include "nearest/local_features.h"
+#include "space/triangle_tree.h"
 
 namespace meniscus {
 namespace {

@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/memory.h"
 #include "core/parallel.h"
-#include "geometry/local_features.h"
 #include "measure/triangle_parts.h"
 #include "meniscus/errors.h"
+#include "nearest/local_features.h"
+#include "platform/memory.h"
 
 namespace meniscus {
 namespace {

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "geometry/triangle_tree.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/mesh.h"
+#include "space/triangle_tree.h"
 
 namespace meniscus {
 

@@ -14,9 +14,9 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/box_tree.h"
 #include "measure/lanes.h"
 #include "meniscus/mesh.h"
+#include "space/box_tree.h"
 
 namespace meniscus {
 
@@ -174,7 +174,7 @@ struct TriangleKernels {
 /// Those that this machine can run, the plainest first.
 std::vector<TriangleKernels> supported_triangle_kernels();
 
-/// Those that MENISCUS_INSTRUCTIONS names, else the last of them (core/instructions.h); the same from the first call to
+/// Those that MENISCUS_INSTRUCTIONS names, else the last of them (simd/instructions.h); the same from the first call to
 /// the end of the program.
 const TriangleKernels& triangle_kernels();
 

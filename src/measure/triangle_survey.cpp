@@ -8,12 +8,12 @@
 #include <numbers>
 
 #include "core/bits.h"
-#include "core/corner_numbers.h"
 #include "core/elementary.h"
-#include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "meniscus/errors.h"
 #include "mesh/components.h"
+#include "mesh/corner_numbers.h"
+#include "platform/fresh_memory.h"
 
 namespace meniscus {
 namespace {

@@ -10,10 +10,10 @@
 #include <numeric>
 #include <utility>
 
-#include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "core/parallel_list.h"
 #include "meniscus/errors.h"
+#include "platform/fresh_memory.h"
 
 namespace meniscus {
 namespace {

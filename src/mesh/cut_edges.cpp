@@ -7,10 +7,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/fresh_memory.h"
 #include "core/parallel.h"
-#include "core/sign_bits.h"
 #include "mesh/cell_cases.h"
+#include "platform/fresh_memory.h"
+#include "simd/sign_bits.h"
 
 namespace meniscus {
 namespace {

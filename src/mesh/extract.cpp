@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/fresh_memory.h"
 #include "core/parallel.h"
 #include "meniscus/errors.h"
 #include "mesh/cell_cases.h"
 #include "mesh/cut_edges.h"
+#include "platform/fresh_memory.h"
 
 namespace meniscus {
 namespace {

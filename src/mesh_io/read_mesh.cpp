@@ -7,7 +7,6 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/lower_case.h"
 #include "meniscus/errors.h"
 #include "mesh_io/glb_reader.h"
 #include "mesh_io/mesh_file.h"
@@ -16,6 +15,7 @@
 #include "mesh_io/off_reader.h"
 #include "mesh_io/ply_reader.h"
 #include "mesh_io/stl_reader.h"
+#include "reading/lower_case.h"
 
 namespace meniscus {
 namespace {

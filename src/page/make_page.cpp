@@ -6,7 +6,6 @@
 
 #include "colours/depths.h"
 #include "core/parallel.h"
-#include "io/atomic_file.h"
 #include "io/png.h"
 #include "meniscus/errors.h"
 #include "meniscus/page.h"
@@ -14,6 +13,7 @@
 #include "page/html.h"
 #include "page/page_data.h"
 #include "page/viewer_files.h"
+#include "platform/atomic_file.h"
 #include "render/openness.h"
 
 namespace meniscus {

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "core/memory.h"
 #include "meniscus/errors.h"
+#include "platform/memory.h"
 
 namespace meniscus {
 

@@ -23,7 +23,7 @@
 #include "pipeline/band_size.h"
 #include "pipeline/checks.h"
 #include "pipeline/flow_stage.h"
-#include "pipeline/point_cells.h"
+#include "space/point_cells.h"
 
 namespace meniscus {
 namespace {

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "cavities/choose_pieces.h"
 #include "measure/surface_measures.h"
 #include "meniscus/mesh_quality.h"
-#include "pipeline/choose_pieces.h"
 #include "remesh/narrow_handles.h"
 
 namespace meniscus {

@@ -14,14 +14,14 @@
 #include <stdexcept>
 #include <vector>
 
+#include "cavities/filled_space.h"
 #include "core/workspaces.h"
-#include "geometry/box_features.h"
 #include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/threads.h"
+#include "nearest/box_features.h"
 #include "pipeline/checks.h"
-#include "pipeline/filled_space.h"
-#include "pipeline/level_set_side.h"
+#include "project/level_set_side.h"
 
 namespace meniscus {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "band/printed_curvature.h"
+#include "flow/paper/printed_curvature.h"
 #include "flow/steady_state.h"
 #include "measure/surface_measures.h"
 #include "mesh/extract.h"

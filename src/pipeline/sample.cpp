@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "core/memory.h"
 #include "meniscus/errors.h"
 #include "meniscus/threads.h"
 #include "mesh/spread_points.h"
 #include "pipeline/checks.h"
-#include "pipeline/finish_vertices.h"
-#include "pipeline/surface_projector.h"
+#include "platform/memory.h"
+#include "project/finish_vertices.h"
+#include "project/surface_projector.h"
 
 namespace meniscus {
 namespace {

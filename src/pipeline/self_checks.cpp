@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/level_set_side.h"
-#include "pipeline/winding.h"
+#include "cavities/winding.h"
+#include "project/level_set_side.h"
 
 namespace meniscus {
 namespace {

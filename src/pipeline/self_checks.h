@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <span>
 
+#include "exact/piece_points.h"
 #include "grid/block_grid.h"
 #include "grid/inside_bits.h"
-#include "measure/piece_points.h"
 #include "meniscus/surface.h"
 #include "pipeline/yardstick.h"
 

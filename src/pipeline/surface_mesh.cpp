@@ -12,9 +12,9 @@
 #include "core/parallel.h"
 #include "measure/surface_measures.h"
 #include "mesh/components.h"
-#include "pipeline/finish_vertices.h"
-#include "pipeline/surface_projector.h"
-#include "pipeline/vertex_distances.h"
+#include "project/finish_vertices.h"
+#include "project/surface_projector.h"
+#include "project/vertex_distances.h"
 #include "remesh/first_look.h"
 #include "remesh/mend_slivers.h"
 

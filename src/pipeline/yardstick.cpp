@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/exact_once.h"
+#include "exact/patch_totals.h"
 #include "geometry/accessible_surface_data.h"
-#include "measure/exact_once.h"
-#include "measure/patch_totals.h"
 
 namespace meniscus {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "measure/piece_points.h"
+#include "exact/piece_points.h"
 #include "meniscus/measures.h"
 #include "meniscus/surface.h"
 

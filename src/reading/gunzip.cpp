@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/memory.h"
 #include "meniscus/errors.h"
+#include "platform/memory.h"
 #include "reading/read_bytes.h"
 
 namespace meniscus::reading {

@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "core/memory.h"
 #include "meniscus/errors.h"
+#include "platform/memory.h"
 #include "reading/gunzip.h"
 
 namespace meniscus::reading {

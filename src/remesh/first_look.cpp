@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "core/bits.h"
-#include "core/fresh_memory.h"
 #include "core/parallel.h"
-#include "geometry/triangle_tree.h"
+#include "platform/fresh_memory.h"
 #include "remesh/patch.h"
 #include "remesh/remesher.h"
+#include "space/triangle_tree.h"
 
 namespace meniscus {
 namespace {

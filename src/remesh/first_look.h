@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "geometry/box_tree.h"
 #include "measure/triangle_lanes.h"
 #include "meniscus/mesh.h"
+#include "space/box_tree.h"
 
 namespace meniscus {
 

@@ -15,17 +15,17 @@
 #include <utility>
 
 #include "core/bits.h"
-#include "core/corner_numbers.h"
-#include "core/local_corners.h"
 #include "core/parallel.h"
 #include "core/parallel_list.h"
-#include "geometry/box_tree.h"
-#include "geometry/triangle_tree.h"
+#include "mesh/corner_numbers.h"
+#include "mesh/local_corners.h"
 #include "remesh/first_look.h"
 #include "remesh/near_triangles.h"
 #include "remesh/patch.h"
 #include "remesh/patch_mender.h"
 #include "remesh/self_intersections.h"
+#include "space/box_tree.h"
+#include "space/triangle_tree.h"
 
 namespace meniscus {
 namespace {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/bits.h"
-#include "geometry/box_tree.h"
-#include "geometry/local_features.h"
-#include "geometry/nearest_kernels.h"
+#include "nearest/local_features.h"
+#include "nearest/nearest_kernels.h"
+#include "space/box_tree.h"
 
 namespace meniscus {
 

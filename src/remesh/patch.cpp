@@ -7,11 +7,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/corner_numbers.h"
 #include "core/elementary.h"
-#include "geometry/box_tree.h"
+#include "mesh/corner_numbers.h"
 #include "remesh/self_intersections.h"
 #include "remesh/working_mesh.h"
+#include "space/box_tree.h"
 
 namespace meniscus {
 namespace {

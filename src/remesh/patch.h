@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/corner_numbers.h"
 #include "meniscus/mesh.h"
+#include "mesh/corner_numbers.h"
 #include "remesh/remesher.h"
 
 namespace meniscus {

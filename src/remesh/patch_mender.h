@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/box_tree.h"
 #include "remesh/mend_slivers.h"
 #include "remesh/patch.h"
+#include "space/box_tree.h"
 
 namespace meniscus {
 

@@ -19,13 +19,13 @@
 #include "core/group_by.h"
 #include "core/parallel.h"
 #include "core/parallel_list.h"
-#include "geometry/box_tree.h"
-#include "geometry/triangle_tree.h"
 #include "meniscus/errors.h"
 #include "remesh/mend_slivers.h"
 #include "remesh/ridges.h"
 #include "remesh/self_intersections.h"
 #include "remesh/working_mesh.h"
+#include "space/box_tree.h"
+#include "space/triangle_tree.h"
 
 namespace meniscus {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "core/tangent_planes.h"
+#include "simd/tangent_planes.h"
 
 namespace meniscus {
 namespace {

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "core/parallel_list.h"
-#include "geometry/triangle_tree.h"
 #include "remesh/near_triangles.h"
+#include "space/triangle_tree.h"
 
 namespace meniscus {
 namespace {

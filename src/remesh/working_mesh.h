@@ -10,10 +10,10 @@
 #include <span>
 #include <vector>
 
-#include "geometry/box_tree.h"
 #include "meniscus/mesh.h"
 #include "remesh/half_edges.h"
 #include "remesh/remesher.h"
+#include "space/box_tree.h"
 
 namespace meniscus {
 

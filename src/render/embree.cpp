@@ -5,7 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/loaded_library.h"
+#include "platform/loaded_library.h"
 
 namespace meniscus {
 namespace {

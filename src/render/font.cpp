@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include FT_FREETYPE_H
 
-#include "core/loaded_library.h"
+#include "platform/loaded_library.h"
 #include "render/font_file.h"
 
 namespace meniscus {

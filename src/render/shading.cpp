@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/srgb.h"
+#include "colours/srgb.h"
 
 namespace meniscus {
 namespace {

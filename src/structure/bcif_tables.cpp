@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "core/lower_case.h"
 #include "meniscus/errors.h"
+#include "reading/lower_case.h"
 #include "structure/bcif_encodings.h"
 #include "structure/message_pack.h"
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/lower_case.h"
 #include "radii/aliases.h"
+#include "reading/lower_case.h"
 #include "reading/text.h"
 #include "structure/element.h"
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "core/lower_case.h"
 #include "meniscus/structure.h"
+#include "reading/lower_case.h"
 #include "reading/numbers.h"
 
 namespace meniscus {

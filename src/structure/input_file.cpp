@@ -6,10 +6,10 @@
 #include <array>
 #include <optional>
 
-#include "core/lower_case.h"
 #include "meniscus/errors.h"
 #include "meniscus/structure.h"
 #include "reading/gunzip.h"
+#include "reading/lower_case.h"
 #include "reading/numbers.h"
 #include "reading/read_bytes.h"
 #include "reading/text.h"

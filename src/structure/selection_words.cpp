@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/lower_case.h"
 #include "meniscus/errors.h"
+#include "reading/lower_case.h"
 #include "reading/numbers.h"
 #include "reading/text.h"
 

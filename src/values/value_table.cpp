@@ -11,9 +11,9 @@
 #include <set>
 #include <span>
 
-#include "core/lower_case.h"
 #include "meniscus/vertex_values.h"
 #include "reading/csv.h"
+#include "reading/lower_case.h"
 #include "reading/numbers.h"
 #include "reading/read_bytes.h"
 #include "values/identity_index.h"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/lower_case.h"
 #include "meniscus/errors.h"
+#include "reading/lower_case.h"
 #include "reading/numbers.h"
 
 namespace meniscus {

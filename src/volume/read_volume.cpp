@@ -6,9 +6,9 @@
 #include <array>
 #include <string_view>
 
-#include "core/lower_case.h"
 #include "meniscus/errors.h"
 #include "meniscus/volume.h"
+#include "reading/lower_case.h"
 #include "volume/readers.h"
 
 namespace meniscus {

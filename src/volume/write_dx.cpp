@@ -7,8 +7,8 @@
 #include <iterator>
 #include <string_view>
 
-#include "io/atomic_file.h"
-#include "io/digits.h"
+#include "core/digits.h"
+#include "platform/atomic_file.h"
 #include "volume/writers.h"
 
 namespace meniscus {

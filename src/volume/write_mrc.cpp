@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/atomic_file.h"
 #include "meniscus/errors.h"
+#include "platform/atomic_file.h"
 #include "volume/mrc_header.h"
 #include "volume/writers.h"
 

@@ -12,8 +12,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "io/atomic_file.h"
 #include "meniscus/errors.h"
+#include "platform/atomic_file.h"
 #include "volume/vdb_module.h"
 #include "volume/writers.h"
 

@@ -6,10 +6,10 @@
 #include <array>
 #include <string_view>
 
-#include "core/lower_case.h"
 #include "meniscus/errors.h"
 #include "meniscus/version.h"
 #include "meniscus/volume.h"
+#include "reading/lower_case.h"
 #include "volume/writers.h"
 
 namespace meniscus {

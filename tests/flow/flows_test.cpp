@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "band/printed_curvature.h"
 #include "flow/closest_points.h"
-#include "flow/reinitialise.h"
+#include "flow/paper/printed_curvature.h"
+#include "flow/paper/reinitialise.h"
 #include "flow/small_flow.h"
 #include "mesh/extract.h"
 #include "support/test_data.h"

@@ -10,6 +10,7 @@
 #include <random>
 #include <span>
 
+#include "simd/instructions.h"
 #include "support/sampled_field.h"
 
 namespace meniscus::testing {
@@ -139,9 +140,9 @@ struct Results {
     }
 };
 
-class EachBlockKernels : public ::testing::TestWithParam<const BlockKernels*> {
+class EachBlockKernels : public ::testing::TestWithParam<BlockKernels> {
 protected:
-    const Results results_{*GetParam()};
+    const Results results_{GetParam()};
     const Neighbourhood near_;
     const NodeBits set_ = random_set(2);
 };
@@ -214,7 +215,7 @@ TEST_P(EachBlockKernels, AdvanceByOneStep) {
 }
 
 TEST_P(EachBlockKernels, HaveTheBitsOfThePlainOnes) {
-    const Results plain(choose_block_kernels("plain"));
+    const Results plain(supported_block_kernels().front());
     EXPECT_EQ(results_.applied, plain.applied);
     EXPECT_EQ(results_.within, plain.within);
     EXPECT_EQ(results_.sums, plain.sums);
@@ -226,23 +227,12 @@ TEST_P(EachBlockKernels, HaveTheBitsOfThePlainOnes) {
     EXPECT_EQ(results_.norm, plain.norm);
 }
 
-INSTANTIATE_TEST_SUITE_P(Instructions, EachBlockKernels, ::testing::ValuesIn(all_block_kernels()),
-                         [](const auto& kernels) { return std::string(kernels.param->instructions); });
-
-TEST(BlockKernels, AreChosenByName) {
-    for (const BlockKernels* kernels : all_block_kernels())
-        EXPECT_EQ(&choose_block_kernels(kernels->instructions), kernels);
-    EXPECT_EQ(choose_block_kernels("plain").instructions, "plain");
-}
-
-TEST(BlockKernels, AreTheFastestWhereNoneAreWanted) {
-    EXPECT_EQ(&choose_block_kernels(""), all_block_kernels().back());
-    EXPECT_EQ(&choose_block_kernels("abacus"), all_block_kernels().back());
-}
+INSTANTIATE_TEST_SUITE_P(Instructions, EachBlockKernels, ::testing::ValuesIn(supported_block_kernels()),
+                         [](const auto& kernels) { return std::string(kernels.param.instructions); });
 
 TEST(BlockKernels, FollowTheEnvironment) {
-    const char* wanted = std::getenv("MENISCUS_INSTRUCTIONS");
-    EXPECT_EQ(&block_kernels(), &choose_block_kernels(wanted != nullptr ? wanted : ""));
+    const std::vector<BlockKernels> all = supported_block_kernels();
+    EXPECT_EQ(block_kernels().instructions, choose_kernels(all, wanted_instructions()).instructions);
 }
 
 }  // namespace

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/instructions.h"
-#include "core/tangent_planes.h"
+#include "simd/instructions.h"
+#include "simd/tangent_planes.h"
 #include "support/shapes.h"
 
 namespace meniscus::testing {

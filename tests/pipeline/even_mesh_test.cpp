@@ -14,7 +14,7 @@
 #include "meniscus/mesh_quality.h"
 #include "meniscus/structure.h"
 #include "meniscus/surface.h"
-#include "pipeline/surface_projector.h"
+#include "project/surface_projector.h"
 #include "support/arrangements.h"
 #include "support/mesh_checks.h"
 

@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "geometry/triangle_tree.h"
 #include "measure/triangle_survey.h"
 #include "mesh/components.h"
 #include "remesh/mend_slivers.h"
 #include "remesh/patch.h"
 #include "remesh/remesher.h"
+#include "space/triangle_tree.h"
 #include "support/shapes.h"
 
 namespace meniscus::testing {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/srgb.h"
+#include "colours/srgb.h"
 
 namespace meniscus {
 namespace {

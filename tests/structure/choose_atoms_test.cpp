@@ -84,8 +84,9 @@ TEST(ChooseAtoms, IonsInAtomRecordsAreKeptWithAWarning) {
     add_residue(model, "ALA", 5, {"CA"});
     const Chosen chosen = choose_atoms(model, {}, "f");
     EXPECT_EQ(chosen.atoms.size(), 6U);
-    EXPECT_EQ(chosen.warnings, std::vector<std::string>{"ions in ATOM records kept, as parts of the polymer: 2 NA, 1 CL "
-                                                        "(leave them out with select = (!CL,NA))"});
+    EXPECT_EQ(chosen.warnings,
+              std::vector<std::string>{"ions in ATOM records kept, as parts of the polymer: 2 NA, 1 CL "
+                                       "(leave them out with select = (!CL,NA))"});
     EXPECT_TRUE(choose_atoms(model, {.select = "(!CL,NA)"}, "f").warnings.empty());
     for (reading::RawResidue& residue : model.residues) residue.in_sequence = true;
     EXPECT_TRUE(choose_atoms(model, {}, "f").warnings.empty()) << "SEQRES tells what the polymer is";

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <span>
 
-#include "core/srgb.h"
+#include "colours/srgb.h"
 #include "meniscus/colour.h"
 #include "meniscus/vec3.h"
 

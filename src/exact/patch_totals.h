@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Totals of one evaluation without its patches, and how they are divided among the pieces that another evaluation
+// found: what a second evaluation is asked for.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "exact/ses_patches.h"
+#include "meniscus/accessible_surface.h"
+#include "meniscus/measures.h"
+
+namespace meniscus {
+
+struct PatchTotals {
+    SurfaceTotals totals;
+    std::vector<SurfaceTotals> components;  ///< numbered as in the evaluation asked about
+    bool degenerate = false;
+    std::vector<std::uint32_t> unresolved;  ///< vertices whose trimming could not be resolved
+};
+
+/// Sums over all patches; keeps none of them and does not ask which pieces of surface they make.
+///
+/// Each patch is counted to that component of `first`, an evaluation of the same atoms, to which the patch most like it
+/// belongs. A patch without a like is counted to the largest component: then the estimated errors are large. Without a
+/// first evaluation all count to one component.
+PatchTotals sum_patches(const AccessibleSurface& surface, std::uint64_t seed, const SesPatches* first = nullptr);
+
+}  // namespace meniscus

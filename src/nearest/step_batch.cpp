@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "nearest/step_batch.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace meniscus {
+
+void BatchSteps::set(std::size_t lane, const Vec3& place, const NearestFeature& at) {
+    set_point(lanes.points, lane, place);
+    set_point(lanes.normals, lane, at.normal);
+    lanes.mean[lane] = at.mean_curvature;
+    const bool equal = at.patch != PatchKind::Toroidal;
+    lanes.gaussian[lane] = equal ? std::numeric_limits<double>::infinity() : at.gaussian_curvature;
+    atom[lane] = at.atom;
+    patch[lane] = at.patch;
+    signed_distance[lane] = at.signed_distance;
+}
+
+// In the order of the lanes: kernels write beyond the last one of theirs.
+std::size_t StepBatch::take(BatchSteps& steps) {
+    std::size_t count = step_from_balls(0, steps);
+    count += step_from_arcs(count, steps);
+    count += step_from_vertices(count, steps);
+    std::fill_n(steps.signed_distance.at, count, 0.0);
+    return count;
+}
+
+std::size_t StepBatch::step_from_balls(std::size_t to, BatchSteps& steps) {
+    const Points& points = points_of(FeatureCell::Kind::Ball);
+    for (std::size_t k = 0; k < points.count; ++k) {
+        const std::uint32_t atom = points.feature[k];
+        set_point(ball_lanes_.centre, k, data_->atoms.centres[atom]);
+        ball_lanes_.radius[k] = data_->rho[atom] - data_->probe;
+    }
+    kernels_.step_from_balls(points.places, ball_lanes_, points.count, to, steps.lanes);
+    write_labels(points, PatchKind::Contact, to, steps, [&](std::size_t k) { return points.feature[k]; });
+    return points.count;
+}
+
+std::size_t StepBatch::step_from_arcs(std::size_t to, BatchSteps& steps) {
+    const Points& points = points_of(FeatureCell::Kind::Arc);
+    for (std::size_t k = 0; k < points.count; ++k) {
+        const SasArc& arc = data_->arcs[points.feature[k]];
+        set_point(arc_lanes_.centre, k, arc.centre);
+        set_point(arc_lanes_.axis, k, arc.axis);
+        arc_lanes_.radius[k] = arc.radius;
+        arc_lanes_.height0[k] = arc.height0;
+        arc_lanes_.height1[k] = arc.height1;
+        arc_lanes_.radius0[k] = data_->atoms.radii[arc.atoms[0]];
+        arc_lanes_.radius1[k] = data_->atoms.radii[arc.atoms[1]];
+    }
+    kernels_.step_from_arcs(data_->probe, points.places, arc_lanes_, points.count, to, steps.lanes, nearest_);
+    write_labels(points, PatchKind::Toroidal, to, steps, [&](std::size_t k) {
+        return data_->arcs[points.feature[k]].atoms[static_cast<std::size_t>(nearest_[k])];
+    });
+    return points.count;
+}
+
+std::size_t StepBatch::step_from_vertices(std::size_t to, BatchSteps& steps) {
+    const Points& points = points_of(FeatureCell::Kind::Vertex);
+    for (std::size_t k = 0; k < points.count; ++k) {
+        const SasVertex& vertex = data_->vertices[points.feature[k]];
+        set_point(vertex_lanes_.position, k, vertex.position);
+        for (std::size_t a = 0; a < 3; ++a) {
+            set_point(vertex_lanes_.centres[a], k, data_->atoms.centres[vertex.atoms[a]]);
+            vertex_lanes_.radii[a][k] = data_->atoms.radii[vertex.atoms[a]];
+        }
+    }
+    kernels_.step_from_vertices(data_->probe, points.places, vertex_lanes_, points.count, to, steps.lanes, nearest_);
+    write_labels(points, PatchKind::Reentrant, to, steps, [&](std::size_t k) {
+        return data_->vertices[points.feature[k]].atoms[static_cast<std::size_t>(nearest_[k])];
+    });
+    return points.count;
+}
+
+}  // namespace meniscus

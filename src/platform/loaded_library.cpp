@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "platform/loaded_library.h"
+
+#include <dlfcn.h>
+
+#include <new>
+#include <stdexcept>
+#include <string>
+
+namespace meniscus {
+
+// Words are all that the loader has for its reasons.
+std::optional<LoadedLibrary> LoadedLibrary::load(const char* name) {
+    if (void* const handle = dlopen(name, RTLD_NOW | RTLD_LOCAL); handle != nullptr) return LoadedLibrary(handle);
+    const std::string reason = dlerror();
+    const auto says = [&](const char* words) { return reason.find(words) != std::string::npos; };
+    if (says("No such file")) return std::nullopt;
+    if (says("memory") || says("map segment")) throw std::bad_alloc();
+    throw std::runtime_error(reason);
+}
+
+void* LoadedLibrary::symbol(const char* name) const {
+    void* const found = dlsym(handle_, name);
+    if (found == nullptr) throw std::runtime_error(dlerror());
+    return found;
+}
+
+}  // namespace meniscus
