@@ -17,12 +17,12 @@
 #include <utility>
 
 #include "core/parallel.h"
-#include "space/triangle_tree.h"
 #include "measure/weighted_distances.h"
 #include "meniscus/mesh_quality.h"
 #include "meniscus/structure.h"
 #include "meniscus/surface.h"
 #include "remesh/self_intersections.h"
+#include "space/triangle_tree.h"
 #include "support/mesh_readers.h"
 
 namespace {

@@ -11,12 +11,12 @@
 #include "core/parallel.h"
 #include "flow/evolution.h"
 #include "flow/spline_system.h"
-#include "nearest/local_features.h"
 #include "measure/corrected.h"
 #include "meniscus/level_set.h"
 #include "meniscus/measures.h"
 #include "meniscus/threads.h"
 #include "mesh/extract.h"
+#include "nearest/local_features.h"
 #include "pipeline/band_size.h"
 
 namespace {

@@ -9,7 +9,6 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "held_surface.h"
-#include "platform/atomic_file.h"
 #include "meniscus/colours.h"
 #include "meniscus/draw_surface.h"
 #include "meniscus/errors.h"
@@ -21,6 +20,7 @@
 #include "meniscus/vertex_values.h"
 #include "meniscus/write.h"
 #include "options.h"
+#include "platform/atomic_file.h"
 
 namespace meniscus::python {
 

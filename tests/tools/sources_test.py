@@ -36,10 +36,10 @@ class SourcesTest(unittest.TestCase):
         self.addCleanup(setattr, sources, "ROOT", sources.ROOT)
         sources.ROOT = self.folder
         self.write("src/flow/kernels.cpp", KERNELS)
-        self.write("src/flow/kernels.inc", '#include "simd/vectors.inc"\n')
+        self.write("src/flow/kernels.inc", '#include "core/vectors.inc"\n')
         self.write("src/core/bits.h")
         self.write("src/core/sets.inc", "#include MENISCUS_KERNELS\n")
-        self.write("src/simd/vectors.inc")
+        self.write("src/core/vectors.inc")
 
     def write(self, name, text=""):
         path = self.folder / name
@@ -48,7 +48,7 @@ class SourcesTest(unittest.TestCase):
 
     def test_files_that_a_macro_names_are_included_too(self):
         found = [str(path) for path in sources.closure(pathlib.Path("src/flow/kernels.cpp"))]
-        self.assertEqual(found, ["src/core/bits.h", "src/core/sets.inc", "src/simd/vectors.inc",
+        self.assertEqual(found, ["src/core/bits.h", "src/core/sets.inc", "src/core/vectors.inc",
                                  "src/flow/kernels.cpp", "src/flow/kernels.inc"])
 
     def test_a_pass_holds_until_something_that_was_seen_changes(self):
@@ -61,7 +61,7 @@ class SourcesTest(unittest.TestCase):
 
         self.assertTrue(checked())
         self.assertFalse(checked())
-        for name in ("src/simd/vectors.inc", "src/flow/kernels.inc", ".config", "src/.config", "src/flow/deep/.config"):
+        for name in ("src/core/vectors.inc", "src/flow/kernels.inc", ".config", "src/.config", "src/flow/deep/.config"):
             self.write(name, "// another\n")
             self.assertTrue(checked(), name)
             self.assertFalse(checked(), name)
