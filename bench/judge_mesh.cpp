@@ -53,7 +53,7 @@ void judge(const std::string& spheres, double probe, const std::string& path) {
     const Mesh mesh = read_mesh(path);
     const MeshMeasures measures = measure_mesh(mesh);
     const MeshQuality quality = measure_quality(mesh);
-    const DistanceSummary to = measure_distance(mesh, AccessibleSurface(atoms, probe)).to_exact;
+    const DistanceSummary to = measure_distance(mesh, ExactSurface(atoms, {.probe = probe})).to_exact;
     const DistanceSummary from = from_exact(mesh, atoms, probe);
     fmt::print(R"({{"vertices": {}, "triangles": {}, "pieces": {}, "euler_characteristic": {}, "closed": {}, )"
                R"("manifold": {}, "self_intersections": {}, "smallest_angle": {:.3f}, "median_angle": {:.3f}, )"

@@ -89,7 +89,7 @@ ordered_json surface_options_block(const SurfaceRequest& request, const Structur
                        {"threads", facts.threads},
                        {"exact", o.exact},
                        {"verify", o.verify},
-                       {"memory_mb", if_used(o.memory_limit_mb > 0, o.memory_limit_mb)}};
+                       {"memory_mb", if_used(request.run.memory_limit_mb > 0, request.run.memory_limit_mb)}};
     report_picture(request.picture, structure, surface.mesh, has(request.outputs, OutputKind::Picture), block);
     report_volumes(request.volume, has(request.outputs, OutputKind::Volume), block);
     report_values(request.values, block);
@@ -161,7 +161,7 @@ ordered_json shown_json(const std::optional<ShownPart>& shown) {
 
 /// What the numbers of the mesh are compared with: nan without exact measures.
 SurfaceTotals exact_of_mesh(const Surface& surface) {
-    if (surface.exact) return exact_counterpart(*surface.exact, surface.options);
+    if (surface.measured) return exact_counterpart(*surface.measured, surface.options);
     SurfaceTotals none;
     none.ses_area = none.ses_volume = std::numeric_limits<double>::quiet_NaN();
     return none;
@@ -263,7 +263,7 @@ ordered_json time_block(const StageTimes& s, const RunFacts& facts) {
 
 ordered_json make_report(const SurfaceRequest& request, const Structure& structure, const Surface& surface,
                          const RunFacts& facts) {
-    const std::optional<Measures>& exact = surface.exact;
+    const std::shared_ptr<const Measures>& exact = surface.measured;
     return {{"meniscus", kVersion},
             {"schema", 1},
             {"input", input_block(structure, surface.options.probe, facts)},

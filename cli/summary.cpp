@@ -21,7 +21,8 @@ std::string describe_pieces(const PieceCounts& pieces) {
 
 /// Cavities of the surface or of the mesh, which may lack the smallest or have others.
 bool has_cavities(const Surface& surface) {
-    return count_pieces(surface.measures).cavities > 0 || (surface.exact && count_pieces(*surface.exact).cavities > 0);
+    return count_pieces(surface.measures).cavities > 0 ||
+           (surface.measured && count_pieces(*surface.measured).cavities > 0);
 }
 
 /// What the mesh was made without.
@@ -80,10 +81,10 @@ int common_width(double a, double b) {
 std::string describe_sizes(const Surface& surface, bool is_part_written) {
     const MeshSum area{surface.corrected_area, surface.measures.area};
     const MeshSum volume{surface.corrected_volume, surface.measures.volume};
-    if (!surface.exact)
+    if (!surface.measured)
         return summary_line("area", describe_sum(area, "Å²")) + summary_line("volume", describe_sum(volume, "Å³"));
-    const SurfaceTotals& t = surface.exact->totals;
-    const SurfaceTotals& e = surface.exact->errors;
+    const SurfaceTotals& t = surface.measured->totals;
+    const SurfaceTotals& e = surface.measured->errors;
     const int width = common_width(t.ses_area, t.ses_volume);
     const char* whole = is_part_written ? ", of the whole surface" : "";
     const std::string exact_area = exact_value(t.ses_area, e.ses_area, "Å²", width);
@@ -95,7 +96,7 @@ std::string describe_sizes(const Surface& surface, bool is_part_written) {
 /// Why the mesh has other pieces than the exact surface.
 std::string explain_pieces(const Surface& surface, const PieceCounts& of_mesh) {
     if (surface.options.method == Method::Gaussian) return "the Gaussian envelope is not the solvent-excluded surface";
-    if (count_kept_pieces(*surface.exact, surface.options) == of_mesh)
+    if (count_kept_pieces(*surface.measured, surface.options) == of_mesh)
         return "the mesh leaves out the pieces that the options name";
     if (surface.simplified.handles > 0 || surface.simplified.pieces > 0)
         return "the mesh leaves out what is narrower than an edge";
@@ -106,8 +107,8 @@ std::string explain_pieces(const Surface& surface, const PieceCounts& of_mesh) {
 std::string describe_components(const Surface& surface) {
     const PieceCounts of_mesh = count_pieces(surface.measures);
     const std::string mesh = describe_pieces(of_mesh) + describe_changes(surface);
-    if (!surface.exact || count_pieces(*surface.exact) == of_mesh) return summary_line("components", mesh);
-    const std::string exact = describe_pieces(count_pieces(*surface.exact));
+    if (!surface.measured || count_pieces(*surface.measured) == of_mesh) return summary_line("components", mesh);
+    const std::string exact = describe_pieces(count_pieces(*surface.measured));
     const char* what = surface.options.method == Method::Gaussian ? "Gaussian envelope" : "mesh";
     return summary_line("components", fmt::format("{} exact; {} {}", exact, what, mesh)) +
            summary_line("", explain_pieces(surface, of_mesh));
@@ -170,7 +171,7 @@ std::string make_summary(const Structure& structure, const Surface& surface, con
 
 std::string failed_checks(const Surface& surface) {
     std::string list;
-    if (surface.exact) list = disputed_patches(surface.exact->agreed, surface.exact->disputed);
+    if (surface.measured) list = disputed_patches(surface.measured->agreed, surface.measured->disputed);
     for (const Check& c : surface.checks) {
         if (c.passed) continue;
         list += (list.empty() ? "" : ", ") + c.name + " (" + explain(c, surface.flow) + ")";

@@ -17,6 +17,7 @@
 #include "meniscus/mesh_part.h"
 #include "meniscus/page.h"
 #include "meniscus/tables.h"
+#include "meniscus/threads.h"
 #include "platform/atomic_file.h"
 #include "standard_output.h"
 #include "summary.h"
@@ -27,24 +28,10 @@ using nlohmann::ordered_json;
 
 namespace {
 
-void write_surface_mesh(const std::string& path, Encoding encoding, const SurfaceOptions& computed_with,
-                        const Structure& structure, const Mesh& mesh, std::span<const Colour> colours,
-                        double shortest_edge = 0.0, bool open = false) {
-    write_mesh(path, mesh,
-               {.encoding = encoding,
-                .colours = colours,
-                .structure = &structure,
-                .computed_with = &computed_with,
-                .probe = computed_with.probe,
-                .shortest_edge = shortest_edge,
-                .open = open,
-                .threads = computed_with.threads});
-}
-
 class SurfaceRun : public StructureRun {
 public:
     explicit SurfaceRun(const SurfaceRequest& request)
-        : StructureRun(request, request.surface.threads), request_(request) {}
+        : StructureRun(request, request.run.threads), request_(request) {}
 
 private:
     std::vector<Output> plan(const std::string& name, const std::string& mark) const override {
@@ -116,18 +103,19 @@ private:
         for (const std::string& line : values_.notes()) note(line);
         Stopwatch estimating;
         const bool has_volume = has(job.outputs, OutputKind::Volume);
+        ExactSurface exact(job.structure.atoms, {options.surface, options.probe});
         VolumeGrid grid;
         if (shows_progress() || has_volume) {
             const Cost expected = estimate_cost(job.structure.atoms, options);
-            if (has_volume) grid = find_grid(request_.volume, job.structure.atoms, options, job.outputs, expected);
-            refuse_what_would_not_fit(job.structure.atoms, options, expected);
+            if (has_volume) grid = choose_grid(job, exact, options.spacing, expected);
+            refuse_what_would_not_fit(job.structure.atoms, options, expected, request_.run.memory_limit_mb);
             expect(expected.seconds);
         }
         const double estimate_seconds = estimating.lap();
-        make_surface(job);
+        make_surface(job, std::move(exact));
         const SurfaceOptions& made = surface_.options;
         if (has_volume && made.spacing != options.spacing)
-            grid = find_grid(request_.volume, job.structure.atoms, made, job.outputs, surface_.expected);
+            grid = choose_grid(job, surface_.exact, made.spacing, surface_.expected);
         surface_.seconds.estimate += estimate_seconds;
         bring_values();
         Stopwatch watch;
@@ -136,7 +124,7 @@ private:
         if (request_.cavity_files) plan_cavities(job);
         if (has(job.outputs, OutputKind::Picture)) draw(job.structure);
         picture_seconds_ = watch.lap();
-        if (has_volume) sample_volumes(grid, job.structure.atoms);
+        if (has_volume) sample_volumes(grid);
         volume_seconds_ = watch.lap();
         if (has(job.outputs, OutputKind::Page)) make_page(job.structure);
         page_seconds_ = watch.lap();
@@ -147,22 +135,29 @@ private:
         if (!restated.empty()) note("--show " + request_.show + ": understood as " + restated);
     }
 
-    void make_surface(const Job& job) {
-        const Atoms& atoms = job.structure.atoms;
-        FlowObserver observer;
+    VolumeGrid choose_grid(const Job& job, const ExactSurface& exact, double spacing, const Cost& expected) const {
+        const VolumeGrid grid = find_grid(request_.volume, exact, spacing, job.outputs);
+        refuse_grid_that_would_not_fit(grid, volumes_of(request_.volume), expected, request_.run.memory_limit_mb);
+        return grid;
+    }
+
+    void make_surface(const Job& job, ExactSurface exact) {
+        RunOptions run = request_.run;
+        run.keep_exact = has(job.outputs, OutputKind::Picture) || has(job.outputs, OutputKind::Volume);
+        run.progress = [this](std::string_view stage, double fraction) { show(stage, fraction); };
         if (request_.flow.snapshots > 0)
-            observer = [&](const FlowStep& step, const Mesh& mesh) { write_snapshot(job, step, mesh); };
-        surface_ = compute_surface(
-            atoms, request_.surface, [this](std::string_view stage, double fraction) { show(stage, fraction); },
-            observer);
+            run.observer = [&](const FlowStep& step, const Mesh& mesh) { write_snapshot(job, step, mesh); };
+        surface_ = meniscus::mesh(std::move(exact), request_.surface, run);
         Stopwatch watch;
-        if (surface_.exact && request_.surface.surface == SurfaceKind::Sas && !request_.report.empty())
-            excluded_ = measure(atoms, {.probe = request_.surface.probe, .threads = request_.surface.threads});
+        if (surface_.measured && request_.surface.surface == SurfaceKind::Sas && !request_.report.empty()) {
+            const ThreadLimit limit(request_.run.threads);
+            excluded_ = surface_.exact.of_same_atoms({SurfaceKind::Ses, request_.surface.probe}).shared_measures();
+        }
         excluded_seconds_ = watch.lap();
     }
 
     void bring_values() {
-        surface_.mesh.values = values_.at_vertices(surface_.mesh);
+        surface_.mesh.values = values_.at_vertices(surface_.mesh, surface_.exact);
         for (const std::string& line : values_.judge(surface_.mesh.values)) warn(line);
     }
 
@@ -202,17 +197,35 @@ private:
         }
     }
 
+    /// computed_with   must outlive what is returned, as the structure and the colours must
+    WriteOptions mesh_writing(const Structure& structure, const SurfaceOptions& computed_with,
+                              std::span<const Colour> colours) const {
+        return {.encoding = request_.encoding,
+                .colours = colours,
+                .structure = &structure,
+                .computed_with = &computed_with,
+                .probe = computed_with.probe,
+                .threads = request_.run.threads};
+    }
+
+    void write_surface(const std::string& path, const Structure& structure) const {
+        WriteOptions options = mesh_writing(structure, surface_.options, written_colours());
+        options.shortest_edge = part_ ? 0.0 : surface_.measures.shortest_edge;
+        options.open = shown_ && shown_->open;
+        write_mesh(path, written_mesh(), options);
+    }
+
     void write_cavities(const Job& job) const {
         for (const auto& [component, output] : cavities_) {
             const MeshPart part = part_of_component(surface_.mesh, component);
-            write_surface_mesh(output.path, request_.encoding, surface_.options, job.structure, part.mesh,
-                               colours_of(part));
+            const std::vector<Colour> colours = colours_of(part);
+            write_mesh(output.path, part.mesh, mesh_writing(job.structure, surface_.options, colours));
         }
     }
 
-    void sample_volumes(const VolumeGrid& grid, const Atoms& atoms) {
+    void sample_volumes(const VolumeGrid& grid) {
         show("volume", 0.0);
-        volumes_ = Volumes(request_.volume, grid, surface_, atoms);
+        volumes_ = Volumes(request_.volume, grid, surface_, request_.run.threads);
         show("volume", 1.0);
     }
 
@@ -225,18 +238,19 @@ private:
                                      .projection = picture.projection,
                                      .rows = rows_of_page(structure),
                                      .components = exact_pieces(),
-                                     .threads = request_.surface.threads});
+                                     .exact = surface_.exact,
+                                     .threads = request_.run.threads});
         show("page", 1.0);
     }
 
     std::span<const SurfaceComponent> exact_pieces() const {
-        if (!surface_.exact) return {};
-        return surface_.exact->components;
+        if (!surface_.measured) return {};
+        return surface_.measured->components;
     }
 
     std::vector<PageRow> rows_of_page(const Structure& structure) const {
         std::vector<PageRow> rows =
-            surface_.exact ? page_rows(structure, surface_, *surface_.exact) : page_rows(structure, surface_);
+            surface_.measured ? page_rows(structure, surface_, *surface_.measured) : page_rows(structure, surface_);
         if (shown_) rows.push_back({"Part that is shown", "atoms", shown_->select});
         return rows;
     }
@@ -250,7 +264,7 @@ private:
     void draw(const Structure& structure) {
         show("picture", 0.0);
         PictureOptions options = request_.picture.picture;
-        options.threads = request_.surface.threads;
+        options.threads = request_.run.threads;
         picture_ = draw_surface(surface_, structure, written_mesh(), written_colours(),
                                 {.picture = options,
                                  .scheme = request_.picture.colours,
@@ -264,10 +278,10 @@ private:
         {
             const WritingSection section;
             Mesh complete = mesh;
-            complete.values = values_.at_vertices(mesh);
-            write_surface_mesh(snapshot_path(first_mesh(job.outputs)->path, step.step), request_.encoding,
-                               request_.surface, job.structure, complete,
-                               colour_vertices(complete, job.structure, request_.picture.colours));
+            complete.values = values_.at_vertices(mesh, surface_.exact);
+            const std::vector<Colour> colours = colour_vertices(complete, job.structure, request_.picture.colours);
+            write_mesh(snapshot_path(first_mesh(job.outputs)->path, step.step), complete,
+                       mesh_writing(job.structure, request_.surface, colours));
         }
         throw_if_interrupted();
     }
@@ -275,9 +289,7 @@ private:
     void write(const Output& output, const Job& job) const override {
         switch (output.kind) {
             case OutputKind::Mesh:
-                write_surface_mesh(output.path, request_.encoding, surface_.options, job.structure, written_mesh(),
-                                   written_colours(), part_ ? 0.0 : surface_.measures.shortest_edge,
-                                   shown_ && shown_->open);
+                write_surface(output.path, job.structure);
                 if (&output == first_mesh(job.outputs)) write_cavities(job);
                 return;
             case OutputKind::Picture:
@@ -297,7 +309,7 @@ private:
 
     std::vector<Check> checks() const {
         std::vector<Check> all = surface_.checks;
-        if (surface_.exact) all.push_back(agreement_check(*surface_.exact));
+        if (surface_.measured) all.push_back(agreement_check(*surface_.measured));
         return all;
     }
 
@@ -313,9 +325,9 @@ private:
         all.checks = checks();
         ordered_json report = make_report(request_, job.structure, surface_, all);
         report["values"] = values_.report(surface_.mesh);
-        if (surface_.exact && request_.surface.surface == SurfaceKind::Sas) {
-            report["exact"] = exact_json(excluded_);
-            report["components"] = components_json(excluded_);
+        if (excluded_ != nullptr) {
+            report["exact"] = exact_json(*excluded_);
+            report["components"] = components_json(*excluded_);
         }
         return report;
     }
@@ -331,7 +343,8 @@ private:
 
     const SurfaceRequest& request_;
     ValueSources values_;
-    Measures excluded_;  // of the SES, where another one is made and reports tell both by their names
+    // Of the SES, where another one is made and reports tell both by their names.
+    std::shared_ptr<const Measures> excluded_;
     double excluded_seconds_ = 0.0;
     double picture_seconds_ = 0.0;
     double page_seconds_ = 0.0;

@@ -87,7 +87,7 @@ void add_encoding(CLI::App& command, SurfaceRequest& request) {
 
 void add_memory_limit(CLI::App& command, SurfaceRequest& request) {
     const auto memory = [&request](const std::string& text) {
-        request.surface.memory_limit_mb = parse_memory("--memory", text);
+        request.run.memory_limit_mb = parse_memory("--memory", text);
     };
     command
         .add_option_function<std::string>(
@@ -165,7 +165,7 @@ void add_surface_options(CLI::App& command, SurfaceRequest& request) {
     command.option_defaults()->group("Volumes");
     add_volume_options(command, request.volume);
     command.option_defaults()->group("Running");
-    add_run_options(command, request, request.surface.threads);
+    add_run_options(command, request, request.run.threads);
     add_memory_limit(command, request);
     command.add_flag("--no-exact", request.no_exact,
                      "Leave the exact area and volume out\n; saves 10 to 25 % of the time, less on fine grids");

@@ -18,6 +18,7 @@ namespace meniscus::cli {
 /// Without -o mesh and page go to NAME.ply and NAME.html in the current folder.
 struct SurfaceRequest : CommonRequest {
     SurfaceOptions surface;
+    RunOptions run{};
     FlowRequest flow;  ///< surface.flow is what it resolves to
     Encoding encoding = Encoding::Binary;
     PictureRequest picture{};

@@ -227,11 +227,11 @@ const std::string& ValueSources::path_of(const std::string& name) const {
     return depth_of_->file;
 }
 
-std::vector<VertexValues> ValueSources::at_vertices(const Mesh& mesh) const {
+std::vector<VertexValues> ValueSources::at_vertices(const Mesh& mesh, const ExactSurface& exact) const {
     std::vector<VertexValues> all;
     for (const Column& column : columns_) all.push_back(values_at_vertices(mesh, column.values));
     for (const Map& map : maps_) all.push_back(sample_volume(mesh, map.asked.name, map.volume, sampling_));
-    if (depth_of_ != nullptr) all.push_back(depth_values(mesh, *depth_of_));
+    if (depth_of_ != nullptr) all.push_back(depth_values(mesh, exact));
     return all;
 }
 

@@ -55,7 +55,8 @@ public:
     const std::vector<std::string>& warnings() const { return warnings_; }
     const std::vector<std::string>& notes() const { return notes_; }
 
-    std::vector<VertexValues> at_vertices(const Mesh& mesh) const;
+    /// exact   of the structure's atoms, for depths
+    std::vector<VertexValues> at_vertices(const Mesh& mesh, const ExactSurface& exact) const;
 
     /// What of these a user should know, one line each.
     /// throws   InputError for a map that no vertex lies in

@@ -145,30 +145,31 @@ std::vector<Output> plan_volumes(const VolumeRequest& request, std::vector<Outpu
     return plan;
 }
 
-VolumeGrid find_grid(const VolumeRequest& request, const Atoms& atoms, const SurfaceOptions& options,
-                     const std::vector<Output>& outputs, const Cost& expected) {
+VolumeGrid find_grid(const VolumeRequest& request, const ExactSurface& exact, double spacing,
+                     const std::vector<Output>& outputs) {
     VolumeGrid grid;
     if (!request.grid_file.empty())
         grid = read_volume_grid(request.grid_file);
     else
-        grid = request.grid ? *request.grid : enclosing_grid(ses_problem(atoms, options).atoms, options.spacing);
+        grid = request.grid ? *request.grid : enclosing_grid(exact, spacing);
     for (const Output& output : outputs) {
         if (suffix_of(output) == ".vdb" && (grid.spacing.x != grid.spacing.y || grid.spacing.x != grid.spacing.z))
             throw UsageError(output.path +
                              ": a level set has a single spacing, but the --grid has several; ask for .dx or .mrc");
     }
-    refuse_grid_that_would_not_fit(grid, request.apbs_maps ? kApbsMapWords.size() : 1, options, expected);
     return grid;
 }
 
-Volumes::Volumes(const VolumeRequest& request, const VolumeGrid& grid, const Surface& surface, const Atoms& atoms)
+std::size_t volumes_of(const VolumeRequest& request) { return request.apbs_maps ? kApbsMapWords.size() : 1; }
+
+Volumes::Volumes(const VolumeRequest& request, const VolumeGrid& grid, const Surface& surface, int threads)
     : content_(request.field.content) {
     FieldOptions options = request.field;
-    options.threads = surface.options.threads;
+    options.threads = threads;
     if (!request.apbs_maps)
-        volumes_.push_back(surface_field(surface, atoms, grid, options));
+        volumes_.push_back(surface_field(surface, grid, options));
     else
-        for (const auto& word : kApbsMapWords) volumes_.push_back(apbs_map(surface, atoms, grid, word.second, options));
+        for (const auto& word : kApbsMapWords) volumes_.push_back(apbs_map(surface, grid, word.second, options));
 }
 
 void Volumes::write(const std::string& path) const {

@@ -35,17 +35,20 @@ void add_volume_options(CLI::App& command, VolumeRequest& request);
 /// throws   UsageError for options that do not go together or with the outputs, and for formats that this build lacks
 std::vector<Output> plan_volumes(const VolumeRequest& request, std::vector<Output> outputs);
 
-/// The grid that is asked for, or the one round all atoms.
+/// The grid that is asked for, or the one of this spacing round all atoms.
 /// throws   InputError for a file that cannot be read; UsageError for spacings that differ where a .vdb is to be
-///          written; LimitError where memory has no room for it
-VolumeGrid find_grid(const VolumeRequest& request, const Atoms& atoms, const SurfaceOptions& options,
-                     const std::vector<Output>& outputs, const Cost& expected);
+///          written
+VolumeGrid find_grid(const VolumeRequest& request, const ExactSurface& exact, double spacing,
+                     const std::vector<Output>& outputs);
+
+/// How many volumes stand for one output.
+std::size_t volumes_of(const VolumeRequest& request);
 
 /// What the outputs of a run are written from.
 class Volumes {
 public:
     Volumes() = default;
-    Volumes(const VolumeRequest& request, const VolumeGrid& grid, const Surface& surface, const Atoms& atoms);
+    Volumes(const VolumeRequest& request, const VolumeGrid& grid, const Surface& surface, int threads);
 
     void write(const std::string& path) const;
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "fuzzed_file.h"
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 #include "meniscus/measures.h"
 
 namespace {

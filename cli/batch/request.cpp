@@ -177,7 +177,7 @@ void add_surface(CLI::App& batch, Request& request, const std::function<void()>&
     const auto given = std::make_shared<SurfaceRequest>();
     add_surface_options(command, *given);
     const auto take = [&request, given] {
-        request.threads = given->surface.threads;
+        request.threads = given->run.threads;
         request.history = given->flow.history;
     };
     complete_subcommand(command, request, given, take, run);

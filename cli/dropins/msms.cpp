@@ -50,7 +50,7 @@ public:
         : request_(request),
           spheres_(read_spheres(request)),
           places_(spheres_.solid_places()),
-          exact_(measure(spheres_.solid(), {.probe = request.probe})) {}
+          exact_(measure(spheres_.solid(), {.probe = request.probe, .patches = true})) {}
 
     void operator()() {
         print(msms_input(request_, spheres_));

@@ -42,7 +42,6 @@ SurfaceOptions surface_options(const NanoShaperRequest& request) {
     SurfaceOptions options;
     options.method = Method::Direct;
     options.probe = request.probe;
-    options.threads = request.threads;
     options.min_cavity = request.fill_cavities ? request.fill_below : 0.0;
     const double spacing = 1.0 / request.grid_scale;
     if (spacing > kCoarsestForRemeshing) {
@@ -97,7 +96,7 @@ void run(const std::vector<std::string>& arguments) {
     const SphereFile spheres = read_sphere_file(request.input);
     print(fmt::format("<<INFO>> Starting Meniscus {}, a drop-in for NanoShaper\n<<INFO>> Read {} atoms from {}\n",
                       kVersion, spheres.atoms.size(), request.input));
-    Surface surface = compute_surface(spheres.solid(), surface_options(request));
+    Surface surface = compute_surface(spheres.solid(), surface_options(request), {.threads = request.threads});
     const std::vector<std::uint32_t> places = spheres.solid_places();
     for (std::uint32_t& atom : surface.mesh.atoms) atom = places[atom];
     print(fmt::format("<<INFO>> Estimated volume {:.6g} [A^3]\n", surface.measures.volume));

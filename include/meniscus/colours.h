@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "meniscus/accessible_surface.h"
 #include "meniscus/colour.h"
+#include "meniscus/exact_surface.h"
 #include "meniscus/level_set.h"
 #include "meniscus/mesh.h"
 #include "meniscus/structure.h"
@@ -60,8 +60,10 @@ std::optional<Colour> colour_of_text(std::string_view text);
 
 /// How deep in pockets and cavities every vertex lies, Å: its distance within the SES of a probe of kDepthProbe, 0
 /// outside. The array has the name "depth".
-/// cost     builds an AccessibleSurface and asks it for every vertex, parallel
-VertexValues depth_values(const Mesh& mesh, const Structure& structure);
+///
+/// exact    of the atoms, with any probe
+/// cost     that of asking ExactSurface::of_same_atoms() for every vertex
+VertexValues depth_values(const Mesh& mesh, const ExactSurface& exact);
 
 /// The scheme that Automatic stands for; any other stands for itself.
 ColourScheme scheme_in_force(ColourScheme scheme, const Structure& structure);
@@ -92,11 +94,11 @@ std::vector<Colour> colour_values(std::span<const float> values, const ValueRang
 /// The colours of colour_vertices() at any point, by the point's nearest feature: sharp borders between patches and
 /// between atoms. Curvature is that of the exact surface.
 ///
-/// surface  of the structure's atoms; must outlive the field
+/// surface  of the structure's atoms
 /// returns  nothing for Component, Depth and Value
 /// throws   as colour_vertices
 /// cost     of a call: O(log n) per point, and a tenth of that for points next to each other
-ColourField colour_by_feature(const AccessibleSurface& surface, const Structure& structure,
+ColourField colour_by_feature(const ExactSurface& surface, const Structure& structure,
                               const ColourOptions& options = {});
 
 /// Colours by the curvature of the level set through a point.

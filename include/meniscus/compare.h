@@ -5,25 +5,24 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
+#include <optional>
 #include <vector>
 
-#include "meniscus/accessible_surface.h"
 #include "meniscus/atoms.h"
+#include "meniscus/exact_surface.h"
 #include "meniscus/mesh.h"
 
 namespace meniscus {
 
 /// One of two surfaces to compare, with what it measures by itself.
 struct ComparedSurface {
-    Mesh mesh;  ///< points are taken from its triangles
-    std::shared_ptr<const AccessibleSurface>
-        exact;                     ///< of atoms: points are moved onto the SES, and distances are to it
-    double area = 0.0;             ///< Å²; of atoms exact, else the sum over triangles
-    double volume = 0.0;           ///< Å³; the same
-    std::size_t outer_pieces = 0;  ///< connected pieces whose normals point outwards
-    std::size_t cavities = 0;      ///< and those whose normals point inwards
-    bool closed = false;           ///< see MeshMeasures; true of atoms, as is manifold
+    Mesh mesh;                            ///< points are taken from its triangles
+    std::optional<ExactSurface> exact{};  ///< of atoms: points are moved onto the SES, and distances are to it
+    double area = 0.0;                    ///< Å²; of atoms exact, else the sum over triangles
+    double volume = 0.0;                  ///< Å³; the same
+    std::size_t outer_pieces = 0;         ///< connected pieces whose normals point outwards
+    std::size_t cavities = 0;             ///< and those whose normals point inwards
+    bool closed = false;                  ///< see MeshMeasures; true of atoms, as is manifold
     bool manifold = false;
     std::size_t merged_vertices = 0;  ///< see mesh_to_compare()
 };
@@ -41,7 +40,7 @@ struct StructureToCompare {
 };
 
 /// The exact SES of atoms, with the mesh that Method::Direct makes of it.
-/// throws   as compute_surface() and measure()
+/// throws   as compute_surface()
 ComparedSurface structure_to_compare(const Atoms& atoms, const StructureToCompare& options = {});
 
 /// Distances from one surface to another, Å; absolute values but for signed_mean. Means are weighted by area.

@@ -3,6 +3,8 @@
 // What a surface will take, told before it is computed.
 #pragma once
 
+#include <cstddef>
+
 #include "meniscus/atoms.h"
 
 namespace meniscus {
@@ -22,10 +24,11 @@ struct Cost {
 /// cost     a millisecond, for large structures 0.2 µs per atom
 Cost estimate_cost(const Atoms& atoms, const SurfaceOptions& options);
 
-/// Whether it is expected to take no more memory than SurfaceOptions::memory_limit_mb, or than the machine has.
-bool fits_into_memory(const SurfaceOptions& options, const Cost& cost);
+/// Whether it is expected to take no more memory than is allowed, or than the machine has left if that is 0.
+bool fits_into_memory(const Cost& cost, std::size_t memory_limit_mb = 0);
 
 /// Throws LimitError with the numbers, and the options that would help, where a computation does not fit.
-void refuse_what_would_not_fit(const Atoms& atoms, const SurfaceOptions& options, const Cost& cost);
+void refuse_what_would_not_fit(const Atoms& atoms, const SurfaceOptions& options, const Cost& cost,
+                               std::size_t memory_limit_mb = 0);
 
 }  // namespace meniscus

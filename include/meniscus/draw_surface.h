@@ -28,7 +28,7 @@ struct DrawOptions {
 /// colours    one per vertex of `mesh`
 /// throws     UsageError for colours that do not match the mesh, a legend without a scheme, and as make_legend() and
 ///            draw_picture()
-/// cost       of draw_picture(), and where the borders are those of features an AccessibleSurface
+/// cost       of draw_picture()
 Picture draw_surface(const Surface& surface, const Structure& structure, const Mesh& mesh,
                      std::span<const Colour> colours, const DrawOptions& options = {});
 

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 
-#include "meniscus/atoms.h"
 #include "meniscus/surface.h"
 #include "meniscus/volume.h"
 
@@ -20,10 +19,10 @@ struct FieldOptions {
 };
 
 /// The grid that a surface's field is put on where no other is asked for: nodes at multiples of the spacing, from at
-/// least kFieldMargin spacings before the box round all atoms, those of the ses_problem(), to as many behind it.
+/// least kFieldMargin spacings before the box round all balls of the exact surface, to as many behind it.
 ///
 /// throws   std::invalid_argument for no atoms
-VolumeGrid enclosing_grid(const Atoms& atoms, double spacing);
+VolumeGrid enclosing_grid(const ExactSurface& exact, double spacing);
 inline constexpr double kFieldMargin = 4.0;
 
 /// The value at each node of a grid:
@@ -40,14 +39,12 @@ inline constexpr double kFieldMargin = 4.0;
 /// Inside are nodes with a distance above 0. Cavities are outside, whichever pieces the mesh keeps, but for those that
 /// SurfaceOptions::fill_cavities has filled: they are inside, and no ion reaches them.
 ///
-/// surface  of these atoms
 /// throws   UsageError for a grid without nodes or with spacings that are not positive, for dielectric constants that
 ///          are not positive, an ion radius or a number of threads that is negative, and for any of these or an origin
 ///          that is not finite; LimitError for a grid that memory has no room for
-/// cost     an AccessibleSurface, and 0.02 (sides) to 0.1 µs (distances) of processor time per node; level sets without
+/// cost     0.02 (sides) to 0.1 µs (distances) of processor time per node; level sets without
 ///          an anchor take about 1 µs
-Volume surface_field(const Surface& surface, const Atoms& atoms, const VolumeGrid& grid,
-                     const FieldOptions& options = {});
+Volume surface_field(const Surface& surface, const VolumeGrid& grid, const FieldOptions& options = {});
 
 /// The four maps that APBS takes in place of its own: dielectric constants half a spacing beside the nodes along x, y
 /// and z, and accessibility for ions at the nodes.
@@ -60,12 +57,11 @@ constexpr VolumeContent content_of(ApbsMap map) {
 /// One of them, for APBS's grid.
 /// options   content is not used
 /// throws    as surface_field
-Volume apbs_map(const Surface& surface, const Atoms& atoms, const VolumeGrid& grid, ApbsMap map,
-                const FieldOptions& options = {});
+Volume apbs_map(const Surface& surface, const VolumeGrid& grid, ApbsMap map, const FieldOptions& options = {});
 
 /// Throws LimitError with the numbers where `volumes` of this grid beside the surface's computation are expected to
-/// take more memory than SurfaceOptions::memory_limit_mb, or than the machine has.
-void refuse_grid_that_would_not_fit(const VolumeGrid& grid, std::size_t volumes, const SurfaceOptions& options,
-                                    const Cost& cost);
+/// take more memory than is allowed, or than the machine has left if that is 0.
+void refuse_grid_that_would_not_fit(const VolumeGrid& grid, std::size_t volumes, const Cost& cost,
+                                    std::size_t memory_limit_mb = 0);
 
 }  // namespace meniscus

@@ -14,12 +14,11 @@
 
 namespace meniscus {
 
-class AccessibleSurface;
-
 struct MeasureOptions {
     double probe = 1.4;    ///< probe radius, Å; 0 gives the van der Waals surface
     bool cavities = true;  ///< also nesting and inscribed spheres of the components
     bool depth = false;    ///< also the depth of every atom
+    bool patches = false;  ///< also the list of all patches, which takes a kilobyte per atom
     int threads = 0;       ///< 0: all cores; results do not depend on it
 };
 
@@ -102,23 +101,18 @@ struct Measures {
     PatchAreas largest_sas_piece;
     std::vector<SurfaceComponent> components;  ///< by falling volume
     std::vector<AtomMeasure> atoms;            ///< in the caller's order; of exact duplicates the first has it all
-    std::vector<PatchMeasure> patches;
-    bool agreed = true;                 ///< two evaluations that share no perturbation agree
+    std::vector<PatchMeasure> patches;         ///< if asked for
+    bool agreed = true;                        ///< two evaluations that share no perturbation agree
     bool degenerate = false;            ///< probe positions coincide, as on lattices: 1e-5 is asked for instead of 1e-7
     std::vector<std::string> disputed;  ///< patches on which they do not, if not agreed
 };
 
 /// Exact measures of the SAS and SES.
 ///
-/// throws   UsageError for options out of range; as AccessibleSurface
+/// throws   UsageError for options out of range; as ExactSurface::accessible()
 /// cost     linear at protein density, about 25 µs per atom
 /// source   Gauss-Bonnet on spheres (Connolly 1983) with all self-intersections of reentrant patches trimmed;
 ///          docs/design/exact-measures.md
 Measures measure(const Atoms& atoms, const MeasureOptions& options = {});
-
-/// The same of a surface of these atoms that is there already; the options' probe radius does not matter.
-///
-/// throws   std::logic_error where the surface has forgotten its contours
-Measures measure(const AccessibleSurface& surface, const Atoms& atoms, const MeasureOptions& options = {});
 
 }  // namespace meniscus

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-#include "meniscus/accessible_surface.h"
+#include "meniscus/exact_surface.h"
 #include "meniscus/mesh.h"
 
 namespace meniscus {
@@ -44,6 +44,6 @@ struct TwoSidedDistance {
 };
 
 /// cost     O(n log n), some 3 µs per triangle, parallel
-TwoSidedDistance measure_distance(const Mesh& mesh, const AccessibleSurface& surface);
+TwoSidedDistance measure_distance(const Mesh& mesh, const ExactSurface& surface);
 
 }  // namespace meniscus

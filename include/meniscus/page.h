@@ -41,7 +41,8 @@ struct PageOptions {
     /// Exact pieces of the surface, of the same atoms: cavities are listed with their areas and volumes. Nothing: those
     /// of the mesh, with the plain sums over its triangles.
     std::span<const SurfaceComponent> components{};
-    int threads = 0;  ///< 0: all cores; the page does not depend on it
+    ExactSurface exact{};  ///< of the structure's atoms, where there is one already: nothing of it is built again
+    int threads = 0;       ///< 0: all cores; the page does not depend on it
 };
 
 /// True unless the library was built without three.js (CMake's MENISCUS_PAGE=OFF).
@@ -57,8 +58,7 @@ bool pages_supported();
 /// throws   UsageError for arrays that are missing or whose sizes do not match, an atom that the structure does not
 ///          have, options as of draw_picture() and colour_vertices(); LimitError for more than 2^24 atoms;
 ///          std::runtime_error without three.js
-/// cost     O(n log n); most of it goes into the distance of every vertex to the SES of a probe of kDepthProbe, and
-///          into light
+/// cost     O(n log n); most of it goes into depth_values() and into light
 std::string make_page(const Mesh& mesh, const Structure& structure, const PageOptions& options = {});
 
 /// Writes a page, as write_mesh() writes meshes: whole or not at all.

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 
-#include "meniscus/atoms.h"
 #include "meniscus/mesh.h"
 #include "meniscus/surface.h"
 
@@ -23,13 +22,13 @@ struct SampleOptions {
 /// nearest neighbour 0.70 to 0.96 times as far away as in a triangular lattice, which is sqrt(1.155 / density). Points
 /// on two sides of a thin wall or of a sharp crease do not see each other.
 ///
-/// surface  of these atoms; its mesh says which pieces get points, so pieces that it does not keep get none
+/// surface  its mesh says which pieces get points, so pieces that it does not keep get none
 /// returns  the points as vertices of a mesh without triangles, with every vertex array: exactly density times the
 ///          area of the mesh, rounded, in spatial order. They lie on the level set, or on the exact SES where there is
 ///          none, as the mesh's vertices do, and curvatures are capped as theirs. Every point's area is the same
 /// throws   UsageError for options out of range; LimitError for more points than fit into memory
-/// cost     15 to 20 µs of processor time per point, and an AccessibleSurface
+/// cost     15 to 20 µs of processor time per point
 /// source   weighted sample elimination, Yuksel 2015, Computer Graphics Forum 34, 25-32
-Mesh sample_surface(const Surface& surface, const Atoms& atoms, const SampleOptions& options = {});
+Mesh sample_surface(const Surface& surface, const SampleOptions& options = {});
 
 }  // namespace meniscus

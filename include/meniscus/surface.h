@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "meniscus/accessible_surface.h"
 #include "meniscus/atoms.h"
 #include "meniscus/cost.h"
+#include "meniscus/exact_surface.h"
 #include "meniscus/flow.h"
 #include "meniscus/level_set.h"
 #include "meniscus/measures.h"
@@ -26,13 +26,6 @@ enum class Method {
     Flow,      ///< the level-set flow: a smooth function whose zero set is the surface
     Direct,    ///< marching cubes of the exact surface, all vertices on it: sharp ridges
     Gaussian,  ///< only the Gaussian density envelope that the flow starts from; not the SES
-};
-
-/// Which surface of the atoms.
-enum class SurfaceKind {
-    Ses,  ///< solvent-excluded: where the probe's ball cannot be
-    Sas,  ///< solvent-accessible: traced by the probe's centre
-    Vdw,  ///< van der Waals: of the atoms themselves; the probe radius does not matter
 };
 
 /// Which closed pieces of the surface the mesh keeps.
@@ -50,25 +43,22 @@ struct SurfaceOptions {
     bool initial_area = false;               ///< measure the Gaussian start, too, where the flow can do without
     bool quality = false;                    ///< look at the shapes of the triangles, too
     bool two_sided_distance = false;  ///< measure how far mesh and exact SES are from each other between vertices, too
-    bool exact = false;               ///< measure areas, volumes and pieces exactly, too: Surface::exact
+    bool exact = false;               ///< measure areas, volumes and pieces exactly, too: Surface::measured
     bool verify = false;              ///< make the expensive self-checks, too: see Surface::checks
     Pieces pieces = Pieces::All;      ///< what the mesh keeps
     double min_cavity = 0.0;          ///< Å³: cavities that enclose less are dropped, with all that lies in them
     double fill_cavities = 0.0;       ///< Å³: the same, and their space counts as inside in fields (field.h)
     RemeshOptions remesh{};           ///< even triangles of a chosen size; needs a spacing of at most 0.5 Å
-    int threads = 0;                  ///< 0: all cores; results do not depend on it
+};
+
+/// What a computation may use, and who watches it. The result does not depend on it.
+struct RunOptions {
+    int threads = 0;                  ///< 0: all cores
     std::size_t memory_limit_mb = 0;  ///< 0: what the machine has available
+    bool keep_exact = true;  ///< false: Surface::exact forgets what has been found, and finds it again if asked
+    Progress progress{};
+    FlowObserver observer{};  ///< sees every step of a flow; where there is one, steps cost a mesh each
 };
-
-/// Balls and a probe radius. Their SES is the surface that is asked for: the SAS is that of the enlarged atoms, the van
-/// der Waals surface that of the atoms, both with a probe of radius 0. Whatever is measured or looked up for a Surface
-/// (exact measures, nearest features) is that of its problem.
-struct SesProblem {
-    Atoms atoms;
-    double probe = 0.0;  ///< Å
-};
-
-SesProblem ses_problem(const Atoms& atoms, const SurfaceOptions& options);
 
 /// One self-check: passed means value <= bound, or value == bound for counts.
 struct Check {
@@ -111,12 +101,13 @@ struct StageTimes {
 
 /// A computed surface.
 struct Surface {
+    ExactSurface exact;  ///< that it is a mesh of
     SurfaceOptions options;
     Mesh mesh;
     MeshMeasures measures;
     double corrected_area = 0.0;                    ///< Å², curvature-corrected quadrature over the mesh
     double corrected_volume = 0.0;                  ///< Å³
-    std::optional<Measures> exact;                  ///< of the surface's ses_problem(), if asked for; without patches
+    std::shared_ptr<const Measures> measured;       ///< of the exact surface, if asked for (SurfaceOptions::exact)
     DistanceSummary distance;                       ///< of the mesh's vertices to the exact SES
     std::optional<MeshQuality> quality;             ///< if asked for
     std::optional<TwoSidedDistance> two_sided;      ///< if asked for
@@ -138,36 +129,22 @@ struct Surface {
     bool passed() const;  ///< every check passed
 };
 
-/// What the exact geometry says about a surface that is to be computed, for those who want more of it than the result.
-struct ExactSurface {
-    Cost expected;                 ///< of the computation
-    AccessibleSurface accessible;  ///< of the surface's ses_problem()
-    Measures measures;             ///< of the same, with cavities
-    StageTimes seconds;            ///< for this much
-};
-
-/// The first part of compute_surface(), and the exact measures.
-///
-/// throws   as compute_surface() and measure()
-ExactSurface measure_exactly(const Atoms& atoms, const SurfaceOptions& options = {});
-
-/// Computes the solvent-excluded surface of atoms.
+/// Computes a mesh of an exact surface, by SurfaceOptions::method. The options' surface and probe do not matter: those
+/// of the exact surface hold, and are Surface::options'.
 ///
 /// throws   UsageError for options out of range and for even triangles that the surface has no room for (its folds are
-///          narrower than an edge all over), std::invalid_argument for no atoms, a radius that is not
-///          positive or a coordinate that is not finite, LimitError when it would not fit into memory
-///          or lies too far from the origin for the spacing
+///          narrower than an edge all over), LimitError when it would not fit into memory or lies too far from the
+///          origin for the spacing; as ExactSurface::accessible()
 /// cost     linear in the number of atoms; memory proportional to area / spacing²
-/// observer sees every step of a flow; where there is one, steps cost a mesh each
-/// exact    measure_exactly() of the same atoms and options, where somebody has it: not done again, and the result is
-///          held against these measures. Without them what is needed is evaluated once.
 /// source   Pan & Tai 2009, with the anchored flow of docs/design/flow.md
-Surface compute_surface(const Atoms& atoms, const SurfaceOptions& options = {}, const Progress& progress = {},
-                        const FlowObserver& observer = {}, const ExactSurface* exact = nullptr);
+Surface mesh(ExactSurface exact, const SurfaceOptions& options = {}, const RunOptions& run = {});
+
+/// The same of atoms: of ExactSurface(atoms, {options.surface, options.probe}).
+Surface compute_surface(const Atoms& atoms, const SurfaceOptions& options = {}, const RunOptions& run = {});
 
 /// Exact area and volume of those pieces that a mesh of these options keeps; in the volume cavities count negative.
 ///
-/// exact   measures of the surface's ses_problem(), with cavities
+/// exact   measures of the exact surface
 SurfaceTotals exact_counterpart(const Measures& exact, const SurfaceOptions& options);
 
 /// Closed pieces by kind.
@@ -188,7 +165,7 @@ PieceCounts count_pieces(const MeshMeasures& mesh);
 /// Those pieces of the exact surface that a mesh of these options keeps. Where the mesh has other numbers, features
 /// smaller than its grid came out joined or separate.
 ///
-/// exact   measures of the surface's ses_problem(), with cavities
+/// exact   measures of the exact surface
 PieceCounts count_kept_pieces(const Measures& exact, const SurfaceOptions& options);
 
 /// Whether the independent evaluations of exact measures agree: value and bound are 1 where they do.

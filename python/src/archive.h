@@ -81,6 +81,11 @@ private:
         for (const auto& [name, count] : counts) (*this)(name, count);
     }
 
+    void put(const std::shared_ptr<const Measures>& measures) {
+        put(measures != nullptr);
+        if (measures) put(*measures);
+    }
+
     void put(const std::shared_ptr<const LevelSet>& level_set) {
         put(level_set ? level_set_bytes(*level_set) : std::string());
     }
@@ -157,6 +162,12 @@ private:
         }
     }
 
+    void get(std::shared_ptr<const Measures>& measures) {
+        std::optional<Measures> there;
+        get(there);
+        if (there) measures = std::make_shared<const Measures>(*std::move(there));
+    }
+
     void get(std::shared_ptr<const LevelSet>& level_set) {
         std::string bytes;
         get(bytes);
@@ -168,7 +179,7 @@ private:
 };
 
 /// Of the bytes, whatever the version of Meniscus; it changes with what fields() hand over.
-inline constexpr std::uint32_t kArchiveLayout = 1;
+inline constexpr std::uint32_t kArchiveLayout = 2;
 
 template <class T>
 std::string archived(const T& value) {

@@ -42,8 +42,8 @@ void fields(Archive& archive, SurfaceTotals& s) {
 
 template <class Archive>
 void fields(Archive& archive, MeasureOptions& s) {
-    auto& [probe, cavities, depth, threads] = s;
-    archive(probe, cavities, depth, threads);
+    auto& [probe, cavities, depth, patches, threads] = s;
+    archive(probe, cavities, depth, patches, threads);
 }
 
 template <class Archive>
@@ -139,9 +139,9 @@ void fields(Archive& archive, RemeshOptions& s) {
 template <class Archive>
 void fields(Archive& archive, SurfaceOptions& s) {
     auto& [method, surface, probe, spacing, density, flow, history, initial_area, quality, two_sided_distance, exact,
-           verify, pieces, min_cavity, fill_cavities, remesh, threads, memory_limit_mb] = s;
+           verify, pieces, min_cavity, fill_cavities, remesh] = s;
     archive(method, surface, probe, spacing, density, flow, history, initial_area, quality, two_sided_distance, exact,
-            verify, pieces, min_cavity, fill_cavities, remesh, threads, memory_limit_mb);
+            verify, pieces, min_cavity, fill_cavities, remesh);
 }
 
 template <class Archive>
@@ -220,9 +220,10 @@ void fields(Archive& archive, StageTimes& s) {
 
 template <class Archive>
 void fields(Archive& archive, Surface& s) {
-    auto& [options, mesh, measures, corrected_area, corrected_volume, exact, distance, quality, two_sided, dropped,
-           filled, simplified, self_intersections, flow, history, level_set, checks, expected, seconds] = s;
-    archive(options, mesh, measures, corrected_area, corrected_volume, exact, distance, quality, two_sided, dropped,
+    // The exact surface follows from the structure's atoms and the options.
+    auto& [exact, options, mesh, measures, corrected_area, corrected_volume, measured, distance, quality, two_sided,
+           dropped, filled, simplified, self_intersections, flow, history, level_set, checks, expected, seconds] = s;
+    archive(options, mesh, measures, corrected_area, corrected_volume, measured, distance, quality, two_sided, dropped,
             filled, simplified, self_intersections, flow, history, level_set, checks, expected, seconds);
 }
 

@@ -9,7 +9,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "held_surface.h"
-#include "meniscus/accessible_surface.h"
+#include "meniscus/exact_surface.h"
 #include "meniscus/tables.h"
 #include "meniscus/threads.h"
 #include "meniscus/write.h"
@@ -39,11 +39,10 @@ std::shared_ptr<Measures> measure_structure(const Structure& structure, const py
 
 /// Of the surface that was computed, whichever it is.
 std::shared_ptr<Measures> measure_surface(const HeldSurface& held, const py::dict& given) {
-    MeasureOptions options = measure_options(given);
+    const MeasureOptions options = measure_options(given);
     const py::gil_scoped_release release;
-    const SesProblem problem = ses_problem(held.structure().atoms, held.surface().options);
-    options.probe = problem.probe;
-    return std::make_shared<Measures>(measure(problem.atoms, options));
+    const ThreadLimit limit(options.threads);
+    return std::make_shared<Measures>(held.surface.exact.measures());
 }
 
 py::dict totals_dict(const SurfaceTotals& t) {
@@ -100,7 +99,7 @@ py::array distances(const Structure& structure, double probe, const Positions& p
     {
         const py::gil_scoped_release release;
         const ThreadLimit limit(threads);
-        result = signed_distance(AccessibleSurface(structure.atoms, probe), places);
+        result = ExactSurface(structure.atoms, {.probe = probe}).signed_distance(places);
     }
     return owning(std::move(result));
 }

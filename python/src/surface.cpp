@@ -72,9 +72,14 @@ SurfaceOptions surface_options(const Options& options) {
     options.read("quality", surface.quality);
     options.read("two_sided_distance", surface.two_sided_distance);
     options.read("verify", surface.verify);
-    options.read("threads", surface.threads);
-    options.read("memory_mb", surface.memory_limit_mb);
     return surface;
+}
+
+RunOptions run_options(const Options& options) {
+    RunOptions run;
+    options.read("threads", run.threads);
+    options.read("memory_mb", run.memory_limit_mb);
+    return run;
 }
 
 /// Lets Python look for Ctrl-C, and calls whoever wants to know, a few times per second.
@@ -100,23 +105,26 @@ private:
 std::shared_ptr<HeldSurface> compute(const std::shared_ptr<Structure>& structure, const py::dict& given,
                                      const py::object& progress) {
     const SurfaceOptions options = surface_options(Options(given));
+    RunOptions run = run_options(Options(given));
     Watcher watcher(progress);
+    run.progress = [&watcher](std::string_view stage, double fraction) { watcher(stage, fraction); };
     const py::gil_scoped_release release;
-    Surface surface = compute_surface(
-        structure->atoms, options, [&watcher](std::string_view stage, double fraction) { watcher(stage, fraction); });
+    Surface surface = compute_surface(structure->atoms, options, run);
     refuse_large_indices(surface.mesh);
-    return std::make_shared<HeldSurface>(structure, std::move(surface));
+    return std::make_shared<HeldSurface>(HeldSurface{structure, std::move(surface), run.threads});
 }
 
 /// The structure as an object of its own, so that a pickle holds it once, whoever else refers to it.
 py::tuple surface_state(const HeldSurface& held) {
-    return py::make_tuple(std::const_pointer_cast<Structure>(held.shared_structure()), to_bytes(held.surface()));
+    return py::make_tuple(std::const_pointer_cast<Structure>(held.structure), to_bytes(held.surface));
 }
 
 std::shared_ptr<HeldSurface> surface_of_state(const py::tuple& state) {
     if (state.size() != 2) throw InputError("this is no pickle of a surface");
-    return std::make_shared<HeldSurface>(state[0].cast<std::shared_ptr<Structure>>(),
-                                         from_bytes<Surface>(state[1].cast<py::bytes>()));
+    const auto structure = state[0].cast<std::shared_ptr<Structure>>();
+    Surface surface = from_bytes<Surface>(state[1].cast<py::bytes>());
+    surface.exact = ExactSurface(structure->atoms, {surface.options.surface, surface.options.probe});
+    return std::make_shared<HeldSurface>(HeldSurface{structure, std::move(surface)});
 }
 
 py::array depths(const Mesh& mesh, const Structure& structure, int threads) {
@@ -124,7 +132,7 @@ py::array depths(const Mesh& mesh, const Structure& structure, int threads) {
     {
         const py::gil_scoped_release release;
         const ThreadLimit limit(threads);
-        values = depth_values(mesh, structure);
+        values = depth_values(mesh, ExactSurface(structure.atoms));
     }
     return owning(std::move(values.values));
 }
@@ -137,7 +145,7 @@ py::dict distances(const DistanceSummary& d) { return py::dict("mean"_a = d.mean
 
 /// The block `mesh` of the report.
 py::dict mesh_dict(const HeldSurface& held) {
-    const Surface& s = held.surface();
+    const Surface& s = held.surface;
     const MeshMeasures& m = s.measures;
     py::dict block("vertices"_a = s.mesh.vertices.size(), "triangles"_a = s.mesh.triangles.size(), "area"_a = m.area,
                    "volume"_a = m.volume, "corrected_area"_a = s.corrected_area,
@@ -174,7 +182,7 @@ py::list history_list(const std::vector<FlowStep>& history) {
 
 /// The block `flow` of the report; None for other methods.
 py::object flow_dict(const HeldSurface& held) {
-    const Surface& s = held.surface();
+    const Surface& s = held.surface;
     if (s.options.method != Method::Flow) return py::none();
     const FlowSummary& f = s.flow;
     return py::dict("steps"_a = f.steps, "time"_a = f.time, "converged"_a = f.converged, "residual"_a = f.residual,
@@ -187,7 +195,7 @@ py::object flow_dict(const HeldSurface& held) {
 
 py::list checks_list(const HeldSurface& held) {
     py::list list;
-    for (const Check& c : held.surface().checks)
+    for (const Check& c : held.surface.checks)
         list.append(py::dict("name"_a = c.name, "passed"_a = c.passed, "value"_a = c.value, "bound"_a = c.bound));
     return list;
 }
@@ -198,9 +206,9 @@ py::array values(const HeldSurface& held, const Positions& points) {
     std::vector<double> result;
     {
         const py::gil_scoped_release release;
-        const ThreadLimit limit(held.surface().options.threads);
-        const auto& level_set = held.surface().level_set;
-        result = level_set ? level_set->values(places) : signed_distance(held.accessible(), places);
+        const ThreadLimit limit(held.threads);
+        const auto& level_set = held.surface.level_set;
+        result = level_set ? level_set->values(places) : held.surface.exact.signed_distance(places);
     }
     return owning(std::move(result));
 }
@@ -210,18 +218,17 @@ py::array gradients(const HeldSurface& held, const Positions& points) {
     std::vector<Vec3> result;
     {
         const py::gil_scoped_release release;
-        if (const auto& level_set = held.surface().level_set)
+        if (const auto& level_set = held.surface.level_set)
             result = level_set->gradients(places);
         else
-            for (const Vec3& place : places) result.push_back(held.accessible().nearest(place).normal);
+            for (const NearestFeature& at : held.surface.exact.nearest_features(places)) result.push_back(at.normal);
     }
     return owning(std::move(result));
 }
 
 Mesh sample(const HeldSurface& held, double density, std::uint64_t seed, int threads) {
     const py::gil_scoped_release release;
-    return sample_surface(held.surface(), held.structure().atoms,
-                          {.density = density, .seed = seed, .threads = threads});
+    return sample_surface(held.surface, {.density = density, .seed = seed, .threads = threads});
 }
 
 void bind_mesh(py::module_& module) {
@@ -252,14 +259,14 @@ void bind_surface(py::module_& module) {
     bind_mesh(module);
     py::class_<HeldSurface, std::shared_ptr<HeldSurface>> type(module, "Surface");
     type.def_property_readonly(
-        "mesh", [](const HeldSurface& held) -> const Mesh& { return held.surface().mesh; },
+        "mesh", [](const HeldSurface& held) -> const Mesh& { return held.surface.mesh; },
         py::return_value_policy::reference_internal);
     type.def_property_readonly("mesh_block", &mesh_dict);
     type.def_property_readonly("flow_block", &flow_dict);
     type.def_property_readonly("checks", &checks_list);
-    type.def_property_readonly("passed", [](const HeldSurface& held) { return held.surface().passed(); });
+    type.def_property_readonly("passed", [](const HeldSurface& held) { return held.surface.passed(); });
     type.def_property_readonly("has_level_set",
-                               [](const HeldSurface& held) { return held.surface().level_set != nullptr; });
+                               [](const HeldSurface& held) { return held.surface.level_set != nullptr; });
     type.def(py::pickle(&surface_state, &surface_of_state));
     type.def("values", &values, py::arg("points"));
     type.def("gradients", &gradients, py::arg("points"));

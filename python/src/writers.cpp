@@ -49,10 +49,10 @@ struct Colouring {
     }
 
     /// With the values that were given, and those that the scheme brings along.
-    Mesh complete(const Mesh& mesh, const Structure& structure) const {
+    Mesh complete(const Mesh& mesh, const Structure& structure, const ExactSurface& exact) const {
         Mesh with = mesh;
         if (options.scheme == ColourScheme::Depth && given.empty() && !has_values("depth"))
-            with.values.push_back(depth_values(mesh, structure));
+            with.values.push_back(depth_values(mesh, exact));
         if (const auto more = values_of_scheme(options.scheme, structure))
             with.values.push_back(values_at_vertices(mesh, *more));
         with.values.insert(with.values.end(), values.begin(), values.end());
@@ -104,7 +104,7 @@ py::array colours(const Mesh& mesh, const Structure& structure, const py::dict& 
     std::vector<Colour> result;
     {
         const py::gil_scoped_release release;
-        result = colouring.of(colouring.complete(mesh, structure), structure);
+        result = colouring.of(colouring.complete(mesh, structure, ExactSurface(structure.atoms)), structure);
     }
     return owning(std::move(result));
 }
@@ -123,7 +123,7 @@ void save_points(const std::string& path, const Mesh& points, const Structure& s
     const Colouring colouring(given);
     WriteOptions options = write_options(structure, given);
     const py::gil_scoped_release release;
-    const Mesh complete = colouring.complete(points, structure);
+    const Mesh complete = colouring.complete(points, structure, ExactSurface(structure.atoms));
     const std::vector<Colour> colours = colouring.of(complete, structure);
     options.colours = colours;
     write_mesh(path, complete, options);
@@ -138,8 +138,8 @@ public:
     }
 
     std::optional<MeshPart> part_of(const Mesh& mesh, const HeldSurface& held) const {
-        if (!select_.empty()) return part_of_atoms(mesh, select_atoms(held.structure(), select_, "show"));
-        if (cavity_ != 0) return part_of_component(mesh, component(held.surface().measures));
+        if (!select_.empty()) return part_of_atoms(mesh, select_atoms(*held.structure, select_, "show"));
+        if (cavity_ != 0) return part_of_component(mesh, component(held.surface.measures));
         return std::nullopt;
     }
 
@@ -165,12 +165,12 @@ std::vector<Colour> picked(const std::vector<Colour>& colours, const std::vector
 void save_mesh(const std::string& path, const HeldSurface& held, const py::dict& given) {
     const Colouring colouring(given);
     const Shown shown(given);
-    WriteOptions options = write_options(held.structure(), given);
-    options.computed_with = &held.surface().options;
-    options.probe = held.surface().options.probe;
+    WriteOptions options = write_options(*held.structure, given);
+    options.computed_with = &held.surface.options;
+    options.probe = held.surface.options.probe;
     const py::gil_scoped_release release;
-    const Mesh complete = colouring.complete(held.surface().mesh, held.structure());
-    std::vector<Colour> colours = colouring.of(complete, held.structure());
+    const Mesh complete = colouring.complete(held.surface.mesh, *held.structure, held.surface.exact);
+    std::vector<Colour> colours = colouring.of(complete, *held.structure);
     const std::optional<MeshPart> part = shown.part_of(complete, held);
     if (part) colours = picked(colours, part->vertices);
     options.open = part && !measure_mesh(part->mesh).closed;
@@ -234,9 +234,9 @@ void save_picture(const std::string& path, const HeldSurface& held, const py::di
     if (colouring.given.empty()) options.scheme = colouring.options;
     Options(given).read("legend", options.legend);
     const py::gil_scoped_release release;
-    const Mesh mesh = colouring.complete(held.surface().mesh, held.structure());
-    const std::vector<Colour> colours = colouring.of(mesh, held.structure());
-    write_picture(path, draw_surface(held.surface(), held.structure(), mesh, colours, options));
+    const Mesh mesh = colouring.complete(held.surface.mesh, *held.structure, held.surface.exact);
+    const std::vector<Colour> colours = colouring.of(mesh, *held.structure);
+    write_picture(path, draw_surface(held.surface, *held.structure, mesh, colours, options));
 }
 
 void save_page(const std::string& path, const HeldSurface& held, const Measures& exact, const py::dict& given) {
@@ -245,25 +245,27 @@ void save_page(const std::string& path, const HeldSurface& held, const Measures&
     PageOptions options{.colours = colouring.options,
                         .viewpoint = viewpoint_of(given),
                         .projection = projection_of(given),
-                        .rows = page_rows(held.structure(), held.surface(), exact),
-                        .components = exact.components};
+                        .rows = page_rows(*held.structure, held.surface, exact),
+                        .components = exact.components,
+                        .exact = held.surface.exact};
     Options(given).read("threads", options.threads);
     const py::gil_scoped_release release;
-    write_page(path, colouring.complete(held.surface().mesh, held.structure()), held.structure(), options);
+    write_page(path, colouring.complete(held.surface.mesh, *held.structure, held.surface.exact), *held.structure,
+               options);
 }
 
 void save_level_set(const std::string& path, const HeldSurface& held) {
-    if (!held.surface().level_set)
+    if (!held.surface.level_set)
         throw UsageError(path + ": a surface of method direct has no level set; use method flow");
     const py::gil_scoped_release release;
-    write_level_set(path, *held.surface().level_set);
+    write_level_set(path, *held.surface.level_set);
 }
 
 /// A file that has it, three counts, spacing and middle, or the one round all atoms.
 VolumeGrid grid_of(const py::dict& given, const HeldSurface& held) {
     if (given.contains("grid_file")) return read_volume_grid(given["grid_file"].cast<std::string>());
-    const SurfaceOptions& made = held.surface().options;
-    if (!given.contains("grid")) return enclosing_grid(ses_problem(held.structure().atoms, made).atoms, made.spacing);
+    const SurfaceOptions& made = held.surface.options;
+    if (!given.contains("grid")) return enclosing_grid(held.surface.exact, made.spacing);
     const auto [counts, spacing, middle] =
         given["grid"].cast<std::tuple<std::array<std::size_t, 3>, double, std::array<double, 3>>>();
     return centred_grid(counts, spacing, vector_of(middle));
@@ -281,11 +283,10 @@ void save_volume(const std::string& path, const HeldSurface& held, const py::dic
     if (given.contains("map")) words.read_word("map", map.emplace(), kApbsMapWords);
     const VolumeGrid grid = grid_of(given, held);
     const py::gil_scoped_release release;
-    const Atoms& atoms = held.structure().atoms;
     if (map)
-        write_volume(path, apbs_map(held.surface(), atoms, grid, *map, options), content_of(*map));
+        write_volume(path, apbs_map(held.surface, grid, *map, options), content_of(*map));
     else
-        write_volume(path, surface_field(held.surface(), atoms, grid, options), options.content);
+        write_volume(path, surface_field(held.surface, grid, options), options.content);
 }
 
 void save_values(const std::string& path, const Structure& structure, const Numbers& values) {

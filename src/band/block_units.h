@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <span>
 
+#include "geometry/accessible_surface.h"
 #include "grid/block_grid.h"
 #include "grid/inside_bits.h"
-#include "meniscus/accessible_surface.h"
 #include "nearest/local_features.h"
 #include "nearest/nearest_batch.h"
 #include "nearest/nearest_kernels.h"

@@ -3,8 +3,8 @@
 // The exact signed distance and the curvature of its level surfaces, sampled on the nodes of the band.
 #pragma once
 
+#include "geometry/accessible_surface.h"
 #include "grid/block_grid.h"
-#include "meniscus/accessible_surface.h"
 #include "meniscus/node_field.h"
 
 namespace meniscus {

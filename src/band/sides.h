@@ -5,9 +5,9 @@
 
 #include <vector>
 
+#include "geometry/accessible_surface.h"
 #include "grid/block_grid.h"
 #include "grid/inside_bits.h"
-#include "meniscus/accessible_surface.h"
 
 namespace meniscus {
 

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "geometry/accessible_surface.h"
 #include "grid/block_grid.h"
-#include "meniscus/accessible_surface.h"
 
 namespace meniscus {
 

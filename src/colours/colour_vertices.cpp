@@ -39,7 +39,7 @@ std::vector<Colour> by_value(const std::vector<T>& values, std::span<const Colou
 /// Depths take a second surface; whoever has them brings them along.
 std::vector<Colour> by_depth(const Mesh& mesh, const Structure& structure, const ValueRange& range) {
     const VertexValues* brought = brought_depths(mesh);
-    if (brought == nullptr) return by_value(depths(mesh, structure), cold_ramp(), range);
+    if (brought == nullptr) return by_value(depths(mesh, ExactSurface(structure.atoms)), cold_ramp(), range);
     check_values(brought->values, mesh, "depth");
     return by_value(brought->values, cold_ramp(), range);
 }
@@ -69,9 +69,9 @@ std::vector<Colour> by_component(const Mesh& mesh) {
 }
 
 template <class ColourOf>
-ColourField field_of(const AccessibleSurface& surface, const ColourOf& colour_of) {
-    return [&surface, colour_of](std::span<const Vec3> points, std::span<Colour> colours) {
-        const std::vector<NearestFeature> nearest = nearest_features(surface, points);
+ColourField field_of(const ExactSurface& surface, const ColourOf& colour_of) {
+    return [surface, colour_of](std::span<const Vec3> points, std::span<Colour> colours) {
+        const std::vector<NearestFeature> nearest = surface.nearest_features(points);
         std::transform(nearest.begin(), nearest.end(), colours.begin(), colour_of);
     };
 }
@@ -89,8 +89,7 @@ std::vector<Colour> colour_vertices(const Mesh& mesh, const Structure& structure
     return by_value(mesh.mean_curvatures, diverging_ramp(), range);
 }
 
-ColourField colour_by_feature(const AccessibleSurface& surface, const Structure& structure,
-                              const ColourOptions& options) {
+ColourField colour_by_feature(const ExactSurface& surface, const Structure& structure, const ColourOptions& options) {
     check_options(options);
     if (options.scheme == ColourScheme::Curvature)
         return field_of(surface, [range = range_in_force(options, structure)](const NearestFeature& nearest) {

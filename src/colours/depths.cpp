@@ -4,19 +4,19 @@
 
 #include <algorithm>
 
-#include "meniscus/accessible_surface.h"
 #include "meniscus/colours.h"
 
 namespace meniscus {
 
-std::vector<double> depths(const Mesh& mesh, const Structure& structure) {
-    std::vector<double> depth = signed_distance(AccessibleSurface(structure.atoms, kDepthProbe), mesh.vertices);
+std::vector<double> depths(const Mesh& mesh, const ExactSurface& exact) {
+    const ExactSurface rolled = exact.of_same_atoms({SurfaceKind::Ses, kDepthProbe});
+    std::vector<double> depth = rolled.signed_distance(mesh.vertices);
     for (double& d : depth) d = std::max(0.0, -d);
     return depth;
 }
 
-VertexValues depth_values(const Mesh& mesh, const Structure& structure) {
-    const std::vector<double> depth = depths(mesh, structure);
+VertexValues depth_values(const Mesh& mesh, const ExactSurface& exact) {
+    const std::vector<double> depth = depths(mesh, exact);
     return {"depth", {depth.begin(), depth.end()}};
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meniscus/draw_surface.h"
 
-#include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/legend.h"
 
@@ -31,9 +30,7 @@ Picture draw_surface(const Surface& surface, const Structure& structure, const M
     if (!options.scheme) return draw({});
     if (surface.level_set)
         if (const ColourField field = colour_by_level_set(*surface.level_set, *options.scheme)) return draw(field);
-    const SesProblem problem = ses_problem(structure.atoms, surface.options);
-    const AccessibleSurface accessible(problem.atoms, problem.probe);
-    return draw(colour_by_feature(accessible, structure, *options.scheme));
+    return draw(colour_by_feature(surface.exact, structure, *options.scheme));
 }
 
 }  // namespace meniscus

@@ -11,10 +11,10 @@
 
 #include "core/parallel.h"
 #include "exact/component_places.h"
-#include "exact/exact_once.h"
+#include "exact/measure_surface.h"
 #include "exact/patch_totals.h"
 #include "exact/ses_patches.h"
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/measures.h"
 #include "meniscus/threads.h"
@@ -398,6 +398,7 @@ Measures describe(const Atoms& atoms, const MeasureOptions& options, const Evalu
     measures.components = make_components(evaluation, check, options, number);
     for (PatchMeasure& patch : measures.patches) patch.component = number[patch.component];
     if (options.depth) add_depths(evaluation.surface, atoms, measures);
+    if (!options.patches) std::vector<PatchMeasure>().swap(measures.patches);
     return measures;
 }
 

@@ -162,7 +162,6 @@ PatchSums sum_reentrant_patches(const AccessibleSurface& surface, std::uint64_t 
 
 PatchTotals sum_patches(const AccessibleSurface& surface, std::uint64_t seed, const SesPatches* first) {
     const AccessibleSurface::Data& data = surface.data();
-    data.require_contours();
     const Likes likes(first);
     const VolumeOrigins origins(data);
     PatchTotals found;

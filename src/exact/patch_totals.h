@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "exact/ses_patches.h"
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 #include "meniscus/measures.h"
 
 namespace meniscus {

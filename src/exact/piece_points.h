@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 
 namespace meniscus {
 

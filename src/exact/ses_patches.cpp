@@ -40,7 +40,6 @@ std::uint32_t arc_beside(const SasVertex& vertex, std::uint32_t edge) { return v
 
 SesPatches::SesPatches(const AccessibleSurface& surface, std::uint64_t seed)
     : surface_(&surface), data_(&surface.data()), seed_(seed), origins_(*data_) {
-    data_->require_contours();
     degenerate_ = has_coincident_probes(*data_);
     add_contact_patches();
     add_toroidal_patches();

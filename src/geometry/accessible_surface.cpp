@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -426,6 +427,8 @@ bool try_build(AccessibleSurface::Data& data, const CellList& cells, std::uint64
     return true;
 }
 
+std::atomic<std::size_t> built{0};
+
 void build(AccessibleSurface::Data& data, std::uint64_t seed, const AccessibleSurface::Data* before) {
     data.rho.resize(data.atoms.size());
     const CellList cells(data.atoms);
@@ -446,12 +449,12 @@ AccessibleSurface::AccessibleSurface(const Atoms& atoms, double probe, std::uint
     data->atoms = canonical_atoms(atoms, 2.0 * data->rho_max);
     build(*data, seed, nullptr);
     data_ = std::move(data);
+    ++built;
 }
 
 AccessibleSurface::AccessibleSurface(std::unique_ptr<Data> data) : data_(std::move(data)) {}
 
 AccessibleSurface AccessibleSurface::perturbed(std::uint64_t seed) const {
-    data_->require_contours();
     auto data = std::make_unique<Data>();
     data->probe = data_->probe;
     data->rho_max = data_->rho_max;
@@ -464,14 +467,7 @@ AccessibleSurface::~AccessibleSurface() = default;
 AccessibleSurface::AccessibleSurface(AccessibleSurface&&) noexcept = default;
 AccessibleSurface& AccessibleSurface::operator=(AccessibleSurface&&) noexcept = default;
 
-void AccessibleSurface::forget_contours() {
-    const auto free = []<class T>(std::vector<T>& list) { std::vector<T>().swap(list); };
-    free(data_->cover_begin);
-    free(data_->cover);
-    free(data_->contour_begin);
-    free(data_->contour);
-    free(data_->contour_arc);
-}
+std::size_t accessible_surfaces_built() { return built; }
 
 double AccessibleSurface::probe() const { return data_->probe; }
 std::size_t AccessibleSurface::atom_count() const { return data_->atoms.size(); }

@@ -6,11 +6,10 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
+#include "geometry/accessible_surface.h"
 #include "geometry/contour.h"
-#include "meniscus/accessible_surface.h"
 #include "space/box_tree.h"
 #include "space/canonical_atoms.h"
 
@@ -81,10 +80,6 @@ struct AccessibleSurface::Data {
     }
     std::span<const ContourArc> contour_of(std::uint32_t atom) const {
         return std::span(contour).subspan(contour_begin[atom], contour_begin[atom + 1] - contour_begin[atom]);
-    }
-    void require_contours() const {
-        if (contour_begin.empty())
-            throw std::logic_error("the contours of this accessible surface have been discarded");
     }
     /// Whether the point of the enlarged sphere of `atom` in direction q (any length l = |q|) is exposed.
     bool direction_exposed(std::uint32_t atom, const Vec3& q, double l) const {

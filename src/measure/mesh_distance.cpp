@@ -45,7 +45,8 @@ struct DistanceSums {
 
 }  // namespace
 
-TwoSidedDistance measure_distance(const Mesh& mesh, const AccessibleSurface& surface) {
+TwoSidedDistance measure_distance(const Mesh& mesh, const ExactSurface& exact) {
+    const AccessibleSurface& surface = exact.accessible();
     const TriangleTree triangles(mesh);
     WeightedDistances to_exact(kSamples * mesh.triangles.size());
     WeightedDistances from_exact(kSamples * mesh.triangles.size());

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 #include "meniscus/mesh.h"
 #include "meniscus/mesh_quality.h"
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 #include "meniscus/mesh.h"
 #include "space/triangle_tree.h"
 

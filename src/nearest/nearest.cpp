@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 #include "nearest/nearest_feature.h"
 #include "nearest/parallel_curvature.h"
 

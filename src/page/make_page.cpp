@@ -77,7 +77,8 @@ std::string make_page(const Mesh& mesh, const Structure& structure, const PageOp
     check(mesh, structure);
     const ThreadLimit limit(options.threads);
     const std::optional<RayScene> rays = mesh.triangles.empty() ? std::nullopt : std::optional<RayScene>(mesh);
-    const page::VertexExtras extras{.sky = light(mesh, rays), .depth = depths(mesh, structure)};
+    const ExactSurface exact = options.exact.atoms().empty() ? ExactSurface(structure.atoms) : options.exact;
+    const page::VertexExtras extras{.sky = light(mesh, rays), .depth = depths(mesh, exact)};
     return page::make_html({.title = structure.name + " · Meniscus",
                             .picture = draw(mesh, rays, structure, options, extras.sky),
                             .data = page::page_data(mesh, structure, options, extras),

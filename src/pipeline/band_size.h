@@ -16,6 +16,6 @@ inline constexpr double kCutCell = 1.8;  // spacings
 double band_margin(const SurfaceOptions& options);
 
 /// The number of blocks that memory has room for.
-std::size_t block_limit(const SurfaceOptions& options);
+std::size_t block_limit(const SurfaceOptions& options, std::size_t memory_limit_mb);
 
 }  // namespace meniscus

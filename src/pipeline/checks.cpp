@@ -23,9 +23,9 @@ void require_positive(std::string_view option, double value) {
 
 void check_threads(int threads) { require(threads >= 0, "threads", threads, "0 (all cores) or more"); }
 
-double limit_mb(const SurfaceOptions& options) {
-    return options.memory_limit_mb > 0 ? static_cast<double>(options.memory_limit_mb)
-                                       : static_cast<double>(available_memory()) / kMegabyte;
+double limit_mb(std::size_t memory_limit_mb) {
+    return memory_limit_mb > 0 ? static_cast<double>(memory_limit_mb)
+                               : static_cast<double>(available_memory()) / kMegabyte;
 }
 
 }  // namespace meniscus

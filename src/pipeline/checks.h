@@ -22,7 +22,7 @@ void check_threads(int threads);
 
 inline constexpr double kMegabyte = 1024.0 * 1024.0;
 
-/// What the options allow, else what the machine has left, MB.
-double limit_mb(const SurfaceOptions& options);
+/// What is allowed, if it is not 0, else what the machine has left, MB.
+double limit_mb(std::size_t memory_limit_mb);
 
 }  // namespace meniscus

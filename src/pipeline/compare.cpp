@@ -63,9 +63,9 @@ OneWayDistance summarise(const WeightedPoints& points, const std::vector<double>
 // at_vertices   filled with the signed distances of the first surface's vertices
 OneWayDistance distance_from(const ComparedSurface& from, const ComparedSurface& to, double density,
                              std::vector<double>& at_vertices) {
-    const SurfaceDistance distance(to.mesh, to.exact.get());
+    const SurfaceDistance distance(to.mesh, to.exact ? &to.exact->accessible() : nullptr);
     WeightedPoints points = spread_over_triangles(from.mesh, density);
-    if (from.exact) move_onto(*from.exact, points.points);
+    if (from.exact) move_onto(from.exact->accessible(), points.points);
     at_vertices = distance(from.mesh.vertices);
     return summarise(points, distance(points.points), at_vertices);
 }
@@ -89,7 +89,7 @@ void take_measures(const MeshMeasures& measures, ComparedSurface& surface) {
 
 ComparedSurface mesh_to_compare(Mesh mesh) {
     check_reach(mesh);
-    ComparedSurface surface{.mesh = std::move(mesh), .exact = nullptr};
+    ComparedSurface surface{.mesh = std::move(mesh)};
     MeshMeasures measures = measure_mesh(surface.mesh);
     if (!measures.closed) {
         Mesh bare;
@@ -105,12 +105,10 @@ ComparedSurface mesh_to_compare(Mesh mesh) {
 
 ComparedSurface structure_to_compare(const Atoms& atoms, const StructureToCompare& options) {
     const SurfaceOptions direct{
-        .method = Method::Direct, .probe = options.probe, .spacing = options.spacing, .threads = options.threads};
-    ExactSurface exact = measure_exactly(atoms, direct);
-    Surface computed = compute_surface(atoms, direct, {}, {}, &exact);
-    const Measures& measures = exact.measures;
-    ComparedSurface surface{.mesh = std::move(computed.mesh),
-                            .exact = std::make_shared<const AccessibleSurface>(std::move(exact.accessible))};
+        .method = Method::Direct, .probe = options.probe, .spacing = options.spacing, .exact = true};
+    Surface computed = compute_surface(atoms, direct, {.threads = options.threads});
+    const Measures& measures = *computed.measured;
+    ComparedSurface surface{.mesh = std::move(computed.mesh), .exact = computed.exact};
     surface.area = measures.totals.ses_area;
     surface.volume = measures.totals.ses_volume;
     surface.cavities = count_cavities(measures.components);

@@ -260,7 +260,8 @@ std::string amount(double megabytes) {
 // Changes of the options with which the computation would fit.
 class Advice {
 public:
-    Advice(double atoms, double area, const SurfaceOptions& options) : atoms_(atoms), area_(area), options_(options) {}
+    Advice(double atoms, double area, const SurfaceOptions& options, std::size_t memory_limit_mb)
+        : atoms_(atoms), area_(area), options_(options), memory_limit_mb_(memory_limit_mb) {}
 
     std::string text() const {
         const bool even = options_.remesh.is_on();
@@ -275,7 +276,7 @@ public:
         SurfaceOptions inexact = options_;
         inexact.exact = false;
         if (would_fit(inexact)) text += fmt::format("--no-exact ({}), ", amount(cost(inexact).memory_mb));
-        if (options_.memory_limit_mb > 0) text += "a larger --memory, ";
+        if (memory_limit_mb_ > 0) text += "a larger --memory, ";
         return text + "fewer or smaller atoms";
     }
 
@@ -284,7 +285,7 @@ private:
     static constexpr double kLongest = 5.0;  // Å: nor do longer edges
 
     Cost cost(const SurfaceOptions& options) const { return cost_of(atoms_, area_, options); }
-    bool would_fit(const SurfaceOptions& options) const { return fits_into_memory(options, cost(options)); }
+    bool would_fit(const SurfaceOptions& options) const { return fits_into_memory(cost(options), memory_limit_mb_); }
 
     // The least value that fits, in steps of 0.01 Å; nothing where none does.
     template <class Set>
@@ -300,27 +301,29 @@ private:
     double atoms_;
     double area_;
     const SurfaceOptions& options_;
+    std::size_t memory_limit_mb_;
 };
 
 }  // namespace
 
 Cost estimate_cost(const Atoms& atoms, const SurfaceOptions& options) {
-    const SesProblem problem = ses_problem(atoms, options);
-    const double area = surface_area(problem.atoms, std::min(problem.probe, kLargestProbe));
+    const ExactSurface exact(atoms, {options.surface, options.probe});
+    const double area = surface_area(exact.balls(), std::min(exact.probe_of_balls(), kLargestProbe));
     return cost_of(static_cast<double>(atoms.size()), area, options);
 }
 
-bool fits_into_memory(const SurfaceOptions& options, const Cost& cost) {
-    return !std::isfinite(cost.memory_mb) || cost.memory_mb <= limit_mb(options);
+bool fits_into_memory(const Cost& cost, std::size_t memory_limit_mb) {
+    return !std::isfinite(cost.memory_mb) || cost.memory_mb <= limit_mb(memory_limit_mb);
 }
 
-void refuse_what_would_not_fit(const Atoms& atoms, const SurfaceOptions& options, const Cost& cost) {
-    if (fits_into_memory(options, cost)) return;
+void refuse_what_would_not_fit(const Atoms& atoms, const SurfaceOptions& options, const Cost& cost,
+                               std::size_t memory_limit_mb) {
+    if (fits_into_memory(cost, memory_limit_mb)) return;
     throw LimitError(
         fmt::format("the surface needs about {} of memory ({:.3g} million vertices), but only {} {}; choose {}",
-                    amount(cost.memory_mb), 1e-6 * cost.vertices, amount(limit_mb(options)),
-                    options.memory_limit_mb > 0 ? "are allowed" : "are free",
-                    Advice(static_cast<double>(atoms.size()), cost.area, options).text()));
+                    amount(cost.memory_mb), 1e-6 * cost.vertices, amount(limit_mb(memory_limit_mb)),
+                    memory_limit_mb > 0 ? "are allowed" : "are free",
+                    Advice(static_cast<double>(atoms.size()), cost.area, options, memory_limit_mb).text()));
 }
 
 double band_margin(const SurfaceOptions& options) {
@@ -328,8 +331,8 @@ double band_margin(const SurfaceOptions& options) {
     return flow_margin(options.method == Method::Flow ? options.flow : FlowOptions{}, options.spacing);
 }
 
-std::size_t block_limit(const SurfaceOptions& options) {
-    return static_cast<std::size_t>(limit_mb(options) * kMegabyte / prices_of(options).bytes.per_block);
+std::size_t block_limit(const SurfaceOptions& options, std::size_t memory_limit_mb) {
+    return static_cast<std::size_t>(limit_mb(memory_limit_mb) * kMegabyte / prices_of(options).bytes.per_block);
 }
 
 }  // namespace meniscus

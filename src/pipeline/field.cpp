@@ -16,7 +16,7 @@
 
 #include "cavities/filled_space.h"
 #include "core/workspaces.h"
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/threads.h"
 #include "nearest/box_features.h"
@@ -41,9 +41,9 @@ constexpr double kBeside = 2.0;  // spacings
 // The signed distance that a surface means at any point of space, negative inside. Told the exact one to its SES.
 class SidedDistance {
 public:
-    SidedDistance(const Surface& surface, const SesProblem& problem)
+    explicit SidedDistance(const Surface& surface)
         : level_set_(surface.level_set.get()),
-          accessible_(problem.atoms, problem.probe),
+          accessible_(surface.exact.accessible()),
           filled_(surface),
           spacing_(surface.options.spacing) {
         const SurfaceOptions& options = surface.options;
@@ -100,7 +100,7 @@ private:
     }
 
     const LevelSet* level_set_;
-    AccessibleSurface accessible_;
+    const AccessibleSurface& accessible_;
     FilledSpace filled_;
     double spacing_;
     bool anchored_ = false;
@@ -108,13 +108,14 @@ private:
     double end_ = 0.0;
 };
 
-// Å to the atoms enlarged by the ion radius, negative in them and in cavities that are filled. Told that to the atoms.
+// Å to the atoms enlarged by the ion radius, negative in them and in cavities that are filled. It is told the distance
+// to these atoms.
 class IonDistance {
 public:
-    IonDistance(const Surface& surface, const Atoms& atoms, double ion_radius)
-        : enlarged_(enlarged(atoms, ion_radius), 0.0), filled_(surface) {}
+    IonDistance(const Surface& surface, double ion_radius)
+        : enlarged_(surface.exact.of_same_atoms({SurfaceKind::Sas, ion_radius})), filled_(surface) {}
 
-    const AccessibleSurface& accessible() const { return enlarged_; }
+    const AccessibleSurface& accessible() const { return enlarged_.accessible(); }
 
     struct Beside {};  // nothing to remember of it
     double operator()(const Vec3& point, double exact, Beside& /*last*/) const {
@@ -124,12 +125,7 @@ public:
     double slack() const { return filled_.empty() ? kSafe : std::numeric_limits<double>::infinity(); }
 
 private:
-    static Atoms enlarged(Atoms atoms, double by) {
-        for (double& radius : atoms.radii) radius += by;
-        return atoms;
-    }
-
-    AccessibleSurface enlarged_;
+    ExactSurface enlarged_;
     FilledSpace filled_;
 };
 
@@ -263,7 +259,8 @@ double megabytes(const VolumeGrid& grid, std::size_t volumes) {
 
 }  // namespace
 
-VolumeGrid enclosing_grid(const Atoms& atoms, double spacing) {
+VolumeGrid enclosing_grid(const ExactSurface& exact, double spacing) {
+    const Atoms& atoms = exact.balls();
     if (atoms.empty()) throw std::invalid_argument("no atoms");
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     std::array low{kInfinity, kInfinity, kInfinity};
@@ -290,12 +287,12 @@ VolumeGrid enclosing_grid(const Atoms& atoms, double spacing) {
     return grid;
 }
 
-Volume surface_field(const Surface& surface, const Atoms& atoms, const VolumeGrid& grid, const FieldOptions& options) {
+Volume surface_field(const Surface& surface, const VolumeGrid& grid, const FieldOptions& options) {
     check(grid, options);
     const ThreadLimit limit(options.threads);
     if (options.content == VolumeContent::Ions)
-        return FieldFiller(grid, IonDistance(surface, atoms, options.ion_radius)).sides(0.0F, 1.0F);
-    const SidedDistance distance(surface, ses_problem(atoms, surface.options));
+        return FieldFiller(grid, IonDistance(surface, options.ion_radius)).sides(0.0F, 1.0F);
+    const SidedDistance distance(surface);
     FieldFiller filler(grid, distance);
     switch (options.content) {
         case VolumeContent::Mask:
@@ -308,26 +305,25 @@ Volume surface_field(const Surface& surface, const Atoms& atoms, const VolumeGri
     }
 }
 
-Volume apbs_map(const Surface& surface, const Atoms& atoms, const VolumeGrid& grid, ApbsMap map,
-                const FieldOptions& options) {
+Volume apbs_map(const Surface& surface, const VolumeGrid& grid, ApbsMap map, const FieldOptions& options) {
     FieldOptions of_map = options;
     of_map.content = content_of(map);
     VolumeGrid shifted = grid;
     if (map == ApbsMap::DielectricX) shifted.origin.x += 0.5 * grid.spacing.x;
     if (map == ApbsMap::DielectricY) shifted.origin.y += 0.5 * grid.spacing.y;
     if (map == ApbsMap::DielectricZ) shifted.origin.z += 0.5 * grid.spacing.z;
-    return surface_field(surface, atoms, shifted, of_map);
+    return surface_field(surface, shifted, of_map);
 }
 
-void refuse_grid_that_would_not_fit(const VolumeGrid& grid, std::size_t volumes, const SurfaceOptions& options,
-                                    const Cost& cost) {
+void refuse_grid_that_would_not_fit(const VolumeGrid& grid, std::size_t volumes, const Cost& cost,
+                                    std::size_t memory_limit_mb) {
     const double needed = megabytes(grid, volumes) + cost.memory_mb;
-    if (needed <= limit_mb(options)) return;
+    if (needed <= limit_mb(memory_limit_mb)) return;
     throw LimitError(
         fmt::format("the grid of {} x {} x {} nodes needs about {:.0f} MB of memory in all, but only {:.0f} MB are {}; "
                     "choose a coarser or smaller grid",
-                    grid.counts[0], grid.counts[1], grid.counts[2], needed, limit_mb(options),
-                    options.memory_limit_mb > 0 ? "allowed" : "free"));
+                    grid.counts[0], grid.counts[1], grid.counts[2], needed, limit_mb(memory_limit_mb),
+                    memory_limit_mb > 0 ? "allowed" : "free"));
 }
 
 }  // namespace meniscus

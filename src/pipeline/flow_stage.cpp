@@ -155,15 +155,14 @@ double flow_margin(const FlowOptions& options, double spacing) {
     return (options.half_width + (thin ? kThinRim : kBandRim)) * spacing + (options.anchor > 0.0 ? 0.0 : kRoom);
 }
 
-FlowOutcome run_flow(const AccessibleSurface& accessible, const std::shared_ptr<const BlockGrid>& grid,
-                     DistanceBand band, const NodeField& given_start, const SurfaceOptions& options,
-                     const Progress& progress, const FlowObserver& observer) {
+FlowOutcome run_flow(const FlowTask& task, DistanceBand band) {
+    const auto& [accessible, grid, given_start, options, run] = task;
     const FlowOptions& flow = options.flow;
     const bool may_stray = flow.anchor == 0.0;
-    const bool recorded = may_stray || options.history || observer;
+    const bool recorded = may_stray || options.history || run.observer;
     band.curvature = curvature_field(accessible, *grid, flow, band);
     const NodeField& start = given_start.empty() ? band.distance : given_start;
-    FlowRecord record(accessible, grid, observer);
+    FlowRecord record(accessible, grid, run.observer);
     FlowOutcome outcome;
     if (recorded) add_start(record, *grid, start, flow.half_width);
 
@@ -175,7 +174,7 @@ FlowOutcome run_flow(const AccessibleSurface& accessible, const std::shared_ptr<
                                   .residual = at.residual,
                                   .solver_iterations = at.solver_iterations - iterations_before});
         iterations_before = at.solver_iterations;
-        if (progress) progress("flow", fraction);
+        if (run.progress) run.progress("flow", fraction);
     };
     EvolutionResult result = run_evolution(*grid, band, start, flow, observe);
 

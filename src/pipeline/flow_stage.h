@@ -8,7 +8,7 @@
 
 #include "band/distance_band.h"
 #include "flow/evolution.h"
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 #include "meniscus/progress.h"
 #include "meniscus/surface.h"
 
@@ -20,17 +20,23 @@ double flow_margin(const FlowOptions& options, double spacing);
 /// Whether the flow, or what is asked about it, depends on where it starts.
 bool needs_start(const SurfaceOptions& options, const FlowObserver& observer);
 
+struct FlowTask {
+    const AccessibleSurface& accessible;
+    const std::shared_ptr<const BlockGrid>& grid;
+    const NodeField& start;
+    const SurfaceOptions& options;
+    const RunOptions& run;
+};
+
 struct FlowOutcome {
     FlowState state;
     FlowSummary summary;
     std::vector<FlowStep> history;
 };
 
-/// Runs the flow from node values `start`, which may be missing where it needs none. Steps are meshed for `observer`,
-/// for the history where options ask for it, and for a flow without an anchor, of which the state nearest to the SES is
-/// the result.
-FlowOutcome run_flow(const AccessibleSurface& accessible, const std::shared_ptr<const BlockGrid>& grid,
-                     DistanceBand band, const NodeField& start, const SurfaceOptions& options, const Progress& progress,
-                     const FlowObserver& observer);
+/// Runs the flow from the task's node values `start`, which may be missing where it needs none. Steps are meshed for
+/// `observer`, for the history where options ask for it, and for a flow without an anchor, of which the state nearest
+/// to the SES is the result.
+FlowOutcome run_flow(const FlowTask& task, DistanceBand band);
 
 }  // namespace meniscus

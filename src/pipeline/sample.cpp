@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/threads.h"
 #include "mesh/spread_points.h"
@@ -36,18 +37,18 @@ std::size_t count_of(const Surface& surface, const SampleOptions& options) {
 }
 
 // Puts points of a mesh's triangles onto the surface.
-class Lander {
+class Projection {
 public:
-    Lander(const Surface& surface, const AccessibleSurface& accessible)
-        : surface_(surface), accessible_(accessible), level_set_(surface.level_set.get()) {}
+    explicit Projection(const Surface& surface)
+        : surface_(surface), accessible_(surface.exact.accessible()), level_set_(surface.level_set.get()) {}
 
-    Mesh land(PointsOnMesh spread) const {
+    Mesh project(PointsOnMesh spread) const {
         if (surface_.options.remesh.is_on())
             put_on_surface(spread.points, surface_projector(accessible_, level_set_, spacing(), Curvatures::LeftOut));
         Mesh result;
         result.vertices = spread.points;
         VertexDistances distances = finish_vertices(accessible_, level_set_, spacing(), result);
-        bring_home(spread, distances, result);
+        project_outliers_again(spread, distances, result);
         return result;
     }
 
@@ -55,7 +56,7 @@ private:
     double spacing() const { return surface_.options.spacing; }
 
     // Points that did not come to lie on the surface, as one in some 100,000 does between sheets that nearly touch.
-    std::vector<VertexId> strays(const Mesh& points, const VertexDistances& distances) const {
+    std::vector<VertexId> outliers(const Mesh& points, const VertexDistances& distances) const {
         constexpr double kOnSurface = 1e-6;  // spacings
         std::vector<double> values;
         if (level_set_ != nullptr) values = level_set_->values(points.vertices);
@@ -67,12 +68,12 @@ private:
         return result;
     }
 
-    // Strays start again from nearer to a corner of their triangle, which is on the surface or next to it, and at last
-    // from there.
-    void bring_home(const PointsOnMesh& spread, VertexDistances& distances, Mesh& points) const {
+    // Outliers start again from nearer to a corner of their triangle, which is on the surface or next to it, and at
+    // last from there.
+    void project_outliers_again(const PointsOnMesh& spread, VertexDistances& distances, Mesh& points) const {
         constexpr int kTries = 4;
         for (int attempt = 1; attempt <= kTries; ++attempt) {
-            const std::vector<VertexId> lost = strays(points, distances);
+            const std::vector<VertexId> lost = outliers(points, distances);
             if (lost.empty()) return;
             std::vector<Vec3> from;
             from.reserve(lost.size());
@@ -92,13 +93,11 @@ private:
 
 }  // namespace
 
-Mesh sample_surface(const Surface& surface, const Atoms& atoms, const SampleOptions& options) {
+Mesh sample_surface(const Surface& surface, const SampleOptions& options) {
     const std::size_t count = count_of(surface, options);
     const ThreadLimit limit(options.threads);
     const PointsOnMesh spread = spread_points(surface.mesh, count, options.seed);
-    const SesProblem problem = ses_problem(atoms, surface.options);
-    const AccessibleSurface accessible(problem.atoms, problem.probe);
-    Mesh result = Lander(surface, accessible).land(spread);
+    Mesh result = Projection(surface).project(spread);
     for (const std::uint32_t triangle : spread.triangles)
         result.components.push_back(surface.mesh.components[surface.mesh.triangles[triangle][0]]);
     result.areas.assign(count, static_cast<float>(surface.measures.area / static_cast<double>(count)));

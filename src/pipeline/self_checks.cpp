@@ -76,14 +76,14 @@ Check pieces_check(std::size_t wrong) { return {"pieces", wrong == 0, static_cas
 
 Check sides_check(std::size_t wrong) { return {"sides", wrong == 0, static_cast<double>(wrong), 0.0}; }
 
-Check volume_check(const Surface& surface, const Yardstick& yardstick) {
+Check volume_check(const Surface& surface, const ReferenceValues& reference) {
     const double edge = surface.options.remesh.edge;
     const auto changed = static_cast<double>(surface.simplified.handles + surface.simplified.pieces);
-    const double difference = std::abs(surface.corrected_volume - yardstick.kept.ses_volume);
-    if (!yardstick.resolved) return {"volume", false, difference, std::numeric_limits<double>::quiet_NaN()};
+    const double difference = std::abs(surface.corrected_volume - reference.kept.ses_volume);
+    if (!reference.resolved) return {"volume", false, difference, std::numeric_limits<double>::quiet_NaN()};
     // Chords of sharper spheres lie deeper below them, as 1/r.
-    const double bound = volume_error_bound(surface.options, yardstick.kept.ses_area) / yardstick.sharpest +
-                         yardstick.doubtful + changed * edge * edge * edge;
+    const double bound = volume_error_bound(surface.options, reference.kept.ses_area) / reference.sharpest +
+                         reference.doubtful + changed * edge * edge * edge;
     return {"volume", difference <= bound, difference, bound};
 }
 

@@ -10,7 +10,7 @@
 #include "grid/block_grid.h"
 #include "grid/inside_bits.h"
 #include "meniscus/surface.h"
-#include "pipeline/yardstick.h"
+#include "pipeline/reference_values.h"
 
 namespace meniscus {
 
@@ -38,7 +38,7 @@ Check pieces_check(std::size_t wrong);
 Check sides_check(std::size_t wrong);
 
 /// "volume": the difference between the corrected volume of the mesh and the exact one.
-Check volume_check(const Surface& surface, const Yardstick& yardstick);
+Check volume_check(const Surface& surface, const ReferenceValues& reference);
 
 /// The checks that every mesh must pass: "not_empty" (if something must be there), "closed", "manifold", "converged" of
 /// a flow, and but for the Gaussian envelope "mean_distance".

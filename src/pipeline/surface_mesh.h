@@ -4,8 +4,8 @@
 // one.
 #pragma once
 
+#include "geometry/accessible_surface.h"
 #include "measure/triangle_survey.h"
-#include "meniscus/accessible_surface.h"
 #include "meniscus/level_set.h"
 #include "meniscus/mesh.h"
 #include "meniscus/mesh_quality.h"

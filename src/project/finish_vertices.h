@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 #include "meniscus/level_set.h"
 #include "meniscus/mesh.h"
 #include "project/vertex_distances.h"

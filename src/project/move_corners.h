@@ -3,7 +3,7 @@
 // Corners of even triangles leave the surface, for the triangles to be nearer to it.
 #pragma once
 
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 #include "meniscus/mesh.h"
 #include "meniscus/remesh.h"
 #include "meniscus/surface.h"

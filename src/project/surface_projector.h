@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 #include "meniscus/level_set.h"
 #include "nearest/local_features.h"
 #include "remesh/remesher.h"

@@ -37,7 +37,7 @@ nlohmann::ordered_json report_of(const SurfaceRequest& request, Surface surface 
     RunFacts facts = kFacts;
     facts.checks = surface.checks;
     facts.checks.push_back(agreement_check(exact));
-    surface.exact = exact;
+    surface.measured = std::make_shared<const Measures>(exact);
     return make_report(request, sample_structure(), surface, facts);
 }
 

@@ -94,7 +94,7 @@ TEST(Summary, IsShortAndNamesUnits) {
 
 TEST(Summary, BeginsWithTheExactNumbers) {
     Surface surface = sample_surface();
-    surface.exact = measures_with(1);
+    surface.measured = std::make_shared<const Measures>(measures_with(1));
     const std::string text = summary_of(surface);
     EXPECT_NE(text.find("spacing 0.5 Å\n"
                         "  area         4830.5000 ± 8.1e-07 Å² exact; mesh 4823.12 Å², flat triangles 4790.50 Å²\n"
@@ -107,7 +107,7 @@ TEST(Summary, BeginsWithTheExactNumbers) {
 
 TEST(Summary, TellsBothNumbersOfPiecesAndWhyTheyDiffer) {
     Surface surface = sample_surface();
-    surface.exact = measures_with(2);
+    surface.measured = std::make_shared<const Measures>(measures_with(2));
     const std::string text = summary_of(surface);
     EXPECT_NE(text.find("  components  3 (1 outer, 2 cavities) exact; mesh 2 (1 outer, 1 cavity)\n"), std::string::npos)
         << text;
@@ -120,7 +120,7 @@ TEST(Summary, TellsBothNumbersOfPiecesAndWhyTheyDiffer) {
 
 TEST(Summary, SaysWhatTheMeshLacksOfTheExactSurface) {
     Surface surface = sample_surface();
-    surface.exact = measures_with(1);
+    surface.measured = std::make_shared<const Measures>(measures_with(1));
     surface.measures.components.resize(1);
     surface.options.pieces = Pieces::Outer;
     std::string text = summary_of(surface);
@@ -140,7 +140,7 @@ TEST(Summary, SaysWhatTheMeshLacksOfTheExactSurface) {
 
 TEST(Summary, SaysThatAreasAreOfTheWholeWhereAPartIsWritten) {
     Surface surface = sample_surface();
-    surface.exact = measures_with(1);
+    surface.measured = std::make_shared<const Measures>(measures_with(1));
     RunFacts facts;
     facts.shown = ShownPart{.select = "//A", .vertices = 3, .triangles = 1, .area = 2.5, .open = true};
     const std::string text = make_summary(sample_structure(), surface, facts, {});
@@ -171,9 +171,10 @@ TEST(Summary, ListsFailedChecksWithTheirBounds) {
     unresolved.checks.push_back({"volume", false, 0.5, std::numeric_limits<double>::quiet_NaN()});
     EXPECT_EQ(failed_checks(unresolved), "volume (0.5, with nothing to compare with)");
     Surface disputed = sample_surface();
-    disputed.exact.emplace();
-    disputed.exact->agreed = false;
-    disputed.exact->disputed = {"patches of atom 3"};
+    Measures measured;
+    measured.agreed = false;
+    measured.disputed = {"patches of atom 3"};
+    disputed.measured = std::make_shared<const Measures>(measured);
     EXPECT_EQ(failed_checks(disputed), "exact_agreement (patches of atom 3), converged (0.25, bound 0.125)");
 }
 

@@ -23,7 +23,7 @@ TEST(SurfaceRequest, HasTheDefaultsOfTheLibrary) {
     EXPECT_EQ(request.input, "1ubq.pdb");
     EXPECT_EQ(request.surface.probe, SurfaceOptions{}.probe);
     EXPECT_EQ(request.surface.spacing, SurfaceOptions{}.spacing);
-    EXPECT_EQ(request.surface.threads, 0);
+    EXPECT_EQ(request.run.threads, 0);
     EXPECT_EQ(request.read.radii, "auto");
     EXPECT_TRUE(request.outputs.empty());
     EXPECT_TRUE(request.report.empty());
@@ -67,8 +67,8 @@ TEST(SurfaceRequest, TakesValuesOfAllKinds) {
     EXPECT_EQ(request.surface.density, -0.25);
     EXPECT_EQ(request.surface.spacing, 0.25);
     EXPECT_EQ(request.surface.method, Method::Flow);
-    EXPECT_EQ(request.surface.memory_limit_mb, 4096u);
-    EXPECT_EQ(request.surface.threads, 2);
+    EXPECT_EQ(request.run.memory_limit_mb, 4096u);
+    EXPECT_EQ(request.run.threads, 2);
     EXPECT_EQ(request.surface.flow.max_steps, 7);
     EXPECT_EQ(request.outputs, (std::vector<std::string>{"a.ply", "b.stl"}));
     EXPECT_EQ(request.read.chains, (std::vector<std::string>{"A", "label:B"}));

@@ -44,7 +44,7 @@ TEST(ColourVertices, DepthHasTheColdRamp) {
     const auto [mesh, two] = testing::groove();
     const auto colours = colour_vertices(mesh, two, {.scheme = ColourScheme::Depth});
     EXPECT_EQ(colours[0], cold_ramp().front());
-    EXPECT_EQ(colours[1], ramp_colour(cold_ramp(), depths(mesh, two)[1] / kDepthProbe));
+    EXPECT_EQ(colours[1], ramp_colour(cold_ramp(), depths(mesh, ExactSurface(two.atoms))[1] / kDepthProbe));
 }
 
 TEST(ColourVertices, OuterPiecesAreAlikeAndCavitiesAreNot) {
@@ -101,7 +101,7 @@ Colour colour_at(const ColourField& field, const Vec3& point) {
 
 TEST(ColourByFeature, BordersAreWhereThePatchesEnd) {
     const Structure structure = small_complex();
-    const AccessibleSurface surface(structure.atoms, 1.4);
+    const ExactSurface surface(structure.atoms);
     const ColourOptions options{.scheme = ColourScheme::Chain};
     const ColourField field = colour_by_feature(surface, structure, options);
     EXPECT_EQ(colour_at(field, {-1.7, 0.0, 0.0}), distinct_colour(0));
@@ -112,7 +112,7 @@ TEST(ColourByFeature, BordersAreWhereThePatchesEnd) {
 
 TEST(ColourByFeature, CurvatureIsThatOfTheExactSurface) {
     const Structure structure = small_complex();
-    const AccessibleSurface surface(structure.atoms, 1.4);
+    const ExactSurface surface(structure.atoms);
     const ColourField field = colour_by_feature(surface, structure, {.scheme = ColourScheme::Curvature});
     EXPECT_EQ(colour_at(field, {32.0, 0.0, 0.0}), ramp_colour(diverging_ramp(), (0.5 + 0.7) / 1.4));
 }

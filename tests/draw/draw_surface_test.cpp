@@ -36,11 +36,10 @@ protected:
 };
 
 TEST_F(DrawSurface, IsThePictureOfTheFieldOfItsScheme) {
-    const AccessibleSurface accessible(structure.atoms, surface.options.probe);
     const ColourOptions scheme{.scheme = ColourScheme::Element};
     const Picture expected = draw_picture(surface.mesh, by_element,
                                           {.width = 64, .height = 48, .viewpoint = Viewpoint{{0, 0, 1}, {0, 1, 0}}},
-                                          colour_by_feature(accessible, structure, scheme));
+                                          colour_by_feature(surface.exact, structure, scheme));
     EXPECT_EQ(draw({.scheme = scheme}, by_element).pixels, expected.pixels);
     EXPECT_NE(draw({}, by_element).pixels, expected.pixels) << "borders of vertices are less sharp";
 }

@@ -30,7 +30,7 @@ Atoms hollow_cube_and_ball() {
 
 TEST(SurfacePieces, EveryPieceOfTheMeshFindsItsExactComponent) {
     const Atoms atoms = hollow_cube_and_ball();
-    const Measures exact = measure(atoms, {.probe = 1.4});
+    const Measures exact = measure(atoms, {.probe = 1.4, .patches = true});
     SurfaceOptions options;
     options.method = Method::Direct;
     const Surface surface = compute_surface(atoms, options);
@@ -50,7 +50,7 @@ TEST(SurfacePieces, EveryPieceOfTheMeshFindsItsExactComponent) {
 }
 
 TEST(SurfacePieces, SharesOfAtomsSumToTheComponentsAndToTheAtoms) {
-    const Measures exact = measure(hollow_cube_and_ball(), {.probe = 1.4});
+    const Measures exact = measure(hollow_cube_and_ball(), {.probe = 1.4, .patches = true});
     std::vector<double> per_atom(exact.atoms.size(), 0.0);
     for (std::uint32_t c = 0; c < exact.components.size(); ++c) {
         double ses = 0.0;
@@ -68,7 +68,7 @@ TEST(SurfacePieces, SharesOfAtomsSumToTheComponentsAndToTheAtoms) {
 }
 
 TEST(SurfacePieces, ACavityIsPreferredAmongThePiecesThatAtomsTouch) {
-    const Measures exact = measure(hollow_cube_and_ball(), {.probe = 1.4});
+    const Measures exact = measure(hollow_cube_and_ball(), {.probe = 1.4, .patches = true});
     const std::vector<std::uint32_t>& lining = exact.components[1].atoms;
     ASSERT_EQ(exact.components[1].kind, ComponentKind::Cavity);
     const std::vector<std::uint32_t> corner{0};

@@ -9,7 +9,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "meniscus/accessible_surface.h"
+#include "exact/measure_surface.h"
+#include "geometry/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/measures.h"
 
@@ -127,7 +128,7 @@ TEST(Measure, TwoSpheresHaveTheirClosedForms) {
 }
 
 TEST(Measure, SharesAndPiecesSumToTheTotals) {
-    const Measures m = measure(random_cluster(150, 16.0, 3));
+    const Measures m = measure(random_cluster(150, 16.0, 3), {.patches = true});
     double atoms_ses = 0.0;
     double atoms_sas = 0.0;
     for (const AtomMeasure& atom : m.atoms) {
@@ -407,13 +408,6 @@ TEST(Measure, WhatIsDisputedHasAName) {
     const Measures m = measure({{{0, 0, 0}}, {1e-3}}, {.probe = 1.4});
     EXPECT_FALSE(m.agreed) << "the perturbation of 1e-10 Å is more than 1e-7 of the area";
     EXPECT_EQ(m.disputed.size(), 1U);
-}
-
-TEST(Measure, IsRefusedWithoutContours) {
-    const Atoms atoms = random_cluster(40, 8.0, 1);
-    AccessibleSurface surface(atoms, 1.4);
-    surface.forget_contours();
-    EXPECT_THROW(measure(surface, atoms), std::logic_error);
 }
 
 TEST(Measure, ProbeOutOfRangeIsAUsageError) {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "exact/reentrant_patches.h"
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 #include "meniscus/measures.h"
 
 namespace meniscus {

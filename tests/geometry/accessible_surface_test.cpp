@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -278,17 +278,6 @@ TEST(AccessibleSurface, PerturbedIsWhatTheConstructorFindsWithThatSeed) {
         for (const Vec3& p : random_points_around(atoms, 200, 4.0, 3))
             EXPECT_NEAR(perturbed.nearest(p).signed_distance, anew.nearest(p).signed_distance, 1e-13);
     }
-}
-
-TEST(AccessibleSurface, FindsTheSameWithoutContours) {
-    const Atoms atoms = random_cluster(5, 80, 10.0);
-    AccessibleSurface surface(atoms, kProbe);
-    const std::vector<double> before = signed_distance(surface, atoms.centres);
-    const Counts counts = counts_of(surface);
-    surface.forget_contours();
-    EXPECT_EQ(signed_distance(surface, atoms.centres), before);
-    EXPECT_EQ(counts_of(surface), counts);
-    EXPECT_THROW(surface.perturbed(1), std::logic_error);
 }
 
 TEST(AccessibleSurface, RefusesInvalidInput) {

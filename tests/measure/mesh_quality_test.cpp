@@ -140,13 +140,13 @@ TEST(MeshQuality, DegenerateTrianglesHaveNoAngle) {
 
 TEST(MeshQuality, OfNothingIsNothing) {
     EXPECT_EQ(measure_quality({}).edges.max, 0.0);
-    const AccessibleSurface surface({{{}}, {1.7}}, 1.4);
+    const ExactSurface surface({{{}}, {1.7}});
     EXPECT_EQ(measure_distance({}, surface).to_exact.max, 0.0);
-    EXPECT_EQ(mean_distance_to_exact({}, surface, 1), 0.0);
+    EXPECT_EQ(mean_distance_to_exact({}, surface.accessible(), 1), 0.0);
 }
 
 TEST(MeshDistance, OfASphereIsThatOfItsChords) {
-    const AccessibleSurface surface({{{}}, {3.0}}, 1.4);
+    const ExactSurface surface({{{}}, {3.0}});
     double last = 0.0;
     for (const double spacing : {0.8, 0.4}) {
         const TwoSidedDistance distance = measure_distance(projected_sphere({{}, 3.0}, spacing), surface);
@@ -161,16 +161,16 @@ TEST(MeshDistance, OfASphereIsThatOfItsChords) {
 }
 
 TEST(MeshDistance, MeanIsToldBySomeTriangles) {
-    const AccessibleSurface surface({{{}}, {3.0}}, 1.4);
+    const ExactSurface surface({{{}}, {3.0}});
     const Mesh mesh = projected_sphere({{}, 3.0}, 0.2);
     const double mean = measure_distance(mesh, surface).to_exact.mean;
-    EXPECT_NEAR(mean_distance_to_exact(mesh, surface, 1), mean, 1e-12 * mean);
-    EXPECT_NEAR(mean_distance_to_exact(mesh, surface, 3), mean, 0.05 * mean);
-    EXPECT_NE(mean_distance_to_exact(mesh, surface, 3), mean);
+    EXPECT_NEAR(mean_distance_to_exact(mesh, surface.accessible(), 1), mean, 1e-12 * mean);
+    EXPECT_NEAR(mean_distance_to_exact(mesh, surface.accessible(), 3), mean, 0.05 * mean);
+    EXPECT_NE(mean_distance_to_exact(mesh, surface.accessible(), 3), mean);
 }
 
 TEST(MeshDistance, OfAShiftedSphereIsTheShift) {
-    const AccessibleSurface surface({{{}}, {3.0}}, 1.4);
+    const ExactSurface surface({{{}}, {3.0}});
     const TwoSidedDistance distance = measure_distance(projected_sphere({{}, 3.2}, 0.2), surface);
     EXPECT_NEAR(distance.to_exact.mean, 0.2, 0.01);
     EXPECT_NEAR(distance.from_exact.mean, 0.2, 0.01);

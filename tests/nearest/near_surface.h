@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 
 namespace meniscus::testing {
 

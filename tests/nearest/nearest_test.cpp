@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <random>
 
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 #include "support/arrangements.h"
 #include "support/brute_force_ses.h"
 #include "support/test_data.h"

@@ -16,13 +16,14 @@
 namespace meniscus::testing {
 namespace {
 
-constexpr SurfaceOptions kFine{.spacing = 0.05, .memory_limit_mb = 300};
+constexpr SurfaceOptions kFine{.spacing = 0.05};
+constexpr std::size_t kLittle = 300;  // MB
 
 Atoms ubiquitin() { return read_structure(MENISCUS_EXAMPLES "/1ubq.pdb", {}).atoms; }
 
-std::string refusal(const Atoms& atoms, const SurfaceOptions& options) {
+std::string refusal(const Atoms& atoms, const SurfaceOptions& options, std::size_t memory_limit_mb = kLittle) {
     try {
-        refuse_what_would_not_fit(atoms, options, estimate_cost(atoms, options));
+        refuse_what_would_not_fit(atoms, options, estimate_cost(atoms, options), memory_limit_mb);
     } catch (const LimitError& error) {
         return error.what();
     }
@@ -49,7 +50,7 @@ TEST(Cost, LargeProbesChangeLittle) {
     for (const double probe : {5.0, 10.0, 35.0, 1e3, 1e5}) {
         const double area = measure(atoms, {.probe = std::min(probe, 100.0)}).totals.ses_area;
         EXPECT_NEAR(estimate_cost(atoms, {.probe = probe}).area, area, 0.4 * area) << probe;
-        EXPECT_EQ(refusal(atoms, {.probe = probe, .memory_limit_mb = 100}), "") << probe;
+        EXPECT_EQ(refusal(atoms, {.probe = probe}, 100), "") << probe;
     }
 }
 
@@ -99,10 +100,10 @@ TEST(Cost, RefusalOffersTheDirectMethodWhereThatFits) {
     const Atoms atoms = ubiquitin();
     SurfaceOptions options = kFine;
     options.method = Method::Direct;
-    options.memory_limit_mb = static_cast<std::size_t>(estimate_cost(atoms, options).memory_mb) + 1;
-    EXPECT_EQ(refusal(atoms, options), "");
+    const std::size_t enough = static_cast<std::size_t>(estimate_cost(atoms, options).memory_mb) + 1;
+    EXPECT_EQ(refusal(atoms, options, enough), "");
     options.method = Method::Flow;
-    EXPECT_NE(refusal(atoms, options).find("--method direct"), std::string::npos);
+    EXPECT_NE(refusal(atoms, options, enough).find("--method direct"), std::string::npos);
 }
 
 TEST(Cost, CountsExactMeasures) {
@@ -126,17 +127,16 @@ TEST(Cost, CountsEvenTriangles) {
 
 TEST(Cost, EdgesThatWouldNotFitAreRefusedWithThoseThatWould) {
     const Atoms atoms = ubiquitin();
-    SurfaceOptions options{.remesh = {.edge = 0.05}, .memory_limit_mb = 100};
-    EXPECT_THROW(compute_surface(atoms, options), LimitError);
-    const std::string text = refusal(atoms, options);
+    SurfaceOptions options{.remesh = {.edge = 0.05}};
+    EXPECT_THROW(compute_surface(atoms, options, {.memory_limit_mb = 100}), LimitError);
+    const std::string text = refusal(atoms, options, 100);
     std::smatch found;
     ASSERT_TRUE(std::regex_search(text, found, std::regex("--edge ([0-9.]+) or more"))) << text;
     EXPECT_EQ(text.find("--spacing"), std::string::npos) << text;
     options.remesh.edge = std::stod(found[1]);
-    EXPECT_EQ(refusal(atoms, options), "");
-    EXPECT_TRUE(fits_into_memory(options, estimate_cost(atoms, options)));
-    options.memory_limit_mb /= 2;
-    EXPECT_FALSE(fits_into_memory(options, estimate_cost(atoms, options)));
+    EXPECT_EQ(refusal(atoms, options, 100), "");
+    EXPECT_TRUE(fits_into_memory(estimate_cost(atoms, options), 100));
+    EXPECT_FALSE(fits_into_memory(estimate_cost(atoms, options), 50));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 #include "meniscus/structure.h"
 #include "meniscus/surface.h"
 #include "support/directions.h"

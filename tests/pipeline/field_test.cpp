@@ -52,13 +52,13 @@ double cell(const VolumeGrid& grid) { return grid.spacing.x * grid.spacing.y * g
 
 TEST(Field, OfTheExactDistanceIsTheDistanceEverywhere) {
     const Surface surface = compute_surface(kBall, {.method = Method::Direct});
-    at_all_nodes(surface_field(surface, kBall, kGrid),
+    at_all_nodes(surface_field(surface, kGrid),
                  [](const Vec3& p, double value) { EXPECT_NEAR(value, depth_in_ball(p), 1e-5); });
 }
 
 TEST(Field, OfAFlowIsTheLevelSetNearItsSurfaceAndADistanceBeyond) {
     const Surface surface = compute_surface(kBall, {.method = Method::Flow});
-    at_all_nodes(surface_field(surface, kBall, kGrid), [&](const Vec3& p, double value) {
+    at_all_nodes(surface_field(surface, kGrid), [&](const Vec3& p, double value) {
         const double depth = depth_in_ball(p);
         EXPECT_NEAR(value, depth, 0.03);
         if (std::abs(depth) < 0.9) {
@@ -72,7 +72,7 @@ TEST(Field, OfAFlowIsTheLevelSetNearItsSurfaceAndADistanceBeyond) {
 
 TEST(Field, OfAGaussianHasTheSignOfItsSurfaceEverywhere) {
     const Surface surface = compute_surface(kBall, {.method = Method::Gaussian});
-    at_all_nodes(surface_field(surface, kBall, kGrid), [&](const Vec3& p, double value) {
+    at_all_nodes(surface_field(surface, kGrid), [&](const Vec3& p, double value) {
         const double depth = depth_in_ball(p);
         if (std::abs(depth) > 0.1) {
             EXPECT_EQ(value > 0.0, depth > 0.0);
@@ -87,12 +87,11 @@ TEST(Field, MaskAndDielectricFollowTheSign) {
     for (const Method method : {Method::Direct, Method::Flow}) {
         const Atoms atoms = wide_shell();
         const Surface surface = compute_surface(atoms, {.method = method});
-        const VolumeGrid grid = enclosing_grid(atoms, 0.7);
-        const Volume distance = surface_field(surface, atoms, grid);
-        const Volume mask = surface_field(surface, atoms, grid, {.content = VolumeContent::Mask});
-        const Volume epsilon =
-            surface_field(surface, atoms, grid,
-                          {.content = VolumeContent::Dielectric, .inner_dielectric = 4.0, .outer_dielectric = 80.0});
+        const VolumeGrid grid = enclosing_grid(ExactSurface(atoms), 0.7);
+        const Volume distance = surface_field(surface, grid);
+        const Volume mask = surface_field(surface, grid, {.content = VolumeContent::Mask});
+        const Volume epsilon = surface_field(
+            surface, grid, {.content = VolumeContent::Dielectric, .inner_dielectric = 4.0, .outer_dielectric = 80.0});
         for (std::size_t n = 0; n < grid.size(); ++n) {
             const bool inside = distance.values[n] > 0.0F;
             EXPECT_EQ(mask.values[n], inside ? 1.0F : 0.0F);
@@ -105,7 +104,7 @@ TEST(Field, MaskAndDielectricFollowTheSign) {
 TEST(Field, IonsStayAwayFromTheAtoms) {
     const Atoms atoms{{{0, 0, 0}, {4, 0, 0}}, {1.5, 1.0}};
     const Surface surface = compute_surface(atoms);
-    at_all_nodes(surface_field(surface, atoms, kGrid, {.content = VolumeContent::Ions, .ion_radius = 1.1}),
+    at_all_nodes(surface_field(surface, kGrid, {.content = VolumeContent::Ions, .ion_radius = 1.1}),
                  [](const Vec3& p, double value) {
                      const bool free = norm(p) > 2.6 && norm(p - Vec3{4, 0, 0}) > 2.1;
                      EXPECT_EQ(value, free ? 1.0 : 0.0);
@@ -118,27 +117,27 @@ TEST(Field, MapsOfApbsAreHalfASpacingBesideTheNodes) {
     const Vec3 halves[] = {{0.25, 0, 0}, {0, 0.275, 0}, {0, 0, 0.25}};
     const ApbsMap maps[] = {ApbsMap::DielectricX, ApbsMap::DielectricY, ApbsMap::DielectricZ};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Volume map = apbs_map(surface, kBall, kGrid, maps[axis], options);
+        const Volume map = apbs_map(surface, kGrid, maps[axis], options);
         EXPECT_EQ(map.grid.origin, kGrid.origin + halves[axis]);
         EXPECT_EQ(map.grid.spacing, kGrid.spacing);
         at_all_nodes(map, [](const Vec3& p, double value) { EXPECT_EQ(value, depth_in_ball(p) > 0.0 ? 1.0 : 80.0); });
     }
-    const Volume kappa = apbs_map(surface, kBall, kGrid, ApbsMap::Kappa, options);
+    const Volume kappa = apbs_map(surface, kGrid, ApbsMap::Kappa, options);
     EXPECT_EQ(kappa.grid, kGrid);
     at_all_nodes(kappa, [](const Vec3& p, double value) { EXPECT_EQ(value, depth_in_ball(p) > 0.0 ? 0.0 : 1.0); });
 }
 
 TEST(Field, FilledCavitiesAreInsideInEveryField) {
     const Atoms atoms = wide_shell();
-    EXPECT_THROW(enclosing_grid({}, 0.6), std::invalid_argument);
-    const VolumeGrid grid = enclosing_grid(atoms, 0.6);
+    EXPECT_THROW(enclosing_grid(ExactSurface(), 0.6), std::invalid_argument);
+    const VolumeGrid grid = enclosing_grid(ExactSurface(atoms), 0.6);
     for (const Method method : {Method::Direct, Method::Flow}) {
         const Surface open = compute_surface(atoms, {.method = method});
         ASSERT_EQ(open.measures.components.size(), 2U);
         const double volume = -open.measures.components[1].volume;
         const Surface kept = compute_surface(atoms, {.method = method, .fill_cavities = 0.99 * volume});
         EXPECT_EQ(kept.filled.cavities, 0U);
-        EXPECT_EQ(surface_field(kept, atoms, grid).values, surface_field(open, atoms, grid).values);
+        EXPECT_EQ(surface_field(kept, grid).values, surface_field(open, grid).values);
 
         const Surface filled = compute_surface(atoms, {.method = method, .fill_cavities = 1.01 * volume});
         EXPECT_EQ(filled.filled.cavities, 1U);
@@ -148,20 +147,19 @@ TEST(Field, FilledCavitiesAreInsideInEveryField) {
         Atoms solid = atoms;
         solid.centres.push_back({0, 0, 0});
         solid.radii.push_back(6.4);
-        const Volume expected = surface_field(compute_surface(solid, {.method = method}), solid, grid);
-        const Volume found = surface_field(filled, atoms, grid);
+        const Volume expected = surface_field(compute_surface(solid, {.method = method}), grid);
+        const Volume found = surface_field(filled, grid);
         for (std::size_t n = 0; n < grid.size(); ++n) {
             // Triangles of 0.5 Å cut the creases off, by up to 0.16 Å here.
             EXPECT_NEAR(found.values[n], expected.values[n], 0.2);
             EXPECT_EQ(found.values[n] > 0.0F, expected.values[n] > 0.0F);
         }
-        at_all_nodes(surface_field(filled, atoms, grid, {.content = VolumeContent::Ions}),
-                     [](const Vec3& p, double value) {
-                         if (norm(p) < 8.5) {
-                             EXPECT_EQ(value, 0.0);
-                         }
-                     });
-        const Volume mask = surface_field(filled, atoms, grid, {.content = VolumeContent::Mask});
+        at_all_nodes(surface_field(filled, grid, {.content = VolumeContent::Ions}), [](const Vec3& p, double value) {
+            if (norm(p) < 8.5) {
+                EXPECT_EQ(value, 0.0);
+            }
+        });
+        const Volume mask = surface_field(filled, grid, {.content = VolumeContent::Mask});
         EXPECT_NEAR(sum(mask) * cell(grid), filled.measures.volume, 0.01 * filled.measures.volume);
     }
 }
@@ -170,19 +168,19 @@ TEST(Field, CavitiesThatTheMeshLeavesOutStayOutside) {
     const Atoms atoms = wide_shell();
     const Surface outer = compute_surface(atoms, {.pieces = Pieces::Outer, .min_cavity = 1000.0});
     const VolumeGrid middle{{1, 1, 1}, {0, 0, 0}, {1, 1, 1}};
-    EXPECT_LT(surface_field(outer, atoms, middle).values[0], 0.0F);
+    EXPECT_LT(surface_field(outer, middle).values[0], 0.0F);
 }
 
 TEST(Field, DoesNotDependOnTheThreads) {
     const Atoms atoms = wide_shell();
     const Surface surface = compute_surface(atoms);
-    EXPECT_EQ(surface_field(surface, atoms, kGrid, {.threads = 1}).values,
-              surface_field(surface, atoms, kGrid, {.threads = 4}).values);
+    EXPECT_EQ(surface_field(surface, kGrid, {.threads = 1}).values,
+              surface_field(surface, kGrid, {.threads = 4}).values);
 }
 
 TEST(Field, TheUsualGridEnclosesTheAtoms) {
     const Atoms atoms{{{0.3, 0, 0}, {5, 1, -2}}, {1.5, 1.0}};
-    const VolumeGrid grid = enclosing_grid(atoms, 0.5);
+    const VolumeGrid grid = enclosing_grid(ExactSurface(atoms), 0.5);
     EXPECT_EQ(grid.origin, (Vec3{-3.5, -3.5, -5.0}));
     EXPECT_EQ(grid.counts, (std::array<std::size_t, 3>{24, 16, 18}));
     EXPECT_EQ(grid.spacing, (Vec3{0.5, 0.5, 0.5}));
@@ -191,7 +189,7 @@ TEST(Field, TheUsualGridEnclosesTheAtoms) {
 TEST(Field, RefusesWhatMakesNoSenseAndWhatDoesNotFit) {
     const Surface surface = compute_surface(kBall);
     const auto field = [&](const VolumeGrid& grid, const FieldOptions& options = {}) {
-        return surface_field(surface, kBall, grid, options);
+        return surface_field(surface, grid, options);
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(field({{0, 1, 1}, {}, {1, 1, 1}}), UsageError);
@@ -202,10 +200,8 @@ TEST(Field, RefusesWhatMakesNoSenseAndWhatDoesNotFit) {
     EXPECT_THROW(field(kGrid, {.threads = -1}), UsageError);
     const std::size_t vast = 2'000'000'000;
     EXPECT_THROW(field({{vast, vast, vast}, {}, {1, 1, 1}}), LimitError);
-    EXPECT_THROW(refuse_grid_that_would_not_fit({{1000, 1000, 100}, {}, {1, 1, 1}}, 1, {.memory_limit_mb = 300}, {}),
-                 LimitError);
-    EXPECT_NO_THROW(
-        refuse_grid_that_would_not_fit({{1000, 1000, 100}, {}, {1, 1, 1}}, 1, {.memory_limit_mb = 400}, {}));
+    EXPECT_THROW(refuse_grid_that_would_not_fit({{1000, 1000, 100}, {}, {1, 1, 1}}, 1, {}, 300), LimitError);
+    EXPECT_NO_THROW(refuse_grid_that_would_not_fit({{1000, 1000, 100}, {}, {1, 1, 1}}, 1, {}, 400));
 }
 
 }  // namespace

@@ -104,11 +104,11 @@ TEST(FlowStage, TheSteadyStateInOneSolveDoesNotKnowTheStart) {
 
 TEST(FlowStage, ShowsEveryStepToAnObserver) {
     std::vector<int> steps;
-    const Surface surface = compute_surface(kPair, {}, {}, [&](const FlowStep& step, const Mesh& mesh) {
-        steps.push_back(step.step);
-        expect_closed_manifold(mesh);
-        EXPECT_EQ(mesh.atoms.size(), mesh.vertices.size());
-    });
+    const Surface surface = compute_surface(kPair, {}, {.observer = [&](const FlowStep& step, const Mesh& mesh) {
+                                                steps.push_back(step.step);
+                                                expect_closed_manifold(mesh);
+                                                EXPECT_EQ(mesh.atoms.size(), mesh.vertices.size());
+                                            }});
     ASSERT_EQ(steps.size(), static_cast<std::size_t>(surface.flow.steps) + 1);
     EXPECT_TRUE(std::is_sorted(steps.begin(), steps.end()));
 }

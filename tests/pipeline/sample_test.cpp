@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "support/rounded.h"
 
@@ -19,7 +19,7 @@ const Atoms kMolecule{{{0, 0, 0}, {1.5, 0.2, 0}, {2.4, 1.5, 0.3}, {4.1, -1.0, 2.
 
 TEST(SampleSurface, GivesTheDensityAskedFor) {
     const Surface surface = compute_surface(kMolecule);
-    const Mesh points = sample_surface(surface, kMolecule, {.density = 2.5});
+    const Mesh points = sample_surface(surface, {.density = 2.5});
     EXPECT_EQ(points.vertices.size(), static_cast<std::size_t>(std::round(2.5 * surface.measures.area)));
     EXPECT_EQ(points.normals.size(), points.vertices.size());
     EXPECT_EQ(points.components.size(), points.vertices.size());
@@ -32,7 +32,7 @@ TEST(SampleSurface, GivesTheDensityAskedFor) {
 
 TEST(SampleSurface, PointsAreOnTheLevelSetWithItsNormalsAndCurvatures) {
     const Surface surface = compute_surface(kMolecule);
-    const Mesh points = sample_surface(surface, kMolecule, {.density = 4.0});
+    const Mesh points = sample_surface(surface, {.density = 4.0});
     const AccessibleSurface exact(kMolecule, 1.4);
     for (std::size_t i = 0; i < points.vertices.size(); ++i) {
         const LevelSetSample at = surface.level_set->sample(points.vertices[i]);
@@ -50,7 +50,7 @@ TEST(SampleSurface, EveryPointLandsAlsoWhereSheetsNearlyTouch) {
     const Atoms atoms{{{0.02, 0.01, 0.03}, {3.7, 0.0, 0.1}, {1.7, 3.3, -0.2}, {1.9, 1.1, 3.1}}, {1.8, 1.8, 1.8, 1.8}};
     for (const Method method : {Method::Flow, Method::Direct, Method::Gaussian}) {
         const Surface surface = compute_surface(atoms, {.method = method, .probe = 0.3, .spacing = 0.6});
-        const Mesh points = sample_surface(surface, atoms, {.density = 60.0});
+        const Mesh points = sample_surface(surface, {.density = 60.0});
         const AccessibleSurface exact(atoms, 0.3);
         const std::vector<double> values =
             surface.level_set ? surface.level_set->values(points.vertices) : signed_distance(exact, points.vertices);
@@ -61,35 +61,34 @@ TEST(SampleSurface, EveryPointLandsAlsoWhereSheetsNearlyTouch) {
 TEST(SampleSurface, PointsAreOnTheExactSurfaceWhereThereIsNoLevelSet) {
     const Surface surface = compute_surface(kMolecule, {.method = Method::Direct});
     const AccessibleSurface exact(kMolecule, 1.4);
-    for (const Vec3& p : sample_surface(surface, kMolecule).vertices)
-        EXPECT_NEAR(exact.nearest(p).signed_distance, 0.0, 1e-8);
+    for (const Vec3& p : sample_surface(surface).vertices) EXPECT_NEAR(exact.nearest(p).signed_distance, 0.0, 1e-8);
 }
 
 TEST(SampleSurface, PointsOfLargeTrianglesAreOnTheSurfaceToo) {
     const Atoms ball{{{0.3, 0.1, 0.2}}, {6.0}};
     const Surface surface = compute_surface(ball, {.remesh = {.edge = 4.0}});
-    const Mesh points = sample_surface(surface, ball, {.density = 3.0});
+    const Mesh points = sample_surface(surface, {.density = 3.0});
     for (const Vec3& p : points.vertices) EXPECT_NEAR(norm(p - ball.centres[0]), 6.0, 0.02);
 }
 
 TEST(SampleSurface, IsTheSameForAnyNumberOfThreadsAndNotForAnotherSeed) {
     const Surface surface = compute_surface(kMolecule);
-    const Mesh all = sample_surface(surface, kMolecule);
-    EXPECT_TRUE(sample_surface(surface, kMolecule, {.threads = 1}).vertices == all.vertices);
-    EXPECT_FALSE(sample_surface(surface, kMolecule, {.seed = 1}).vertices == all.vertices);
+    const Mesh all = sample_surface(surface);
+    EXPECT_TRUE(sample_surface(surface, {.threads = 1}).vertices == all.vertices);
+    EXPECT_FALSE(sample_surface(surface, {.seed = 1}).vertices == all.vertices);
 }
 
 TEST(SampleSurface, OfNothingIsNothing) {
     const Surface surface = compute_surface(kMolecule, {.pieces = Pieces::Cavities});
-    EXPECT_TRUE(sample_surface(surface, kMolecule).vertices.empty());
+    EXPECT_TRUE(sample_surface(surface).vertices.empty());
 }
 
 TEST(SampleSurface, RefusesDensitiesThatMakeNoSense) {
     const Surface surface = compute_surface(kMolecule, {.spacing = 1.0});
     for (const double density : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
-        EXPECT_THROW(sample_surface(surface, kMolecule, {.density = density}), UsageError);
-    EXPECT_THROW(sample_surface(surface, kMolecule, {.density = 1e9}), LimitError);
-    EXPECT_THROW(sample_surface(surface, kMolecule, {.threads = -1}), UsageError);
+        EXPECT_THROW(sample_surface(surface, {.density = density}), UsageError);
+    EXPECT_THROW(sample_surface(surface, {.density = 1e9}), LimitError);
+    EXPECT_THROW(sample_surface(surface, {.threads = -1}), UsageError);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "band/sides.h"
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "support/arrangements.h"
 
@@ -47,68 +47,58 @@ TEST(SelfChecks, NoMeshPassesThroughItself) {
         }
 }
 
-TEST(SelfChecks, MeasuresThatAreThereAlreadyGiveTheSame) {
-    const ExactSurface exact = measure_exactly(shell());
+TEST(SelfChecks, ExactMeasuresGiveTheSame) {
     const Surface without = compute_surface(shell());
-    const Surface with = compute_surface(shell(), {}, {}, {}, &exact);
+    const Surface with = compute_surface(shell(), {.exact = true});
     ASSERT_EQ(with.checks.size(), without.checks.size());
     EXPECT_NEAR(named(with.checks, "volume").value, named(without.checks, "volume").value, 1e-6);
     EXPECT_EQ(with.mesh.triangles, without.mesh.triangles);
     EXPECT_EQ(with.mesh.vertices, without.mesh.vertices);
-    EXPECT_EQ(with.expected.memory_mb, without.expected.memory_mb);
-    EXPECT_GE(with.seconds.geometry, exact.seconds.geometry) << "what was done before counts, too";
 }
 
 TEST(SelfChecks, PiecesAreCountedAsTheMeshKeepsThem) {
-    const ExactSurface exact = measure_exactly(shell());
-    EXPECT_EQ(count_pieces(exact.measures), (PieceCounts{1, 1}));
+    const ExactSurface exact(shell());
+    EXPECT_EQ(count_pieces(exact.measures()), (PieceCounts{1, 1}));
     for (const auto& [options, kept] : {std::pair{SurfaceOptions{}, PieceCounts{1, 1}},
                                         {SurfaceOptions{.pieces = Pieces::Outer}, PieceCounts{1, 0}},
                                         {SurfaceOptions{.pieces = Pieces::Cavities}, PieceCounts{0, 1}},
                                         {SurfaceOptions{.min_cavity = 1e6}, PieceCounts{1, 0}},
                                         {SurfaceOptions{.fill_cavities = 1e6}, PieceCounts{1, 0}}}) {
-        EXPECT_EQ(count_kept_pieces(exact.measures, options), kept);
-        EXPECT_EQ(count_pieces(compute_surface(shell(), options).measures), kept);
-    }
-}
-
-TEST(SelfChecks, AnotherVolumeThanTheExactOneFails) {
-    ExactSurface exact = measure_exactly(shell());
-    exact.measures.totals.ses_volume += 50.0;  // as if a small piece were missing from the mesh
-    for (const Method method : {Method::Flow, Method::Direct}) {
-        const Surface surface = compute_surface(shell(), {.method = method}, {}, {}, &exact);
-        EXPECT_FALSE(named(surface.checks, "volume").passed) << named(surface.checks, "volume").bound;
-        EXPECT_FALSE(surface.passed());
+        EXPECT_EQ(count_kept_pieces(exact.measures(), options), kept);
+        EXPECT_EQ(count_pieces(mesh(exact, options).measures), kept);
     }
 }
 
 TEST(SelfChecks, ACavityThatIsFilledFailsPieces) {
-    ExactSurface exact = measure_exactly(shell());
-    for (SurfaceComponent& piece : exact.measures.components)  // a void where an atom is
+    const Surface surface = compute_surface(shell(), {.exact = true});
+    const auto check = [&](const Measures& measures) {
+        const ReferenceValues reference = reference_values_of(measures, shell(), surface.options);
+        return pieces_check(count_wrong(reference.points, *surface.level_set));
+    };
+    EXPECT_TRUE(check(*surface.measured).passed);
+    Measures measures = *surface.measured;
+    for (SurfaceComponent& piece : measures.components)  // a void where an atom is
         if (piece.kind == ComponentKind::Cavity) piece.inscribed_centre = shell().centres.front();
-    for (const Method method : {Method::Flow, Method::Direct}) {
-        const Surface surface = compute_surface(shell(), {.method = method}, {}, {}, &exact);
-        EXPECT_EQ(named(surface.checks, "pieces").value, 1.0);
-        EXPECT_FALSE(named(surface.checks, "pieces").passed);
-    }
+    EXPECT_EQ(check(measures).value, 1.0);
+    EXPECT_FALSE(check(measures).passed);
 }
 
 TEST(SelfChecks, AVolumeThatIsOffFails) {
     Surface surface = compute_surface(shell());
     const Measures measured = measure(shell());
-    const Yardstick yardstick = yardstick_of(measured, shell(), surface.options);
-    EXPECT_TRUE(volume_check(surface, yardstick).passed);
-    surface.corrected_volume += 1.1 * volume_error_bound(surface.options, yardstick.kept.ses_area);
-    EXPECT_FALSE(volume_check(surface, yardstick).passed);
+    const ReferenceValues reference = reference_values_of(measured, shell(), surface.options);
+    EXPECT_TRUE(volume_check(surface, reference).passed);
+    surface.corrected_volume += 1.1 * volume_error_bound(surface.options, reference.kept.ses_area);
+    EXPECT_FALSE(volume_check(surface, reference).passed);
     surface.corrected_volume = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_FALSE(volume_check(surface, yardstick).passed);
+    EXPECT_FALSE(volume_check(surface, reference).passed);
 }
 
 TEST(SelfChecks, AnExactVolumeThatCouldNotBeFoundFails) {
     const Surface surface = compute_surface(shell());
     Measures disputed = measure(shell());
     disputed.agreed = false;
-    const Check check = volume_check(surface, yardstick_of(disputed, shell(), surface.options));
+    const Check check = volume_check(surface, reference_values_of(disputed, shell(), surface.options));
     EXPECT_FALSE(check.passed);
     EXPECT_TRUE(std::isnan(check.bound));
 }

@@ -80,8 +80,8 @@ TEST_P(EveryMethod, GivesAClosedManifoldWithoutDegenerateTriangles) {
 
 TEST_P(EveryMethod, GivesTheSameBitsForAnyNumberOfThreads) {
     const Atoms atoms = random_cluster(60, 12.0, 6);
-    expect_same_bits(compute_surface(atoms, {.method = GetParam(), .threads = 1}),
-                     compute_surface(atoms, {.method = GetParam(), .threads = 2}));
+    expect_same_bits(compute_surface(atoms, {.method = GetParam()}, {.threads = 1}),
+                     compute_surface(atoms, {.method = GetParam()}, {.threads = 2}));
 }
 
 TEST_P(EveryMethod, GivesTheSameBitsForAnyOrderOfAtoms) {
@@ -200,8 +200,8 @@ TEST(Surface, AnAreaThatIsOffAsksForAFinerGrid) {
     EXPECT_NEAR(fine.corrected_area / area, 1.0, 5e-3);
     EXPECT_TRUE(fine.passed());
     EXPECT_EQ(fine.checks.size(), coarse.checks.size());
-    const ExactSurface exact = measure_exactly(atoms, options);
-    expect_same_bits(compute_surface(atoms, options, {}, {}, &exact), fine);
+    options.exact = true;
+    expect_same_bits(mesh(ExactSurface(atoms), options), fine);
     options.remesh.edge = 0.0;
     EXPECT_EQ(compute_surface(atoms, options).options.spacing, 0.5);
 }
@@ -221,14 +221,14 @@ TEST(Surface, IsMeasuredExactlyOnRequestAndOtherwiseTheSame) {
         for (const Method method : {Method::Flow, Method::Direct, Method::Gaussian}) {
             SurfaceOptions options{.method = method, .remesh = {.edge = edge, .finer_grid = true}};
             const Surface without = compute_surface(atoms, options);
-            EXPECT_FALSE(without.exact.has_value());
+            EXPECT_EQ(without.measured, nullptr);
             options.exact = true;
             const Surface with = compute_surface(atoms, options);
             const Measures measures = measure(atoms);
-            ASSERT_TRUE(with.exact.has_value());
-            EXPECT_EQ(with.exact->totals.ses_area, measures.totals.ses_area);
-            EXPECT_EQ(with.exact->components.size(), measures.components.size());
-            EXPECT_EQ(with.exact->atoms.size(), atoms.size());
+            ASSERT_NE(with.measured, nullptr);
+            EXPECT_EQ(with.measured->totals.ses_area, measures.totals.ses_area);
+            EXPECT_EQ(with.measured->components.size(), measures.components.size());
+            EXPECT_EQ(with.measured->atoms.size(), atoms.size());
             expect_same_bits(with, without);
         }
 }
@@ -237,9 +237,9 @@ TEST(Surface, ExactMeasuresAreThoseOfTheSurfaceThatIsMade) {
     const Atoms atoms = small_molecule();
     const SurfaceTotals totals = measure(atoms).totals;
     const Surface accessible = compute_surface(atoms, {.surface = SurfaceKind::Sas, .exact = true});
-    EXPECT_NEAR(accessible.exact->totals.ses_area, totals.sas_area, 1e-6 * totals.sas_area);
+    EXPECT_NEAR(accessible.measured->totals.ses_area, totals.sas_area, 1e-6 * totals.sas_area);
     const Surface bare = compute_surface(atoms, {.surface = SurfaceKind::Vdw, .exact = true});
-    EXPECT_EQ(bare.exact->totals.ses_area, measure(atoms, {.probe = 0.0}).totals.ses_area);
+    EXPECT_EQ(bare.measured->totals.ses_area, measure(atoms, {.probe = 0.0}).totals.ses_area);
 }
 
 TEST(Surface, AnAreaThatIsRightNeedsNoFinerGrid) {
@@ -420,17 +420,18 @@ TEST(Surface, SelfIntersectionsAreLookedForOnRequest) {
 }
 
 TEST(Surface, RefusesWhatWouldNotFit) {
-    EXPECT_THROW(compute_surface(small_molecule(), {.spacing = 0.01, .memory_limit_mb = 50}), LimitError);
+    EXPECT_THROW(compute_surface(small_molecule(), {.spacing = 0.01}, {.memory_limit_mb = 50}), LimitError);
     EXPECT_THROW(compute_surface({{{1e12, 0, 0}}, {1.5}}, {}), LimitError);
 }
 
 TEST(Surface, ProgressEndsEveryStage) {
     double last = 0.0;
     std::string stages;
-    compute_surface(small_molecule(), {}, [&](std::string_view stage, double fraction) {
+    const Progress progress = [&](std::string_view stage, double fraction) {
         if (!stages.ends_with(stage)) stages += (stages.empty() ? "" : " ") + std::string(stage);
         last = fraction;
-    });
+    };
+    compute_surface(small_molecule(), {}, {.progress = progress});
     EXPECT_EQ(stages, "geometry band flow mesh");
     EXPECT_EQ(last, 1.0);
 }

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
+#include "geometry/accessible_surface.h"
 #include "measure/mesh_distance.h"
-#include "meniscus/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/mesh_quality.h"
 #include "meniscus/surface.h"

@@ -20,10 +20,8 @@ constexpr double kPi = std::numbers::pi;
 double sphere_area(double radius) { return 4.0 * kPi * radius * radius; }
 
 // The memory is what the library allows itself, 1 GB at most.
-Surface modest_surface(const Atoms& atoms, SurfaceOptions options) {
-    options.threads = 1;
-    options.memory_limit_mb = 1000;
-    return compute_surface(atoms, options);
+Surface modest_surface(const Atoms& atoms, const SurfaceOptions& options) {
+    return compute_surface(atoms, options, {.threads = 1, .memory_limit_mb = 1000});
 }
 
 void expect_sound(const Atoms& atoms, const SurfaceOptions& options) {

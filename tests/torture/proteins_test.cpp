@@ -44,7 +44,7 @@ Atoms moved(Atoms atoms, const RigidMotion& motion) {
 }
 
 void expect_sound(const Atoms& atoms, Method method, double spacing, SignCount& signs) {
-    const Surface surface = compute_surface(atoms, {.method = method, .spacing = spacing, .threads = 1});
+    const Surface surface = compute_surface(atoms, {.method = method, .spacing = spacing}, {.threads = 1});
     const AccessibleSurface exact(atoms, 1.4);
     EXPECT_TRUE(surface.passed());
     EXPECT_EQ(what_is_wrong_with_mesh(surface, atoms.size()), "");

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "meniscus/accessible_surface.h"
+#include "geometry/accessible_surface.h"
 #include "meniscus/measures.h"
 #include "meniscus/surface.h"
 

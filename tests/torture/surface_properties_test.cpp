@@ -18,7 +18,7 @@ using Case = std::pair<Arrangement, double>;
 // At one of the spacings, or a coarser one where that would make more than some thousand vertices.
 SurfaceOptions options_of(const Case& made, Method method) {
     constexpr double kMostVertices = 4000.0;
-    SurfaceOptions options{.method = method, .probe = made.first.probe, .spacing = made.second, .threads = 1};
+    SurfaceOptions options{.method = method, .probe = made.first.probe, .spacing = made.second};
     while (estimate_cost(made.first.atoms, options).vertices > kMostVertices) options.spacing *= 1.25;
     return options;
 }
@@ -26,7 +26,7 @@ SurfaceOptions options_of(const Case& made, Method method) {
 struct Computed {
     Computed(const Case& made, Method method)
         : atoms(made.first.atoms),
-          surface(compute_surface(atoms, options_of(made, method))),
+          surface(compute_surface(atoms, options_of(made, method), {.threads = 1})),
           exact(atoms, made.first.probe) {}
 
     Atoms atoms;
@@ -87,7 +87,7 @@ TEST(SurfaceProperties, OfVesselsWithAndWithoutIslands) {
         RC_ASSERT(exact.components.size() == (vessel.island ? 3U : 2U));
         for (const Method method : {Method::Direct, Method::Flow}) {
             const Surface surface =
-                compute_surface(vessel.atoms, {.method = method, .spacing = vessel.spacing, .threads = 1});
+                compute_surface(vessel.atoms, {.method = method, .spacing = vessel.spacing}, {.threads = 1});
             const std::vector<MeshComponent>& found = surface.measures.components;
             RC_ASSERT(found.size() == exact.components.size());
             for (std::size_t c = 0; c < found.size(); ++c) {  // both by falling volume

@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "geometry/accessible_surface.h"
 #include "grid/block_grid.h"
-#include "meniscus/accessible_surface.h"
 #include "meniscus/node_field.h"
 
 namespace meniscus {

@@ -14,7 +14,7 @@ namespace meniscus {
 /// A piece of the surface with a larger inscribed radius must be there.
 inline constexpr double kResolved = 1.5;  // spacings
 
-struct Yardstick {
+struct ReferenceValues {
     SurfaceTotals kept;             ///< exact area and volume of what the mesh keeps
     double doubtful = 0.0;          ///< Å³ of pieces that the mesh may have or not
     std::vector<DeepPoint> points;  ///< whose sides are told by the exact geometry, with radii that are resolved
@@ -26,11 +26,12 @@ struct Yardstick {
 ///
 /// atoms     of the surface's ses_problem()
 /// measured  of these, with cavities
-Yardstick yardstick_of(const Measures& measured, const Atoms& atoms, const SurfaceOptions& options);
+ReferenceValues reference_values_of(const Measures& measured, const Atoms& atoms, const SurfaceOptions& options);
 
 /// From the exact surface. Where the mesh keeps every piece and the probe is resolved by the grid the pieces need not
 /// be known: only sums are evaluated (docs/design/self-checks.md).
-Yardstick make_yardstick(const AccessibleSurface& accessible, const Atoms& atoms, const SurfaceOptions& options);
+ReferenceValues find_reference_values(const AccessibleSurface& accessible, const Atoms& atoms,
+                                      const SurfaceOptions& options);
 
 /// Points of the box round the atoms that are farther than resolved from the surface, with their sides: evenly spread,
 /// always the same.

@@ -15,37 +15,20 @@
 #include <vector>
 
 #include "meniscus/atoms.h"
-#include "meniscus/mesh.h"
+#include "meniscus/nearest_feature.h"
 #include "meniscus/vec3.h"
 
 namespace meniscus {
 
-/// The point of the SES that is nearest to a query point, seen through its nearest feature of the SAS.
-struct NearestFeature {
-    double signed_distance = 0.0;  ///< Å, negative inside; see signed_distance()
-    PatchKind patch = PatchKind::Contact;
-    std::uint32_t atom = 0;           ///< nearest atom of the feature, in the caller's order
-    double mean_curvature = 0.0;      ///< of the parallel surface through the point, Å^-1; may be ±inf at cusps
-    double gaussian_curvature = 0.0;  ///< of the same surface, Å^-2; may be ±inf at cusps
-    Vec3 foot;                        ///< nearest point of K (a probe centre), Å
-    Vec3 normal;                      ///< gradient of the signed distance; unit vector, zero where undefined
-};
-
 class AccessibleSurface;
 
-/// Signed distance to the solvent-excluded surface, Å, in the order of `points`.
-///
-/// Negative inside the molecule. Exact inside and on the surface; outside, next to ridges where two probe
-/// positions intersect, a lower bound with the right zero set (docs/design/exact-geometry.md).
-///
-/// throws   std::invalid_argument if a coordinate is not finite
-/// cost     O(log n) per point, parallel; 0.1 µs where points lie as close together as those of a grid
+/// How many accessible surfaces this process has built from atoms so far, for tests.
+std::size_t accessible_surfaces_built();
+
+/// As ExactSurface::signed_distance(). Implemented in nearest/.
 std::vector<double> signed_distance(const AccessibleSurface& surface, std::span<const Vec3> points);
 
-/// What AccessibleSurface::nearest finds for each of the points.
-///
-/// throws   std::invalid_argument if a coordinate is not finite
-/// cost     O(log n) per point, parallel; 0.1 µs near the surface where points lie next to those before them
+/// What AccessibleSurface::nearest finds for each of the points. Implemented in nearest/.
 std::vector<NearestFeature> nearest_features(const AccessibleSurface& surface, std::span<const Vec3> points);
 
 /// Where the exposed features are, and the index to find the nearest one.
@@ -67,16 +50,10 @@ public:
     AccessibleSurface(const Atoms& atoms, double probe, std::uint64_t seed = 0);
     /// The same atoms and probe radius under the perturbation of another seed. What is exposed is found anew, sooner
     /// than by the constructor: neighbours that buried most are looked at first.
-    ///
-    /// throws   std::logic_error after forget_contours()
     AccessibleSurface perturbed(std::uint64_t seed) const;
     ~AccessibleSurface();
     AccessibleSurface(AccessibleSurface&&) noexcept;
     AccessibleSurface& operator=(AccessibleSurface&&) noexcept;
-
-    /// Frees a sixth of the memory, which only measure() (measures.h) and perturbed() need: both throw std::logic_error
-    /// afterwards. What is nearest to a point is found as before.
-    void forget_contours();
 
     double probe() const;
     std::size_t atom_count() const;  ///< with distinct centres
@@ -84,7 +61,7 @@ public:
     std::size_t arc_count() const;     ///< exposed arcs, whole circles included
     std::size_t vertex_count() const;  ///< probe positions that touch three atoms
 
-    /// The nearest feature of any point of space, whose coordinates must be finite.
+    /// The nearest feature of any point of space, whose coordinates must be finite. Implemented in nearest/.
     NearestFeature nearest(const Vec3& point) const;
 
     const Data& data() const { return *data_; }

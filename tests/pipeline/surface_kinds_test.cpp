@@ -12,20 +12,7 @@ namespace {
 
 const Atoms kTwo{{{0, 0, 0}, {5, 0, 0}}, {1.5, 2.0}};
 
-TEST(SesProblem, EnlargesAtomsForTheAccessibleSurface) {
-    const SesProblem ses = ses_problem(kTwo, {.probe = 1.25});
-    EXPECT_EQ(ses.atoms.radii, kTwo.radii);
-    EXPECT_EQ(ses.probe, 1.25);
-    const SesProblem sas = ses_problem(kTwo, {.surface = SurfaceKind::Sas, .probe = 1.25});
-    EXPECT_EQ(sas.atoms.radii, (std::vector<double>{2.75, 3.25}));
-    EXPECT_EQ(sas.atoms.centres, kTwo.centres);
-    EXPECT_EQ(sas.probe, 0.0);
-    const SesProblem vdw = ses_problem(kTwo, {.surface = SurfaceKind::Vdw, .probe = 1.25});
-    EXPECT_EQ(vdw.atoms.radii, kTwo.radii);
-    EXPECT_EQ(vdw.probe, 0.0);
-}
-
-TEST(SesProblem, ABallsSurfacesAreSpheres) {
+TEST(SurfaceKinds, ABallsSurfacesAreSpheres) {
     const Atoms ball{{{0.1, 0.2, 0.3}}, {1.6}};
     for (const Method method : {Method::Flow, Method::Direct}) {
         const Surface sas = compute_surface(ball, {.method = method, .surface = SurfaceKind::Sas, .spacing = 0.25});
@@ -38,7 +25,7 @@ TEST(SesProblem, ABallsSurfacesAreSpheres) {
     }
 }
 
-TEST(SesProblem, TheEnvelopeIsOneForAll) {
+TEST(SurfaceKinds, TheEnvelopeIsOneForAll) {
     EXPECT_THROW(compute_surface(kTwo, {.method = Method::Gaussian, .surface = SurfaceKind::Sas}), UsageError);
 }
 

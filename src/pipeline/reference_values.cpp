@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "pipeline/yardstick.h"
+#include "pipeline/reference_values.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "exact/exact_once.h"
+#include "exact/measure_surface.h"
 #include "exact/patch_totals.h"
 #include "geometry/accessible_surface_data.h"
 
@@ -85,31 +85,32 @@ PieceCounts count_kept_pieces(const Measures& exact, const SurfaceOptions& optio
     return counts;
 }
 
-Yardstick yardstick_of(const Measures& measured, const Atoms& atoms, const SurfaceOptions& options) {
-    Yardstick yardstick{.kept = exact_counterpart(measured, options), .points = {}, .resolved = measured.agreed};
-    yardstick.sharpest = sharpest_radius(atoms, options);
+ReferenceValues reference_values_of(const Measures& measured, const Atoms& atoms, const SurfaceOptions& options) {
+    ReferenceValues reference{.kept = exact_counterpart(measured, options), .points = {}, .resolved = measured.agreed};
+    reference.sharpest = sharpest_radius(atoms, options);
     for (const SurfaceComponent& piece : measured.components) {
         const DeepPoint point = deepest_point(piece, atoms);
         const bool resolved = point.radius > kResolved * options.spacing;
-        if (resolved) yardstick.points.push_back(point);
-        if (!resolved || may_change_sides(piece, options)) yardstick.doubtful += piece.ses_volume;
+        if (resolved) reference.points.push_back(point);
+        if (!resolved || may_change_sides(piece, options)) reference.doubtful += piece.ses_volume;
     }
-    return yardstick;
+    return reference;
 }
 
-Yardstick make_yardstick(const AccessibleSurface& accessible, const Atoms& atoms, const SurfaceOptions& options) {
-    Yardstick yardstick;
-    yardstick.sharpest = sharpest_radius(atoms, options);
+ReferenceValues find_reference_values(const AccessibleSurface& accessible, const Atoms& atoms,
+                                      const SurfaceOptions& options) {
+    ReferenceValues reference;
+    reference.sharpest = sharpest_radius(atoms, options);
     if (keeps_everything(options) && accessible.probe() > kResolved * options.spacing) {
-        yardstick.points = piece_points(accessible);
-        const bool resolved = std::all_of(yardstick.points.begin(), yardstick.points.end(),
+        reference.points = piece_points(accessible);
+        const bool resolved = std::all_of(reference.points.begin(), reference.points.end(),
                                           [&](const DeepPoint& p) { return p.radius > kResolved * options.spacing; });
         const PatchTotals sums = resolved ? sum_patches(accessible, 0) : PatchTotals{};
-        yardstick.kept = sums.totals;
-        if (resolved && sums.unresolved.empty()) return yardstick;
+        reference.kept = sums.totals;
+        if (resolved && sums.unresolved.empty()) return reference;
     }
     const Measures once = measure_once(accessible, atoms);
-    return yardstick_of(once.agreed ? once : measure(accessible, atoms), atoms, options);
+    return reference_values_of(once.agreed ? once : measure(accessible, atoms), atoms, options);
 }
 
 std::vector<DeepPoint> scattered_points(const AccessibleSurface& accessible, const SurfaceOptions& options) {

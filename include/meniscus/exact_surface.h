@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The exact surface of atoms: what meshes, fields, pictures and tables are made of, and held against.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "meniscus/atoms.h"
+#include "meniscus/measures.h"
+#include "meniscus/nearest_feature.h"
+#include "meniscus/vec3.h"
+
+namespace meniscus {
+
+class AccessibleSurface;
+
+/// Which surface of the atoms.
+enum class SurfaceKind {
+    Ses,  ///< solvent-excluded: where the probe's ball cannot be
+    Sas,  ///< solvent-accessible: traced by the probe's centre
+    Vdw,  ///< van der Waals: of the atoms themselves; the probe radius does not matter
+};
+
+struct ExactOptions {
+    SurfaceKind kind = SurfaceKind::Ses;
+    double probe = 1.4;  ///< probe radius, Å; 0 gives the van der Waals surface
+
+    bool operator==(const ExactOptions&) const = default;
+};
+
+/// A surface of atoms, known analytically. Immutable, and cheap to copy: copies share what has been found.
+///
+/// Nothing is computed before it is asked for, and everything once. Members may be called by several threads.
+class ExactSurface {
+public:
+    ExactSurface();  ///< of no atoms, which has no geometry: for places that wait for another one
+    explicit ExactSurface(Atoms atoms, const ExactOptions& options = {});
+
+    const Atoms& atoms() const;
+    const ExactOptions& options() const;
+
+    /// Every surface here is the SES of balls for a probe: the SES that of the atoms; the SAS that of atoms enlarged by
+    /// the probe radius, and the van der Waals surface that of the atoms, both for a probe of radius 0.
+    const Atoms& balls() const;
+    double probe_of_balls() const;  ///< Å
+
+    /// Areas, volumes and pieces of the SES of the balls, with cavities, without depths and without patches.
+    ///
+    /// throws   as accessible()
+    /// cost     the first time that of measure() (measures.h)
+    const Measures& measures() const;
+
+    /// Signed distance to the surface, Å, in the order of `points`.
+    ///
+    /// Negative inside the molecule. Exact inside and on the surface; outside, next to ridges where two probe
+    /// positions intersect, a lower bound with the right zero set (docs/design/exact-geometry.md).
+    ///
+    /// throws   std::invalid_argument if a coordinate is not finite; as accessible()
+    /// cost     O(log n) per point, parallel; 0.1 µs where points lie as close together as those of a grid
+    std::vector<double> signed_distance(std::span<const Vec3> points) const;
+
+    /// What is nearest to each of the points. Errors and cost as those of signed_distance().
+    std::vector<NearestFeature> nearest_features(std::span<const Vec3> points) const;
+
+    /// Another surface of the same atoms. It is kept as long as any of them, so that nobody builds it twice.
+    ExactSurface of_same_atoms(const ExactOptions& options) const;
+
+    /// The solvent-accessible surface of the balls, from which all else follows; for the rooms of this library.
+    ///
+    /// throws   UsageError for a probe radius that is negative or not finite; std::invalid_argument for no atoms, a
+    ///          radius that is not positive or a coordinate that is not finite; LimitError for coordinates and radii
+    ///          beyond 1e12 Å
+    /// cost     the first time linear at protein density, about 5 µs per atom, parallel
+    const AccessibleSurface& accessible() const;
+
+    /// The exact measures, shared, where they are to outlive this surface.
+    std::shared_ptr<const Measures> shared_measures() const;
+
+private:
+    struct Family;  // the atoms, and all surfaces of theirs
+    struct Member;
+    ExactSurface(std::shared_ptr<Family> family, Member* member);
+
+    std::shared_ptr<Family> family_;
+    Member* member_;  // of the family
+};
+
+}  // namespace meniscus
