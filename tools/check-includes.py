@@ -47,7 +47,7 @@ FILE_HEADERS = ("include/meniscus/structure.h", "include/meniscus/write.h", "inc
 NUMERICAL = ("core", "simd", "space", "geometry", "nearest", "exact", "grid", "band", "flow", "mesh", "measure", "remesh",
              "project", "cavities", "render")
 ONLY_IN = {
-    "<tbb/": ("src/core/",),
+    "<tbb/": ("src/core/threads/tbb.cpp", "src/render/ray_scene.cpp"),
     "<gemmi/": ("src/structure/", "src/radii/", "src/io/gemmi/"),
     "<embree3/": ("src/render/",),
     "<ft2build.h>": ("src/render/font.cpp",),

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/number_text.h"
 #include "core/parallel.h"
 #include "exact/component_places.h"
 #include "exact/measure_surface.h"
@@ -55,9 +54,8 @@ public:
     }
 
     std::string text() const {
-        return fmt::format(
-            "double precision is not sufficient for spheres of {:.3g} to {:.3g} Å at {:.3g} Å from the origin",
-            smallest_, rho_, farthest_);
+        return joined("double precision is not sufficient for spheres of ", in_short(smallest_, 3), " to ",
+                      in_short(rho_, 3), " Å at ", in_short(farthest_, 3), " Å from the origin");
     }
 
 private:
@@ -352,8 +350,8 @@ std::vector<SurfaceComponent> make_components(const Evaluation& evaluation, cons
 
 std::string name_patch(const AccessibleSurface::Data& data, std::uint32_t vertex) {
     const auto& [i, j, k] = data.vertices[vertex].atoms;
-    return fmt::format("reentrant patch of atoms {} {} {}", data.atoms.original[i], data.atoms.original[j],
-                       data.atoms.original[k]);
+    const auto& number = data.atoms.original;
+    return joined("reentrant patch of atoms ", number[i], " ", number[j], " ", number[k]);
 }
 
 // Names what two evaluations do not agree on: unresolved patches, then the atoms whose shares differ most.
@@ -376,7 +374,7 @@ std::vector<std::string> name_disputed(const Evaluation& a, const Evaluation& b,
         by_difference.emplace(std::abs(of_a[i].ses_area() - of_b[i].ses_area()), i);
     for (const auto& [difference, atom] : by_difference)
         if (names.empty() || (difference > 1e-6 && names.size() < kMostDisputed))
-            names.push_back(fmt::format("patches of atom {} by {:.3g} Å²", atom, difference));
+            names.push_back(joined("patches of atom ", atom, " by ", in_short(difference, 3), " Å²"));
     return names;
 }
 
@@ -406,7 +404,7 @@ Measures describe(const Atoms& atoms, const MeasureOptions& options, const Evalu
 
 Measures measure(const Atoms& atoms, const MeasureOptions& options) {
     if (!(options.probe >= 0.0) || !std::isfinite(options.probe))
-        throw UsageError(fmt::format("probe {:g}: must be finite and not negative", options.probe));
+        throw UsageError(joined("probe ", in_short(options.probe), ": must be finite and not negative"));
     const ThreadLimit limit(options.threads);
     return measure(AccessibleSurface(atoms, options.probe), atoms, options);
 }

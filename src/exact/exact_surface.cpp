@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meniscus/exact_surface.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <list>
 #include <mutex>
 #include <optional>
 #include <utility>
 
+#include "core/number_text.h"
 #include "exact/measure_surface.h"
 #include "geometry/accessible_surface.h"
 #include "meniscus/errors.h"
@@ -70,7 +69,7 @@ ExactSurface ExactSurface::of_same_atoms(const ExactOptions& options) const {
 const AccessibleSurface& ExactSurface::accessible() const {
     const double probe = member_->options.probe;
     if (!(probe >= 0.0) || !std::isfinite(probe))
-        throw UsageError(fmt::format("probe {:g}: must be finite and not negative", probe));
+        throw UsageError(joined("probe ", in_short(probe), ": must be finite and not negative"));
     const std::lock_guard lock(member_->mutex);
     if (!member_->accessible) member_->accessible.emplace(balls(), probe_of_balls());
     return *member_->accessible;

@@ -373,7 +373,7 @@ SolveResult SplineSystem::solve_richardson(const Stencil& stencil, const BlockFi
     make_layers();
     const Stencil inverse = approximate_inverse(stencil);
     const Range range = range_of_product(stencil, inverse);
-    const double middle = std::lerp(range.least, range.greatest, 0.5 * (kFirstError + kLastError));
+    const double middle = range.least + 0.5 * (kFirstError + kLastError) * (range.greatest - range.least);
     const double radius = 0.5 * (kLastError - kFirstError) * (range.greatest - range.least);
     const auto correction_of = [&](int step) {
         return (1.0 / (middle + radius * elementary::cos(std::numbers::pi * (step + 0.5) / kCycle))) * inverse;

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/surface_distance.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "core/number_text.h"
 #include "core/parallel.h"
 #include "measure/triangle_parts.h"
 #include "meniscus/errors.h"
@@ -37,7 +36,7 @@ std::vector<std::size_t> numbers_of_points(const Mesh& mesh, double density) {
         total += n * n;
         if (!(total < most))
             throw LimitError(
-                fmt::format("{:.3g} points per Å² would not fit into memory; choose fewer (--points)", density));
+                joined(in_short(density, 3), " points per Å² would not fit into memory; choose fewer (--points)"));
         sums.push_back(static_cast<std::size_t>(total));
     }
     return sums;

@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/checks.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
+#include "core/number_text.h"
 #include "meniscus/errors.h"
 #include "platform/memory.h"
 
 namespace meniscus {
 
 void require(bool holds, std::string_view option, double value, std::string_view wanted) {
-    if (!holds) throw UsageError(fmt::format("{} {:g}: must be {}", option, value, wanted));
+    if (!holds) throw UsageError(joined(option, " ", in_short(value), ": must be ", wanted));
 }
 
 bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meniscus/cost.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +13,7 @@
 
 #include "core/elementary.h"
 #include "core/golden_angle.h"
+#include "core/number_text.h"
 #include "core/parallel.h"
 #include "grid/block_grid.h"
 #include "meniscus/errors.h"
@@ -254,7 +253,7 @@ Cost cost_of(double atoms, double area, const SurfaceOptions& options) {
 }
 
 std::string amount(double megabytes) {
-    return megabytes < 1024.0 ? fmt::format("{:.0f} MB", megabytes) : fmt::format("{:.1f} GB", megabytes / 1024.0);
+    return megabytes < 1024.0 ? with_decimals(megabytes, 0) + " MB" : with_decimals(megabytes / 1024.0, 1) + " GB";
 }
 
 // Changes of the options with which the computation would fit.
@@ -272,10 +271,10 @@ public:
                           [](SurfaceOptions& options, double value) { options.remesh.edge = value; });
         SurfaceOptions direct = options_;
         direct.method = Method::Direct;
-        if (would_fit(direct)) text += fmt::format("--method direct ({}), ", amount(cost(direct).memory_mb));
+        if (would_fit(direct)) text += joined("--method direct (", amount(cost(direct).memory_mb), "), ");
         SurfaceOptions inexact = options_;
         inexact.exact = false;
-        if (would_fit(inexact)) text += fmt::format("--no-exact ({}), ", amount(cost(inexact).memory_mb));
+        if (would_fit(inexact)) text += joined("--no-exact (", amount(cost(inexact).memory_mb), "), ");
         if (memory_limit_mb_ > 0) text += "a larger --memory, ";
         return text + "fewer or smaller atoms";
     }
@@ -293,7 +292,7 @@ private:
         SurfaceOptions other = options_;
         for (value = std::ceil(100.0 * value) / 100.0; value <= most; value += 0.01) {
             set(other, value);
-            if (would_fit(other)) return fmt::format("{} {:.2f} or more, ", name, value);
+            if (would_fit(other)) return joined(name, " ", with_decimals(value, 2), " or more, ");
         }
         return "";
     }
@@ -319,11 +318,11 @@ bool fits_into_memory(const Cost& cost, std::size_t memory_limit_mb) {
 void refuse_what_would_not_fit(const Atoms& atoms, const SurfaceOptions& options, const Cost& cost,
                                std::size_t memory_limit_mb) {
     if (fits_into_memory(cost, memory_limit_mb)) return;
-    throw LimitError(
-        fmt::format("the surface needs about {} of memory ({:.3g} million vertices), but only {} {}; choose {}",
-                    amount(cost.memory_mb), 1e-6 * cost.vertices, amount(limit_mb(memory_limit_mb)),
-                    memory_limit_mb > 0 ? "are allowed" : "are free",
-                    Advice(static_cast<double>(atoms.size()), cost.area, options, memory_limit_mb).text()));
+    throw LimitError(joined("the surface needs about ", amount(cost.memory_mb), " of memory (",
+                            in_short(1e-6 * cost.vertices, 3), " million vertices), but only ",
+                            amount(limit_mb(memory_limit_mb)), memory_limit_mb > 0 ? " are allowed" : " are free",
+                            "; choose ",
+                            Advice(static_cast<double>(atoms.size()), cost.area, options, memory_limit_mb).text()));
 }
 
 double band_margin(const SurfaceOptions& options) {

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meniscus/field.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +13,7 @@
 #include <vector>
 
 #include "cavities/filled_space.h"
+#include "core/number_text.h"
 #include "core/workspaces.h"
 #include "geometry/accessible_surface.h"
 #include "meniscus/errors.h"
@@ -319,11 +318,10 @@ void refuse_grid_that_would_not_fit(const VolumeGrid& grid, std::size_t volumes,
                                     std::size_t memory_limit_mb) {
     const double needed = megabytes(grid, volumes) + cost.memory_mb;
     if (needed <= limit_mb(memory_limit_mb)) return;
-    throw LimitError(
-        fmt::format("the grid of {} x {} x {} nodes needs about {:.0f} MB of memory in all, but only {:.0f} MB are {}; "
-                    "choose a coarser or smaller grid",
-                    grid.counts[0], grid.counts[1], grid.counts[2], needed, limit_mb(memory_limit_mb),
-                    memory_limit_mb > 0 ? "allowed" : "free"));
+    throw LimitError(joined("the grid of ", grid.counts[0], " x ", grid.counts[1], " x ", grid.counts[2],
+                            " nodes needs about ", with_decimals(needed, 0), " MB of memory in all, but only ",
+                            with_decimals(limit_mb(memory_limit_mb), 0), " MB are ",
+                            memory_limit_mb > 0 ? "allowed" : "free", "; choose a coarser or smaller grid"));
 }
 
 }  // namespace meniscus

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/flow_stage.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "core/number_text.h"
 #include "flow/paper/printed_curvature.h"
 #include "flow/steady_state.h"
 #include "measure/surface_measures.h"
@@ -100,14 +99,13 @@ std::string describe_end(const EvolutionResult& result) {
         case FlowEnd::Converged:
             return "";
         case FlowEnd::StepsUsedUp:
-            return fmt::format("not steady after {} steps (speed {:.3g} Å^-1)", result.steps, result.residual);
+            return joined("not steady after ", result.steps, " steps (speed ", in_short(result.residual, 3), " Å^-1)");
         case FlowEnd::Stalled:
-            return fmt::format("the change per step no longer falls (speed {:.3g} Å^-1)", result.residual);
+            return joined("the change per step no longer falls (speed ", in_short(result.residual, 3), " Å^-1)");
         case FlowEnd::Vanished:
-            return fmt::format("the surface shrank to nothing in step {}", result.steps);
+            return joined("the surface shrank to nothing in step ", result.steps);
         case FlowEnd::LeftBand:
-            return fmt::format("the surface left the band around the solvent-excluded surface in step {}",
-                               result.steps);
+            return joined("the surface left the band around the solvent-excluded surface in step ", result.steps);
     }
     return "";
 }
@@ -119,13 +117,11 @@ std::string describe_course(const EvolutionResult& result, const FlowRecord& rec
     const FlowStep& last = record.last_step();
     const std::string end = describe_end(result);
     std::string text = end.empty() ? "" : end + "; ";
-    text += fmt::format(
-        "nearest to the exact surface after step {} (t = {:.3g} Å²): mean distance {:.3f} Å; this step is kept",
-        best.step, best.time, best.mean_distance);
+    text += joined("nearest to the exact surface after step ", best.step, " (t = ", in_short(best.time, 3),
+                   " Å²): mean distance ", with_decimals(best.mean_distance, 3), " Å; this step is kept");
     if (last.step != best.step && !std::isnan(last.mean_distance))
-        text +=
-            fmt::format("; {:.3f} Å after step {}: without an anchor the exact surface is not a stable steady state",
-                        last.mean_distance, last.step);
+        text += joined("; ", with_decimals(last.mean_distance, 3), " Å after step ", last.step,
+                       ": without an anchor the exact surface is not a stable steady state");
     return text;
 }
 

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meniscus/sample.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include "core/number_text.h"
 #include "geometry/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/threads.h"
@@ -31,8 +30,8 @@ std::size_t count_of(const Surface& surface, const SampleOptions& options) {
     constexpr double kMost =
         static_cast<double>(std::numeric_limits<std::uint32_t>::max()) / static_cast<double>(kCandidatesPerPoint);
     if (count > kMost || count * kBytesPerPoint > static_cast<double>(available_memory()))
-        throw LimitError(fmt::format("density {:g}: {:.3g} points would not fit into memory; choose fewer per Å²",
-                                     options.density, count));
+        throw LimitError(joined("density ", in_short(options.density), ": ", in_short(count, 3),
+                                " points would not fit into memory; choose fewer per Å²"));
     return static_cast<std::size_t>(count);
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meniscus/surface.h"
 
-#include <fmt/format.h>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include "band/sides.h"
 #include "band/surface_blocks.h"
 #include "cavities/choose_pieces.h"
+#include "core/number_text.h"
 #include "core/parallel.h"
 #include "flow/evolution.h"
 #include "flow/gaussian_density.h"
@@ -78,7 +78,7 @@ void check_flow(const FlowOptions& flow) {
     require(std::isfinite(flow.time_step) || flow.anchor > 0.0, "time step", flow.time_step,
             "finite without an anchor");
     require(flow.half_width >= 2.0 && flow.half_width <= kWidestBand, "half width", flow.half_width,
-            fmt::format("from 2 to {:g}", kWidestBand));
+            joined("from 2 to ", in_short(kWidestBand)));
     require_positive("tolerance", flow.tolerance);
     require(flow.max_steps >= 1, "max steps", flow.max_steps, "at least 1");
 }
@@ -95,7 +95,7 @@ void check_options(const SurfaceOptions& options) {
     const RemeshOptions& remesh = options.remesh;
     require(remesh.edge == 0.0 || is_positive(remesh.edge), "edge", remesh.edge, "finite and positive");
     require(!remesh.is_on() || options.spacing <= kCoarsestForRemeshing, "spacing", options.spacing,
-            fmt::format("at most {:g} for a mesh of even triangles", kCoarsestForRemeshing));
+            joined("at most ", in_short(kCoarsestForRemeshing), " for a mesh of even triangles"));
     require(remesh.corners == Corners::Near || remesh.is_on(), "edge", remesh.edge,
             "positive with any corners but near");
     require(!remesh.simplify_topology || remesh.is_on(), "edge", remesh.edge, "positive with simplify_topology");

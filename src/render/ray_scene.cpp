@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/ray_scene.h"
 
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <array>
 #include <new>
 #include <stdexcept>
 
-#include "core/library_on_one_thread.h"
 #include "render/embree.h"
 
 namespace meniscus {
@@ -63,7 +64,8 @@ struct RayScene::Handles {
 };
 
 RayScene::RayScene(const Mesh& mesh) : centre_(centre_of(mesh.vertices)) {
-    const LibraryOnOneThread one_thread;  // builds the tree, so that ties between triangles are always decided alike
+    // One thread builds the tree, so that ties between triangles are always decided alike.
+    const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
     const auto handles = std::make_shared<Handles>();
     RTCGeometry geometry = embree().new_geometry(handles->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     set_vertices(geometry, mesh, centre_);

@@ -1,23 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
+// Threads by oneTBB.
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_scheduler_observer.h>
 
 #include <atomic>
-#include <cstddef>
 #include <utility>
 
-#include "core/parallel.h"
-#include "meniscus/threads.h"
+#include "core/threads/backend.h"
 
 #ifdef __linux__
 #include <sched.h>
 #endif
-#if defined(__SANITIZE_THREAD__)
-#include <thread>
-#endif
 
-namespace meniscus {
+namespace meniscus::threads {
 namespace {
 
 #ifdef __linux__
@@ -58,18 +58,32 @@ private:
 
 }  // namespace
 
-void start_threads(void (*meanwhile)(), void (*begin)()) {
-    if (is_alone()) return;
+void for_ranges(std::size_t n, std::size_t grain, void (*run)(const void*, std::size_t, std::size_t),
+                const void* body) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
+                      [&](const auto& range) { run(body, range.begin(), range.end()); });
+}
+
+void both(void (*run_first)(const void*), const void* first, void (*run_second)(const void*), const void* second) {
+    tbb::parallel_invoke([&] { run_first(first); }, [&] { run_second(second); });
+}
+
+struct Limit::Control {
+    tbb::global_control limit;
+};
+
+Limit::Limit(int threads)
+    : control_(new Control{{tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)}}) {}
+
+Limit::~Limit() = default;
+
+void start(void (*meanwhile)(), void (*begin)()) {
     // Never destroyed: threads may begin after this call, and the library's destructor fails if observe() ran out of
     // memory.
     static auto& beginnings = *new Beginnings(this_processor());
     beginnings.tell(begin);
     beginnings.observe(true);
-#if defined(__SANITIZE_THREAD__)
-    std::thread(meanwhile).detach();  // as in parallel.cpp
-#else
     tbb::this_task_arena::enqueue(meanwhile);
-#endif
 }
 
-}  // namespace meniscus
+}  // namespace meniscus::threads
