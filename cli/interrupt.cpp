@@ -12,7 +12,7 @@
 #include <new>
 
 #include "messages.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 
 namespace meniscus::cli {
 

@@ -17,7 +17,7 @@
 
 #include "meniscus/errors.h"
 #include "meniscus/page.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 
 namespace meniscus::cli {
 

@@ -19,7 +19,7 @@
 #include "meniscus/version.h"
 #include "meniscus/words.h"
 #include "output_plan.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 
 namespace meniscus::cli {
 

@@ -13,7 +13,7 @@
 #include <string_view>
 
 #include "meniscus/errors.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 #include "report.h"
 
 namespace meniscus::cli {

@@ -18,7 +18,7 @@
 #include "meniscus/page.h"
 #include "meniscus/tables.h"
 #include "meniscus/threads.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 #include "standard_output.h"
 #include "summary.h"
 

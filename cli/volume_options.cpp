@@ -13,7 +13,7 @@
 #include "meniscus/errors.h"
 #include "meniscus/file_name.h"
 #include "option_words.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 
 namespace meniscus::cli {
 

@@ -7,12 +7,14 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/meniscus)
 
 # The library, for CMake and for pkg-config; both find it wherever the folder is moved.
-install(TARGETS meniscus EXPORT meniscus-targets
-  ARCHIVE COMPONENT development
-  LIBRARY COMPONENT development)
+foreach(library IN LISTS MENISCUS_LIBRARIES)
+  install(TARGETS meniscus-${library} EXPORT meniscus-${library}-targets
+    ARCHIVE COMPONENT development
+    LIBRARY COMPONENT development)
+  install(EXPORT meniscus-${library}-targets NAMESPACE Meniscus:: DESTINATION ${package_dir} COMPONENT development)
+endforeach()
 install(DIRECTORY include/meniscus DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
   FILES_MATCHING PATTERN *.h)
-install(EXPORT meniscus-targets NAMESPACE Meniscus:: DESTINATION ${package_dir} COMPONENT development)
 
 configure_package_config_file(cmake/meniscus-config.cmake.in meniscus-config.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(meniscus-config-version.cmake COMPATIBILITY SameMinorVersion)
@@ -22,13 +24,26 @@ install(FILES cmake/FindNettle.cmake ${CMAKE_CURRENT_BINARY_DIR}/meniscus-config
 
 file(RELATIVE_PATH path_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" path_to_prefix ${path_to_prefix})
-if(BUILD_SHARED_LIBS)  # who links a static library links what it needs, too
-  set(pc_needs "Libs: -L\${libdir} -lmeniscus\nLibs.private:${pc_libs}\nRequires.private:${pc_requires}")
-else()
-  set(pc_needs "Libs: -L\${libdir} -lmeniscus${pc_libs}\nRequires:${pc_requires}")
+# meniscus.pc is the whole, meniscus-core.pc the library that needs nothing else.
+function(make_pc_file name)
+  foreach(library IN LISTS ARGN)
+    string(PREPEND pc_libs " -lmeniscus-${library}")
+    string(APPEND pc_others "${pc_libs_of_${library}}")
+    string(APPEND pc_requires "${pc_requires_of_${library}}")
+  endforeach()
+  if(BUILD_SHARED_LIBS)  # who links a static library links what it needs, too
+    set(pc_needs "Libs: -L\${libdir}${pc_libs}\nLibs.private:${pc_others}\nRequires.private:${pc_requires}")
+  else()
+    set(pc_needs "Libs: -L\${libdir}${pc_libs}${pc_others}\nRequires:${pc_requires}")
+  endif()
+  configure_file(cmake/meniscus.pc.in ${name}.pc @ONLY)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
+    COMPONENT development)
+endfunction()
+make_pc_file(meniscus-core core)
+if(MENISCUS_LIBRARIES MATCHES view)
+  make_pc_file(meniscus core files view)
 endif()
-configure_file(cmake/meniscus.pc.in meniscus.pc @ONLY)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/meniscus.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 
 # Pages and examples, and the licences of what is compiled into the program, as Debian brings them.
 set(built_in_packages fonts-dejavu-core gemmi-dev libcli11-dev libjs-three nlohmann-json3-dev tao-pegtl-dev)

@@ -48,9 +48,9 @@ function(meniscus_room name)
   meniscus_part(meniscus_${name})
 endfunction()
 
-# The objects of this target become part of the library `meniscus`.
+# The objects of this target become part of the library that is being described (src/CMakeLists.txt).
 function(meniscus_part target)
-  set_property(GLOBAL APPEND PROPERTY MENISCUS_PARTS ${target})
+  set_property(GLOBAL APPEND PROPERTY MENISCUS_PARTS_${library} ${target})
 endfunction()
 
 # One test program per room: meniscus_test(ROOM SOURCES ... USES ...). The tests themselves are optimised little, which

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "meniscus/volume.h"
+#include "meniscus/volume_file.h"
 
 namespace meniscus::fuzz {
 

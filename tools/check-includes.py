@@ -40,7 +40,7 @@ ROOMS = {
 }
 # What clients may use beside the public headers: how to write a file of their own whole or not at all, how foreign
 # words stand in messages, and how to load a library.
-FOR_CLIENTS = ("src/platform/atomic_file.h", "src/reading/text.h", "src/platform/loaded_library.h")
+FOR_CLIENTS = ("src/platform/files/atomic_file.h", "src/reading/text.h", "src/platform/files/loaded_library.h")
 # Public headers that numerical rooms must not see, and words that only some folders may include.
 FILE_HEADERS = ("include/meniscus/structure.h", "include/meniscus/write.h", "include/meniscus/level_set_file.h",
                 "include/meniscus/volume.h", "include/meniscus/read_mesh.h")

@@ -43,7 +43,7 @@ build_in() {
 # Files that are shipped or made of what is, by their paths in the build folder.
 shipped() {
     (cd "$1" && find . -maxdepth 1 \( -name '*.deb' -o -name '*.tar.gz' -o -name '*.whl' \) && find cli src python \
-        -type f \( -name '*.so' -o -name libmeniscus.a -o \( -path 'cli/*' -perm -u+x \) \)) | sort
+        -type f \( -name '*.so' -o -name 'libmeniscus-*.a' -o \( -path 'cli/*' -perm -u+x \) \)) | sort
 }
 
 compare() {

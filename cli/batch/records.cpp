@@ -19,7 +19,7 @@
 
 #include "meniscus/errors.h"
 #include "messages.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 
 namespace meniscus::cli::batch {
 

@@ -16,7 +16,7 @@
 #include "meniscus/remesh.h"
 #include "meniscus/surface.h"
 #include "meniscus/write.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 
 namespace meniscus::dropins {
 namespace {

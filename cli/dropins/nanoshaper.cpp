@@ -18,7 +18,7 @@
 #include "meniscus/surface.h"
 #include "meniscus/version.h"
 #include "meniscus/write.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 
 namespace meniscus::dropins {
 namespace {

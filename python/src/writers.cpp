@@ -20,7 +20,7 @@
 #include "meniscus/vertex_values.h"
 #include "meniscus/write.h"
 #include "options.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 
 namespace meniscus::python {
 

@@ -12,7 +12,7 @@
 #include "io/labels.h"
 #include "io/text_buffer.h"
 #include "meniscus/write.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 
 namespace meniscus {
 namespace {

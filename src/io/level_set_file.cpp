@@ -23,7 +23,7 @@
 
 #include "grid/block_grid.h"
 #include "meniscus/errors.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 
 namespace meniscus {
 namespace {

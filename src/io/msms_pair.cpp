@@ -21,7 +21,7 @@
 #include "meniscus/errors.h"
 #include "meniscus/file_name.h"
 #include "meniscus/version.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 
 namespace meniscus {
 namespace {

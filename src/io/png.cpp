@@ -14,7 +14,7 @@
 
 #include "meniscus/errors.h"
 #include "meniscus/write.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 
 namespace meniscus {
 namespace {

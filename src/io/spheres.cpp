@@ -6,7 +6,7 @@
 #include "io/sphere_names.h"
 #include "meniscus/errors.h"
 #include "meniscus/write.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 #include "reading/lower_case.h"
 
 namespace meniscus {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "meniscus/write.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 
 namespace meniscus {
 

@@ -22,7 +22,7 @@
 #include "meniscus/errors.h"
 #include "meniscus/threads.h"
 #include "meniscus/write.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 #include "platform/fresh_memory.h"
 #include "reading/lower_case.h"
 

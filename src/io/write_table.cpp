@@ -8,7 +8,7 @@
 #include "io/csv.h"
 #include "meniscus/errors.h"
 #include "meniscus/write.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 #include "reading/lower_case.h"
 
 namespace meniscus {

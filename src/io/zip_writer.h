@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 
 namespace meniscus {
 

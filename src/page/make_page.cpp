@@ -13,7 +13,7 @@
 #include "page/html.h"
 #include "page/page_data.h"
 #include "page/viewer_files.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 #include "render/openness.h"
 
 namespace meniscus {

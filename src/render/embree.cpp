@@ -5,7 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "platform/loaded_library.h"
+#include "platform/files/loaded_library.h"
 
 namespace meniscus {
 namespace {

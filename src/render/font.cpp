@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include FT_FREETYPE_H
 
-#include "platform/loaded_library.h"
+#include "platform/files/loaded_library.h"
 #include "render/font_file.h"
 
 namespace meniscus {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "meniscus/errors.h"
-#include "meniscus/volume.h"
+#include "meniscus/volume_file.h"
 #include "reading/lower_case.h"
 #include "volume/readers.h"
 

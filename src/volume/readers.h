@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "meniscus/volume.h"
+#include "meniscus/volume_file.h"
 
 namespace meniscus {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/digits.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 #include "volume/writers.h"
 
 namespace meniscus {

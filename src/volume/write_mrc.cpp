@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "meniscus/errors.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 #include "volume/mrc_header.h"
 #include "volume/writers.h"
 

@@ -13,7 +13,7 @@
 #include <system_error>
 
 #include "meniscus/errors.h"
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 #include "volume/vdb_module.h"
 #include "volume/writers.h"
 

@@ -8,7 +8,7 @@
 
 #include "meniscus/errors.h"
 #include "meniscus/version.h"
-#include "meniscus/volume.h"
+#include "meniscus/volume_file.h"
 #include "reading/lower_case.h"
 #include "volume/writers.h"
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "meniscus/volume.h"
+#include "meniscus/volume_file.h"
 
 namespace meniscus {
 

@@ -28,6 +28,21 @@ VERSION = re.search(r'kVersion = "([0-9.]+)"', (SOURCE / "include/meniscus/versi
 EXAMPLE = SOURCE / "examples" / "cpp"
 
 # A project that has set nothing, and must find nothing set after it has taken in this one.
+CORE = """\
+cmake_minimum_required(VERSION 3.25)
+project(area LANGUAGES CXX)
+find_package(meniscus 0.1 REQUIRED COMPONENTS core)
+if(TARGET Meniscus::files)
+  message(FATAL_ERROR "more than core was looked for")
+endif()
+add_executable(area area.cpp)
+target_link_libraries(area PRIVATE Meniscus::core)
+"""
+AREA = """\
+#include <cstdio>
+#include "meniscus/exact_surface.h"
+int main() { std::printf("%.12f", meniscus::ExactSurface({{{0, 0, 0}}, {1.7}}).measures().totals.ses_area); }
+"""
 PARENT = """cmake_minimum_required(VERSION 3.25)
 project(parent LANGUAGES CXX)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
@@ -113,6 +128,20 @@ class PackageTest(unittest.TestCase):
         run(COMPILER, "-std=c++20", *FLAGS, EXAMPLE / "surface_of.cpp", "-o", program, *words)
         self.expect_works(program)
 
+    def test_core_alone_needs_nothing_but_a_thread_library(self):
+        project = self.folder / "core"
+        project.mkdir()
+        (project / "CMakeLists.txt").write_text(CORE)
+        (project / "area.cpp").write_text(AREA)
+        build = self.configure(project, "core-build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        run("cmake", "--build", build)
+        self.assertAlmostEqual(float(run(build / "area")), 4 * math.pi * 1.7**2, places=9)
+        needed = re.findall(r"NEEDED.*\[(\S+?)\.so", run("readelf", "-d", build / "area"))
+        self.assertLessEqual(set(needed), {"libtbb", "libstdc++", "libc++", "libc++abi", "libm", "libgcc_s", "libc", "libasan",
+                                           "libubsan", "ld-linux-x86-64", "libmeniscus-core"}, needed)
+        words = run("pkg-config", "--cflags", "--libs", "meniscus-core", env=self.environment()).split()
+        run(COMPILER, "-std=c++20", *FLAGS, project / "area.cpp", "-o", self.folder / "core" / "area", *words)
+
     def test_another_project_takes_this_one_in_and_keeps_its_own_settings(self):
         parent = self.folder / "parent"
         parent.mkdir()
@@ -129,8 +158,9 @@ class PackageTest(unittest.TestCase):
         if FULL:
             run("cmake", "--build", build)
             self.expect_works(build / "surface_of")
-            self.assertTrue(self.one("libmeniscus.a").read_bytes() == (build / "meniscus/src/libmeniscus.a").read_bytes(),
-                            "the same library built in another folder differs")
+            for name in ("libmeniscus-core.a", "libmeniscus-files.a", "libmeniscus-view.a"):
+                self.assertTrue(self.one(name).read_bytes() == (build / "meniscus/src" / name).read_bytes(),
+                                f"the same {name} built in another folder differs")
 
     def test_installed_headers_include_no_others_of_the_project(self):
         headers = {path.relative_to(self.prefix / "include").as_posix()

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "platform/atomic_file.h"
+#include "platform/files/atomic_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "platform/loaded_library.h"
+#include "platform/files/loaded_library.h"
 
 #include <gtest/gtest.h>
 

@@ -116,7 +116,7 @@ class TidyTest(unittest.TestCase):
 
     def test_sources_pass_together(self):
         """Else each would be looked at alone, which nobody would see."""
-        names = ["src/platform/loaded_library.cpp", "src/platform/memory.cpp"]
+        names = ["src/platform/files/loaded_library.cpp", "src/platform/memory.cpp"]
         bundles = self.bundles_of(*names)
         paths = [pathlib.Path(name) for name in names]
         self.assertEqual(bundles(paths), [paths])

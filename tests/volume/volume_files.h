@@ -8,7 +8,7 @@
 #include <string>
 
 #include "meniscus/errors.h"
-#include "meniscus/volume.h"
+#include "meniscus/volume_file.h"
 #include "support/scratch_folder.h"
 
 namespace meniscus::testing {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "platform/descriptor_writer.h"
+#include "platform/files/descriptor_writer.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -11,7 +11,7 @@
 #include <type_traits>
 
 #include "core/digits.h"
-#include "platform/descriptor_writer.h"
+#include "platform/files/descriptor_writer.h"
 
 namespace meniscus {
 
