@@ -17,6 +17,11 @@ add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-con
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(-Wno-restrict)  # GCC 12 warns falsely of joined strings (GCC bug 105651)
 endif()
+if(EMSCRIPTEN)
+  # Sizes have 32 bits there; and exceptions, which messages to users are made of, have to be asked for.
+  add_compile_options(-Wno-shorten-64-to-32 -fexceptions)
+  add_link_options(-fexceptions)
+endif()
 if(MENISCUS_WERROR)
   add_compile_options(-Werror)
 endif()

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 namespace meniscus {
 
@@ -16,6 +17,13 @@ constexpr std::uint64_t count_bits(std::uint64_t word) {
     word = (word & 0x3333333333333333U) + ((word >> 2U) & 0x3333333333333333U);
     word = (word + (word >> 4U)) & 0x0F0F0F0F0F0F0F0FU;
     return (word * 0x0101010101010101U) >> 56U;
+}
+
+/// The bits of a number.
+inline std::uint64_t bits_of(double value) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof(bits));
+    return bits;
 }
 
 /// Calls visit(bit) for every bit that is set, in rising order.

@@ -191,7 +191,7 @@ NodeField GaussianDensity::sample(const BlockGrid& grid, double margin) const {
             if (where == Where::Near)
                 evaluate(block, margin, around.atoms(), out);
             else
-                std::ranges::fill(out, static_cast<float>(where == Where::Inside ? -margin : margin));
+                std::fill(out.begin(), out.end(), static_cast<float>(where == Where::Inside ? -margin : margin));
         }
     });
     return values;

@@ -151,7 +151,8 @@ bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const 
         });
     for (auto* begin : {&data.contour_begin, &data.cap_begin, &data.cover_begin})
         std::partial_sum(begin->begin(), begin->end(), begin->begin());
-    if (!std::ranges::all_of(chunks, &ChunkResult::consistent)) return false;
+    const auto is_consistent = [](const ChunkResult& chunk) { return chunk.consistent; };
+    if (!std::all_of(chunks.begin(), chunks.end(), is_consistent)) return false;
     const auto join = [&](auto ChunkResult::*part, auto& whole, std::size_t size) {
         whole.clear();
         reserve_touched(whole, size);

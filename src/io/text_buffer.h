@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/digits.h"
+#include "platform/files/digits.h"
 
 namespace meniscus {
 

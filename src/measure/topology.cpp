@@ -109,8 +109,8 @@ public:
         : first_(first),
           count_(static_cast<VertexId>(count)),
           sizes_(std::make_unique<std::uint32_t[]>(count)),
-          stars_(std::make_unique_for_overwrite<HalfStar[]>(count)),
-          second_halves_(std::make_unique_for_overwrite<HalfStar[]>(count)) {
+          stars_(new HalfStar[count]),
+          second_halves_(new HalfStar[count]) {
         for (std::size_t i = 0; i < count; ++i) clear(stars_[i], i);
     }
 

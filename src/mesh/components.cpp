@@ -3,7 +3,6 @@
 #include "mesh/components.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -86,9 +85,14 @@ private:
     // By value: compilers load what is behind a reference again after every store.
     struct Parents {
         std::uint32_t* first;
-        std::atomic_ref<std::uint32_t> at(std::uint32_t i) const { return std::atomic_ref(first[i]); }
-        std::uint32_t load(std::uint32_t i) const { return at(i).load(std::memory_order_relaxed); }
-        void store(std::uint32_t i, std::uint32_t parent) const { at(i).store(parent, std::memory_order_relaxed); }
+        // What std::atomic_ref would do, which not every C++20 library has.
+        std::uint32_t load(std::uint32_t i) const { return __atomic_load_n(&first[i], __ATOMIC_RELAXED); }
+        void store(std::uint32_t i, std::uint32_t parent) const {
+            __atomic_store_n(&first[i], parent, __ATOMIC_RELAXED);
+        }
+        bool replace(std::uint32_t i, std::uint32_t old, std::uint32_t parent) const {
+            return __atomic_compare_exchange_n(&first[i], &old, parent, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
+        }
         std::uint32_t root(std::uint32_t i) const {
             for (std::uint32_t parent = load(i); parent != i; parent = load(i)) {
                 const std::uint32_t above = load(parent);
@@ -109,8 +113,7 @@ private:
                 parents.store(a, b);
                 return;
             }
-            std::uint32_t itself = a;
-            if (parents.at(a).compare_exchange_strong(itself, b, std::memory_order_relaxed)) return;
+            if (parents.replace(a, a, b)) return;
         }
     }
 

@@ -152,13 +152,15 @@ double flow_margin(const FlowOptions& options, double spacing) {
 }
 
 FlowOutcome run_flow(const FlowTask& task, DistanceBand band) {
-    const auto& [accessible, grid, given_start, options, run] = task;
+    const AccessibleSurface& accessible = task.accessible;
+    const std::shared_ptr<const BlockGrid>& grid = task.grid;
+    const SurfaceOptions& options = task.options;
     const FlowOptions& flow = options.flow;
     const bool may_stray = flow.anchor == 0.0;
-    const bool recorded = may_stray || options.history || run.observer;
+    const bool recorded = may_stray || options.history || task.run.observer;
     band.curvature = curvature_field(accessible, *grid, flow, band);
-    const NodeField& start = given_start.empty() ? band.distance : given_start;
-    FlowRecord record(accessible, grid, run.observer);
+    const NodeField& start = task.start.empty() ? band.distance : task.start;
+    FlowRecord record(accessible, grid, task.run.observer);
     FlowOutcome outcome;
     if (recorded) add_start(record, *grid, start, flow.half_width);
 
@@ -170,7 +172,7 @@ FlowOutcome run_flow(const FlowTask& task, DistanceBand band) {
                                   .residual = at.residual,
                                   .solver_iterations = at.solver_iterations - iterations_before});
         iterations_before = at.solver_iterations;
-        if (run.progress) run.progress("flow", fraction);
+        if (task.run.progress) task.run.progress("flow", fraction);
     };
     EvolutionResult result = run_evolution(*grid, band, start, flow, observe);
 

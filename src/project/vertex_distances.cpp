@@ -81,12 +81,14 @@ DistanceSummary summary_of(std::vector<float> some, std::size_t count) {
     return summary;
 }
 
+bool is_before(const VertexDistances::Off& off, std::size_t vertex) { return off.vertex < vertex; }
+
 }  // namespace
 
 float VertexDistances::operator[](VertexId vertex) const {
     if (!all_.empty()) return all_[vertex];
     if (const auto found = set_.find(vertex); found != set_.end()) return found->second;
-    const auto place = std::ranges::lower_bound(off_, vertex, {}, &Off::vertex);
+    const auto place = std::lower_bound(off_.begin(), off_.end(), vertex, is_before);
     return place == off_.end() || place->vertex != vertex ? 0.0F : place->distance;
 }
 
@@ -102,7 +104,7 @@ void VertexDistances::renumber(const MeshChanges& changes) {
     renumber_entries(changes, all_);
     if (!all_.empty()) return;
     for (const auto& [hole, from] : changes.refilled) set(hole, (*this)[from]);
-    off_.erase(std::ranges::lower_bound(off_, count_, {}, &Off::vertex), off_.end());
+    off_.erase(std::lower_bound(off_.begin(), off_.end(), count_, is_before), off_.end());
     std::erase_if(set_, [this](const auto& entry) { return entry.first >= count_; });
 }
 

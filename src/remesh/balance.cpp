@@ -63,7 +63,7 @@ std::vector<Vec3> crossings_near(Mesh& mesh, std::span<const Vec3> places, doubl
     for (const Vec3& v : mesh.vertices) is_near.push_back(near.contain(v));
     std::vector<Triangle> some;
     for (const Triangle& t : mesh.triangles)
-        if (std::ranges::any_of(t, [&](VertexId v) { return is_near[v]; })) some.push_back(t);
+        if (std::any_of(t.begin(), t.end(), [&](VertexId v) { return is_near[v]; })) some.push_back(t);
     mesh.triangles.swap(some);
     std::vector<Vec3> found = places_of_self_intersections(mesh);
     mesh.triangles.swap(some);

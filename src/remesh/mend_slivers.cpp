@@ -69,7 +69,7 @@ void close_gaps(std::vector<std::uint32_t>& numbers) {
         if (n >= taken.size()) taken.resize(std::size_t{n} + 1);
         taken[n] = 1;
     }
-    if (std::ranges::count(taken, 0U) == 0) return;
+    if (std::count(taken.begin(), taken.end(), 0U) == 0) return;
     std::exclusive_scan(taken.begin(), taken.end(), taken.begin(), 0U);
     for (std::uint32_t& n : numbers) n = taken[n];
 }
@@ -254,8 +254,12 @@ private:
         std::vector<VertexId> corners(mesh_.triangles[triangle].begin(), mesh_.triangles[triangle].end());
         for (std::size_t i = 0; i < crumb.size() && crumb.size() <= options_.largest_crumb; ++i)
             for_each_near(chunks, box_of(mesh_, mesh_.triangles[crumb[i]]), [&](std::uint32_t t, const Box&) {
-                const auto is_corner = [&](VertexId v) { return std::ranges::count(corners, v) > 0; };
-                if (std::ranges::count(crumb, t) > 0 || std::ranges::none_of(mesh_.triangles[t], is_corner)) return;
+                const auto is_corner = [&](VertexId v) {
+                    return std::find(corners.begin(), corners.end(), v) != corners.end();
+                };
+                const Triangle& triangle_t = mesh_.triangles[t];
+                if (std::find(crumb.begin(), crumb.end(), t) != crumb.end()) return;
+                if (std::none_of(triangle_t.begin(), triangle_t.end(), is_corner)) return;
                 crumb.push_back(t);
                 for (const VertexId v : mesh_.triangles[t])
                     if (!is_corner(v)) corners.push_back(v);

@@ -207,7 +207,8 @@ std::size_t count_crossings(const Patch& patch, std::span<const std::size_t> tri
         if (const Box box = box_of(patch, t); box.overlaps(all)) near.push_back({t, box, false});
     std::size_t count = 0;
     for (const std::size_t t : triangles) {
-        const auto found = std::ranges::lower_bound(near, t, {}, &Near::triangle);
+        const auto found = std::lower_bound(
+            near.begin(), near.end(), t, [](const Near& at, std::size_t triangle) { return at.triangle < triangle; });
         if (found == near.end() || found->triangle != t) continue;  // removed
         found->counted = true;
         const HeldTriangle held = held_triangle(patch, patch.triangles[t]);

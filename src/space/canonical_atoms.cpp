@@ -3,13 +3,13 @@
 #include "space/canonical_atoms.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <tuple>
 
+#include "core/bits.h"
 #include "core/largest_length.h"
 #include "core/mix_bits.h"
 #include "meniscus/errors.h"
@@ -64,7 +64,7 @@ std::uint64_t morton_key(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
 double symmetry_breaking_offset(const Vec3& centre, double radius, std::uint64_t seed) {
     std::uint64_t h = mix_bits(seed + kMixIncrement);
     for (const double v : {centre.x, centre.y, centre.z, radius})
-        h = mix_bits(h ^ std::bit_cast<std::uint64_t>(v + 0.0)) + kMixIncrement;  // + 0.0: -0 is 0
+        h = mix_bits(h ^ bits_of(v + 0.0)) + kMixIncrement;  // + 0.0: -0 is 0
     return signed_unit(mix_bits(h));
 }
 

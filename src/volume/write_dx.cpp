@@ -7,8 +7,8 @@
 #include <iterator>
 #include <string_view>
 
-#include "core/digits.h"
 #include "platform/files/atomic_file.h"
+#include "platform/files/digits.h"
 #include "volume/writers.h"
 
 namespace meniscus {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "core/digits.h"
+#include "platform/files/digits.h"
 #include "platform/files/descriptor_writer.h"
 
 namespace meniscus {

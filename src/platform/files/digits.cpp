@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/digits.h"
+#include "platform/files/digits.h"
 
 #include <charconv>
 #include <cmath>
