@@ -140,13 +140,13 @@ void StructureRun::run(const Job& job) {
     compute(job);
     const double computing = watch_.lap();
     write_outputs(job);
-    RunFacts facts;
+    RunFacts facts = this->facts();
     facts.model = job.model;
     facts.chain = job.chain;
     facts.threads = threads_in_use(threads_);
-    facts.read_seconds = std::exchange(read_seconds_, 0.0);
-    facts.write_seconds = watch_.lap();
-    facts.total_seconds = facts.read_seconds + computing + facts.write_seconds;
+    facts.seconds.read = std::exchange(read_seconds_, 0.0);
+    facts.seconds.write = watch_.lap();
+    facts.seconds.total = facts.seconds.read + computing + facts.seconds.write;
     facts.peak_memory_mb = peak_memory_mb();
     progress_.clear();
     record(job, facts);
@@ -175,10 +175,10 @@ void StructureRun::record(const Job& job, RunFacts facts) {
     if (!request_.report.empty()) {
         ordered_json& made = reports_.emplace_back(report(job, facts));
         const double making = watch_.lap();
-        facts.write_seconds += making;
-        facts.total_seconds += making;
-        made["time_s"]["write"] = facts.write_seconds;
-        made["time_s"]["total"] = facts.total_seconds;
+        facts.seconds.write += making;
+        facts.seconds.total += making;
+        made["time_s"]["write"] = facts.seconds.write;
+        made["time_s"]["total"] = facts.seconds.total;
     }
     summary_ += summary(job, facts);
 }

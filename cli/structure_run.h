@@ -73,6 +73,8 @@ protected:
     virtual std::vector<ReadFile> files_read() const { return {}; }
     virtual void compute(const Job& job) = 0;
     virtual void write(const Output& output, const Job& job) const = 0;
+    /// What only the subcommand knows of the run.
+    virtual RunFacts facts() const { return {}; }
     /// Which checks the result failed; empty if it passed them all.
     virtual std::string failed() const = 0;
     virtual nlohmann::ordered_json report(const Job& job, const RunFacts& facts) const = 0;

@@ -38,7 +38,7 @@ void add_value_options(CLI::App& command, ValueRequest& request);
 void check_values(const ValueRequest& request, const ColourOptions& colours);
 
 /// The options as the report has them.
-void report_values(const ValueRequest& request, nlohmann::ordered_json& options);
+nlohmann::ordered_json report_values(const ValueRequest& request);
 
 /// The files of a request, read: what is wrong with them is known before anything is computed.
 class ValueSources {

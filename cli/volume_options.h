@@ -59,6 +59,6 @@ private:
 
 /// As the report has it.
 /// written   whether there is a volume; without one all is null
-void report_volumes(const VolumeRequest& request, bool written, nlohmann::ordered_json& options);
+nlohmann::ordered_json report_volumes(const VolumeRequest& request, bool written);
 
 }  // namespace meniscus::cli
