@@ -109,7 +109,7 @@ void StructureRun::check_all_paths(const std::vector<Job>& jobs) const {
     check(std::move(paths));
 }
 
-/// The checksum is found where something tells it.
+/// The checksum is computed only if an output or the report contains it.
 std::vector<Job> StructureRun::read_structures() const {
     const auto& outputs = request_.outputs;
     ReadOptions options = request_.read;
@@ -165,7 +165,7 @@ void StructureRun::write_outputs(const Job& job) {
     progress_.update("write", 1.0);
 }
 
-/// Making a report takes time that the report itself is to tell.
+/// Making a report takes time, which the report itself includes.
 void StructureRun::record(const Job& job, RunFacts facts) {
     if (const std::string checks = failed(); !checks.empty()) {
         print_warning(std::cerr, fmt::format("{}: the result failed its checks: {}; outputs are written nevertheless",

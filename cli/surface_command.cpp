@@ -149,7 +149,7 @@ private:
         if (has_volume && made.spacing != options.spacing)
             grid = choose_grid(job, surface_.exact, made.spacing, surface_.expected);
         surface_.seconds.estimate += estimate_seconds;
-        bring_values();
+        add_values();
         Stopwatch watch;
         colours_ = colour_vertices(surface_.mesh, job.structure, request_.picture.colours);
         if (!selected.empty()) show_part(part_of_atoms(surface_.mesh, selected));
@@ -183,7 +183,7 @@ private:
         seconds_.exact = watch.lap();
     }
 
-    void bring_values() {
+    void add_values() {
         surface_.mesh.values = values_.at_vertices(surface_.mesh, surface_.exact);
         for (const std::string& line : values_.judge(surface_.mesh.values)) warn(line);
     }
@@ -203,7 +203,7 @@ private:
         part_ = {std::move(part.mesh), std::move(colours), shown};
     }
 
-    /// Walls of cavities, by falling volume as everywhere, and where they go.
+    /// Lists the walls of cavities, by falling volume as everywhere, and the files that they are written to.
     void plan_cavities(const Job& job) {
         std::vector<CavityFile>& cavities = made_.cavities;
         cavities.clear();
@@ -355,7 +355,7 @@ private:
 
     const SurfaceRequest& request_;
     ValueSources values_;
-    // Of the SES, where another one is made and reports tell both by their names.
+    // Of the SES, where the mesh is of another surface and the report has both.
     std::shared_ptr<const Measures> excluded_;
     Surface surface_;
     std::vector<Colour> colours_;  // of the mesh's vertices

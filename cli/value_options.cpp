@@ -174,21 +174,21 @@ std::vector<std::string> ValueSources::names() const {
 }
 
 /// No two arrays may have one name.
-void ValueSources::check_twins() const {
+void ValueSources::check_duplicates() const {
     std::vector<std::pair<std::string, std::string>> all;
     for (const Column& column : columns_) all.emplace_back(column.values.name, column.path);
     for (const Map& map : maps_) all.emplace_back(map.asked.name, map.asked.path);
     std::map<std::string, std::string> paths;
     for (const auto& [name, path] : all)
-        if (const auto [twin, is_new] = paths.emplace(CLI::detail::to_lower(name), path); !is_new)
+        if (const auto [other, is_new] = paths.emplace(CLI::detail::to_lower(name), path); !is_new)
             throw UsageError(fmt::format(
                 "two arrays of values have the name '{}', one of {} and one of {}; rename one of them, that "
                 "of a table in its first line",
-                name, twin->second, path));
+                name, other->second, path));
 }
 
 void ValueSources::check_names(const ColourOptions& colours) const {
-    check_twins();
+    check_duplicates();
     std::set<std::string> seen;
     for (const std::string& name : names()) seen.insert(CLI::detail::to_lower(name));
     if (depth_of_ != nullptr && colours.scheme != ColourScheme::Depth && seen.contains("depth"))

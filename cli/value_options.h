@@ -79,7 +79,7 @@ private:
     void add_table(const std::string& path, const Structure& structure, bool one_chain);
     void leave_to_depth(ValueTable& table, const std::string& path);
     void check_names(const ColourOptions& colours) const;
-    void check_twins() const;
+    void check_duplicates() const;
     void check_colour(const ColourOptions& colours) const;
     std::vector<std::string> names() const;
     const std::string& path_of(const std::string& name) const;

@@ -24,7 +24,7 @@ namespace {
 
 constexpr const char* kGridWords = "a .dx, .mrc, .map or .ccp4 file, or NX,NY,NZ,H,CX,CY,CZ";
 
-/// Counts, spacing and middle, as APBS is told them (dime, grid, gcent).
+/// Counts, spacing and centre: what APBS calls dime, grid and gcent.
 VolumeGrid parse_numbers(const std::vector<std::string>& parts) {
     std::array<std::size_t, 3> counts{};
     for (std::size_t axis = 0; axis < 3; ++axis)

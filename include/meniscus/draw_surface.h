@@ -26,8 +26,8 @@ struct DrawOptions {
     const Mesh* whole = nullptr;            ///< what the legend is of, where a part of it is drawn
 };
 
-/// Draws a surface, or a part of it. Where a scheme tells colours at any point, borders are drawn where they are on the
-/// surface, else as the colours of the vertices have them.
+/// Draws a surface, or a part of it. Where a scheme gives a colour to every point, borders are drawn where they are on
+/// the surface, else as the colours of the vertices have them.
 ///
 /// surface    of the structure's atoms
 /// drawn      the mesh of the surface, or a part of it, perhaps with more values
