@@ -56,7 +56,9 @@ Stopwatch Stopwatch::of_program() { return Stopwatch(kProgramStart); }
 
 Outcome StructureRun::operator()() {
     const ThreadLimit limit(threads_);
-    for (const Job& job : prepare_jobs()) run(job);
+    const std::vector<Job> jobs = prepare_jobs();
+    double read_seconds = watch_.lap();
+    for (const Job& job : jobs) run(job, std::exchange(read_seconds, 0.0));
     finish();
     return outcome_;
 }
@@ -72,7 +74,6 @@ std::vector<Job> StructureRun::prepare_jobs() {
     progress_.clear();
     if (!request_.quiet) print_lines(jobs, &Structure::notes, print_note);
     print_lines(jobs, &Structure::warnings, print_warning);
-    read_seconds_ += watch_.lap();
     return jobs;
 }
 
@@ -136,7 +137,7 @@ std::vector<Job> StructureRun::read_jobs() const {
     return jobs;
 }
 
-void StructureRun::run(const Job& job) {
+void StructureRun::run(const Job& job, double read_seconds) {
     compute(job);
     const double computing = watch_.lap();
     write_outputs(job);
@@ -144,7 +145,7 @@ void StructureRun::run(const Job& job) {
     facts.model = job.model;
     facts.chain = job.chain;
     facts.threads = threads_in_use(threads_);
-    facts.seconds.read = std::exchange(read_seconds_, 0.0);
+    facts.seconds.read = read_seconds;
     facts.seconds.write = watch_.lap();
     facts.seconds.total = facts.seconds.read + computing + facts.seconds.write;
     facts.peak_memory_mb = peak_memory_mb();

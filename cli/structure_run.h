@@ -95,7 +95,7 @@ private:
     std::vector<Job> read_structures() const;
     std::vector<Job> read_jobs() const;
     std::vector<Job> prepare_jobs();
-    void run(const Job& job);
+    void run(const Job& job, double read_seconds);
     void write_outputs(const Job& job);
     void record(const Job& job, RunFacts facts);
     void finish();
@@ -104,7 +104,6 @@ private:
     int threads_;
     ProgressReport progress_;
     Stopwatch watch_ = Stopwatch::of_program();
-    double read_seconds_ = 0.0;
     nlohmann::ordered_json reports_ = nlohmann::ordered_json::array();
     std::string summary_;
     Outcome outcome_ = Outcome::Done;
