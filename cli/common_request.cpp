@@ -76,45 +76,37 @@ void add_atom_options(CLI::App& command, CommonRequest& request) {
                     "PQR and xyzr, else bondi if the structure has hydrogens, else united")
         ->type_name("SET")
         ->capture_default_str();
-    add_choice(command, "--hydrogens", read.hydrogens, kHydrogenWords, "Hydrogens; auto: as the radii require");
-    const auto model = [&request](const std::string& text) { set_model(request, text); };
-    command
-        .add_option_function<std::string>(
-            "--model", model,
-            "Model to read, counted from 1\n; all: each as a structure of its own; join: all "
-            "together as one, copies of chain A being A-2, A-3 ...")
-        ->type_name("N|all|join")
-        ->default_str("1");
+    add_choice(command, {"--hydrogens", "Hydrogens; auto: as the radii require"}, read.hydrogens, kHydrogenWords);
+    add_word(command,
+             {"--model",
+              "Model to read, counted from 1\n; all: each as a structure of its own; join: all together as one, copies "
+              "of chain A being A-2, A-3 ...",
+              "N|all|join", "1"},
+             [&request](const std::string& text) { set_model(request, text); });
     command.add_option("--assembly", read.assembly, rarely("Biological assembly named in the file"))->type_name("ID");
-    const auto altloc = [&request](const std::string& text) { set_altloc(request, text); };
-    command
-        .add_option_function<std::string>(
-            "--altloc", altloc, rarely("Alternative location to use, instead of the one with the highest occupancy"))
-        ->type_name("ID");
-    const auto chains = [&read](const std::string& text) { read.chains = split_chains(text); };
-    command
-        .add_option_function<std::string>("--chains", chains,
-                                          "Chains to keep\n, by author name; label:A for mmCIF label names")
-        ->type_name("A,B");
-    const auto select = [&read](const std::string& text) {
-        if (text.empty()) throw UsageError("--select: empty; write for instance //A/10-50");
-        read.select = text;
-    };
-    command
-        .add_option_function<std::string>("--select", select,
-                                          "Atoms to keep, as in //A/10-50\n, in gemmi's selection syntax")
-        ->type_name("EXPR");
-    add_choice(command, "--hetero", read.hetero, kHeteroWords,
-               "Hetero atoms to keep\n beside the polymer: groups of two or more atoms (ligands), or ions and metals, "
-               "too (all)");
+    add_word(command,
+             {"--altloc", rarely("Alternative location to use, instead of the one with the highest occupancy"), "ID"},
+             [&request](const std::string& text) { set_altloc(request, text); });
+    add_word(command, {"--chains", "Chains to keep\n, by author name; label:A for mmCIF label names", "A,B"},
+             [&read](const std::string& text) { read.chains = split_chains(text); });
+    add_word(command, {"--select", "Atoms to keep, as in //A/10-50\n, in gemmi's selection syntax", "EXPR"},
+             [&read](const std::string& text) {
+                 if (text.empty()) throw UsageError("--select: empty; write for instance //A/10-50");
+                 read.select = text;
+             });
+    add_choice(command,
+               {"--hetero",
+                "Hetero atoms to keep\n beside the polymer: groups of two or more atoms (ligands), or ions and metals, "
+                "too (all)"},
+               read.hetero, kHeteroWords);
     add_waters(command, read.keep_waters);
     command.add_flag("--strict-radii", read.strict_radii,
                      rarely("Refuse atoms of unknown type instead of giving them their element's radius"));
 }
 
 void add_probe(CLI::App& command, double& probe) {
-    add_number(command, "--probe", probe, Sign::NotNegative, "R",
-               "Probe radius, Å\n; 0 gives the van der Waals surface");
+    add_number(command, {"--probe", "Probe radius, Å\n; 0 gives the van der Waals surface", "R"}, probe,
+               Sign::NotNegative);
 }
 
 void add_output_options(CLI::App& command, CommonRequest& request) {
@@ -127,17 +119,16 @@ void add_output_options(CLI::App& command, CommonRequest& request) {
         .add_option("--format", request.format,
                     rarely("Write to standard output, in this format: a suffix without its point, as in ply or csv"))
         ->type_name("FORMAT");
-    const auto report = [&request](const std::string& path) { request.report = path == "/dev/stdout" ? "-" : path; };
-    command.add_option_function<std::string>("--report", report, "Report as JSON; - for standard output")
-        ->type_name("FILE");
+    add_word(command, {"--report", "Report as JSON; - for standard output", "FILE"},
+             [&request](const std::string& path) { request.report = path == "/dev/stdout" ? "-" : path; });
     command.add_flag("-q,--quiet", request.quiet, "No summary, no notes, no progress bar");
 }
 
 void add_run_options(CLI::App& command, CommonRequest& request, int& threads) {
-    add_count(command, "--threads", threads, "Number of threads\n; results do not depend on it")
-        ->default_str("all cores");
-    add_choice(command, "--progress", request.progress, kProgress,
-               rarely("Progress on standard error; auto: a bar on a terminal; json: a line per update"));
+    add_count(command, {"--threads", "Number of threads\n; results do not depend on it", "N", "all cores"}, threads);
+    add_choice(command,
+               {"--progress", rarely("Progress on standard error; auto: a bar on a terminal; json: a line per update")},
+               request.progress, kProgress);
 }
 
 const char* name_of(HydrogenPolicy policy) { return word_for(kHydrogenWords, policy); }

@@ -71,7 +71,7 @@ private:
                 throw InputError(path + ": its triangles have no area; there is nothing to compare");
         } else {
             ReadOptions reading = request_.read;
-            reading.checksum = false;  // nothing about a comparison tells it
+            reading.checksum = false;  // nothing that is written contains it
             input.structure = read_structure(path, reading);
             show("surface", 0.0);
             StructureToCompare options = request_.structure;

@@ -103,11 +103,9 @@ std::string make_summary(const CompareRequest& request, const CompareFacts& fact
     text += describe_distance("from A to B", facts.comparison.a_to_b);
     text += describe_distance("from B to A", facts.comparison.b_to_a);
     text += fmt::format("  {:<22} {:>32.4f}\n", "Hausdorff", facts.comparison.hausdorff());
-    RunFacts run;
-    run.threads = facts.threads;
-    run.total_seconds = facts.total_seconds();
-    run.peak_memory_mb = facts.peak_memory_mb;
-    text += describe_run(run);
+    text += describe_run({.threads = facts.threads,
+                          .peak_memory_mb = facts.peak_memory_mb,
+                          .seconds = {.total = facts.total_seconds()}});
     std::vector<Output> written;
     for (const std::string& path : request.outputs) written.push_back({path, OutputKind::Mesh});
     return text + describe_files(written);

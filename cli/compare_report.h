@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// What `meniscus compare` tells: the summary, and the report (docs/compare.schema.json).
+// What `meniscus compare` prints: the summary, and the report (docs/compare.schema.json).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

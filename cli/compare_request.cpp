@@ -54,18 +54,21 @@ void add_compare_options(CLI::App& command, CompareRequest& request) {
     add_atom_options(command, request);
     command.option_defaults()->group(kSurfaceGroup);
     add_probe(command, request.structure.probe);
-    add_number(command, "--spacing", request.structure.spacing, Sign::Positive, "H",
-               rarely("Grid spacing of the mesh that is used to spread points over a structure's surface, Å"));
+    add_number(command,
+               {"--spacing",
+                rarely("Grid spacing of the mesh that is used to spread points over a structure's surface, Å"), "H"},
+               request.structure.spacing, Sign::Positive);
     command.option_defaults()->group("Distances");
-    add_number(command, "--points", request.compare.density, Sign::Positive, "D",
-               "Minimum number of points per Å²\n, spread over the triangles, with at least four on each");
+    add_number(
+        command,
+        {"--points", "Minimum number of points per Å²\n, spread over the triangles, with at least four on each", "D"},
+        request.compare.density, Sign::Positive);
     command.option_defaults()->group("Output");
     add_output_options(command, request);
-    command
-        .add_option_function<std::string>(
-            "--range", [&request](const std::string& text) { request.range = parse_range(text); },
-            "Distances shown in full blue and red, Å\n; by default, 99 % of A's area lies between them")
-        ->type_name("MIN:MAX");
+    add_word(command,
+             {"--range", "Distances shown in full blue and red, Å\n; by default, 99 % of A's area lies between them",
+              "MIN:MAX"},
+             [&request](const std::string& text) { request.range = parse_range(text); });
     command.option_defaults()->group("Running");
     add_run_options(command, request, request.compare.threads);
     command.parse_complete_callback([&command, &request] {

@@ -14,32 +14,6 @@ namespace {
 constexpr Words<FlowName, 3> kFlows{
     {{"anchored", FlowName::Anchored}, {"parallel", FlowName::Parallel}, {"paper", FlowName::Paper}}};
 
-constexpr const char* kOfTheFlow = "of the flow";
-
-/// An option whose default is a matter of the flow.
-template <class Target, class Parse>
-void add_piece(CLI::App& command, const char* name, Target& target, const std::string& type, const std::string& text,
-               const Parse& parse) {
-    command
-        .add_option_function<std::string>(
-            name, [&target, parse](const std::string& value) { target = parse(value); }, text)
-        ->type_name(type)
-        ->default_str(kOfTheFlow);
-}
-
-template <class T, std::size_t N>
-void add_word(CLI::App& command, const char* name, std::optional<T>& target, const Words<T, N>& words,
-              const std::string& text) {
-    add_piece(command, name, target, join(words, "|"), text,
-              [name, &words](const std::string& value) { return parse_word(name, value, words); });
-}
-
-void add_positive(CLI::App& command, const char* name, std::optional<double>& target, Sign sign, const char* symbol,
-                  const std::string& text) {
-    add_piece(command, name, target, symbol, text,
-              [name, sign](const std::string& value) { return parse_number(name, value, sign); });
-}
-
 double parse_time_step(const std::string& text) {
     if (text == "inf") return std::numeric_limits<double>::infinity();
     return parse_number("--time-step", text, Sign::Positive);
@@ -61,26 +35,32 @@ const FlowOptions& named(FlowName name) {
 }  // namespace
 
 void add_flow_options(CLI::App& command, FlowRequest& request) {
-    add_choice(command, "--flow", request.name, kFlows,
-               rarely("Evolution that the flow follows; the options below modify it"));
-    add_word(command, "--curvature", request.curvature, kCurvatureWords, rarely("Curvature field"));
-    add_positive(command, "--anchor", request.anchor, Sign::NotNegative, "L",
-                 rarely("Strength of the anchor, in units of 1/H²; 0: none"));
-    add_word(command, "--reinitialise", request.reinitialiser, kReinitialiserWords,
-             rarely("How the level set is kept a signed distance"));
-    add_word(command, "--solver", request.solver, kSolverWords, rarely("Solver of the linear systems"));
-    add_word(command, "--slope", request.slope, kSlopeWords, rarely("Factor |grad| of the curvature"));
-    add_piece(command, "--time-step", request.time_step, "T", rarely("Time step, in units of H²; inf: a single solve"),
-              parse_time_step);
-    add_positive(command, "--half-width", request.half_width, Sign::Positive, "K",
-                 rarely("Half-width of the band: nodes within K*H of the surface are unknowns"));
-    add_piece(command, "--max-steps", request.max_steps, "N", rarely("Maximum number of steps"),
-              [](const std::string& value) { return parse_count("--max-steps", value); });
-    add_positive(
-        command, "--tolerance", request.tolerance, Sign::Positive, "E",
-        rarely("Stop when the distance left to go is below E*H; without an anchor, when the speed is below E, 1/Å"));
+    add_choice(command, {"--flow", rarely("Evolution that the flow follows; the options below modify it")},
+               request.name, kFlows);
+    const auto of_flow = [](const char* name, const char* text, const char* symbol) {
+        return OptionHelp{name, rarely(text), symbol, "of the flow"};
+    };
+    add_choice(command, of_flow("--curvature", "Curvature field", ""), request.curvature, kCurvatureWords);
+    add_number(command, of_flow("--anchor", "Strength of the anchor, in units of 1/H²; 0: none", "L"), request.anchor,
+               Sign::NotNegative);
+    add_choice(command, of_flow("--reinitialise", "How the level set is kept a signed distance", ""),
+               request.reinitialiser, kReinitialiserWords);
+    add_choice(command, of_flow("--solver", "Solver of the linear systems", ""), request.solver, kSolverWords);
+    add_choice(command, of_flow("--slope", "Factor |grad| of the curvature", ""), request.slope, kSlopeWords);
+    add_word(command, of_flow("--time-step", "Time step, in units of H²; inf: a single solve", "T"),
+             [&request](const std::string& text) { request.time_step = parse_time_step(text); });
+    add_number(command,
+               of_flow("--half-width", "Half-width of the band: nodes within K*H of the surface are unknowns", "K"),
+               request.half_width, Sign::Positive);
+    add_count(command, of_flow("--max-steps", "Maximum number of steps", "N"), request.max_steps);
+    add_number(command,
+               of_flow("--tolerance",
+                       "Stop when the distance left to go is below E*H; without an anchor, when the speed is below E, "
+                       "1/Å",
+                       "E"),
+               request.tolerance, Sign::Positive);
     command.add_option("--history", request.history, rarely("Record of every step, .csv or .json"))->type_name("FILE");
-    add_count(command, "--snapshots", request.snapshots, rarely("Write a mesh every N steps"));
+    add_count(command, {"--snapshots", rarely("Write a mesh every N steps")}, request.snapshots);
 }
 
 FlowOptions resolve(const FlowRequest& request) {

@@ -94,7 +94,9 @@ private:
                                                           : interface_table(job.structure, interfaces_, per));
     }
 
-    std::vector<Check> checks() const { return {agreement_check(exact_), sums_check(exact_)}; }
+    RunFacts facts() const override {
+        return {.seconds = {.exact = exact_seconds_}, .checks = {agreement_check(exact_), sums_check(exact_)}};
+    }
 
     std::string failed() const override {
         std::string list = disputed_patches(exact_.agreed, exact_.disputed);
@@ -104,23 +106,17 @@ private:
     }
 
     ordered_json report(const Job& job, const RunFacts& facts) const override {
-        ordered_json list;
-        if (!request_.between.empty()) {
-            list = ordered_json::array();
-            for (const ChainInterface& i : interfaces_)
-                list.push_back(interface_json(fmt::format("{}", fmt::join(i.chains.a, ",")),
-                                              fmt::format("{}", fmt::join(i.chains.b, ",")), i.areas));
-        }
-        RunFacts all = facts;
-        all.exact_seconds = exact_seconds_;
-        all.checks = checks();
-        return make_report(request_, job.structure, exact_, list, all);
+        ordered_json report = make_report(request_, job.structure, exact_, facts);
+        if (request_.between.empty()) return report;
+        ordered_json& list = report["interfaces"] = ordered_json::array();
+        for (const ChainInterface& i : interfaces_)
+            list.push_back(interface_json(fmt::format("{}", fmt::join(i.chains.a, ",")),
+                                          fmt::format("{}", fmt::join(i.chains.b, ",")), i.areas));
+        return report;
     }
 
     std::string summary(const Job& job, const RunFacts& facts) const override {
-        RunFacts all = facts;
-        all.checks = checks();
-        std::string text = make_summary(job.structure, exact_, all, job.outputs);
+        std::string text = make_summary(job.structure, exact_, facts, job.outputs);
         if (!request_.between.empty()) text += summarise_interfaces(interfaces_);
         return text;
     }

@@ -20,19 +20,6 @@ constexpr const char* kMeasureExamples =
     "  meniscus measure 1abc.pdb --between A:B               an interface\n"
     "  meniscus measure 1abc.pdb -o depth.pdb --value depth  depths as B factors";
 
-/// An option that may be given several times, each time with one of a few words.
-template <class T, std::size_t N>
-void add_choices(CLI::App& command, const char* name, std::vector<T>& target, const Words<T, N>& words,
-                 const std::string& text) {
-    const auto choose = [name, &target, &words](const std::vector<std::string>& values) {
-        for (const std::string& value : values) target.push_back(parse_word(name, value, words));
-    };
-    command.add_option_function<std::vector<std::string>>(name, choose, text)
-        ->type_name(join(words, "|"))
-        ->allow_extra_args(false)
-        ->default_str(words.front().first);
-}
-
 std::vector<std::string> checked_group(const std::string& group, const std::string& whole) {
     std::vector<std::string> names = split_group(group);
     if (std::find(names.begin(), names.end(), "") != names.end())
@@ -63,11 +50,13 @@ void add_measure_options(CLI::App& command, MeasureRequest& request) {
         ->allow_extra_args(false);
     command.option_defaults()->group("Output");
     add_output_options(command, request);
-    add_choices(command, "--per", request.per, kRowsPerWords,
-                "What each row of a table stands for\n"
-                "; the first --per applies to the first table, the second to the second, the last to all that follow");
-    add_choices(command, "--value", request.values, kAtomValueWords,
-                "Value written as the B factor\n; one per copy, in their order, as with --per");
+    add_choices(command,
+                {"--per",
+                 "What each row of a table stands for\n"
+                 "; the first --per applies to the first table, the second to the second, the last to all that follow"},
+                request.per, kRowsPerWords);
+    add_choices(command, {"--value", "Value written as the B factor\n; one per copy, in their order, as with --per"},
+                request.values, kAtomValueWords);
     command.option_defaults()->group("Running");
     add_run_options(command, request, request.measure.threads);
 }

@@ -9,7 +9,8 @@
 
 namespace meniscus::cli {
 
-/// Whether the system refused to start a thread, which the thread library tells as an error without a class of its own.
+/// Whether the system refused to start a thread, which the thread library reports as an error without a class of its
+/// own.
 bool is_out_of_threads(const std::exception& error);
 
 inline constexpr const char* kOutOfThreads =

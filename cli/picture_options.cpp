@@ -151,37 +151,30 @@ void note_given(PictureRequest& request, std::string_view name) {
 
 /// An option that only pictures and pages heed.
 template <class Set>
-void add_drawing(CLI::App& command, PictureRequest& request, const char* name, const char* symbol,
-                 const char* default_text, const std::string& text, const Set& set) {
-    const auto read = [&request, name, set](const std::string& value) {
+void add_drawing(CLI::App& command, PictureRequest& request, const OptionHelp& help, const Set& set) {
+    add_word(command, help, [&request, name = help.name, set](const std::string& value) {
         note_given(request, name);
         set(value);
-    };
-    command.add_option_function<std::string>(name, read, text)->type_name(symbol)->default_str(default_text);
+    });
 }
 
 template <class Set>
-void add_drawing_flag(CLI::App& command, PictureRequest& request, const char* name, const std::string& text,
-                      const Set& set) {
-    const auto read = [&request, name, set](std::int64_t) {
+void add_drawing_flag(CLI::App& command, PictureRequest& request, const OptionHelp& help, const Set& set) {
+    const auto read = [&request, name = help.name, set](std::int64_t) {
         note_given(request, name);
         set();
     };
-    command.add_flag_function(name, read, text);
+    command.add_flag_function(help.name, read, help.text);
 }
 
 void add_colour(CLI::App& command, PictureRequest& request) {
-    const auto read = [&request](const std::string& text) { request.colours = parse_colours(text); };
-    command
-        .add_option_function<std::string>(
-            "--color", read,
-            fmt::format("Colours of pictures, meshes and pages\n: {}; auto: chain if "
-                        "there are several, else single. curvature, "
-                        "depth and bfactor also as SCHEME:MIN:MAX; or NAME[:MIN:MAX] of values; or one "
-                        "colour by its CSS name, such as tomato, or as '#rrggbb'",
-                        join(kColourSchemeWords, ", ")))
-        ->type_name("SCHEME")
-        ->default_str(kColourSchemeWords.front().first);
+    const std::string text = fmt::format(
+        "Colours of pictures, meshes and pages\n: {}; auto: chain if there are several, else single. curvature, depth "
+        "and bfactor also as SCHEME:MIN:MAX; or NAME[:MIN:MAX] of values; or one colour by its CSS name, such as "
+        "tomato, or as '#rrggbb'",
+        join(kColourSchemeWords, ", "));
+    add_word(command, {"--color", text, "SCHEME", kColourSchemeWords.front().first},
+             [&request](const std::string& value) { request.colours = parse_colours(value); });
 }
 
 }  // namespace
@@ -197,41 +190,46 @@ void check_picture(const PictureRequest& request) {
 void add_picture_options(CLI::App& command, PictureRequest& request) {
     PictureOptions& picture = request.picture;
     add_colour(command, request);
-    add_drawing(command, request, "--view", "VIEW", "auto",
-                "Seen from: front, back ... or X,Y,Z\n[:UX,UY,UZ], the directions to the viewer and up; front, back, "
-                "left, right, top, bottom; auto: the longest axis lies across",
+    add_drawing(command, request,
+                {"--view",
+                 "Seen from: front, back ... or X,Y,Z\n[:UX,UY,UZ], the directions to the viewer and up; front, back, "
+                 "left, right, top, bottom; auto: the longest axis lies across",
+                 "VIEW", "auto"},
                 [&](const std::string& text) {
                     picture.viewpoint = parse_view(text);
                     request.view = text;
                 });
-    add_drawing(command, request, "--size", "WxH", "1600x1200", "Size of pictures, in pixels",
+    add_drawing(command, request, {"--size", "Size of pictures, in pixels", "WxH", "1600x1200"},
                 [&](const std::string& text) { set_size(picture, text); });
-    add_drawing(command, request, "--background", "COLOR", "white",
-                "white, black, transparent, #rrggbb\n, or another colour by its CSS name",
-                [&](const std::string& text) { picture.background = parse_background(text); });
-    add_drawing(command, request, "--depth-cue", "F", "0", rarely("Fade distant parts into the background, 0 to 1"),
+    add_drawing(
+        command, request,
+        {"--background", "white, black, transparent, #rrggbb\n, or another colour by its CSS name", "COLOR", "white"},
+        [&](const std::string& text) { picture.background = parse_background(text); });
+    add_drawing(command, request, {"--depth-cue", rarely("Fade distant parts into the background, 0 to 1"), "F", "0"},
                 [&](const std::string& text) {
                     picture.depth_cue = parse_number("--depth-cue", text, Sign::NotNegative);
                     if (picture.depth_cue > 1.0)
                         throw UsageError(fmt::format("--depth-cue: must be from 0 to 1, not {}", text));
                 });
-    add_drawing(command, request, "--cut", "WHERE", "none",
-                "Cut by a plane: auto, cavity:N, DEPTH\n"
-                ", X,Y,Z[:NX,NY,NZ]. auto: through the largest cavity; DEPTH: that many Å behind the nearest point; "
-                "X,Y,Z: through this point, with the normal towards the side that is left out",
+    add_drawing(command, request,
+                {"--cut",
+                 "Cut by a plane: auto, cavity:N, DEPTH\n"
+                 ", X,Y,Z[:NX,NY,NZ]. auto: through the largest cavity; DEPTH: that many Å behind the nearest point; "
+                 "X,Y,Z: through this point, with the normal towards the side that is left out",
+                 "WHERE", "none"},
                 [&](const std::string& text) {
                     picture.cut = parse_cut(text);
                     request.cut = picture.cut ? text : "";
                 });
-    add_drawing_flag(command, request, "--perspective", rarely("Draw nearer parts larger"),
+    add_drawing_flag(command, request, {"--perspective", rarely("Draw nearer parts larger")},
                      [&] { picture.projection = Projection::Perspective; });
-    add_drawing_flag(command, request, "--outline", rarely("Draw outlines where the surface ends"),
+    add_drawing_flag(command, request, {"--outline", rarely("Draw outlines where the surface ends")},
                      [&] { picture.outline = true; });
-    add_drawing_flag(command, request, "--legend", "Add a legend of the colours", [&] { request.legend = true; });
+    add_drawing_flag(command, request, {"--legend", "Add a legend of the colours"}, [&] { request.legend = true; });
 }
 
-void report_picture(const PictureRequest& request, const Structure& structure, const Mesh& mesh, bool drawn,
-                    ordered_json& options) {
+ordered_json report_picture(const PictureRequest& request, const Structure& structure, const Mesh& mesh, bool drawn) {
+    ordered_json options;
     ColourOptions colours = request.colours;
     colours.scheme = scheme_in_force(colours.scheme, structure);
     const bool of_values = colours.scheme == ColourScheme::Value;
@@ -244,7 +242,7 @@ void report_picture(const PictureRequest& request, const Structure& structure, c
     }
     for (const char* name : {"view", "size", "background", "cut", "perspective", "outline", "depth_cue", "legend"})
         options[name] = nullptr;
-    if (!drawn) return;
+    if (!drawn) return options;
     const PictureOptions& picture = request.picture;
     options["view"] = request.view;
     options["size"] = {picture.width, picture.height};
@@ -254,6 +252,7 @@ void report_picture(const PictureRequest& request, const Structure& structure, c
     options["outline"] = picture.outline;
     options["depth_cue"] = picture.depth_cue;
     options["legend"] = request.legend;
+    return options;
 }
 
 }  // namespace meniscus::cli

@@ -35,7 +35,7 @@ void check_picture(const PictureRequest& request);
 
 /// The scheme and range in force, and how pictures are drawn, as the report has them.
 /// drawn   whether there is a picture; without one what shapes it is null
-void report_picture(const PictureRequest& request, const Structure& structure, const Mesh& mesh, bool drawn,
-                    nlohmann::ordered_json& options);
+nlohmann::ordered_json report_picture(const PictureRequest& request, const Structure& structure, const Mesh& mesh,
+                                      bool drawn);
 
 }  // namespace meniscus::cli

@@ -90,9 +90,9 @@ ordered_json surface_options_block(const SurfaceRequest& request, const Structur
                        {"exact", o.exact},
                        {"verify", o.verify},
                        {"memory_mb", if_used(request.run.memory_limit_mb > 0, request.run.memory_limit_mb)}};
-    report_picture(request.picture, structure, surface.mesh, has(request.outputs, OutputKind::Picture), block);
-    report_volumes(request.volume, has(request.outputs, OutputKind::Volume), block);
-    report_values(request.values, block);
+    block.update(report_picture(request.picture, structure, surface.mesh, has(request.outputs, OutputKind::Picture)));
+    block.update(report_volumes(request.volume, has(request.outputs, OutputKind::Volume)));
+    block.update(report_values(request.values));
     return block;
 }
 
@@ -245,18 +245,18 @@ ordered_json expected_block(const Cost& cost) {
 }
 
 ordered_json time_block(const StageTimes& s, const RunFacts& facts) {
-    return {{"total", facts.total_seconds},
-            {"read", facts.read_seconds},
+    return {{"total", facts.seconds.total},
+            {"read", facts.seconds.read},
             {"estimate", s.estimate},
             {"geometry", s.geometry},
             {"band", s.band},
             {"flow", s.flow},
             {"mesh", s.mesh},
-            {"exact", facts.exact_seconds + s.exact},
-            {"picture", facts.picture_seconds},
-            {"page", facts.page_seconds},
-            {"volume", facts.volume_seconds},
-            {"write", facts.write_seconds}};
+            {"exact", facts.seconds.exact + s.exact},
+            {"picture", facts.seconds.picture},
+            {"page", facts.seconds.page},
+            {"volume", facts.seconds.volume},
+            {"write", facts.seconds.write}};
 }
 
 }  // namespace
@@ -279,14 +279,14 @@ ordered_json make_report(const SurfaceRequest& request, const Structure& structu
 }
 
 ordered_json make_report(const MeasureRequest& request, const Structure& structure, const Measures& exact,
-                         const ordered_json& interfaces, const RunFacts& facts) {
+                         const RunFacts& facts) {
     return {{"meniscus", kVersion},
             {"schema", 1},
             {"input", input_block(structure, exact.options.probe, facts)},
             {"options", options_block(measure_options_block(request, facts), request)},
             {"exact", exact_json(exact)},
             {"components", components_json(exact)},
-            {"interfaces", interfaces},
+            {"interfaces", nullptr},
             {"mesh", nullptr},
             {"flow", nullptr},
             {"checks", checks_block(facts.checks)},

@@ -28,18 +28,23 @@ struct ShownPart {
 /// In the place of a model's position: all of them, put together.
 inline constexpr int kJoinedModels = 0;
 
+/// Wall-clock seconds beside those that the library counts itself.
+struct RunSeconds {
+    double read = 0.0;     ///< with the start of the program; with all models: counted with the first
+    double exact = 0.0;    ///< exact measures beside those that the surface counts
+    double picture = 0.0;  ///< colours and pictures, without writing them
+    double page = 0.0;     ///< pages, without writing them
+    double volume = 0.0;   ///< volumes, without writing them
+    double write = 0.0;    ///< the files of -o, and making the report
+    double total = 0.0;
+};
+
 /// What the program itself knows about a run, beside the library's results.
 struct RunFacts {
-    int model = 1;                     ///< position in the file, from 1, or kJoinedModels
-    int threads = 1;                   ///< in use
-    double read_seconds = 0.0;         ///< with the start of the program; with all models: counted with the first
-    double exact_seconds = 0.0;        ///< of exact measures beside those that the surface counts
-    double picture_seconds = 0.0;      ///< of colours and pictures, without writing them
-    double page_seconds = 0.0;         ///< of pages, without writing them
-    double volume_seconds = 0.0;       ///< of volumes, without writing them
-    double write_seconds = 0.0;        ///< of the files of -o and of making the report
-    double total_seconds = 0.0;        ///< wall clock
-    double peak_memory_mb = 0.0;       ///< of the process so far, in units of 2^20 bytes
+    int model = 1;                ///< position in the file, from 1, or kJoinedModels
+    int threads = 1;              ///< in use
+    double peak_memory_mb = 0.0;  ///< of the process so far, in units of 2^20 bytes
+    RunSeconds seconds{};
     std::string chain{};               ///< the only one, with --per-chain
     std::optional<ShownPart> shown{};  ///< with --show
     std::vector<Check> checks{};       ///< all that the result was held against
@@ -50,10 +55,9 @@ struct RunFacts {
 nlohmann::ordered_json make_report(const SurfaceRequest& request, const Structure& structure, const Surface& surface,
                                    const RunFacts& facts);
 
-/// The report of exact measures alone.
-/// interfaces   the block of that name; null if none were asked for
+/// The report of exact measures alone, without interfaces.
 nlohmann::ordered_json make_report(const MeasureRequest& request, const Structure& structure, const Measures& exact,
-                                   const nlohmann::ordered_json& interfaces, const RunFacts& facts);
+                                   const RunFacts& facts);
 
 /// Writes a report, whole or not at all; "-" is standard output.
 /// throws   OutputError

@@ -56,7 +56,9 @@ Stopwatch Stopwatch::of_program() { return Stopwatch(kProgramStart); }
 
 Outcome StructureRun::operator()() {
     const ThreadLimit limit(threads_);
-    for (const Job& job : prepare_jobs()) run(job);
+    const std::vector<Job> jobs = prepare_jobs();
+    double read_seconds = watch_.lap();
+    for (const Job& job : jobs) run(job, std::exchange(read_seconds, 0.0));
     finish();
     return outcome_;
 }
@@ -72,7 +74,6 @@ std::vector<Job> StructureRun::prepare_jobs() {
     progress_.clear();
     if (!request_.quiet) print_lines(jobs, &Structure::notes, print_note);
     print_lines(jobs, &Structure::warnings, print_warning);
-    read_seconds_ += watch_.lap();
     return jobs;
 }
 
@@ -109,7 +110,7 @@ void StructureRun::check_all_paths(const std::vector<Job>& jobs) const {
     check(std::move(paths));
 }
 
-/// The checksum is found where something tells it.
+/// The checksum is computed only if an output or the report contains it.
 std::vector<Job> StructureRun::read_structures() const {
     const auto& outputs = request_.outputs;
     ReadOptions options = request_.read;
@@ -136,17 +137,17 @@ std::vector<Job> StructureRun::read_jobs() const {
     return jobs;
 }
 
-void StructureRun::run(const Job& job) {
+void StructureRun::run(const Job& job, double read_seconds) {
     compute(job);
     const double computing = watch_.lap();
     write_outputs(job);
-    RunFacts facts;
+    RunFacts facts = this->facts();
     facts.model = job.model;
     facts.chain = job.chain;
     facts.threads = threads_in_use(threads_);
-    facts.read_seconds = std::exchange(read_seconds_, 0.0);
-    facts.write_seconds = watch_.lap();
-    facts.total_seconds = facts.read_seconds + computing + facts.write_seconds;
+    facts.seconds.read = read_seconds;
+    facts.seconds.write = watch_.lap();
+    facts.seconds.total = facts.seconds.read + computing + facts.seconds.write;
     facts.peak_memory_mb = peak_memory_mb();
     progress_.clear();
     record(job, facts);
@@ -165,7 +166,7 @@ void StructureRun::write_outputs(const Job& job) {
     progress_.update("write", 1.0);
 }
 
-/// Making a report takes time that the report itself is to tell.
+/// Making a report takes time, which the report itself includes.
 void StructureRun::record(const Job& job, RunFacts facts) {
     if (const std::string checks = failed(); !checks.empty()) {
         print_warning(std::cerr, fmt::format("{}: the result failed its checks: {}; outputs are written nevertheless",
@@ -175,10 +176,10 @@ void StructureRun::record(const Job& job, RunFacts facts) {
     if (!request_.report.empty()) {
         ordered_json& made = reports_.emplace_back(report(job, facts));
         const double making = watch_.lap();
-        facts.write_seconds += making;
-        facts.total_seconds += making;
-        made["time_s"]["write"] = facts.write_seconds;
-        made["time_s"]["total"] = facts.total_seconds;
+        facts.seconds.write += making;
+        facts.seconds.total += making;
+        made["time_s"]["write"] = facts.seconds.write;
+        made["time_s"]["total"] = facts.seconds.total;
     }
     summary_ += summary(job, facts);
 }

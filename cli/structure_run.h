@@ -73,6 +73,8 @@ protected:
     virtual std::vector<ReadFile> files_read() const { return {}; }
     virtual void compute(const Job& job) = 0;
     virtual void write(const Output& output, const Job& job) const = 0;
+    /// What only the subcommand knows of the run.
+    virtual RunFacts facts() const { return {}; }
     /// Which checks the result failed; empty if it passed them all.
     virtual std::string failed() const = 0;
     virtual nlohmann::ordered_json report(const Job& job, const RunFacts& facts) const = 0;
@@ -93,7 +95,7 @@ private:
     std::vector<Job> read_structures() const;
     std::vector<Job> read_jobs() const;
     std::vector<Job> prepare_jobs();
-    void run(const Job& job);
+    void run(const Job& job, double read_seconds);
     void write_outputs(const Job& job);
     void record(const Job& job, RunFacts facts);
     void finish();
@@ -102,7 +104,6 @@ private:
     int threads_;
     ProgressReport progress_;
     Stopwatch watch_ = Stopwatch::of_program();
-    double read_seconds_ = 0.0;
     nlohmann::ordered_json reports_ = nlohmann::ordered_json::array();
     std::string summary_;
     Outcome outcome_ = Outcome::Done;

@@ -45,7 +45,7 @@ bool is_whole(const Surface& surface) {
     return surface.options.pieces == Pieces::All && surface.dropped.cavities == 0 && surface.filled.cavities == 0;
 }
 
-/// "mesh", or what it lacks of the surface whose exact numbers are told.
+/// "mesh", or what it lacks of the surface whose exact numbers are shown.
 std::string name_of_mesh(const Surface& surface) {
     if (surface.options.method == Method::Gaussian) return "Gaussian envelope";
     std::string name = "mesh";

@@ -41,7 +41,7 @@ std::string describe_checks(std::span<const Check> checks) {
 }
 
 std::string describe_run(const RunFacts& facts) {
-    return summary_line("time", fmt::format("{:.2f} s on {}, {:.0f} MB", facts.total_seconds,
+    return summary_line("time", fmt::format("{:.2f} s on {}, {:.0f} MB", facts.seconds.total,
                                             counted(static_cast<std::size_t>(facts.threads), "thread", "threads"),
                                             facts.peak_memory_mb));
 }

@@ -28,6 +28,78 @@ using nlohmann::ordered_json;
 
 namespace {
 
+bool has(const std::vector<Output>& outputs, OutputKind kind) {
+    return std::any_of(outputs.begin(), outputs.end(), [kind](const Output& o) { return o.kind == kind; });
+}
+
+bool has_encoding(const Output& output) {
+    const std::string suffix = suffix_of(output.path);
+    return suffix == ".ply" || suffix == ".stl";
+}
+
+const Output* first_mesh(const std::vector<Output>& outputs) {
+    const auto found = std::find_if(outputs.begin(), outputs.end(),
+                                    [](const Output& output) { return output.kind == OutputKind::Mesh; });
+    return found == outputs.end() ? nullptr : &*found;
+}
+
+/// Refuses options that write files beside a mesh that is not there, or that goes to standard output.
+void check_files_beside(const SurfaceRequest& request, const Output* mesh) {
+    if (mesh != nullptr && !is_standard_output(mesh->path)) return;
+    const auto refuse = [mesh](const std::string& why) {
+        throw UsageError(mesh == nullptr ? why + "; name a mesh with -o"
+                                         : "-o -: " + why + "; name it with -o FILE.SUFFIX");
+    };
+    if (request.flow.snapshots > 0) refuse("--snapshots writes meshes beside the final one");
+    if (request.cavity_files) refuse("--cavity-files writes meshes beside that of the surface");
+}
+
+/// Refuses options that none of the outputs heeds.
+void check_together(const SurfaceRequest& request, const std::vector<Output>& outputs) {
+    check_files_beside(request, first_mesh(outputs));
+    const bool has_page = has(outputs, OutputKind::Page);
+    const bool has_picture = has(outputs, OutputKind::Picture);
+    if (has_page && !pages_supported())
+        throw UsageError("this build cannot write pages; build with MENISCUS_PAGE=ON, or ask for another format");
+    if (!request.show.empty() && !has_picture && !has_page && first_mesh(outputs) == nullptr)
+        throw UsageError("--show chooses a part of meshes, pictures and pages; ask for one of them with -o");
+    if (request.encoding == Encoding::Text && std::none_of(outputs.begin(), outputs.end(), has_encoding))
+        throw UsageError("--ascii applies to PLY and STL; ask for one with -o FILE.ply or FILE.stl");
+    if (!request.picture.drawn_by.empty() && !has_picture)
+        throw UsageError(request.picture.drawn_by + " applies to pictures; ask for one with -o FILE.png");
+    if (!request.picture.viewed_by.empty() && !has_picture && !has_page)
+        throw UsageError(request.picture.viewed_by +
+                         " applies to pictures and pages; ask for one with -o FILE.png or FILE.html");
+}
+
+std::vector<Colour> colours_of(const MeshPart& part, const std::vector<Colour>& colours) {
+    std::vector<Colour> own;
+    own.reserve(part.vertices.size());
+    for (const VertexId v : part.vertices) own.push_back(colours[v]);
+    return own;
+}
+
+/// The mesh that is written, where it is not the whole one (--show).
+struct WrittenPart {
+    Mesh mesh;
+    std::vector<Colour> colours;
+    ShownPart shown;
+};
+
+/// The wall of a cavity as a mesh of its own.
+struct CavityFile {
+    std::uint32_t component;
+    Output output;
+};
+
+/// What is written beside meshes and tables.
+struct Products {
+    std::vector<CavityFile> cavities;
+    Picture picture;
+    Volumes volumes;
+    std::string page;  // HTML
+};
+
 class SurfaceRun : public StructureRun {
 public:
     explicit SurfaceRun(const SurfaceRequest& request)
@@ -37,25 +109,7 @@ private:
     std::vector<Output> plan(const std::string& name, const std::string& mark) const override {
         std::vector<Output> outputs = plan_volumes(request_.volume, plan_outputs(request_.outputs, name, mark));
         if (!request_.flow.history.empty()) outputs.push_back(plan_history(request_.flow.history, mark));
-        if (request_.flow.snapshots > 0 && first_mesh(outputs) == nullptr)
-            throw UsageError("--snapshots writes meshes beside the final one; name a mesh with -o");
-        if (const Output* mesh = first_mesh(outputs); mesh != nullptr && is_standard_output(mesh->path))
-            refuse_beside();
-        if (request_.cavity_files && first_mesh(outputs) == nullptr)
-            throw UsageError("--cavity-files writes meshes beside that of the surface; name a mesh with -o");
-        if (has(outputs, OutputKind::Page) && !pages_supported())
-            throw UsageError("this build cannot write pages; build with MENISCUS_PAGE=ON, or ask for another format");
-        const bool has_picture = has(outputs, OutputKind::Picture);
-        const bool shows_surface = has_picture || first_mesh(outputs) != nullptr || has(outputs, OutputKind::Page);
-        if (!request_.show.empty() && !shows_surface)
-            throw UsageError("--show chooses a part of meshes, pictures and pages; ask for one of them with -o");
-        if (request_.encoding == Encoding::Text && std::none_of(outputs.begin(), outputs.end(), has_encoding))
-            throw UsageError("--ascii applies to PLY and STL; ask for one with -o FILE.ply or FILE.stl");
-        if (!request_.picture.drawn_by.empty() && !has_picture)
-            throw UsageError(request_.picture.drawn_by + " applies to pictures; ask for one with -o FILE.png");
-        if (!request_.picture.viewed_by.empty() && !has_picture && !has(outputs, OutputKind::Page))
-            throw UsageError(request_.picture.viewed_by +
-                             " applies to pictures and pages; ask for one with -o FILE.png or FILE.html");
+        check_together(request_, outputs);
         return outputs;
     }
 
@@ -67,35 +121,13 @@ private:
         return files;
     }
 
-    /// There are no names beside that of standard output.
-    void refuse_beside() const {
-        if (request_.flow.snapshots > 0)
-            throw UsageError("-o -: --snapshots writes meshes beside the final one; name it with -o FILE.SUFFIX");
-        if (request_.cavity_files)
-            throw UsageError(
-                "-o -: --cavity-files writes meshes beside that of the surface; name it with -o FILE.SUFFIX");
-    }
-
-    static bool has(const std::vector<Output>& outputs, OutputKind kind) {
-        return std::any_of(outputs.begin(), outputs.end(), [kind](const Output& o) { return o.kind == kind; });
-    }
-
-    static bool has_encoding(const Output& output) {
-        const std::string suffix = suffix_of(output.path);
-        return suffix == ".ply" || suffix == ".stl";
-    }
-
-    static const Output* first_mesh(const std::vector<Output>& outputs) {
-        const auto found = std::find_if(outputs.begin(), outputs.end(),
-                                        [](const Output& output) { return output.kind == OutputKind::Mesh; });
-        return found == outputs.end() ? nullptr : &*found;
-    }
-
     void compute(const Job& job) override {
         const SurfaceOptions& options = request_.surface;
         std::vector<bool> selected;
         if (!request_.show.empty()) {
-            tell_how_understood(job.structure);
+            if (const std::string restated = restate_selection(job.structure, request_.show, "--show");
+                !restated.empty())
+                note("--show " + request_.show + ": understood as " + restated);
             selected = select_atoms(job.structure, request_.show, "--show");
         }
         values_ = ValueSources(request_.values, request_.picture.colours, job.structure, request_.per_chain);
@@ -117,22 +149,17 @@ private:
         if (has_volume && made.spacing != options.spacing)
             grid = choose_grid(job, surface_.exact, made.spacing, surface_.expected);
         surface_.seconds.estimate += estimate_seconds;
-        bring_values();
+        add_values();
         Stopwatch watch;
         colours_ = colour_vertices(surface_.mesh, job.structure, request_.picture.colours);
         if (!selected.empty()) show_part(part_of_atoms(surface_.mesh, selected));
         if (request_.cavity_files) plan_cavities(job);
         if (has(job.outputs, OutputKind::Picture)) draw(job.structure);
-        picture_seconds_ = watch.lap();
+        seconds_.picture = watch.lap();
         if (has_volume) sample_volumes(grid);
-        volume_seconds_ = watch.lap();
+        seconds_.volume = watch.lap();
         if (has(job.outputs, OutputKind::Page)) make_page(job.structure);
-        page_seconds_ = watch.lap();
-    }
-
-    void tell_how_understood(const Structure& structure) {
-        const std::string restated = restate_selection(structure, request_.show, "--show");
-        if (!restated.empty()) note("--show " + request_.show + ": understood as " + restated);
+        seconds_.page = watch.lap();
     }
 
     VolumeGrid choose_grid(const Job& job, const ExactSurface& exact, double spacing, const Cost& expected) const {
@@ -153,47 +180,41 @@ private:
             const ThreadLimit limit(request_.run.threads);
             excluded_ = surface_.exact.of_same_atoms({SurfaceKind::Ses, request_.surface.probe}).shared_measures();
         }
-        excluded_seconds_ = watch.lap();
+        seconds_.exact = watch.lap();
     }
 
-    void bring_values() {
+    void add_values() {
         surface_.mesh.values = values_.at_vertices(surface_.mesh, surface_.exact);
         for (const std::string& line : values_.judge(surface_.mesh.values)) warn(line);
     }
 
     /// The mesh that is written.
     const Mesh& written_mesh() const { return part_ ? part_->mesh : surface_.mesh; }
-    const std::vector<Colour>& written_colours() const { return part_ ? part_colours_ : colours_; }
+    const std::vector<Colour>& written_colours() const { return part_ ? part_->colours : colours_; }
 
     void show_part(MeshPart part) {
         const MeshMeasures measures = measure_mesh(part.mesh);
-        shown_ = ShownPart{.select = request_.show,
-                           .vertices = part.mesh.vertices.size(),
-                           .triangles = part.mesh.triangles.size(),
-                           .area = measures.area,
-                           .open = !measures.closed};
-        part_colours_ = colours_of(part);
-        part_ = std::move(part);
+        const ShownPart shown{.select = request_.show,
+                              .vertices = part.mesh.vertices.size(),
+                              .triangles = part.mesh.triangles.size(),
+                              .area = measures.area,
+                              .open = !measures.closed};
+        std::vector<Colour> colours = colours_of(part, colours_);
+        part_ = {std::move(part.mesh), std::move(colours), shown};
     }
 
-    std::vector<Colour> colours_of(const MeshPart& part) const {
-        std::vector<Colour> colours;
-        colours.reserve(part.vertices.size());
-        for (const VertexId v : part.vertices) colours.push_back(colours_[v]);
-        return colours;
-    }
-
-    /// Walls of cavities, by falling volume as everywhere, and where they go.
+    /// Lists the walls of cavities, by falling volume as everywhere, and the files that they are written to.
     void plan_cavities(const Job& job) {
-        cavities_.clear();
+        std::vector<CavityFile>& cavities = made_.cavities;
+        cavities.clear();
         const std::vector<MeshComponent>& pieces = surface_.measures.components;
         for (std::size_t c = 0; c < pieces.size(); ++c) {
             if (pieces[c].volume >= 0.0) continue;
-            const std::string path = cavity_path(first_mesh(job.outputs)->path, cavities_.size() + 1);
+            const std::string path = cavity_path(first_mesh(job.outputs)->path, cavities.size() + 1);
             for (const Output& output : job.outputs)
                 if (output.path == path)
                     throw UsageError(path + ": --cavity-files writes this file; choose another name");
-            cavities_.push_back({static_cast<std::uint32_t>(c), {path, OutputKind::Mesh}});
+            cavities.push_back({static_cast<std::uint32_t>(c), {path, OutputKind::Mesh}});
         }
     }
 
@@ -211,35 +232,35 @@ private:
     void write_surface(const std::string& path, const Structure& structure) const {
         WriteOptions options = mesh_writing(structure, surface_.options, written_colours());
         options.shortest_edge = part_ ? 0.0 : surface_.measures.shortest_edge;
-        options.open = shown_ && shown_->open;
+        options.open = part_ && part_->shown.open;
         write_mesh(path, written_mesh(), options);
     }
 
     void write_cavities(const Job& job) const {
-        for (const auto& [component, output] : cavities_) {
+        for (const auto& [component, output] : made_.cavities) {
             const MeshPart part = part_of_component(surface_.mesh, component);
-            const std::vector<Colour> colours = colours_of(part);
+            const std::vector<Colour> colours = colours_of(part, colours_);
             write_mesh(output.path, part.mesh, mesh_writing(job.structure, surface_.options, colours));
         }
     }
 
     void sample_volumes(const VolumeGrid& grid) {
         show("volume", 0.0);
-        volumes_ = Volumes(request_.volume, grid, surface_, request_.run.threads);
+        made_.volumes = Volumes(request_.volume, grid, surface_, request_.run.threads);
         show("volume", 1.0);
     }
 
     void make_page(const Structure& structure) {
         show("page", 0.0);
         const PictureOptions& picture = request_.picture.picture;
-        page_ = meniscus::make_page(written_mesh(), structure,
-                                    {.colours = request_.picture.colours,
-                                     .viewpoint = picture.viewpoint,
-                                     .projection = picture.projection,
-                                     .rows = rows_of_page(structure),
-                                     .components = exact_pieces(),
-                                     .exact = surface_.exact,
-                                     .threads = request_.run.threads});
+        made_.page = meniscus::make_page(written_mesh(), structure,
+                                         {.colours = request_.picture.colours,
+                                          .viewpoint = picture.viewpoint,
+                                          .projection = picture.projection,
+                                          .rows = rows_of_page(structure),
+                                          .components = exact_pieces(),
+                                          .exact = surface_.exact,
+                                          .threads = request_.run.threads});
         show("page", 1.0);
     }
 
@@ -251,13 +272,13 @@ private:
     std::vector<PageRow> rows_of_page(const Structure& structure) const {
         std::vector<PageRow> rows =
             surface_.measured ? page_rows(structure, surface_, *surface_.measured) : page_rows(structure, surface_);
-        if (shown_) rows.push_back({"Part that is shown", "atoms", shown_->select});
+        if (part_) rows.push_back({"Part that is shown", "atoms", part_->shown.select});
         return rows;
     }
 
     void write_made_page(const std::string& path) const {
         AtomicFile file(path);
-        file.write(page_);
+        file.write(made_.page);
         file.commit();
     }
 
@@ -265,11 +286,11 @@ private:
         show("picture", 0.0);
         PictureOptions options = request_.picture.picture;
         options.threads = request_.run.threads;
-        picture_ = draw_surface(surface_, structure, written_mesh(), written_colours(),
-                                {.picture = options,
-                                 .scheme = request_.picture.colours,
-                                 .legend = request_.picture.legend,
-                                 .whole = &surface_.mesh});
+        made_.picture = draw_surface(surface_, structure, {written_mesh(), written_colours()},
+                                     {.picture = options,
+                                      .scheme = request_.picture.colours,
+                                      .legend = request_.picture.legend,
+                                      .whole = &surface_.mesh});
         show("picture", 1.0);
     }
 
@@ -293,11 +314,11 @@ private:
                 if (&output == first_mesh(job.outputs)) write_cavities(job);
                 return;
             case OutputKind::Picture:
-                return write_picture(output.path, picture_);
+                return write_picture(output.path, made_.picture);
             case OutputKind::Page:
                 return write_made_page(output.path);
             case OutputKind::Volume:
-                return volumes_.write(output.path);
+                return made_.volumes.write(output.path);
             case OutputKind::History:
                 return write_table(output.path, history_table(surface_.history));
             case OutputKind::Spheres:
@@ -307,23 +328,17 @@ private:
         }
     }
 
-    std::vector<Check> checks() const {
-        std::vector<Check> all = surface_.checks;
-        if (surface_.measured) all.push_back(agreement_check(*surface_.measured));
-        return all;
+    RunFacts facts() const override {
+        RunFacts facts{.seconds = seconds_, .checks = surface_.checks};
+        if (part_) facts.shown = part_->shown;
+        if (surface_.measured) facts.checks.push_back(agreement_check(*surface_.measured));
+        return facts;
     }
 
     std::string failed() const override { return failed_checks(surface_); }
 
     ordered_json report(const Job& job, const RunFacts& facts) const override {
-        RunFacts all = facts;
-        all.exact_seconds = excluded_seconds_;
-        all.picture_seconds = picture_seconds_;
-        all.page_seconds = page_seconds_;
-        all.volume_seconds = volume_seconds_;
-        all.shown = shown_;
-        all.checks = checks();
-        ordered_json report = make_report(request_, job.structure, surface_, all);
+        ordered_json report = make_report(request_, job.structure, surface_, facts);
         report["values"] = values_.report(surface_.mesh);
         if (excluded_ != nullptr) {
             report["exact"] = exact_json(*excluded_);
@@ -333,31 +348,20 @@ private:
     }
 
     std::string summary(const Job& job, const RunFacts& facts) const override {
-        RunFacts all = facts;
-        all.shown = shown_;
-        all.checks = checks();
         std::vector<Output> written = job.outputs;
-        for (const auto& [component, output] : cavities_) written.push_back(output);
-        return make_summary(job.structure, surface_, all, written);
+        for (const CavityFile& cavity : made_.cavities) written.push_back(cavity.output);
+        return make_summary(job.structure, surface_, facts, written);
     }
 
     const SurfaceRequest& request_;
     ValueSources values_;
-    // Of the SES, where another one is made and reports tell both by their names.
+    // Of the SES, where the mesh is of another surface and the report has both.
     std::shared_ptr<const Measures> excluded_;
-    double excluded_seconds_ = 0.0;
-    double picture_seconds_ = 0.0;
-    double page_seconds_ = 0.0;
-    double volume_seconds_ = 0.0;
     Surface surface_;
-    std::vector<Colour> colours_;   // of the mesh's vertices
-    std::optional<MeshPart> part_;  // with --show
-    std::vector<Colour> part_colours_;
-    std::optional<ShownPart> shown_;
-    std::vector<std::pair<std::uint32_t, Output>> cavities_;  // numbers of components and their files
-    Picture picture_;
-    Volumes volumes_;
-    std::string page_;  // HTML
+    std::vector<Colour> colours_;  // of the mesh's vertices
+    std::optional<WrittenPart> part_;
+    Products made_;
+    RunSeconds seconds_;
 };
 
 }  // namespace

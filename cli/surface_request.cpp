@@ -24,47 +24,50 @@ constexpr const char* kSurfaceExamples =
 void add_shape_options(CLI::App& command, SurfaceRequest& request) {
     SurfaceOptions& surface = request.surface;
     add_probe(command, surface.probe);
-    add_choice(command, "--method", surface.method, kMethodWords,
-               "flow: smooth; direct: sharp ridges\n"
-               ". flow: a level-set flow; direct: the exact distance itself; gaussian: only the density envelope that "
-               "the flow starts from, which is not the solvent-excluded surface");
-    add_choice(command, "--surface", surface.surface, kSurfaceWords,
-               rarely("Which surface: solvent-excluded, solvent-accessible (traced by the probe's centre) or van der "
-                      "Waals (the same as --probe 0)"));
-    add_number(command, "--spacing", surface.spacing, Sign::Positive, "H",
-               "Grid spacing, Å\n; time and memory grow as 1/H²");
-    add_choice(command, "--components", surface.pieces, kPiecesWords, "Closed pieces that the mesh keeps");
-    add_number(command, "--min-cavity", surface.min_cavity, Sign::NotNegative, "V",
-               "Drop cavities smaller than V Å³\n and what lies in them; outer pieces stay");
-    add_number(command, "--fill-cavities", surface.fill_cavities, Sign::NotNegative, "V",
-               rarely("Drop cavities smaller than V Å³, and count their space as inside in volumes"));
-    add_number(command, "--density", surface.density, Sign::Negative, "C",
-               rarely("Constant of the initial Gaussian map, Å^-2"));
+    add_choice(command,
+               {"--method",
+                "flow: smooth; direct: sharp ridges\n"
+                ". flow: a level-set flow; direct: the exact distance itself; gaussian: only the density envelope that "
+                "the flow starts from, which is not the solvent-excluded surface"},
+               surface.method, kMethodWords);
+    add_choice(command,
+               {"--surface",
+                rarely("Which surface: solvent-excluded, solvent-accessible (traced by the probe's centre) or van der "
+                       "Waals (the same as --probe 0)")},
+               surface.surface, kSurfaceWords);
+    add_number(command, {"--spacing", "Grid spacing, Å\n; time and memory grow as 1/H²", "H"}, surface.spacing,
+               Sign::Positive);
+    add_choice(command, {"--components", "Closed pieces that the mesh keeps"}, surface.pieces, kPiecesWords);
+    add_number(command,
+               {"--min-cavity", "Drop cavities smaller than V Å³\n and what lies in them; outer pieces stay", "V"},
+               surface.min_cavity, Sign::NotNegative);
+    add_number(
+        command,
+        {"--fill-cavities", rarely("Drop cavities smaller than V Å³, and count their space as inside in volumes"), "V"},
+        surface.fill_cavities, Sign::NotNegative);
+    add_number(command, {"--density", rarely("Constant of the initial Gaussian map, Å^-2"), "C"}, surface.density,
+               Sign::Negative);
 }
 
 void add_remesh_options(CLI::App& command, SurfaceRequest& request) {
     RemeshOptions& remesh = request.surface.remesh;
-    const auto edge = [&remesh](const std::string& text) {
-        remesh.edge = parse_number("--edge", text, Sign::Positive);
-    };
-    const auto density = [&remesh](const std::string& text) {
-        remesh.edge = edge_of_density(parse_number("--vertex-density", text, Sign::Positive));
-    };
-    CLI::Option* by_edge = command.add_option_function<std::string>(
-        "--edge", edge, "Even triangles with edges of about L Å\n, instead of those of the grid");
-    by_edge->type_name("L");
-    command
-        .add_option_function<std::string>(
-            "--vertex-density", density,
-            rarely("The same as --edge, given as vertices per Å²; use only one of the two"))
-        ->type_name("D")
+    CLI::Option* by_edge =
+        add_word(command, {"--edge", "Even triangles with edges of about L Å\n, instead of those of the grid", "L"},
+                 [&remesh](const std::string& text) { remesh.edge = parse_number("--edge", text, Sign::Positive); });
+    add_word(command,
+             {"--vertex-density", rarely("The same as --edge, given as vertices per Å²; use only one of the two"), "D"},
+             [&remesh](const std::string& text) {
+                 remesh.edge = edge_of_density(parse_number("--vertex-density", text, Sign::Positive));
+             })
         ->excludes(by_edge);
     command.add_flag("--adaptive", remesh.adaptive, "With --edge: finer where curvature is high");
     command.add_flag("--keep-ridges", remesh.keep_ridges, "With --edge: edges follow the creases");
-    add_choice(command, "--corners", remesh.corners, kCornersWords,
-               rarely("With --edge: where vertices lie. near: as near to the surface as possible with the triangles "
-                      "within 0.03 L² Å of it on average; on-surface: on it; balanced: so that the triangles lie on "
-                      "both sides of it, half as far away as with on-surface"));
+    add_choice(command,
+               {"--corners",
+                rarely("With --edge: where vertices lie. near: as near to the surface as possible with the triangles "
+                       "within 0.03 L² Å of it on average; on-surface: on it; balanced: so that the triangles lie on "
+                       "both sides of it, half as far away as with on-surface")},
+               remesh.corners, kCornersWords);
     command.add_flag("--simplify-topology", remesh.simplify_topology,
                      rarely("With --edge: cut handles, close tunnels and drop pieces narrower than an edge"));
 }
@@ -86,14 +89,11 @@ void add_encoding(CLI::App& command, SurfaceRequest& request) {
 }
 
 void add_memory_limit(CLI::App& command, SurfaceRequest& request) {
-    const auto memory = [&request](const std::string& text) {
-        request.run.memory_limit_mb = parse_memory("--memory", text);
-    };
-    command
-        .add_option_function<std::string>(
-            "--memory", memory,
-            "Refuse what would need more, as 4G or 500M\n; by default, the limit is the free memory of the machine")
-        ->type_name("LIMIT");
+    add_word(command,
+             {"--memory",
+              "Refuse what would need more, as 4G or 500M\n; by default, the limit is the free memory of the machine",
+              "LIMIT"},
+             [&request](const std::string& text) { request.run.memory_limit_mb = parse_memory("--memory", text); });
 }
 
 /// Refuses options that would do nothing.

@@ -80,24 +80,20 @@ void add_value_options(CLI::App& command, ValueRequest& request) {
             "--sample", sample, "Values of a map (.dx .mrc), as phi=pot.dx\n; repeatable: one vertex array each")
         ->type_name("NAME=FILE")
         ->allow_extra_args(false);
-    const auto offset = [&request](const std::string& text) {
-        request.sampling.offset = parse_number("--offset", text, Sign::Any);
-        request.sampled_by = "--offset";
-    };
-    command
-        .add_option_function<std::string>(
-            "--offset", offset, rarely("Sample maps D Å away from the surface, along its normal; negative: inside"))
-        ->type_name("D")
-        ->default_str("0");
-    const auto interpolation = [&request](const std::string& text) {
-        request.sampling.interpolation = parse_word("--interpolation", text, kInterpolationWords);
-        request.sampled_by = "--interpolation";
-    };
-    command
-        .add_option_function<std::string>("--interpolation", interpolation,
-                                          rarely("Interpolation between the nodes of maps: trilinear or tricubic"))
-        ->type_name(join(kInterpolationWords, "|"))
-        ->default_str(kInterpolationWords.front().first);
+    add_word(
+        command,
+        {"--offset", rarely("Sample maps D Å away from the surface, along its normal; negative: inside"), "D", "0"},
+        [&request](const std::string& text) {
+            request.sampling.offset = parse_number("--offset", text, Sign::Any);
+            request.sampled_by = "--offset";
+        });
+    add_word(command,
+             {"--interpolation", rarely("Interpolation between the nodes of maps: trilinear or tricubic"),
+              join(kInterpolationWords, "|"), kInterpolationWords.front().first},
+             [&request](const std::string& text) {
+                 request.sampling.interpolation = parse_word("--interpolation", text, kInterpolationWords);
+                 request.sampled_by = "--interpolation";
+             });
     command
         .add_option("--values", request.tables,
                     "Values by atom, residue or chain\n"
@@ -105,12 +101,10 @@ void add_value_options(CLI::App& command, ValueRequest& request) {
                     "chains becomes a vertex array; repeatable")
         ->type_name("FILE.csv")
         ->allow_extra_args(false);
-    const auto arrays = [&request](const std::string& text) { request.depth = wants_depth(text); };
-    command
-        .add_option_function<std::string>(
-            "--arrays", arrays,
-            rarely("Further vertex arrays: depth, how deep in pockets and cavities the surface lies, Å"))
-        ->type_name("depth");
+    add_word(command,
+             {"--arrays", rarely("Further vertex arrays: depth, how deep in pockets and cavities the surface lies, Å"),
+              "depth"},
+             [&request](const std::string& text) { request.depth = wants_depth(text); });
 }
 
 void check_values(const ValueRequest& request, const ColourOptions& colours) {
@@ -125,7 +119,8 @@ void check_values(const ValueRequest& request, const ColourOptions& colours) {
                         colours.value, join(kColourSchemeWords, ", ")));
 }
 
-void report_values(const ValueRequest& request, ordered_json& options) {
+ordered_json report_values(const ValueRequest& request) {
+    ordered_json options;
     ordered_json maps = ordered_json::object();
     for (const SampledMap& map : request.maps) maps[map.name] = file_name(map.path);
     const bool sampled = !request.maps.empty();
@@ -137,6 +132,7 @@ void report_values(const ValueRequest& request, ordered_json& options) {
     for (const std::string& path : request.tables) tables.push_back(file_name(path));
     options["values"] = std::move(tables);
     options["arrays"] = request.depth ? ordered_json::array({"depth"}) : ordered_json::array();
+    return options;
 }
 
 ValueSources::ValueSources(const ValueRequest& request, const ColourOptions& colours, const Structure& structure,
@@ -178,21 +174,21 @@ std::vector<std::string> ValueSources::names() const {
 }
 
 /// No two arrays may have one name.
-void ValueSources::check_twins() const {
+void ValueSources::check_duplicates() const {
     std::vector<std::pair<std::string, std::string>> all;
     for (const Column& column : columns_) all.emplace_back(column.values.name, column.path);
     for (const Map& map : maps_) all.emplace_back(map.asked.name, map.asked.path);
     std::map<std::string, std::string> paths;
     for (const auto& [name, path] : all)
-        if (const auto [twin, is_new] = paths.emplace(CLI::detail::to_lower(name), path); !is_new)
+        if (const auto [other, is_new] = paths.emplace(CLI::detail::to_lower(name), path); !is_new)
             throw UsageError(fmt::format(
                 "two arrays of values have the name '{}', one of {} and one of {}; rename one of them, that "
                 "of a table in its first line",
-                name, twin->second, path));
+                name, other->second, path));
 }
 
 void ValueSources::check_names(const ColourOptions& colours) const {
-    check_twins();
+    check_duplicates();
     std::set<std::string> seen;
     for (const std::string& name : names()) seen.insert(CLI::detail::to_lower(name));
     if (depth_of_ != nullptr && colours.scheme != ColourScheme::Depth && seen.contains("depth"))

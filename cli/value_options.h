@@ -38,7 +38,7 @@ void add_value_options(CLI::App& command, ValueRequest& request);
 void check_values(const ValueRequest& request, const ColourOptions& colours);
 
 /// The options as the report has them.
-void report_values(const ValueRequest& request, nlohmann::ordered_json& options);
+nlohmann::ordered_json report_values(const ValueRequest& request);
 
 /// The files of a request, read: what is wrong with them is known before anything is computed.
 class ValueSources {
@@ -79,7 +79,7 @@ private:
     void add_table(const std::string& path, const Structure& structure, bool one_chain);
     void leave_to_depth(ValueTable& table, const std::string& path);
     void check_names(const ColourOptions& colours) const;
-    void check_twins() const;
+    void check_duplicates() const;
     void check_colour(const ColourOptions& colours) const;
     std::vector<std::string> names() const;
     const std::string& path_of(const std::string& name) const;

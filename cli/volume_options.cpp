@@ -24,7 +24,7 @@ namespace {
 
 constexpr const char* kGridWords = "a .dx, .mrc, .map or .ccp4 file, or NX,NY,NZ,H,CX,CY,CZ";
 
-/// Counts, spacing and middle, as APBS is told them (dime, grid, gcent).
+/// Counts, spacing and centre: what APBS calls dime, grid and gcent.
 VolumeGrid parse_numbers(const std::vector<std::string>& parts) {
     std::array<std::size_t, 3> counts{};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -57,16 +57,14 @@ void set_dielectrics(FieldOptions& field, const std::string& text) {
     field.outer_dielectric = parse_number("--eps", parts[1], Sign::Positive);
 }
 
+/// An option that only volumes heed.
 template <class Set>
-void add(CLI::App& command, VolumeRequest& request, const char* name, const std::string& symbol,
-         const std::string& default_text, const std::string& text, const Set& set) {
-    const auto read = [&request, name, set](const std::string& value) {
-        request.given.emplace_back(name);
+void add(CLI::App& command, VolumeRequest& request, OptionHelp help, const Set& set) {
+    help.text = rarely(help.text);
+    add_word(command, help, [&request, name = help.name, set](const std::string& value) {
+        request.given.push_back(name);
         set(value);
-    };
-    CLI::Option* option = command.add_option_function<std::string>(name, read, rarely(text));
-    option->type_name(symbol);
-    if (!default_text.empty()) option->default_str(default_text);
+    });
 }
 
 bool is_given(const VolumeRequest& request, const char* name) {
@@ -108,22 +106,30 @@ void check_format(const VolumeRequest& request, const Output& output) {
 
 void add_volume_options(CLI::App& command, VolumeRequest& request) {
     FieldOptions& field = request.field;
-    add(command, request, "--grid", "FILE|NX,NY,NZ,H,CX,CY,CZ", "",
-        "Grid of the volumes: that of a .dx, .mrc, .map or .ccp4 file, or NX x NY x NZ nodes H Å apart, centred at "
-        "CX,CY,CZ; by default it has the --spacing and encloses the atoms",
+    add(command, request,
+        {"--grid",
+         "Grid of the volumes: that of a .dx, .mrc, .map or .ccp4 file, or NX x NY x NZ nodes H Å apart, centred at "
+         "CX,CY,CZ; by default it has the --spacing and encloses the atoms",
+         "FILE|NX,NY,NZ,H,CX,CY,CZ"},
         [&request](const std::string& text) { set_grid(request, text); });
-    add(command, request, "--field", join(kFieldWords, "|"), kFieldWords.front().first,
-        "Values of the volumes. distance: signed, in Å, inside positive; mask: 1 inside, 0 outside; dielectric: the "
-        "constants of --eps; ions: 0 in the atoms enlarged by --ion-radius, else 1",
+    add(command, request,
+        {"--field",
+         "Values of the volumes. distance: signed, in Å, inside positive; mask: 1 inside, 0 outside; dielectric: the "
+         "constants of --eps; ions: 0 in the atoms enlarged by --ion-radius, else 1",
+         join(kFieldWords, "|"), kFieldWords.front().first},
         [&field](const std::string& text) { field.content = parse_word("--field", text, kFieldWords); });
-    add(command, request, "--eps", "IN,OUT", fmt::format("{},{}", field.inner_dielectric, field.outer_dielectric),
-        "Dielectric constants inside and outside", [&field](const std::string& text) { set_dielectrics(field, text); });
-    add(command, request, "--ion-radius", "R", fmt::format("{}", field.ion_radius), "Radius of ions, Å",
+    add(command, request,
+        {"--eps", "Dielectric constants inside and outside", "IN,OUT",
+         fmt::format("{},{}", field.inner_dielectric, field.outer_dielectric)},
+        [&field](const std::string& text) { set_dielectrics(field, text); });
+    add(command, request, {"--ion-radius", "Radius of ions, Å", "R", fmt::format("{}", field.ion_radius)},
         [&field](const std::string& text) {
             field.ion_radius = parse_number("--ion-radius", text, Sign::NotNegative);
         });
-    add(command, request, "--maps", "apbs", "",
-        "With -o NAME.dx: NAME_dielx.dx, NAME_diely.dx, NAME_dielz.dx and NAME_kappa.dx are written instead, for APBS",
+    add(command, request,
+        {"--maps",
+         "With -o NAME.dx: NAME_dielx.dx, NAME_diely.dx, NAME_dielz.dx and NAME_kappa.dx are written instead, for APBS",
+         "apbs"},
         [&request](const std::string& text) {
             if (text != "apbs") throw UsageError(fmt::format("--maps: unknown value '{}'; choose one of apbs", text));
             request.apbs_maps = true;
@@ -179,9 +185,10 @@ void Volumes::write(const std::string& path) const {
             write_volume(path, volumes_[i], content_of(kApbsMapWords[i].second));
 }
 
-void report_volumes(const VolumeRequest& request, bool written, ordered_json& options) {
+ordered_json report_volumes(const VolumeRequest& request, bool written) {
+    ordered_json options;
     for (const char* name : {"grid", "field", "eps", "ion_radius", "maps"}) options[name] = nullptr;
-    if (!written) return;
+    if (!written) return options;
     const VolumeContent content = request.field.content;
     const bool maps = request.apbs_maps;
     if (!request.grid_text.empty()) options["grid"] = file_name(request.grid_text);
@@ -190,6 +197,7 @@ void report_volumes(const VolumeRequest& request, bool written, ordered_json& op
         options["eps"] = {request.field.inner_dielectric, request.field.outer_dielectric};
     if (maps || content == VolumeContent::Ions) options["ion_radius"] = request.field.ion_radius;
     if (maps) options["maps"] = "apbs";
+    return options;
 }
 
 }  // namespace meniscus::cli

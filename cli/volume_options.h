@@ -30,7 +30,7 @@ struct VolumeRequest {
 /// for values that make no sense.
 void add_volume_options(CLI::App& command, VolumeRequest& request);
 
-/// Puts the four maps of APBS in the place of each volume, if they are asked for: NAME_dielx.dx, NAME_diely.dx,
+/// Replaces each volume by the four maps of APBS, if they are asked for: NAME_dielx.dx, NAME_diely.dx,
 /// NAME_dielz.dx and NAME_kappa.dx for NAME.dx.
 /// throws   UsageError for options that do not go together or with the outputs, and for formats that this build lacks
 std::vector<Output> plan_volumes(const VolumeRequest& request, std::vector<Output> outputs);
@@ -59,6 +59,6 @@ private:
 
 /// As the report has it.
 /// written   whether there is a volume; without one all is null
-void report_volumes(const VolumeRequest& request, bool written, nlohmann::ordered_json& options);
+nlohmann::ordered_json report_volumes(const VolumeRequest& request, bool written);
 
 }  // namespace meniscus::cli

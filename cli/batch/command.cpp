@@ -67,7 +67,7 @@ Outcome run_batch(const batch::Request& request) {
     std::vector<ordered_json> failed;
     std::string summary;
     if (computes) {
-        batch::RunResult result = batch::Run(request, shard, places)();
+        batch::RunResult result = batch::run(request, shard, places);
         summary = fmt::format("{}  {}, {} failed, {} already done, {:.1f} s\n", places.outputs(),
                               reading::counted(result.inputs, "input"), result.failed.size(), result.done_before,
                               result.seconds);

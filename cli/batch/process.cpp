@@ -28,15 +28,17 @@ constexpr std::size_t kMostMessages = 1U << 16U;  // bytes
 double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
 
 /// In the new process, between fork and exec: only what is safe there.
-[[noreturn]] void become(char* const* words, int nothing, int errors, const ProcessLimits& limits, pid_t parent) {
+/// streams   its standard input, output and error
+[[noreturn]] void become(char* const* words, const std::array<int, 3>& streams, const ProcessLimits& limits,
+                         pid_t parent) {
     if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() != parent) _exit(127);
     if (limits.memory_mb > 0) {
         const rlim_t bytes = static_cast<rlim_t>(limits.memory_mb) << 20U;
         const rlimit limit{bytes, bytes};
         if (setrlimit(RLIMIT_AS, &limit) != 0) _exit(127);
     }
-    if (dup2(nothing, STDIN_FILENO) < 0 || dup2(nothing, STDOUT_FILENO) < 0 || dup2(errors, STDERR_FILENO) < 0)
-        _exit(127);
+    for (int stream = 0; stream < 3; ++stream)
+        if (dup2(streams[static_cast<std::size_t>(stream)], stream) < 0) _exit(127);
     execv(words[0], words);
     _exit(127);
 }
@@ -54,10 +56,11 @@ Process::Process(const std::vector<std::string>& words, const ProcessLimits& lim
     errors_ = Descriptor(ends[0]);
     const Descriptor writing(ends[1]);
     if (fcntl(ends[0], F_SETFL, O_NONBLOCK) != 0) fail("a process cannot be started");
+    const std::array streams{nothing.number(), nothing.number(), writing.number()};
     const pid_t parent = getpid();
     id_ = fork();
     if (id_ < 0) fail("a process cannot be started");
-    if (id_ == 0) become(arguments.data(), nothing.number(), writing.number(), limits, parent);
+    if (id_ == 0) become(arguments.data(), streams, limits, parent);
     handle_ = Descriptor(static_cast<int>(syscall(SYS_pidfd_open, id_, 0)));
     if (!handle_.is_open()) {
         const int error = errno;

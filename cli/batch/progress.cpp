@@ -19,15 +19,14 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-Progress::Progress(ProgressMode mode, std::ostream& out, std::size_t inputs, std::uint64_t weight)
-    : mode_(mode), out_(out), inputs_(inputs), weight_(weight) {}
+Progress::Progress(ProgressMode mode, std::ostream& out, const Amount& all) : mode_(mode), out_(out), all_(all) {}
 
 Progress::~Progress() { clear(); }
 
 void Progress::count(bool succeeded, std::uint64_t weight) {
-    ++done_;
+    ++done_.inputs;
+    done_.weight += weight;
     failed_ += succeeded ? 0 : 1;
-    done_weight_ += weight;
 }
 
 void Progress::show() {
@@ -35,18 +34,19 @@ void Progress::show() {
     if (mode_ == ProgressMode::Off || now - shown_ < std::chrono::milliseconds(500)) return;
     shown_ = now;
     const double seconds = std::chrono::duration<double>(now - start_).count();
-    const double rate = static_cast<double>(done_) / seconds;
-    const double left =
-        done_weight_ == 0 ? 0.0 : seconds * (static_cast<double>(weight_) / static_cast<double>(done_weight_) - 1.0);
+    const double rate = static_cast<double>(done_.inputs) / seconds;
+    const double left = done_.weight == 0
+                            ? 0.0
+                            : seconds * (static_cast<double>(all_.weight) / static_cast<double>(done_.weight) - 1.0);
     if (mode_ == ProgressMode::Json) {
         out_ << fmt::format(
-                    "{{\"done\": {}, \"failed\": {}, \"inputs\": {}, \"time_s\": {:.3f}, \"left_s\": {:.3f}}}\n", done_,
-                    failed_, inputs_, seconds, left)
+                    "{{\"done\": {}, \"failed\": {}, \"inputs\": {}, \"time_s\": {:.3f}, \"left_s\": {:.3f}}}\n",
+                    done_.inputs, failed_, all_.inputs, seconds, left)
              << std::flush;
         return;
     }
-    out_ << fmt::format("\r{} of {} done, {} failed", done_, inputs_, failed_);
-    if (done_ > 0) out_ << fmt::format(", {:.3g} per second, {} left", rate, duration(left));
+    out_ << fmt::format("\r{} of {} done, {} failed", done_.inputs, all_.inputs, failed_);
+    if (done_.inputs > 0) out_ << fmt::format(", {:.3g} per second, {} left", rate, duration(left));
     out_ << "\033[K" << std::flush;
     drawn_ = true;
 }

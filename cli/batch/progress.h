@@ -12,12 +12,18 @@
 
 namespace meniscus::cli::batch {
 
+/// Inputs of a batch, and what they take.
+struct Amount {
+    std::size_t inputs = 0;
+    std::uint64_t weight = 0;  ///< see Task
+};
+
 /// Shows inputs done and failed, their rate, and the time left, which goes by the sizes of the inputs. The line
 /// disappears when the reporter does.
 class Progress {
 public:
-    /// inputs, weight   of all that is to be done
-    Progress(ProgressMode mode, std::ostream& out, std::size_t inputs, std::uint64_t weight);
+    /// all   that is to be done
+    Progress(ProgressMode mode, std::ostream& out, const Amount& all);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -33,11 +39,9 @@ private:
 
     ProgressMode mode_;
     std::ostream& out_;
-    std::size_t inputs_;
-    std::uint64_t weight_;
-    std::size_t done_ = 0;
+    Amount all_;
+    Amount done_;
     std::size_t failed_ = 0;
-    std::uint64_t done_weight_ = 0;
     Clock::time_point start_ = Clock::now();
     Clock::time_point shown_{};
     bool drawn_ = false;

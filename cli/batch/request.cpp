@@ -107,23 +107,20 @@ void add_own_options(CLI::App& command, Request& request) {
                     "Where outputs go\n, laid out like the inputs: a folder, or an archive (.tar)")
         ->required()
         ->type_name("DIR|X.tar");
-    add_count(command, "--jobs", request.jobs, "Processes at a time\n, one per input")->default_str("all cores");
-    const auto time = [&request](const std::string& text) { request.time_limit = parse_time("--time-limit", text); };
-    command.add_option_function<std::string>("--time-limit", time, "For each input: 90 (seconds), 15m, 2h")
-        ->type_name("T");
+    add_count(command, {"--jobs", "Processes at a time\n, one per input", "N", "all cores"}, request.jobs);
+    add_word(command, {"--time-limit", "For each input: 90 (seconds), 15m, 2h", "T"},
+             [&request](const std::string& text) { request.time_limit = parse_time("--time-limit", text); });
     const auto memory = [&request](const std::string& text) {
         request.memory_limit_mb = parse_memory("--memory-limit", text);
         if (request.memory_limit_mb < kLeastMemory)
             throw UsageError(fmt::format("--memory-limit: must be at least {}M, which the program itself needs, not {}",
                                          kLeastMemory, text));
     };
-    command.add_option_function<std::string>("--memory-limit", memory, "For each input: 500M, 4G")->type_name("LIMIT");
+    add_word(command, {"--memory-limit", "For each input: 500M, 4G", "LIMIT"}, memory);
     command.add_flag("--resume", request.resume, "Skip what is done, retry what failed");
-    const auto shard = [&request](const std::string& text) { request.shard = parse_shard(text); };
-    command
-        .add_option_function<std::string>(
-            "--shard", shard, "Part I of N of the inputs, from 0\n; in a Slurm array, each task takes its own part")
-        ->type_name("I/N");
+    add_word(command,
+             {"--shard", "Part I of N of the inputs, from 0\n; in a Slurm array, each task takes its own part", "I/N"},
+             [&request](const std::string& text) { request.shard = parse_shard(text); });
     command.add_flag("--collect", request.collect,
                      "Merge the results of all shards\n; without inputs, do nothing else");
     command.add_flag("--mixed-radii", request.may_mix_radii, "Let --radii auto choose for each input");
@@ -159,15 +156,14 @@ void adapt_options(CLI::App& command) {
 }
 
 /// Makes a subcommand with its usual options one of a batch.
-/// take   moves what only this subcommand has from `given` to the request
-void complete_subcommand(CLI::App& command, Request& request, const std::shared_ptr<const CommonRequest>& given,
-                         const std::function<void()>& take, const std::function<void()>& run) {
+/// take   moves what only this subcommand has to the request, and returns what it has in common with others
+void complete_subcommand(CLI::App& command, Request& request, const std::function<const CommonRequest&()>& take,
+                         const std::function<void()>& run) {
     adapt_options(command);
     add_own_options(command, request);
     command.footer(fmt::format(kBatchExamples, command.get_name()));
-    command.callback([&command, &request, given, take, run] {
-        take();
-        fill(request, command, *given);
+    command.callback([&command, &request, take, run] {
+        fill(request, command, take());
         run();
     });
 }
@@ -176,19 +172,23 @@ void add_surface(CLI::App& batch, Request& request, const std::function<void()>&
     CLI::App& command = *batch.add_subcommand("surface", "The surface of every input");
     const auto given = std::make_shared<SurfaceRequest>();
     add_surface_options(command, *given);
-    const auto take = [&request, given] {
+    const auto take = [&request, given]() -> const CommonRequest& {
         request.threads = given->run.threads;
         request.history = given->flow.history;
+        return *given;
     };
-    complete_subcommand(command, request, given, take, run);
+    complete_subcommand(command, request, take, run);
 }
 
 void add_measure(CLI::App& batch, Request& request, const std::function<void()>& run) {
     CLI::App& command = *batch.add_subcommand("measure", "Exact areas and volumes of every input");
     const auto given = std::make_shared<MeasureRequest>();
     add_measure_options(command, *given);
-    complete_subcommand(
-        command, request, given, [&request, given] { request.threads = given->measure.threads; }, run);
+    const auto take = [&request, given]() -> const CommonRequest& {
+        request.threads = given->measure.threads;
+        return *given;
+    };
+    complete_subcommand(command, request, take, run);
 }
 
 }  // namespace

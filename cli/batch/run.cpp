@@ -9,17 +9,28 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "batch/archive.h"
 #include "batch/inputs.h"
+#include "batch/outputs.h"
+#include "batch/process.h"
+#include "batch/progress.h"
+#include "batch/read_files.h"
 #include "interrupt.h"
 #include "meniscus/errors.h"
 #include "meniscus/version.h"
 #include "messages.h"
 #include "report.h"
+#include "structure_run.h"
 
 namespace meniscus::cli::batch {
 
@@ -143,171 +154,215 @@ ordered_json header_of(const Request& request, const Shard& shard, const std::ve
             {"mixed_radii", request.may_mix_radii}};
 }
 
-std::vector<Task> checked_plan(const Request& request, const Shard& shard, const Places& places,
-                               const std::vector<Input>& inputs, const ReadFiles& read_files) {
-    std::vector<Task> tasks = plan(inputs, shard);
+/// What a batch is to do, checked.
+struct Work {
+    std::vector<Task> tasks;  // of this shard
+    ordered_json header;
+    ReadFiles read_files;
+    std::size_t left_out;  // files that are no inputs
+};
+
+Work plan_work(const Request& request, const Shard& shard, const Places& places) {
+    const FoundInputs found =
+        find_inputs({request.inputs, request.list, request.base, {places.outputs(), places.state()}});
+    ReadFiles read_files(request, found.inputs);
+    std::vector<Task> tasks = plan(found.inputs, shard);
     check_outputs(request, places, tasks, read_files);
-    return tasks;
+    return {std::move(tasks), header_of(request, shard, found.inputs), std::move(read_files), found.left_out};
+}
+
+/// A task under way, or one that has ended and is not recorded yet.
+struct Job {
+    std::size_t turn;
+    const Task& task;
+    std::string folder;  // of its own
+    std::optional<Process> process;
+    ProcessEnd end;
+};
+
+/// The jobs of a batch: so many processes at a time.
+class Jobs {
+public:
+    /// request   must outlive the jobs
+    /// folder    of all that is under way
+    Jobs(const Request& request, std::string folder)
+        : request_(request),
+          folder_(std::move(folder)),
+          most_(request.jobs > 0 ? request.jobs : threads_in_use(0)),
+          threads_(request.threads > 0 ? request.threads : std::max(1, threads_in_use(0) / most_)) {}
+
+    bool empty() const { return jobs_.empty(); }
+    bool has_room() const {
+        const auto runs = [](const auto& job) { return job->process.has_value(); };
+        return std::count_if(jobs_.begin(), jobs_.end(), runs) < most_;
+    }
+
+    void start(std::size_t turn, const Task& task) {
+        auto job = std::make_unique<Job>(Job{turn, task, fmt::format("{}/{}", folder_, turn), std::nullopt, {}});
+        make_folder(outputs_in(job->folder));
+        try {
+            if (task.input.member) {
+                make_folder(fs::path(input_of(task, job->folder)).parent_path().string());
+                extract_member(task.input.path, *task.input.member, input_of(task, job->folder));
+            }
+            job->process.emplace(words_of(task, job->folder),
+                                 ProcessLimits{.memory_mb = request_.memory_limit_mb, .seconds = request_.time_limit});
+        } catch (const InputError& error) {
+            job->end.exit_code = kInputError;
+            job->end.messages = std::string(kErrorMark) + error.what();
+        }
+        jobs_.push_back(std::move(job));
+    }
+
+    /// Until one may have ended.
+    void wait() const {
+        std::vector<Process*> processes;
+        for (const auto& job : jobs_)
+            if (job->process) processes.push_back(&*job->process);
+        if (!processes.empty()) Process::wait_for_any(processes, kTick);
+    }
+
+    /// Gives those that have ended to `keep`, in their turn, and forgets those that it has kept.
+    void take_ended(const std::function<bool(const Job&)>& keep) {
+        for (const auto& job : jobs_) {
+            if (!job->process) continue;
+            if (auto end = job->process->poll()) {
+                job->end = std::move(*end);
+                job->process.reset();
+            }
+        }
+        std::sort(jobs_.begin(), jobs_.end(), [](const auto& a, const auto& b) { return a->turn < b->turn; });
+        std::erase_if(jobs_, [&keep](const auto& job) { return !job->process && keep(*job); });
+    }
+
+private:
+    /// The command line of a task's process.
+    std::vector<std::string> words_of(const Task& task, const std::string& folder) const {
+        std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), request_.command};
+        words.insert(words.end(), request_.options.begin(), request_.options.end());
+        const bool has_limit =
+            std::any_of(words.begin(), words.end(), [](const auto& w) { return w.starts_with("--memory="); });
+        if (request_.command == "surface" && request_.memory_limit_mb > 0 && !has_limit)
+            words.push_back(fmt::format("--memory={}M", request_.memory_limit_mb));
+        const std::string stem = outputs_in(folder) + "/" + fs::path(task.stem).filename().string();
+        for (const std::string& ending : request_.endings) words.insert(words.end(), {"-o", stem + ending});
+        if (!request_.history.empty()) words.push_back("--history=" + stem + request_.history);
+        words.push_back(fmt::format("--threads={}", threads_));
+        words.push_back("--report=" + report_in(folder));
+        words.insert(words.end(), {"--quiet", "--progress=off", "--", input_of(task, folder)});
+        return words;
+    }
+
+    const Request& request_;
+    std::string folder_;
+    int most_;
+    int threads_;  // of each process
+    std::vector<std::unique_ptr<Job>> jobs_;
+};
+
+/// Records what comes of the tasks.
+class Recorder {
+public:
+    /// request, work   must outlive the recorder
+    Recorder(const Request& request, const Places& places, const Work& work)
+        : request_(request), log_(places, work.header, request.resume) {
+        if (work.left_out > 0 && !request.quiet)
+            print_note(std::cerr,
+                       fmt::format("files left out, because their suffix is not that of a structure or they are not "
+                                   "regular files: {}",
+                                   work.left_out));
+        for (const Task& task : work.tasks) {
+            const auto found = log_.entries().find(task.input.name);
+            if (found != log_.entries().end() && found->second.succeeded && found->second.size == task.input.size)
+                check_radii(task.input.name, found->second);
+            else
+                open_.push_back(&task);
+        }
+        outputs_ = open_outputs(places, log_.entries(), work.read_files);
+    }
+
+    const Log& log() const { return log_; }
+    const std::vector<const Task*>& open() const { return open_; }  ///< tasks to be computed, in their turn
+
+    /// Records a job that has ended: as it comes, or in the order of the plan where outputs have one. False if it is
+    /// not its turn.
+    bool keep(const Job& job, Progress& progress) {
+        if (outputs_->is_ordered() && job.turn != next_) return false;
+        Record record = record_of(job.task, job.end, job.folder, request_.time_limit);
+        if (has_outputs(job.end)) record.result["outputs"] = outputs_->take(outputs_in(job.folder), job.task);
+        record.archive_end = outputs_->size();
+        log_.append(record);
+        progress.count(record.succeeded(), job.task.weight);
+        remove_all_of(job.folder);
+        check_radii(job.task.input.name, log_.entries().at(job.task.input.name));
+        ++next_;
+        return true;
+    }
+
+    void finish() { outputs_->finish(); }
+
+private:
+    void check_radii(const std::string& name, const Entry& entry) {
+        if (request_.may_mix_radii || entry.radii.empty()) return;
+        radii_.emplace(entry.radii, name);
+        if (radii_.size() > 1) refuse_mixed_radii(radii_);
+    }
+
+    const Request& request_;
+    Log log_;
+    std::vector<const Task*> open_;
+    std::unique_ptr<OutputStore> outputs_;
+    std::size_t next_ = 0;                      // turn to keep, where outputs are ordered
+    std::map<std::string, std::string> radii_;  // set -> an input that has it
+};
+
+void compute_all(const Request& request, const std::string& folder, Recorder& recorder, Progress& progress) {
+    const std::vector<const Task*>& open = recorder.open();
+    Jobs jobs(request, folder);
+    for (std::size_t next = 0; next < open.size() || !jobs.empty();) {
+        for (; next < open.size() && jobs.has_room(); ++next) jobs.start(next, *open[next]);
+        progress.show();
+        jobs.wait();
+        throw_if_interrupted();
+        jobs.take_ended([&](const Job& job) { return recorder.keep(job, progress); });
+    }
+}
+
+RunResult sum_up(const Work& work, const Recorder& recorder, double seconds) {
+    RunResult result{.inputs = work.tasks.size(),
+                     .done_before = work.tasks.size() - recorder.open().size(),
+                     .failed = {},
+                     .seconds = seconds};
+    for (const Task& task : work.tasks)
+        if (const Entry& entry = recorder.log().entries().at(task.input.name); !entry.succeeded)
+            result.failed.push_back(without_report(recorder.log().read(entry).result));
+    return result;
 }
 
 }  // namespace
 
-Run::Run(const Request& request, const Shard& shard, const Places& places)
-    : request_(request),
-      shard_(shard),
-      places_(places),
-      found_(find_inputs({request.inputs, request.list, request.base, {places.outputs(), places.state()}})),
-      read_files_(request, found_.inputs),
-      header_(header_of(request, shard, found_.inputs)),
-      tasks_(checked_plan(request, shard, places, found_.inputs, read_files_)),
-      log_(places, header_, request.resume),
-      most_jobs_(static_cast<std::size_t>(request.jobs > 0 ? request.jobs : threads_in_use(0))),
-      threads_(request.threads > 0 ? request.threads : std::max(1, threads_in_use(0) / static_cast<int>(most_jobs_))) {
-    if (found_.left_out > 0 && !request.quiet)
-        print_note(
-            std::cerr,
-            fmt::format(
-                "files left out, because their suffix is not that of a structure or they are not regular files: {}",
-                found_.left_out));
-    std::uint64_t weight = 0;
-    for (const Task& task : tasks_) {
-        const auto found = log_.entries().find(task.input.name);
-        if (found != log_.entries().end() && found->second.succeeded && found->second.size == task.input.size) {
-            check_radii(task.input.name, found->second);
-        } else {
-            open_.push_back(&task);
-            weight += task.weight;
-        }
-    }
-    outputs_ = open_outputs(places, log_.entries(), read_files_);
-    progress_.emplace(resolve(request.progress, request.quiet), std::cerr, open_.size(), weight);
-}
-
-RunResult Run::operator()() {
-    remove_all_of(places_.done(shard_));
+RunResult run(const Request& request, const Shard& shard, const Places& places) {
+    const Work work = plan_work(request, shard, places);
+    Stopwatch watch;
+    Recorder recorder(request, places, work);
+    Amount all{.inputs = recorder.open().size()};
+    for (const Task* task : recorder.open()) all.weight += task->weight;
+    Progress progress(resolve(request.progress, request.quiet), std::cerr, all);
+    remove_all_of(places.done(shard));
+    remove_all_of(places.work());
     try {
-        const WritingSection section;  // a signal ends the wait below, and what processes have left is removed
-        compute_all();
+        const WritingSection section;  // a signal ends the wait, and what processes have left is removed
+        compute_all(request, places.work(), recorder, progress);
     } catch (...) {
-        jobs_.clear();
-        progress_->clear();
-        remove_all_of(places_.work());
+        progress.clear();
+        remove_all_of(places.work());
         throw;
     }
-    remove_all_of(places_.work());
-    progress_->clear();
-    outputs_->finish();
-    log_.finish(places_.done(shard_), header_, tasks_);
-    return sum_up();
-}
-
-RunResult Run::sum_up() {
-    RunResult result;
-    result.inputs = tasks_.size();
-    result.done_before = tasks_.size() - open_.size();
-    for (const Task& task : tasks_)
-        if (const Entry& entry = log_.entries().at(task.input.name); !entry.succeeded)
-            result.failed.push_back(without_report(log_.read(entry).result));
-    result.seconds = watch_.lap();
-    return result;
-}
-
-void Run::compute_all() {
-    remove_all_of(places_.work());
-    while (next_to_start_ < open_.size() || !jobs_.empty()) {
-        while (next_to_start_ < open_.size() && running() < most_jobs_) start(next_to_start_++);
-        progress_->show();
-        wait();
-        throw_if_interrupted();
-        look_at_processes();
-        keep_ended();
-    }
-}
-
-std::size_t Run::running() const {
-    return static_cast<std::size_t>(
-        std::count_if(jobs_.begin(), jobs_.end(), [](const auto& job) { return job->process.has_value(); }));
-}
-
-void Run::start(std::size_t turn) {
-    const Task& task = *open_[turn];
-    auto job = std::make_unique<Job>(Job{turn, fmt::format("{}/{}", places_.work(), turn), std::nullopt, {}});
-    make_folder(outputs_in(job->folder));
-    try {
-        if (task.input.member) {
-            make_folder(fs::path(input_of(task, job->folder)).parent_path().string());
-            extract_member(task.input.path, *task.input.member, input_of(task, job->folder));
-        }
-        job->process.emplace(words_of(task, job->folder),
-                             ProcessLimits{.memory_mb = request_.memory_limit_mb, .seconds = request_.time_limit});
-    } catch (const InputError& error) {
-        job->end.exit_code = kInputError;
-        job->end.messages = std::string(kErrorMark) + error.what();
-    }
-    jobs_.push_back(std::move(job));
-}
-
-/// The command line of a task's process.
-std::vector<std::string> Run::words_of(const Task& task, const std::string& folder) const {
-    std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), request_.command};
-    words.insert(words.end(), request_.options.begin(), request_.options.end());
-    const bool has_limit =
-        std::any_of(words.begin(), words.end(), [](const auto& w) { return w.starts_with("--memory="); });
-    if (request_.command == "surface" && request_.memory_limit_mb > 0 && !has_limit)
-        words.push_back(fmt::format("--memory={}M", request_.memory_limit_mb));
-    const std::string stem = outputs_in(folder) + "/" + fs::path(task.stem).filename().string();
-    for (const std::string& ending : request_.endings) words.insert(words.end(), {"-o", stem + ending});
-    if (!request_.history.empty()) words.push_back("--history=" + stem + request_.history);
-    words.push_back(fmt::format("--threads={}", threads_));
-    words.push_back("--report=" + report_in(folder));
-    words.insert(words.end(), {"--quiet", "--progress=off", "--", input_of(task, folder)});
-    return words;
-}
-
-void Run::wait() const {
-    std::vector<Process*> processes;
-    for (const auto& job : jobs_)
-        if (job->process) processes.push_back(&*job->process);
-    if (!processes.empty()) Process::wait_for_any(processes, kTick);
-}
-
-void Run::look_at_processes() {
-    for (const auto& job : jobs_) {
-        if (!job->process) continue;
-        if (auto end = job->process->poll()) {
-            job->end = std::move(*end);
-            job->process.reset();
-        }
-    }
-}
-
-/// Records what has ended: as it comes, or in the order of the plan where outputs have one.
-void Run::keep_ended() {
-    const auto is_kept = [this](const std::unique_ptr<Job>& job) {
-        if (job->process || (outputs_->is_ordered() && job->turn != next_to_keep_)) return false;
-        keep(*job);
-        ++next_to_keep_;
-        return true;
-    };
-    std::sort(jobs_.begin(), jobs_.end(), [](const auto& a, const auto& b) { return a->turn < b->turn; });
-    jobs_.erase(std::remove_if(jobs_.begin(), jobs_.end(), is_kept), jobs_.end());
-}
-
-void Run::keep(const Job& job) {
-    const Task& task = *open_[job.turn];
-    Record record = record_of(task, job.end, job.folder, request_.time_limit);
-    if (has_outputs(job.end)) record.result["outputs"] = outputs_->take(outputs_in(job.folder), task);
-    record.archive_end = outputs_->size();
-    log_.append(record);
-    progress_->count(record.succeeded(), task.weight);
-    remove_all_of(job.folder);
-    check_radii(task.input.name, log_.entries().at(task.input.name));
-}
-
-void Run::check_radii(const std::string& name, const Entry& entry) {
-    if (request_.may_mix_radii || entry.radii.empty()) return;
-    radii_.emplace(entry.radii, name);
-    if (radii_.size() > 1) refuse_mixed_radii(radii_);
+    remove_all_of(places.work());
+    progress.clear();
+    recorder.finish();
+    recorder.log().finish(places.done(shard), work.header, work.tasks);
+    return sum_up(work, recorder, watch.lap());
 }
 
 }  // namespace meniscus::cli::batch

@@ -13,6 +13,12 @@
 
 namespace meniscus {
 
+/// A mesh and a colour for each of its vertices; both must outlive it.
+struct ColouredMesh {
+    const Mesh& mesh;
+    std::span<const Colour> colours;
+};
+
 struct DrawOptions {
     PictureOptions picture{};               ///< its size is that with the legend
     std::optional<ColourOptions> scheme{};  ///< that the colours come from; nothing: from elsewhere
@@ -20,16 +26,15 @@ struct DrawOptions {
     const Mesh* whole = nullptr;            ///< what the legend is of, where a part of it is drawn
 };
 
-/// Draws a surface, or a part of it. Where a scheme tells colours at any point, borders are drawn where they are on the
-/// surface, else as the colours of the vertices have them.
+/// Draws a surface, or a part of it. Where a scheme gives a colour to every point, borders are drawn where they are on
+/// the surface, else as the colours of the vertices have them.
 ///
 /// surface    of the structure's atoms
-/// mesh       the surface's, or a part of it, perhaps with more values
-/// colours    one per vertex of `mesh`
+/// drawn      the mesh of the surface, or a part of it, perhaps with more values
 /// throws     UsageError for colours that do not match the mesh, a legend without a scheme, and as make_legend() and
 ///            draw_picture()
 /// cost       of draw_picture()
-Picture draw_surface(const Surface& surface, const Structure& structure, const Mesh& mesh,
-                     std::span<const Colour> colours, const DrawOptions& options = {});
+Picture draw_surface(const Surface& surface, const Structure& structure, const ColouredMesh& drawn,
+                     const DrawOptions& options = {});
 
 }  // namespace meniscus

@@ -236,7 +236,7 @@ void save_picture(const std::string& path, const HeldSurface& held, const py::di
     const py::gil_scoped_release release;
     const Mesh mesh = colouring.complete(held.surface.mesh, *held.structure, held.surface.exact);
     const std::vector<Colour> colours = colouring.of(mesh, *held.structure);
-    write_picture(path, draw_surface(held.surface, *held.structure, mesh, colours, options));
+    write_picture(path, draw_surface(held.surface, *held.structure, {mesh, colours}, options));
 }
 
 void save_page(const std::string& path, const HeldSurface& held, const Measures& exact, const py::dict& given) {

@@ -19,13 +19,13 @@ Picture legend_of(const Mesh& mesh, const Structure& structure, const DrawOption
 
 }  // namespace
 
-Picture draw_surface(const Surface& surface, const Structure& structure, const Mesh& mesh,
-                     std::span<const Colour> colours, const DrawOptions& options) {
-    const Picture legend = legend_of(mesh, structure, options);
+Picture draw_surface(const Surface& surface, const Structure& structure, const ColouredMesh& drawn,
+                     const DrawOptions& options) {
+    const Picture legend = legend_of(drawn.mesh, structure, options);
     PictureOptions picture = options.picture;
     picture.width -= legend.width;
     const auto draw = [&](const ColourField& field) {
-        return side_by_side(draw_picture(mesh, colours, picture, field), legend);
+        return side_by_side(draw_picture(drawn.mesh, drawn.colours, picture, field), legend);
     };
     if (!options.scheme) return draw({});
     if (surface.level_set)

@@ -56,16 +56,14 @@ std::vector<float> light(const Mesh& mesh, const std::optional<RayScene>& rays) 
     return rays ? openness(mesh, *rays) : std::vector<float>(mesh.vertices.size());
 }
 
-/// What is seen where scripts or WebGL are missing, as PNG.
-std::string draw(const Mesh& mesh, const std::optional<RayScene>& rays, const Structure& structure,
-                 const PageOptions& options, std::span<const float> sky) {
-    return encode_png(draw_picture_by(sky, mesh, rays, colour_vertices(mesh, structure, options.colours),
-                                      {.width = kPictureWidth,
-                                       .height = kPictureHeight,
-                                       .viewpoint = options.viewpoint,
-                                       .projection = options.projection,
-                                       .background = kTransparent,
-                                       .threads = options.threads}));
+/// How the picture is drawn that is seen where scripts or WebGL are missing.
+PictureOptions still_picture(const PageOptions& options) {
+    return {.width = kPictureWidth,
+            .height = kPictureHeight,
+            .viewpoint = options.viewpoint,
+            .projection = options.projection,
+            .background = kTransparent,
+            .threads = options.threads};
 }
 
 }  // namespace
@@ -79,8 +77,10 @@ std::string make_page(const Mesh& mesh, const Structure& structure, const PageOp
     const std::optional<RayScene> rays = mesh.triangles.empty() ? std::nullopt : std::optional<RayScene>(mesh);
     const ExactSurface exact = options.exact.atoms().empty() ? ExactSurface(structure.atoms) : options.exact;
     const page::VertexExtras extras{.sky = light(mesh, rays), .depth = depths(mesh, exact)};
+    const Picture still = draw_picture_by(extras.sky, mesh, rays, colour_vertices(mesh, structure, options.colours),
+                                          still_picture(options));
     return page::make_html({.title = structure.name + " · Meniscus",
-                            .picture = draw(mesh, rays, structure, options, extras.sky),
+                            .picture = encode_png(still),
                             .data = page::page_data(mesh, structure, options, extras),
                             .tables = page::tables_of(options.rows),
                             .description = structure.name});

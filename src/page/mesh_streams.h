@@ -25,7 +25,7 @@ struct VertexExtras {
     std::vector<double> depth{};  ///< Å, 0 to kDepthProbe
 };
 
-/// How values from elsewhere, Mesh::values, are told: as whole multiples of `step` above `low`, from 0 to
+/// How values from elsewhere, Mesh::values, are encoded: as whole multiples of `step` above `low`, from 0 to
 /// kLastValueStep; -1 where there is none. The stream of the n-th is "value-n".
 struct ValueScale {
     double low = 0.0;

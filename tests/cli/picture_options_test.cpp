@@ -56,8 +56,7 @@ TEST(PictureOptions, OneColourIsANameOrSixDigits) {
         const PictureRequest request = parse_picture({"--color", text});
         EXPECT_EQ(request.colours.scheme, ColourScheme::Single);
         EXPECT_EQ(request.colours.colour, (Colour{255, 99, 71}));
-        nlohmann::ordered_json options;
-        report_picture(request, {}, {}, false, options);
+        nlohmann::ordered_json options = report_picture(request, {}, {}, false);
         EXPECT_EQ(options["color"], "#ff6347");
     }
     EXPECT_EQ(parse_picture({"--color", "gold:0:1"}).colours.value, "gold");
@@ -89,12 +88,11 @@ TEST(PictureOptions, CutsAreWordsDepthsOrPlanes) {
     const PictureRequest request = parse_picture({"--cut", "-1,2,3:0,-1,0"});
     EXPECT_EQ(request.picture.cut, plane);
     EXPECT_EQ(request.drawn_by, "--cut");
-    nlohmann::ordered_json options;
-    report_picture(request, {}, {}, true, options);
+    nlohmann::ordered_json options = report_picture(request, {}, {}, true);
     EXPECT_EQ(options["cut"], "-1,2,3:0,-1,0");
     for (const auto& none : {parse_picture({}), parse_picture({"--cut", "none"})}) {
         EXPECT_FALSE(none.picture.cut);
-        report_picture(none, {}, {}, true, options);
+        options = report_picture(none, {}, {}, true);
         EXPECT_TRUE(options["cut"].is_null());
     }
 }
@@ -125,14 +123,13 @@ TEST(PictureOptions, ALegendNeedsRoom) {
 }
 
 TEST(PictureOptions, TheReportHasWhatIsInForce) {
-    nlohmann::ordered_json options;
-    report_picture(parse_picture({"--view", "top", "--size", "3x4"}), {}, {}, true, options);
+    nlohmann::ordered_json options = report_picture(parse_picture({"--view", "top", "--size", "3x4"}), {}, {}, true);
     EXPECT_EQ(options["color"], "single");
     EXPECT_TRUE(options["color_range"].is_null());
     EXPECT_EQ(options["view"], "top");
     EXPECT_EQ(options["size"], (nlohmann::ordered_json{3, 4}));
     EXPECT_EQ(options["background"], "#ffffff");
-    report_picture(parse_picture({"--color", "curvature"}), {}, {}, false, options);
+    options = report_picture(parse_picture({"--color", "curvature"}), {}, {}, false);
     EXPECT_EQ(options["color_range"], (nlohmann::ordered_json{-0.7, 0.7}));
     EXPECT_TRUE(options["size"].is_null());
 }

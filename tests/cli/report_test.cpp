@@ -31,7 +31,7 @@ Structure sample_structure() {
     return structure;
 }
 
-const RunFacts kFacts{.model = 2, .threads = 3, .exact_seconds = 0.25, .total_seconds = 1.5};
+const RunFacts kFacts{.model = 2, .threads = 3, .seconds = {.exact = 0.25, .total = 1.5}};
 
 nlohmann::ordered_json report_of(const SurfaceRequest& request, Surface surface = {}, const Measures& exact = {}) {
     RunFacts facts = kFacts;
@@ -175,7 +175,7 @@ TEST(Report, OfMeasuresHasNoMeshAndNamesItsOptions) {
     exact.agreed = false;
     RunFacts facts = kFacts;
     facts.checks = {agreement_check(exact)};
-    const auto report = make_report(request, sample_structure(), exact, nullptr, facts);
+    const auto report = make_report(request, sample_structure(), exact, facts);
     EXPECT_TRUE(report["mesh"].is_null());
     EXPECT_TRUE(report["flow"].is_null());
     EXPECT_TRUE(report["interfaces"].is_null());

@@ -34,7 +34,7 @@ private:
     void write(const Output& output, const Job& /*job*/) const override { write_file(output.path, "written"); }
     std::string failed() const override { return failure_; }
     nlohmann::ordered_json report(const Job& job, const RunFacts& facts) const override {
-        seconds = facts.total_seconds;
+        seconds = facts.seconds.total;
         return {{"model", job.model}, {"threads", facts.threads}};
     }
     std::string summary(const Job& job, const RunFacts& /*facts*/) const override { return job.structure.name + "\n"; }

@@ -13,7 +13,7 @@ TEST(SummaryText, CountsInWords) {
 
 TEST(SummaryText, LinesAreIndentedAndEnded) {
     EXPECT_EQ(summary_line("time", "now"), "  time        now\n");
-    EXPECT_EQ(describe_run({.threads = 1, .total_seconds = 1.5, .peak_memory_mb = 12.0}),
+    EXPECT_EQ(describe_run({.threads = 1, .peak_memory_mb = 12.0, .seconds = {.total = 1.5}}),
               "  time        1.50 s on 1 thread, 12 MB\n");
     EXPECT_EQ(describe_files({{"a.csv", OutputKind::Table}, {"b\n.pdb", OutputKind::StructureCopy}}),
               "  written     a.csv, b .pdb\n");

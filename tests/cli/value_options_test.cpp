@@ -41,13 +41,13 @@ TEST(ValueOptions, ColoursMustNameValuesThatMayCome) {
 }
 
 TEST(ValueOptions, TheReportTellsThem) {
-    nlohmann::ordered_json options;
-    report_values(parse_values({"--sample", "phi=a.dx", "--values", "b.csv", "--offset", "1.5"}), options);
+    nlohmann::ordered_json options =
+        report_values(parse_values({"--sample", "phi=a.dx", "--values", "b.csv", "--offset", "1.5"}));
     EXPECT_EQ(options["sample"]["phi"], "a.dx");
     EXPECT_EQ(options["offset"], 1.5);
     EXPECT_EQ(options["interpolation"], "linear");
     EXPECT_EQ(options["values"][0], "b.csv");
-    report_values(parse_values({}), options);
+    options = report_values(parse_values({}));
     EXPECT_TRUE(options["offset"].is_null());
     EXPECT_TRUE(options["sample"].empty());
 }

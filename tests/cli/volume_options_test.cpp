@@ -82,17 +82,16 @@ TEST(VolumeOptions, ApbsGetsFourMapsForEachVolume) {
 }
 
 TEST(VolumeOptions, TheReportHasWhatIsInForce) {
-    nlohmann::ordered_json options;
-    report_volumes(parse_volume({"--field", "ions"}), true, options);
+    nlohmann::ordered_json options = report_volumes(parse_volume({"--field", "ions"}), true);
     EXPECT_EQ(options["field"], "ions");
     EXPECT_EQ(options["ion_radius"], 2.0);
     EXPECT_TRUE(options["eps"].is_null());
     EXPECT_TRUE(options["grid"].is_null());
-    report_volumes(parse_volume(kApbs), true, options);
+    options = report_volumes(parse_volume(kApbs), true);
     EXPECT_EQ(options["maps"], "apbs");
     EXPECT_EQ(options["grid"], "9,9,9,0.5,0,0,0");
     EXPECT_TRUE(options["field"].is_null());
-    report_volumes(parse_volume({}), false, options);
+    options = report_volumes(parse_volume({}), false);
     EXPECT_TRUE(options["field"].is_null());
 }
 

@@ -22,7 +22,7 @@ TEST(BuiltOnce, IsTheGeometryOfEverythingThatOneRunGives) {
         apbs_map(surface, grid, map);
     sample_surface(surface);
     const ColourOptions by_chain{.scheme = ColourScheme::Chain};
-    draw_surface(surface, structure, surface.mesh, colour_vertices(surface.mesh, structure, by_chain),
+    draw_surface(surface, structure, {surface.mesh, colour_vertices(surface.mesh, structure, by_chain)},
                  {.picture = {.width = 32, .height = 24}, .scheme = by_chain});
     depth_values(surface.mesh, surface.exact);
     if (pages_supported())

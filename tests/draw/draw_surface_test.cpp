@@ -27,7 +27,7 @@ protected:
         small.picture.width = 64;
         small.picture.height = 48;
         small.picture.viewpoint = Viewpoint{{0, 0, 1}, {0, 1, 0}};
-        return draw_surface(surface, structure, surface.mesh, colours, small);
+        return draw_surface(surface, structure, {surface.mesh, colours}, small);
     }
 
     Structure structure = pair();
@@ -48,7 +48,7 @@ TEST_F(DrawSurface, ALegendTakesFromTheWidth) {
     DrawOptions options{.scheme = ColourOptions{.scheme = ColourScheme::Element}, .legend = true};
     options.picture.width = 640;
     options.picture.height = 480;
-    const Picture picture = draw_surface(surface, structure, surface.mesh, by_element, options);
+    const Picture picture = draw_surface(surface, structure, {surface.mesh, by_element}, options);
     EXPECT_EQ(picture.width, 640);
     EXPECT_EQ(picture.height, 480);
 }
