@@ -14,6 +14,7 @@
 
 #include "help.h"
 #include "meniscus/file_name.h"
+#include "meniscus/volume_file.h"
 #include "option_words.h"
 
 namespace meniscus::cli {

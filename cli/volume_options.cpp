@@ -12,6 +12,7 @@
 #include "help.h"
 #include "meniscus/errors.h"
 #include "meniscus/file_name.h"
+#include "meniscus/volume_file.h"
 #include "option_words.h"
 #include "platform/files/atomic_file.h"
 

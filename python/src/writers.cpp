@@ -18,6 +18,7 @@
 #include "meniscus/page.h"
 #include "meniscus/picture.h"
 #include "meniscus/vertex_values.h"
+#include "meniscus/volume_file.h"
 #include "meniscus/write.h"
 #include "options.h"
 #include "platform/files/atomic_file.h"

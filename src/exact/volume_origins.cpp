@@ -40,8 +40,11 @@ private:
     void cut(Part part) {
         if (part.uncut == 3) return keep(part);
         const double Vec3::*axis = kAxes[part.axis];
-        std::sort(part.atoms.begin(), part.atoms.end(),
-                  [&](std::uint32_t a, std::uint32_t b) { return centres_[a].*axis < centres_[b].*axis; });
+        std::sort(part.atoms.begin(), part.atoms.end(), [&](std::uint32_t a, std::uint32_t b) {
+            const double of_a = centres_[a].*axis;
+            const double of_b = centres_[b].*axis;
+            return of_a != of_b ? of_a < of_b : a < b;
+        });
         std::vector<std::size_t> begins{0};
         for (std::size_t i = 1; i < part.atoms.size(); ++i)
             if (centres_[part.atoms[i]].*axis - centres_[part.atoms[i - 1]].*axis > gap_) begins.push_back(i);

@@ -144,7 +144,8 @@ bool ContourBuilder::insert_rest() {
     if (!exposed()) return true;
     find_rest();
     const double* const t = (*caps_)[3];
-    std::sort(rest_.begin(), rest_.end(), [&](std::uint32_t a, std::uint32_t b) { return t[a] < t[b]; });
+    std::sort(rest_.begin(), rest_.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return t[a] != t[b] ? t[a] < t[b] : a < b; });
     for (std::size_t i = 0; i < rest_.size() && exposed(); ++i)
         if (!insert(rest_[i])) return false;
     return true;

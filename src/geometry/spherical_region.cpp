@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "core/elementary.h"
 #include "core/perpendicular.h"
@@ -135,7 +136,9 @@ void SphericalRegions::walk(const Vec3& from, const Vec3& to) const {
             if (angle <= measured_[a].angle) crossings_.push_back({at, into_cap, a});
         }
     }
-    std::sort(crossings_.begin(), crossings_.end(), [](const Crossing& a, const Crossing& b) { return a.at < b.at; });
+    std::sort(crossings_.begin(), crossings_.end(), [](const Crossing& a, const Crossing& b) {
+        return std::tie(a.at, a.into_cap, a.arc) < std::tie(b.at, b.into_cap, b.arc);
+    });
 }
 
 // Points of a loop to walk from or to: the middle of an arc of it, or more.

@@ -71,20 +71,28 @@ void print_mesh(const char* what, const Mesh& mesh) {
     std::printf("  %-24s %016llx %016llx  %zu vertices\n", what, places.value(), values.value(), mesh.vertices.size());
 }
 
-void print_totals(const Measures& measures) {
-    Checksum checksum;
+void print_measures(const Measures& measures) {
+    Checksum totals;
     for (const double total : {measures.totals.sas_area, measures.totals.sas_volume, measures.totals.ses_area,
-                               measures.totals.ses_volume, measures.totals.toroidal_area, measures.errors.ses_area})
-        checksum.add(total);
-    for (const AtomMeasure& atom : measures.atoms) checksum.add(atom.ses_area());
-    for (const SurfaceComponent& piece : measures.components) checksum.add(piece.ses_volume);
-    print("exact measures", checksum);
+                               measures.totals.ses_volume, measures.totals.toroidal_area})
+        totals.add(total);
+    print("exact totals", totals);
+    Checksum errors;
+    for (const double error : {measures.errors.sas_area, measures.errors.ses_area, measures.errors.ses_volume})
+        errors.add(error);
+    print("errors", errors);
+    Checksum atoms;
+    for (const AtomMeasure& atom : measures.atoms) atoms.add(atom.ses_area());
+    print("atoms", atoms);
+    Checksum pieces;
+    for (const SurfaceComponent& piece : measures.components) pieces.add(piece.ses_volume);
+    print("pieces", pieces);
     std::printf("  %-24s %.17g %.17g\n", "exact area, volume", measures.totals.ses_area, measures.totals.ses_volume);
 }
 
 void print_surfaces(const Atoms& atoms) {
     const ExactSurface exact(atoms);
-    print_totals(exact.measures());
+    print_measures(exact.measures());
     Checksum distances;
     distances.add(exact.signed_distance(atoms.centres));
     print("distances", distances);
