@@ -24,12 +24,11 @@ public:
     /// margin  Å: up to this distance from the surface nodes have a distance
     BlockUnits(const AccessibleSurface& surface, double spacing, double margin);
 
-    /// Goes to a box, then to a part of it, whose blocks will be evaluated.
-    void enter(const Box& box) { around_.gather(box); }
-    void enter_part(const Box& box) { part_.gather_from(around_, box); }
+    /// Up to which distance from the surface features must be gathered, Å.
+    static double reach(double spacing, double margin);
 
-    /// corner: position of node (0, 0, 0)
-    void enter_block(const Vec3& corner);
+    /// around: features for a box around the block; corner: position of node (0, 0, 0)
+    void enter_block(const LocalFeatures& around, const Vec3& corner);
 
     /// Below or Above if that holds for all nodes of the unit. Open otherwise: then it may be searched.
     Claim enter_unit(int unit);
@@ -51,22 +50,31 @@ private:
         Vec3 to_foot;              // nearest point of K
     };
 
+    // What tells that nodes are beyond the margin.
+    struct Limits {
+        double margin;
+        double slack;             // Å: more than all that single precision gets wrong
+        float near_foot = -1.0F;  // Å²: nodes so near to a point of K are outside, beyond the margin
+    };
+    // The nodes of any unit.
+    struct UnitNodes {
+        LanePoints<double> offsets;     // from the first one
+        LanePoints<float> from_middle;  // from the unit's middle
+        LaneArray<float> lengths;       // of these
+    };
+    // Where the block and the unit are that were entered last.
+    struct Entered {
+        Vec3 corner;  // of the block
+        Middle middles[kUnits];
+        std::size_t unit = 0;
+    };
+
     double spacing_;
-    double margin_;
-    double half_unit_;         // Å: half a unit's diagonal
-    double slack_;             // Å: more than all that single precision gets wrong
-    float near_foot_ = -1.0F;  // Å²: nodes so near to a point of K are outside, beyond the margin
-    LocalFeatures around_;     // of many blocks
-    LocalFeatures part_;       // of fewer of them
+    Limits limits_;
+    UnitNodes nodes_;
     LocalFeatures block_;
     NearestBatch batch_;
-    Vec3 corner_;  // of the block
-    std::size_t unit_ = 0;
-    Middle middles_[kUnits];
-
-    LanePoints<double> offsets_;  // of a unit's nodes from its first
-    LanePoints<float> steps_;     // of the same from the unit's middle
-    LaneArray<float> lengths_;
+    Entered entered_;
     LanePoints<double> points_;  // that are searched
 };
 

@@ -53,12 +53,9 @@ public:
     BlockDistance(const AccessibleSurface& surface, double spacing, double margin)
         : units_(surface, spacing, margin), spacing_(spacing), margin_(margin) {}
 
-    void enter(const Box& box) { units_.enter(box); }
-    void enter_part(const Box& box) { units_.enter_part(box); }
-
-    // corner: position of node (0, 0, 0)
-    void evaluate(const Vec3& corner, const BlockSamples& samples) {
-        units_.enter_block(corner);
+    // around: features for a box around the block; corner: position of node (0, 0, 0)
+    void evaluate(const LocalFeatures& around, const Vec3& corner, const BlockSamples& samples) {
+        units_.enter_block(around, corner);
         for (int u = 0; u < kUnits; ++u) {
             const Claim side = units_.enter_unit(u);
             if (side == Claim::Below || side == Claim::Above) {
@@ -120,8 +117,11 @@ DistanceBand sample_distance(const AccessibleSurface& surface, const BlockGrid& 
     resize_touched(band.distance, grid.node_count());
     resize_touched(band.curvature, grid.node_count());
     for_each_block(
-        grid, [&] { return std::make_unique<BlockDistance>(surface, grid.spacing(), margin); },
-        [&](BlockDistance& evaluator, BlockId b) { evaluator.evaluate(grid.corner(b), samples_of(band, b)); });
+        grid, LocalFeatures(surface, BlockUnits::reach(grid.spacing(), margin)),
+        [&] { return std::make_unique<BlockDistance>(surface, grid.spacing(), margin); },
+        [&](BlockDistance& evaluator, const LocalFeatures& around, BlockId b) {
+            evaluator.evaluate(around, grid.corner(b), samples_of(band, b));
+        });
     return band;
 }
 

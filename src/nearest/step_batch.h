@@ -54,10 +54,16 @@ private:
         LanePoints<double> places;
     };
 
-    // Says whose the points of a kind are from lane `to` on. atom_of(k): the nearest atom of point k's feature.
+    // Lanes of steps, from one on, that are of the same kind of patch.
+    struct Target {
+        BatchSteps& steps;
+        std::size_t to;
+        PatchKind patch;
+    };
+    // Says whose the points of a kind are. atom_of(k): the nearest atom of point k's feature.
     template <class AtomOf>
-    void write_labels(const Points& points, PatchKind patch, std::size_t to, BatchSteps& steps,
-                      const AtomOf& atom_of) const {
+    void write_labels(const Points& points, const Target& target, const AtomOf& atom_of) const {
+        const auto& [steps, to, patch] = target;
         for (std::size_t k = 0; k < points.count; ++k) {
             steps.point[to + k] = points.point[k];
             steps.atom[to + k] = data_->atoms.original[atom_of(k)];

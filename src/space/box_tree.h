@@ -252,7 +252,7 @@ public:
     /// Calls visit(item) for every item whose box overlaps `box`, in the items' order.
     template <class Visit>
     void for_each_overlapping(const Box& box, const Visit& visit) const {
-        if (!eights_.empty()) descend_overlapping(eights_.size() - 1, 0, from_origin(box), visit);
+        if (!eights_.empty()) descend_overlapping({eights_.size() - 1, 0}, from_origin(box), visit);
     }
 
     /// Memory for the items found by one search after the other.
@@ -281,11 +281,16 @@ public:
     /// below bound(), which may shrink from call to call.
     template <class Bound, class Visit>
     void search_nearest(const Vec3& point, const Bound& bound, const Visit& visit) const {
-        if (!eights_.empty()) descend_nearest(eights_.size() - 1, 0, point - origin_, bound, visit);
+        if (!eights_.empty()) descend_nearest({eights_.size() - 1, 0}, point - origin_, bound, visit);
     }
 
 private:
     static constexpr std::size_t kFanOut = EightBoxes::kCount;
+
+    struct Node {
+        std::size_t level;
+        std::size_t eight;  // of the level
+    };
 
     SmallBox from_origin(const Box& box) const { return SmallBox({box.low - origin_, box.high - origin_}); }
 
@@ -304,19 +309,20 @@ private:
     }
 
     template <class Visit>
-    void descend_overlapping(std::size_t level, std::size_t eight, const SmallBox& query, const Visit& visit) const {
+    void descend_overlapping(const Node& node, const SmallBox& query, const Visit& visit) const {
+        const auto [level, eight] = node;
         for (unsigned bits = eights_[level][eight].overlapping(query); bits != 0; bits &= bits - 1) {
             const std::size_t i = eight * kFanOut + static_cast<std::size_t>(std::countr_zero(bits));
             if (level > 0)
-                descend_overlapping(level - 1, i, query, visit);
+                descend_overlapping({level - 1, i}, query, visit);
             else
                 visit(static_cast<std::uint32_t>(i));
         }
     }
 
     template <class Bound, class Visit>
-    void descend_nearest(std::size_t level, std::size_t eight, const Vec3& point, const Bound& bound,
-                         const Visit& visit) const {
+    void descend_nearest(const Node& node, const Vec3& point, const Bound& bound, const Visit& visit) const {
+        const auto [level, eight] = node;
         struct Child {
             double distance2;
             std::size_t index;
@@ -338,7 +344,7 @@ private:
             if (level == 0)
                 visit(static_cast<std::uint32_t>(i));
             else
-                descend_nearest(level - 1, i, point, bound, visit);
+                descend_nearest({level - 1, i}, point, bound, visit);
         }
     }
 
