@@ -35,7 +35,25 @@ struct NearestBatch::Search {
 
         static constexpr std::size_t kChains = 2;
 
-        void sort(std::size_t groups, LaneArray<std::uint32_t>& lane_of);
+        // A counting sort. Points next to each other mostly have the same group: they count in several chains, or each
+        // would have to wait for the one before.
+        void sort(std::size_t groups, LaneArray<std::uint32_t>& lane_of) {
+            ends.assign(kChains * groups, 0);
+            const auto end_of = [&](std::size_t i) -> std::uint32_t& {
+                return ends[kChains * static_cast<std::size_t>(of_point[i]) + i % kChains];
+            };
+            const LanePoints<double>& given = *points;
+            const std::size_t n = count;
+            for (std::size_t i = 0; i < n; ++i) ++end_of(i);
+            std::exclusive_scan(ends.begin(), ends.end(), ends.begin(), std::uint32_t{0});
+            for (std::size_t i = 0; i < n; ++i) {
+                const std::uint32_t lane = end_of(i)++;
+                point_in[lane] = static_cast<std::uint32_t>(i);
+                lane_of[i] = lane;
+                set_point(lanes, lane, get_point(given, i));
+            }
+        }
+
         LaneRange lanes_of(std::size_t group) const {
             return {group == 0 ? 0 : ends[kChains * group - 1], ends[kChains * (group + 1) - 1]};
         }
@@ -64,17 +82,148 @@ struct NearestBatch::Search {
     Search(const AccessibleSurface& surface, const NearestKernels& with)
         : data(surface.data()), kernels(with), stepper(surface, with) {}
 
-    void choose_contenders(std::size_t deepest, double half_diagonal);
-    void group_points(double margin);
-    void claim_by_groups(Answers& answers);
-    void claim_by_ball(std::size_t contender, const LaneRange& lanes, Answers& answers) const;
-    std::size_t deepest_exactly(const Vec3& point) const;
-    void collect_open(const Answers& answers);
-    void offer_edges(Answers& answers);
-    void choose_vertices(double margin);
-    void choose_arcs();
-    void drop_above(Answers& answers);
-    void claim_by_edges(Answers& answers);
+    // Balls that may be deeper somewhere than the one that is deepest in the middle.
+    void choose_contenders(std::size_t deepest, double half_diagonal) {
+        const SphereList& balls = place.local->balls();
+        scratch.marks.resize(std::max(scratch.marks.size(), words_for(balls.size())));
+        kernels.mark_contenders(balls, deepest, place.box, scratch.marks.data());
+        place.contenders.select(balls, scratch.marks.data());
+        // In the middle they are less deep by two diagonals at most.
+        const double extent = 5.0 * half_diagonal + 2.0 * data.rho_max - scratch.depths_in_middle[deepest];
+        // With coordinates up to m from the middle and u = 2^-24, differences are off by 2 u m each, their norm by
+        // (2 √3 + 3) u m, the depth by less than 8 u (m + rho).
+        place.depth_error = 8.0 * 0x1p-24 * extent;
+    }
+
+    // Settles what single precision can settle: which points are beyond the margin, and whose the others may be.
+    void group_points(double margin) {
+        constexpr float kInfinity = std::numeric_limits<float>::infinity();
+        const SphereList& balls = place.contenders;
+        scratch.small.resize(balls.size());
+        for (std::size_t b = 0; b < balls.size(); ++b) {
+            const Vec3 from = position_in(balls, b) - place.middle;
+            scratch.small[b] = {static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z),
+                                static_cast<float>(balls.column(3)[b])};
+        }
+        kernels.make_small(*groups.points, place.middle, groups.count, scratch.small_points);
+        kernels.find_depths(scratch.small, scratch.small_points, groups.count, scratch.depths);
+        const auto above = static_cast<float>(-place.beyond - place.depth_error);
+        const auto below = static_cast<float>(data.probe + margin + place.depth_error);
+        const auto lead = static_cast<float>(2.0 * place.depth_error);
+        const DepthLimits limits{.above = std::nextafter(above, -kInfinity),
+                                 .below = std::nextafter(below, kInfinity),
+                                 .lead = std::nextafter(lead, kInfinity),
+                                 .balls = static_cast<std::int32_t>(balls.size())};
+        kernels.group_points(scratch.depths, limits, groups.count, groups.of_point);
+    }
+
+    // In the order of the lanes: kernels write beyond the end of a range.
+    void claim_by_groups(Answers& answers) {
+        const std::size_t balls = place.contenders.size();
+        for (std::size_t b = 0; b < balls; ++b)
+            if (const LaneRange lanes = groups.lanes_of(b); lanes.end > lanes.begin) claim_by_ball(b, lanes, answers);
+        const LaneRange doubtful = groups.lanes_of(balls + kDoubtfulGroup);
+        for (std::size_t lane = doubtful.begin; lane < doubtful.end; ++lane)
+            claim_by_ball(deepest_exactly(get_point(groups.lanes, lane)), {lane, lane + 1}, answers);
+        const auto claim_by_side = [&](double signed_distance, const LaneRange& lanes) {
+            BallClaims& claims = answers.claims;
+            std::fill(claims.signed_distance.at + lanes.begin, claims.signed_distance.at + lanes.end, signed_distance);
+            std::fill(claims.owned.at + lanes.begin, claims.owned.at + lanes.end, 0);
+        };
+        claim_by_side(answers.margin, groups.lanes_of(balls + kAboveGroup));
+        claim_by_side(-answers.margin, groups.lanes_of(balls + kBelowGroup));
+    }
+
+    void claim_by_ball(std::size_t contender, const LaneRange& lanes, Answers& answers) const {
+        const std::uint32_t atom = place.contenders.index(contender);
+        BallOwner ball{position_in(place.contenders, contender),
+                       place.contenders.column(3)[contender],
+                       data.exposed[atom] != 0,
+                       {}};
+        if (ball.exposed) ball.caps = data.caps_of(atom);
+        kernels.claim(ball, data.probe, groups.lanes, lanes, answers.claims);
+        std::fill(answers.atoms.at + lanes.begin, answers.atoms.at + lanes.end, atom);
+    }
+
+    std::size_t deepest_exactly(const Vec3& point) const {
+        const SphereList& balls = place.contenders;
+        double best = -std::numeric_limits<double>::infinity();
+        std::size_t deepest = 0;
+        for (std::size_t b = 0; b < balls.size(); ++b) {
+            const double depth = balls.column(3)[b] - norm(point - position_in(balls, b));
+            if (depth > best) deepest = b;
+            best = std::max(best, depth);
+        }
+        return deepest;
+    }
+
+    // Without a branch, for nobody could predict it.
+    void collect_open(const Answers& answers) {
+        const std::size_t end = groups.lanes_of(place.contenders.size() + kDoubtfulGroup).end;
+        open.count = 0;
+        for (std::size_t lane = 0; lane < end; ++lane) {
+            open.lanes[open.count] = static_cast<std::uint32_t>(lane);
+            open.count += answers.claims.owned[lane] != 0 ? 0 : 1;
+        }
+        for (std::size_t k = 0; k < open.count; ++k) set_point(open.points, k, get_point(groups.lanes, open.lanes[k]));
+    }
+
+    void offer_edges(Answers& answers) {
+        std::fill_n(open.nearest.squared_distance.at, open.count, std::numeric_limits<double>::infinity());
+        std::fill_n(open.nearest.tag.at, open.count, 0);
+        choose_vertices(answers.margin);
+        kernels.offer_vertices(place.local->vertices(), scratch.chosen, open.points, open.count, open.nearest);
+        drop_above(answers);
+        choose_arcs();
+        kernels.offer_arcs(data.arcs, scratch.chosen, open.points, open.count, open.nearest);
+    }
+
+    void choose_vertices(double margin) {
+        const SphereList& vertices = place.local->vertices();
+        std::vector<std::uint64_t>& marks = scratch.marks;
+        marks.resize(std::max(marks.size(), words_for(vertices.size())));
+        kernels.mark_reaching(vertices, margin, place.box, marks.data());
+        kernels.unmark_far(vertices, place.box, marks.data());
+        scratch.chosen.resize(vertices.size());
+        scratch.chosen.resize(list_items(marks.data(), vertices.size(), scratch.chosen.data()));
+    }
+
+    void choose_arcs() {
+        const BoxList& arcs = place.local->arcs();
+        std::vector<std::uint64_t>& marks = scratch.marks;
+        marks.resize(std::max(marks.size(), words_for(arcs.size())));
+        kernels.mark_overlapping(arcs, place.box, marks.data());
+        scratch.chosen.resize(arcs.size());
+        scratch.chosen.resize(list_items(marks.data(), arcs.size(), scratch.chosen.data()));
+        for (std::uint32_t& a : scratch.chosen) a = arcs.index(a);
+    }
+
+    // Every vertex is a point of K: where one is near enough, no arc can bring the point back within the margin.
+    void drop_above(Answers& answers) {
+        const double near = data.probe - answers.margin;
+        const double* const squares = open.nearest.squared_distance.at;
+        const auto is_above = [near](double squared_distance) { return squared_distance <= near * near; };
+        if (near <= 0.0 || std::none_of(squares, squares + open.count, is_above)) return;
+        std::size_t kept = 0;
+        for (std::size_t k = 0; k < open.count; ++k) {
+            const bool above = is_above(squares[k]);
+            answers.claims.signed_distance[open.lanes[k]] = answers.margin;  // stays only if the point is above
+            open.lanes[kept] = open.lanes[k];
+            set_point(open.points, kept, get_point(open.points, k));
+            open.nearest.squared_distance[kept] = squares[k];
+            open.nearest.tag[kept] = open.nearest.tag[k];
+            kept += above ? 0 : 1;
+        }
+        open.count = kept;
+    }
+
+    void claim_by_edges(Answers& answers) {
+        kernels.find_edge_distances(open.nearest, data.probe, open.count, open.numbers);
+        for (std::size_t k = 0; k < open.count; ++k) {
+            answers.claims.signed_distance[open.lanes[k]] = open.numbers[k];
+            answers.tags[open.lanes[k]] = open.nearest.tag[k];
+        }
+    }
 
     const AccessibleSurface::Data& data;
     NearestKernels kernels;
@@ -108,19 +257,6 @@ NearestBatch::Claim NearestBatch::start(const LocalFeatures& local, const Box& b
     return Claim::Open;
 }
 
-// Balls that may be deeper somewhere than the one that is deepest in the middle.
-void NearestBatch::Search::choose_contenders(std::size_t deepest, double half_diagonal) {
-    const SphereList& balls = place.local->balls();
-    scratch.marks.resize(std::max(scratch.marks.size(), words_for(balls.size())));
-    kernels.mark_contenders(balls, deepest, place.box, scratch.marks.data());
-    place.contenders.select(balls, scratch.marks.data());
-    // In the middle they are less deep by two diagonals at most.
-    const double extent = 5.0 * half_diagonal + 2.0 * data.rho_max - scratch.depths_in_middle[deepest];
-    // With coordinates up to m from the middle and u = 2^-24, differences are off by 2 u m each, their norm by
-    // (2 √3 + 3) u m, the depth by less than 8 u (m + rho).
-    place.depth_error = 8.0 * 0x1p-24 * extent;
-}
-
 void NearestBatch::find(std::span<const Vec3> points) {
     LanePoints<double>& given = search_->scratch.given;
     for (std::size_t i = 0; i < points.size(); ++i) set_point(given, i, points[i]);
@@ -136,153 +272,6 @@ void NearestBatch::find(const LanePoints<double>& points, std::size_t count) {
     search_->collect_open(answers_);
     if (search_->open.count > 0) search_->offer_edges(answers_);
     search_->claim_by_edges(answers_);
-}
-
-// Settles what single precision can settle: which points are beyond the margin, and whose the others may be.
-void NearestBatch::Search::group_points(double margin) {
-    constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    const SphereList& balls = place.contenders;
-    scratch.small.resize(balls.size());
-    for (std::size_t b = 0; b < balls.size(); ++b) {
-        const Vec3 from = position_in(balls, b) - place.middle;
-        scratch.small[b] = {static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z),
-                            static_cast<float>(balls.column(3)[b])};
-    }
-    kernels.make_small(*groups.points, place.middle, groups.count, scratch.small_points);
-    kernels.find_depths(scratch.small, scratch.small_points, groups.count, scratch.depths);
-    const auto above = static_cast<float>(-place.beyond - place.depth_error);
-    const auto below = static_cast<float>(data.probe + margin + place.depth_error);
-    const auto lead = static_cast<float>(2.0 * place.depth_error);
-    const DepthLimits limits{.above = std::nextafter(above, -kInfinity),
-                             .below = std::nextafter(below, kInfinity),
-                             .lead = std::nextafter(lead, kInfinity),
-                             .balls = static_cast<std::int32_t>(balls.size())};
-    kernels.group_points(scratch.depths, limits, groups.count, groups.of_point);
-}
-
-std::size_t NearestBatch::Search::deepest_exactly(const Vec3& point) const {
-    const SphereList& balls = place.contenders;
-    double best = -std::numeric_limits<double>::infinity();
-    std::size_t deepest = 0;
-    for (std::size_t b = 0; b < balls.size(); ++b) {
-        const double depth = balls.column(3)[b] - norm(point - position_in(balls, b));
-        if (depth > best) deepest = b;
-        best = std::max(best, depth);
-    }
-    return deepest;
-}
-
-// A counting sort. Points next to each other mostly have the same group: they count in several chains, or each would
-// have to wait for the one before.
-void NearestBatch::Search::Groups::sort(std::size_t groups, LaneArray<std::uint32_t>& lane_of) {
-    ends.assign(kChains * groups, 0);
-    const auto end_of = [&](std::size_t i) -> std::uint32_t& {
-        return ends[kChains * static_cast<std::size_t>(of_point[i]) + i % kChains];
-    };
-    const LanePoints<double>& given = *points;
-    const std::size_t n = count;
-    for (std::size_t i = 0; i < n; ++i) ++end_of(i);
-    std::exclusive_scan(ends.begin(), ends.end(), ends.begin(), std::uint32_t{0});
-    for (std::size_t i = 0; i < n; ++i) {
-        const std::uint32_t lane = end_of(i)++;
-        point_in[lane] = static_cast<std::uint32_t>(i);
-        lane_of[i] = lane;
-        set_point(lanes, lane, get_point(given, i));
-    }
-}
-
-// In the order of the lanes: kernels write beyond the end of a range.
-void NearestBatch::Search::claim_by_groups(Answers& answers) {
-    const std::size_t balls = place.contenders.size();
-    for (std::size_t b = 0; b < balls; ++b)
-        if (const LaneRange lanes = groups.lanes_of(b); lanes.end > lanes.begin) claim_by_ball(b, lanes, answers);
-    const LaneRange doubtful = groups.lanes_of(balls + kDoubtfulGroup);
-    for (std::size_t lane = doubtful.begin; lane < doubtful.end; ++lane)
-        claim_by_ball(deepest_exactly(get_point(groups.lanes, lane)), {lane, lane + 1}, answers);
-    const auto claim_by_side = [&](double signed_distance, const LaneRange& lanes) {
-        BallClaims& claims = answers.claims;
-        std::fill(claims.signed_distance.at + lanes.begin, claims.signed_distance.at + lanes.end, signed_distance);
-        std::fill(claims.owned.at + lanes.begin, claims.owned.at + lanes.end, 0);
-    };
-    claim_by_side(answers.margin, groups.lanes_of(balls + kAboveGroup));
-    claim_by_side(-answers.margin, groups.lanes_of(balls + kBelowGroup));
-}
-
-void NearestBatch::Search::claim_by_ball(std::size_t contender, const LaneRange& lanes, Answers& answers) const {
-    const std::uint32_t atom = place.contenders.index(contender);
-    BallOwner ball{
-        position_in(place.contenders, contender), place.contenders.column(3)[contender], data.exposed[atom] != 0, {}};
-    if (ball.exposed) ball.caps = data.caps_of(atom);
-    kernels.claim(ball, data.probe, groups.lanes, lanes, answers.claims);
-    std::fill(answers.atoms.at + lanes.begin, answers.atoms.at + lanes.end, atom);
-}
-
-// Without a branch, for nobody could predict it.
-void NearestBatch::Search::collect_open(const Answers& answers) {
-    const std::size_t end = groups.lanes_of(place.contenders.size() + kDoubtfulGroup).end;
-    open.count = 0;
-    for (std::size_t lane = 0; lane < end; ++lane) {
-        open.lanes[open.count] = static_cast<std::uint32_t>(lane);
-        open.count += answers.claims.owned[lane] != 0 ? 0 : 1;
-    }
-    for (std::size_t k = 0; k < open.count; ++k) set_point(open.points, k, get_point(groups.lanes, open.lanes[k]));
-}
-
-void NearestBatch::Search::offer_edges(Answers& answers) {
-    std::fill_n(open.nearest.squared_distance.at, open.count, std::numeric_limits<double>::infinity());
-    std::fill_n(open.nearest.tag.at, open.count, 0);
-    choose_vertices(answers.margin);
-    kernels.offer_vertices(place.local->vertices(), scratch.chosen, open.points, open.count, open.nearest);
-    drop_above(answers);
-    choose_arcs();
-    kernels.offer_arcs(data.arcs, scratch.chosen, open.points, open.count, open.nearest);
-}
-
-void NearestBatch::Search::choose_vertices(double margin) {
-    const SphereList& vertices = place.local->vertices();
-    std::vector<std::uint64_t>& marks = scratch.marks;
-    marks.resize(std::max(marks.size(), words_for(vertices.size())));
-    kernels.mark_reaching(vertices, margin, place.box, marks.data());
-    kernels.unmark_far(vertices, place.box, marks.data());
-    scratch.chosen.resize(vertices.size());
-    scratch.chosen.resize(list_items(marks.data(), vertices.size(), scratch.chosen.data()));
-}
-
-void NearestBatch::Search::choose_arcs() {
-    const BoxList& arcs = place.local->arcs();
-    std::vector<std::uint64_t>& marks = scratch.marks;
-    marks.resize(std::max(marks.size(), words_for(arcs.size())));
-    kernels.mark_overlapping(arcs, place.box, marks.data());
-    scratch.chosen.resize(arcs.size());
-    scratch.chosen.resize(list_items(marks.data(), arcs.size(), scratch.chosen.data()));
-    for (std::uint32_t& a : scratch.chosen) a = arcs.index(a);
-}
-
-// Every vertex is a point of K: where one is near enough, no arc can bring the point back within the margin.
-void NearestBatch::Search::drop_above(Answers& answers) {
-    const double near = data.probe - answers.margin;
-    const double* const squares = open.nearest.squared_distance.at;
-    const auto is_above = [near](double squared_distance) { return squared_distance <= near * near; };
-    if (near <= 0.0 || std::none_of(squares, squares + open.count, is_above)) return;
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < open.count; ++k) {
-        const bool above = is_above(squares[k]);
-        answers.claims.signed_distance[open.lanes[k]] = answers.margin;  // stays only if the point is above
-        open.lanes[kept] = open.lanes[k];
-        set_point(open.points, kept, get_point(open.points, k));
-        open.nearest.squared_distance[kept] = squares[k];
-        open.nearest.tag[kept] = open.nearest.tag[k];
-        kept += above ? 0 : 1;
-    }
-    open.count = kept;
-}
-
-void NearestBatch::Search::claim_by_edges(Answers& answers) {
-    kernels.find_edge_distances(open.nearest, data.probe, open.count, open.numbers);
-    for (std::size_t k = 0; k < open.count; ++k) {
-        answers.claims.signed_distance[open.lanes[k]] = open.numbers[k];
-        answers.tags[open.lanes[k]] = open.nearest.tag[k];
-    }
 }
 
 // Each formula for all lanes, without asking whose they are: nobody could predict it.
