@@ -18,7 +18,7 @@
 namespace meniscus {
 namespace {
 
-constexpr double kMargin = 1e-6;  // Å: nobody asks for distances, but a search wants one
+constexpr double kMargin = 1e-6;  // Å: a search needs a margin, though only signs are asked for
 
 // Å: no length that decides is longer. From the middle of a block to a point it is half a diagonal; from there to the
 // centre of a ball less than its radius and, in K, what a unit's middle may be deep there with nodes outside K; to an

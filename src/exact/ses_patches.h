@@ -43,8 +43,8 @@ public:
     /// Vertices whose trimming could not be resolved.
     const std::vector<std::uint32_t>& unresolved() const { return unresolved_; }
 
-    /// The component of the patch most like one of another evaluation of the same atoms, or kNone: of the same atoms,
-    /// at the same place, and of all regions of it the one whose area is nearest.
+    /// The component of the patch that matches one of another evaluation of the same atoms, or kNone: the patch has the
+    /// same atoms and place, and of several regions it is the one whose area is nearest.
     std::uint32_t component_like_contact(std::uint32_t atom, double area) const;
     std::uint32_t component_like_torus(std::uint32_t arc, const SasArc& like, std::uint32_t part) const;
     std::uint32_t component_like_reentrant(std::uint32_t vertex, const SasVertex& like, double area) const;

@@ -27,7 +27,7 @@ double pseudo_angle(const Vec3& axis, const Vec3& e1, const Vec3& n) {
     return diamond_angle(dot(n, e1), dot(n, cross(e1, axis)));
 }
 
-constexpr double kNoCap = 4.0;  // in the place of t: no direction lies so deep
+constexpr double kNoCap = 4.0;  // stands for t where there is no cap: no direction lies so deep
 
 CapPlane plane_of(const CapColumns& caps, std::size_t k) { return {{caps[0][k], caps[1][k], caps[2][k]}, caps[3][k]}; }
 
@@ -162,7 +162,7 @@ bool ContourBuilder::bury_ends() {
     return true;
 }
 
-// Large ones bury others.
+// Inserts the caps that may still change the contour. Large caps come first because they bury others.
 bool ContourBuilder::insert_rest() {
     if (!exposed()) return true;
     find_rest();
@@ -174,8 +174,8 @@ bool ContourBuilder::insert_rest() {
     return true;
 }
 
-// Of the caps that wait those that may still change the contour, as few do: to insert all costs more. What is inserted
-// in between only buries more.
+// Chooses the waiting caps that may still change the contour. They are few, and inserting all would cost more; whatever
+// is inserted after this choice only buries more.
 void ContourBuilder::find_rest() {
     waiting_.marks.resize(words_for(caps_->size()));
     cap_kernels().mark_changing(*caps_, open_.lanes(), open_.size(), kept_.planes, waiting_.marks.data());
@@ -204,7 +204,7 @@ bool ContourBuilder::insert(std::uint32_t k) {
     return true;
 }
 
-// Keeps what of the arcs lies outside a cap; whether it holds a part of any.
+// Cuts away what of the arcs lies inside a cap. Returns whether any arc has a part there.
 bool ContourBuilder::cut_arcs(const CapPlane& cap) {
     if (meetings_.size() < open_.lanes().size()) meetings_.resize(open_.lanes().size());
     cap_kernels().meet_arcs(open_.lanes(), open_.size(), cap, meetings_.data());

@@ -81,9 +81,9 @@ public:
     /// cost     O(caps · arcs), stops as soon as nothing is exposed
     bool build(const CapColumns& caps);
 
-    /// The same in the order of `caps`: for caps known to bury most, and then for the rest behind them.
+    /// Inserts the caps in their order until nothing is exposed: for caps that are known to bury most of the sphere.
     bool build_in_order(const CapColumns& caps);
-    /// Goes on after build_in_order, whose caps `caps` begins with, while something is exposed.
+    /// Inserts the remaining caps after build_in_order; `caps` must begin with the caps that were given there.
     bool extend(const CapColumns& caps);
 
     /// The contour as build or extend left it; empty when nothing or the whole sphere is exposed.

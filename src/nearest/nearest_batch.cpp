@@ -157,7 +157,7 @@ struct NearestBatch::Search {
         return deepest;
     }
 
-    // Without a branch, for nobody could predict it.
+    // There is no branch in the loop because it could not be predicted.
     void collect_open(const Answers& answers) {
         const std::size_t end = groups.lanes_of(place.contenders.size() + kDoubtfulGroup).end;
         open.count = 0;
@@ -168,12 +168,11 @@ struct NearestBatch::Search {
         for (std::size_t k = 0; k < open.count; ++k) set_point(open.points, k, get_point(groups.lanes, open.lanes[k]));
     }
 
-    void offer_edges(Answers& answers) {
+    void offer_edges(double margin) {
         std::fill_n(open.nearest.squared_distance.at, open.count, std::numeric_limits<double>::infinity());
         std::fill_n(open.nearest.tag.at, open.count, 0);
-        choose_vertices(answers.margin);
+        choose_vertices(margin);
         kernels.offer_vertices(place.local->vertices(), scratch.chosen, open.points, open.count, open.nearest);
-        drop_above(answers);
         choose_arcs();
         kernels.offer_arcs(data.arcs, scratch.chosen, open.points, open.count, open.nearest);
     }
@@ -183,7 +182,6 @@ struct NearestBatch::Search {
         std::vector<std::uint64_t>& marks = scratch.marks;
         marks.resize(std::max(marks.size(), words_for(vertices.size())));
         kernels.mark_reaching(vertices, margin, place.box, marks.data());
-        kernels.unmark_far(vertices, place.box, marks.data());
         scratch.chosen.resize(vertices.size());
         scratch.chosen.resize(list_items(marks.data(), vertices.size(), scratch.chosen.data()));
     }
@@ -196,25 +194,6 @@ struct NearestBatch::Search {
         scratch.chosen.resize(arcs.size());
         scratch.chosen.resize(list_items(marks.data(), arcs.size(), scratch.chosen.data()));
         for (std::uint32_t& a : scratch.chosen) a = arcs.index(a);
-    }
-
-    // Every vertex is a point of K: where one is near enough, no arc can bring the point back within the margin.
-    void drop_above(Answers& answers) {
-        const double near = data.probe - answers.margin;
-        const double* const squares = open.nearest.squared_distance.at;
-        const auto is_above = [near](double squared_distance) { return squared_distance <= near * near; };
-        if (near <= 0.0 || std::none_of(squares, squares + open.count, is_above)) return;
-        std::size_t kept = 0;
-        for (std::size_t k = 0; k < open.count; ++k) {
-            const bool above = is_above(squares[k]);
-            answers.claims.signed_distance[open.lanes[k]] = answers.margin;  // stays only if the point is above
-            open.lanes[kept] = open.lanes[k];
-            set_point(open.points, kept, get_point(open.points, k));
-            open.nearest.squared_distance[kept] = squares[k];
-            open.nearest.tag[kept] = open.nearest.tag[k];
-            kept += above ? 0 : 1;
-        }
-        open.count = kept;
     }
 
     void claim_by_edges(Answers& answers) {
@@ -270,11 +249,11 @@ void NearestBatch::find(const LanePoints<double>& points, std::size_t count) {
     search_->groups.sort(search_->place.contenders.size() + kSpecialGroups, answers_.lane_of);
     search_->claim_by_groups(answers_);
     search_->collect_open(answers_);
-    if (search_->open.count > 0) search_->offer_edges(answers_);
+    if (search_->open.count > 0) search_->offer_edges(answers_.margin);
     search_->claim_by_edges(answers_);
 }
 
-// Each formula for all lanes, without asking whose they are: nobody could predict it.
+// Evaluates the formula of balls for all lanes: a branch by the kind of feature could not be predicted.
 void NearestBatch::find_curvatures() {
     const double probe = search_->data.probe;
     Search::OpenPoints& open = search_->open;

@@ -35,7 +35,7 @@ public:
     void clear() {
         for (Points& of_kind : points_) of_kind.count = 0;
     }
-    /// A point of the batch, and what is nearest to it. Without a branch for the kind, which nobody could predict.
+    /// Adds a point of the batch, and what is nearest to it; the kind is no branch, which could not be predicted.
     void add(std::uint32_t point, const Vec3& place, const FeatureCell& nearest) {
         Points& of_kind = points_of(nearest.kind);
         const std::size_t lane = of_kind.count++;
