@@ -36,14 +36,14 @@ struct ExactOptions {
 /// Nothing is computed before it is asked for, and everything once. Members may be called by several threads.
 class ExactSurface {
 public:
-    ExactSurface();  ///< of no atoms, which has no geometry: for places that wait for another one
+    ExactSurface();  ///< of no atoms, which has no geometry: stands in until another surface is assigned
     explicit ExactSurface(Atoms atoms, const ExactOptions& options = {});
 
     const Atoms& atoms() const;
     const ExactOptions& options() const;
 
-    /// Every surface here is the SES of balls for a probe: the SES that of the atoms; the SAS that of atoms enlarged by
-    /// the probe radius, and the van der Waals surface that of the atoms, both for a probe of radius 0.
+    /// The balls whose SES this surface is: the atoms themselves, or, for a SAS, the atoms enlarged by the probe
+    /// radius. The probe of these balls has radius 0 for a SAS and for a van der Waals surface.
     const Atoms& balls() const;
     double probe_of_balls() const;  ///< Å
 
@@ -65,7 +65,7 @@ public:
     /// What is nearest to each of the points. Errors and cost as those of signed_distance().
     std::vector<NearestFeature> nearest_features(std::span<const Vec3> points) const;
 
-    /// Another surface of the same atoms. It is kept as long as any of them, so that nobody builds it twice.
+    /// Another surface of the same atoms. It is kept as long as any surface of these atoms, and so is built only once.
     ExactSurface of_same_atoms(const ExactOptions& options) const;
 
     /// The solvent-accessible surface of the balls, from which all else follows; for the rooms of this library.

@@ -100,7 +100,7 @@ struct Measures {
     /// the atoms. Programs that start from one reduced surface report this as the outer component.
     PatchAreas largest_sas_piece;
     std::vector<SurfaceComponent> components;  ///< by falling volume
-    std::vector<AtomMeasure> atoms;            ///< in the caller's order; of exact duplicates the first has it all
+    std::vector<AtomMeasure> atoms;            ///< in the caller's order; of exact duplicates only the first has areas
     std::vector<PatchMeasure> patches;         ///< if asked for
     bool agreed = true;                        ///< two evaluations that share no perturbation agree
     bool degenerate = false;            ///< probe positions coincide, as on lattices: 1e-5 is asked for instead of 1e-7

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "core/group_by.h"
@@ -52,22 +53,31 @@ private:
     Groups groups_;
 };
 
-/// Calls visit(evaluator, block) for every block of the grid, in parallel. make() makes an evaluator, which has
-/// enter(box) and enter_part(box): it goes to a box, then to a part of it, whose blocks come next.
+/// Calls visit(evaluator, features, block) for every block of the grid, in parallel. make() makes an evaluator for some
+/// blocks one after the other; `features` are those near a block, gathered as `empty` ones tell.
 template <class Make, class Visit>
-void for_each_block(const BlockGrid& grid, const Make& make, const Visit& visit) {
+void for_each_block(const BlockGrid& grid, const LocalFeatures& empty, const Make& make, const Visit& visit) {
     constexpr std::size_t kGroupsPerChunk = 2;
+    struct Workspace {
+        LocalFeatures around;  // many blocks
+        LocalFeatures part;    // fewer of them
+        std::invoke_result_t<Make> evaluator;
+    };
     const BlockGroups groups(grid);
-    parallel_chunks_with(groups.size(), kGroupsPerChunk, make,
-                         [&](std::size_t begin, std::size_t end, auto& evaluator) {
-                             for (std::size_t g = begin; g < end; ++g) {
-                                 evaluator.enter(groups.box_of(groups.blocks(g)));
-                                 groups.for_each_part(g, [&](std::span<const BlockId> blocks) {
-                                     evaluator.enter_part(groups.box_of(blocks));
-                                     for (const BlockId b : blocks) visit(evaluator, b);
-                                 });
-                             }
-                         });
+    parallel_chunks_with(
+        groups.size(), kGroupsPerChunk,
+        [&] {
+            return std::make_unique<Workspace>(Workspace{empty, empty, make()});
+        },
+        [&](std::size_t begin, std::size_t end, Workspace& work) {
+            for (std::size_t g = begin; g < end; ++g) {
+                work.around.gather(groups.box_of(groups.blocks(g)));
+                groups.for_each_part(g, [&](std::span<const BlockId> blocks) {
+                    work.part.gather_from(work.around, groups.box_of(blocks));
+                    for (const BlockId b : blocks) visit(*work.evaluator, work.part, b);
+                });
+            }
+        });
 }
 
 }  // namespace meniscus

@@ -24,8 +24,10 @@ void take_balls(const SphereList& balls, std::span<const std::uint32_t> items, c
     }
 }
 
-void take_arcs(const BoxList& cells, std::span<const SasArc> arcs, std::span<const std::uint32_t> items,
-               const Vec3& middle, SideFeaturesOfBox& near) {
+void take_arcs(const LocalFeatures& from, std::span<const std::uint32_t> items, const Vec3& middle,
+               SideFeaturesOfBox& near) {
+    const BoxList& cells = from.arcs();
+    const std::span<const SasArc> arcs(from.surface().data().arcs);
     const double origin[3] = {middle.x, middle.y, middle.z};
     near.features.arcs.resize(items.size());
     near.cells.resize(items.size());
@@ -59,7 +61,7 @@ void SideGatherer::gather(const LocalFeatures& from, const Box& box, double marg
     kernels.mark_reaching(balls, from.beyond_balls(), box, marks_.data());
     take_balls(balls, marked(balls.size()), middle, near.features);
     kernels.mark_overlapping(arcs, box, marks_.data());
-    take_arcs(arcs, from.surface().data().arcs, marked(arcs.size()), middle, near);
+    take_arcs(from, marked(arcs.size()), middle, near);
     kernels.mark_reaching(vertices, margin, box, marks_.data());
     take_vertices(vertices, marked(vertices.size()), middle, near.features);
 }

@@ -18,7 +18,7 @@
 namespace meniscus {
 namespace {
 
-constexpr double kMargin = 1e-6;  // Å: nobody asks for distances, but a search wants one
+constexpr double kMargin = 1e-6;  // Å: a search needs a margin, though only signs are asked for
 
 // Å: no length that decides is longer. From the middle of a block to a point it is half a diagonal; from there to the
 // centre of a ball less than its radius and, in K, what a unit's middle may be deep there with nodes outside K; to an
@@ -38,60 +38,68 @@ SideLimits limits_of(const AccessibleSurface::Data& data, double spacing, double
 // From the middle of a block to the farthest middle of a unit, Å.
 double to_units(double spacing) { return half_diagonal(kBlockEdge, spacing) - half_diagonal(kUnitEdge, spacing); }
 
-// Finds the sides of all nodes of one block after the other.
+// What is the same for all blocks.
+struct SideSearch {
+    SideCaps caps;
+    double spacing;
+    SideLimits unit_limits;
+    SideLimits node_limits;
+    double margin;                   // of the features, Å
+    LanePoints<float> unit_middles;  // from the middle of a block
+    LanePoints<float> nodes;         // from the middle of a unit
+
+    SideSearch(const AccessibleSurface::Data& data, double of_spacing)
+        : caps(data),
+          spacing(of_spacing),
+          unit_limits(limits_of(data, spacing, half_diagonal(kUnitEdge, spacing), to_units(spacing))),
+          node_limits(limits_of(data, spacing, 0.0, half_diagonal(kUnitEdge, spacing))),
+          margin(unit_limits.far + unit_limits.slack - data.probe) {
+        for (std::size_t u = 0; u < kUnits; ++u)
+            set_point(unit_middles, u, spacing * (unit_steps(u) + to_middle(kUnitEdge) - to_middle(kBlockEdge)));
+        for (std::size_t n = 0; n < kUnitNodes; ++n)
+            set_point(nodes, n, spacing * (node_steps(n) - to_middle(kUnitEdge)));
+    }
+};
+
+// Finds the sides of all nodes of one block after the other, reusing its memory.
 class BlockSides {
 public:
-    BlockSides(const AccessibleSurface& surface, const SideCaps& caps, double spacing)
-        : caps_(caps),
-          spacing_(spacing),
-          unit_limits_(limits_of(surface.data(), spacing, half_diagonal(kUnitEdge, spacing), to_units(spacing))),
-          node_limits_(limits_of(surface.data(), spacing, 0.0, half_diagonal(kUnitEdge, spacing))),
-          margin_(unit_limits_.far + unit_limits_.slack - surface.data().probe),
-          around_(surface, margin_),
-          part_(surface, margin_),
-          batch_(surface) {
-        for (std::size_t u = 0; u < kUnits; ++u)
-            put(unit_middles_, u, unit_steps(u) + to_middle(kUnitEdge) - to_middle(kBlockEdge));
-        for (std::size_t n = 0; n < kUnitNodes; ++n) put(nodes_, n, node_steps(n) - to_middle(kUnitEdge));
-    }
+    BlockSides(const AccessibleSurface& surface, const SideSearch& search) : search_(search), batch_(surface) {}
 
-    void enter(const Box& box) { around_.gather(box); }
-    void enter_part(const Box& box) { part_.gather_from(around_, box); }
-
-    // corner: position of node (0, 0, 0)
-    InsideBits evaluate(const Vec3& corner) {
+    // around: features for a box around the block; corner: position of node (0, 0, 0)
+    InsideBits evaluate(const LocalFeatures& around, const Vec3& corner) {
         InsideBits bits{};
-        gatherer_.gather(part_, box_of_nodes(corner, kBlockEdge, spacing_), margin_, block_);
+        gatherer_.gather(around, box_of_nodes(corner, kBlockEdge, search_.spacing), search_.margin, block_);
         if (block_.features.balls.size() == 0) return bits;
-        const auto [inside, settled] =
-            kernels_.settle(caps_, block_.features, unit_limits_, unit_middles_, kUnits, work_);
-        std::copy_n(work_.deepest.at, kUnits, deepest_);
+        const auto [inside, settled] = side_kernels().settle(search_.caps, block_.features, search_.unit_limits,
+                                                             search_.unit_middles, kUnits, work_);
+        std::int32_t deepest[kUnits];  // the ball where the middle of a unit is deepest
+        std::copy_n(work_.deepest.at, kUnits, deepest);
         for (std::size_t u = 0; u < kUnits; ++u) {
             if ((inside >> u & 1U) != 0) bits[u] = ~UnitBits{0};
-            if ((settled >> u & 1U) == 0) bits[u] = inside_of_unit(u, corner + spacing_ * unit_steps(u));
+            if ((settled >> u & 1U) != 0) continue;
+            const auto [nodes_inside, nodes_settled] = settle_nodes(u, static_cast<std::size_t>(deepest[u]));
+            bits[u] = nodes_inside;
+            if (~nodes_settled != 0)
+                bits[u] |= inside_exactly(~nodes_settled, around, corner + search_.spacing * unit_steps(u));
         }
         return bits;
     }
 
 private:
-    void put(LanePoints<float>& points, std::size_t i, const Vec3& steps) const {
-        set_point(points, i, spacing_ * steps);
+    KnownSides settle_nodes(std::size_t unit, std::size_t deepest) {
+        const SideCube cube{{search_.unit_middles.x[unit], search_.unit_middles.y[unit], search_.unit_middles.z[unit]},
+                            static_cast<float>(0.5 * (kUnitEdge - 1) * search_.spacing)};
+        side_kernels().choose(block_, cube, search_.node_limits, deepest, unit_);
+        return side_kernels().settle(search_.caps, unit_, search_.node_limits, search_.nodes, kUnitNodes, work_);
     }
 
-    UnitBits inside_of_unit(std::size_t unit, const Vec3& corner) {
-        const SideCube cube{{unit_middles_.x[unit], unit_middles_.y[unit], unit_middles_.z[unit]},
-                            static_cast<float>(0.5 * (kUnitEdge - 1) * spacing_)};
-        kernels_.choose(block_, cube, node_limits_, static_cast<std::size_t>(deepest_[unit]), unit_features_);
-        const auto [inside, settled] = kernels_.settle(caps_, unit_features_, node_limits_, nodes_, kUnitNodes, work_);
-        return ~settled == 0 ? inside : inside | inside_exactly(~settled, corner);
-    }
-
-    // Of nodes that are in doubt in single precision.
-    UnitBits inside_exactly(UnitBits nodes, const Vec3& corner) {
-        const NearestBatch::Claim all = batch_.start(part_, box_of_nodes(corner, kUnitEdge, spacing_), kMargin);
+    // Of nodes of a unit that are in doubt in single precision. corner: position of its first node
+    UnitBits inside_exactly(UnitBits nodes, const LocalFeatures& around, const Vec3& corner) {
+        const NearestBatch::Claim all = batch_.start(around, box_of_nodes(corner, kUnitEdge, search_.spacing), kMargin);
         if (all != NearestBatch::Claim::Open) return all == NearestBatch::Claim::Below ? nodes : 0;
         points_.clear();
-        for_each_bit(nodes, [&](std::size_t n) { points_.push_back(corner + spacing_ * node_steps(n)); });
+        for_each_bit(nodes, [&](std::size_t n) { points_.push_back(corner + search_.spacing * node_steps(n)); });
         batch_.find(points_);
         UnitBits inside = 0;
         std::size_t i = 0;
@@ -99,21 +107,11 @@ private:
         return inside;
     }
 
-    const SideCaps& caps_;
-    const SideKernels& kernels_ = side_kernels();
-    double spacing_;
-    SideLimits unit_limits_;
-    SideLimits node_limits_;
-    double margin_;                   // of what is gathered, Å
-    LanePoints<float> unit_middles_;  // from the middle of a block
-    LanePoints<float> nodes_;         // from the middle of a unit
-    LocalFeatures around_;            // of many blocks
-    LocalFeatures part_;              // of fewer of them
+    const SideSearch& search_;
     SideGatherer gatherer_;
     SideFeaturesOfBox block_;
-    SideFeatures unit_features_;
+    SideFeatures unit_;
     SideWork work_;
-    std::int32_t deepest_[kUnits];  // the ball where the middle of a unit is deepest
     NearestBatch batch_;
     std::vector<Vec3> points_;
 };
@@ -123,10 +121,12 @@ private:
 std::vector<InsideBits> find_sides(const AccessibleSurface& surface, const BlockGrid& grid) {
     std::vector<InsideBits> sides;
     resize_touched(sides, grid.block_count());
-    const SideCaps caps(surface.data());
+    const SideSearch search(surface.data(), grid.spacing());
     for_each_block(
-        grid, [&] { return std::make_unique<BlockSides>(surface, caps, grid.spacing()); },
-        [&](BlockSides& evaluator, BlockId b) { sides[b] = evaluator.evaluate(grid.corner(b)); });
+        grid, LocalFeatures(surface, search.margin), [&] { return std::make_unique<BlockSides>(surface, search); },
+        [&](BlockSides& evaluator, const LocalFeatures& around, BlockId b) {
+            sides[b] = evaluator.evaluate(around, grid.corner(b));
+        });
     return sides;
 }
 

@@ -25,15 +25,23 @@ double signed_distance_at(const AccessibleSurface& surface, const Vec3& p) {
     return surface.nearest(p).signed_distance;
 }
 
-// How often the straight way from `start` crosses each of these components, in their order.
-std::vector<int> count_crossings(const AccessibleSurface& surface, const SesPatches& patches, const Vec3& start,
-                                 double length, std::span<const std::uint32_t> components) {
+// A straight way from a point in an arbitrary direction, Å.
+struct Way {
+    Vec3 start;
+    double length;
+
+    Vec3 at(double along) const { return start + along * kOddDirection; }
+};
+
+// How often a way crosses each of these components, in their order.
+std::vector<int> count_crossings(const AccessibleSurface& surface, const SesPatches& patches, const Way& way,
+                                 std::span<const std::uint32_t> components) {
     std::vector<int> crossings(components.size(), 0);
     double at = kCrossingStep;
-    double distance = signed_distance_at(surface, start + at * kOddDirection);
-    while (at < length) {
+    double distance = signed_distance_at(surface, way.at(at));
+    while (at < way.length) {
         const double next_at = at + std::max(std::abs(distance), kCrossingStep);
-        const Vec3 point = start + next_at * kOddDirection;
+        const Vec3 point = way.at(next_at);
         const double next = signed_distance_at(surface, point);
         if ((distance < 0.0) != (next < 0.0)) {
             const auto found = std::find(components.begin(), components.end(), patches.component_at(point));
@@ -132,13 +140,20 @@ bool is_beside(const Gap& gap, const InscribedSphere& a, const InscribedSphere& 
     return norm(a.centre - b.centre) < a.radius + b.radius || gap.lets_pass(a.centre, b.centre);
 }
 
-// Compass search from one place for the largest gap, until the step falls below `last_step`.
-InscribedSphere ascend(Gap& gap, const Box& room, const InscribedSphere& start, double step, double last_step) {
+// The steps of a compass search, Å.
+struct CompassSteps {
+    double first;
+    double last;
+};
+
+// Searches the largest gap in a room from one place on, until the steps are as small as the last one.
+InscribedSphere ascend(Gap& gap, const Box& room, const InscribedSphere& start, const CompassSteps& steps) {
+    double step = steps.first;
     InscribedSphere best = start;
     double travel = 4.0 * step;  // what the gathered balls are good for
     Vec3 gathered = best.centre;
     gap.gather(best, travel);
-    for (int turn = 0; step > last_step; ++turn) {
+    for (int turn = 0; step > steps.last; ++turn) {
         if (norm(best.centre - gathered) + 2.0 * step > travel) {
             travel = 4.0 * step;
             gathered = best.centre;
@@ -189,7 +204,7 @@ std::vector<std::uint32_t> nest_components(const AccessibleSurface& surface, con
         });
         if (around.empty()) return;
         const double length = norm(reach.high - reach.low) / norm(kOddDirection);
-        const std::vector<int> crossings = count_crossings(surface, patches, points[c], length, around);
+        const std::vector<int> crossings = count_crossings(surface, patches, {points[c], length}, around);
         for (std::size_t k = 0; k < around.size(); ++k) {
             const bool smaller =
                 inside_of[c] == kNone || std::abs(volumes[around[k]]) < std::abs(volumes[inside_of[c]]);
@@ -209,10 +224,10 @@ InscribedSphere largest_inscribed_sphere(const AccessibleSurface& surface, std::
     const double step = std::max(0.25 * surface.probe(), kCoarse);
     const std::size_t stride = (starts.size() + kMostStarts - 1) / kMostStarts;
     for (std::size_t s = 0; s < starts.size(); s += stride) {
-        const InscribedSphere found = ascend(gap, room, {starts[s], surface.probe()}, step, kCoarse);
+        const InscribedSphere found = ascend(gap, room, {starts[s], surface.probe()}, {step, kCoarse});
         if (found.radius > best.radius) best = found;
     }
-    return ascend(gap, room, best, kCoarse, kFine);
+    return ascend(gap, room, best, {kCoarse, kFine});
 }
 
 }  // namespace meniscus

@@ -35,9 +35,9 @@ constexpr std::size_t kMostDisputed = 10;
 // What measures leave open that two evaluations may have in common: that all radii are wrong by the perturbation, and
 // all places by rounding (dV = A dr, dA = 2 H A dr); and that patches on spheres of radius rho are differences of terms
 // as large as rho² and rho³.
-class Precision {
+class PrecisionLimit {
 public:
-    Precision(const AccessibleSurface::Data& data, double perturbation) : rho_(data.rho_max) {
+    PrecisionLimit(const AccessibleSurface::Data& data, double perturbation) : rho_(data.rho_max) {
         for (const Vec3& c : data.atoms.centres)
             farthest_ = std::max({farthest_, std::abs(c.x), std::abs(c.y), std::abs(c.z)});
         smallest_ = *std::min_element(data.atoms.radii.begin(), data.atoms.radii.end());
@@ -108,24 +108,24 @@ struct OwnEvaluation {
 };
 
 // Another evaluation of the same surface, of which only the sums are wanted.
-struct Check {
+struct SecondEvaluation {
     std::uint64_t seed;
     double perturbation = 0.0;
     PatchTotals sums;
 
-    Check(const Evaluation& first, std::uint64_t with_seed) : seed(with_seed) {
+    SecondEvaluation(const Evaluation& first, std::uint64_t with_seed) : seed(with_seed) {
         const AccessibleSurface perturbed = first.surface.perturbed(seed);
         perturbation = perturbed.data().perturbation;
         sums = sum_patches(perturbed, seed, &first.patches);
     }
 };
 
-Precision precision_of(const Evaluation& first, const Check& second) {
+PrecisionLimit precision_of(const Evaluation& first, const SecondEvaluation& second) {
     const AccessibleSurface::Data& data = first.surface.data();
     return {data, std::max(data.perturbation, second.perturbation)};
 }
 
-bool is_resolved(const SurfaceTotals& totals, const Precision& precision, std::size_t patches) {
+bool is_resolved(const SurfaceTotals& totals, const PrecisionLimit& precision, std::size_t patches) {
     return precision.of_area(totals.ses_area, patches) <= kResolved * totals.ses_area &&
            precision.of_volume(totals.ses_area, patches) <= kResolved * std::abs(totals.ses_volume);
 }
@@ -147,7 +147,7 @@ bool agree(const PatchTotals& a, const PatchTotals& b) {
 }
 
 // Difference of two evaluations that share no perturbation, plus what they may have in common.
-SurfaceTotals estimate_errors(const SurfaceTotals& a, const SurfaceTotals& b, const Precision& precision,
+SurfaceTotals estimate_errors(const SurfaceTotals& a, const SurfaceTotals& b, const PrecisionLimit& precision,
                               std::size_t patches) {
     SurfaceTotals errors;
     for (const auto total : kAllTotals) {
@@ -315,12 +315,12 @@ SurfaceTotals totals_of(const ComponentSums& sum) {
 
 // Components by falling volume, with errors if there is a check; number[c] is the place of the evaluation's component
 // c.
-std::vector<SurfaceComponent> make_components(const Evaluation& evaluation, const Check* check,
+std::vector<SurfaceComponent> make_components(const Evaluation& evaluation, const SecondEvaluation* check,
                                               const MeasureOptions& options, std::vector<std::uint32_t>& number) {
     std::vector<ComponentSums> sums = sum_components(evaluation.patches);
     if (options.cavities) find_rooms_of_cavities(evaluation.patches, sums);
     if (check != nullptr) {
-        const Precision precision = precision_of(evaluation, *check);
+        const PrecisionLimit precision = precision_of(evaluation, *check);
         for (std::size_t c = 0; c < sums.size(); ++c)
             sums[c].component.errors =
                 estimate_errors(totals_of(sums[c]), check->sums.components[c], precision, sums[c].patches);
@@ -383,7 +383,8 @@ void add_depths(const AccessibleSurface& surface, const Atoms& atoms, Measures& 
     for (std::size_t i = 0; i < atoms.size(); ++i) measures.atoms[i].depth = -distances[i];
 }
 
-Measures describe(const Atoms& atoms, const MeasureOptions& options, const Evaluation& evaluation, const Check* check) {
+Measures describe(const Atoms& atoms, const MeasureOptions& options, const Evaluation& evaluation,
+                  const SecondEvaluation* check) {
     Measures measures;
     measures.options = options;
     measures.totals = evaluation.sums.totals;
@@ -413,18 +414,18 @@ Measures measure(const AccessibleSurface& surface, const Atoms& atoms, const Mea
     const ThreadLimit limit(options.threads);
     auto given = std::make_unique<const Evaluation>(surface, 0);
     std::unique_ptr<const OwnEvaluation> own;  // in place of the given one, where others do not agree with it
-    Check check(*given, 1);
+    SecondEvaluation check(*given, 1);
     while (!agree(own ? own->evaluation.sums : given->sums, check.sums) && check.seed + 1 < kMostSeeds) {
         own = std::make_unique<const OwnEvaluation>(surface.perturbed(check.seed), check.seed);
         given.reset();
-        check = Check(own->evaluation, check.seed + 1);
+        check = SecondEvaluation(own->evaluation, check.seed + 1);
     }
     const Evaluation& evaluation = own ? own->evaluation : *given;
     MeasureOptions with_probe = options;
     with_probe.probe = surface.probe();
     Measures measures = describe(atoms, with_probe, evaluation, &check);
     const SurfaceTotals& totals = evaluation.sums.totals;
-    const Precision precision = precision_of(evaluation, check);
+    const PrecisionLimit precision = precision_of(evaluation, check);
     const std::size_t patches = evaluation.patches.patches().size();
     measures.errors = estimate_errors(totals, check.sums.totals, precision, patches);
     measures.degenerate = evaluation.sums.degenerate || check.sums.degenerate;

@@ -14,15 +14,26 @@ namespace {
 
 constexpr std::size_t kPatchesPerTask = 128;
 
-void accumulate(SurfaceTotals& to, PatchKind kind, const PatchIntegrals& ses, const PatchIntegrals& sas,
-                double factor = 1.0) {
-    to.sas_area += factor * sas.area;
-    to.sas_volume += factor * sas.volume;
-    to.ses_area += factor * ses.area;
-    to.ses_volume += factor * ses.volume;
-    if (kind == PatchKind::Contact) to.contact_area += factor * ses.area;
-    if (kind == PatchKind::Toroidal) to.toroidal_area += factor * ses.area;
-    if (kind == PatchKind::Reentrant) to.reentrant_area += factor * ses.area;
+// What a patch has of both surfaces; only contact patches have something of the SAS.
+struct BothIntegrals {
+    PatchIntegrals ses;
+    PatchIntegrals sas;
+
+    BothIntegrals& operator+=(const BothIntegrals& other) {
+        ses += other.ses;
+        sas += other.sas;
+        return *this;
+    }
+};
+
+void accumulate(SurfaceTotals& to, PatchKind kind, const BothIntegrals& patch, double factor = 1.0) {
+    to.sas_area += factor * patch.sas.area;
+    to.sas_volume += factor * patch.sas.volume;
+    to.ses_area += factor * patch.ses.area;
+    to.ses_volume += factor * patch.ses.volume;
+    if (kind == PatchKind::Contact) to.contact_area += factor * patch.ses.area;
+    if (kind == PatchKind::Toroidal) to.toroidal_area += factor * patch.ses.area;
+    if (kind == PatchKind::Reentrant) to.reentrant_area += factor * patch.ses.area;
 }
 
 // Integrals over patches of one kind. Those of the largest component, nearly all, are only summed up.
@@ -31,35 +42,31 @@ public:
     PatchSums() = default;
     explicit PatchSums(std::uint32_t largest) : largest_(largest) {}
 
-    void add(std::uint32_t component, const PatchIntegrals& ses, const PatchIntegrals& sas = {}) {
-        ses_ += ses;
-        sas_ += sas;
-        if (component != largest_ && component != kNone) elsewhere_.push_back({component, ses, sas});
+    void add(std::uint32_t component, const BothIntegrals& patch) {
+        sum_ += patch;
+        if (component != largest_ && component != kNone) elsewhere_.push_back({component, patch});
     }
     PatchSums& operator+=(const PatchSums& other) {
-        ses_ += other.ses_;
-        sas_ += other.sas_;
+        sum_ += other.sum_;
         elsewhere_.insert(elsewhere_.end(), other.elsewhere_.begin(), other.elsewhere_.end());
         return *this;
     }
     void add_to(PatchTotals& found, PatchKind kind, std::uint32_t largest) const {
-        accumulate(found.totals, kind, ses_, sas_);
-        accumulate(found.components[largest], kind, ses_, sas_);
-        for (const Elsewhere& patch : elsewhere_) {
-            accumulate(found.components[patch.component], kind, patch.ses, patch.sas);
-            accumulate(found.components[largest], kind, patch.ses, patch.sas, -1.0);
+        accumulate(found.totals, kind, sum_);
+        accumulate(found.components[largest], kind, sum_);
+        for (const auto& [component, patch] : elsewhere_) {
+            accumulate(found.components[component], kind, patch);
+            accumulate(found.components[largest], kind, patch, -1.0);
         }
     }
 
 private:
     struct Elsewhere {
         std::uint32_t component;
-        PatchIntegrals ses;
-        PatchIntegrals sas;
+        BothIntegrals patch;
     };
     std::uint32_t largest_ = 0;
-    PatchIntegrals ses_;
-    PatchIntegrals sas_;
+    BothIntegrals sum_;
     std::vector<Elsewhere> elsewhere_;
 };
 
@@ -69,10 +76,11 @@ std::uint32_t largest_component(const SesPatches& patches) {
     return static_cast<std::uint32_t>(std::max_element(areas.begin(), areas.end()) - areas.begin());
 }
 
-// The components of a first evaluation that the patches of a second are counted to; without a first they are all one.
-class Likes {
+// Finds the components of a first evaluation that the patches of a second are counted to. Without a first evaluation
+// there is one component.
+class Counterparts {
 public:
-    explicit Likes(const SesPatches* first)
+    explicit Counterparts(const SesPatches* first)
         : first_(first),
           count_(first == nullptr ? 1 : first->component_count()),
           largest_(first == nullptr ? 0 : largest_component(*first)) {}
@@ -96,60 +104,71 @@ private:
     std::uint32_t largest_;
 };
 
-PatchSums sum_contact_patches(const AccessibleSurface::Data& data, const VolumeOrigins& origins, const Likes& likes) {
+// An evaluation whose patches are summed up.
+struct Evaluated {
+    const AccessibleSurface& surface;
+    std::uint64_t seed;
+    VolumeOrigins origins;
+    Counterparts counterparts;
+};
+
+PatchSums sum_contact_patches(const Evaluated& of) {
+    const AccessibleSurface::Data& data = of.surface.data();
     return parallel_sum<PatchSums>(data.atoms.size(), kPatchesPerTask, [&](std::size_t begin, std::size_t end) {
-        PatchSums sums(likes.largest());
+        PatchSums sums(of.counterparts.largest());
         SphericalRegions regions;
         for (std::size_t i = begin; i < end; ++i) {
             if (data.exposed[i] == 0) continue;
             const auto atom = static_cast<std::uint32_t>(i);
             regions.measure(data.caps_of(atom), data.contour_of(atom));
-            const Vec3 centre = data.atoms.centres[i] - origins.of(atom);
+            const Vec3 centre = data.atoms.centres[i] - of.origins.of(atom);
             for (const SphericalRegion& region : regions.regions()) {
                 const PatchIntegrals ses = sphere_patch(centre, data.rho[i] - data.probe, region, 1);
-                sums.add(likes.contact(atom, ses.area), ses, sphere_patch(centre, data.rho[i], region, 1));
+                sums.add(of.counterparts.contact(atom, ses.area), {ses, sphere_patch(centre, data.rho[i], region, 1)});
             }
         }
         return sums;
     });
 }
 
-PatchSums sum_toroidal_patches(const AccessibleSurface::Data& data, const VolumeOrigins& origins, const Likes& likes) {
+PatchSums sum_toroidal_patches(const Evaluated& of) {
+    const AccessibleSurface::Data& data = of.surface.data();
     return parallel_sum<PatchSums>(data.arcs.size(), kPatchesPerTask, [&](std::size_t begin, std::size_t end) {
-        PatchSums sums(likes.largest());
+        PatchSums sums(of.counterparts.largest());
         for (std::size_t a = begin; a < end; ++a) {
             const SasArc& arc = data.arcs[a];
             const ToroidalPatch torus = toroidal_patch(arc, data.probe);
             for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(torus.count); ++k)
-                sums.add(likes.torus(static_cast<std::uint32_t>(a), arc, k),
-                         toroidal_piece(arc, data.probe, torus.pieces[k], arc.centre - origins.of(arc.atoms[0])));
+                sums.add(
+                    of.counterparts.torus(static_cast<std::uint32_t>(a), arc, k),
+                    {toroidal_piece(arc, data.probe, torus.pieces[k], arc.centre - of.origins.of(arc.atoms[0])), {}});
         }
         return sums;
     });
 }
 
-PatchSums sum_reentrant_patches(const AccessibleSurface& surface, std::uint64_t seed, const VolumeOrigins& origins,
-                                const Likes& likes, PatchTotals& found) {
-    const AccessibleSurface::Data& data = surface.data();
+// Also tells in `found` how the trimming went.
+PatchSums sum_reentrant_patches(const Evaluated& of, PatchTotals& found) {
+    const AccessibleSurface::Data& data = of.surface.data();
     struct Trimmed {
         PatchSums sums;
         std::vector<std::uint32_t> unresolved;
         bool degenerate = false;
     };
     const std::size_t tasks = (data.vertices.size() + kVerticesPerTask - 1) / kVerticesPerTask;
-    std::vector<Trimmed> trimmed(tasks, {PatchSums(likes.largest()), {}});
-    for_each_reentrant_patch(surface, seed, [&](std::uint32_t v, const ReentrantPatch& patch) {
+    std::vector<Trimmed> trimmed(tasks, {PatchSums(of.counterparts.largest()), {}});
+    for_each_reentrant_patch(of.surface, of.seed, [&](std::uint32_t v, const ReentrantPatch& patch) {
         Trimmed& task = trimmed[v / kVerticesPerTask];
         task.degenerate = task.degenerate || patch.degenerate;
         if (!patch.consistent) task.unresolved.push_back(v);
         const SasVertex& vertex = data.vertices[v];
-        const Vec3 centre = vertex.position - origins.of(vertex.atoms[0]);
+        const Vec3 centre = vertex.position - of.origins.of(vertex.atoms[0]);
         for (const SphericalRegion& region : patch.regions) {
             const PatchIntegrals ses = sphere_patch(centre, data.probe, region, -1);
-            task.sums.add(likes.reentrant(v, vertex, ses.area), ses);
+            task.sums.add(of.counterparts.reentrant(v, vertex, ses.area), {ses, {}});
         }
     });
-    PatchSums sums(likes.largest());
+    PatchSums sums(of.counterparts.largest());
     for (const Trimmed& task : trimmed) {
         sums += task.sums;
         found.degenerate = found.degenerate || task.degenerate;
@@ -161,15 +180,14 @@ PatchSums sum_reentrant_patches(const AccessibleSurface& surface, std::uint64_t 
 }  // namespace
 
 PatchTotals sum_patches(const AccessibleSurface& surface, std::uint64_t seed, const SesPatches* first) {
-    const AccessibleSurface::Data& data = surface.data();
-    const Likes likes(first);
-    const VolumeOrigins origins(data);
+    const Evaluated of{surface, seed, VolumeOrigins(surface.data()), Counterparts(first)};
+    const std::uint32_t largest = of.counterparts.largest();
     PatchTotals found;
-    found.degenerate = has_coincident_probes(data);
-    found.components.resize(likes.count());
-    sum_contact_patches(data, origins, likes).add_to(found, PatchKind::Contact, likes.largest());
-    sum_toroidal_patches(data, origins, likes).add_to(found, PatchKind::Toroidal, likes.largest());
-    sum_reentrant_patches(surface, seed, origins, likes, found).add_to(found, PatchKind::Reentrant, likes.largest());
+    found.degenerate = has_coincident_probes(surface.data());
+    found.components.resize(of.counterparts.count());
+    sum_contact_patches(of).add_to(found, PatchKind::Contact, largest);
+    sum_toroidal_patches(of).add_to(found, PatchKind::Toroidal, largest);
+    sum_reentrant_patches(of, found).add_to(found, PatchKind::Reentrant, largest);
     return found;
 }
 

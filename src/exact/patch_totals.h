@@ -22,9 +22,9 @@ struct PatchTotals {
 
 /// Sums over all patches; keeps none of them and does not ask which pieces of surface they make.
 ///
-/// Each patch is counted to that component of `first`, an evaluation of the same atoms, to which the patch most like it
-/// belongs. A patch without a like is counted to the largest component: then the estimated errors are large. Without a
-/// first evaluation all count to one component.
+/// Each patch is counted to that component of `first`, an evaluation of the same atoms, to which the matching patch
+/// belongs. A patch without a match is counted to the largest component: then the estimated errors are large. Without a
+/// first evaluation all patches count to one component.
 PatchTotals sum_patches(const AccessibleSurface& surface, std::uint64_t seed, const SesPatches* first = nullptr);
 
 }  // namespace meniscus

@@ -42,8 +42,7 @@ public:
         patch.degenerate = false;
         patch.triangle = near_.triangle().solid_angle;
         gather_probes(v, patch);
-        whole_ = probes_.empty() && near_.triangle().is_wide();
-        if (whole_) return take_whole(patch);
+        if (probes_.empty() && near_.triangle().is_wide()) return take_whole(patch);
         for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
             patch.degenerate = patch.degenerate || attempt > 0;
             if (cut(v, attempt, patch)) return;
@@ -53,8 +52,8 @@ public:
         patch.consistent = false;
     }
 
-    /// Of the patch trimmed last.
-    std::uint32_t region_of(const Vec3& direction) const { return whole_ ? 0 : regions_.region_of(direction); }
+    /// The region that holds a direction. Precondition: the patch trimmed last has several regions.
+    std::uint32_t region_of(const Vec3& direction) const { return regions_.region_of(direction); }
 
 private:
     static constexpr std::uint32_t kEdges = ReentrantTriangle::kSides;
@@ -142,7 +141,6 @@ private:
     bool fills_arcs_in_;
     NearProbes near_;
     std::vector<Cap> probes_;  // that may reach into the triangle
-    bool whole_ = false;       // the triangle trimmed last
     CapList caps_;             // of the sides and of probes_, as it is cut
     ContourBuilder builder_;
     SphericalRegions regions_;
@@ -187,7 +185,7 @@ std::uint32_t reentrant_region_of(const AccessibleSurface& surface, std::uint64_
     Trimmer trimmer(surface, seed, Arcs::LeftOut);
     ReentrantPatch patch;
     trimmer.trim(vertex, patch);
-    return trimmer.region_of(direction);
+    return patch.regions.size() > 1 ? trimmer.region_of(direction) : 0;
 }
 
 }  // namespace meniscus

@@ -136,7 +136,8 @@ void NearProbes::search_around(std::uint32_t v) {
 }
 
 void NearProbes::list_near(const Box& room) {
-    near_ = data_.vertex_tree.list_overlapping(room, lists_);
+    near_.clear();
+    data_.vertex_tree.for_each_overlapping(room, [&](std::uint32_t v) { near_.push_back(v); });
     constexpr std::size_t kTogether = short_vectors::kSmallReals;
     const std::size_t padded = (near_.size() + kTogether - 1) / kTogether * kTogether;
     for (std::vector<float>* places : {&places_.x, &places_.y, &places_.z}) places->resize(padded);

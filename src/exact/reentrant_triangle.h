@@ -66,8 +66,7 @@ private:
     std::uint32_t end_ = 0;
     std::uint32_t visited_ = 0;
     std::array<ReentrantTriangle, kGroup> triangles_;
-    BoxTree::Lists lists_;
-    std::span<const std::uint32_t> near_;  // in lists_
+    std::vector<std::uint32_t> near_;
     struct {
         std::vector<float> x;
         std::vector<float> y;

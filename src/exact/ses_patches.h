@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/disjoint_sets.h"
 #include "exact/patch_integrals.h"
 #include "exact/reentrant_patches.h"
 #include "exact/volume_origins.h"
@@ -32,20 +31,20 @@ class SesPatches {
 public:
     SesPatches(const AccessibleSurface& surface, std::uint64_t seed);
 
-    const AccessibleSurface::Data& data() const { return *data_; }
+    const AccessibleSurface::Data& data() const { return surface_->data(); }
     const std::vector<SesPatch>& patches() const { return patches_; }
     /// In canonical order; kNone behind those of patches with fewer than three.
     std::array<std::uint32_t, 3> atoms_of(const SesPatch& patch) const;
     /// Of a patch's integrals; the same for all patches of a component.
     const Vec3& origin_of(const SesPatch& patch) const;
-    std::size_t component_count() const { return components_; }
-    std::size_t sas_component_count() const { return sas_components_; }
+    std::size_t component_count() const { return pieces_.ses; }
+    std::size_t sas_component_count() const { return pieces_.sas; }
     bool degenerate() const { return degenerate_; }
     /// Vertices whose trimming could not be resolved.
     const std::vector<std::uint32_t>& unresolved() const { return unresolved_; }
 
-    /// The component of the patch most like one of another evaluation of the same atoms, or kNone: of the same atoms,
-    /// at the same place, and of all regions of it the one whose area is nearest.
+    /// The component of the patch that matches one of another evaluation of the same atoms, or kNone: the patch has the
+    /// same atoms and place, and of several regions it is the one whose area is nearest.
     std::uint32_t component_like_contact(std::uint32_t atom, double area) const;
     std::uint32_t component_like_torus(std::uint32_t arc, const SasArc& like, std::uint32_t part) const;
     std::uint32_t component_like_reentrant(std::uint32_t vertex, const SasVertex& like, double area) const;
@@ -54,30 +53,37 @@ public:
     std::uint32_t component_at(const Vec3& point) const;
 
 private:
-    void add_contact_patches();
+    // Where in patches_ those of an atom, arc or vertex begin; each list has one number more for its end.
+    struct FirstPatches {
+        std::vector<std::uint32_t> contact;
+        std::vector<std::uint32_t> torus;
+        std::vector<std::uint32_t> reentrant;
+    };
+    // How many connected pieces each surface has.
+    struct PieceCounts {
+        std::size_t ses = 0;
+        std::size_t sas = 0;
+    };
+    // For each arc of a contour, the contact patch beside it.
+    using ContactsBeside = std::vector<std::uint32_t>;
+
+    ContactsBeside add_contact_patches();
     void add_toroidal_patches();
-    void add_reentrant_patches();
-    void number_components();
-    void hand_on_sas_components();
+    void add_reentrant_patches(const std::vector<ReentrantPatch>& trimmed);
+    void number_components(const ContactsBeside& beside, const std::vector<ReentrantPatch>& trimmed);
+    void number_sas_components(const ContactsBeside& beside);
     std::uint32_t component_of_nearest_area(std::uint32_t begin, std::uint32_t end, double area) const;
     std::uint32_t torus_patch(std::uint32_t arc, std::uint32_t atom) const;
     std::uint32_t torus_patch_at(std::uint32_t arc, const Vec3& point) const;
-    std::uint32_t patch_across(std::uint32_t vertex, const TrimmedArc& arc) const;
+    std::uint32_t patch_across(const std::vector<ReentrantPatch>& trimmed, std::uint32_t vertex,
+                               const TrimmedArc& arc) const;
 
     const AccessibleSurface* surface_;
-    const AccessibleSurface::Data* data_;
     std::uint64_t seed_;
     VolumeOrigins origins_;
     std::vector<SesPatch> patches_;
-    std::vector<std::uint32_t> first_contact_;       // per atom, and the end
-    std::vector<std::uint32_t> first_torus_;         // per arc, and the end
-    std::vector<std::uint32_t> first_reentrant_;     // per vertex, and the end
-    std::vector<std::uint32_t> contact_beside_arc_;  // of each arc of a contour: region of its atom
-    std::vector<ReentrantPatch> reentrant_;
-    DisjointSets sets_;      // of patches
-    DisjointSets sas_sets_;  // of contact patches
-    std::size_t components_ = 0;
-    std::size_t sas_components_ = 0;
+    FirstPatches first_;
+    PieceCounts pieces_;
     bool degenerate_ = false;
     std::vector<std::uint32_t> unresolved_;
 };

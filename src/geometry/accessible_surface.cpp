@@ -70,24 +70,29 @@ struct ChunkResult {
     std::vector<std::uint32_t> cover;
 };
 
+// What builds the contours of one atom after the other; `caps` are those of the last one.
 struct ContourWorkspace {
-    ContourWorkspace(const AccessibleSurface::Data& data, const CellList& cells) : neighbours(data, cells) {}
-
     NeighbourCaps neighbours;
     ContourBuilder builder;
     CapList caps;
+};
+
+struct AtomRange {
+    std::size_t begin;
+    std::size_t end;
 };
 
 enum class Contour { Exposed, Buried, Inconsistent };
 
 // Builds the contour of atom i. `cover` names neighbours that buried most of it under another perturbation: an
 // atom that they bury again needs no look at the others, and on any other they leave little for these to cut.
-Contour build_contour(const AccessibleSurface::Data& data, NeighbourCaps& neighbours, std::uint32_t i,
-                      std::span<const std::uint32_t> cover, CapList& caps, ContourBuilder& builder) {
+Contour build_contour(const AccessibleSurface::Data& data, std::uint32_t i, std::span<const std::uint32_t> cover,
+                      ContourWorkspace& workspace) {
+    auto& [neighbours, builder, caps] = workspace;
     caps.clear();
     for (const std::uint32_t j : cover) {
         const Cap cap = cap_between(data, i, j);
-        if (!(std::abs(cap.t) < 1.0)) return build_contour(data, neighbours, i, {}, caps, builder);
+        if (!(std::abs(cap.t) < 1.0)) return build_contour(data, i, {}, workspace);
         caps.add(cap);
     }
     if (!builder.build_in_order(caps.planes)) return Contour::Inconsistent;
@@ -100,12 +105,13 @@ Contour build_contour(const AccessibleSurface::Data& data, NeighbourCaps& neighb
 
 // Room for what these atoms had under another perturbation, which changes little, or else for what they usually have:
 // lists that grow from nothing leave holes behind that later ones do not fit into.
-void reserve(const AccessibleSurface::Data* before, std::size_t begin, std::size_t end, ChunkResult& result) {
+void reserve(const AccessibleSurface::Data* before, const AtomRange& atoms, ChunkResult& result) {
     constexpr std::size_t kUsualArcs = 5;  // per atom; half as many again as proteins have
     constexpr std::size_t kUsualCaps = 8;
     constexpr std::size_t kUsualCover = 15;
     const auto count = [&](const auto& begins, std::size_t usual) {
-        return before == nullptr ? (end - begin) * usual : (before->*begins)[end] - (before->*begins)[begin];
+        return before == nullptr ? (atoms.end - atoms.begin) * usual
+                                 : (before->*begins)[atoms.end] - (before->*begins)[atoms.begin];
     };
     using Data = AccessibleSurface::Data;
     result.arcs.reserve(count(&Data::contour_begin, kUsualArcs));
@@ -114,17 +120,18 @@ void reserve(const AccessibleSurface::Data* before, std::size_t begin, std::size
 }
 
 // Of some atoms one after the other; gives up at the first that comes out inconsistent.
-void build_contours(AccessibleSurface::Data& data, std::size_t begin, std::size_t end,
-                    const AccessibleSurface::Data* before, ContourWorkspace& workspace, ChunkResult& result) {
-    auto& [neighbours, builder, caps] = workspace;
-    reserve(before, begin, end, result);
-    for (std::size_t i = begin; i < end; ++i) {
+ChunkResult build_contours(AccessibleSurface::Data& data, const AtomRange& atoms, const AccessibleSurface::Data* before,
+                           ContourWorkspace& workspace) {
+    const ContourBuilder& builder = workspace.builder;
+    ChunkResult result;
+    reserve(before, atoms, result);
+    for (std::size_t i = atoms.begin; i < atoms.end; ++i) {
         const auto atom = static_cast<std::uint32_t>(i);
         const auto cover = before == nullptr ? std::span<const std::uint32_t>{} : before->cover_of(atom);
-        const Contour contour = build_contour(data, neighbours, atom, cover, caps, builder);
+        const Contour contour = build_contour(data, atom, cover, workspace);
         result.consistent = contour != Contour::Inconsistent;
-        if (!result.consistent) return;
-        for (const std::uint32_t k : builder.kept()) result.cover.push_back(caps.atoms[k]);
+        if (!result.consistent) break;
+        for (const std::uint32_t k : builder.kept()) result.cover.push_back(workspace.caps.atoms[k]);
         data.cover_begin[i + 1] = builder.kept().size();
         if (contour == Contour::Buried) continue;
         data.exposed[i] = 1;
@@ -133,6 +140,7 @@ void build_contours(AccessibleSurface::Data& data, std::size_t begin, std::size_
         data.contour_begin[i + 1] = builder.arcs().size();
         data.cap_begin[i + 1] = builder.kept().size();
     }
+    return result;
 }
 
 // Fills exposed, cover, caps and contours; false if the arrangement came out inconsistent on some sphere.
@@ -145,9 +153,12 @@ bool build_contours(AccessibleSurface::Data& data, const CellList& cells, const 
     data.cover_begin.assign(n + 1, 0);
     data.exposed.assign(n, 0);
     parallel_chunks_with(
-        n, per_task, [&] { return std::make_unique<ContourWorkspace>(data, cells); },
+        n, per_task,
+        [&] {
+            return std::make_unique<ContourWorkspace>(ContourWorkspace{{data, cells}, {}, {}});
+        },
         [&](std::size_t begin, std::size_t end, ContourWorkspace& workspace) {
-            build_contours(data, begin, end, before, workspace, chunks[begin / per_task]);
+            chunks[begin / per_task] = build_contours(data, {begin, end}, before, workspace);
         });
     for (auto* begin : {&data.contour_begin, &data.cap_begin, &data.cover_begin})
         std::partial_sum(begin->begin(), begin->end(), begin->begin());
@@ -409,14 +420,20 @@ void build_trees(AccessibleSurface::Data& data) {
     parallel_both(of_arcs, of_points);
 }
 
-bool try_build(AccessibleSurface::Data& data, const CellList& cells, std::uint64_t seed, int attempt,
-               const AccessibleSurface::Data* before) {
+// Sets the enlarged radii; each attempt perturbs them ten times as much as the one before.
+void enlarge_radii(AccessibleSurface::Data& data, std::uint64_t seed, int attempt) {
+    data.rho.resize(data.atoms.size());
     data.perturbation = std::max(kPerturbation, kPerturbationOfRadius * data.rho_max) * elementary::pow(10.0, attempt);
     for (std::size_t i = 0; i < data.atoms.size(); ++i)
         data.rho[i] =
             data.atoms.radii[i] + data.probe +
             data.perturbation * symmetry_breaking_offset(data.atoms.centres[i], data.atoms.radii[i],
                                                          seed * kMaxAttempts + static_cast<std::uint64_t>(attempt));
+}
+
+// Returns false if the arrangement of the enlarged spheres came out inconsistent. `before` holds the same atoms under
+// another perturbation, or is null.
+bool try_build(AccessibleSurface::Data& data, const CellList& cells, const AccessibleSurface::Data* before) {
     if (!build_contours(data, cells, before) || !contours_agree(data)) return false;
     std::optional<VertexTable> table;
     OwnedArcs owned;
@@ -431,11 +448,12 @@ bool try_build(AccessibleSurface::Data& data, const CellList& cells, std::uint64
 std::atomic<std::size_t> built{0};
 
 void build(AccessibleSurface::Data& data, std::uint64_t seed, const AccessibleSurface::Data* before) {
-    data.rho.resize(data.atoms.size());
     const CellList cells(data.atoms);
-    for (int attempt = 0; !try_build(data, cells, seed, attempt, before); ++attempt)
-        if (attempt + 1 == kMaxAttempts)
-            throw std::runtime_error("the arrangement of atoms could not be resolved by perturbing their radii");
+    for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
+        enlarge_radii(data, seed, attempt);
+        if (try_build(data, cells, before)) return;
+    }
+    throw std::runtime_error("the arrangement of atoms could not be resolved by perturbing their radii");
 }
 
 }  // namespace

@@ -48,8 +48,8 @@ public:
     ///          (never seen)
     /// cost     linear at protein density; parallel over atoms
     AccessibleSurface(const Atoms& atoms, double probe, std::uint64_t seed = 0);
-    /// The same atoms and probe radius under the perturbation of another seed. What is exposed is found anew, sooner
-    /// than by the constructor: neighbours that buried most are looked at first.
+    /// The same atoms and probe radius under the perturbation of another seed. This takes less time than the
+    /// constructor, because neighbours that buried most of an atom are looked at first.
     AccessibleSurface perturbed(std::uint64_t seed) const;
     ~AccessibleSurface();
     AccessibleSurface(AccessibleSurface&&) noexcept;

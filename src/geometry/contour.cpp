@@ -27,7 +27,7 @@ double pseudo_angle(const Vec3& axis, const Vec3& e1, const Vec3& n) {
     return diamond_angle(dot(n, e1), dot(n, cross(e1, axis)));
 }
 
-constexpr double kNoCap = 4.0;  // in the place of t: no direction lies so deep
+constexpr double kNoCap = 4.0;  // stands for t where there is no cap: no direction lies so deep
 
 CapPlane plane_of(const CapColumns& caps, std::size_t k) { return {{caps[0][k], caps[1][k], caps[2][k]}, caps[3][k]}; }
 
@@ -47,9 +47,6 @@ void store3(const Vec3& v, double* lane, std::size_t column) {
     at[0] = v.x;
     at[kNext] = v.y;
     at[2 * kNext] = v.z;
-}
-CapPlane load_rim(const double* lane) {
-    return {load3(lane, EightArcs::kAxis), lane[EightArcs::kCount * EightArcs::kT]};
 }
 
 // Where a cap cuts an arc once.
@@ -78,20 +75,46 @@ Vec3 rim_crossing(const Cap& a, const Cap& b) {
     return crossing.crosses ? crossing.onto : normalised(a.t * a.axis + b.t * b.axis);
 }
 
+CapPlane OpenArcs::rim(std::size_t a) const {
+    return {load3(lane_of(a), EightArcs::kAxis), lane_of(a)[EightArcs::kCount * EightArcs::kT]};
+}
+Vec3 OpenArcs::start(std::size_t a) const { return load3(lane_of(a), EightArcs::kStart); }
+Vec3 OpenArcs::end(std::size_t a) const { return load3(lane_of(a), EightArcs::kEnd); }
+void OpenArcs::move_start(std::size_t a, const Vec3& start) { store3(start, lane_of(a), EightArcs::kStart); }
+void OpenArcs::move_end(std::size_t a, const Vec3& end) { store3(end, lane_of(a), EightArcs::kEnd); }
+
+void OpenArcs::append(const Arc& arc, const CapPlane& rim, const Vec3& start, const Vec3& end) {
+    const std::size_t a = arcs_.size();
+    arcs_.push_back(arc);
+    if (a == EightArcs::kCount * lanes_.size()) lanes_.emplace_back();
+    store3(rim.axis, lane_of(a), EightArcs::kAxis);
+    lane_of(a)[EightArcs::kCount * EightArcs::kT] = rim.t;
+    move_start(a, start);
+    move_end(a, end);
+}
+
+void OpenArcs::remove(std::size_t a) {
+    const double* const from = lane_of(arcs_.size() - 1);
+    double* const to = lane_of(a);
+    for (std::size_t c = 0; c < EightArcs::kColumns; ++c) to[EightArcs::kCount * c] = from[EightArcs::kCount * c];
+    arcs_[a] = arcs_.back();
+    arcs_.pop_back();
+}
+
 void ContourBuilder::start(const CapColumns& caps) {
     caps_ = &caps;
     inserted_ = 0;
     open_.clear();
     arcs_.clear();
-    kept_.clear();
-    kept_caps_.clear();
+    kept_.numbers.clear();
+    kept_.planes.clear();
 }
 
 bool ContourBuilder::build(const CapColumns& caps) {
     start(caps);
     if (caps.size() == 0) return true;
     wait_from(0);
-    const std::size_t largest = kernels_->find_deepest(caps, waiting_.data(), {}, -kNoCap);
+    const std::size_t largest = cap_kernels().find_deepest(caps, waiting_.t.data(), {}, -kNoCap);
     if (!insert_waiting(largest) || !bury_ends() || !insert_rest()) return false;
     list_arcs();
     return true;
@@ -114,12 +137,13 @@ bool ContourBuilder::extend(const CapColumns& caps) {
 
 // Has all caps from one on wait for insertion.
 void ContourBuilder::wait_from(std::size_t first) {
-    waiting_.assign(caps_->padded_size(), kNoCap);
-    std::copy((*caps_)[3] + first, (*caps_)[3] + caps_->size(), waiting_.begin() + static_cast<std::ptrdiff_t>(first));
+    waiting_.t.assign(caps_->padded_size(), kNoCap);
+    std::copy((*caps_)[3] + first, (*caps_)[3] + caps_->size(),
+              waiting_.t.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
 bool ContourBuilder::insert_waiting(std::size_t k) {
-    waiting_[k] = kNoCap;
+    waiting_.t[k] = kNoCap;
     return insert(static_cast<std::uint32_t>(k));
 }
 
@@ -127,8 +151,7 @@ bool ContourBuilder::insert_waiting(std::size_t k) {
 bool ContourBuilder::bury_ends() {
     for (std::size_t a = 0; a < open_.size();) {
         const std::size_t k =
-            open_[a].settled ? caps_->size()
-                             : kernels_->find_deepest(*caps_, waiting_.data(), load3(lane_of(a), EightArcs::kEnd), 0.0);
+            open_[a].settled ? caps_->size() : cap_kernels().find_deepest(*caps_, waiting_.t.data(), open_.end(a), 0.0);
         if (k == caps_->size()) {
             open_[a++].settled = true;
             continue;
@@ -139,52 +162,52 @@ bool ContourBuilder::bury_ends() {
     return true;
 }
 
-// Large ones bury others.
+// Inserts the caps that may still change the contour. Large caps come first because they bury others.
 bool ContourBuilder::insert_rest() {
     if (!exposed()) return true;
     find_rest();
     const double* const t = (*caps_)[3];
-    std::sort(rest_.begin(), rest_.end(),
+    std::sort(waiting_.chosen.begin(), waiting_.chosen.end(),
               [&](std::uint32_t a, std::uint32_t b) { return t[a] != t[b] ? t[a] < t[b] : a < b; });
-    for (std::size_t i = 0; i < rest_.size() && exposed(); ++i)
-        if (!insert(rest_[i])) return false;
+    for (std::size_t i = 0; i < waiting_.chosen.size() && exposed(); ++i)
+        if (!insert(waiting_.chosen[i])) return false;
     return true;
 }
 
-// Of the caps that wait those that may still change the contour, as few do: to insert all costs more. What is inserted
-// in between only buries more.
+// Chooses the waiting caps that may still change the contour. They are few, and inserting all would cost more; whatever
+// is inserted after this choice only buries more.
 void ContourBuilder::find_rest() {
-    marks_.resize(words_for(caps_->size()));
-    kernels_->mark_changing(*caps_, lanes_, open_.size(), kept_caps_, marks_.data());
-    rest_.clear();
-    for_each_item(marks_.data(), caps_->size(), [&](std::size_t k) {
-        if (waiting_[k] != kNoCap) rest_.push_back(static_cast<std::uint32_t>(k));
+    waiting_.marks.resize(words_for(caps_->size()));
+    cap_kernels().mark_changing(*caps_, open_.lanes(), open_.size(), kept_.planes, waiting_.marks.data());
+    waiting_.chosen.clear();
+    for_each_item(waiting_.marks.data(), caps_->size(), [&](std::size_t k) {
+        if (waiting_.t[k] != kNoCap) waiting_.chosen.push_back(static_cast<std::uint32_t>(k));
     });
 }
 
 bool ContourBuilder::insert(std::uint32_t k) {
     const CapPlane cap = plane_of(*caps_, k);
-    entries_.clear();
-    exits_.clear();
+    crossings_.entries.clear();
+    crossings_.exits.clear();
     const bool cuts = cut_arcs(cap);
-    if (!entries_.empty() || !exits_.empty()) {
+    if (!crossings_.entries.empty() || !crossings_.exits.empty()) {
         if (!close_rim(cap)) return false;
     } else {  // its rim crosses nothing: all of it is exposed or none
         const Vec3 on_rim = point_on_rim(cap);
         if (is_exposed(cuts ? on_rim : cap.axis))
-            append({place(), kWholeCircle, kWholeCircle}, cap, on_rim, on_rim);
+            open_.append({place(), kWholeCircle, kWholeCircle}, cap, on_rim, on_rim);
         else if (!cuts)
             return true;
     }
-    kept_.push_back(k);
-    kept_caps_.push_back(cap);
+    kept_.numbers.push_back(k);
+    kept_.planes.push_back(cap);
     return true;
 }
 
-// Keeps what of the arcs lies outside a cap; whether it holds a part of any.
+// Cuts away what of the arcs lies inside a cap. Returns whether any arc has a part there.
 bool ContourBuilder::cut_arcs(const CapPlane& cap) {
-    if (meetings_.size() < lanes_.size()) meetings_.resize(lanes_.size());
-    kernels_->meet_arcs(lanes_, open_.size(), cap, meetings_.data());
+    if (meetings_.size() < open_.lanes().size()) meetings_.resize(open_.lanes().size());
+    cap_kernels().meet_arcs(open_.lanes(), open_.size(), cap, meetings_.data());
     unsigned touched = 0;
     // From the last to the first: the gap that an arc leaves is filled with the last one.
     for (std::size_t block = (open_.size() + EightArcs::kCount - 1) / EightArcs::kCount; block-- > 0;) {
@@ -205,7 +228,7 @@ void ContourBuilder::cut_once(std::size_t begin, const EightMeetings& meetings) 
     for_each_bit_downwards(meetings.start_inside & ~meetings.end_inside,
                            [&](std::size_t lane) { cut_start(begin + lane, crossing_of(meetings, lane)); });
     for_each_bit_downwards(meetings.start_inside & meetings.end_inside,
-                           [&](std::size_t lane) { remove(begin + lane); });
+                           [&](std::size_t lane) { open_.remove(begin + lane); });
 }
 
 void ContourBuilder::cut_one_by_one(std::size_t begin, const EightMeetings& meetings, const CapPlane& cap) {
@@ -219,45 +242,46 @@ void ContourBuilder::cut_one_by_one(std::size_t begin, const EightMeetings& meet
         else if ((meetings.end_inside >> lane & 1U) == 0)
             cut_start(a, crossing_of(meetings, lane));
         else
-            remove(a);
+            open_.remove(a);
     });
 }
 
 void ContourBuilder::cut_end(std::size_t a, const Vec3& crossing) {
-    OpenArc& arc = open_[a];
+    OpenArcs::Arc& arc = open_[a];
     arc.to = place();
     arc.settled = false;
-    store3(crossing, lane_of(a), EightArcs::kEnd);
-    entries_.push_back({arc.cap, crossing});
+    open_.move_end(a, crossing);
+    crossings_.entries.push_back({arc.cap, crossing});
 }
 
 void ContourBuilder::cut_start(std::size_t a, const Vec3& crossing) {
-    OpenArc& arc = open_[a];
+    OpenArcs::Arc& arc = open_[a];
     arc.from = place();
-    store3(crossing, lane_of(a), EightArcs::kStart);
-    exits_.push_back({arc.cap, crossing});
+    open_.move_start(a, crossing);
+    crossings_.exits.push_back({arc.cap, crossing});
 }
 
 // An arc with both ends inside the cap, or both outside, that is cut at two places.
 void ContourBuilder::cut_twice(std::size_t a, bool starts_inside, const CapPlane& cap) {
-    const CapPlane rim = load_rim(lane_of(a));
+    const CapPlane rim = open_.rim(a);
     const RimCrossing crossing = cross_rims({rim.axis, rim.t}, {cap.axis, cap.t});
-    const OpenArc arc = open_[a];
-    const Vec3 end = load3(lane_of(a), EightArcs::kEnd);
+    const OpenArcs::Arc arc = open_[a];
+    const Vec3 end = open_.end(a);
     cut_end(a, crossing.onto);
     if (starts_inside || arc.from == kWholeCircle) {  // one piece is left
         cut_start(a, crossing.back);
     } else {
-        exits_.push_back({arc.cap, crossing.back});
-        append({arc.cap, place(), arc.to, arc.settled}, rim, crossing.back, end);
+        crossings_.exits.push_back({arc.cap, crossing.back});
+        open_.append({arc.cap, place(), arc.to, arc.settled}, rim, crossing.back, end);
     }
 }
 
 // Joins each point where the contour reaches the rim of a cap to the next point where it leaves it.
 bool ContourBuilder::close_rim(const CapPlane& cap) {
-    if (entries_.size() != exits_.size()) return false;
-    if (entries_.size() == 1)
-        append({place(), entries_[0].cap, exits_[0].cap}, cap, entries_[0].point, exits_[0].point);
+    if (crossings_.entries.size() != crossings_.exits.size()) return false;
+    if (crossings_.entries.size() == 1)
+        open_.append({place(), crossings_.entries[0].cap, crossings_.exits[0].cap}, cap, crossings_.entries[0].point,
+                     crossings_.exits[0].point);
     else
         close_rim_by_angles(cap);
     return true;
@@ -265,53 +289,32 @@ bool ContourBuilder::close_rim(const CapPlane& cap) {
 
 void ContourBuilder::close_rim_by_angles(const CapPlane& cap) {
     const Vec3 e1 = perpendicular(cap.axis);
-    for (const Crossing& entry : entries_) {
+    for (const Crossing& entry : crossings_.entries) {
         const double begin = pseudo_angle(cap.axis, e1, entry.point);
         const auto sweep_to = [&](const Crossing& exit) {
             return wrapped(pseudo_angle(cap.axis, e1, exit.point) - begin);
         };
-        const auto exit = std::min_element(exits_.begin(), exits_.end(), [&](const Crossing& a, const Crossing& b) {
-            return sweep_to(a) < sweep_to(b);
-        });
-        append({place(), entry.cap, exit->cap}, cap, entry.point, exit->point);
-        *exit = exits_.back();
-        exits_.pop_back();
+        const auto exit =
+            std::min_element(crossings_.exits.begin(), crossings_.exits.end(),
+                             [&](const Crossing& a, const Crossing& b) { return sweep_to(a) < sweep_to(b); });
+        open_.append({place(), entry.cap, exit->cap}, cap, entry.point, exit->point);
+        *exit = crossings_.exits.back();
+        crossings_.exits.pop_back();
     }
-}
-
-void ContourBuilder::append(const OpenArc& arc, const CapPlane& rim, const Vec3& start, const Vec3& end) {
-    const std::size_t a = open_.size();
-    open_.push_back(arc);
-    if (a == EightArcs::kCount * lanes_.size()) lanes_.emplace_back();
-    double* const lane = lane_of(a);
-    store3(rim.axis, lane, EightArcs::kAxis);
-    lane[EightArcs::kCount * EightArcs::kT] = rim.t;
-    store3(start, lane, EightArcs::kStart);
-    store3(end, lane, EightArcs::kEnd);
-}
-
-void ContourBuilder::remove(std::size_t a) {
-    const double* const from = lane_of(open_.size() - 1);
-    double* const to = lane_of(a);
-    for (std::size_t c = 0; c < EightArcs::kColumns; ++c) to[EightArcs::kCount * c] = from[EightArcs::kCount * c];
-    open_[a] = open_.back();
-    open_.pop_back();
 }
 
 void ContourBuilder::list_arcs() {
     for (std::size_t a = 0; a < open_.size(); ++a) {
-        const OpenArc& arc = open_[a];
+        const OpenArcs::Arc& arc = open_[a];
         ContourArc& listed = arcs_.emplace_back(ContourArc{arc.cap, arc.from, arc.to});
         if (arc.from == kWholeCircle) continue;
-        const double* const lane = lane_of(a);
-        const CapPlane rim = load_rim(lane);
-        const Vec3 outward = load3(lane, EightArcs::kStart) - rim.t * rim.axis;
-        listed.sweep = pseudo_angle(rim.axis, outward, load3(lane, EightArcs::kEnd));
+        const CapPlane rim = open_.rim(a);
+        listed.sweep = pseudo_angle(rim.axis, open_.start(a) - rim.t * rim.axis, open_.end(a));
     }
 }
 
 bool ContourBuilder::is_exposed(const Vec3& n) const {
-    return std::none_of(kept_caps_.begin(), kept_caps_.end(),
+    return std::none_of(kept_.planes.begin(), kept_.planes.end(),
                         [&](const CapPlane& cap) { return dot(n, cap.axis) > cap.t; });
 }
 

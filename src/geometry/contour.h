@@ -35,6 +35,42 @@ struct RimCrossing {
 };
 RimCrossing cross_rims(const Cap& a, const Cap& b);
 
+/// The arcs of a contour that is being built; where they lie is kept side by side, for vectors.
+class OpenArcs {
+public:
+    struct Arc {
+        std::uint32_t cap;  // these as in ContourArc
+        std::uint32_t from;
+        std::uint32_t to;
+        bool settled = false;  // no cap to come buries the end
+    };
+
+    std::size_t size() const { return arcs_.size(); }
+    bool empty() const { return arcs_.empty(); }
+    Arc& operator[](std::size_t a) { return arcs_[a]; }
+    const Arc& operator[](std::size_t a) const { return arcs_[a]; }
+
+    CapPlane rim(std::size_t a) const;
+    Vec3 start(std::size_t a) const;
+    Vec3 end(std::size_t a) const;
+    void move_start(std::size_t a, const Vec3& start);
+    void move_end(std::size_t a, const Vec3& end);
+    /// Of all arcs, eight by eight; there may be more than `size` needs.
+    std::span<const EightArcs> lanes() const { return lanes_; }
+
+    void clear() { arcs_.clear(); }
+    void append(const Arc& arc, const CapPlane& rim, const Vec3& start, const Vec3& end);
+    /// Puts the last arc into the place of one.
+    void remove(std::size_t a);
+
+private:
+    const double* lane_of(std::size_t a) const { return &lanes_[a / EightArcs::kCount].numbers[a % EightArcs::kCount]; }
+    double* lane_of(std::size_t a) { return &lanes_[a / EightArcs::kCount].numbers[a % EightArcs::kCount]; }
+
+    std::vector<Arc> arcs_;
+    std::vector<EightArcs> lanes_;
+};
+
 /// Builds the contours of spheres one after the other, reusing its memory.
 class ContourBuilder {
 public:
@@ -45,30 +81,37 @@ public:
     /// cost     O(caps · arcs), stops as soon as nothing is exposed
     bool build(const CapColumns& caps);
 
-    /// The same in the order of `caps`: for caps known to bury most, and then for the rest behind them.
+    /// Inserts the caps in their order until nothing is exposed: for caps that are known to bury most of the sphere.
     bool build_in_order(const CapColumns& caps);
-    /// Goes on after build_in_order, whose caps `caps` begins with, while something is exposed.
+    /// Inserts the remaining caps after build_in_order; `caps` must begin with the caps that were given there.
     bool extend(const CapColumns& caps);
 
     /// The contour as build or extend left it; empty when nothing or the whole sphere is exposed.
     std::span<const ContourArc> arcs() const { return arcs_; }
     /// Caps whose union is that of all caps, in order of insertion, which arcs number them in; and their positions in
     /// the list of all.
-    std::span<const CapPlane> kept_caps() const { return kept_caps_; }
-    std::span<const std::uint32_t> kept() const { return kept_; }
-    bool exposed() const { return kept_.empty() || !open_.empty(); }
+    std::span<const CapPlane> kept_caps() const { return kept_.planes; }
+    std::span<const std::uint32_t> kept() const { return kept_.numbers; }
+    bool exposed() const { return kept_.numbers.empty() || !open_.empty(); }
 
 private:
-    // An arc of the contour so far; where it lies is in lanes_.
-    struct OpenArc {
-        std::uint32_t cap;  // these as in ContourArc
-        std::uint32_t from;
-        std::uint32_t to;
-        bool settled = false;  // no cap to come buries the end
-    };
     struct Crossing {
         std::uint32_t cap;  // the other rim
         Vec3 point;
+    };
+    // Of the contour with the rim of the cap that is being inserted.
+    struct Crossings {
+        std::vector<Crossing> entries;
+        std::vector<Crossing> exits;
+    };
+    struct WaitingCaps {
+        std::vector<double> t;              // of each cap that waits for insertion, else kNoCap
+        std::vector<std::uint64_t> marks;   // of the caps
+        std::vector<std::uint32_t> chosen;  // those that may still change the contour
+    };
+    struct KeptCaps {
+        std::vector<std::uint32_t> numbers;
+        std::vector<CapPlane> planes;
     };
 
     void start(const CapColumns& caps);
@@ -86,28 +129,19 @@ private:
     void cut_twice(std::size_t a, bool starts_inside, const CapPlane& cap);
     bool close_rim(const CapPlane& cap);
     void close_rim_by_angles(const CapPlane& cap);
-    void append(const OpenArc& arc, const CapPlane& rim, const Vec3& start, const Vec3& end);
-    void remove(std::size_t a);
     void list_arcs();
     bool is_exposed(const Vec3& n) const;
-    // That the cap which is being inserted will have among those kept.
-    std::uint32_t place() const { return static_cast<std::uint32_t>(kept_.size()); }
-    double* lane_of(std::size_t a) { return &lanes_[a / EightArcs::kCount].numbers[a % EightArcs::kCount]; }
+    // The number among the kept caps that the cap which is being inserted will have.
+    std::uint32_t place() const { return static_cast<std::uint32_t>(kept_.numbers.size()); }
 
-    const CapKernels* kernels_ = &cap_kernels();
     const CapColumns* caps_ = nullptr;
-    std::size_t inserted_ = 0;          // by build_in_order
-    std::vector<double> waiting_;       // t of caps that wait for insertion, else kNoCap
-    std::vector<std::uint64_t> marks_;  // of caps
-    std::vector<std::uint32_t> rest_;
-    std::vector<OpenArc> open_;
-    std::vector<EightArcs> lanes_;  // open_ side by side
+    std::size_t inserted_ = 0;  // by build_in_order
+    WaitingCaps waiting_;
+    OpenArcs open_;
     std::vector<EightMeetings> meetings_;
-    std::vector<Crossing> entries_;  // of the contour into the inserted cap
-    std::vector<Crossing> exits_;
+    Crossings crossings_;
     std::vector<ContourArc> arcs_;
-    std::vector<std::uint32_t> kept_;
-    std::vector<CapPlane> kept_caps_;
+    KeptCaps kept_;
 };
 
 /// RimCrossing::onto. Precondition: the rims cross.

@@ -62,12 +62,12 @@ void CapList::add(const Cap& cap) {
 void NeighbourCaps::search_around(std::uint32_t i) {
     const CanonicalAtoms& atoms = data_.atoms;
     Box box;
-    searched_begin_ = searched_end_ = i;
-    while (searched_end_ < atoms.size() && atoms.cell_keys[searched_end_] == atoms.cell_keys[i])
-        box.include(atoms.centres[searched_end_++]);
+    searched_.begin = searched_.end = i;
+    while (searched_.end < atoms.size() && atoms.cell_keys[searched_.end] == atoms.cell_keys[i])
+        box.include(atoms.centres[searched_.end++]);
     candidates_.clear();
     cells_.for_each_cell_near(box, 2.0 * data_.rho_max, [&](std::uint32_t begin, std::uint32_t end) {
-        if (begin <= i && i < end) searched_at_ = candidates_.size() + (i - begin);
+        if (begin <= i && i < end) searched_.place = candidates_.size() + (i - begin);
         const std::size_t at = candidates_.size();
         candidates_.resize(at + (end - begin));
         std::iota(candidates_.begin() + static_cast<std::ptrdiff_t>(at), candidates_.end(), begin);
@@ -84,7 +84,7 @@ void NeighbourCaps::search_around(std::uint32_t i) {
 }
 
 void NeighbourCaps::find_neighbours(std::uint32_t i, std::span<const std::uint32_t> known) {
-    const std::size_t self = searched_at_ + (i - searched_begin_);
+    const std::size_t self = searched_.place + (i - searched_.begin);
     cap_kernels().mark_meeting(balls_, self, static_cast<float>(kSlackOfCell * data_.atoms.cell), marks_.data());
     marks_[self / 64] &= ~(std::uint64_t{1} << self % 64);
     neighbours_.resize(candidates_.size());
@@ -96,7 +96,7 @@ void NeighbourCaps::find_neighbours(std::uint32_t i, std::span<const std::uint32
 }
 
 bool NeighbourCaps::gather(std::uint32_t i, std::span<const std::uint32_t> known, CapList& caps) {
-    if (i < searched_begin_ || i >= searched_end_) search_around(i);
+    if (i < searched_.begin || i >= searched_.end) search_around(i);
     find_neighbours(i, known);
     if (neighbours_.empty()) return true;
     const std::size_t at = caps.atoms.size();

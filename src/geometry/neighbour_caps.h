@@ -39,15 +39,20 @@ public:
     bool gather(std::uint32_t i, std::span<const std::uint32_t> known, CapList& caps);
 
 private:
+    // Atoms that the candidates are complete for, and where these begin among the candidates.
+    struct Searched {
+        std::uint32_t begin = 0;
+        std::uint32_t end = 0;
+        std::size_t place = 0;
+    };
+
     void search_around(std::uint32_t i);
     void find_neighbours(std::uint32_t i, std::span<const std::uint32_t> known);
 
     const AccessibleSurface::Data& data_;
     const CellList& cells_;
-    std::uint32_t searched_begin_ = 0;  // atoms that the candidates are complete for
-    std::uint32_t searched_end_ = 0;
+    Searched searched_;
     std::vector<std::uint32_t> candidates_;
-    std::size_t searched_at_ = 0;            // where in candidates_ the atoms begin that they are complete for
     SmallBallColumns balls_;                 // of candidates_, from the first of these atoms on
     std::vector<std::uint64_t> marks_;       // of candidates_: those that meet the atom asked for, and few others
     std::vector<std::uint32_t> neighbours_;  // these atoms

@@ -34,46 +34,50 @@ void SphericalRegions::measure(std::span<const CapPlane> caps, std::span<const C
     regions_.clear();
     if (caps.empty()) regions_.push_back({4.0 * kPi, {}});
     if (arcs.empty()) return;
-    link_loops();
+    link_arcs();
+    number_loops();
     measure_arcs();
     group_loops();
     add_up();
 }
 
-void SphericalRegions::link_loops() {
+void SphericalRegions::link_arcs() {
     const auto n = static_cast<std::uint32_t>(contour_.size());
     const auto follows = [&](const ContourArc& next, const ContourArc& arc) {
         return next.cap == arc.to && next.from == arc.cap;
     };
-    arc_on_.assign(caps_.size(), 0);
-    for (std::uint32_t a = 0; a < n; ++a) arc_on_[contour_[a].cap] = a;
-    next_.resize(n);
+    loops_.arc_on.assign(caps_.size(), 0);
+    for (std::uint32_t a = 0; a < n; ++a) loops_.arc_on[contour_[a].cap] = a;
+    loops_.next.resize(n);
     for (std::uint32_t a = 0; a < n; ++a) {
         const ContourArc& arc = contour_[a];
-        next_[a] = arc.from == kWholeCircle ? a : arc_on_[arc.to];
-        if (arc.from == kWholeCircle || follows(contour_[next_[a]], arc)) continue;
+        loops_.next[a] = arc.from == kWholeCircle ? a : loops_.arc_on[arc.to];
+        if (arc.from == kWholeCircle || follows(contour_[loops_.next[a]], arc)) continue;
         for (std::uint32_t b = 0; b < n; ++b)  // few rims have more than one arc
-            if (follows(contour_[b], arc)) next_[a] = b;
+            if (follows(contour_[b], arc)) loops_.next[a] = b;
     }
+}
+
+void SphericalRegions::number_loops() {
     constexpr std::uint32_t kUnseen = 0xffffffffU;
-    loop_.assign(n, kUnseen);
-    loops_ = 0;
-    for (std::uint32_t a = 0; a < n; ++a) {
-        if (loop_[a] != kUnseen) continue;
-        for (std::uint32_t b = a; loop_[b] == kUnseen; b = next_[b]) loop_[b] = loops_;
-        ++loops_;
+    loops_.of_arc.assign(contour_.size(), kUnseen);
+    loops_.count = 0;
+    for (std::uint32_t a = 0; a < contour_.size(); ++a) {
+        if (loops_.of_arc[a] != kUnseen) continue;
+        for (std::uint32_t b = a; loops_.of_arc[b] == kUnseen; b = loops_.next[b]) loops_.of_arc[b] = loops_.count;
+        ++loops_.count;
     }
 }
 
 void SphericalRegions::measure_arcs() {
-    kernels_->find_corners(caps_, contour_, measured_);
+    region_kernels().find_corners(caps_, contour_, measured_);
     for (std::size_t a = 0; a < contour_.size(); ++a) {
         if (contour_[a].from != kWholeCircle) continue;
         const CapPlane& cap = caps_[contour_[a].cap];
         measured_[a].start = cap.t * cap.axis + rim_sine(cap) * perpendicular(cap.axis);
         measured_[a].corner = 0.0;
     }
-    kernels_->measure_arcs(caps_, contour_, next_, measured_);
+    region_kernels().measure_arcs(caps_, contour_, loops_.next, measured_);
 }
 
 // A direction on an arc, that part of it after its start.
@@ -96,26 +100,26 @@ std::uint32_t SphericalRegions::count_cap_clusters() const {
 
 // Regions and clusters of caps alternate like a tree whose edges are the loops: regions = 1 + loops - clusters.
 void SphericalRegions::group_loops() {
-    if (loops_ == 1) {
-        loop_region_.assign(1, 0);
+    if (loops_.count == 1) {
+        loops_.region.assign(1, 0);
         regions_.assign(1, {});
         return;
     }
-    DisjointSets loops(loops_);
+    DisjointSets loops(loops_.count);
     const std::uint32_t clusters = count_cap_clusters();
-    for (std::uint32_t loop = 1; loop < loops_; ++loop) {
-        if (clusters >= loops_)
+    for (std::uint32_t loop = 1; loop < loops_.count; ++loop) {
+        if (clusters >= loops_.count)
             loops.join(0, loop);  // each cluster has one loop: one region
         else if (clusters > 1)
             join_along_walk(loop, loops);
     }
-    loop_region_ = loops.numbers();
-    regions_.assign(set_count(loop_region_), {});
+    loops_.region = loops.numbers();
+    regions_.assign(set_count(loops_.region), {});
 }
 
-// Lists where the great circle from one direction to another crosses the contour.
-void SphericalRegions::walk(const Vec3& from, const Vec3& to) const {
-    crossings_.clear();
+// Where the great circle from one direction to another crosses the contour.
+std::vector<SphericalRegions::Crossing> SphericalRegions::walk(const Vec3& from, const Vec3& to) const {
+    std::vector<Crossing> crossings;
     const Vec3 normal = cross(from, to);
     const Vec3 ahead = normalised(cross(normal, from));
     const double length = elementary::atan2(dot(to, ahead), dot(to, from));
@@ -133,12 +137,13 @@ void SphericalRegions::walk(const Vec3& from, const Vec3& to) const {
             const Vec3 n = elementary::cos(at) * from + elementary::sin(at) * ahead;
             const Vec3 e1 = normalised(measured_[a].start - cap.t * cap.axis);
             const double angle = wrapped_turn(elementary::atan2(dot(n, cross(e1, cap.axis)), dot(n, e1)));
-            if (angle <= measured_[a].angle) crossings_.push_back({at, into_cap, a});
+            if (angle <= measured_[a].angle) crossings.push_back({at, into_cap, a});
         }
     }
-    std::sort(crossings_.begin(), crossings_.end(), [](const Crossing& a, const Crossing& b) {
+    std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
         return std::tie(a.at, a.into_cap, a.arc) < std::tie(b.at, b.into_cap, b.arc);
     });
+    return crossings;
 }
 
 // Points of a loop to walk from or to: the middle of an arc of it, or more.
@@ -146,7 +151,7 @@ std::vector<SphericalRegions::Stand> SphericalRegions::stands_on(std::uint32_t l
     constexpr std::size_t kMost = 16;
     std::vector<Stand> stands;
     for (std::uint32_t a = 0; a < contour_.size() && stands.size() < kMost; ++a) {
-        if (loop_[a] != loop) continue;
+        if (loops_.of_arc[a] != loop) continue;
         if (!many) return {{middle(a), a}};
         for (const double part : {0.125, 0.375, 0.625, 0.875}) stands.push_back({point_on(a, part), a});
     }
@@ -187,30 +192,29 @@ void SphericalRegions::join_along_walk(std::uint32_t loop, DisjointSets& loops) 
     const auto [first, last] = way_between(0, loop);
     const auto& [from, a] = first;
     const auto& [to, b] = last;
-    walk(from, to);
     const Vec3 ahead = cross(cross(from, to), from);
     const Vec3 arriving = cross(cross(from, to), to);
-    std::uint32_t open = dot(ahead, caps_[contour_[a].cap].axis) < 0.0 ? 0 : loops_;  // loops_: under a cap
+    std::uint32_t open = dot(ahead, caps_[contour_[a].cap].axis) < 0.0 ? 0 : loops_.count;  // loops_.count: under a cap
     const auto join = [&](std::uint32_t other) {
-        if (open < loops_) loops.join(other, open);
+        if (open < loops_.count) loops.join(other, open);
     };
-    for (const Crossing& crossing : crossings_) {
-        if (crossing.into_cap) join(loop_[crossing.arc]);
-        open = crossing.into_cap ? loops_ : loop_[crossing.arc];
+    for (const Crossing& crossing : walk(from, to)) {
+        if (crossing.into_cap) join(loops_.of_arc[crossing.arc]);
+        open = crossing.into_cap ? loops_.count : loops_.of_arc[crossing.arc];
     }
     if (dot(arriving, caps_[contour_[b].cap].axis) > 0.0) join(loop);
 }
 
 void SphericalRegions::add_up() {
     for (SphericalRegion& region : regions_) region.solid_angle = 2.0;
-    for (const std::uint32_t region : loop_region_) regions_[region].solid_angle -= 1.0;
+    for (const std::uint32_t region : loops_.region) regions_[region].solid_angle -= 1.0;
     for (SphericalRegion& region : regions_) region.solid_angle *= 2.0 * kPi;
     for (std::size_t a = 0; a < contour_.size(); ++a) {
         MeasuredArc& arc = measured_[a];
-        arc.region = loop_region_[loop_[a]];
+        arc.region = loops_.region[loops_.of_arc[a]];
         SphericalRegion& region = regions_[arc.region];
         region.solid_angle += caps_[contour_[a].cap].t * arc.angle;
-        region.solid_angle -= measured_[next_[a]].corner;
+        region.solid_angle -= measured_[loops_.next[a]].corner;
         region.vector_area += arc.area;
     }
 }
@@ -221,8 +225,8 @@ std::uint32_t SphericalRegions::region_of(const Vec3& direction) const {
     for (std::size_t a = 0; a < measured_.size(); ++a) {
         const Vec3 there = middle(a);
         if (norm(cross(direction, there)) < 1e-9) return measured_[a].region;
-        walk(direction, there);
-        return crossings_.empty() ? measured_[a].region : measured_[crossings_.front().arc].region;
+        const std::vector<Crossing> crossings = walk(direction, there);
+        return measured_[crossings.empty() ? a : crossings.front().arc].region;
     }
     return 0;
 }

@@ -52,29 +52,33 @@ private:
         std::uint32_t arc;
     };
 
-    void link_loops();
+    // The closed loops that the arcs make up.
+    struct Loops {
+        std::uint32_t count = 0;
+        std::vector<std::uint32_t> next;    // of each arc: the arc after it on its loop
+        std::vector<std::uint32_t> of_arc;  // of each arc: its loop
+        std::vector<std::uint32_t> region;  // of each loop
+        std::vector<std::uint32_t> arc_on;  // of each cap: an arc of its rim
+    };
+
+    void link_arcs();
+    void number_loops();
     void measure_arcs();
     Vec3 point_on(std::size_t arc, double part) const;
     std::uint32_t count_cap_clusters() const;
     void group_loops();
-    void walk(const Vec3& from, const Vec3& to) const;
+    std::vector<Crossing> walk(const Vec3& from, const Vec3& to) const;
     std::vector<Stand> stands_on(std::uint32_t loop, bool many) const;
     double steepness(const Stand& from, const Stand& to) const;
     std::pair<Stand, Stand> way_between(std::uint32_t a, std::uint32_t b) const;
     void join_along_walk(std::uint32_t loop, DisjointSets& loops);
     void add_up();
 
-    const RegionKernels* kernels_ = &region_kernels();
     std::span<const CapPlane> caps_;
     std::span<const ContourArc> contour_;
     std::vector<MeasuredArc> measured_;
-    std::vector<std::uint32_t> arc_on_;  // of each cap: an arc of its rim
-    std::vector<std::uint32_t> next_;    // of each arc: the arc after it on its loop
-    std::vector<std::uint32_t> loop_;    // of each arc
-    std::vector<std::uint32_t> loop_region_;
-    std::uint32_t loops_ = 0;
+    Loops loops_;
     std::vector<SphericalRegion> regions_;
-    mutable std::vector<Crossing> crossings_;  // of the walk in hand
 };
 
 }  // namespace meniscus

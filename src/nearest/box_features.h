@@ -19,11 +19,11 @@ public:
     /// half its diagonal.
     double enter(const Box& box);
 
-    /// The same as AccessibleSurface::nearest tells of points of that box, at most kBatchLanes.
+    /// Finds the signed distances of points of that box, at most kBatchLanes, as AccessibleSurface::nearest has them.
     ///
     /// cost     some 0.1 µs per point for boxes of a few Å
     void find(std::span<const Vec3> points, std::span<double> distances);
-    /// The same of what they are labelled with.
+    /// Finds what the points are labelled with.
     void find(std::span<const Vec3> points, std::span<FeatureLabel> labels);
 
 private:

@@ -146,22 +146,21 @@ void LocalFeatures::gather(const Box& box) {
     const double beyond = beyond_balls();
     box_ = box;
     balls_.clear();
-    for (const std::uint32_t i : data.atom_tree.list_overlapping(box.grown(data.rho_max + beyond), lists_)) {
+    data.atom_tree.for_each_overlapping(box.grown(data.rho_max + beyond), [&](std::uint32_t i) {
         const double reach = data.rho[i] + beyond;
         const Vec3& c = data.atoms.centres[i];
         balls_.add_if(box.squared_distance(c) < reach * reach, {c.x, c.y, c.z, data.rho[i]}, i);
-    }
+    });
     arcs_.clear();
-    for (const std::uint32_t a : data.arc_cell_tree.list_overlapping(box.grown(kCellSlack), lists_)) {
-        const Box cell = data.arc_cell_tree.box(a).grown(kCellSlack);
-        arcs_.add(row_of(cell), a);
-    }
+    data.arc_cell_tree.for_each_overlapping(box.grown(kCellSlack), [&](std::uint32_t a) {
+        arcs_.add(row_of(data.arc_cell_tree.box(a).grown(kCellSlack)), a);
+    });
     vertices_.clear();
     const double reach = data.probe + margin_;
-    for (const std::uint32_t v : data.vertex_tree.list_overlapping(box.grown(reach), lists_)) {
+    data.vertex_tree.for_each_overlapping(box.grown(reach), [&](std::uint32_t v) {
         const Vec3& p = data.vertices[v].position;
         vertices_.add_if(box.squared_distance(p) < reach * reach, {p.x, p.y, p.z, data.probe}, v);
-    }
+    });
 }
 
 void LocalFeatures::gather_from(const LocalFeatures& wider, const Box& box) {

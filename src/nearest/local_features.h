@@ -97,7 +97,7 @@ public:
         gather(box);
     }
 
-    /// The same lists, sooner, from those of a box around this one and of no smaller margin.
+    /// Takes the same lists from those of a box around this one, which costs less; their margin must not be smaller.
     void gather_from(const LocalFeatures& wider, const Box& box);
 
     const AccessibleSurface& surface() const { return *surface_; }
@@ -122,7 +122,6 @@ private:
     SphereList balls_;
     BoxList arcs_;
     SphereList vertices_;
-    BoxTree::Lists lists_;
     std::vector<std::uint64_t> marks_;
 };
 

@@ -49,43 +49,47 @@ NearestEdge nearest_edge(const Data& data, const Vec3& p) {
     return best;
 }
 
-// The gradient points towards the foot. Where that is p but for rounding errors there is none; without a probe such
-// points are on the surface, where spheres meet, and look the way the nearest sphere does.
-void point_towards_foot(const Data& data, const Vec3& p, std::uint32_t atom, double distance, NearestFeature& feature) {
+struct Foot {
+    Vec3 place;
+    double distance;  // of p, Å
+};
+
+// A feature whose atom and foot are known, without its patch and curvatures. The gradient points towards the foot.
+// Where that is p but for rounding errors there is none; without a probe such points are on the surface, where spheres
+// meet, and look the way the nearest sphere does.
+NearestFeature feature_at(const Data& data, const Vec3& p, std::uint32_t atom, const Foot& foot) {
     constexpr double kRounding = 1e-10;  // Å
-    if (distance > kRounding)
-        feature.normal = (1.0 / distance) * (feature.foot - p);
+    NearestFeature feature;
+    feature.signed_distance = data.probe - foot.distance;
+    feature.atom = data.atoms.original[atom];
+    feature.foot = foot.place;
+    if (foot.distance > kRounding)
+        feature.normal = (1.0 / foot.distance) * (foot.place - p);
     else if (data.probe == 0.0)
         feature.normal = normalised(p - data.atoms.centres[atom]);
-}
-
-NearestFeature vertex_feature(const Data& data, const Vec3& p, std::uint32_t v, double distance) {
-    const SasVertex& vertex = data.vertices[v];
-    NearestFeature feature;
-    feature.signed_distance = data.probe - distance;
-    feature.patch = PatchKind::Reentrant;
-    const std::uint32_t atom = nearest_atom(data, vertex.atoms, p);
-    feature.atom = data.atoms.original[atom];
-    feature.mean_curvature = reentrant_curvature(distance);
-    feature.gaussian_curvature = reentrant_gaussian_curvature(distance);
-    feature.foot = vertex.position;
-    point_towards_foot(data, p, atom, distance, feature);
     return feature;
 }
 
-// foot: that of p on the arc
-NearestFeature arc_feature(const Data& data, const Vec3& p, std::uint32_t a, const ArcFoot& foot, double distance) {
+NearestFeature vertex_feature(const Data& data, const Vec3& p, std::uint32_t v) {
+    const SasVertex& vertex = data.vertices[v];
+    const double distance = norm(p - vertex.position);
+    NearestFeature feature = feature_at(data, p, nearest_atom(data, vertex.atoms, p), {vertex.position, distance});
+    feature.patch = PatchKind::Reentrant;
+    feature.mean_curvature = reentrant_curvature(distance);
+    feature.gaussian_curvature = reentrant_gaussian_curvature(distance);
+    return feature;
+}
+
+NearestFeature arc_feature(const Data& data, const Vec3& p, std::uint32_t a) {
     const SasArc& arc = data.arcs[a];
+    const ArcFoot foot = foot_on_arc(arc, p);
+    const double distance = std::sqrt(foot.squared_distance);
     const Vec3 radial = foot.from_axis > 0.0 ? (1.0 / foot.from_axis) * foot.radial : arc.middle;
-    NearestFeature feature;
-    feature.signed_distance = data.probe - distance;
+    NearestFeature feature =
+        feature_at(data, p, nearest_atom(data, arc.atoms, p), {arc.centre + arc.radius * radial, distance});
     feature.patch = PatchKind::Toroidal;
-    const std::uint32_t atom = nearest_atom(data, arc.atoms, p);
-    feature.atom = data.atoms.original[atom];
     feature.mean_curvature = toroidal_curvature(arc.radius, foot.from_axis, distance);
     feature.gaussian_curvature = toroidal_gaussian_curvature(arc.radius, foot.from_axis, distance);
-    feature.foot = arc.centre + arc.radius * radial;
-    point_towards_foot(data, p, atom, distance, feature);
     return feature;
 }
 
@@ -156,8 +160,7 @@ SurfaceStep step_from_arc(const Data& data, const Vec3& p, std::uint32_t a) {
     // The cell is a wedge with its edge in the foot: the step neither enters nor leaves it but through the axis.
     step.settled = steps && (distance >= probe || (!crosses_axis && in_arc_cell(arc, before)));
     if (!step.settled || !(probe > 0.0)) {
-        const ArcFoot foot = foot_on_arc(arc, step.point);
-        step.feature = arc_feature(data, step.point, a, foot, std::sqrt(foot.squared_distance));
+        step.feature = arc_feature(data, step.point, a);
         return step;
     }
     const double from_axis = arc.radius - probe / distance * (arc.radius - before.from_axis);
@@ -178,7 +181,7 @@ SurfaceStep step_from_vertex(const Data& data, const Vec3& p, std::uint32_t v) {
     step.point = p - (probe - distance) * step.feature.normal;
     step.settled = distance > 0.0 && (distance >= probe || in_vertex_cell(data, vertex, step.point));
     if (!step.settled || !(probe > 0.0)) {
-        step.feature = vertex_feature(data, step.point, v, norm(vertex.position - step.point));
+        step.feature = vertex_feature(data, step.point, v);
         return step;
     }
     step.feature.patch = PatchKind::Reentrant;
@@ -206,12 +209,10 @@ NearestFeature feature_in(const Data& data, const Vec3& p, const FeatureCell& ne
             const double l = norm(p - data.atoms.centres[nearest.index]);
             return contact_feature(data, p, {nearest.index, data.rho[nearest.index] - l, l});
         }
-        case FeatureCell::Kind::Arc: {
-            const ArcFoot foot = foot_on_arc(data.arcs[nearest.index], p);
-            return arc_feature(data, p, nearest.index, foot, std::sqrt(foot.squared_distance));
-        }
+        case FeatureCell::Kind::Arc:
+            return arc_feature(data, p, nearest.index);
         default:
-            return vertex_feature(data, p, nearest.index, norm(p - data.vertices[nearest.index].position));
+            return vertex_feature(data, p, nearest.index);
     }
 }
 

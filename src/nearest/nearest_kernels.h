@@ -186,8 +186,6 @@ struct NearestKernels {
     std::size_t (*find_depths_of)(const Vec3& point, const SphereList& balls, double* depths);
     /// Marks a ball and those that may be deeper than it somewhere in a box.
     void (*mark_contenders)(const SphereList& balls, std::size_t ball, const Box& box, std::uint64_t* marks);
-    /// Unmarks vertices that are nowhere in a box the nearest one.
-    void (*unmark_far)(const SphereList& vertices, const Box& box, std::uint64_t* marks);
     /// What is known of kBatchLanes points. from_middle: the points' distances from it.
     KnownSides (*screen)(const PointScreen& known, const LanePoints<float>& points,
                          const LaneArray<float>& from_middle);

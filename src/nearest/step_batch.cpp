@@ -35,7 +35,7 @@ std::size_t StepBatch::step_from_balls(std::size_t to, BatchSteps& steps) {
         ball_lanes_.radius[k] = data_->rho[atom] - data_->probe;
     }
     kernels_.step_from_balls(points.places, ball_lanes_, points.count, to, steps.lanes);
-    write_labels(points, PatchKind::Contact, to, steps, [&](std::size_t k) { return points.feature[k]; });
+    write_labels(points, {steps, to, PatchKind::Contact}, [&](std::size_t k) { return points.feature[k]; });
     return points.count;
 }
 
@@ -52,7 +52,7 @@ std::size_t StepBatch::step_from_arcs(std::size_t to, BatchSteps& steps) {
         arc_lanes_.radius1[k] = data_->atoms.radii[arc.atoms[1]];
     }
     kernels_.step_from_arcs(data_->probe, points.places, arc_lanes_, points.count, to, steps.lanes, nearest_);
-    write_labels(points, PatchKind::Toroidal, to, steps, [&](std::size_t k) {
+    write_labels(points, {steps, to, PatchKind::Toroidal}, [&](std::size_t k) {
         return data_->arcs[points.feature[k]].atoms[static_cast<std::size_t>(nearest_[k])];
     });
     return points.count;
@@ -69,7 +69,7 @@ std::size_t StepBatch::step_from_vertices(std::size_t to, BatchSteps& steps) {
         }
     }
     kernels_.step_from_vertices(data_->probe, points.places, vertex_lanes_, points.count, to, steps.lanes, nearest_);
-    write_labels(points, PatchKind::Reentrant, to, steps, [&](std::size_t k) {
+    write_labels(points, {steps, to, PatchKind::Reentrant}, [&](std::size_t k) {
         return data_->vertices[points.feature[k]].atoms[static_cast<std::size_t>(nearest_[k])];
     });
     return points.count;

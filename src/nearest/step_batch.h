@@ -35,7 +35,7 @@ public:
     void clear() {
         for (Points& of_kind : points_) of_kind.count = 0;
     }
-    /// A point of the batch, and what is nearest to it. Without a branch for the kind, which nobody could predict.
+    /// Adds a point of the batch, and what is nearest to it; the kind is no branch, which could not be predicted.
     void add(std::uint32_t point, const Vec3& place, const FeatureCell& nearest) {
         Points& of_kind = points_of(nearest.kind);
         const std::size_t lane = of_kind.count++;
@@ -54,10 +54,16 @@ private:
         LanePoints<double> places;
     };
 
-    // Says whose the points of a kind are from lane `to` on. atom_of(k): the nearest atom of point k's feature.
+    // Lanes of steps, from one on, that are of the same kind of patch.
+    struct Target {
+        BatchSteps& steps;
+        std::size_t to;
+        PatchKind patch;
+    };
+    // Says whose the points of a kind are. atom_of(k): the nearest atom of point k's feature.
     template <class AtomOf>
-    void write_labels(const Points& points, PatchKind patch, std::size_t to, BatchSteps& steps,
-                      const AtomOf& atom_of) const {
+    void write_labels(const Points& points, const Target& target, const AtomOf& atom_of) const {
+        const auto& [steps, to, patch] = target;
         for (std::size_t k = 0; k < points.count; ++k) {
             steps.point[to + k] = points.point[k];
             steps.atom[to + k] = data_->atoms.original[atom_of(k)];

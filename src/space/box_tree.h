@@ -92,21 +92,16 @@ struct SmallBox {
     }
     Box box() const { return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}; }
 
+private:
     // Coordinates a little farther in a direction than rounding has left them. In a vector, as compilers make branches
     // of single numbers.
-    static Floats moved_out(Floats x, float direction) {
+    static std::array<float, 3> moved_out(const Vec3& corner, float direction) {
         constexpr Floats kMost = Floats{} + kLargest;
+        Floats x{static_cast<float>(corner.x), static_cast<float>(corner.y), static_cast<float>(corner.z), 0.0F};
         x = x > kMost ? kMost : x;
         x = x < -kMost ? -kMost : x;
         const auto size = reinterpret_cast<Floats>(reinterpret_cast<Bits>(x) & 0x7FFFFFFF);
-        return x + direction * (0x1p-22F * size + std::numeric_limits<float>::min());
-    }
-
-private:
-    static std::array<float, 3> moved_out(const Vec3& corner, float direction) {
-        const Floats x = moved_out(
-            Floats{static_cast<float>(corner.x), static_cast<float>(corner.y), static_cast<float>(corner.z), 0.0F},
-            direction);
+        x += direction * (0x1p-22F * size + std::numeric_limits<float>::min());
         return {x[0], x[1], x[2]};
     }
 };
@@ -121,25 +116,6 @@ public:
             low_[axis][i / 4][i % 4] = box.low[axis];
             high_[axis][i / 4][i % 4] = box.high[axis];
         }
-    }
-
-    /// All of them at once, relative to an origin.
-    void set_all(std::span<const Box, kCount> boxes, const Vec3& origin) {
-        const auto set_axis = [&](std::size_t axis, double Vec3::*along) {
-            const double from = origin.*along;
-            for (std::size_t half = 0; half < 2; ++half) {
-                const std::span four = boxes.subspan(4 * half, 4);
-                const auto lanes = [&](Vec3 Box::*corner) {
-                    const auto at = [&](std::size_t i) { return static_cast<float>(four[i].*corner.*along - from); };
-                    return Floats{at(0), at(1), at(2), at(3)};
-                };
-                low_[axis][half] = SmallBox::moved_out(lanes(&Box::low), -1.0F);
-                high_[axis][half] = SmallBox::moved_out(lanes(&Box::high), 1.0F);
-            }
-        };
-        set_axis(0, &Vec3::x);
-        set_axis(1, &Vec3::y);
-        set_axis(2, &Vec3::z);
     }
 
     /// Round all that were set.
@@ -230,10 +206,7 @@ public:
         if (is_finite(boxes[boxes.size() / 2].low)) origin_ = boxes[boxes.size() / 2].low;
         sizes_.push_back(boxes.size());
         std::vector<EightBoxes>& items = eights_.emplace_back((boxes.size() + kFanOut - 1) / kFanOut);
-        const std::size_t whole = boxes.size() / kFanOut;
-        for (std::size_t e = 0; e < whole; ++e) items[e].set_all(boxes.subspan(e * kFanOut).first<kFanOut>(), origin_);
-        for (std::size_t i = whole * kFanOut; i < boxes.size(); ++i)
-            items[whole].set(i % kFanOut, from_origin(boxes[i]));
+        for (std::size_t i = 0; i < boxes.size(); ++i) items[i / kFanOut].set(i % kFanOut, from_origin(boxes[i]));
         while (eights_.back().size() > 1) {
             const std::size_t size = eights_.back().size();
             sizes_.push_back(size);
@@ -252,71 +225,41 @@ public:
     /// Calls visit(item) for every item whose box overlaps `box`, in the items' order.
     template <class Visit>
     void for_each_overlapping(const Box& box, const Visit& visit) const {
-        if (!eights_.empty()) descend_overlapping(eights_.size() - 1, 0, from_origin(box), visit);
-    }
-
-    /// Memory for the items found by one search after the other.
-    struct Lists {
-        std::vector<std::uint32_t> found;
-        std::vector<std::uint32_t> next;
-    };
-
-    /// The items that for_each_overlapping visits; sooner where they are many, as no branch depends on what is found.
-    /// They stay in `lists` until the next search.
-    std::span<const std::uint32_t> list_overlapping(const Box& box, Lists& lists) const {
-        if (eights_.empty()) return {};
-        const SmallBox query = from_origin(box);
-        if (lists.found.empty()) lists.found.resize(kFanOut);
-        lists.found[0] = 0;
-        std::size_t count = 1;
-        for (std::size_t level = eights_.size(); level-- > 0;) {
-            if (lists.next.size() < count * kFanOut) lists.next.resize(2 * count * kFanOut);
-            count = list_children(eights_[level], std::span(lists.found).first(count), query, lists.next.data());
-            lists.found.swap(lists.next);
-        }
-        return std::span(lists.found).first(count);
+        if (!eights_.empty()) descend_overlapping({eights_.size() - 1, 0}, from_origin(box), visit);
     }
 
     /// Branch and bound: calls visit(item) near to far for items whose squared box distance from `point` is
     /// below bound(), which may shrink from call to call.
     template <class Bound, class Visit>
     void search_nearest(const Vec3& point, const Bound& bound, const Visit& visit) const {
-        if (!eights_.empty()) descend_nearest(eights_.size() - 1, 0, point - origin_, bound, visit);
+        if (!eights_.empty()) descend_nearest({eights_.size() - 1, 0}, point - origin_, bound, visit);
     }
 
 private:
     static constexpr std::size_t kFanOut = EightBoxes::kCount;
 
+    struct Node {
+        std::size_t level;
+        std::size_t eight;  // of the level
+    };
+
     SmallBox from_origin(const Box& box) const { return SmallBox({box.low - origin_, box.high - origin_}); }
 
-    // Writes which boxes of these eights overlap, and perhaps a number more; returns how many do.
-    static std::size_t list_children(const std::vector<EightBoxes>& level, std::span<const std::uint32_t> eights,
-                                     const SmallBox& query, std::uint32_t* children) {
-        std::size_t count = 0;
-        for (const std::uint32_t eight : eights) {
-            const unsigned bits = level[eight].overlapping(query);
-            for (std::size_t i = 0; i < kFanOut; ++i) {
-                children[count] = static_cast<std::uint32_t>(eight * kFanOut + i);
-                count += bits >> i & 1U;
-            }
-        }
-        return count;
-    }
-
     template <class Visit>
-    void descend_overlapping(std::size_t level, std::size_t eight, const SmallBox& query, const Visit& visit) const {
+    void descend_overlapping(const Node& node, const SmallBox& query, const Visit& visit) const {
+        const auto [level, eight] = node;
         for (unsigned bits = eights_[level][eight].overlapping(query); bits != 0; bits &= bits - 1) {
             const std::size_t i = eight * kFanOut + static_cast<std::size_t>(std::countr_zero(bits));
             if (level > 0)
-                descend_overlapping(level - 1, i, query, visit);
+                descend_overlapping({level - 1, i}, query, visit);
             else
                 visit(static_cast<std::uint32_t>(i));
         }
     }
 
     template <class Bound, class Visit>
-    void descend_nearest(std::size_t level, std::size_t eight, const Vec3& point, const Bound& bound,
-                         const Visit& visit) const {
+    void descend_nearest(const Node& node, const Vec3& point, const Bound& bound, const Visit& visit) const {
+        const auto [level, eight] = node;
         struct Child {
             double distance2;
             std::size_t index;
@@ -338,7 +281,7 @@ private:
             if (level == 0)
                 visit(static_cast<std::uint32_t>(i));
             else
-                descend_nearest(level - 1, i, point, bound, visit);
+                descend_nearest({level - 1, i}, point, bound, visit);
         }
     }
 

@@ -16,15 +16,7 @@ public:
     /// Keeps a reference to `atoms`, whose order already groups atoms of the same cell.
     explicit CellList(const CanonicalAtoms& atoms);
 
-    /// Calls visit(j) for every atom j whose cell is within `reach` (Å) of `point` along each axis.
-    template <class Visit>
-    void for_each_near(const Vec3& point, double reach, const Visit& visit) const {
-        for_each_cell_near({point, point}, reach, [&](std::uint32_t begin, std::uint32_t end) {
-            for (std::uint32_t j = begin; j < end; ++j) visit(j);
-        });
-    }
-
-    /// The same around a box, cell by cell: calls visit(begin, end) for the atoms of each.
+    /// Calls visit(begin, end) for the atoms of each cell that is within `reach` (Å) of a box along each axis.
     template <class Visit>
     void for_each_cell_near(const Box& box, double reach, const Visit& visit) const {
         const Vec3 low = box.low - atoms_->corner;

@@ -44,7 +44,6 @@ struct Answers {
     std::vector<double> depths_in_middle;
     std::size_t deepest = 0;
     Marks contenders;
-    Marks vertices;  // that may be the nearest
     Depths depths;
     LaneArray<std::int32_t> groups;
     BallClaims claims;
@@ -97,7 +96,6 @@ protected:
         answers.depths_in_middle.resize(local_.balls().size());
         kernels.mark_contenders(local_.balls(), answers.deepest, kBox,
                                 answers.contenders.room_for(local_.balls().size()));
-        kernels.unmark_far(local_.vertices(), kBox, answers.vertices.room_for(local_.vertices().size()));
         kernels.make_small(points_, kMiddle, kPoints, answers.small);
         answers.sides = kernels.screen(kScreen, answers.small, lengths_);
         kernels.find_depths(small_, small_points_, kPoints, answers.depths);
@@ -223,7 +221,6 @@ TEST_F(NearestKernelsTest, GiveTheSameBitsOnEveryInstructionSet) {
         EXPECT_EQ(other.depths_in_middle, plain.depths_in_middle);
         EXPECT_EQ(other.deepest, plain.deepest);
         EXPECT_EQ(other.contenders, plain.contenders);
-        EXPECT_EQ(other.vertices, plain.vertices);
         expect_equal(other.small.x, plain.small.x);
         expect_equal(other.small.y, plain.small.y);
         expect_equal(other.small.z, plain.small.z);
@@ -324,13 +321,12 @@ TEST_F(NearestKernelsTest, FindDepthsInAllBalls) {
                   local_.balls().column(3)[b] - norm(kMiddle - position_in(local_.balls(), b)));
 }
 
-// Nowhere in the box is one the deepest or the nearest that is not marked, and most are not.
-TEST_F(NearestKernelsTest, MarkWhatMayBeTheDeepestBallOrTheNearestVertex) {
+// Nowhere in the box is a ball the deepest one that is not marked, and most balls are not.
+TEST_F(NearestKernelsTest, MarkWhatMayBeTheDeepestBall) {
     const Answers answers = ask(nearest_kernels());
     EXPECT_EQ(answers.deepest, static_cast<std::size_t>(std::ranges::max_element(answers.depths_in_middle) -
                                                         answers.depths_in_middle.begin()));
     EXPECT_LT(answers.contenders.count(), local_.balls().size() / 2);
-    EXPECT_LT(answers.vertices.count(), local_.vertices().size() / 2);
     constexpr int kSteps = 20;
     for (int n = 0; n < kSteps * kSteps * kSteps; ++n) {
         const int y = n / kSteps % kSteps;
@@ -344,14 +340,6 @@ TEST_F(NearestKernelsTest, MarkWhatMayBeTheDeepestBallOrTheNearestVertex) {
             depth = std::max(depth, here);
         }
         ASSERT_TRUE(answers.contenders[deepest]);
-        std::size_t nearest = 0;
-        double distance = 1e300;
-        for (std::size_t v = 0; v < local_.vertices().size(); ++v) {
-            const double here = norm(x - position_in(local_.vertices(), v));
-            if (here < distance) nearest = v;
-            distance = std::min(distance, here);
-        }
-        ASSERT_TRUE(answers.vertices[nearest]);
     }
 }
 

@@ -67,20 +67,6 @@ TEST(SmallBox, GrowsFromNothing) {
     EXPECT_TRUE(SmallBox({{-far, 0, 0}, {far, 1, 1}}).overlaps(SmallBox({{1e38, 0.5, 0.5}, {1e39, 0.6, 0.6}})));
 }
 
-TEST(EightBoxes, AreTheSameSetTogetherOrOneByOne) {
-    const Vec3 origin{1e3, -2.0, 0.1};
-    std::vector<Box> boxes = random_boxes(9, EightBoxes::kCount, 3.0);
-    boxes[2].high.x = kUnbounded;
-    boxes[5].low.z = -1e300;
-    EightBoxes together;
-    together.set_all(std::span(boxes).first<EightBoxes::kCount>(), origin);
-    for (std::size_t i = 0; i < EightBoxes::kCount; ++i) {
-        const SmallBox alone({boxes[i].low - origin, boxes[i].high - origin});
-        EXPECT_EQ(together.box(i).low, alone.low);
-        EXPECT_EQ(together.box(i).high, alone.high);
-    }
-}
-
 TEST(EightBoxes, HaveAHullOfThoseThatWereSet) {
     EightBoxes eight;
     SmallBox all;
@@ -98,15 +84,12 @@ TEST(EightBoxes, HaveAHullOfThoseThatWereSet) {
 }
 
 TEST(BoxTree, FindsWhatOverlapsInTheItemsOrder) {
-    BoxTree::Lists lists;
     for (const std::size_t count : {1U, 7U, 8U, 9U, 64U, 65U, 700U}) {
         const std::vector<Box> boxes = random_boxes(count, count, 2.0);
         const BoxTree tree(boxes);
         for (const Box& query : random_boxes(99, 50, 5.0)) {
             const std::vector<std::uint32_t> found = overlapping(tree, query);
             EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
-            const std::span<const std::uint32_t> listed = tree.list_overlapping(query, lists);
-            EXPECT_TRUE(std::equal(listed.begin(), listed.end(), found.begin(), found.end()));
             for (std::uint32_t i = 0; i < count; ++i) {
                 const bool is_found = std::binary_search(found.begin(), found.end(), i);
                 EXPECT_TRUE(is_found || !boxes[i].overlaps(query));
@@ -121,11 +104,7 @@ TEST(BoxTree, ABoxAroundEverythingOverlapsTheItemsAlone) {
     const std::vector<Box> boxes(3, Box{{0, 0, 0}, {1, 1, 1}});
     const BoxTree tree(boxes);
     const Box everything = Box{{0, 0, 0}, {1, 1, 1}}.grown(1e100);
-    std::vector<std::uint32_t> visited;
-    tree.for_each_overlapping(everything, [&](std::uint32_t i) { visited.push_back(i); });
-    EXPECT_EQ(visited, (std::vector<std::uint32_t>{0, 1, 2}));
-    BoxTree::Lists lists;
-    EXPECT_EQ(tree.list_overlapping(everything, lists).size(), 3U);
+    EXPECT_EQ(overlapping(tree, everything), (std::vector<std::uint32_t>{0, 1, 2}));
 }
 
 TEST(BoxTree, KeepsTheBoxesAndHardlyMore) {

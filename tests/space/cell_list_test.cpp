@@ -18,7 +18,9 @@ void expect_brute_force_neighbours(const CanonicalAtoms& atoms, const std::vecto
     const CellList cells(atoms);
     for (const Vec3& p : points) {
         std::multiset<std::uint32_t> visited;
-        cells.for_each_near(p, reach, [&](std::uint32_t j) { visited.insert(j); });
+        cells.for_each_cell_near({p, p}, reach, [&](std::uint32_t begin, std::uint32_t end) {
+            for (std::uint32_t j = begin; j < end; ++j) visited.insert(j);
+        });
         for (std::uint32_t j = 0; j < atoms.size(); ++j) {
             EXPECT_LE(visited.count(j), 1U);
             if (norm(atoms.centres[j] - p) <= reach) {
@@ -42,9 +44,11 @@ TEST(CellList, VisitsOnlyCellsWithinReach) {
     const CanonicalAtoms sorted = canonical_atoms(atoms, 3.0);
     const CellList cells(sorted);
     for (const Vec3& p : random_points_around(atoms, 100, 0.0))
-        cells.for_each_near(p, 2.0, [&](std::uint32_t j) {
-            const Vec3 d = sorted.centres[j] - p;
-            EXPECT_LE(std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}), 2.0 + sorted.cell);
+        cells.for_each_cell_near({p, p}, 2.0, [&](std::uint32_t begin, std::uint32_t end) {
+            for (const Vec3& centre : std::span(sorted.centres).subspan(begin, end - begin)) {
+                const Vec3 d = centre - p;
+                EXPECT_LE(std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}), 2.0 + sorted.cell);
+            }
         });
 }
 
