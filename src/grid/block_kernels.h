@@ -6,6 +6,7 @@
 // operations in the same order, no fused multiply-add, one sum for each place in a row of eight nodes.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -30,11 +31,10 @@ constexpr StencilWeights weights_of(const Stencil& s) {
 }
 
 /// The nodes of the 27 blocks around and including one (see neighbour_slot); of a stand-in where there is no block.
-using BlocksAround = const float* [27];
+using BlocksAround = std::array<const float*, 27>;
 
-/// Sets them for a field of the grid, `missing` where there is no block.
-void find_blocks_around(const BlockGrid& grid, std::span<const float> field, BlockId block, const float* missing,
-                        BlocksAround& around);
+/// Those of a field of the grid, `missing` where there is no block.
+BlocksAround blocks_around(const BlockGrid& grid, std::span<const float> field, BlockId block, const float* missing);
 
 /// A set of a block's nodes: node (x, y, z) is bit x of rows[y + 8 z].
 struct NodeBits {

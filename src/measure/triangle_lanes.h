@@ -73,13 +73,6 @@ struct CreasedLanes {
         LanesOf<float, SmallVec3, kCount> normal;
         SmallNumbers mean_curvature{};      ///< Å^-1
         SmallNumbers gaussian_curvature{};  ///< Å^-2
-
-        void set(std::size_t lane, const Vec3& p, const SmallVec3& n, float mean, float gaussian) {
-            point.set(lane, p);
-            normal.set(lane, n);
-            mean_curvature[lane] = mean;
-            gaussian_curvature[lane] = gaussian;
-        }
     };
     std::array<Corner, 3> corners;
 

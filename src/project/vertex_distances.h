@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "meniscus/mesh_quality.h"
-#include "remesh/mend_slivers.h"
+#include "remesh/mesh_changes.h"
 
 namespace meniscus {
 

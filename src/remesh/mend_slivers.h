@@ -7,11 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include "meniscus/mesh.h"
 #include "remesh/first_look.h"
+#include "remesh/mesh_changes.h"
 #include "remesh/remesher.h"
 
 namespace meniscus {
@@ -36,45 +36,19 @@ struct SliverOptions {
     std::size_t most_crumpled = std::numeric_limits<std::size_t>::max();
     /// Tries of many changes together, some milliseconds each, after which mending ends with what is mended.
     std::size_t most_hard_tries = std::numeric_limits<std::size_t>::max();
-    /// Closed pieces of so many triangles at most are dropped where one of them cannot be mended: the grid makes such
-    /// crumbs where two sheets all but touch.
-    std::size_t largest_crumb = 0;
+    /// Components of so many triangles at most are dropped where a triangle of theirs cannot be mended: the grid makes
+    /// such tiny ones where two sheets all but touch.
+    std::size_t tiny_component = 0;
     std::vector<bool> held{};  ///< per vertex, or empty: stays, and edges to others of its kind
 
     /// Å: triangles with shorter ones are mended, and none is made.
     double shortest_edge() const { return std::min(kShortestEdge, kShortestPart * edge); }
 };
 
-/// What changed about a mesh.
-struct MeshChanges {
-    std::size_t with_new = 0;  ///< vertices with those that were added at the end of the list
-    /// Where a vertex was removed, and the one from the end of the list that took its number.
-    std::vector<std::pair<VertexId, VertexId>> refilled;
-    std::size_t left = 0;         ///< vertices after that
-    bool was_tangled = false;     ///< the mesh passed through itself somewhere, and may do so still
-    std::vector<Vec3> crumpled;   ///< where it was crumpled: on each of the triangles that SliverOptions count there
-    std::vector<VertexId> moved;  ///< with those that were added; by their new numbers, rising
-    /// Triangles that are others now, or whose vertices moved; rising.
-    std::vector<std::uint32_t> triangles;
-    bool gave_up = false;         ///< after most_hard_tries
-    bool dropped_crumbs = false;  ///< pieces were dropped, and others have new numbers
-
-    bool any() const { return left != with_new || !moved.empty(); }
-};
-
-/// Applies the renumbering to an array with one entry per vertex. Entries of added ones are still to be set.
-template <class T>
-void renumber_entries(const MeshChanges& changes, std::vector<T>& entries) {
-    if (entries.empty()) return;
-    entries.resize(changes.with_new);
-    for (const auto& [hole, from] : changes.refilled) entries[hole] = entries[from];
-    entries.resize(changes.left);
-}
-
 /// Mends triangles with small angles, with edges that are too short, such that face the wrong way and such that
 /// pass through each other: flips, collapses and splits edges and moves vertices on the surface, where that keeps the
 /// topology and passes the mesh through itself nowhere else. What cannot be mended stays, after a second try with more
-/// round it, or is dropped with its piece if that is a crumb; the pieces that are left keep their order.
+/// round it, or is dropped with its component if that is tiny; the components that are left keep their order.
 ///
 /// mesh      closed oriented 2-manifold with normals, its vertices on the surface. Positions, normals, components and
 ///           triangles are changed; other vertex arrays are the caller's to renumber

@@ -14,12 +14,17 @@
 
 namespace meniscus {
 
+/// A patch, and what of it may change.
+struct MendablePatch {
+    Patch patch;
+    std::vector<bool> free;  ///< per vertex: triangles round it may change. They lie within `room`, and stay there.
+    std::vector<bool> held;  ///< per vertex: it stays where it is, and so do edges to others of its kind
+    Box room;
+};
+
 class PatchMender {
 public:
-    /// free  per vertex of the patch: whether triangles round it may change. They lie within `room`, and stay there.
-    /// held  per vertex: whether it stays where it is, and so do edges to others of its kind
-    PatchMender(Patch patch, std::vector<bool> free, std::vector<bool> held, const Box& room,
-                const SliverOptions& options, const SurfaceProjector& project);
+    PatchMender(MendablePatch part, const SliverOptions& options, const SurfaceProjector& project);
 
     /// Mends small angles, short edges and what faces the wrong way, worst first. Often that is all that is tangled.
     void mend();
@@ -34,6 +39,13 @@ private:
     struct Candidate {
         Patch patch;
         double goodness = 0.0;  ///< of the worst triangle that changed
+    };
+
+    struct Limits {
+        double needed;  ///< tangents
+        double wanted;
+        double enough;
+        double shortest;  ///< edge, Å
     };
 
     std::optional<std::size_t> worst_triangle(const std::vector<std::size_t>& stuck) const;
@@ -66,7 +78,7 @@ private:
 
     void relax(Patch& patch, const std::vector<VertexId>& vertices);
     void move(Patch& patch, VertexId v);
-    const std::vector<SurfacePoint>& places_round(const SurfacePoint& centre, double step);
+    std::vector<SurfacePoint> places_round(const SurfacePoint& centre, double step) const;
 
     Patch patch_;
     std::vector<bool> free_;
@@ -74,11 +86,7 @@ private:
     Box room_;
     const SliverOptions& options_;
     const SurfaceProjector& project_;
-    double needed_;  // tangents
-    double wanted_;
-    double enough_;
-    double shortest_;  // edge, Å
-    std::vector<SurfacePoint> places_;
+    Limits limits_;
     std::size_t hard_tries_ = 0;
 };
 

@@ -53,8 +53,7 @@ public:
     const float* own() const { return around_[neighbour_slot(0, 0, 0)]; }
 
     Values by_plain_stencil() const {
-        std::array<float, kPaddedNodes> padded;
-        gather_padded<float>(grid_, field_, middle(), kFill, padded);
+        const auto padded = gather_padded<float>(grid_, field_, middle(), kFill);
         Values result;
         apply_stencil(kStencil, padded, result);
         return result;

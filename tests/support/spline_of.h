@@ -16,9 +16,8 @@ namespace meniscus::testing {
 /// A stencil applied to a whole field, with zero around it.
 inline std::vector<float> with_stencil(const Stencil& stencil, const BlockGrid& grid, const std::vector<float>& field) {
     std::vector<float> result(field.size());
-    std::vector<float> padded(kPaddedNodes);
     for (BlockId b = 0; b < grid.block_count(); ++b) {
-        gather_padded<float>(grid, field, b, 0.0F, std::span<float, kPaddedNodes>(padded));
+        const auto padded = gather_padded<float>(grid, field, b, 0.0F);
         apply_stencil(stencil, std::span<const float, kPaddedNodes>(padded),
                       std::span<float, kBlockNodes>(result.data() + std::size_t{b} * kBlockNodes, kBlockNodes));
     }
