@@ -38,7 +38,7 @@ struct MeanChange {
     double mean() const { return count > 0 ? sum / static_cast<double>(count) : 0.0; }
 };
 
-// Of |after - before| over the nodes with |after| < near.
+// The mean of |after - before| over the nodes with |after| < near.
 MeanChange change_near(std::span<const float> before, std::span<const float> after, float near) {
     return parallel_sum<MeanChange>(after.size(), kNodesPerChunk, [&](std::size_t begin, std::size_t end) {
         MeanChange part;

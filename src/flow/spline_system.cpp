@@ -88,7 +88,7 @@ const float* right_side(const SplineSystem& system, std::size_t k) {
     return system.b.values.data() + (all ? std::size_t{system.unknowns.blocks[k]} : k) * kBlockNodes;
 }
 
-// Of the blocks around the one that comes next, that which no block before had around it.
+// The only block around this one that was not around any block before.
 BlockId last_neighbour(const BlockGrid& grid, BlockId block) {
     return grid.neighbours(block)[static_cast<std::size_t>(neighbour_slot(1, 1, 1))];
 }

@@ -33,7 +33,7 @@ constexpr StencilWeights weights_of(const Stencil& s) {
 /// The nodes of the 27 blocks around and including one (see neighbour_slot); of a stand-in where there is no block.
 using BlocksAround = std::array<const float*, 27>;
 
-/// Those of a field of the grid, `missing` where there is no block.
+/// The blocks around one in a field of the grid, `missing` where there is no block.
 BlocksAround blocks_around(const BlockGrid& grid, std::span<const float> field, BlockId block, const float* missing);
 
 /// A set of a block's nodes: node (x, y, z) is bit x of rows[y + 8 z].
@@ -104,7 +104,7 @@ struct BlockKernels {
 /// The kernels that this machine can run, the slowest first: the plain ones.
 std::vector<BlockKernels> supported_block_kernels();
 
-/// Those with the instructions that the environment variable MENISCUS_INSTRUCTIONS names, else the fastest ones; the
+/// The kernels whose instructions the environment variable MENISCUS_INSTRUCTIONS names, else the fastest ones; the
 /// same from the first call to the end of the program.
 const BlockKernels& block_kernels();
 

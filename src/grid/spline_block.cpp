@@ -26,7 +26,7 @@ constexpr int kBefore = SplineCoefficients::kBefore;
 constexpr int kEdge = SplineCoefficients::kEdge;
 constexpr int kAfter = kEdge - kBefore - kBlockEdge;
 
-// Which nodes along an axis come from a block before the one in the middle, from itself, and from the one after it.
+// The nodes along an axis that come from the block before the one in the middle, from itself, or from the one after.
 struct NodesFrom {
     int begin;
     int end;
@@ -53,8 +53,7 @@ void copy_rows(const float* const* along_x, const NodesFrom& in_y, const NodesFr
 
 constexpr std::size_t kFewPoints = 8;  // cheaper one by one
 
-// Of a block's first node and of the last cell's far end: points that Newton's method may move over a border of the
-// block, or rounding has moved, are still near enough to it.
+// Points may be this far outside a block: Newton's method may move them over its border, and rounding may have done so.
 constexpr double kBeyond = 0.5;  // spacings
 
 bool is_near(const BlockGrid& grid, const Vec3& corner, const Vec3& point) {

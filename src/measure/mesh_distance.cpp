@@ -19,7 +19,7 @@ constexpr std::size_t kTrianglesPerTask = 256;  // triangles per task
 constexpr std::size_t kDivisions = 2;
 constexpr std::size_t kSamples = kDivisions * kDivisions;  // points that stand for equal parts of a triangle
 
-// Of every `step`-th triangle of a mesh, those with these numbers.
+// The triangles begin · step, (begin + 1) · step and so on up to end · step, without the last one.
 struct SomeTriangles {
     std::size_t step;
     std::size_t begin;

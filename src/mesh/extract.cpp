@@ -61,7 +61,7 @@ void enter_neighbour(const CutEdges& edges, LocalVertices& local) {
 // The triangles of all cases by entries of LocalVertices, counted from the entry of a cell's own node along x.
 class LocalTriangles {
 public:
-    // Those of a case; what comes after them up to the most that there are repeats the first one.
+    // The triangles of one case; after the last one, the array repeats the first one.
     struct Case {
         std::uint16_t count;
         std::array<std::array<std::uint16_t, 3>, kMaxCellTriangles> triangles;
@@ -235,14 +235,14 @@ template <class Roots>
 Mesh extract(const BlockGrid& grid, std::span<const LayerBits> inside, const Roots& roots) {
     const std::vector<CutEdges> edges = find_cut_edges(grid, inside);
     const CutEdges& totals = edges.back();
-    // Of a closed surface, whose genus is small against its size. They are numbered by 32 bits, as vertices are.
+    // A closed surface of small genus has no more triangles. They are numbered by 32 bits, as vertices are.
     const std::uint64_t triangles = 2 * totals.first_vertex + totals.first_vertex / 16;
     if (triangles > std::numeric_limits<std::uint32_t>::max())
         throw LimitError("the mesh would have " + std::to_string(totals.first_vertex) +
                          " vertices, more than are possible with 2^32 - 1 triangles; choose a larger --spacing");
     Mesh mesh;
     reserve_touched(mesh.vertices, with_spare(totals.first_vertex));
-    // Those of a sphere are likely, the others are seldom used; for more than these memory is found anew.
+    // A sphere's triangles are likely, the others are seldom used; for more than these memory is found anew.
     reserve_touched(mesh.triangles, triangles, 2 * totals.first_vertex);
     const BlockFiller<Roots> filler(grid, inside, edges, roots);
     if (is_alone()) {  // every block goes to where it stays, with nothing to append

@@ -146,14 +146,14 @@ private:
     static constexpr double kRoom = 0.25;   // Å: most points move less
     static constexpr double kMargin = 0.5;  // Å: points of a mesh are far nearer to the surface than this
 
-    // Those farther from the surface than the margin: a level set need not follow it.
+    // Labels outliers, farther from the surface than the margin: a level set need not follow it.
     void label_others(std::span<FeatureLabel> labels) {
         far_.enter(box_of(places_));
         far_.find(places_, std::span(labels_));
         for (std::size_t i = 0; i < others_.size(); ++i) labels[others_[i]] = labels_[i];
     }
 
-    // From where a step has led points that may have fallen short of the surface: most have not.
+    // Moves on the points that a step may have left short of the surface: it has not left most.
     void walk_on(BatchSteps& steps) {
         if (places_.empty()) return;
         const Box box = box_of(places_);
@@ -171,9 +171,9 @@ private:
     LocalFeatures local_;
     NearestBatch batch_;
     BoxFeatures far_;
-    std::vector<std::uint32_t> others_;             // lanes of points that what is done for all is not enough for
-    std::vector<Vec3> places_;                      // where these are
-    std::array<FeatureLabel, kBatchLanes> labels_;  // of them
+    std::vector<std::uint32_t> others_;             // lanes of outliers, for which one step or search is not enough
+    std::vector<Vec3> places_;                      // their places
+    std::array<FeatureLabel, kBatchLanes> labels_;  // of the outliers
 };
 
 constexpr std::size_t kGroupsPerTask = 2;
@@ -376,7 +376,7 @@ private:
         return left;
     }
 
-    // Of the vertices that are left.
+    // Projects the vertices that are left.
     void search() {
         const RunGroups groups(points_, kLongestRun * spacing_);
         parallel_chunks_with(
@@ -400,7 +400,7 @@ private:
         }
     }
 
-    // Those that are not on the surface, in rising order.
+    // The vertices that are not on the surface, in rising order.
     std::vector<VertexDistances::Off> off() const {
         std::vector<VertexDistances::Off> list;
         for (std::size_t i = 0; i < left_.size(); ++i)

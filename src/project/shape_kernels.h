@@ -38,7 +38,7 @@ struct ShapeKernels {
     void (*cap)(double limit, std::size_t count, ShapeLanes& lanes);
 };
 
-/// Those that this machine can run, the plainest first.
+/// The kernels that this machine can run, the plainest first.
 std::vector<ShapeKernels> supported_shape_kernels();
 
 /// The ones that are used, as in nearest_kernels().

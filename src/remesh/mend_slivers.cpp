@@ -24,7 +24,7 @@
 namespace meniscus {
 namespace {
 
-// In usual lengths of edges: how far from a bad triangle things change, and how far all is known.
+// How far from a bad triangle vertices may move, and how far all triangles are known, in usual lengths of edges.
 constexpr double kFree = 2.5;
 constexpr double kRoom = 5.0;
 
@@ -32,7 +32,7 @@ constexpr std::size_t kPlacesTogether = 32;  // places: what is cut out of the m
 
 constexpr double kCube = 4.0;  // see SliverOptions::most_bad
 
-// What is still below the needed angle then is mended with so many times as much round it.
+// A triangle that is still below the needed angle is mended again, with so many times the surroundings.
 constexpr double kWider = 2.0;
 
 // A bad triangle's neighbourhood: vertices in `free` may move, all triangles that reach into `room` are there.

@@ -16,23 +16,24 @@
 
 namespace meniscus {
 
-/// No mesh of ours has shorter edges, Å: coordinates with three decimals, or in single precision, stay apart. Where
-/// usual edges are so short that many would be, this part of theirs counts.
+/// Mended meshes have no shorter edges, Å: coordinates with three decimals, or in single precision, stay apart. Where
+/// usual edges are so short that many would be shorter, the limit is this part of a usual edge.
 inline constexpr double kShortestEdge = 0.02;
 inline constexpr double kShortestPart = 0.1;
 
 struct SliverOptions {
-    double needed_angle_deg = 5.0;    ///< below this one change alone may not do: more are tried together
+    double needed_angle_deg = 5.0;    ///< below this, many changes are tried together where one is not enough
     double smallest_angle_deg = 5.0;  ///< triangles with a smaller one are mended
-    double mended_angle_deg = 6.0;    ///< enough for a mended one
+    double mended_angle_deg = 6.0;    ///< of a mended triangle, at least
     double edge = 0.5;                ///< usual length of edges, Å
-    double longest_edge = 1.0;        ///< of those that are made, Å
-    bool search_everywhere = false;   ///< for places where the mesh passes through itself; else beside folds alone
+    double longest_edge = 1.0;        ///< of new edges, Å
+    bool search_everywhere = false;   ///< for places where the mesh passes through itself, not beside folds alone
     /// Triangles of a cube of four usual edges that may be bad, and that may pass through others: where there are more,
     /// the mesh is crumpled there and nothing is mended at all.
     std::size_t most_bad = std::numeric_limits<std::size_t>::max();
     std::size_t most_tangled = std::numeric_limits<std::size_t>::max();
-    /// Where more triangles than these are crumpled nobody looks whether they pass through each other: that takes long.
+    /// Where more triangles than these are crumpled, it is not tested whether they pass through each other: it takes
+    /// long.
     std::size_t most_crumpled = std::numeric_limits<std::size_t>::max();
     /// Tries of many changes together, some milliseconds each, after which mending ends with what is mended.
     std::size_t most_hard_tries = std::numeric_limits<std::size_t>::max();
@@ -55,7 +56,7 @@ struct SliverOptions {
 /// cost      a pass over the triangles, and about a millisecond for every triangle mended
 MeshChanges mend_slivers(Mesh& mesh, const SliverOptions& options, const SurfaceProjector& project);
 
-/// The same, where somebody has looked at all triangles before.
+/// The same after a look at all triangles.
 ///
 /// look   for the smallest angle and the shortest edge of the options
 MeshChanges mend_slivers(Mesh& mesh, const SliverOptions& options, const SurfaceProjector& project, FirstLook look);

@@ -14,7 +14,7 @@
 namespace meniscus {
 namespace {
 
-constexpr int kMostChanges = 200;  // of a patch
+constexpr int kMostChanges = 200;  // of one patch
 constexpr double kGain = 1e-3;     // of the tangent: less is not worth a change
 
 // What must hold afterwards unless it did not hold before: triangles face the way the surface does within 60 degrees,
@@ -29,7 +29,7 @@ constexpr double kFlat = 0.1;  // tangent: what parting triangles may leave to b
 constexpr std::array<double, 4> kRings{0.03, 0.08, 0.2, 0.4};
 constexpr int kPerRing = 8;
 
-// Changes that are tried together with moves of what they touch: those that begin best.
+// So many changes, those that begin best, are tried together with moves of what they touch.
 constexpr std::size_t kTriedTogether = 16;
 constexpr int kSweeps = 3;
 
@@ -67,8 +67,8 @@ bool PatchMender::untangle() {
     return true;
 }
 
-// Of the flips, collapses and splits of both triangles' edges, with moves round them and without, the one that leaves
-// the fewest crossings.
+// Takes the flip, collapse or split of one of both triangles' edges, with moves round it or without, that leaves the
+// fewest crossings.
 bool PatchMender::part(const std::pair<std::size_t, std::size_t>& crossing) {
     std::vector<Patch> candidates;
     std::vector<VertexId> corners;
@@ -165,8 +165,8 @@ bool PatchMender::try_collapses(const Triangle& corners, std::size_t triangle) {
     return false;
 }
 
-// Flips and collapses round the triangle, or else splits, each with moves of the corners of what it changed; the best
-// of all is taken.
+// Tries flips and collapses round the triangle, or else splits, each with moves of the corners of what it changed, and
+// takes the best of all.
 bool PatchMender::try_together(const Triangle& corners, std::size_t triangle, bool splits) {
     ++hard_tries_;
     std::vector<Candidate> candidates;
@@ -286,7 +286,7 @@ void PatchMender::relax(Patch& patch, const std::vector<VertexId>& vertices) {
         for (const VertexId v : vertices) move(patch, v);
 }
 
-// Takes the place round a vertex whose triangles are best.
+// Moves a vertex to the place near it that makes the best triangles.
 void PatchMender::move(Patch& patch, VertexId v) {
     if (!free_[v] || held_[v]) return;
     const std::vector<std::size_t> star = patch.star(v);

@@ -26,12 +26,13 @@ class PatchMender {
 public:
     PatchMender(MendablePatch part, const SliverOptions& options, const SurfaceProjector& project);
 
-    /// Mends small angles, short edges and what faces the wrong way, worst first. Often that is all that is tangled.
+    /// Mends small angles, short edges and triangles that face the wrong way, worst first. Often this untangles them,
+    /// too.
     void mend();
-    /// Parts triangles that pass through each other; what that leaves is to be mended again. False if there is nothing.
+    /// Parts triangles that pass through each other; the patch is to be mended again then. False if there are none.
     bool untangle();
     const Patch& patch() const { return patch_; }
-    /// How often one change alone did not do, and many were tried together: nearly all of the time goes there.
+    /// How often one change alone was not enough, and many were tried together: they take nearly all of the time.
     std::size_t hard_tries() const { return hard_tries_; }
 
 private:
@@ -62,8 +63,8 @@ private:
     bool is_free(const Triangle& corners) const { return free_[corners[0]] && free_[corners[1]] && free_[corners[2]]; }
     bool is_held(const Edge& edge) const { return held_[edge.first] && held_[edge.second]; }
     bool is_along_ridge(const Edge& edge) const;
-    /// Whether its ends and the corners opposite to it are free.
     bool makes_short_edges(const PatchShape& before, const PatchShape& after) const;
+    /// Whether an edge's ends and the corners opposite to it are free.
     bool is_between_free(const Edge& edge) const;
     /// The patch with an edge turned, with the edge's first end in its second, or with a vertex on the edge; nothing
     /// where that may not be.
