@@ -68,7 +68,7 @@ struct AxisProduct {
 struct BlockKernels {
     std::string_view instructions;  ///< "plain", "avx2" or "avx512"
 
-    /// image = stencil applied to the block in the middle, as apply_stencil() up to rounding.
+    /// image = stencil applied to the block in the middle.
     void (*apply)(const StencilWeights& weights, const BlocksAround& around, float* image);
 
     /// The same on the nodes of the set; the others keep what they have.

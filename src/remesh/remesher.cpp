@@ -205,7 +205,7 @@ private:
         }
         std::vector<VertexId> added(mesh_.points.size() - known);
         std::iota(added.begin(), added.end(), static_cast<VertexId>(known));
-        sort_by_place(added);
+        group_by_place(added);
         parallel_for(ridges.size(), 1, [&](std::size_t i) {
             ridges[i].place = point_on_ridge(mesh_.at(ridges[i].vertex), ridges[i].corners, project_);
         });
@@ -303,7 +303,7 @@ private:
         std::vector<VertexId> free;
         for (VertexId v = 0; v < moved.size(); ++v)
             if (is_free(v)) free.push_back(v);
-        sort_by_place(free);
+        group_by_place(free);
         for_chunks(free, [&](std::span<const VertexId> chunk) {
             for (const VertexId v : chunk) moved[v].position = relaxed(v);
             project_chunk(moved, chunk);
@@ -325,7 +325,7 @@ private:
             moved[v].position += steps[v];
             pushed.push_back(v);
         }
-        sort_by_place(pushed);
+        group_by_place(pushed);
         project_points(moved, pushed);
         std::swap(mesh_.points, moved);
         undo_where_turned(moved);
@@ -383,8 +383,8 @@ private:
         return mesh_.faces_out(mesh_.edges.origin(h), mesh_.edges.target(h), mesh_.edges.opposite(h));
     }
 
-    // Neighbours in space come together: those that edges were split into are in no order.
-    void sort_by_place(std::vector<VertexId>& vertices) const {
+    // Puts neighbours in space next to each other: new vertices come in no such order.
+    void group_by_place(std::vector<VertexId>& vertices) const {
         Box box;
         for (const VertexId v : vertices) box.include(mesh_.at(v));
         std::vector<std::uint64_t> cells;
@@ -402,7 +402,7 @@ private:
 
     std::vector<VertexId> vertices_by_cells() const {
         std::vector<VertexId> vertices = mesh_.edges.vertices();
-        sort_by_place(vertices);
+        group_by_place(vertices);
         return vertices;
     }
 
