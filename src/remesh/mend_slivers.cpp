@@ -65,7 +65,7 @@ public:
         nothing.crumpled = crowded(suspects.bad, options_.most_bad);
         if (nothing.crumpled.size() <= options_.most_crumpled)
             tangled_ = options_.search_everywhere ? self_intersecting_triangles(mesh_)
-                                                  : tangled_triangles(mesh_, boxes_, suspects.leaning, options_.edge);
+                                                  : tangled_triangles(mesh_, boxes_, suspects.leaning);
         nothing.was_tangled = !tangled_.empty();
         if (nothing.crumpled.empty()) nothing.crumpled = crowded(tangled_, options_.most_tangled);
         if (!nothing.crumpled.empty()) {

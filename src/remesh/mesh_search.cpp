@@ -5,44 +5,9 @@
 #include <algorithm>
 
 #include "core/parallel_list.h"
-#include "remesh/near_triangles.h"
 #include "remesh/self_intersections.h"
 
 namespace meniscus {
-namespace {
-
-constexpr std::size_t kLeaningPerTask = 256;
-constexpr double kNeighbours = 4.0;  // usual lengths of edges: triangles within such a cube share a search
-
-// How many triangles from the first one on lie so near to each other that they share what is near them.
-std::size_t neighbours_among(const Mesh& mesh, std::span<const std::uint32_t> triangles, double edge) {
-    Box all;
-    std::size_t count = 0;
-    for (; count < triangles.size(); ++count) {
-        all.include(box_of(mesh, mesh.triangles[triangles[count]]));
-        const Vec3 size = all.high - all.low;
-        if (std::max({size.x, size.y, size.z}) > kNeighbours * edge) break;
-    }
-    return std::max<std::size_t>(count, 1);
-}
-
-// Appends the triangles that pass through each other, one of two at least among some neighbours. `near` is memory.
-void find_tangled(std::span<const std::uint32_t> triangles, const MeshSearch& search, NearTriangles& near,
-                  std::vector<std::uint32_t>& numbers) {
-    const Mesh& mesh = search.mesh();
-    Box all;
-    for (const std::uint32_t t : triangles) all.include(box_of(mesh, mesh.triangles[t]));
-    near.clear();
-    search.for_each_near(all, [&](std::uint32_t t, const Box& box) { near.add(box, t); });
-    for (const std::uint32_t t : triangles) {
-        const HeldTriangle held(mesh, mesh.triangles[t]);
-        near.for_each_overlapping(box_of(mesh, mesh.triangles[t]), [&](std::uint32_t other) {
-            if (other != t && held.meeting(mesh, mesh.triangles[other])) numbers.insert(numbers.end(), {t, other});
-        });
-    }
-}
-
-}  // namespace
 
 // Bit by bit, the stretches of a chunk that overlap a box. This function and the next one have no branch, because the
 // processor would often guess it wrong.
@@ -67,16 +32,18 @@ std::uint64_t MeshSearch::triangles_near(const Box& box, std::size_t begin) cons
 }
 
 std::vector<std::uint32_t> tangled_triangles(const Mesh& mesh, const TriangleBoxes& boxes,
-                                             std::span<const std::uint32_t> leaning, double edge) {
+                                             std::span<const std::uint32_t> leaning) {
+    constexpr std::size_t kPerTask = 256;
     if (leaning.empty()) return {};
     const MeshSearch search(mesh, boxes);
     auto all = parallel_list<std::uint32_t>(
-        leaning.size(), kLeaningPerTask, [&](std::size_t begin, std::size_t end, auto& numbers) {
-            NearTriangles near;
-            while (begin < end) {
-                const std::size_t count = neighbours_among(mesh, leaning.subspan(begin, end - begin), edge);
-                find_tangled(leaning.subspan(begin, count), search, near, numbers);
-                begin += count;
+        leaning.size(), kPerTask, [&](std::size_t begin, std::size_t end, std::vector<std::uint32_t>& numbers) {
+            for (const std::uint32_t t : leaning.subspan(begin, end - begin)) {
+                const HeldTriangle held(mesh, mesh.triangles[t]);
+                search.for_each_near(box_of(mesh, mesh.triangles[t]), [&](std::uint32_t other, const Box&) {
+                    if (other != t && held.meeting(mesh, mesh.triangles[other]))
+                        numbers.insert(numbers.end(), {t, other});
+                });
             }
         });
     std::sort(all.begin(), all.end());

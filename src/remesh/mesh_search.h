@@ -24,8 +24,6 @@ public:
     /// Both must outlive the search. A triangle that leaves the box that its chunk has now may be missed afterwards.
     MeshSearch(const Mesh& mesh, const TriangleBoxes& boxes) : mesh_(mesh), boxes_(boxes), chunks_(boxes.chunks) {}
 
-    const Mesh& mesh() const { return mesh_; }
-
     /// Calls visit(triangle, its box) for all whose boxes overlap one.
     template <class Visit>
     void for_each_near(const Box& box, const Visit& visit) const {
@@ -53,9 +51,7 @@ private:
 };
 
 /// Triangles that pass through each other, one of two at least a leaning one (FirstLook); rising.
-///
-/// edge   usual length, Å
 std::vector<std::uint32_t> tangled_triangles(const Mesh& mesh, const TriangleBoxes& boxes,
-                                             std::span<const std::uint32_t> leaning, double edge);
+                                             std::span<const std::uint32_t> leaning);
 
 }  // namespace meniscus
