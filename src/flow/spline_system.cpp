@@ -88,20 +88,6 @@ const float* right_side(const SplineSystem& system, std::size_t k) {
     return system.b.values.data() + (all ? std::size_t{system.unknowns.blocks[k]} : k) * kBlockNodes;
 }
 
-// The only block around this one that was not around any block before.
-BlockId last_neighbour(const BlockGrid& grid, BlockId block) {
-    return grid.neighbours(block)[static_cast<std::size_t>(neighbour_slot(1, 1, 1))];
-}
-
-// Starts to load the nodes of a block into the cache. No processor foresees which block comes next.
-void fetch(const float* nodes) {
-    constexpr std::size_t kLine = 16;  // values
-    for (std::size_t n = 0; n < kBlockNodes; n += kLine) __builtin_prefetch(nodes + n);
-}
-void fetch(std::span<const float> field, BlockId block) {
-    if (block != kNoBlock) fetch(field.data() + std::size_t{block} * kBlockNodes);
-}
-
 NodeBits bits_of(const std::uint8_t* mask) {
     NodeBits bits{};
     for (std::size_t n = 0; n < kBlockNodes; ++n)
@@ -265,10 +251,6 @@ private:
         const auto surroundings = [&] { return Surroundings(field); };
         return sum_over<double>(end - first, surroundings, [&](Surroundings& of_x, std::size_t i) {
             const std::size_t k = first + i;
-            if (k + 1 < end) {
-                fetch(right_side(system_, k + 1));
-                fetch(x, last_neighbour(system_.grid, blocks_[k + 1]));
-            }
             return kernels.find_residual(weights_of(system_.stencil), of_x.around(blocks_[k]),
                                          system_.unknowns.nodes[k], right_side(system_, k),
                                          residual_.data() + std::size_t{places_[blocks_[k]]} * kBlockNodes);
@@ -282,7 +264,6 @@ private:
         const std::size_t end = begins_[layer + 1];
         parallel_for(end - first, kBlocksPerChunk, [&](std::size_t i) {
             const std::size_t k = first + i;
-            if (k + 1 < end) fetch(x, blocks_[k + 1]);
             const BlocksAround around = blocks_around(system_.grid.neighbours(blocks_[k]), places_, residual_);
             kernels.correct(weights_of(inverse), around, system_.unknowns.nodes[k],
                             x.data() + std::size_t{blocks_[k]} * kBlockNodes);

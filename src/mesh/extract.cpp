@@ -92,7 +92,6 @@ private:
 class Halfway {
 public:
     static double root_fraction(std::size_t /*block*/, std::size_t /*direction*/, std::size_t /*node*/) { return 0.5; }
-    static void fetch(std::size_t /*block*/) {}
 };
 
 // Where linear interpolation vanishes, but not near to nodes.
@@ -106,13 +105,6 @@ public:
         const double a = values_[block * kBlockNodes + node];
         const double b = value_beyond(block, direction, node);
         return std::min(std::max(nearest_, a / (a - b)), 1.0 - nearest_);
-    }
-
-    // Starts to bring a block into the cache: edges are cut here and there, which no processor foresees.
-    void fetch(std::size_t block) const {
-        constexpr std::size_t kLine = 16;  // values
-        const std::size_t end = std::min((block + 1) * kBlockNodes, values_.size());
-        for (std::size_t i = block * kBlockNodes; i < end; i += kLine) __builtin_prefetch(values_.data() + i);
     }
 
 private:
@@ -141,7 +133,6 @@ public:
 
     // Appends it.
     void fill(std::size_t block, Mesh& mesh) const {
-        roots_.fetch(block + 1);
         const NodesAround nodes = nodes_around(grid_, inside_, block);
         const LayerBits cut = cut_cells(nodes);
         if (cut == LayerBits{} && edges_[block + 1].first_vertex == edges_[block].first_vertex) return;
