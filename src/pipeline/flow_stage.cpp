@@ -164,7 +164,7 @@ FlowOutcome run_flow(const FlowTask& task, DistanceBand band) {
                                   .residual = at.residual,
                                   .solver_iterations = at.solver_iterations - iterations_before});
         iterations_before = at.solver_iterations;
-        if (run.progress) run.progress("flow", fraction);
+        if (task.run.progress) task.run.progress("flow", fraction);
     };
     const bool one_solve = is_one_solve(flow);  // uses up the band, and `start` with it
     EvolutionResult result =
