@@ -101,15 +101,13 @@ void sides_per_node(benchmark::State& state) {
 
 void solve_per_node_and_iteration(benchmark::State& state) {
     const Stage& on = stage(state);
-    NodeMask mask(on.grid.node_count());
-    for (std::size_t n = 0; n < mask.size(); ++n) mask[n] = std::abs(on.band.distance[n]) < 3.0 * on.spacing ? 1 : 0;
+    const Unknowns unknowns = nodes_near(on.grid, on.band.distance, static_cast<float>(3.0 * on.spacing));
     const BlockFill fill(on.grid.block_count(), 0.0F);
-    SplineSystem system(on.grid);
+    const SplineSystem system{on.grid, unknowns, spline_value(), fill, {on.band.distance}};
     constexpr int kIterations = 10;
     for (auto _ : state) {
         std::vector<float> x(on.grid.node_count());
-        system.solve(spline_value(), mask, fill, on.band.distance, x,
-                     {.tolerance = 0.0, .max_iterations = kIterations});
+        solve(system, x, {.tolerance = 0.0, .max_iterations = kIterations});
         benchmark::DoNotOptimize(x.data());
     }
     set_items(state, kIterations * on.grid.node_count());

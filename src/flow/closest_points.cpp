@@ -79,8 +79,7 @@ private:
     }
 
     void find_cut_nodes(BlockId block, std::vector<std::uint16_t>& cut) const {
-        std::array<float, kPaddedNodes> padded;
-        gather_padded<float>(grid_, values_, block, std::numeric_limits<float>::quiet_NaN(), padded);
+        const auto padded = gather_padded<float>(grid_, values_, block, std::numeric_limits<float>::quiet_NaN());
         for_each_node_of_block([&](int node, int entry) {
             const float own = padded[static_cast<std::size_t>(entry)];
             for (const int step : {1, kPaddedEdge, kPaddedEdge * kPaddedEdge})
@@ -95,8 +94,7 @@ private:
     }
 
     void spread_into(BlockId block) {
-        std::array<SeedId, kPaddedNodes> padded;
-        gather_padded<SeedId>(grid_, seed_of_, block, kNoSeed, padded);
+        const auto padded = gather_padded<SeedId>(grid_, seed_of_, block, kNoSeed);
         const std::size_t first = std::size_t{block} * kBlockNodes;
         if (std::all_of(padded.begin(), padded.end(), [](SeedId seed) { return seed == kNoSeed; })) {
             std::fill_n(next_.begin() + static_cast<std::ptrdiff_t>(first), kBlockNodes, kNoSeed);

@@ -26,7 +26,7 @@ struct DensityLimits {
 struct DensityKernels {
     std::string_view instructions;  ///< "plain", "avx2" or "avx512"
 
-    /// Of every atom its largest and its least term in the box, and whether it is within `reach` of the box: if not,
+    /// Finds every atom's largest and least term in the box, and whether the atom is within `reach` of the box: if not,
     /// both are 0. within: a bit for each (core/bits.h); the others have room for atoms.padded_size() numbers.
     void (*bound_terms)(const SphereList& atoms, const Box& box, double c, double reach, std::uint64_t* within,
                         double* largest, double* least);
@@ -40,7 +40,7 @@ struct DensityKernels {
     void (*find_values)(const DensityLimits& limits, const double* sums, float* values);
 };
 
-/// Those that this machine can run, the plainest first.
+/// The kernels that this machine can run, the plainest first.
 std::vector<DensityKernels> supported_density_kernels();
 
 /// The ones that are used, as in nearest_kernels().

@@ -38,7 +38,7 @@ struct MeanChange {
     double mean() const { return count > 0 ? sum / static_cast<double>(count) : 0.0; }
 };
 
-// Of |after - before| over the nodes with |after| < near.
+// The mean of |after - before| over the nodes with |after| < near.
 MeanChange change_near(std::span<const float> before, std::span<const float> after, float near) {
     return parallel_sum<MeanChange>(after.size(), kNodesPerChunk, [&](std::size_t begin, std::size_t end) {
         MeanChange part;
@@ -49,11 +49,11 @@ MeanChange change_near(std::span<const float> before, std::span<const float> aft
 }
 
 // |∇Φ| by central differences.
-NodeField computed_slope(const BlockGrid& grid, std::span<const float> values, const BlockFill& fill) {
-    NodeField slope(values.size(), 0.0F);
+NodeField computed_slope(const FilledField& field) {
+    const BlockGrid& grid = field.grid;
+    NodeField slope(grid.node_count(), 0.0F);
     parallel_for(grid.block_count(), 32, [&](std::size_t b) {
-        std::array<float, kPaddedNodes> padded;
-        gather_padded<float>(grid, values, static_cast<BlockId>(b), fill[b], padded);
+        const auto padded = gather_padded<float>(grid, field.values, static_cast<BlockId>(b), field.fill[b]);
         const auto scale = static_cast<float>(0.5 / grid.spacing());
         for (int node = 0; node < kBlockNodes; ++node) {
             const int x = node % kBlockEdge;
@@ -84,6 +84,52 @@ bool next_to_missing_block(const BlockGrid& grid, std::size_t entry) {
     return false;
 }
 
+// FlowOptions in Å and on the grid.
+struct StepConstants {
+    double tau;     // Å²
+    double lambda;  // Å^-2
+    float near;     // Å: unknowns are nearer
+    double width;   // Å: Φ is clamped to it where a reinitialiser runs
+};
+
+StepConstants constants_of(const FlowOptions& options, double h) {
+    return {.tau = options.time_step * h * h,
+            .lambda = options.anchor / (h * h),
+            .near = static_cast<float>(options.half_width * h),
+            .width = (options.half_width + kBandRim) * h};
+}
+
+// What the nodes that are not unknowns hold.
+struct HeldField {
+    BlockFill fill;
+    NodeField coefficients;
+};
+
+HeldField held_field(const BlockGrid& grid, std::span<const float> field, double margin) {
+    HeldField held{fill_by_sign(grid, field, margin), NodeField(grid.node_count(), 0.0F)};
+    apply_everywhere(spline_quasi_interpolant(), {grid, field, held.fill}, held.coefficients);
+    return held;
+}
+
+void reinitialise(const BlockGrid& grid, Reinitialiser by, double width, FlowState& state) {
+    switch (by) {
+        case Reinitialiser::None:
+            break;
+        case Reinitialiser::ClosestPoint:
+            state.values = distance_by_closest_points(grid, state.values, state.coefficients, width);
+            break;
+        case Reinitialiser::Paper:
+            reinitialise_upwind(grid, width, {}, state.values);
+            break;
+        case Reinitialiser::PaperLiteral:
+            reinitialise_upwind(grid, width, {.repaired = false}, state.values);
+            break;
+        case Reinitialiser::Godunov:
+            reinitialise_upwind(grid, width, {.stride = 1}, state.values);
+            break;
+    }
+}
+
 // One evolution in progress.
 class Evolution {
 public:
@@ -91,49 +137,49 @@ public:
         : fields_(fields),
           grid_(*fields.grid),
           options_(options),
-          tau_(options.time_step * grid_.spacing() * grid_.spacing()),
-          lambda_(options.anchor / (grid_.spacing() * grid_.spacing())),
-          near_(static_cast<float>(options.half_width * grid_.spacing())),
-          width_((options.half_width + kBandRim) * grid_.spacing()),
-          system_(grid_),
-          mask_(grid_.node_count()),
-          outside_(grid_.node_count(), 0.0F),
-          rhs_(grid_.node_count(), 0.0F) {
-        result_.state.values.assign(start.begin(), start.end());
-        if (anchored()) hold_outside(fields_.distance, fields_.margin);
-        result_.state.coefficients = options_.reinitialiser == Reinitialiser::ClosestPoint
-                                         ? interpolating_coefficients(grid_, start, options_.half_width + 1.0)
-                                         : outside_;
+          constants_(constants_of(options, grid_.spacing())),
+          next_(grid_.node_count(), 0.0F) {
+        FlowState& state = result_.state;
+        state.values.assign(start.begin(), start.end());
+        if (anchored()) held_ = held_field(grid_, fields.distance, fields.margin);
+        if (options.reinitialiser == Reinitialiser::ClosestPoint)
+            state.coefficients = interpolating_coefficients(grid_, start, options.half_width + 1.0);
+        else if (anchored())
+            state.coefficients = held_.coefficients;
+        else
+            state.coefficients.assign(grid_.node_count(), 0.0F);
     }
 
     // Advances by τ; returns what is left to go, in the units of the tolerance.
     double step() {
-        reinitialise();
-        if (!anchored()) hold_outside(result_.state.values, width_);
-        find_unknowns();
+        FlowState& state = result_.state;
+        reinitialise(grid_, options_.reinitialiser, constants_.width, state);
+        if (options_.reinitialiser != Reinitialiser::None) ++result_.reinitialisations;
+        if (!anchored()) held_ = held_field(grid_, state.values, constants_.width);
+        const NodeMask mask = find_unknowns();
         set_right_side();
-        const bool solved = solve();
-        apply_everywhere(grid_, spline_value(), result_.state.coefficients, fill_, rhs_);  // rhs_ becomes the new Φ
-        const std::span<const float> held =
-            anchored() ? fields_.distance : std::span<const float>(result_.state.values);
-        for_each_node(mask_.size(), [&](std::size_t n) {
-            if (mask_[n] == 0) rhs_[n] = held[n];
+        const bool solved = solve_step(mask);
+        apply_everywhere(spline_value(), {grid_, state.coefficients, held_.fill}, next_);
+        const std::span<const float> held = anchored() ? fields_.distance : std::span<const float>(state.values);
+        for_each_node(mask.size(), [&](std::size_t n) {
+            if (mask[n] == 0) next_[n] = held[n];
         });
-        const MeanChange change = change_near(result_.state.values, rhs_, static_cast<float>(grid_.spacing()));
+        const MeanChange change = change_near(state.values, next_, static_cast<float>(grid_.spacing()));
         vanished_ = change.count == 0;
-        result_.residual = change.mean() / tau_;
-        std::swap(result_.state.values, rhs_);
+        result_.residual = change.mean() / constants_.tau;
+        std::swap(state.values, next_);
         ++result_.steps;
-        result_.time += tau_;
+        result_.time += constants_.tau;
         if (!solved) return std::numeric_limits<double>::infinity();
-        return anchored() ? result_.residual / lambda_ / grid_.spacing() : result_.residual;
+        return anchored() ? result_.residual / constants_.lambda / grid_.spacing() : result_.residual;
     }
 
     // Whether the zero set is about to run off the nodes that there are.
     bool left_band() const {
+        const NodeField& values = result_.state.values;
         const auto h = static_cast<float>(grid_.spacing());
-        for (std::size_t n = 0; n < mask_.size(); ++n)
-            if (std::abs(result_.state.values[n]) < h && next_to_missing_block(grid_, n)) return true;
+        for (std::size_t n = 0; n < values.size(); ++n)
+            if (std::abs(values[n]) < h && next_to_missing_block(grid_, n)) return true;
         return false;
     }
 
@@ -144,66 +190,51 @@ public:
     EvolutionResult take() { return std::move(result_); }
 
 private:
-    // Nodes that are no unknowns keep `field`, and coefficients that take its values.
-    void hold_outside(std::span<const float> field, double margin) {
-        fill_ = fill_by_sign(grid_, field, margin);
-        apply_everywhere(grid_, spline_quasi_interpolant(), field, fill_, outside_);
-    }
-
-    void reinitialise() {
-        FlowState& state = result_.state;
-        switch (options_.reinitialiser) {
-            case Reinitialiser::None:
-                return;
-            case Reinitialiser::ClosestPoint:
-                state.values = distance_by_closest_points(grid_, state.values, state.coefficients, width_);
-                break;
-            case Reinitialiser::Paper:
-                reinitialise_upwind(grid_, width_, {}, state.values);
-                break;
-            case Reinitialiser::PaperLiteral:
-                reinitialise_upwind(grid_, width_, {.repaired = false}, state.values);
-                break;
-            case Reinitialiser::Godunov:
-                reinitialise_upwind(grid_, width_, {.stride = 1}, state.values);
-                break;
-        }
-        ++result_.reinitialisations;
-    }
-
     // With an anchor, the nodes near s: then the steady state is the same from every start. Those near the start, too,
-    // in the first step, whose Φ is far from s. Without an anchor, the nodes near Φ.
-    void find_unknowns() {
-        const bool near_values = !anchored() || (result_.steps == 0 && std::isfinite(tau_));
-        for_each_node(mask_.size(), [&](std::size_t n) {
-            const bool unknown = (anchored() && std::abs(fields_.distance[n]) < near_) ||
-                                 (near_values && std::abs(result_.state.values[n]) < near_);
-            mask_[n] = unknown ? 1 : 0;
-            if (!unknown || !anchored()) result_.state.coefficients[n] = outside_[n];
+    // in the first step, whose Φ is far from s. Without an anchor, the nodes near Φ. The others take the coefficients
+    // that are held.
+    NodeMask find_unknowns() {
+        FlowState& state = result_.state;
+        NodeMask mask(grid_.node_count());
+        const bool near_values = !anchored() || (result_.steps == 0 && std::isfinite(constants_.tau));
+        for_each_node(mask.size(), [&](std::size_t n) {
+            const bool unknown = (anchored() && std::abs(fields_.distance[n]) < constants_.near) ||
+                                 (near_values && std::abs(state.values[n]) < constants_.near);
+            mask[n] = unknown ? 1 : 0;
+            if (!unknown || !anchored()) state.coefficients[n] = held_.coefficients[n];
         });
+        return mask;
     }
 
     // Φ + τ(λ s - 2 H0 |∇Φ|), divided by τ where that is infinite.
     void set_right_side() {
-        const auto lambda = static_cast<float>(lambda_);
-        const bool steady = std::isinf(tau_);
+        const NodeField& values = result_.state.values;
+        const auto lambda = static_cast<float>(constants_.lambda);
+        const bool steady = std::isinf(constants_.tau);
         const float keep = steady ? 0.0F : 1.0F;
-        const float tau = steady ? 1.0F : static_cast<float>(tau_);
+        const float tau = steady ? 1.0F : static_cast<float>(constants_.tau);
         NodeField slope;
-        if (options_.slope == Slope::Computed) slope = computed_slope(grid_, result_.state.values, fill_);
-        for_each_node(mask_.size(), [&](std::size_t n) {
+        if (options_.slope == Slope::Computed) slope = computed_slope({grid_, values, held_.fill});
+        for_each_node(next_.size(), [&](std::size_t n) {
             const float curving = slope.empty() ? fields_.curvature[n] : fields_.curvature[n] * slope[n];
-            rhs_[n] = keep * result_.state.values[n] + tau * (lambda * fields_.distance[n] - 2.0F * curving);
+            next_[n] = keep * values[n] + tau * (lambda * fields_.distance[n] - 2.0F * curving);
         });
     }
 
-    bool solve() {
-        const double scale = std::isinf(tau_) ? lambda_ : 1.0 + tau_ * lambda_;
-        const Stencil matrix =
-            scale * spline_value() - (std::isinf(tau_) ? 1.0 : tau_) * spline_laplacian(grid_.spacing());
+    // Whether the solver reached its accuracy.
+    bool solve_step(const NodeMask& mask) {
+        const auto& [tau, lambda, near, width] = constants_;
+        const double scale = std::isinf(tau) ? lambda : 1.0 + tau * lambda;
+        const Unknowns unknowns = unknowns_of(mask);
+        const SplineSystem system{
+            .grid = grid_,
+            .unknowns = unknowns,
+            .stencil = scale * spline_value() - (std::isinf(tau) ? 1.0 : tau) * spline_laplacian(grid_.spacing()),
+            .fill = held_.fill,
+            .b = {next_}};
         const double tolerance = kSolverAccuracy * grid_.spacing() * scale;
-        const SolveResult solved = system_.solve(matrix, mask_, fill_, rhs_, result_.state.coefficients,
-                                                 {.solver = options_.solver, .tolerance = tolerance});
+        const SolveResult solved =
+            solve(system, result_.state.coefficients, {.solver = options_.solver, .tolerance = tolerance});
         result_.solver_iterations += solved.iterations;
         return solved.residual <= tolerance;
     }
@@ -211,15 +242,9 @@ private:
     const FlowFields& fields_;
     const BlockGrid& grid_;
     const FlowOptions& options_;
-    double tau_;
-    double lambda_;
-    float near_;
-    double width_;  // Å: Φ is clamped to it where a reinitialiser runs
-    SplineSystem system_;
-    BlockFill fill_;
-    NodeMask mask_;
-    NodeField outside_;  // coefficients of the nodes that are no unknowns
-    NodeField rhs_;
+    StepConstants constants_;
+    HeldField held_;
+    NodeField next_;  // the right side of a step, then the Φ that it leads to
     bool vanished_ = false;
     EvolutionResult result_;
 };
@@ -278,17 +303,18 @@ NodeField interpolating_coefficients(const BlockGrid& grid, std::span<const floa
     NodeMask mask(grid.node_count());
     for_each_node(mask.size(), [&](std::size_t n) { mask[n] = std::abs(values[n]) < near ? 1 : 0; });
     NodeField coefficients(grid.node_count(), 0.0F);
-    apply_everywhere(grid, spline_quasi_interpolant(), values, fill, coefficients);
-    SplineSystem system(grid);
-    system.solve(spline_value(), mask, fill, values, coefficients, {.tolerance = kSolverAccuracy * grid.spacing()});
+    apply_everywhere(spline_quasi_interpolant(), {grid, values, fill}, coefficients);
+    const Unknowns unknowns = unknowns_of(mask);
+    solve({grid, unknowns, spline_value(), fill, {values}}, coefficients,
+          {.tolerance = kSolverAccuracy * grid.spacing()});
     return coefficients;
 }
 
 NodeField sharp_curvature(const BlockGrid& grid, const DistanceBand& band, double half_width) {
     const NodeField coefficients = interpolating_coefficients(grid, band.distance, half_width);
     NodeField field(grid.node_count(), 0.0F);
-    apply_everywhere(grid, 0.5 * spline_laplacian(grid.spacing()), coefficients,
-                     fill_by_sign(grid, band.distance, band.margin), field);
+    apply_everywhere(0.5 * spline_laplacian(grid.spacing()),
+                     {grid, coefficients, fill_by_sign(grid, band.distance, band.margin)}, field);
     const auto near = static_cast<float>(half_width * grid.spacing());
     for_each_node(field.size(), [&](std::size_t n) {
         if (!(std::abs(band.distance[n]) < near)) field[n] = band.curvature[n];

@@ -72,7 +72,7 @@ public:
         return elementary::log(least) / scale < -margin ? Where::Inside : Where::Near;
     }
 
-    // Those of the box gone to.
+    // The atoms within reach of the current box.
     const SphereList& atoms() {
         atoms_.select(row_, within_.data());
         return atoms_;

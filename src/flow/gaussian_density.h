@@ -44,7 +44,7 @@ private:
     void evaluate(const BlockNodes& block, double margin, const SphereList& atoms,
                   std::span<float, kBlockNodes> values) const;
     double largest_exponent(const BlockNodes& block, int node, const SphereList& atoms) const;
-    /// Of the term of an atom of a list at squared distance d2 from its centre.
+    /// The exponent of an atom's term at squared distance d2 from its centre.
     double exponent(const SphereList& atoms, std::size_t i, double d2) const {
         const double radius = atoms.column(3)[i];
         return c_ * (d2 - radius * radius);

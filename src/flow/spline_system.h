@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,9 +21,15 @@ using NodeMask = std::vector<std::uint8_t>;
 /// One value per block for the nodes of its missing neighbours.
 using BlockFill = std::vector<float>;
 
-/// result = stencil applied to field, on all nodes of all blocks.
-void apply_everywhere(const BlockGrid& grid, const Stencil& stencil, std::span<const float> field,
-                      const BlockFill& fill, std::span<float> result);
+/// A field of the grid, and what it holds where blocks are missing.
+struct FilledField {
+    const BlockGrid& grid;
+    std::span<const float> values;
+    const BlockFill& fill;
+};
+
+/// ±margin, by the sign that prevails in each block: what its missing neighbours would hold.
+BlockFill fill_by_sign(const BlockGrid& grid, std::span<const float> field, double margin);
 
 /// The nodes that are unknowns, block by block.
 struct Unknowns {
@@ -33,15 +38,34 @@ struct Unknowns {
     std::size_t count = 0;
 };
 
-/// Those with |field| < near.
+/// The nodes of a mask.
+Unknowns unknowns_of(const NodeMask& mask);
+
+/// The nodes with |field| < near.
 Unknowns nodes_near(const BlockGrid& grid, std::span<const float> field, float near);
 
-/// ±margin, by the sign that prevails in each block: what its missing neighbours would hold.
-BlockFill fill_by_sign(const BlockGrid& grid, std::span<const float> field, double margin);
+/// result = stencil applied to field, on all nodes of all blocks.
+void apply_everywhere(const Stencil& stencil, const FilledField& field, std::span<float> result);
 
 /// result = stencil applied to field, on the unknowns; the other nodes keep what they have.
-void apply_within(const BlockGrid& grid, const Stencil& stencil, std::span<const float> field, const BlockFill& fill,
-                  const Unknowns& unknowns, std::span<float> result);
+void apply_within(const Unknowns& unknowns, const Stencil& stencil, const FilledField& field, std::span<float> result);
+
+/// What the stencil applied to x is to be on the unknowns.
+struct RightSide {
+    enum class Blocks { All, WithUnknowns };
+
+    std::span<const float> values;   ///< of all nodes of the blocks, one block after the other
+    Blocks of_blocks = Blocks::All;  ///< of the grid's blocks
+};
+
+/// The equations (stencil applied to x) = b on the unknowns, x given on all other nodes.
+struct SplineSystem {
+    const BlockGrid& grid;
+    const Unknowns& unknowns;
+    Stencil stencil;        ///< positive definite
+    const BlockFill& fill;  ///< what x is where blocks are missing
+    RightSide b;
+};
 
 struct SolveOptions {
     Solver solver = Solver::Cg;
@@ -54,69 +78,37 @@ struct SolveResult {
     double residual = 0.0;  ///< root mean square over the unknowns
 };
 
-/// What the stencil applied to x is to be on the unknowns.
-struct RightSide {
-    enum class Blocks { All, WithUnknowns };
-
-    std::span<const float> values;   ///< of all nodes of the blocks, one block after the other
-    Blocks of_blocks = Blocks::All;  ///< of the grid's blocks
-};
-
-/// Solves (stencil applied to x) = b on the nodes of the mask, x given on all others, by Richardson's iteration, by
-/// conjugate gradients or by GMRES restarted every 30 iterations, which needs as many vectors.
+/// Solves a system by Richardson's iteration, by conjugate gradients or by GMRES (flow/paper/gmres.h).
 ///
-/// The stencil must be positive definite. Sums run over blocks in fixed order: the same bits for any number of threads,
-/// and for any instructions (block_kernels.h). An iteration of the first is one pass over the blocks with unknowns,
-/// of the second two (docs/design/performance.md). Reuses its memory from solve to solve.
-class SplineSystem {
+/// Sums run over blocks in fixed order: the same bits for any number of threads, and for any instructions
+/// (block_kernels.h). An iteration of the first is one pass over the blocks with unknowns, of the second two
+/// (docs/design/performance.md).
+///
+/// x   start values on the unknowns, known values elsewhere; overwritten on the unknowns only
+SolveResult solve(const SplineSystem& system, std::span<float> x, const SolveOptions& options);
+
+/// Root mean square over the unknowns, of which there may be none.
+double root_mean_square(const Unknowns& unknowns, double squared_norm);
+
+/// The vectors of conjugate gradients and of GMRES: nodes of the blocks with unknowns, one block after the other.
+class KrylovVectors {
 public:
-    explicit SplineSystem(const BlockGrid& grid);
+    explicit KrylovVectors(const SplineSystem& system);
 
-    /// x: start values on the mask, known values elsewhere; overwritten on the mask only. b: on all nodes of the grid.
-    SolveResult solve(const Stencil& stencil, const NodeMask& mask, const BlockFill& fill, std::span<const float> b,
-                      std::span<float> x, const SolveOptions& options);
+    /// residual = direction = b - A x; returns its squared norm.
+    double begin(std::span<const float> x);
+    /// image = A direction
+    ImageProducts apply();
+    /// A step of conjugate gradients (BlockKernels::advance); returns the residual's squared norm.
+    double advance(const CgFactors& factors, std::span<float> x);
 
-    /// The same on the unknowns that are listed, with b on those blocks that it says.
-    SolveResult solve(const Stencil& stencil, Unknowns unknowns, const BlockFill& fill, const RightSide& b,
-                      std::span<float> x, const SolveOptions& options);
+    std::vector<float> residual;
+    std::vector<float> direction;
+    std::vector<float> image;
 
 private:
-    using Vector = std::vector<float>;  // nodes of the active blocks, one block after the other
-
-    SolveResult solve_richardson(const Stencil& stencil, const BlockFill& fill, const RightSide& b, std::span<float> x,
-                                 const SolveOptions& options);
-    SolveResult solve_cg(const Stencil& stencil, const BlockFill& fill, const RightSide& b, std::span<float> x,
-                         const SolveOptions& options);
-    SolveResult solve_gmres(const Stencil& stencil, const BlockFill& fill, const RightSide& b, std::span<float> x,
-                            const SolveOptions& options);
-    void set_unknowns(Unknowns unknowns);
-    void make_krylov_vectors();
-    void make_layers();
-    std::span<const BlockId> blocks_of(std::size_t layer) const {
-        return std::span(unknowns_.blocks).subspan(layers_[layer], layers_[layer + 1] - layers_[layer]);
-    }
-    double sweep(const Stencil& stencil, const std::optional<Stencil>& inverse, const BlockFill& fill,
-                 const RightSide& b, std::span<float> x);
-    double find_residual(const Stencil& stencil, const BlockFill& fill, const RightSide& b, std::span<const float> x,
-                         std::size_t layer);
-    void correct(const Stencil& inverse, std::span<float> x, std::size_t layer) const;
-    const float* right_side(const RightSide& b, std::size_t k) const;
-    void find_around(BlockId block, const Vector& vector, BlocksAround& around) const;
-    double begin(const Stencil& stencil, const BlockFill& fill, const RightSide& b, std::span<const float> x);
-    ImageProducts apply(const Stencil& stencil);
-    double advance(const CgFactors& factors, std::span<float> x);
-    double root_mean_square(double squared_norm) const;
-    double dot_image(const Vector& vector) const;
-    double subtract_from_image(const Vector& vector, double scale);
-    void add_to(std::span<float> x, const Vector& vector, double scale) const;
-
-    const BlockGrid* grid_;
-    Unknowns unknowns_;
-    std::vector<std::uint32_t> place_;  // of each block with unknowns in the vectors, else kNoBlock
-    std::vector<std::size_t> layers_;   // of Richardson's iteration: where they begin among the blocks
-    Vector residual_;                   // of Richardson's iteration: of the last few layers
-    Vector direction_;
-    Vector image_;  // stencil applied to direction
+    const SplineSystem& system_;
+    std::vector<std::uint32_t> places_;  // of each block of the grid in the vectors, else kNoBlock
 };
 
 }  // namespace meniscus

@@ -53,13 +53,15 @@ EvolutionResult solve_steady_state(const BlockGrid& grid, DistanceBand band, con
     EvolutionResult result;
     NodeField& coefficients = result.state.coefficients;
     const NodeField values = right_side(band, static_cast<float>(lambda), unknowns);
-    const RightSide b{values, RightSide::Blocks::WithUnknowns};
+    const SplineSystem system{.grid = grid,
+                              .unknowns = unknowns,
+                              .stencil = lambda * spline_value() - spline_laplacian(h),
+                              .fill = fill,
+                              .b = {values, RightSide::Blocks::WithUnknowns}};
     coefficients = std::move(band.curvature);  // which b holds now: its memory is used again
-    apply_everywhere(grid, spline_quasi_interpolant(), band.distance, fill, coefficients);
-    const SolveResult solved =
-        SplineSystem(grid).solve(lambda * spline_value() - spline_laplacian(h), unknowns, fill, b, coefficients,
-                                 {.solver = options.solver, .tolerance = tolerance});
-    apply_within(grid, spline_value(), coefficients, fill, unknowns, band.distance);
+    apply_everywhere(spline_quasi_interpolant(), {grid, band.distance, fill}, coefficients);
+    const SolveResult solved = solve(system, coefficients, {.solver = options.solver, .tolerance = tolerance});
+    apply_within(unknowns, spline_value(), {grid, coefficients, fill}, band.distance);
     result.state.values = std::move(band.distance);
     result.steps = 1;
     result.time = options.time_step;

@@ -22,7 +22,7 @@ public:
     NeighbourSearch(std::span<const BlockCoord> blocks, std::span<std::array<BlockId, 27>> around)
         : blocks_(blocks), around_(around) {}
 
-    // Of the blocks from one on, up to another.
+    // Finds what is around the blocks from `begin` to `end`.
     void find(std::size_t begin, std::size_t end) {
         for_each_row([&](std::size_t row, int dy, int dz) {
             const auto place = std::lower_bound(blocks_.begin(), blocks_.end(), beside(blocks_[begin], -1, dy, dz));

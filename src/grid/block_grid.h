@@ -107,11 +107,11 @@ private:
 inline constexpr int kPaddedEdge = kBlockEdge + 2;
 inline constexpr int kPaddedNodes = kPaddedEdge * kPaddedEdge * kPaddedEdge;
 
-/// Copies a block and the nodes next to it: padded node (x + 1) + 10 * ((y + 1) + 10 * (z + 1)).
+/// A block and the nodes next to it: padded node (x + 1) + 10 * ((y + 1) + 10 * (z + 1)).
 /// Nodes of missing blocks become `fill`.
 template <class T>
-void gather_padded(const BlockGrid& grid, std::span<const T> field, BlockId block, T fill,
-                   std::span<T, kPaddedNodes> padded) {
+std::array<T, kPaddedNodes> gather_padded(const BlockGrid& grid, std::span<const T> field, BlockId block, T fill) {
+    std::array<T, kPaddedNodes> padded;
     const auto& around = grid.neighbours(block);
     std::size_t to = 0;
     for (int z = -1; z <= kBlockEdge; ++z)
@@ -130,6 +130,7 @@ void gather_padded(const BlockGrid& grid, std::span<const T> field, BlockId bloc
                             kBlockEdge, padded.begin() + static_cast<std::ptrdiff_t>(to + 1));
             padded[to + kPaddedEdge - 1] = value(1, 0);
         }
+    return padded;
 }
 
 }  // namespace meniscus

@@ -15,13 +15,14 @@ namespace {
 
 }  // namespace
 
-void find_blocks_around(const BlockGrid& grid, std::span<const float> field, BlockId block, const float* missing,
-                        BlocksAround& around) {
+BlocksAround blocks_around(const BlockGrid& grid, std::span<const float> field, BlockId block, const float* missing) {
     const auto& neighbours = grid.neighbours(block);
+    BlocksAround around;
     for (std::size_t slot = 0; slot < neighbours.size(); ++slot) {
         const BlockId b = neighbours[slot];
         around[slot] = b == kNoBlock ? missing : field.data() + std::size_t{b} * kBlockNodes;
     }
+    return around;
 }
 
 std::vector<BlockKernels> supported_block_kernels() { return kernels_of_this_machine(); }

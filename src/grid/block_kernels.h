@@ -6,6 +6,7 @@
 // operations in the same order, no fused multiply-add, one sum for each place in a row of eight nodes.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -30,11 +31,10 @@ constexpr StencilWeights weights_of(const Stencil& s) {
 }
 
 /// The nodes of the 27 blocks around and including one (see neighbour_slot); of a stand-in where there is no block.
-using BlocksAround = const float* [27];
+using BlocksAround = std::array<const float*, 27>;
 
-/// Sets them for a field of the grid, `missing` where there is no block.
-void find_blocks_around(const BlockGrid& grid, std::span<const float> field, BlockId block, const float* missing,
-                        BlocksAround& around);
+/// The blocks around one in a field of the grid, `missing` where there is no block.
+BlocksAround blocks_around(const BlockGrid& grid, std::span<const float> field, BlockId block, const float* missing);
 
 /// A set of a block's nodes: node (x, y, z) is bit x of rows[y + 8 z].
 struct NodeBits {
@@ -68,7 +68,7 @@ struct AxisProduct {
 struct BlockKernels {
     std::string_view instructions;  ///< "plain", "avx2" or "avx512"
 
-    /// image = stencil applied to the block in the middle, as apply_stencil() up to rounding.
+    /// image = stencil applied to the block in the middle.
     void (*apply)(const StencilWeights& weights, const BlocksAround& around, float* image);
 
     /// The same on the nodes of the set; the others keep what they have.
@@ -104,7 +104,7 @@ struct BlockKernels {
 /// The kernels that this machine can run, the slowest first: the plain ones.
 std::vector<BlockKernels> supported_block_kernels();
 
-/// Those with the instructions that the environment variable MENISCUS_INSTRUCTIONS names, else the fastest ones; the
+/// The kernels whose instructions the environment variable MENISCUS_INSTRUCTIONS names, else the fastest ones; the
 /// same from the first call to the end of the program.
 const BlockKernels& block_kernels();
 

@@ -94,7 +94,7 @@ std::vector<LevelSetSample> LevelSet::samples(std::span<const Vec3> points) cons
 
 Vec3 LevelSet::project(const Vec3& point) const {
     SplineCursor cursor(*grid_, coefficients_);
-    return land_on_zero_set(cursor, point, spacing()).point;
+    return project_to_zero_set(cursor, point, spacing()).point;
 }
 
 Vec3 LevelSet::closest_point(const Vec3& point) const {
@@ -116,7 +116,7 @@ std::vector<Vec3> LevelSet::closest_points(std::span<const Vec3> points) const {
 double LevelSet::intersect(const Vec3& origin, const Vec3& direction, double length) const {
     if (!is_finite(origin) || !is_finite(direction) || !(norm(direction) > 0.0) || std::isnan(length))
         throw UsageError("a ray needs a finite origin, a finite direction that is not zero, and a length");
-    return first_crossing(*grid_, coefficients_, low_, high_, {origin, normalised(direction), length});
+    return first_crossing(*grid_, coefficients_, {low_, high_}, {origin, normalised(direction), length});
 }
 
 }  // namespace meniscus

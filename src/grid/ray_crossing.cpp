@@ -152,7 +152,7 @@ private:
 
 }  // namespace
 
-double first_crossing(const BlockGrid& grid, std::span<const float> coefficients, const Vec3& low, const Vec3& high,
+double first_crossing(const BlockGrid& grid, std::span<const float> coefficients, const GridBounds& bounds,
                       const Ray& ray) {
     const double h = grid.spacing();
     const auto in_spacings = [&](const Vec3& p) {
@@ -160,7 +160,7 @@ double first_crossing(const BlockGrid& grid, std::span<const float> coefficients
         return std::array<double, 3>{q.x, q.y, q.z};
     };
     const Line line{in_spacings(ray.origin), {ray.direction.x, ray.direction.y, ray.direction.z}};
-    const Stretch stretch = clipped(line, {0.0, ray.length / h}, in_spacings(low), in_spacings(high));
+    const Stretch stretch = clipped(line, {0.0, ray.length / h}, in_spacings(bounds.low), in_spacings(bounds.high));
     const auto found = stretch.empty() ? std::nullopt : Crossing(grid, coefficients, line).find(stretch);
     return found ? h * *found : std::numeric_limits<double>::infinity();
 }

@@ -16,10 +16,14 @@ struct Ray {
     double length = 0.0;  ///< Å, may be infinite
 };
 
+/// Corners of a box that holds all blocks of a grid, Å.
+struct GridBounds {
+    Vec3 low;
+    Vec3 high;
+};
+
 /// Distance along the ray, Å, or infinity.
-///
-/// low, high  corners of a box that holds all blocks, Å
-double first_crossing(const BlockGrid& grid, std::span<const float> coefficients, const Vec3& low, const Vec3& high,
+double first_crossing(const BlockGrid& grid, std::span<const float> coefficients, const GridBounds& bounds,
                       const Ray& ray);
 
 }  // namespace meniscus

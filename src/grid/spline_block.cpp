@@ -26,7 +26,7 @@ constexpr int kBefore = SplineCoefficients::kBefore;
 constexpr int kEdge = SplineCoefficients::kEdge;
 constexpr int kAfter = kEdge - kBefore - kBlockEdge;
 
-// Which nodes along an axis come from a block before the one in the middle, from itself, and from the one after it.
+// The nodes along an axis that come from the block before the one in the middle, from itself, or from the one after.
 struct NodesFrom {
     int begin;
     int end;
@@ -53,8 +53,7 @@ void copy_rows(const float* const* along_x, const NodesFrom& in_y, const NodesFr
 
 constexpr std::size_t kFewPoints = 8;  // cheaper one by one
 
-// Of a block's first node and of the last cell's far end: points that Newton's method may move over a border of the
-// block, or rounding has moved, are still near enough to it.
+// Points may be this far outside a block: Newton's method may move them over its border, and rounding may have done so.
 constexpr double kBeyond = 0.5;  // spacings
 
 bool is_near(const BlockGrid& grid, const Vec3& corner, const Vec3& point) {
@@ -78,8 +77,10 @@ SplineBlock::SplineBlock(const BlockGrid& grid, std::span<const float> coefficie
     around_.values.fill(kNoValue);
 }
 
-void SplineBlock::land(std::span<const Vec3> points, std::span<Landing> landings) {
-    const auto one_by_one = [&](std::size_t i) { landings[i] = land_on_zero_set(cursor_, points[i], grid_.spacing()); };
+void SplineBlock::project(std::span<const Vec3> points, std::span<SplineProjection> projections) {
+    const auto one_by_one = [&](std::size_t i) {
+        projections[i] = project_to_zero_set(cursor_, points[i], grid_.spacing());
+    };
     for (std::size_t begin = 0; begin < points.size();) {
         const BlockCoord at = block_of(grid_, points[begin]);
         const Vec3 corner = grid_.corner(at);
@@ -88,10 +89,10 @@ void SplineBlock::land(std::span<const Vec3> points, std::span<Landing> landings
         const BlockId block = end - begin < kFewPoints ? kNoBlock : grid_.find(at);
         if (block != kNoBlock) {
             enter(block);
-            kernels_.land(around_, points.subspan(begin, end - begin), &landings[begin]);
+            kernels_.project(around_, points.subspan(begin, end - begin), &projections[begin]);
         }
         for (std::size_t i = begin; i < end; ++i)
-            if (block == kNoBlock || std::isnan(landings[i].sample.value)) one_by_one(i);
+            if (block == kNoBlock || std::isnan(projections[i].sample.value)) one_by_one(i);
         begin = end;
     }
 }
@@ -102,11 +103,10 @@ void SplineBlock::enter(BlockId block) {
     const BlockCoord& at = grid_.coord(block);
     const auto first_node = [](std::int32_t coord) { return std::int64_t{kBlockEdge} * coord - kBefore; };
     around_.first = {first_node(at.x), first_node(at.y), first_node(at.z)};
-    BlocksAround blocks;
-    find_blocks_around(grid_, coefficients_, block, kNothing.data(), blocks);
+    const BlocksAround blocks = blocks_around(grid_, coefficients_, block, kNothing.data());
     for (std::size_t z = 0; z < 3; ++z)
         for (std::size_t y = 0; y < 3; ++y)
-            copy_rows(blocks + 3 * (y + 3 * z), kNodesFrom[y], kNodesFrom[z], around_.values.data());
+            copy_rows(blocks.data() + 3 * (y + 3 * z), kNodesFrom[y], kNodesFrom[z], around_.values.data());
 }
 
 }  // namespace meniscus

@@ -17,10 +17,10 @@ public:
     SplineBlock(const BlockGrid& grid, std::span<const float> coefficients,
                 const SplineKernels& kernels = spline_kernels());
 
-    /// As land_on_zero_set from every point, with the same bits.
+    /// As project_to_zero_set from every point, with the same bits.
     ///
-    /// cost     0.1 µs a point where many in a row are in the same block; else that of land_on_zero_set
-    void land(std::span<const Vec3> points, std::span<Landing> landings);
+    /// cost     0.1 µs a point where many in a row are in the same block; else that of project_to_zero_set
+    void project(std::span<const Vec3> points, std::span<SplineProjection> projections);
 
 private:
     void enter(BlockId block);

@@ -56,17 +56,11 @@ bool SplineCursor::move_to_cell(const std::array<std::int64_t, 3>& node) {
     return inside;
 }
 
-BlockId SplineCursor::find_block(const BlockCoord& at) {
-    if (block_ != kNoBlock && at == place_of_block_) return block_;
-    place_of_block_ = at;
-    return block_ = grid_->find(at);
-}
-
 bool SplineCursor::load(const std::array<std::int64_t, 3>& node) {
-    const BlockId found =
-        find_block({.z = block_of_node(node[2]), .y = block_of_node(node[1]), .x = block_of_node(node[0])});
-    return found != kNoBlock &&
-           copy_coefficients(found, {place_in_block(node[0]), place_in_block(node[1]), place_in_block(node[2])});
+    const BlockCoord at{.z = block_of_node(node[2]), .y = block_of_node(node[1]), .x = block_of_node(node[0])};
+    if (block_ == kNoBlock || at != grid_->coord(block_)) block_ = grid_->find(at);
+    return block_ != kNoBlock &&
+           copy_coefficients(block_, {place_in_block(node[0]), place_in_block(node[1]), place_in_block(node[2])});
 }
 
 bool SplineCursor::copy_coefficients(BlockId block, const std::array<int, 3>& node) {
@@ -121,7 +115,7 @@ LevelSetSample first_order_sample(const SplineCursor& cursor) {
 }
 
 template <bool kSecondOrder>
-Landing land(SplineCursor& cursor, const Vec3& point, double spacing) {
+SplineProjection project(SplineCursor& cursor, const Vec3& point, double spacing) {
     constexpr int kMaxIterations = 6;
     constexpr int kUsuallyThere = 2;  // from this iteration on second derivatives are not in vain
     const double close_enough = 1e-7 * spacing;
@@ -143,12 +137,12 @@ Landing land(SplineCursor& cursor, const Vec3& point, double spacing) {
 
 }  // namespace
 
-Landing land_on_zero_set(SplineCursor& cursor, const Vec3& point, double spacing) {
-    return land<true>(cursor, point, spacing);
+SplineProjection project_to_zero_set(SplineCursor& cursor, const Vec3& point, double spacing) {
+    return project<true>(cursor, point, spacing);
 }
 
-Landing land_on_zero_set_first_order(SplineCursor& cursor, const Vec3& point, double spacing) {
-    return land<false>(cursor, point, spacing);
+SplineProjection project_to_zero_set_first_order(SplineCursor& cursor, const Vec3& point, double spacing) {
+    return project<false>(cursor, point, spacing);
 }
 
 }  // namespace meniscus

@@ -48,24 +48,22 @@ private:
         return {local_.data(), kSupport, std::size_t{kSupport} * kSupport, place_, steps_per_length_};
     }
     bool load(const std::array<std::int64_t, 3>& node);
-    BlockId find_block(const BlockCoord& at);
     bool copy_coefficients(BlockId block, const std::array<int, 3>& node);
 
     const BlockGrid* grid_;
     std::span<const float> coefficients_;
     const SplineKernels* kernels_;
     double steps_per_length_;
-    BlockCoord place_of_block_{};
-    BlockId block_ = kNoBlock;  // there, if it has been looked up and exists
+    BlockId block_ = kNoBlock;  // the last one that was found
     std::array<std::int64_t, 3> node_{kNowhere, kNowhere, kNowhere};
     std::array<double, 3> place_{};
     std::array<float, kCoefficients> local_;  // x fastest
 };
 
 /// LevelSet::project. All of the sample is NaN outside the band.
-Landing land_on_zero_set(SplineCursor& cursor, const Vec3& point, double spacing);
+SplineProjection project_to_zero_set(SplineCursor& cursor, const Vec3& point, double spacing);
 /// The same without the second derivatives: NaN.
-Landing land_on_zero_set_first_order(SplineCursor& cursor, const Vec3& point, double spacing);
+SplineProjection project_to_zero_set_first_order(SplineCursor& cursor, const Vec3& point, double spacing);
 
 /// What a query of a point outside the band returns: NaN throughout.
 LevelSetSample nowhere();

@@ -19,7 +19,7 @@
 namespace meniscus {
 namespace {
 
-constexpr double kCloseEnough = 1e-7;  // of a spacing: |Φ| of a landing
+constexpr double kCloseEnough = 1e-7;  // of a spacing: |Φ| of a projection
 constexpr int kUsualSteps = 2;         // of Newton's method
 constexpr int kMostSteps = 4;          // after them
 

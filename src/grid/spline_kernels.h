@@ -23,7 +23,7 @@ struct ValueAndGradient {
 };
 
 /// Where a projection ends, and the spline there.
-struct Landing {
+struct SplineProjection {
     Vec3 point;
     LevelSetSample sample;
 };
@@ -54,9 +54,9 @@ struct SplineKernels {
     double (*value)(const PlaceInCell& at);
     ValueAndGradient (*value_and_gradient)(const PlaceInCell& at);
     LevelSetSample (*sample)(const PlaceInCell& at);
-    /// Projects points onto the zero set by Newton's method. A landing's value is NaN where that fails or leads out of
+    /// Projects points onto the zero set by Newton's method. The sample's value is NaN where that fails or leads out of
     /// the cells that the coefficients are of.
-    void (*land)(const SplineCoefficients& spline, std::span<const Vec3> points, Landing* landings);
+    void (*project)(const SplineCoefficients& spline, std::span<const Vec3> points, SplineProjection* found);
 };
 
 /// All sets that this machine can run, the plain one first.

@@ -3,12 +3,6 @@
 // Symmetric 27-point stencils on a block: what the tri-cubic B-spline needs on a uniform grid.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <span>
-
-#include "grid/block_grid.h"
-
 namespace meniscus {
 
 /// Coefficients of a node by how many axes it differs in: centre 1, face 6, edge 12, corner 8 nodes.
@@ -58,10 +52,5 @@ constexpr Stencil spline_laplacian(double spacing) {
 /// Coefficients from values, to fourth order where the values are smooth: (-1, 8, -1)/6 per axis.
 /// A local stand-in for the inverse of B, whose error the flow damps (docs/design/flow.md).
 constexpr Stencil spline_quasi_interpolant() { return tensor_cube(8.0 / 6.0, -1.0 / 6.0); }
-
-/// Applies a stencil to all nodes of a block, given with one layer around it (gather_padded): the
-/// plain twin of BlockKernels::apply, which is what runs.
-void apply_stencil(const Stencil& stencil, std::span<const float, kPaddedNodes> padded,
-                   std::span<float, kBlockNodes> result);
 
 }  // namespace meniscus

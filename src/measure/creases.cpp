@@ -27,8 +27,11 @@ void follow_creases(const Mesh& mesh, std::span<const Triangle> triangles, std::
             lane_of[count] = lane;
             for (std::size_t k = 0; k < 3; ++k) {
                 const VertexId v = triangles[lane][k];
-                some.corners[k].set(count, lanes.points[k].at(lane), lanes.normals[k].at(lane), mesh.mean_curvatures[v],
-                                    mesh.gaussian_curvatures[v]);
+                CreasedLanes::Corner& corner = some.corners[k];
+                corner.point.set(count, lanes.points[k].at(lane));
+                corner.normal.set(count, lanes.normals[k].at(lane));
+                corner.mean_curvature[count] = mesh.mean_curvatures[v];
+                corner.gaussian_curvature[count] = mesh.gaussian_curvatures[v];
             }
         }
         for_each_bit(triangle_kernels().measure_over_creases(some, count), [&](std::size_t i) {

@@ -19,11 +19,17 @@ constexpr std::size_t kTrianglesPerTask = 256;  // triangles per task
 constexpr std::size_t kDivisions = 2;
 constexpr std::size_t kSamples = kDivisions * kDivisions;  // points that stand for equal parts of a triangle
 
-// Looks at every `step`-th triangle and calls visit(sample, triangle, point, nearest feature) for kSamples points of
-// each, those of one task in order.
+// The triangles begin · step, (begin + 1) · step and so on up to end · step, without the last one.
+struct SomeTriangles {
+    std::size_t step;
+    std::size_t begin;
+    std::size_t end;
+};
+
+// Calls visit(sample, triangle, point, nearest feature) for kSamples points of each triangle, in order.
 template <class Visit>
-void look_at_parts(const Mesh& mesh, const AccessibleSurface& surface, std::size_t step, std::size_t begin,
-                   std::size_t end, const Visit& visit) {
+void look_at_parts(const Mesh& mesh, const SomeTriangles& some, const AccessibleSurface& surface, const Visit& visit) {
+    const auto [step, begin, end] = some;
     std::vector<Vec3> points;
     for (std::size_t k = begin; k < end; ++k)
         for_each_part(mesh, mesh.triangles[k * step], kDivisions, [&](const Vec3& p) { points.push_back(p); });
@@ -51,7 +57,7 @@ TwoSidedDistance measure_distance(const Mesh& mesh, const ExactSurface& exact) {
     WeightedDistances to_exact(kSamples * mesh.triangles.size());
     WeightedDistances from_exact(kSamples * mesh.triangles.size());
     parallel_chunks(mesh.triangles.size(), kTrianglesPerTask, [&](std::size_t begin, std::size_t end) {
-        look_at_parts(mesh, surface, 1, begin, end,
+        look_at_parts(mesh, {1, begin, end}, surface,
                       [&](std::size_t sample, std::size_t triangle, const Vec3& point, const NearestFeature& nearest) {
                           const double area = area_of(mesh, mesh.triangles[triangle]);
                           const Vec3 foot = point - nearest.signed_distance * nearest.normal;
@@ -67,7 +73,7 @@ double mean_distance_to_exact(const Mesh& mesh, const AccessibleSurface& surface
     const std::size_t count = (mesh.triangles.size() + step - 1) / step;
     const auto sums = parallel_sum<DistanceSums>(count, kTrianglesPerTask, [&](std::size_t begin, std::size_t end) {
         DistanceSums part;
-        look_at_parts(mesh, surface, step, begin, end,
+        look_at_parts(mesh, {step, begin, end}, surface,
                       [&](std::size_t, std::size_t triangle, const Vec3&, const NearestFeature& nearest) {
                           const double area = area_of(mesh, mesh.triangles[triangle]);
                           part += {area * std::abs(nearest.signed_distance), area};

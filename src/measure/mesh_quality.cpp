@@ -27,7 +27,7 @@ constexpr std::size_t kSampled = 64;                  // of so many triangles on
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr std::array<double, 3> kParts{0.05, 0.5, 0.95};
-// Of the values that such parts of all are below.
+// Brackets of the values that these parts of all are below.
 using Brackets = std::array<Bracket, kParts.size()>;
 constexpr Bracket kAll{-kInfinity, kInfinity};
 constexpr Brackets kNoBrackets{kAll, kAll, kAll};
@@ -35,7 +35,7 @@ constexpr Brackets kNoBrackets{kAll, kAll, kAll};
 // What Percentiles tells of many values: of most it is only seen on which side of a bracket they are.
 class Distribution {
 public:
-    // Those that are marked, of lanes that all hold values.
+    // Adds the marked ones of some lanes, which all hold values.
     void add(const Lanes& values, std::uint64_t which, const Brackets& brackets) {
         const TriangleKernels& kernels = triangle_kernels();
         count_ += static_cast<std::size_t>(std::popcount(which));
@@ -86,11 +86,11 @@ public:
     }
 
 private:
-    // Of the values that a part of all is below, if all were sorted.
+    // The place, if all were sorted, of the value that a part of them is below.
     std::size_t rank(std::size_t k) const {
         return static_cast<std::size_t>(std::lround(kParts[k] * static_cast<double>(count_ - 1)));
     }
-    // Those before `from` are known to be no larger than the others.
+    // The values before `from` are known to be no larger than the others.
     std::vector<double>::const_iterator nth_within(std::size_t k, std::size_t from, std::size_t place) {
         const auto begin = within_[k].begin();
         const auto at = begin + static_cast<std::ptrdiff_t>(place);

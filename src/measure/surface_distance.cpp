@@ -24,7 +24,7 @@ std::size_t divisions_of(double area, double density) {
     return static_cast<std::size_t>(std::max(2.0, std::ceil(std::sqrt(density * area))));
 }
 
-// Of the triangles before each, and of all.
+// How many points the triangles before each have, and all.
 std::vector<std::size_t> numbers_of_points(const Mesh& mesh, double density) {
     std::vector<std::size_t> sums{0};
     sums.reserve(mesh.triangles.size() + 1);

@@ -39,7 +39,7 @@ struct TriangleLanes {
     SmallLanes facing{};          ///< at the first corner
     SmallLanes least_facing{};    ///< the smallest of the three
     SmallLanes squared_normal{};  ///< the triangle's
-    /// Of the four parts of each, split at the middles of the arcs over its sides (measure/corrected.h).
+    /// Sums over the four parts of each, split at the middles of the arcs over its sides (measure/corrected.h).
     SmallLanes parts_two_areas{};
     Lanes parts_six_volumes{};
 };
@@ -73,17 +73,10 @@ struct CreasedLanes {
         LanesOf<float, SmallVec3, kCount> normal;
         SmallNumbers mean_curvature{};      ///< Å^-1
         SmallNumbers gaussian_curvature{};  ///< Å^-2
-
-        void set(std::size_t lane, const Vec3& p, const SmallVec3& n, float mean, float gaussian) {
-            point.set(lane, p);
-            normal.set(lane, n);
-            mean_curvature[lane] = mean;
-            gaussian_curvature[lane] = gaussian;
-        }
     };
     std::array<Corner, 3> corners;
 
-    /// Of the four parts of each, split at its creases and at the middles of the arcs over its other sides.
+    /// Sums over the four parts of each, split at its creases and at the middles of the arcs over its other sides.
     Numbers two_areas{};
     Numbers six_volumes{};
 };
@@ -136,21 +129,22 @@ struct HalfStar {
 struct TriangleKernels {
     std::string_view instructions;  ///< "plain", "avx2" or "avx512"
 
-    /// Where the corners of at most kLanes triangles are, from an origin, and the normals there unless they are null.
+    /// Copies the corners of at most kLanes triangles, from an origin, and the normals there unless they are null.
     void (*gather)(const Vec3* points, const SmallVec3* normals, std::span<const Triangle> triangles,
                    const Vec3& origin, TriangleLanes& lanes);
     /// After gather.
     void (*measure_shapes)(const TriangleLanes& lanes, TriangleShapes& shapes);
-    /// Of all lanes.
+    /// Finds which of all lanes are below and within a bracket.
     BracketMarks (*bracket)(const Lanes& values, const Bracket& bracket);
-    /// All that needs no normals.
+    /// Measures all that needs no normals.
     void (*measure)(TriangleLanes& lanes);
-    /// All but the parts.
+    /// Measures all but the parts.
     void (*measure_with_normals)(TriangleLanes& lanes);
     /// Returns a bit for each triangle along a side of which the surface turns so fast that it may have a crease there
     /// (measure/creases.h).
     std::uint64_t (*measure_with_parts)(TriangleLanes& lanes);
-    /// Of the first `count` triangles; returns a bit for each of these with a crease over one or more of its sides.
+    /// Measures the first `count` triangles; returns a bit for each of these with a crease over one or more of its
+    /// sides.
     std::uint64_t (*measure_over_creases)(CreasedLanes& lanes, std::size_t count);
     /// Sums over all lanes; those of the parts mean nothing where they were not measured.
     void (*add_up)(const TriangleLanes& lanes, LaneSums& sums);
@@ -159,23 +153,24 @@ struct TriangleKernels {
     /// The least and the largest of all lanes.
     double (*find_least)(const Lanes& lanes);
     double (*find_largest)(const Lanes& lanes);
-    /// From the origin of the lanes.
+    /// The boxes are relative to the origin of the lanes.
     void (*bound)(const TriangleLanes& lanes, StretchBoxes& boxes);
     /// The largest of some indices, 0 of none.
     std::uint32_t (*find_largest_index)(std::span<const std::uint32_t> indices);
-    /// Which of at most 64 stars are one ring each: bit by bit. Stars are as long as their sizes tell, with their first
-    /// steps in one half star, and from kSteps on the others in a second one; from 2 kSteps on none is a ring.
+    /// Tells, bit by bit, which of at most 64 stars are one ring each. Stars are as long as their sizes tell, with
+    /// their first steps in one half star, and from kSteps on the others in a second one; from 2 kSteps on none is a
+    /// ring.
     std::uint64_t (*find_rings)(std::span<const HalfStar> stars, const HalfStar* second_halves,
                                 std::span<const std::uint32_t> sizes);
     /// Twice the signed areas of triangles whose corners are sent to any places of the parabola y = x², modulo 2^64.
     std::uint64_t (*sum_signed_areas)(std::span<const Triangle> triangles);
 };
 
-/// Those that this machine can run, the plainest first.
+/// The kernels that this machine can run, the plainest first.
 std::vector<TriangleKernels> supported_triangle_kernels();
 
-/// Those that MENISCUS_INSTRUCTIONS names, else the last of them (simd/instructions.h); the same from the first call to
-/// the end of the program.
+/// The ones that MENISCUS_INSTRUCTIONS names, else the last of them (simd/instructions.h); the same from the first call
+/// to the end of the program.
 const TriangleKernels& triangle_kernels();
 
 }  // namespace meniscus

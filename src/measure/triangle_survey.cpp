@@ -49,7 +49,7 @@ TriangleSurvey::TriangleSurvey(const Mesh& mesh, std::span<const std::uint32_t> 
     if (parts_ != Parts::LeftOut) resize_touched(thirds_, triangles_);
     parallel_chunks(chunks_.size(), kChunksPerTask, [&](std::size_t begin, std::size_t end) {
         TriangleLanes lanes;
-        for (std::size_t chunk = begin; chunk < end; ++chunk) survey(chunk, mesh, of_vertex, look, lanes);
+        for (std::size_t chunk = begin; chunk < end; ++chunk) survey(chunk, {mesh, of_vertex}, look, lanes);
     });
 }
 
@@ -68,12 +68,13 @@ void TriangleSurvey::update(const Mesh& mesh, std::span<const std::uint32_t> of_
     if (parts_ != Parts::LeftOut) thirds_.resize(triangles_);
     parallel_chunks(again.size(), kChunksPerTask, [&](std::size_t begin, std::size_t end) {
         TriangleLanes lanes;
-        for (std::size_t i = begin; i < end; ++i) survey(again[i], mesh, of_vertex, {}, lanes);
+        for (std::size_t i = begin; i < end; ++i) survey(again[i], {mesh, of_vertex}, {}, lanes);
     });
 }
 
-void TriangleSurvey::survey(std::size_t chunk, const Mesh& mesh, std::span<const std::uint32_t> of_vertex,
-                            const TriangleLook& look, TriangleLanes& lanes) {
+void TriangleSurvey::survey(std::size_t chunk, const LabelledMesh& labelled, const TriangleLook& look,
+                            TriangleLanes& lanes) {
+    const auto& [mesh, of_vertex] = labelled;
     const std::size_t begin = chunk * kSurveyChunk;
     const std::size_t end = std::min(begin + kSurveyChunk, mesh.triangles.size());
     ChunkSums sums;

@@ -74,6 +74,10 @@ private:
         SquaredTangent smallest;
         double shortest = std::numeric_limits<double>::infinity();  // squared
     };
+    struct LabelledMesh {
+        const Mesh& mesh;
+        std::span<const std::uint32_t> of_vertex;  // number of each vertex's piece
+    };
     // The pieces that at most kLanes triangles belong to.
     struct PieceLanes {
         PieceLanes(std::span<const Triangle> triangles, std::span<const std::uint32_t> of_vertex);
@@ -81,8 +85,7 @@ private:
         bool is_one = false;
     };
 
-    void survey(std::size_t chunk, const Mesh& mesh, std::span<const std::uint32_t> of_vertex, const TriangleLook& look,
-                TriangleLanes& lanes);
+    void survey(std::size_t chunk, const LabelledMesh& labelled, const TriangleLook& look, TriangleLanes& lanes);
     void load(const Mesh& mesh, std::span<const Triangle> triangles, const PieceLanes& pieces,
               TriangleLanes& lanes) const;
     void measure(const Mesh& mesh, std::span<const Triangle> triangles, TriangleLanes& lanes) const;

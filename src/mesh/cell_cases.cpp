@@ -98,13 +98,19 @@ constexpr Part best_part(const Loop& loop, const Parts& parts, int i, int j) {
     return best;
 }
 
-constexpr void emit(const Loop& loop, const Parts& parts, int i, int j, CellCase& out) {
+// Adds the triangles of the part from edge i to edge j.
+struct LoopPart {
+    int i;
+    int j;
+};
+constexpr void add_triangles(const Loop& loop, const Parts& parts, LoopPart part, CellCase& out) {
+    const auto [i, j] = part;
     if (j - i < 2) return;
     const auto edge = [&](int n) { return static_cast<std::uint8_t>(loop.edges[static_cast<std::size_t>(n)]); };
     const int k = parts[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].middle;
     out.triangles[out.count++] = {edge(i), edge(k), edge(j)};
-    emit(loop, parts, i, k, out);
-    emit(loop, parts, k, j, out);
+    add_triangles(loop, parts, {i, k}, out);
+    add_triangles(loop, parts, {k, j}, out);
 }
 
 // Triangulates a loop without diagonals that lie in a face, the worst triangle as well shaped as can be.
@@ -115,7 +121,7 @@ constexpr void triangulate(const Loop& loop, CellCase& out) {
             parts[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = best_part(loop, parts, i, j);
     if (parts[0][static_cast<std::size_t>(loop.size - 1)].shape <= 0.0)
         throw std::logic_error("a loop without admissible triangulation");
-    emit(loop, parts, 0, loop.size - 1, out);
+    add_triangles(loop, parts, {0, loop.size - 1}, out);
 }
 
 constexpr CellCase make_case(int cell_case) {

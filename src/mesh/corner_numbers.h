@@ -15,7 +15,7 @@
 
 namespace meniscus {
 
-/// Of triangle t the numbers from 3 t on.
+/// The corners of all triangles, one after the other: those of triangle t begin at 3 t.
 inline std::span<const VertexId> all_corners(std::span<const Triangle> triangles) {
     if (triangles.empty()) return {};
     return {triangles.front().data(), triangles.size() * triangles.front().size()};

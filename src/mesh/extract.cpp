@@ -61,7 +61,7 @@ void enter_neighbour(const CutEdges& edges, LocalVertices& local) {
 // The triangles of all cases by entries of LocalVertices, counted from the entry of a cell's own node along x.
 class LocalTriangles {
 public:
-    // Those of a case; what comes after them up to the most that there are repeats the first one.
+    // The triangles of one case; after the last one, the array repeats the first one.
     struct Case {
         std::uint16_t count;
         std::array<std::array<std::uint16_t, 3>, kMaxCellTriangles> triangles;
@@ -92,7 +92,6 @@ private:
 class Halfway {
 public:
     static double root_fraction(std::size_t /*block*/, std::size_t /*direction*/, std::size_t /*node*/) { return 0.5; }
-    static void fetch(std::size_t /*block*/) {}
 };
 
 // Where linear interpolation vanishes, but not near to nodes.
@@ -106,13 +105,6 @@ public:
         const double a = values_[block * kBlockNodes + node];
         const double b = value_beyond(block, direction, node);
         return std::min(std::max(nearest_, a / (a - b)), 1.0 - nearest_);
-    }
-
-    // Starts to bring a block into the cache: edges are cut here and there, which no processor foresees.
-    void fetch(std::size_t block) const {
-        constexpr std::size_t kLine = 16;  // values
-        const std::size_t end = std::min((block + 1) * kBlockNodes, values_.size());
-        for (std::size_t i = block * kBlockNodes; i < end; i += kLine) __builtin_prefetch(values_.data() + i);
     }
 
 private:
@@ -141,7 +133,6 @@ public:
 
     // Appends it.
     void fill(std::size_t block, Mesh& mesh) const {
-        roots_.fetch(block + 1);
         const NodesAround nodes = nodes_around(grid_, inside_, block);
         const LayerBits cut = cut_cells(nodes);
         if (cut == LayerBits{} && edges_[block + 1].first_vertex == edges_[block].first_vertex) return;
@@ -235,14 +226,14 @@ template <class Roots>
 Mesh extract(const BlockGrid& grid, std::span<const LayerBits> inside, const Roots& roots) {
     const std::vector<CutEdges> edges = find_cut_edges(grid, inside);
     const CutEdges& totals = edges.back();
-    // Of a closed surface, whose genus is small against its size. They are numbered by 32 bits, as vertices are.
+    // A closed surface of small genus has no more triangles. They are numbered by 32 bits, as vertices are.
     const std::uint64_t triangles = 2 * totals.first_vertex + totals.first_vertex / 16;
     if (triangles > std::numeric_limits<std::uint32_t>::max())
         throw LimitError("the mesh would have " + std::to_string(totals.first_vertex) +
                          " vertices, more than are possible with 2^32 - 1 triangles; choose a larger --spacing");
     Mesh mesh;
     reserve_touched(mesh.vertices, with_spare(totals.first_vertex));
-    // Those of a sphere are likely, the others are seldom used; for more than these memory is found anew.
+    // A sphere's triangles are likely, the others are seldom used; for more than these memory is found anew.
     reserve_touched(mesh.triangles, triangles, 2 * totals.first_vertex);
     const BlockFiller<Roots> filler(grid, inside, edges, roots);
     if (is_alone()) {  // every block goes to where it stays, with nothing to append

@@ -49,7 +49,7 @@ public:
 private:
     static constexpr std::size_t kBits = 64;
 
-    // Which of 64 vertices on end are there, and how many before them.
+    // Tells which of 64 successive vertices are there, and how many come before them.
     struct Word {
         std::uint64_t bits = 0;  // none: the place is free
         VertexId before = 0;

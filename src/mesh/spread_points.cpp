@@ -112,7 +112,7 @@ struct Neighbour {
     float crowding;
 };
 
-// Of each point, those that are in its way.
+// The points that are too near to each point.
 class Neighbours {
 public:
     Neighbours(const Mesh& mesh, const PointsOnMesh& candidates, const Crowding& crowding) {

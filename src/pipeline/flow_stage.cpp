@@ -17,7 +17,7 @@ namespace meniscus {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double kRoom = 3.0;  // Å that a flow without an anchor may go astray
+constexpr double kRoom = 3.0;  // Å that a flow without an anchor may move away
 
 NodeField curvature_field(const AccessibleSurface& accessible, const BlockGrid& grid, const FlowOptions& options,
                           DistanceBand& band) {
@@ -129,16 +129,6 @@ void add_start(FlowRecord& record, const BlockGrid& grid, const NodeField& start
     record.add({interpolating_coefficients(grid, start, half_width), start}, {});
 }
 
-// Uses up the band where it can; the start may be part of it.
-EvolutionResult run_evolution(const BlockGrid& grid, DistanceBand& band, const NodeField& start,
-                              const FlowOptions& options, const EvolutionObserver& observer) {
-    if (!is_one_solve(options))
-        return evolve({&grid, band.distance, band.curvature, band.margin}, start, options, observer);
-    EvolutionResult result = solve_steady_state(grid, std::move(band), options);
-    observer(result, 1.0);
-    return result;
-}
-
 }  // namespace
 
 bool needs_start(const SurfaceOptions& options, const FlowObserver& observer) {
@@ -156,8 +146,8 @@ FlowOutcome run_flow(const FlowTask& task, DistanceBand band) {
     const std::shared_ptr<const BlockGrid>& grid = task.grid;
     const SurfaceOptions& options = task.options;
     const FlowOptions& flow = options.flow;
-    const bool may_stray = flow.anchor == 0.0;
-    const bool recorded = may_stray || options.history || task.run.observer;
+    const bool may_leave = flow.anchor == 0.0;
+    const bool recorded = may_leave || options.history || task.run.observer;
     band.curvature = curvature_field(accessible, *grid, flow, band);
     const NodeField& start = task.start.empty() ? band.distance : task.start;
     FlowRecord record(accessible, grid, task.run.observer);
@@ -174,11 +164,15 @@ FlowOutcome run_flow(const FlowTask& task, DistanceBand band) {
         iterations_before = at.solver_iterations;
         if (task.run.progress) task.run.progress("flow", fraction);
     };
-    EvolutionResult result = run_evolution(*grid, band, start, flow, observe);
+    const bool one_solve = is_one_solve(flow);  // uses up the band, and `start` with it
+    EvolutionResult result =
+        one_solve ? solve_steady_state(*grid, std::move(band), flow)
+                  : evolve({grid.get(), band.distance, band.curvature, band.margin}, start, flow, observe);
+    if (one_solve) observe(result, 1.0);
 
     outcome.summary = summarise(result);
-    outcome.summary.explanation = may_stray ? describe_course(result, record) : describe_end(result);
-    if (may_stray && record.has_best()) {
+    outcome.summary.explanation = may_leave ? describe_course(result, record) : describe_end(result);
+    if (may_leave && record.has_best()) {
         outcome.summary.kept_step = record.best_step().step;
         outcome.state = record.take_best();
     } else {

@@ -46,7 +46,7 @@ public:
             put_on_surface(spread.points, surface_projector(accessible_, level_set_, spacing(), Curvatures::LeftOut));
         Mesh result;
         result.vertices = spread.points;
-        VertexDistances distances = finish_vertices(accessible_, level_set_, spacing(), result);
+        VertexDistances distances = finish_vertices({accessible_, level_set_, spacing()}, result);
         project_outliers_again(spread, distances, result);
         return result;
     }
@@ -74,14 +74,14 @@ private:
         for (int attempt = 1; attempt <= kTries; ++attempt) {
             const std::vector<VertexId> lost = outliers(points, distances);
             if (lost.empty()) return;
-            std::vector<Vec3> from;
-            from.reserve(lost.size());
+            std::vector<VertexStart> starts;
+            starts.reserve(lost.size());
             for (const VertexId i : lost) {
                 const Vec3& corner = surface_.mesh.vertices[surface_.mesh.triangles[spread.triangles[i]][0]];
-                from.push_back(spread.points[i] +
-                               (static_cast<double>(attempt) / kTries) * (corner - spread.points[i]));
+                const double part = static_cast<double>(attempt) / kTries;
+                starts.push_back({i, spread.points[i] + part * (corner - spread.points[i])});
             }
-            finish_again(accessible_, level_set_, spacing(), lost, std::move(from), points, distances);
+            finish_again({accessible_, level_set_, spacing()}, starts, points, distances);
         }
     }
 

@@ -21,7 +21,7 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kLargestCrumb = 8;  // triangles: those round a node
+constexpr std::size_t kTinyComponent = 8;  // triangles at most: those round a node
 
 // Leaves the pieces that are wanted, with their numbers.
 void keep_pieces(Mesh& mesh, Pieces pieces) {
@@ -31,23 +31,20 @@ void keep_pieces(Mesh& mesh, Pieces pieces) {
     keep_components(mesh, keep);
 }
 
-// Mends the bad triangles and fills in what is known of the surface at vertices that moved.
-MeshChanges mend(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
-                 const SliverOptions& slivers, FirstLook look, Mesh& mesh, VertexDistances& distances) {
-    MeshChanges changes = mend_slivers(
-        mesh, slivers, surface_projector(accessible, level_set, spacing, Curvatures::LeftOut), std::move(look));
-    if (!changes.any()) return changes;
+// Renumbers what is known of vertices, and finds it for those that moved.
+void follow_changes(const MeshChanges& changes, const ProjectionTarget& target, Mesh& mesh,
+                    VertexDistances& distances) {
+    if (!changes.any()) return;
     renumber_entries(changes, mesh.atoms);
     renumber_entries(changes, mesh.patches);
     renumber_entries(changes, mesh.mean_curvatures);
     renumber_entries(changes, mesh.gaussian_curvatures);
     renumber_entries(changes, mesh.shape_indices);
     distances.renumber(changes);
-    std::vector<Vec3> from;
-    from.reserve(changes.moved.size());
-    for (const VertexId v : changes.moved) from.push_back(mesh.vertices[v]);
-    finish_again(accessible, level_set, spacing, changes.moved, std::move(from), mesh, distances);
-    return changes;
+    std::vector<VertexStart> starts;
+    starts.reserve(changes.moved.size());
+    for (const VertexId v : changes.moved) starts.push_back({v, mesh.vertices[v]});
+    finish_again(target, starts, mesh, distances);
 }
 
 // A level set has rounded them.
@@ -72,21 +69,24 @@ SurfaceMesh mesh_surface(const AccessibleSurface& accessible, Mesh zero_set, con
     Mesh mesh = std::move(zero_set);
     const bool has_all = options.pieces == Pieces::All;
     if (!has_all) keep_pieces(mesh, options.pieces);
+    const ProjectionTarget target{accessible, level_set, options.spacing};
     std::optional<VertexDistances> found;
     parallel_both(  // one looks at triangles, the other at vertices
         [&] {
             if (has_all) mesh.components = pieces_by_first_vertex(mesh);
         },
-        [&] { found = finish_vertices(accessible, level_set, options.spacing, mesh); });
+        [&] { found = finish_vertices(target, mesh); });
     VertexDistances& distances = *found;
     const double edge = options.edge > 0.0 ? options.edge : options.spacing;
-    const SliverOptions slivers{.edge = edge, .longest_edge = 2.0 * edge, .largest_crumb = kLargestCrumb};
+    const SliverOptions slivers{.edge = edge, .longest_edge = 2.0 * edge, .tiny_component = kTinyComponent};
     FirstLook look(mesh, slivers.smallest_angle_deg, slivers.shortest_edge());
     TriangleSurvey survey = survey_surface(mesh, creases_of(level_set),
                                            [&look](std::size_t first, std::span<const Triangle> triangles,
                                                    const TriangleLanes& lanes) { look.look(first, triangles, lanes); });
-    const MeshChanges changes = mend(accessible, level_set, options.spacing, slivers, std::move(look), mesh, distances);
-    if (changes.dropped_crumbs)
+    const MeshChanges changes = mend_slivers(
+        mesh, slivers, surface_projector(accessible, level_set, options.spacing, Curvatures::LeftOut), std::move(look));
+    follow_changes(changes, target, mesh, distances);
+    if (changes.dropped_components)
         survey = survey_of(mesh, level_set);
     else
         survey.update(mesh, mesh.components, changes.triangles);

@@ -146,14 +146,14 @@ private:
     static constexpr double kRoom = 0.25;   // Å: most points move less
     static constexpr double kMargin = 0.5;  // Å: points of a mesh are far nearer to the surface than this
 
-    // Those farther from the surface than the margin: a level set need not follow it.
+    // Labels outliers, farther from the surface than the margin: a level set need not follow it.
     void label_others(std::span<FeatureLabel> labels) {
         far_.enter(box_of(places_));
         far_.find(places_, std::span(labels_));
         for (std::size_t i = 0; i < others_.size(); ++i) labels[others_[i]] = labels_[i];
     }
 
-    // From where a step has led points that may have fallen short of the surface: most have not.
+    // Moves on the points that a step may have left short of the surface: it has not left most.
     void walk_on(BatchSteps& steps) {
         if (places_.empty()) return;
         const Box box = box_of(places_);
@@ -171,9 +171,9 @@ private:
     LocalFeatures local_;
     NearestBatch batch_;
     BoxFeatures far_;
-    std::vector<std::uint32_t> others_;             // lanes of points that what is done for all is not enough for
-    std::vector<Vec3> places_;                      // where these are
-    std::array<FeatureLabel, kBatchLanes> labels_;  // of them
+    std::vector<std::uint32_t> others_;             // lanes of outliers, for which one step or search is not enough
+    std::vector<Vec3> places_;                      // their places
+    std::array<FeatureLabel, kBatchLanes> labels_;  // of the outliers
 };
 
 constexpr std::size_t kGroupsPerTask = 2;
@@ -198,24 +198,24 @@ SmallBox box_of(std::span<const VertexRun> runs) {
 // Moves vertices onto the zero set of a level set and gives them what is known of the surface there.
 class LevelSetFinisher {
 public:
-    LevelSetFinisher(const AccessibleSurface& accessible, const LevelSet& level_set, double spacing, Mesh& mesh)
-        : accessible_(accessible), level_set_(level_set), spacing_(spacing), mesh_(mesh) {
+    LevelSetFinisher(const ProjectionTarget& target, Mesh& mesh)
+        : accessible_(target.accessible), level_set_(*target.level_set), spacing_(target.spacing), mesh_(mesh) {
         resize_touched(distances_, mesh.vertices.size());
     }
 
     // Returns the distances to the exact surface.
     VertexDistances run() {
-        search(land());
+        search(project());
         return VertexDistances(std::move(distances_));
     }
 
 private:
     // What is used again for the next vertices.
-    struct LandingRoom {
-        explicit LandingRoom(const LevelSet& level_set) : spline(level_set.grid(), level_set.coefficients()) {}
+    struct ProjectionRoom {
+        explicit ProjectionRoom(const LevelSet& level_set) : spline(level_set.grid(), level_set.coefficients()) {}
 
         SplineBlock spline;
-        std::array<Landing, kBatchLanes> landings;
+        std::array<SplineProjection, kBatchLanes> projections;
         std::array<FeatureCell, kBatchLanes> cells;
         ShapeLanes shapes;
     };
@@ -227,24 +227,24 @@ private:
     };
 
     // Returns the vertices that are not labelled yet.
-    std::vector<VertexId> land() {
+    std::vector<VertexId> project() {
         const RunGroups groups(mesh_.vertices, kLongestRun * spacing_);
         return parallel_list_with<VertexId>(
-            groups.size(), kGroupsPerTask, [&] { return std::make_unique<LandingRoom>(level_set_); },
-            [&](std::size_t begin, std::size_t end, LandingRoom& room, std::vector<VertexId>& left) {
+            groups.size(), kGroupsPerTask, [&] { return std::make_unique<ProjectionRoom>(level_set_); },
+            [&](std::size_t begin, std::size_t end, ProjectionRoom& room, std::vector<VertexId>& left) {
                 FeatureWalk walk(accessible_);
                 for (std::size_t g = begin; g < end; ++g)
-                    for (const VertexRun& run : groups.runs(g)) land(run, room, walk, left);
+                    for (const VertexRun& run : groups.runs(g)) project(run, room, walk, left);
             });
     }
-    void land(const VertexRun& run, LandingRoom& room, FeatureWalk& walk, std::vector<VertexId>& left) {
-        auto& [spline, landings, cells, shapes] = room;
+    void project(const VertexRun& run, ProjectionRoom& room, FeatureWalk& walk, std::vector<VertexId>& left) {
+        auto& [spline, projections, cells, shapes] = room;
         const std::size_t count = run.end - run.begin;
         const std::span<Vec3> vertices = std::span(mesh_.vertices).subspan(run.begin, count);
-        spline.land(vertices, landings);
-        shape_kernels().of_landings(landings, count, shapes);
+        spline.project(vertices, projections);
+        shape_kernels().of_projections(projections, count, shapes);
         for (std::size_t lane = 0; lane < count; ++lane) {
-            vertices[lane] = landings[lane].point;
+            vertices[lane] = projections[lane].point;
             mesh_.normals[run.begin + lane] = to_small(get_point(shapes.normals, lane));
         }
         walk.find(vertices, cells);
@@ -305,8 +305,8 @@ private:
 // for among all that is there.
 class ExactFinisher {
 public:
-    ExactFinisher(const AccessibleSurface& accessible, double spacing, Mesh& mesh)
-        : accessible_(accessible), spacing_(spacing), mesh_(mesh) {}
+    ExactFinisher(const ProjectionTarget& target, Mesh& mesh)
+        : accessible_(target.accessible), spacing_(target.spacing), mesh_(mesh) {}
 
     // Returns the distances to the surface.
     VertexDistances run() {
@@ -376,7 +376,7 @@ private:
         return left;
     }
 
-    // Of the vertices that are left.
+    // Projects the vertices that are left.
     void search() {
         const RunGroups groups(points_, kLongestRun * spacing_);
         parallel_chunks_with(
@@ -400,7 +400,7 @@ private:
         }
     }
 
-    // Those that are not on the surface, in rising order.
+    // The vertices that are not on the surface, in rising order.
     std::vector<VertexDistances::Off> off() const {
         std::vector<VertexDistances::Off> list;
         for (std::size_t i = 0; i < left_.size(); ++i)
@@ -432,37 +432,32 @@ private:
     std::vector<float> distances_;
 };
 
-// Gives some vertices of a mesh what another one, with a vertex for each of them, holds.
-void replace_vertices(Mesh& mesh, std::span<const VertexId> places, const Mesh& with) {
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const VertexId v = places[i];
-        mesh.vertices[v] = with.vertices[i];
-        mesh.normals[v] = with.normals[i];
-        mesh.atoms[v] = with.atoms[i];
-        mesh.patches[v] = with.patches[i];
-        mesh.mean_curvatures[v] = with.mean_curvatures[i];
-        mesh.gaussian_curvatures[v] = with.gaussian_curvatures[i];
-        mesh.shape_indices[v] = with.shape_indices[i];
-    }
-}
-
 }  // namespace
 
-VertexDistances finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
-                                Mesh& mesh) {
+VertexDistances finish_vertices(const ProjectionTarget& target, Mesh& mesh) {
     resize_all_touched(mesh.vertices.size(), mesh.normals, mesh.atoms, mesh.patches, mesh.mean_curvatures,
                        mesh.gaussian_curvatures, mesh.shape_indices);
-    if (level_set != nullptr) return LevelSetFinisher(accessible, *level_set, spacing, mesh).run();
-    return ExactFinisher(accessible, spacing, mesh).run();
+    if (target.level_set != nullptr) return LevelSetFinisher(target, mesh).run();
+    return ExactFinisher(target, mesh).run();
 }
 
-void finish_again(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
-                  std::span<const VertexId> places, std::vector<Vec3> from, Mesh& mesh, VertexDistances& distances) {
+void finish_again(const ProjectionTarget& target, std::span<const VertexStart> starts, Mesh& mesh,
+                  VertexDistances& distances) {
     Mesh again;
-    again.vertices = std::move(from);
-    const VertexDistances found = finish_vertices(accessible, level_set, spacing, again);
-    replace_vertices(mesh, places, again);
-    for (VertexId i = 0; i < places.size(); ++i) distances.set(places[i], found[i]);
+    again.vertices.reserve(starts.size());
+    for (const VertexStart& start : starts) again.vertices.push_back(start.from);
+    const VertexDistances found = finish_vertices(target, again);
+    for (VertexId i = 0; i < starts.size(); ++i) {
+        const VertexId v = starts[i].vertex;
+        mesh.vertices[v] = again.vertices[i];
+        mesh.normals[v] = again.normals[i];
+        mesh.atoms[v] = again.atoms[i];
+        mesh.patches[v] = again.patches[i];
+        mesh.mean_curvatures[v] = again.mean_curvatures[i];
+        mesh.gaussian_curvatures[v] = again.gaussian_curvatures[i];
+        mesh.shape_indices[v] = again.shape_indices[i];
+        distances.set(v, found[i]);
+    }
 }
 
 }  // namespace meniscus

@@ -13,21 +13,29 @@
 
 namespace meniscus {
 
-/// Puts the vertices of a mesh, which are within a spacing of the surface and next to their neighbours in the array,
-/// onto it and fills in their normals, atoms, patches and curvatures; triangles are not looked at.
-///
-/// level_set   whose zero set they are put onto; null: onto the exact SES
-/// spacing     of the grid that they come from, Å: limits curvatures
-/// returns     distances to the exact SES
-VertexDistances finish_vertices(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
-                                Mesh& mesh);
+/// What vertices are projected onto.
+struct ProjectionTarget {
+    const AccessibleSurface& accessible;
+    const LevelSet* level_set = nullptr;  ///< its zero set; null: the exact SES
+    double spacing = 0.0;                 ///< of the grid that the vertices come from, Å: limits curvatures
+};
 
-/// The same for some vertices of a mesh that is finished, which start from other places; all others stay as they are.
+/// Projects the vertices of a mesh, which are within a spacing of the surface and next to their neighbours in the
+/// array, and fills in their normals, atoms, patches and curvatures; triangles are not looked at.
 ///
-/// places      which vertices
-/// from        where each of them starts, Å
+/// returns     distances to the exact SES
+VertexDistances finish_vertices(const ProjectionTarget& target, Mesh& mesh);
+
+/// A vertex and where its projection starts, Å.
+struct VertexStart {
+    VertexId vertex = 0;
+    Vec3 from;
+};
+
+/// The same for some vertices of a mesh that is finished; all others stay as they are.
+///
 /// distances   of all vertices to the exact SES
-void finish_again(const AccessibleSurface& accessible, const LevelSet* level_set, double spacing,
-                  std::span<const VertexId> places, std::vector<Vec3> from, Mesh& mesh, VertexDistances& distances);
+void finish_again(const ProjectionTarget& target, std::span<const VertexStart> starts, Mesh& mesh,
+                  VertexDistances& distances);
 
 }  // namespace meniscus

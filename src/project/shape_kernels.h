@@ -27,9 +27,10 @@ struct ShapeLanes {
 struct ShapeKernels {
     std::string_view instructions;  ///< "plain", "avx2" or "avx512"
 
-    /// Normals, mean and Gaussian curvatures of the level sets through at most kBatchLanes landings; (0, 0, 1) where
+    /// Normals, mean and Gaussian curvatures of the level sets through at most kBatchLanes projections; (0, 0, 1) where
     /// the gradient is zero. The same bits as those of LevelSetSample.
-    void (*of_landings)(std::span<const Landing, kBatchLanes> landings, std::size_t count, ShapeLanes& lanes);
+    void (*of_projections)(std::span<const SplineProjection, kBatchLanes> projections, std::size_t count,
+                           ShapeLanes& lanes);
 
     /// From mean and Gaussian curvatures what principal_curvatures(mean, gaussian).capped(limit) has, and its shape
     /// index within 2e-8, which is less than single precision keeps. A Gaussian curvature of +inf stands for two equal
@@ -37,7 +38,7 @@ struct ShapeKernels {
     void (*cap)(double limit, std::size_t count, ShapeLanes& lanes);
 };
 
-/// Those that this machine can run, the plainest first.
+/// The kernels that this machine can run, the plainest first.
 std::vector<ShapeKernels> supported_shape_kernels();
 
 /// The ones that are used, as in nearest_kernels().

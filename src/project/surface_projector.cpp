@@ -68,24 +68,24 @@ public:
     void operator()(std::span<SurfacePoint> points) const {
         SplineCursor cursor(level_set_.grid(), level_set_.coefficients());
         for (SurfacePoint& point : points)
-            if (!land(cursor, point, point.position)) {
+            if (!project(cursor, point, point.position)) {
                 const NearestFeature at = accessible_.nearest(point.position);
-                land(cursor, point, point.position - at.signed_distance * at.normal);
+                project(cursor, point, point.position - at.signed_distance * at.normal);
             }
     }
 
 private:
-    bool land(SplineCursor& cursor, SurfacePoint& point, const Vec3& from) const {
+    bool project(SplineCursor& cursor, SurfacePoint& point, const Vec3& from) const {
         const bool curved = curvatures_ == Curvatures::FilledIn;
-        const auto [place, at] =
-            curved ? land_on_zero_set(cursor, from, spacing_) : land_on_zero_set_first_order(cursor, from, spacing_);
-        if (!(std::abs(at.value) < kLanded * spacing_) || squared_norm(at.gradient) == 0.0) return false;
+        const auto [place, at] = curved ? project_to_zero_set(cursor, from, spacing_)
+                                        : project_to_zero_set_first_order(cursor, from, spacing_);
+        if (!(std::abs(at.value) < kOnZeroSet * spacing_) || squared_norm(at.gradient) == 0.0) return false;
         point = {place, normalised(at.gradient),
                  curved ? largest_curvature(at.principal_curvatures(), spacing_) : point.curvature};
         return true;
     }
 
-    static constexpr double kLanded = 1e-3;  // of a spacing
+    static constexpr double kOnZeroSet = 1e-3;  // of a spacing
 
     const AccessibleSurface& accessible_;
     const LevelSet& level_set_;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Points near the surface to points on it, for whoever changes the mesh.
+// The projection of points onto the surface, for those who change the mesh.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ namespace meniscus {
 /// A point so near to the exact SES lies on it, Å.
 inline constexpr double kOnSurface = 1e-9;
 
-/// As many steps along the distance lead there. One is enough but next to ridges, where the distance is a lower bound.
-/// Whoever projects takes as many: a point that another has left short would move once more.
+/// So many steps along the distance lead there. One is enough but next to ridges, where the distance is a lower bound.
+/// All projections take as many: a point that one has left short would be moved by the next one.
 inline constexpr int kStepsToSurface = 60;
 
 /// Takes steps to the exact surface until the point lies on it, kStepsToSurface less those taken before at most.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "meniscus/mesh_quality.h"
-#include "remesh/mend_slivers.h"
+#include "remesh/mesh_changes.h"
 
 namespace meniscus {
 
@@ -23,12 +23,12 @@ public:
     };
 
     explicit VertexDistances(std::vector<float> of_all) : count_(of_all.size()), all_(std::move(of_all)) {}
-    /// Of so many vertices, which are on the surface but for some, in rising order.
+    /// The distances of so many vertices, which are on the surface but for some, in rising order.
     VertexDistances(std::size_t vertices, std::vector<Off> off) : count_(vertices), off_(std::move(off)) {}
 
     float operator[](VertexId vertex) const;
     void set(VertexId vertex, float distance);
-    /// As renumber_entries; those of added ones are still to be set.
+    /// As renumber_entries; the distances of added vertices are still to be set.
     void renumber(const MeshChanges& changes);
     DistanceSummary summarise() const;
 

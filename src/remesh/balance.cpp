@@ -24,7 +24,7 @@ constexpr std::size_t kTrianglesAtOnce = 512;  // triangles projected at once
 // that over the centroid.
 constexpr double kMeanOfHighest = 0.75;
 
-// Of an edge: more than the mean height over triangles on a sphere of an edge's radius.
+// In lengths of an edge: more than the mean height over triangles on a sphere whose radius is an edge.
 constexpr double kFarthest = 0.125;
 
 // Triangles have no smaller angles than this (degrees) that they did not have before.

@@ -16,8 +16,8 @@
 namespace meniscus {
 namespace {
 
-// Of two triangles that pass through each other one at least leans over: with one of its corners' normals its own has a
-// smaller cosine than this.
+// Of two triangles that pass through each other at least one leans over: the cosine between its normal and that of one
+// of its corners is below this.
 constexpr double kLeaning = 0.4;
 
 constexpr double kAboveOne = 1.0 + 1e-9;  // for rounding

@@ -63,7 +63,7 @@ bool HalfEdges::can_flip(HalfEdge h) const {
     return c != d && valence(origin(h)) > 3 && valence(target(h)) > 3 && !are_neighbours(c, d);
 }
 
-// Of the triangles a b c and b a d the edge a b becomes d c.
+// The edge a b of the triangles a b c and b a d becomes d c.
 void HalfEdges::flip(HalfEdge h) {
     const HalfEdge g = twin_[h];
     const HalfEdge bc = next(h);

@@ -6,21 +6,15 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <iterator>
 #include <map>
-#include <numeric>
-#include <optional>
 #include <span>
 #include <utility>
 
-#include "core/bits.h"
 #include "core/parallel.h"
-#include "core/parallel_list.h"
-#include "mesh/corner_numbers.h"
 #include "mesh/local_corners.h"
 #include "remesh/first_look.h"
-#include "remesh/near_triangles.h"
+#include "remesh/mesh_search.h"
 #include "remesh/patch.h"
 #include "remesh/patch_mender.h"
 #include "remesh/self_intersections.h"
@@ -30,12 +24,7 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kRenumbered = 1024;  // triangles per task
-
-constexpr std::size_t kLeaningPerTask = 256;
-constexpr double kNeighbours = 4.0;  // usual lengths of edges: triangles within a cube of these look round together
-
-// In usual lengths of edges: how far from a bad triangle things change, and how far all is known.
+// How far from a bad triangle vertices may move, and how far all triangles are known, in usual lengths of edges.
 constexpr double kFree = 2.5;
 constexpr double kRoom = 5.0;
 
@@ -43,7 +32,7 @@ constexpr std::size_t kPlacesTogether = 32;  // places: what is cut out of the m
 
 constexpr double kCube = 4.0;  // see SliverOptions::most_bad
 
-// What that leaves below the needed angle is mended with so many times as much round it.
+// A triangle that is still below the needed angle is mended again, with so many times the surroundings.
 constexpr double kWider = 2.0;
 
 // A bad triangle's neighbourhood: vertices in `free` may move, all triangles that reach into `room` are there.
@@ -53,26 +42,12 @@ struct Place {
     Box room;
 };
 
-// The part of a mesh round a place, and the mesh's numbers for it.
+// The part of a mesh round a place, and the numbers of its vertices and triangles in the mesh.
 struct Cutting {
-    Patch patch;
-    std::vector<bool> free;
-    std::vector<bool> held;
+    MendablePatch part;
     std::vector<VertexId> vertices;
     std::vector<std::uint32_t> triangles;
 };
-
-// Numbers anew what some numbers have no part in any more, in their order.
-void close_gaps(std::vector<std::uint32_t>& numbers) {
-    std::vector<std::uint32_t> taken;
-    for (const std::uint32_t n : numbers) {
-        if (n >= taken.size()) taken.resize(std::size_t{n} + 1);
-        taken[n] = 1;
-    }
-    if (std::count(taken.begin(), taken.end(), 0U) == 0) return;
-    std::exclusive_scan(taken.begin(), taken.end(), taken.begin(), 0U);
-    for (std::uint32_t& n : numbers) n = taken[n];
-}
 
 class SliverMender {
 public:
@@ -80,37 +55,34 @@ public:
         : mesh_(mesh),
           options_(options),
           project_(project),
-          needed_(tangent_of_degrees(std::min(options.needed_angle_deg, options.smallest_angle_deg))),
-          wanted_(tangent_of_degrees(options.smallest_angle_deg)) {}
+          angles_{tangent_of_degrees(std::min(options.needed_angle_deg, options.smallest_angle_deg)),
+                  tangent_of_degrees(options.smallest_angle_deg)} {}
 
     MeshChanges run(FirstLook::Suspects suspects) {
         std::erase_if(suspects.bad, [this](std::uint32_t t) { return !is_bad(mesh_.triangles[t]); });
         boxes_ = std::move(suspects.boxes);
-        may_be_low_.resize(mesh_.triangles.size());
-        for (const std::uint32_t t : suspects.bad) may_be_low_[t] = true;
         MeshChanges nothing;
         nothing.crumpled = crowded(suspects.bad, options_.most_bad);
         if (nothing.crumpled.size() <= options_.most_crumpled)
-            tangled_ = options_.search_everywhere ? self_intersecting_triangles(mesh_) : tangled_of(suspects.leaning);
-        was_tangled_ = !tangled_.empty();
+            tangled_ = options_.search_everywhere ? self_intersecting_triangles(mesh_)
+                                                  : tangled_triangles(mesh_, boxes_, suspects.leaning);
+        nothing.was_tangled = !tangled_.empty();
         if (nothing.crumpled.empty()) nothing.crumpled = crowded(tangled_, options_.most_tangled);
         if (!nothing.crumpled.empty()) {
             nothing.with_new = nothing.left = mesh_.vertices.size();
-            nothing.was_tangled = was_tangled_;
             return nothing;
         }
         std::vector<std::uint32_t> pending;
         std::set_union(suspects.bad.begin(), suspects.bad.end(), tangled_.begin(), tangled_.end(),
                        std::back_inserter(pending));
-        mend(std::move(pending));
-        reach_ = kWider;
-        mend(std::exchange(left_, {}));
-        drop_crumbs();
-        return close_holes();
+        drop_tiny_components(mend(mend(std::move(pending), 1.0), kWider));
+        MeshChanges changes = close_holes(mesh_, std::move(changes_));
+        changes.was_tangled = nothing.was_tangled;
+        changes.gave_up = gave_up();
+        return changes;
     }
 
 private:
-    bool is_removed(const Triangle& t) const { return t[0] == t[1]; }
     bool gave_up() const { return hard_tries_ > options_.most_hard_tries; }
 
     // A corner of each of those triangles of which there are more than `most` in a cube.
@@ -131,163 +103,85 @@ private:
     double goodness(const Triangle& triangle) const {
         return goodness_of(point(triangle[0]), point(triangle[1]), point(triangle[2]), options_.shortest_edge());
     }
-    bool is_bad(const Triangle& triangle) const { return goodness(triangle) < wanted_; }
+    bool is_bad(const Triangle& triangle) const { return goodness(triangle) < angles_.wanted; }
     bool is_tangled(std::uint32_t triangle) const {
         return std::binary_search(tangled_.begin(), tangled_.end(), triangle);
     }
     SurfacePoint point(VertexId v) const { return {mesh_.vertices[v], mesh_.normals[v], 0.0}; }
 
-    // Triangles that pass through each other, one of two at least a leaning one.
-    std::vector<std::uint32_t> tangled_of(const std::vector<std::uint32_t>& leaning) const {
-        if (leaning.empty()) return {};
-        const BoxTree chunks(boxes_.chunks);
-        auto all = parallel_list<std::uint32_t>(
-            leaning.size(), kLeaningPerTask, [&](std::size_t begin, std::size_t end, auto& numbers) {
-                NearTriangles near;
-                while (begin < end) {
-                    const std::size_t count = neighbours_among(std::span(leaning).subspan(begin, end - begin));
-                    find_tangled(chunks, std::span(leaning).subspan(begin, count), near, numbers);
-                    begin += count;
-                }
-            });
-        std::sort(all.begin(), all.end());
-        all.erase(std::unique(all.begin(), all.end()), all.end());
-        return all;
+    // Mends in rounds, with `reach` times the usual surroundings. Returns the triangles near mended places that are
+    // below the needed angle, rising.
+    std::vector<std::uint32_t> mend(std::vector<std::uint32_t> pending, double reach) {
+        std::vector<std::uint32_t> low;
+        while (!pending.empty() && !gave_up()) pending = mend_round(pending, reach, low);
+        std::sort(low.begin(), low.end());
+        low.erase(std::unique(low.begin(), low.end()), low.end());
+        return low;
     }
 
-    // How many triangles from the first one on lie so near to each other that they share what is near them.
-    std::size_t neighbours_among(std::span<const std::uint32_t> triangles) const {
-        Box all;
-        std::size_t count = 0;
-        for (; count < triangles.size(); ++count) {
-            all.include(box_of(mesh_, mesh_.triangles[triangles[count]]));
-            const Vec3 size = all.high - all.low;
-            if (std::max({size.x, size.y, size.z}) > kNeighbours * options_.edge) break;
-        }
-        return std::max<std::size_t>(count, 1);
-    }
-
-    // Appends those of some neighbours and of all other triangles that pass through each other. near: memory
-    void find_tangled(const BoxTree& chunks, std::span<const std::uint32_t> neighbours, NearTriangles& near,
-                      std::vector<std::uint32_t>& numbers) const {
-        Box all;
-        for (const std::uint32_t t : neighbours) all.include(box_of(mesh_, mesh_.triangles[t]));
-        near.clear();
-        for_each_near(chunks, all, [&](std::uint32_t t, const Box& box) { near.add(box, t); });
-        for (const std::uint32_t t : neighbours) {
-            const HeldTriangle held(mesh_, mesh_.triangles[t]);
-            near.for_each_overlapping(box_of(mesh_, mesh_.triangles[t]), [&](std::uint32_t other) {
-                if (other != t && held.meeting(mesh_, mesh_.triangles[other]))
-                    numbers.insert(numbers.end(), {t, other});
-            });
-        }
-    }
-
-    // Calls visit(triangle, its box) for all whose boxes overlap one.
-    template <class Visit>
-    void for_each_near(const BoxTree& chunks, const Box& box, const Visit& visit) const {
-        chunks.for_each_overlapping(box, [&](std::uint32_t chunk) {
-            const Box near = box.grown(boxes_.longest[chunk]);
-            for_each_bit(stretches_near(box, chunk), [&](std::size_t stretch) {
-                const std::size_t begin = chunk * TriangleBoxes::kChunk + stretch * TriangleBoxes::kStretch;
-                for_each_bit(triangles_near(near, begin), [&](std::size_t i) {
-                    const Triangle& triangle = mesh_.triangles[begin + i];
-                    const Box of_triangle = box_of(mesh_, triangle);
-                    if (of_triangle.overlaps(box) && !is_removed(triangle))
-                        visit(static_cast<std::uint32_t>(begin + i), of_triangle);
-                });
-            });
-        });
-    }
-    // Bit by bit, the stretches of a chunk that overlap a box. Without a branch, as the next one: they would often be
-    // guessed wrong.
-    std::uint64_t stretches_near(const Box& box, std::size_t chunk) const {
-        constexpr std::size_t kStretches = TriangleBoxes::kChunk / TriangleBoxes::kStretch;
-        const SmallBox small(box);
-        std::uint64_t near = 0;
-        for (std::size_t s = 0; s < kStretches; ++s)
-            near |= std::uint64_t{small.overlaps(boxes_.stretches[chunk * kStretches + s])} << s;
-        return near;
-    }
-    // The triangles of a stretch that have their first corner in a box.
-    std::uint64_t triangles_near(const Box& box, std::size_t begin) const {
-        const std::size_t end = std::min(begin + TriangleBoxes::kStretch, mesh_.triangles.size());
-        std::uint64_t near = 0;
-        for (std::size_t t = begin; t < end; ++t) {
-            const Vec3& corner = mesh_.vertices[mesh_.triangles[t][0]];
-            near |= std::uint64_t{box.overlaps({corner, corner})} << (t - begin);
-        }
-        return near;
-    }
-
-    // Mends in rounds; what it leaves below the needed angle is in left_ afterwards.
-    void mend(std::vector<std::uint32_t> pending) {
-        while (!pending.empty() && !gave_up()) pending = round(pending);
-        std::sort(left_.begin(), left_.end());
-        left_.erase(std::unique(left_.begin(), left_.end()), left_.end());
-    }
-
-    void drop_crumbs() {
-        if (left_.empty() || options_.largest_crumb == 0) return;
-        const BoxTree chunks(boxes_.chunks);
-        for (const std::uint32_t t : left_) {
+    // Drops the tiny components of triangles that could not be mended.
+    void drop_tiny_components(const std::vector<std::uint32_t>& low) {
+        if (low.empty() || options_.tiny_component == 0) return;
+        const MeshSearch search(mesh_, boxes_);
+        for (const std::uint32_t t : low) {
             if (is_removed(mesh_.triangles[t]) || !is_bad(mesh_.triangles[t])) continue;
-            const std::vector<std::uint32_t> crumb = crumb_around(t, chunks);
-            if (crumb.empty() || crumb.size() + removed_.size() == mesh_.triangles.size()) continue;
+            const std::vector<std::uint32_t> component = tiny_component_of(t, search);
+            if (component.empty() || component.size() + changes_.removed.size() == mesh_.triangles.size()) continue;
             std::vector<VertexId> corners;
-            for (const std::uint32_t of_crumb : crumb) {
-                Triangle& triangle = mesh_.triangles[of_crumb];
+            for (const std::uint32_t number : component) {
+                Triangle& triangle = mesh_.triangles[number];
                 corners.insert(corners.end(), triangle.begin(), triangle.end());
                 triangle = {};
-                removed_.push_back(of_crumb);
+                changes_.removed.push_back(number);
             }
             const std::vector<VertexId> vertices = LocalCorners(std::move(corners)).vertices();
-            holes_.insert(holes_.end(), vertices.begin(), vertices.end());
-            dropped_crumbs_ = true;
+            changes_.holes.insert(changes_.holes.end(), vertices.begin(), vertices.end());
+            changes_.dropped_components = true;
         }
     }
 
-    // The triangles of a whole piece if it is a crumb, else nothing. On a sphere there are four less than twice as many
-    // triangles as vertices, and on a part of one still fewer.
-    std::vector<std::uint32_t> crumb_around(std::uint32_t triangle, const BoxTree& chunks) const {
-        std::vector<std::uint32_t> crumb{triangle};
+    // The triangles of the component of one if it is tiny, else nothing. On a sphere there are four less than twice as
+    // many triangles as vertices, and on a part of one still fewer.
+    std::vector<std::uint32_t> tiny_component_of(std::uint32_t triangle, const MeshSearch& search) const {
+        const std::size_t most = options_.tiny_component;
+        std::vector<std::uint32_t> found{triangle};
         std::vector<VertexId> corners(mesh_.triangles[triangle].begin(), mesh_.triangles[triangle].end());
-        for (std::size_t i = 0; i < crumb.size() && crumb.size() <= options_.largest_crumb; ++i)
-            for_each_near(chunks, box_of(mesh_, mesh_.triangles[crumb[i]]), [&](std::uint32_t t, const Box&) {
+        for (std::size_t i = 0; i < found.size() && found.size() <= most; ++i)
+            search.for_each_near(box_of(mesh_, mesh_.triangles[found[i]]), [&](std::uint32_t t, const Box&) {
                 const auto is_corner = [&](VertexId v) {
                     return std::find(corners.begin(), corners.end(), v) != corners.end();
                 };
-                const Triangle& triangle_t = mesh_.triangles[t];
-                if (std::find(crumb.begin(), crumb.end(), t) != crumb.end()) return;
-                if (std::none_of(triangle_t.begin(), triangle_t.end(), is_corner)) return;
-                crumb.push_back(t);
+                const Triangle& near = mesh_.triangles[t];
+                if (std::find(found.begin(), found.end(), t) != found.end()) return;
+                if (std::none_of(near.begin(), near.end(), is_corner)) return;
+                found.push_back(t);
                 for (const VertexId v : mesh_.triangles[t])
                     if (!is_corner(v)) corners.push_back(v);
             });
-        const bool whole = crumb.size() <= options_.largest_crumb && crumb.size() + 4 == 2 * corners.size();
-        return whole ? crumb : std::vector<std::uint32_t>();
+        const bool whole = found.size() <= most && found.size() + 4 == 2 * corners.size();
+        return whole ? found : std::vector<std::uint32_t>();
     }
 
-    // Mends places far enough from each other side by side; returns the triangles that have to wait.
-    std::vector<std::uint32_t> round(const std::vector<std::uint32_t>& pending) {
+    // Mends places far enough from each other side by side; returns the triangles that have to wait. Appends to `low`.
+    std::vector<std::uint32_t> mend_round(const std::vector<std::uint32_t>& pending, double reach,
+                                          std::vector<std::uint32_t>& low) {
         std::vector<std::uint32_t> waiting;
-        const std::vector<Place> places = choose_places(pending, waiting);
-        const BoxTree chunks(boxes_.chunks);
+        const std::vector<Place> places = choose_places(pending, reach, waiting);
+        const MeshSearch search(mesh_, boxes_);
         for (std::size_t begin = 0; begin < places.size() && !gave_up(); begin += kPlacesTogether)
-            mend_places(chunks, std::span(places).subspan(begin, std::min(kPlacesTogether, places.size() - begin)));
+            mend_places(search, std::span(places).subspan(begin, std::min(kPlacesTogether, places.size() - begin)),
+                        low);
         forget_tangled(places);
         return waiting;
     }
 
-    // Of those of a round, side by side.
-    void mend_places(const BoxTree& chunks, std::span<const Place> places) {
+    void mend_places(const MeshSearch& search, std::span<const Place> places, std::vector<std::uint32_t>& low) {
         std::vector<Cutting> cuttings(places.size());
         std::vector<Patch> mended(places.size());
         std::vector<std::size_t> hard_tries(places.size());
         parallel_for(places.size(), 1, [&](std::size_t i) {
-            cuttings[i] = cut_out(chunks, places[i]);
-            PatchMender mender(cuttings[i].patch, cuttings[i].free, cuttings[i].held, places[i].room, options_,
-                               project_);
+            cuttings[i] = cut_out(search, places[i]);
+            PatchMender mender(cuttings[i].part, options_, project_);
             mender.mend();
             if ((options_.search_everywhere || has_tangled(cuttings[i])) && mender.untangle()) mender.mend();
             mended[i] = mender.patch();
@@ -295,17 +189,10 @@ private:
         });
         for (std::size_t i = 0; i < places.size(); ++i) {
             paste(cuttings[i], mended[i]);
-            list_left(cuttings[i].triangles);
+            for (const std::uint32_t t : cuttings[i].triangles)
+                if (!is_removed(mesh_.triangles[t]) && goodness(mesh_.triangles[t]) < angles_.needed) low.push_back(t);
             hard_tries_ += hard_tries[i];
         }
-    }
-
-    // Those below the needed angle: suspects from the start, as that is no larger than the wanted one, or changed
-    // since.
-    void list_left(const std::vector<std::uint32_t>& triangles) {
-        for (const std::uint32_t t : triangles)
-            if (may_be_low_[t] && !is_removed(mesh_.triangles[t]) && goodness(mesh_.triangles[t]) < needed_)
-                left_.push_back(t);
     }
 
     bool has_tangled(const Cutting& cutting) const {
@@ -313,7 +200,7 @@ private:
                            [this](std::uint32_t t) { return is_tangled(t); });
     }
 
-    // Tangled triangles have their turn together.
+    // Tangled triangles of these places have had their turn, all together.
     void forget_tangled(const std::vector<Place>& places) {
         std::erase_if(tangled_, [&](std::uint32_t t) {
             return std::any_of(places.begin(), places.end(), [&](const Place& place) {
@@ -324,10 +211,11 @@ private:
     }
 
     // Places whose rooms do not overlap, in the order of the triangles.
-    std::vector<Place> choose_places(const std::vector<std::uint32_t>& pending, std::vector<std::uint32_t>& waiting) {
+    std::vector<Place> choose_places(const std::vector<std::uint32_t>& pending, double reach,
+                                     std::vector<std::uint32_t>& waiting) const {
         std::vector<Place> places;
         std::map<std::array<int, 3>, std::vector<std::size_t>> cells;  // places by the cells that their rooms touch
-        const double cell = 4.0 * reach_ * kRoom * options_.edge;
+        const double cell = 4.0 * reach * kRoom * options_.edge;
         const auto for_each_cell = [cell](const Box& box, const auto& visit) {
             const auto number = [cell](double x) { return static_cast<int>(std::floor(x / cell)); };
             for (int z = number(box.low.z); z <= number(box.high.z); ++z)
@@ -338,7 +226,7 @@ private:
             const Triangle& triangle = mesh_.triangles[t];
             if (is_removed(triangle) || !(is_bad(triangle) || is_tangled(t))) continue;
             const Box box = box_of(mesh_, triangle);
-            const Place place{t, box.grown(reach_ * kFree * options_.edge), box.grown(reach_ * kRoom * options_.edge)};
+            const Place place{t, box.grown(reach * kFree * options_.edge), box.grown(reach * kRoom * options_.edge)};
             bool overlaps = false;
             for_each_cell(place.room, [&](const std::array<int, 3>& at) {
                 const auto found = cells.find(at);
@@ -356,52 +244,54 @@ private:
         return places;
     }
 
-    Cutting cut_out(const BoxTree& chunks, const Place& place) const {
+    Cutting cut_out(const MeshSearch& search, const Place& place) const {
         Cutting cutting;
+        auto& [patch, free, held, room] = cutting.part;
+        room = place.room;
         std::vector<VertexId> vertices;
-        for_each_near(chunks, place.room, [&](std::uint32_t t, const Box&) {
+        search.for_each_near(place.room, [&](std::uint32_t t, const Box&) {
             cutting.triangles.push_back(t);
             vertices.insert(vertices.end(), mesh_.triangles[t].begin(), mesh_.triangles[t].end());
         });
         const LocalCorners corners(std::move(vertices));
         cutting.vertices = corners.vertices();
-        cutting.patch.points.reserve(cutting.vertices.size());
+        patch.points.reserve(cutting.vertices.size());
         std::vector<bool> sticks_out;
         for (const VertexId v : cutting.vertices) {
             const Vec3& place_of_v = mesh_.vertices[v];
-            cutting.patch.points.push_back({place_of_v, mesh_.normals[v], 0.0});
-            cutting.free.push_back(place.free.contains({place_of_v, place_of_v}));
-            cutting.held.push_back(v < options_.held.size() && options_.held[v]);
+            patch.points.push_back({place_of_v, mesh_.normals[v], 0.0});
+            free.push_back(place.free.contains({place_of_v, place_of_v}));
+            held.push_back(v < options_.held.size() && options_.held[v]);
             sticks_out.push_back(!place.room.contains({place_of_v, place_of_v}));
         }
-        cutting.patch.triangles.reserve(cutting.triangles.size());
+        patch.triangles.reserve(cutting.triangles.size());
         for (const std::uint32_t number : cutting.triangles) {
-            const Triangle& t = cutting.patch.triangles.emplace_back(corners.local(mesh_.triangles[number]));
+            const Triangle& t = patch.triangles.emplace_back(corners.local(mesh_.triangles[number]));
             // Only vertices whose triangles lie wholly in the room are free: no other patch knows these.
             if (sticks_out[t[0]] || sticks_out[t[1]] || sticks_out[t[2]])
-                for (const VertexId v : t) cutting.free[v] = false;
+                for (const VertexId v : t) free[v] = false;
         }
         return cutting;
     }
 
     // Puts a patch back, with what it has more than before at the end of the mesh.
     void paste(Cutting& cutting, const Patch& after) {
+        const Patch& before = cutting.part.patch;
         add_new(cutting, after);
-        for (std::size_t v = 0; v < cutting.patch.points.size(); ++v) {
-            if (after.points[v].position == cutting.patch.points[v].position) continue;
+        for (std::size_t v = 0; v < before.points.size(); ++v) {
+            if (after.points[v].position == before.points[v].position) continue;
             mesh_.vertices[cutting.vertices[v]] = after.points[v].position;
             mesh_.normals[cutting.vertices[v]] = to_small(after.points[v].normal);
-            moved_.push_back(cutting.vertices[v]);
+            changes_.moved.push_back(cutting.vertices[v]);
         }
-        for (const std::size_t t : changed_triangles(cutting.patch, after)) {
+        for (const std::size_t t : changed_triangles(before, after)) {
             const auto& [a, b, c] = after.triangles[t];
             const std::uint32_t number = cutting.triangles[t];
             const Triangle triangle{cutting.vertices[a], cutting.vertices[b], cutting.vertices[c]};
             mesh_.triangles[number] = triangle;
-            changed_.push_back(number);
-            may_be_low_[number] = true;
+            changes_.triangles.push_back(number);
             if (is_removed(triangle))
-                removed_.push_back(number);
+                changes_.removed.push_back(number);
             else
                 boxes_.include(mesh_, number);
         }
@@ -410,7 +300,7 @@ private:
             if (after.has(t))
                 for (const VertexId v : after.triangles[t]) in_use[v] = true;
         for (std::size_t v = 0; v < in_use.size(); ++v)
-            if (!in_use[v]) holes_.push_back(cutting.vertices[v]);
+            if (!in_use[v]) changes_.holes.push_back(cutting.vertices[v]);
     }
 
     void add_new(Cutting& cutting, const Patch& after) {
@@ -419,13 +309,12 @@ private:
             cutting.vertices.push_back(static_cast<VertexId>(mesh_.vertices.size()));
             mesh_.vertices.push_back(after.points[v].position);
             mesh_.normals.push_back(to_small(after.points[v].normal));
-            moved_.push_back(cutting.vertices.back());
+            changes_.moved.push_back(cutting.vertices.back());
         }
         for (std::size_t t = cutting.triangles.size(); t < after.triangles.size(); ++t) {
             cutting.triangles.push_back(static_cast<std::uint32_t>(mesh_.triangles.size()));
             mesh_.triangles.push_back({0, 0, 0});
             boxes_.resize(mesh_.triangles.size());
-            may_be_low_.push_back(true);
         }
         if (!mesh_.components.empty()) label_new(cutting, after, known);
     }
@@ -448,76 +337,19 @@ private:
         }
     }
 
-    // Vertices and triangles from the end take the places of removed ones.
-    MeshChanges close_holes() {
-        MeshChanges changes;
-        changes.was_tangled = was_tangled_;
-        changes.gave_up = gave_up();
-        changes.with_new = mesh_.vertices.size();
-        changes.left = changes.with_new - holes_.size();
-        std::sort(removed_.begin(), removed_.end(), std::greater<>());
-        for (const std::uint32_t t : removed_) {
-            mesh_.triangles[t] = mesh_.triangles.back();
-            mesh_.triangles.pop_back();
-        }
-        changed_.insert(changed_.end(), removed_.begin(), removed_.end());
-        std::erase_if(changed_, [this](std::uint32_t t) { return t >= mesh_.triangles.size(); });
-        std::sort(changed_.begin(), changed_.end());
-        changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
-        changes.triangles = std::move(changed_);
-        changes.dropped_crumbs = dropped_crumbs_;
-        if (!holes_.empty()) close_vertex_holes(changes);
-        if (dropped_crumbs_) close_gaps(mesh_.components);
-        std::sort(moved_.begin(), moved_.end());
-        moved_.erase(std::unique(moved_.begin(), moved_.end()), moved_.end());
-        changes.moved = std::move(moved_);
-        return changes;
-    }
-
-    void close_vertex_holes(MeshChanges& changes) {
-        std::sort(holes_.begin(), holes_.end());
-        auto last = static_cast<VertexId>(mesh_.vertices.size());
-        std::vector<VertexId> number(holes_.size());  // new ones, of the vertices from `left` on
-        for (const VertexId hole : holes_) {
-            if (hole >= changes.left) break;
-            do --last;
-            while (std::binary_search(holes_.begin(), holes_.end(), last));
-            changes.refilled.emplace_back(hole, last);
-            number[last - changes.left] = hole;
-        }
-        std::erase_if(moved_, [this](VertexId v) { return std::binary_search(holes_.begin(), holes_.end(), v); });
-        for (VertexId& v : moved_)
-            if (v >= changes.left) v = number[v - changes.left];
-        const auto left = static_cast<VertexId>(changes.left);
-        parallel_chunks(mesh_.triangles.size(), kRenumbered, [&](std::size_t begin, std::size_t end) {
-            const auto triangles = std::span(mesh_.triangles).subspan(begin, end - begin);
-            if (triangle_kernels().find_largest_index(all_corners(triangles)) < left) return;
-            for (Triangle& triangle : triangles)
-                for (VertexId& v : triangle)
-                    if (v >= left) v = number[v - left];
-        });
-        renumber_entries(changes, mesh_.vertices);
-        renumber_entries(changes, mesh_.normals);
-        renumber_entries(changes, mesh_.components);
-    }
+    struct Tangents {
+        double needed;
+        double wanted;
+    };
 
     Mesh& mesh_;
     const SliverOptions& options_;
     const SurfaceProjector& project_;
-    double needed_;  // tangents
-    double wanted_;
-    double reach_ = 1.0;               // of kFree and kRoom
-    std::vector<std::uint32_t> left_;  // triangles below the needed angle near places that have been mended
-    std::vector<bool> may_be_low_;     // per triangle, whether it may be below the needed angle
+    Tangents angles_;
     TriangleBoxes boxes_;
     std::vector<std::uint32_t> tangled_;  // triangles, as they were found, that have not had their turn
-    bool was_tangled_ = false;
+    PendingChanges changes_;
     std::size_t hard_tries_ = 0;
-    bool dropped_crumbs_ = false;
-    std::vector<VertexId> moved_;         // and new ones
-    std::vector<VertexId> holes_;         // numbers of removed vertices
-    std::vector<std::uint32_t> removed_;  // triangles
-    std::vector<std::uint32_t> changed_;  // triangles that have changed, or vertices of theirs
 };
 
 }  // namespace

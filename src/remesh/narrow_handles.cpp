@@ -18,7 +18,7 @@
 namespace meniscus {
 namespace {
 
-// Of the way to the next vertices: what the ends of a cut handle are drawn back by, so that they do not touch.
+// The ends of a cut handle are drawn back by this part of the way to the next vertices, so that they do not touch.
 constexpr double kDrawnBack = 1.0 / 3.0;
 
 // Half-edges from vertex to vertex, back to the first.

@@ -51,7 +51,7 @@ double tangent_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
     const double ab = squared_norm(b - a);
     const double bc = squared_norm(c - b);
     const double ca = squared_norm(a - c);
-    // It lies opposite the shortest side, between the other two.
+    // The smallest angle lies opposite the shortest side.
     const double product = 0.5 * (ab + bc + ca) - std::min({ab, bc, ca});
     return product > 0.0 ? norm(area_vector(a, b, c)) / product : 0.0;
 }

@@ -14,7 +14,7 @@
 namespace meniscus {
 namespace {
 
-constexpr int kMostChanges = 200;  // of a patch
+constexpr int kMostChanges = 200;  // of one patch
 constexpr double kGain = 1e-3;     // of the tangent: less is not worth a change
 
 // What must hold afterwards unless it did not hold before: triangles face the way the surface does within 60 degrees,
@@ -29,7 +29,7 @@ constexpr double kFlat = 0.1;  // tangent: what parting triangles may leave to b
 constexpr std::array<double, 4> kRings{0.03, 0.08, 0.2, 0.4};
 constexpr int kPerRing = 8;
 
-// Changes that are tried together with moves of what they touch: those that begin best.
+// So many changes, those that begin best, are tried together with moves of what they touch.
 constexpr std::size_t kTriedTogether = 16;
 constexpr int kSweeps = 3;
 
@@ -37,18 +37,15 @@ bool is_inside(const Box& box, const Vec3& p) { return box.squared_distance(p) =
 
 }  // namespace
 
-PatchMender::PatchMender(Patch patch, std::vector<bool> free, std::vector<bool> held, const Box& room,
-                         const SliverOptions& options, const SurfaceProjector& project)
-    : patch_(std::move(patch)),
-      free_(std::move(free)),
-      held_(std::move(held)),
-      room_(room),
+PatchMender::PatchMender(MendablePatch part, const SliverOptions& options, const SurfaceProjector& project)
+    : patch_(std::move(part.patch)),
+      free_(std::move(part.free)),
+      held_(std::move(part.held)),
+      room_(part.room),
       options_(options),
       project_(project),
-      needed_(tangent_of_degrees(options.needed_angle_deg)),
-      wanted_(tangent_of_degrees(options.smallest_angle_deg)),
-      enough_(tangent_of_degrees(options.mended_angle_deg)),
-      shortest_(options.shortest_edge()) {}
+      limits_{tangent_of_degrees(options.needed_angle_deg), tangent_of_degrees(options.smallest_angle_deg),
+              tangent_of_degrees(options.mended_angle_deg), options.shortest_edge()} {}
 
 void PatchMender::mend() {
     std::vector<std::size_t> stuck;
@@ -70,8 +67,8 @@ bool PatchMender::untangle() {
     return true;
 }
 
-// Of the flips, collapses and splits of both triangles' edges, with moves round them and without, the one that leaves
-// the fewest crossings.
+// Takes the flip, collapse or split of one of both triangles' edges, with moves round it or without, that leaves the
+// fewest crossings.
 bool PatchMender::part(const std::pair<std::size_t, std::size_t>& crossing) {
     std::vector<Patch> candidates;
     std::vector<VertexId> corners;
@@ -97,8 +94,8 @@ bool PatchMender::part(const std::pair<std::size_t, std::size_t>& crossing) {
     std::pair<std::ptrdiff_t, double> least{0, 0.0};  // crossings more than before, and goodness with its sign changed
     for (const Patch& candidate : candidates) {
         const std::vector<std::size_t> changed = changed_triangles(patch_, candidate);
-        const PatchShape before = shape_of(patch_, changed, shortest_);
-        const PatchShape after = shape_of(candidate, changed, shortest_);
+        const PatchShape before = shape_of(patch_, changed, limits_.shortest);
+        const PatchShape after = shape_of(candidate, changed, limits_.shortest);
         const double goodness = after.least_goodness;
         if (goodness < std::min(kFlat, before.least_goodness) || makes_short_edges(before, after)) continue;
         const std::pair mark{static_cast<std::ptrdiff_t>(count_crossings(candidate, changed)) -
@@ -123,11 +120,11 @@ std::vector<VertexId> PatchMender::touched_by(const Patch& candidate, std::vecto
 
 std::optional<std::size_t> PatchMender::worst_triangle(const std::vector<std::size_t>& stuck) const {
     std::optional<std::size_t> worst;
-    double least = wanted_;
+    double least = limits_.wanted;
     for (std::size_t t = 0; t < patch_.triangles.size(); ++t) {
         const Triangle& corners = patch_.triangles[t];
         if (!patch_.has(t) || !is_free(corners)) continue;
-        const double goodness = patch_.goodness(corners, shortest_);
+        const double goodness = patch_.goodness(corners, limits_.shortest);
         if (goodness >= least || std::find(stuck.begin(), stuck.end(), t) != stuck.end()) continue;
         least = goodness;
         worst = t;
@@ -138,7 +135,7 @@ std::optional<std::size_t> PatchMender::worst_triangle(const std::vector<std::si
 bool PatchMender::mend_triangle(std::size_t triangle) {
     const Triangle corners = patch_.triangles[triangle];
     return try_flips(corners, triangle) || try_moves(corners, triangle) || try_collapses(corners, triangle) ||
-           (patch_.goodness(corners, shortest_) < needed_ &&
+           (patch_.goodness(corners, limits_.shortest) < limits_.needed &&
             (try_together(corners, triangle, false) || try_together(corners, triangle, true)));
 }
 
@@ -168,14 +165,14 @@ bool PatchMender::try_collapses(const Triangle& corners, std::size_t triangle) {
     return false;
 }
 
-// Flips and collapses round the triangle, or else splits, each with moves of the corners of what it changed; the best
-// of all is taken.
+// Tries flips and collapses round the triangle, or else splits, each with moves of the corners of what it changed, and
+// takes the best of all.
 bool PatchMender::try_together(const Triangle& corners, std::size_t triangle, bool splits) {
     ++hard_tries_;
     std::vector<Candidate> candidates;
     const auto add = [&](std::optional<Patch>&& patch) {
         if (!patch) return;
-        const double goodness = shape_of(*patch, changed_triangles(patch_, *patch), shortest_).least_goodness;
+        const double goodness = shape_of(*patch, changed_triangles(patch_, *patch), limits_.shortest).least_goodness;
         candidates.push_back({std::move(*patch), goodness});
     };
     for (const auto& [a, b] : edges_round(corners)) {
@@ -229,7 +226,7 @@ std::optional<Patch> PatchMender::collapsed(const Edge& edge) const {
 }
 
 bool PatchMender::makes_short_edges(const PatchShape& before, const PatchShape& after) const {
-    return after.shortest < std::min(shortest_ * shortest_, before.shortest);
+    return after.shortest < std::min(limits_.shortest * limits_.shortest, before.shortest);
 }
 
 bool PatchMender::is_between_free(const Edge& edge) const {
@@ -264,8 +261,8 @@ std::optional<double> PatchMender::judge(const Patch& candidate, std::size_t tri
     if (changed.empty()) return std::nullopt;
     if (!std::binary_search(changed.begin(), changed.end(), triangle))
         changed.insert(std::lower_bound(changed.begin(), changed.end(), triangle), triangle);
-    const PatchShape before = shape_of(patch_, changed, shortest_);
-    const PatchShape after = shape_of(candidate, changed, shortest_);
+    const PatchShape before = shape_of(patch_, changed, limits_.shortest);
+    const PatchShape after = shape_of(candidate, changed, limits_.shortest);
     const double longest = options_.longest_edge * options_.longest_edge;
     const bool new_edges = candidate.triangles != patch_.triangles;
     if (after.least_goodness < std::max(at_least, before.least_goodness + kGain) ||
@@ -279,7 +276,7 @@ std::optional<double> PatchMender::judge(const Patch& candidate, std::size_t tri
 }
 
 bool PatchMender::take_if_enough(Patch& candidate, std::size_t triangle) {
-    if (!judge(candidate, triangle, enough_)) return false;
+    if (!judge(candidate, triangle, limits_.enough)) return false;
     patch_ = std::move(candidate);
     return true;
 }
@@ -289,13 +286,13 @@ void PatchMender::relax(Patch& patch, const std::vector<VertexId>& vertices) {
         for (const VertexId v : vertices) move(patch, v);
 }
 
-// Takes the place round a vertex whose triangles are best.
+// Moves a vertex to the place near it that makes the best triangles.
 void PatchMender::move(Patch& patch, VertexId v) {
     if (!free_[v] || held_[v]) return;
     const std::vector<std::size_t> star = patch.star(v);
     if (star.empty()) return;
-    const PatchShape before = shape_of(patch, star, shortest_);
-    if (before.least_goodness >= enough_) return;
+    const PatchShape before = shape_of(patch, star, limits_.shortest);
+    if (before.least_goodness >= limits_.enough) return;
     double length = 0.0;
     for (const std::size_t t : star)
         for (const VertexId w : patch.triangles[t]) length += norm(patch.at(w) - patch.at(v));
@@ -304,7 +301,7 @@ void PatchMender::move(Patch& patch, VertexId v) {
     for (const SurfacePoint& place : places_round(best, length / (2.0 * static_cast<double>(star.size())))) {
         if (!is_inside(room_, place.position)) continue;
         patch.points[v] = place;
-        const PatchShape after = shape_of(patch, star, shortest_);
+        const PatchShape after = shape_of(patch, star, limits_.shortest);
         if (after.least_goodness <= least || after.facing < std::min(kLeastFacing, before.facing)) continue;
         least = after.least_goodness;
         best = place;
@@ -312,19 +309,20 @@ void PatchMender::move(Patch& patch, VertexId v) {
     patch.points[v] = best;
 }
 
-const std::vector<SurfacePoint>& PatchMender::places_round(const SurfacePoint& centre, double step) {
+std::vector<SurfacePoint> PatchMender::places_round(const SurfacePoint& centre, double step) const {
     const Vec3 axis = std::abs(centre.normal.x) < 0.6 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
     const Vec3 u = normalised(cross(centre.normal, axis));
     const Vec3 w = cross(centre.normal, u);
-    places_.clear();
+    std::vector<SurfacePoint> places;
+    places.reserve(kRings.size() * kPerRing);
     for (const double ring : kRings)
         for (int k = 0; k < kPerRing; ++k) {
             const double angle = 2.0 * std::numbers::pi * k / kPerRing;
-            places_.push_back(centre);
-            places_.back().position += ring * step * (elementary::cos(angle) * u + elementary::sin(angle) * w);
+            places.push_back(centre);
+            places.back().position += ring * step * (elementary::cos(angle) * u + elementary::sin(angle) * w);
         }
-    project_(places_);
-    return places_;
+    project_(places);
+    return places;
 }
 
 }  // namespace meniscus

@@ -14,19 +14,25 @@
 
 namespace meniscus {
 
+/// A patch, and what of it may change.
+struct MendablePatch {
+    Patch patch;
+    std::vector<bool> free;  ///< per vertex: triangles round it may change. They lie within `room`, and stay there.
+    std::vector<bool> held;  ///< per vertex: it stays where it is, and so do edges to others of its kind
+    Box room;
+};
+
 class PatchMender {
 public:
-    /// free  per vertex of the patch: whether triangles round it may change. They lie within `room`, and stay there.
-    /// held  per vertex: whether it stays where it is, and so do edges to others of its kind
-    PatchMender(Patch patch, std::vector<bool> free, std::vector<bool> held, const Box& room,
-                const SliverOptions& options, const SurfaceProjector& project);
+    PatchMender(MendablePatch part, const SliverOptions& options, const SurfaceProjector& project);
 
-    /// Mends small angles, short edges and what faces the wrong way, worst first. Often that is all that is tangled.
+    /// Mends small angles, short edges and triangles that face the wrong way, worst first. Often this untangles them,
+    /// too.
     void mend();
-    /// Parts triangles that pass through each other; what that leaves is to be mended again. False if there is nothing.
+    /// Parts triangles that pass through each other; the patch is to be mended again then. False if there are none.
     bool untangle();
     const Patch& patch() const { return patch_; }
-    /// How often one change alone did not do, and many were tried together: nearly all of the time goes there.
+    /// How often one change alone was not enough, and many were tried together: they take nearly all of the time.
     std::size_t hard_tries() const { return hard_tries_; }
 
 private:
@@ -34,6 +40,13 @@ private:
     struct Candidate {
         Patch patch;
         double goodness = 0.0;  ///< of the worst triangle that changed
+    };
+
+    struct Limits {
+        double needed;  ///< tangents
+        double wanted;
+        double enough;
+        double shortest;  ///< edge, Å
     };
 
     std::optional<std::size_t> worst_triangle(const std::vector<std::size_t>& stuck) const;
@@ -50,8 +63,8 @@ private:
     bool is_free(const Triangle& corners) const { return free_[corners[0]] && free_[corners[1]] && free_[corners[2]]; }
     bool is_held(const Edge& edge) const { return held_[edge.first] && held_[edge.second]; }
     bool is_along_ridge(const Edge& edge) const;
-    /// Whether its ends and the corners opposite to it are free.
     bool makes_short_edges(const PatchShape& before, const PatchShape& after) const;
+    /// Whether an edge's ends and the corners opposite to it are free.
     bool is_between_free(const Edge& edge) const;
     /// The patch with an edge turned, with the edge's first end in its second, or with a vertex on the edge; nothing
     /// where that may not be.
@@ -66,7 +79,7 @@ private:
 
     void relax(Patch& patch, const std::vector<VertexId>& vertices);
     void move(Patch& patch, VertexId v);
-    const std::vector<SurfacePoint>& places_round(const SurfacePoint& centre, double step);
+    std::vector<SurfacePoint> places_round(const SurfacePoint& centre, double step) const;
 
     Patch patch_;
     std::vector<bool> free_;
@@ -74,11 +87,7 @@ private:
     Box room_;
     const SliverOptions& options_;
     const SurfaceProjector& project_;
-    double needed_;  // tangents
-    double wanted_;
-    double enough_;
-    double shortest_;  // edge, Å
-    std::vector<SurfacePoint> places_;
+    Limits limits_;
     std::size_t hard_tries_ = 0;
 };
 

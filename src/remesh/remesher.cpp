@@ -43,7 +43,7 @@ constexpr int kIterations = 6;
 constexpr double kPushed = 0.8;
 constexpr int kPushes = 4;
 
-// Of the length asked for: what splitting and collapsing aims at, so that triangles lie near enough to the surface.
+// Splitting and collapsing aim at this part of the given length, so that triangles lie near enough to the surface.
 constexpr double kAim = 0.85;
 
 // Adaptive lengths follow the square root of the radius of curvature, which keeps the distance of the triangles from
@@ -56,8 +56,8 @@ constexpr double kLargestPart = 2.0;
 constexpr double kFrozen = 0.7;  // target lengths, times the number of attempts
 constexpr int kAttempts = 4;
 
-// Where the surface turns so fast that the middles of edges land anywhere, the mesh crumples: there are more bad
-// triangles, or such that pass through others, in a cube of four edges. Elsewhere there are some ten. What is left
+// Where the surface turns so fast that the middles of edges are projected anywhere, the mesh crumples: there are more
+// bad triangles, or such that pass through others, in a cube of four edges. Elsewhere there are some ten. What is left
 // unchanged in later attempts is smaller than the rest, and angles are small all round it.
 constexpr std::size_t kMostInCube = 40;
 
@@ -205,7 +205,7 @@ private:
         }
         std::vector<VertexId> added(mesh_.points.size() - known);
         std::iota(added.begin(), added.end(), static_cast<VertexId>(known));
-        bring_neighbours_together(added);
+        group_by_place(added);
         parallel_for(ridges.size(), 1, [&](std::size_t i) {
             ridges[i].place = point_on_ridge(mesh_.at(ridges[i].vertex), ridges[i].corners, project_);
         });
@@ -243,7 +243,7 @@ private:
         return found;
     }
 
-    // Of the triangles round the vertices from `first` on: nowhere else splitting them has left any.
+    // Lists those of triangles round the vertices from `first` on: splitting has left long edges nowhere else.
     std::vector<LongEdge> long_edges_round(std::size_t first) const {
         const HalfEdges& edges = mesh_.edges;
         std::vector<LongEdge> found;
@@ -303,7 +303,7 @@ private:
         std::vector<VertexId> free;
         for (VertexId v = 0; v < moved.size(); ++v)
             if (is_free(v)) free.push_back(v);
-        bring_neighbours_together(free);
+        group_by_place(free);
         for_chunks(free, [&](std::span<const VertexId> chunk) {
             for (const VertexId v : chunk) moved[v].position = relaxed(v);
             project_chunk(moved, chunk);
@@ -325,7 +325,7 @@ private:
             moved[v].position += steps[v];
             pushed.push_back(v);
         }
-        bring_neighbours_together(pushed);
+        group_by_place(pushed);
         project_points(moved, pushed);
         std::swap(mesh_.points, moved);
         undo_where_turned(moved);
@@ -383,8 +383,8 @@ private:
         return mesh_.faces_out(mesh_.edges.origin(h), mesh_.edges.target(h), mesh_.edges.opposite(h));
     }
 
-    // Neighbours in space come together: those that edges were split into are in no order.
-    void bring_neighbours_together(std::vector<VertexId>& vertices) const {
+    // Puts neighbours in space next to each other: new vertices come in no such order.
+    void group_by_place(std::vector<VertexId>& vertices) const {
         Box box;
         for (const VertexId v : vertices) box.include(mesh_.at(v));
         std::vector<std::uint64_t> cells;
@@ -402,7 +402,7 @@ private:
 
     std::vector<VertexId> vertices_by_cells() const {
         std::vector<VertexId> vertices = mesh_.edges.vertices();
-        bring_neighbours_together(vertices);
+        group_by_place(vertices);
         return vertices;
     }
 

@@ -49,7 +49,7 @@ void insert_ridges(WorkingMesh& mesh, const SurfaceProjector& project, const Sur
         const auto place = meeting_of_sheets(mesh.points[a], mesh.points[b], project);
         if (place && !left_out.contain(*place)) crossings.push_back({a, b, *place});
     });
-    // Told by their ends: a split gives half-edges of neighbouring edges other ones.
+    // Edges are named by their ends, because a split gives neighbouring edges other half-edges.
     for (const auto& [from, to, place] : crossings) {
         const VertexId v = mesh.split(edges.between(from, to));
         mesh.points[v].position = place;

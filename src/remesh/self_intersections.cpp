@@ -33,8 +33,16 @@ std::array<Vec3, 3> corners_of(const Mesh& mesh, const Triangle& t) {
     return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
 }
 
-// Where the inside of a segment passes through the inside of a triangle, on whose sides its ends are.
-std::optional<Vec3> piercing(const Vec3& p, double from, const Vec3& q, double to, const std::array<Vec3, 3>& t) {
+// A corner of one triangle, and on which side of another one's plane it is.
+struct SidedCorner {
+    Vec3 at;
+    double side;
+};
+
+// Where the inside of a segment passes through the inside of a triangle.
+std::optional<Vec3> piercing(const SidedCorner& begin, const SidedCorner& end, const std::array<Vec3, 3>& t) {
+    const auto& [p, from] = begin;
+    const auto& [q, to] = end;
     if (from * to >= 0.0) return std::nullopt;
     const double u = orientation(p, q, t[0], t[1]);
     const double v = orientation(p, q, t[1], t[2]);
@@ -79,7 +87,7 @@ std::optional<Vec3> sides_through(const Candidate& s, const std::array<Vec3, 3>&
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3;
         if (s.shared[k] || s.shared[next]) continue;
-        if (const auto place = piercing(s.at[k], s.side[k], s.at[next], s.side[next], t)) return place;
+        if (const auto place = piercing({s.at[k], s.side[k]}, {s.at[next], s.side[next]}, t)) return place;
     }
     return std::nullopt;
 }

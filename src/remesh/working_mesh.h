@@ -25,7 +25,7 @@ inline double cosine_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3&
     const double ab = squared_norm(b - a);
     const double bc = squared_norm(c - b);
     const double ca = squared_norm(a - c);
-    // It is opposite the shortest side, between the other two.
+    // The smallest angle lies opposite the shortest side.
     const double shortest = std::min({ab, bc, ca});
     const double product = ab == shortest ? bc * ca : (bc == shortest ? ca * ab : ab * bc);
     return product > 0.0 ? (ab + bc + ca - 2.0 * shortest) / (2.0 * std::sqrt(product)) : 1.0;
@@ -122,7 +122,7 @@ struct WorkingMesh {
         double after = 0.0;
         bool allowed = false;
     };
-    /// Which way the new triangles must face: out, or out only if the old ones do.
+    /// The way in which new triangles must face: out, or out only if the old ones do.
     enum class Facing : std::uint8_t { Out, AsBefore };
     Flip try_flip(HalfEdge h, Facing facing) const;
 

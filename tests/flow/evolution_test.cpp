@@ -261,7 +261,8 @@ TEST(InterpolatingCoefficients, InterpolateNearTheSurface) {
         const NodeField values = problem.start(-1.0);
         const NodeField coefficients = interpolating_coefficients(*problem.grid, values, 3.0);
         NodeField back(values.size(), 0.0F);
-        apply_everywhere(*problem.grid, spline_value(), coefficients, BlockFill(problem.grid->block_count()), back);
+        const BlockFill fill(problem.grid->block_count());
+        apply_everywhere(spline_value(), {*problem.grid, coefficients, fill}, back);
         for (std::size_t n = 0; n < values.size(); ++n) {
             if (std::abs(values[n]) < 2.0 * h) {  // farther nodes may lie beside a missing block
                 ASSERT_NEAR(back[n], values[n], 2e-4 * h);

@@ -34,7 +34,7 @@ TEST(SteadyState, SolvesItsEquationNearTheSurfaceAndKeepsTheDistanceElsewhere) {
     const double lambda = options.anchor / (h * h);
     const BlockFill fill = fill_by_sign(*problem.grid, problem.band.distance, problem.margin);
     NodeField image(problem.grid->node_count(), 0.0F);
-    apply_everywhere(*problem.grid, lambda * spline_value() - spline_laplacian(h), result.state.coefficients, fill,
+    apply_everywhere(lambda * spline_value() - spline_laplacian(h), {*problem.grid, result.state.coefficients, fill},
                      image);
     double squares = 0.0;
     double count = 0.0;

@@ -102,9 +102,8 @@ TEST(GatherPadded, EqualsDirectLookups) {
     const BlockGrid grid(0.5, {}, random_blocks(4));
     const std::vector<float> field = numbered_nodes(grid);
     constexpr float kFill = -7.0F;
-    std::vector<float> padded(kPaddedNodes);
     for (BlockId b = 0; b < grid.block_count(); ++b) {
-        gather_padded<float>(grid, field, b, kFill, std::span<float, kPaddedNodes>(padded));
+        const auto padded = gather_padded<float>(grid, field, b, kFill);
         const BlockCoord& c = grid.coord(b);
         std::size_t at = 0;
         for (int z = -1; z <= kBlockEdge; ++z)
@@ -119,8 +118,7 @@ TEST(GatherPadded, EqualsDirectLookups) {
 TEST(GatherPadded, ALonelyBlockIsSurroundedByTheFill) {
     const BlockGrid grid(0.5, {}, {{.z = 0, .y = 0, .x = 0}});
     const std::vector<float> field(kBlockNodes, 1.0F);
-    std::vector<float> padded(kPaddedNodes);
-    gather_padded<float>(grid, field, 0, 5.0F, std::span<float, kPaddedNodes>(padded));
+    const auto padded = gather_padded<float>(grid, field, 0, 5.0F);
     EXPECT_EQ(std::count(padded.begin(), padded.end(), 1.0F), kBlockNodes);
     EXPECT_EQ(std::count(padded.begin(), padded.end(), 5.0F), kPaddedNodes - kBlockNodes);
 }

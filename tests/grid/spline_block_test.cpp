@@ -34,13 +34,14 @@ std::vector<Vec3> points_on_edges(const LevelSet& level_set) {
     return points;
 }
 
-std::vector<Landing> land(const LevelSet& level_set, std::span<const Vec3> points, const SplineKernels& kernels) {
-    std::vector<Landing> landings(points.size());
-    SplineBlock(level_set.grid(), level_set.coefficients(), kernels).land(points, landings);
-    return landings;
+std::vector<SplineProjection> project(const LevelSet& level_set, std::span<const Vec3> points,
+                                      const SplineKernels& kernels) {
+    std::vector<SplineProjection> projections(points.size());
+    SplineBlock(level_set.grid(), level_set.coefficients(), kernels).project(points, projections);
+    return projections;
 }
 
-void expect_same(const Landing& found, const Landing& expected) {
+void expect_same(const SplineProjection& found, const SplineProjection& expected) {
     EXPECT_EQ(found.point, expected.point);
     EXPECT_EQ(found.sample.value, expected.sample.value);
     EXPECT_EQ(found.sample.gradient, expected.sample.gradient);
@@ -51,11 +52,11 @@ TEST(SplineBlock, PointsEndWhereTheCursorSays) {
     const LevelSet level_set = ball();
     const std::vector<Vec3> points = points_on_edges(level_set);
     ASSERT_GT(points.size(), 1000U);
-    const std::vector<Landing> landings = land(level_set, points, spline_kernels());
+    const std::vector<SplineProjection> projections = project(level_set, points, spline_kernels());
     SplineCursor cursor(level_set.grid(), level_set.coefficients());
     for (std::size_t i = 0; i < points.size(); ++i) {
-        ASSERT_LE(std::abs(landings[i].sample.value), 1e-7 * kSpacing);
-        expect_same(landings[i], land_on_zero_set(cursor, points[i], kSpacing));
+        ASSERT_LE(std::abs(projections[i].sample.value), 1e-7 * kSpacing);
+        expect_same(projections[i], project_to_zero_set(cursor, points[i], kSpacing));
     }
 }
 
@@ -63,12 +64,12 @@ TEST(SplineBlock, EveryInstructionSetGivesTheSameBits) {
     const LevelSet level_set = ball();
     const std::vector<Vec3> points = points_on_edges(level_set);
     const std::vector<SplineKernels> all = supported_spline_kernels();
-    const std::vector<Landing> plain = land(level_set, points, all.front());
+    const std::vector<SplineProjection> plain = project(level_set, points, all.front());
     for (const SplineKernels& kernels : all) {
-        const std::vector<Landing> landings = land(level_set, points, kernels);
+        const std::vector<SplineProjection> projections = project(level_set, points, kernels);
         for (std::size_t i = 0; i < points.size(); ++i) {
             SCOPED_TRACE(kernels.instructions);
-            expect_same(landings[i], plain[i]);
+            expect_same(projections[i], plain[i]);
         }
     }
 }
@@ -83,18 +84,18 @@ TEST(SplineBlock, PointsThatGoAstrayEndWhereTheCursorSays) {
         return std::array<double, 3>{std::floor(at.z), std::floor(at.y), std::floor(at.x)};
     };
     std::ranges::sort(points, {}, block_of);
-    const std::vector<Landing> landings = land(level_set, points, spline_kernels());
+    const std::vector<SplineProjection> projections = project(level_set, points, spline_kernels());
     SplineCursor cursor(grid, level_set.coefficients());
     std::size_t failed = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const Landing expected = land_on_zero_set(cursor, points[i], kSpacing);
+        const SplineProjection expected = project_to_zero_set(cursor, points[i], kSpacing);
         if (expected.point != points[i]) {
-            expect_same(landings[i], expected);
+            expect_same(projections[i], expected);
             continue;
         }
         ++failed;  // did not arrive: it left the ball, or the band
-        const LevelSetSample& at = landings[i].sample;
-        EXPECT_TRUE(landings[i].point == points[i] || std::abs(at.value) <= 1e-7 * kSpacing);
+        const LevelSetSample& at = projections[i].sample;
+        EXPECT_TRUE(projections[i].point == points[i] || std::abs(at.value) <= 1e-7 * kSpacing);
     }
     EXPECT_GT(failed, 20U);
     EXPECT_LT(failed, points.size() - 20);

@@ -54,12 +54,12 @@ TEST(SplineCursor, FirstDerivativesAloneHaveTheBitsOfTheSample) {
     }
 }
 
-TEST(SplineCursor, ALandingHasTheSampleOfItsPoint) {
+TEST(SplineCursor, AProjectionHasTheSampleOfItsPoint) {
     const LevelSet level_set = rough_level_set(0.5);
     SplineCursor cursor(level_set.grid(), level_set.coefficients());
     int stayed = 0;
     for (const Vec3& p : random_points(300, 5.0)) {  // some outside the band, some too far from the zero set
-        const auto [point, at] = land_on_zero_set(cursor, p, level_set.spacing());
+        const auto [point, at] = project_to_zero_set(cursor, p, level_set.spacing());
         EXPECT_EQ(point, level_set.project(p));
         const LevelSetSample sample = level_set.sample(point);
         if (std::isnan(sample.value)) {

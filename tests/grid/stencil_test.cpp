@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
 #include "support/sampled_field.h"
@@ -16,33 +15,6 @@ namespace meniscus::testing {
 namespace {
 
 using Padded = std::vector<float>;
-
-Padded random_padded(std::uint64_t seed) {
-    std::mt19937_64 random(seed);
-    std::uniform_real_distribution<float> value(-1.0F, 1.0F);
-    Padded padded(kPaddedNodes);
-    for (float& v : padded) v = value(random);
-    return padded;
-}
-
-std::vector<float> applied(const Stencil& stencil, const Padded& padded) {
-    std::vector<float> result(kBlockNodes);
-    apply_stencil(stencil, std::span<const float, kPaddedNodes>(padded), std::span<float, kBlockNodes>(result));
-    return result;
-}
-
-// The same from the definition.
-double by_hand(const Stencil& stencil, const Padded& padded, int x, int y, int z) {
-    const double weight[4] = {stencil.centre, stencil.face, stencil.edge, stencil.corner};
-    double sum = 0.0;
-    for (int k = -1; k <= 1; ++k)
-        for (int j = -1; j <= 1; ++j)
-            for (int i = -1; i <= 1; ++i) {
-                const int at = (x + 1 + i) + kPaddedEdge * ((y + 1 + j) + kPaddedEdge * (z + 1 + k));
-                sum += weight[std::abs(i) + std::abs(j) + std::abs(k)] * double{padded[static_cast<std::size_t>(at)]};
-            }
-    return sum;
-}
 
 // Samples f at the nodes of one block and one layer around it.
 template <class Function>
@@ -58,7 +30,7 @@ Padded padded_samples(double spacing, const Function& f) {
 // Largest |stencil(f) - expected| over the block.
 template <class Function, class Expected>
 double worst_error(const Stencil& stencil, double spacing, const Function& f, const Expected& expected) {
-    const std::vector<float> result = applied(stencil, padded_samples(spacing, f));
+    const std::vector<float> result = with_stencil(stencil, padded_samples(spacing, f));
     double worst = 0.0;
     for (int z = 0; z < kBlockEdge; ++z)
         for (int y = 0; y < kBlockEdge; ++y)
@@ -68,21 +40,6 @@ double worst_error(const Stencil& stencil, double spacing, const Function& f, co
                 worst = std::max(worst, std::abs(value - expected(p)));
             }
     return worst;
-}
-
-TEST(Stencil, EqualsATripleLoop) {
-    std::mt19937_64 random(1);
-    std::uniform_real_distribution<double> weight(-2.0, 2.0);
-    for (std::uint64_t seed = 0; seed < 10; ++seed) {
-        const Stencil stencil{weight(random), weight(random), weight(random), weight(random)};
-        const Padded padded = random_padded(seed);
-        const std::vector<float> result = applied(stencil, padded);
-        for (int z = 0; z < kBlockEdge; ++z)
-            for (int y = 0; y < kBlockEdge; ++y)
-                for (int x = 0; x < kBlockEdge; ++x)
-                    EXPECT_NEAR(result[static_cast<std::size_t>(node_in_block(x, y, z))],
-                                by_hand(stencil, padded, x, y, z), 2e-5);
-    }
 }
 
 TEST(Stencil, ValuesOfASplineSumToOneAndItsLaplacianToZero) {

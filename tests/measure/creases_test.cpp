@@ -37,8 +37,10 @@ std::optional<TriangleSum> parts_over_crease(const Mesh& mesh) {
         const std::size_t lane = CreasedLanes::kCount - 1;
         for (std::size_t k = 0; k < 3; ++k) {
             const VertexId v = mesh.triangles[0][k];
-            lanes.corners[k].set(lane, mesh.vertices[v], mesh.normals[v], mesh.mean_curvatures[v],
-                                 mesh.gaussian_curvatures[v]);
+            lanes.corners[k].point.set(lane, mesh.vertices[v]);
+            lanes.corners[k].normal.set(lane, mesh.normals[v]);
+            lanes.corners[k].mean_curvature[lane] = mesh.mean_curvatures[v];
+            lanes.corners[k].gaussian_curvature[lane] = mesh.gaussian_curvatures[v];
         }
         const std::uint64_t creased = kernels.measure_over_creases(lanes, CreasedLanes::kCount);
         EXPECT_EQ(creased & ~(std::uint64_t{1} << lane), 0U);

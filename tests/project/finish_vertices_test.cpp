@@ -66,16 +66,17 @@ TEST(FinishAgain, SomeVerticesBecomeWhatTheyAreFromWhereTheyStartAndOthersStay) 
     const AccessibleSurface exact(kRidged, 1.4);
     const double spacing = 0.5;
     const Mesh before = compute_surface(kRidged, {.method = Method::Direct, .spacing = spacing}).mesh;
-    std::vector<VertexId> places;
+    std::vector<VertexStart> starts;
     Mesh alone;
     for (VertexId v = 1; v < before.vertices.size(); v += 3) {
-        places.push_back(v);
         alone.vertices.push_back(before.vertices[v] + 0.1 * normalised({1, 2, 3}));
+        starts.push_back({v, alone.vertices.back()});
     }
     Mesh mesh = before;
     VertexDistances distances(std::vector<float>(mesh.vertices.size(), 7.0F));
-    finish_again(exact, nullptr, spacing, places, alone.vertices, mesh, distances);
-    const VertexDistances distances_alone = finish_vertices(exact, nullptr, spacing, alone);
+    const ProjectionTarget target{exact, nullptr, spacing};
+    finish_again(target, starts, mesh, distances);
+    const VertexDistances distances_alone = finish_vertices(target, alone);
     expect_changed(mesh, before);
     for (VertexId v = 0; v < mesh.vertices.size(); ++v) {
         const bool again = v % 3 == 1;

@@ -29,19 +29,19 @@ void expect_same(double a, double b) { EXPECT_TRUE(a == b || (std::isnan(a) && s
 TEST(ShapeKernels, HaveTheBitsOfSamples) {
     std::mt19937_64 random(3);
     std::normal_distribution<double> number;
-    std::array<Landing, kBatchLanes> landings;
-    for (Landing& landing : landings) {
-        LevelSetSample& at = landing.sample;
+    std::array<SplineProjection, kBatchLanes> projections;
+    for (SplineProjection& projection : projections) {
+        LevelSetSample& at = projection.sample;
         at.gradient = {number(random), number(random), number(random)};
         for (double& h : at.hessian) h = number(random);
     }
-    landings[5].sample.gradient = {};
+    projections[5].sample.gradient = {};
     for (const ShapeKernels& kernels : supported_shape_kernels())
         for (const std::size_t count : {std::size_t{1}, std::size_t{7}, kBatchLanes}) {
             ShapeLanes lanes;
-            kernels.of_landings(landings, count, lanes);
+            kernels.of_projections(projections, count, lanes);
             for (std::size_t i = 0; i < count; ++i) {
-                const LevelSetSample& at = landings[i].sample;
+                const LevelSetSample& at = projections[i].sample;
                 const Vec3 normal = i == 5 ? Vec3{0.0, 0.0, 1.0} : normalised(at.gradient);
                 EXPECT_EQ(normal, (Vec3{lanes.normals.x[i], lanes.normals.y[i], lanes.normals.z[i]}));
                 expect_same(lanes.mean[i], at.mean_curvature());

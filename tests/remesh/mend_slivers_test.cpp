@@ -108,7 +108,7 @@ TEST(MendSlivers, TellWhichTrianglesHaveChanged) {
     const Mesh before = mesh;
     const MeshChanges changes = mend_slivers(mesh, {.edge = kSpacing}, onto_sphere(kSphere));
     EXPECT_TRUE(changes.any());
-    EXPECT_FALSE(changes.dropped_crumbs);
+    EXPECT_FALSE(changes.dropped_components);
     EXPECT_TRUE(std::is_sorted(changes.triangles.begin(), changes.triangles.end()));
     std::size_t same = 0;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -218,11 +218,11 @@ Mesh spheres_and_a_needle() {
 
 const SurfaceProjector kNowhereElse = [](std::span<SurfacePoint>) {};
 
-TEST(MendSlivers, DropCrumbsThatCannotBeMended) {
+TEST(MendSlivers, DropTinyComponentsThatCannotBeMended) {
     Mesh mesh = spheres_and_a_needle();
     expect_closed_manifold(mesh);
     ASSERT_LT(smallest_angle_of(mesh), 5.0);
-    const MeshChanges changes = mend_slivers(mesh, {.edge = 0.5, .largest_crumb = 8}, kNowhereElse);
+    const MeshChanges changes = mend_slivers(mesh, {.edge = 0.5, .tiny_component = 8}, kNowhereElse);
     EXPECT_EQ(changes.left, 12U);
     expect_closed_manifold(mesh);
     EXPECT_GE(smallest_angle_of(mesh), 5.0);
@@ -231,30 +231,30 @@ TEST(MendSlivers, DropCrumbsThatCannotBeMended) {
         EXPECT_EQ(mesh.components[v], mesh.vertices[v].x < 0 ? 0U : 1U);
 }
 
-TEST(MendSlivers, TellOfACrumbAtTheEnd) {
+TEST(MendSlivers, TellOfATinyComponentAtTheEnd) {
     Mesh mesh = spheres_and_a_needle();
     mesh.vertices.resize(10);
     mesh.normals.resize(10);
     mesh.components.resize(10);
     mesh.triangles.resize(12);
-    const MeshChanges changes = mend_slivers(mesh, {.edge = 0.5, .largest_crumb = 8}, kNowhereElse);
+    const MeshChanges changes = mend_slivers(mesh, {.edge = 0.5, .tiny_component = 8}, kNowhereElse);
     EXPECT_TRUE(changes.any());
     EXPECT_EQ(changes.left, 6U);
     EXPECT_TRUE(changes.refilled.empty());
     expect_closed_manifold(mesh);
 }
 
-TEST(MendSlivers, KeepCrumbsUnlessAsked) {
+TEST(MendSlivers, KeepTinyComponentsUnlessAsked) {
     Mesh mesh = spheres_and_a_needle();
     mend_slivers(mesh, {.edge = 0.5}, kNowhereElse);
     EXPECT_EQ(euler_characteristic_of(mesh), 6);
     Mesh with_three = spheres_and_a_needle();
-    mend_slivers(with_three, {.edge = 0.5, .largest_crumb = 3}, kNowhereElse);
+    mend_slivers(with_three, {.edge = 0.5, .tiny_component = 3}, kNowhereElse);
     EXPECT_EQ(euler_characteristic_of(with_three), 6);
 }
 
-// A mesh that is nothing but a crumb is what there is of the molecule.
-TEST(MendSlivers, KeepTheLastCrumb) {
+// A mesh that is nothing but a tiny component is what there is of the molecule.
+TEST(MendSlivers, KeepTheLastComponent) {
     Mesh mesh;
     const Mesh three = spheres_and_a_needle();
     mesh.vertices.assign(three.vertices.begin() + 6, three.vertices.begin() + 10);
@@ -264,7 +264,7 @@ TEST(MendSlivers, KeepTheLastCrumb) {
         mesh.triangles.push_back({a - 6, b - 6, c - 6});
     }
     expect_closed_manifold(mesh);
-    mend_slivers(mesh, {.edge = 0.5, .largest_crumb = 8}, kNowhereElse);
+    mend_slivers(mesh, {.edge = 0.5, .tiny_component = 8}, kNowhereElse);
     EXPECT_EQ(mesh.triangles.size(), 4U);
 }
 

@@ -65,9 +65,15 @@ double smoothed_sign(const float* phi, double spacing) {
     return length2 > 0.0 ? *phi / std::sqrt(length2) : 0.0;
 }
 
+struct Iteration {
+    const BlockGrid& grid;
+    const UpwindScheme& scheme;
+    float limit;  // of |Φ|, Å
+};
+
 // One iteration on one block; returns the sum of |ΔΦ|.
-double advance(const BlockGrid& grid, BlockId block, float limit, const UpwindScheme& scheme, const NodeField& values,
-               NodeField& next) {
+double iterate(const Iteration& iteration, BlockId block, const NodeField& values, NodeField& next) {
+    const auto& [grid, scheme, limit] = iteration;
     WideBlock wide;
     gather_wide(grid, values, block, wide);
     double change = 0.0;
@@ -95,7 +101,7 @@ int reinitialise_upwind(const BlockGrid& grid, double width, const UpwindScheme&
             parallel_sum<double>(grid.block_count(), kBlocksPerTask, [&](std::size_t begin, std::size_t end) {
                 double sum = 0.0;
                 for (std::size_t b = begin; b < end; ++b)
-                    sum += advance(grid, static_cast<BlockId>(b), limit, scheme, values, next);
+                    sum += iterate({grid, scheme, limit}, static_cast<BlockId>(b), values, next);
                 return sum;
             });
         std::swap(values, next);

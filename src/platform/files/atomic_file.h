@@ -10,8 +10,8 @@
 #include <string_view>
 #include <type_traits>
 
-#include "platform/files/digits.h"
 #include "platform/files/descriptor_writer.h"
+#include "platform/files/digits.h"
 
 namespace meniscus {
 
