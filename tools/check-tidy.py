@@ -23,8 +23,9 @@ import changes
 from sources import ROOT, Cache, closure, configurations, named, sources
 
 
-# Compiled only where the library that they are about is installed (packages.txt, section [full]).
-OPTIONAL = {pathlib.Path("src/volume/vdb_module.cpp")}
+# Compiled only where the library that they are about is installed (packages.txt, section [full]) or chosen.
+OPTIONAL = {pathlib.Path("src/volume/vdb_module.cpp"), pathlib.Path("src/core/threads/none.cpp"),
+            pathlib.Path("src/core/threads/standard.cpp")}
 # -Wno-unknown-warning-option: the commands are GCC's.
 ARGUMENTS = ["--quiet", "--extra-arg=-Wno-unknown-warning-option", "--extra-arg=-Wreserved-identifier"]
 SETTINGS = ".clang-tidy"

@@ -28,4 +28,29 @@ struct Colour {
 /// colours  where the colour of each point goes; as many as points
 using ColourField = std::function<void(std::span<const Vec3> points, std::span<Colour> colours)>;
 
+/// The values that get the first and the last colour of a palette; what is beyond them gets the same.
+struct ValueRange {
+    double min = 0.0;
+    double max = 1.0;
+
+    bool operator==(const ValueRange&) const = default;
+};
+
+enum class ColourScheme {
+    Automatic,       ///< Chain if there are several, else Single
+    Single,          ///< one colour
+    Patch,           ///< contact, toroidal, reentrant
+    Element,         ///< of the nearest atom
+    Chain,           ///< of the nearest atom
+    Residue,         ///< kind of residue or nucleotide
+    ResiduePatch,    ///< contact patches by kind of residue, toroidal and reentrant ones red
+    Hydrophobicity,  ///< Kyte & Doolittle 1982, of the residue
+    Curvature,       ///< mean curvature, Å^-1
+    Component,       ///< outer pieces alike, every cavity its own
+    Depth,           ///< below the SES of a probe of kDepthProbe, Å
+    BFactor,         ///< of the nearest atom
+    Plddt,           ///< the bands of AlphaFold's confidence, which its files keep as B factors
+    Value,           ///< those of Mesh::values that ColourOptions::value names
+};
+
 }  // namespace meniscus

@@ -30,7 +30,7 @@ struct ComparedSurface {
 /// A mesh as it is; or, if it is not closed, with vertices at the same place made one and unused ones dropped, as
 /// programs write them that give every triangle corners of its own. Then other vertex arrays are dropped, too.
 ///
-/// throws   UsageError for coordinates that are not finite or beyond kFarthestCoordinate (read_mesh.h)
+/// throws   UsageError for coordinates that are not finite or beyond kFarthestCoordinate (mesh.h)
 ComparedSurface mesh_to_compare(Mesh mesh);
 
 struct StructureToCompare {

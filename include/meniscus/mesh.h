@@ -20,6 +20,9 @@ enum class PatchKind : std::uint8_t {
     Reentrant = 2,  ///< on a probe that touches three atoms
 };
 
+/// Å. Meshes that reach farther are refused, so that squares and products of lengths stay finite.
+inline constexpr double kFarthestCoordinate = 1e9;
+
 /// Vertex number. Unsigned 32-bit, as numbers of triangles: where there might be more than 2^32 - 1, LimitError is
 /// thrown.
 using VertexId = std::uint32_t;

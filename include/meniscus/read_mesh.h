@@ -9,9 +9,6 @@
 
 namespace meniscus {
 
-/// Å. Meshes that reach farther are refused, so that squares and products of lengths stay finite.
-inline constexpr double kFarthestCoordinate = 1e9;
-
 /// Reads positions and triangles of a mesh; whatever else a file holds is passed over, but must be well-formed.
 ///
 /// The suffix says the format, also before .gz: .ply (text, binary of either byte order), .obj, .stl (text or binary,

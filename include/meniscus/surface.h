@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "meniscus/atoms.h"
+#include "meniscus/cavities.h"
 #include "meniscus/cost.h"
 #include "meniscus/exact_surface.h"
 #include "meniscus/flow.h"
@@ -66,21 +67,6 @@ struct Check {
     bool passed = false;
     double value = 0.0;
     double bound = 0.0;
-};
-
-/// What SurfaceOptions::min_cavity has dropped.
-struct DroppedPieces {
-    std::size_t cavities = 0;
-    std::size_t islands = 0;  ///< outer pieces within these cavities
-};
-
-/// What SurfaceOptions::fill_cavities has filled.
-struct FilledCavities {
-    std::size_t cavities = 0;
-    std::size_t islands = 0;  ///< outer pieces within these cavities
-    double volume = 0.0;      ///< Å³ between the cavities' walls and the islands in them
-    Mesh walls;               ///< of the cavities, and of the islands in them; triangles of the grid, with components
-    Mesh rest;                ///< all other triangles of the grid; empty if nothing was filled
 };
 
 /// What RemeshOptions::simplify_topology has changed.

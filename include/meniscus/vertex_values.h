@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "meniscus/colours.h"
+#include "meniscus/colour.h"
 #include "meniscus/mesh.h"
 #include "meniscus/structure.h"
 #include "meniscus/volume.h"

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "meniscus/cavities.h"
 #include "meniscus/mesh.h"
-#include "meniscus/surface.h"
 #include "remesh/remesher.h"
 
 namespace meniscus {

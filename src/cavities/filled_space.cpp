@@ -16,11 +16,8 @@ constexpr double kNear = 0.5;  // spacings
 
 }  // namespace
 
-FilledSpace::FilledSpace(const Surface& surface)
-    : filled_(surface.filled),
-      spacing_(surface.options.spacing),
-      walls_(surface.filled.walls),
-      rest_(surface.filled.rest) {
+FilledSpace::FilledSpace(const FilledCavities& filled, double spacing)
+    : filled_(filled), spacing_(spacing), walls_(filled.walls), rest_(filled.rest) {
     for (std::uint32_t t = 0; t < filled_.walls.triangles.size(); ++t) {
         const Triangle& triangle = filled_.walls.triangles[t];
         const std::size_t piece = filled_.walls.components[triangle[0]];

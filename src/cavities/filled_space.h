@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "meniscus/surface.h"
+#include "meniscus/cavities.h"
 #include "space/box_tree.h"
 #include "space/triangle_tree.h"
 
@@ -13,8 +13,10 @@ namespace meniscus {
 
 class FilledSpace {
 public:
-    /// Keeps a reference to the surface.
-    explicit FilledSpace(const Surface& surface);
+    /// Keeps a reference to the cavities.
+    ///
+    /// spacing   of the grid that their walls are made on, Å
+    FilledSpace(const FilledCavities& filled, double spacing);
 
     bool empty() const { return boxes_.empty(); }
 

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "colours/srgb.h"
+#include "core/srgb.h"
 #include "io/measured_arrays.h"
 #include "meniscus/errors.h"
 #include "meniscus/version.h"

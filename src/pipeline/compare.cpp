@@ -12,7 +12,7 @@
 #include "measure/weighted_distances.h"
 #include "meniscus/errors.h"
 #include "meniscus/measures.h"
-#include "meniscus/read_mesh.h"
+#include "meniscus/mesh.h"
 #include "meniscus/surface.h"
 #include "meniscus/threads.h"
 #include "mesh/merge_vertices.h"

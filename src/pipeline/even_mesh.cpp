@@ -101,6 +101,12 @@ Mesh best_of_many(const Mesh& zero_set, const RemeshOptions& wanted, const Surfa
 
 }  // namespace
 
+Corners corners_of(const SurfaceOptions& options) {
+    const RemeshOptions& even = options.remesh;
+    const bool stay = even.is_on() && (even.keep_ridges || options.method == Method::Gaussian);
+    return even.corners == Corners::Near && stay ? Corners::OnSurface : even.corners;
+}
+
 EvenMesh make_even(Mesh zero_set, const RemeshOptions& wanted, const SurfaceProjector& project) {
     EvenMesh even;
     if (!wanted.simplify_topology) {

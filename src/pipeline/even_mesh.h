@@ -16,6 +16,10 @@ struct EvenMesh {
     SimplifiedTopology simplified;
 };
 
+/// What is wanted of the corners, but Near only where that can be kept to: not for an envelope, which is nowhere near
+/// the exact surface, and not with ridges, whose vertices are to stay there.
+Corners corners_of(const SurfaceOptions& options);
+
 /// Makes the triangles of a mesh even, and simplifies the topology if that is asked for.
 ///
 /// A surface with room for few triangles only may be left with bad ones, or with none on a bulge behind a neck that is

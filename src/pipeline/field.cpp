@@ -43,7 +43,7 @@ public:
     explicit SidedDistance(const Surface& surface)
         : level_set_(surface.level_set.get()),
           accessible_(surface.exact.accessible()),
-          filled_(surface),
+          filled_(surface.filled, surface.options.spacing),
           spacing_(surface.options.spacing) {
         const SurfaceOptions& options = surface.options;
         anchored_ = options.method == Method::Flow && options.flow.anchor > 0.0;
@@ -112,7 +112,8 @@ private:
 class IonDistance {
 public:
     IonDistance(const Surface& surface, double ion_radius)
-        : enlarged_(surface.exact.of_same_atoms({SurfaceKind::Sas, ion_radius})), filled_(surface) {}
+        : enlarged_(surface.exact.of_same_atoms({SurfaceKind::Sas, ion_radius})),
+          filled_(surface.filled, surface.options.spacing) {}
 
     const AccessibleSurface& accessible() const { return enlarged_.accessible(); }
 

@@ -34,12 +34,6 @@ double share_needed(Mesh& mesh, std::span<const double> offsets, double near, co
 
 }  // namespace
 
-Corners corners_of(const SurfaceOptions& options) {
-    const RemeshOptions& even = options.remesh;
-    const bool stay = even.is_on() && (even.keep_ridges || options.method == Method::Gaussian);
-    return even.corners == Corners::Near && stay ? Corners::OnSurface : even.corners;
-}
-
 bool move_corners(Mesh& mesh, const RemeshOptions& even, const AccessibleSurface& surface,
                   const SurfaceProjector& project) {
     if (!even.is_on() || even.corners == Corners::OnSurface) return false;

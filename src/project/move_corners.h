@@ -6,14 +6,9 @@
 #include "geometry/accessible_surface.h"
 #include "meniscus/mesh.h"
 #include "meniscus/remesh.h"
-#include "meniscus/surface.h"
 #include "remesh/remesher.h"
 
 namespace meniscus {
-
-/// What is wanted of the corners, but Near only where that can be kept to: not for an envelope, which is nowhere near
-/// the exact surface, and not with ridges, whose vertices are to stay there.
-Corners corners_of(const SurfaceOptions& options);
 
 /// Moves the corners of triangles on the surface to where they are wanted and returns whether any was to move. Nothing
 /// but the vertices changes.

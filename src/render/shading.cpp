@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "colours/srgb.h"
+#include "core/srgb.h"
 
 namespace meniscus {
 namespace {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "meniscus/surface.h"
+
 #include "mesh/components.h"
 #include "support/shapes.h"
 
@@ -23,7 +25,7 @@ Surface ball_with_filled_cavity() {
 
 TEST(FilledSpace, WithoutCavitiesNothingChanges) {
     const Surface surface;
-    const FilledSpace space(surface);
+    const FilledSpace space(surface.filled, surface.options.spacing);
     EXPECT_TRUE(space.empty());
     EXPECT_FALSE(space.contains({0, 0, 0}));
     EXPECT_EQ(space.distance({0, 0, 0}, 1.5), 1.5);
@@ -31,7 +33,7 @@ TEST(FilledSpace, WithoutCavitiesNothingChanges) {
 
 TEST(FilledSpace, IsWithinTheWalls) {
     const Surface surface = ball_with_filled_cavity();
-    const FilledSpace space(surface);
+    const FilledSpace space(surface.filled, surface.options.spacing);
     EXPECT_TRUE(space.contains({0, 0, 0}));
     EXPECT_TRUE(space.contains({1.1, 1.1, 1.1}));
     EXPECT_FALSE(space.contains({1.3, 1.3, 1.3}));  // in the box
@@ -40,7 +42,7 @@ TEST(FilledSpace, IsWithinTheWalls) {
 
 TEST(FilledSpace, TheDistanceIsToWhatIsLeft) {
     const Surface surface = ball_with_filled_cavity();
-    const FilledSpace space(surface);
+    const FilledSpace space(surface.filled, surface.options.spacing);
     for (double r = 0.0; r < 7.0; r += 0.1) {
         const double with_cavity = std::max(r - 5.0, 2.0 - r);
         EXPECT_NEAR(space.distance({0, r, 0}, with_cavity), r - 5.0, 0.05) << r;

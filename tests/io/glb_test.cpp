@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "colours/srgb.h"
+#include "core/srgb.h"
 #include "meniscus/errors.h"
 #include "meniscus/version.h"
 #include "support/glb_reader.h"

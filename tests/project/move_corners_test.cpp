@@ -11,6 +11,7 @@
 #include "meniscus/errors.h"
 #include "meniscus/mesh_quality.h"
 #include "meniscus/surface.h"
+#include "pipeline/even_mesh.h"
 #include "project/surface_projector.h"
 #include "support/mesh_checks.h"
 

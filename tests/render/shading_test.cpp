@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "colours/srgb.h"
+#include "core/srgb.h"
 
 namespace meniscus {
 namespace {

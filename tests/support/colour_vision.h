@@ -11,7 +11,7 @@
 #include <numbers>
 #include <span>
 
-#include "colours/srgb.h"
+#include "core/srgb.h"
 #include "meniscus/colour.h"
 #include "meniscus/vec3.h"
 

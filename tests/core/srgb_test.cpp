@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "colours/srgb.h"
+#include "core/srgb.h"
 
 #include <gtest/gtest.h>
 
