@@ -37,8 +37,8 @@ struct NearestBatch::Search {
 
         // A counting sort. Points next to each other mostly have the same group: they count in several chains, or each
         // would have to wait for the one before.
-        void sort(std::size_t groups, LaneArray<std::uint32_t>& lane_of) {
-            ends.assign(kChains * groups, 0);
+        void sort(std::size_t group_count, LaneArray<std::uint32_t>& lane_of) {
+            ends.assign(kChains * group_count, 0);
             const auto end_of = [&](std::size_t i) -> std::uint32_t& {
                 return ends[kChains * static_cast<std::size_t>(of_point[i]) + i % kChains];
             };

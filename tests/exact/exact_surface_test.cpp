@@ -37,7 +37,8 @@ TEST(ExactSurface, IsBuiltAndMeasuredOnceForAllCopies) {
     const std::size_t before = accessible_surfaces_built();
     const Measures& measures = exact.measures();
     EXPECT_EQ(accessible_surfaces_built() - before, 1U);
-    const ExactSurface copy = exact;
+    const std::vector<ExactSurface> copies{exact};
+    const ExactSurface& copy = copies.front();
     EXPECT_EQ(&copy.measures(), &measures);
     EXPECT_EQ(&copy.of_same_atoms({.probe = 1.1}).measures(), &measures);
     EXPECT_EQ(copy.signed_distance(exact.atoms().centres).size(), exact.atoms().size());
