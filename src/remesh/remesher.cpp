@@ -62,13 +62,16 @@ constexpr int kAttempts = 4;
 constexpr std::size_t kMostInCube = 40;
 
 // Where the surface has folds narrower than an edge all over, mending would take minutes and leave a mesh of the grid's
-// small triangles. Such a mesh is refused: where more than 300 triangles and one in 30 are crumpled, or where 1000
-// tries and one per 100 triangles have not been enough. A mesh of 173,000 triangles that is just possible takes 760
-// tries.
+// small triangles. Such a mesh is refused: where more than 300 triangles and one in 30 are crumpled, where 1000 tries
+// and one per 100 triangles have not been enough (a mesh of 173,000 triangles that is just possible takes 760 tries),
+// or where so much is left as the grid has it that a later attempt has twice the triangles of the first, and 20,000
+// more.
 constexpr std::size_t kMayCrumple = 300;
 constexpr std::size_t kOneCrumpledIn = 30;
 constexpr std::size_t kHardTries = 1000;
 constexpr std::size_t kOneTryPer = 100;  // triangles
+constexpr std::size_t kMayGrow = 2;
+constexpr std::size_t kMayAdd = 20'000;  // triangles
 
 // Nothing is put in so near to where ridges would lead through something, Å, times the number of the try.
 constexpr double kWithoutRidges = 0.1;
@@ -105,6 +108,7 @@ public:
         const WorkingMesh before = mesh_;
         // Short edges round a narrow handle tell how narrow it is.
         const int pushes = options_.simplify_topology ? 0 : kPushes;
+        std::size_t most_triangles = 0;
         std::vector<Vec3> places;
         for (int i = 1;; ++i) {
             freeze({places, kFrozen * (i - 1) * aim_});
@@ -116,6 +120,8 @@ public:
             for (int k = 0; k < pushes; ++k) push_apart();
             const std::vector<VertexId> order = vertices_by_cells();
             Mesh mesh = mesh_of(mesh_, order);
+            if (i == 1) most_triangles = kMayGrow * mesh.triangles.size() + kMayAdd;
+            if (mesh.triangles.size() > most_triangles) refuse(mesh.triangles.size());
             const std::vector<Vec3> found = mend(mesh, order, before, i);
             if (found.empty()) return mesh;
             places.insert(places.end(), found.begin(), found.end());
