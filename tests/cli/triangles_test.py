@@ -141,6 +141,10 @@ class EvenTriangles(ProgramTest):
         self.assertIn("--edge", self.refused(UBIQUITIN, "--corners", "balanced"))
         self.refused(UBIQUITIN, "--edge", "1", "--vertex-density", "2")
 
+    def test_folds_that_leave_no_room_for_even_triangles_are_refused(self):
+        folded = ("--method", "direct", "--surface", "vdw", "--edge", "4", "--keep-ridges")
+        self.assertIn("narrower", self.refused(UBIQUITIN, *folded))
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])
