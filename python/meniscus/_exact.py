@@ -95,14 +95,14 @@ class ExactSurface:
         self._kind = _options.word("surface", surface)
         self._threads = _options.count("threads", threads)
         self._measures: Measures | None = None
-        self._core = _core.exact_surface(self._structure._core, self._options())
+        self._core = _core.exact_surface(self._structure._core, self._exact_options())
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in self.__dict__.items() if name != "_core"}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
-        self._core = _core.exact_surface(self._structure._core, self._options())
+        self._core = _core.exact_surface(self._structure._core, self._exact_options())
 
     def __copy__(self) -> ExactSurface:
         return self
@@ -110,7 +110,7 @@ class ExactSurface:
     def __repr__(self) -> str:
         return f"<meniscus.ExactSurface: {self.kind} of {len(self.structure)} atoms, probe {self.probe:g} Å>"
 
-    def _options(self) -> dict[str, Any]:
+    def _exact_options(self) -> dict[str, Any]:
         """As the extension takes them, and as those of a mesh."""
         return {"surface": self._kind, "probe": 0.0 if self._kind == "vdw" else self._probe}
 
@@ -187,12 +187,12 @@ class ExactSurface:
         8
         """
         other = object.__new__(ExactSurface)
-        other._structure = self._structure
-        other._probe = self._probe if probe is None else _options.not_negative("probe", probe)
-        other._kind = self._kind if surface is None else _options.word("surface", surface)
-        other._threads = self._threads
-        other._measures = None
-        other._core = self._core.of_same_atoms(other._options())
+        other.__dict__.update(self.__dict__, _measures=None)
+        if probe is not None:
+            other._probe = _options.not_negative("probe", probe)
+        if surface is not None:
+            other._kind = _options.word("surface", surface)
+        other._core = self._core.of_same_atoms(other._exact_options())
         return other
 
     def mesh(
@@ -220,7 +220,7 @@ class ExactSurface:
 
     def _meshed(self, meshing: dict[str, Any], progress: Progress) -> Surface:
         """For functions that are called from outside: a warning names their caller."""
-        options = {**self._options(), "threads": self._threads, **meshing}
+        options = {**self._exact_options(), "threads": self._threads, **meshing}
         result = Surface(_core.mesh(self._core, options, progress), self, options)
         if not result.passed:
             failed = ", ".join(f"{c['name']} ({c['value']:g}, bound {c['bound']:g})" for c in result.checks

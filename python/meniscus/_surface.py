@@ -189,7 +189,7 @@ class Points(_Vertices):
 
 
 class Surface(_Vertices):
-    """A computed surface; made by :func:`surface`.
+    """A computed surface; made by :func:`surface` and :meth:`ExactSurface.mesh`.
 
     Arrays are read-only views of the surface's memory: nothing is copied, and they keep the surface alive. A surface
     does not change once computed, so several threads may use it.
