@@ -14,18 +14,20 @@ Lengths are in Å, areas in Å², volumes in Å³, curvatures in Å⁻¹. The le
 normals point into the solvent. Arrays of results are read-only views: nothing is copied. ``numpy(copy=True)`` of a
 surface or structure, and ``copy()`` of any array, give arrays of your own. Indices are int32.
 
-Structures, surfaces, measures and comparisons can be pickled and copied, to the bit; a pickle is for the version that made it.
+Structures, surfaces, exact surfaces, measures and comparisons can be pickled and copied, to the bit; a pickle is for the
+version that made it.
 
 A tutorial is in ``docs/python.md``.
 """
 from ._compare import Compared, Comparison, Distance, compare
 from ._core import version as __version__
 from ._errors import CheckWarning, InputError, LimitError, OutputError, ReadWarning, UsageError
+from ._exact import ExactSurface, Nearest, signed_distance, surface
 from ._interfaces import Interface
 from ._map import map
-from ._measures import Component, Measures, measure, signed_distance
+from ._measures import Component, Measures, measure
 from ._structure import Structure, radii, read, read_models
-from ._surface import Points, Surface, surface
+from ._surface import Points, Surface
 
 __all__ = [
     "CheckWarning",
@@ -33,10 +35,12 @@ __all__ = [
     "Comparison",
     "Component",
     "Distance",
+    "ExactSurface",
     "InputError",
     "Interface",
     "LimitError",
     "Measures",
+    "Nearest",
     "OutputError",
     "Points",
     "ReadWarning",

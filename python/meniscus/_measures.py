@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core, _options
-from ._arrays import Floats, positions
+from ._arrays import Floats
 from ._errors import CheckWarning, UsageError, text_of_path
 from ._interfaces import Between, Interface, Pairs, pairs_of
 from ._structure import Path, Reading, Structure, as_structure
@@ -296,36 +296,3 @@ def checked(measures: Measures, stacklevel: int) -> Measures:
         warnings.warn("exact measures: evaluations do not agree on " + ", ".join(measures.disputed), CheckWarning,
                       stacklevel=stacklevel)
     return measures
-
-
-def signed_distance(
-    atoms: Structure | Path | npt.ArrayLike,
-    radii: npt.ArrayLike | Path | None = None,
-    points: npt.ArrayLike | None = None,
-    probe: float = 1.4,
-    threads: int = 0,
-    **reading: Unpack[Reading],
-) -> Floats:
-    """Signed distances from the exact solvent-excluded surface, (m,), Å; negative inside.
-
-    atoms     a Structure, the path of a file, or centres (n, 3), Å
-    radii     (n,), Å; required with centres
-    points    (m, 3), Å; anywhere; required
-    probe     probe radius, Å
-    threads   0: all cores; results do not depend on it
-    reading   with a path, the other arguments of :func:`read`
-
-    Exact inside and on the surface; outside, next to ridges, a lower bound with the correct zero set. Takes about
-    0.1 µs per point for points as close together as those of a grid and 3 µs for isolated ones, plus the geometry of
-    the atoms.
-
-    >>> meniscus.signed_distance([[0, 0, 0]], [2.0], [[0, 0, 5], [1, 0, 0]]).round(6).tolist()
-    [3.0, -1.0]
-    >>> bool(meniscus.signed_distance(meniscus.read("1ubq.pdb"), points=[[0, 0, 0]]) > 20)
-    True
-    """
-    structure = as_structure(atoms, radii, reading)
-    if points is None:
-        raise TypeError("points: required, (m, 3) in Å")
-    return _core.signed_distance(structure._core, _options.number("probe", probe), positions("points", points),
-                                 _options.count("threads", threads))

@@ -63,8 +63,19 @@ def positive(name: str, value: Any) -> float:
     return result
 
 
-def time_step(value: Any) -> float:
-    return math.inf if value == "inf" else number("time_step", value)
+def not_negative(name: str, value: Any) -> float:
+    result = number(name, value)
+    if not (math.isfinite(result) and result >= 0):
+        raise UsageError(f"{name} {value:g}: must be finite and not negative")
+    return result
+
+
+def flag(name: str, value: Any) -> bool:
+    return bool(value)
+
+
+def time_step(name: str, value: Any) -> float:
+    return math.inf if value == "inf" else number(name, value)
 
 
 def megabytes(name: str, value: Any) -> int:

@@ -3,26 +3,24 @@
 """The surface itself: mesh, level set, measures and points on it."""
 from __future__ import annotations
 
-import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core, _options, _writing
 from ._arrays import Floats, arrays_of, positions
-from ._errors import CheckWarning, UsageError, opening, text_of_path
-from ._measures import Component, Measures, checked
-from ._structure import Path, Reading, Structure, as_structure
+from ._errors import UsageError, opening, text_of_path
+from ._measures import Component, Measures
+from ._structure import Path, Structure
 
 if TYPE_CHECKING:
-    from typing_extensions import Unpack
+    from ._exact import ExactSurface
 
 Singles = npt.NDArray[np.float32]
 Indices = npt.NDArray[np.int32]
-Progress = Optional[Callable[[str, float], object]]
 Arrays = Union[None, str, Sequence[str]]
 
 
@@ -46,18 +44,23 @@ class _Vertices:
     """Arrays with one entry per point of the surface. They are read-only; most are views. ``numpy(copy=True)`` and the
     method ``copy()`` of every array give arrays that may be written to."""
 
-    def __init__(self, mesh: _core.Mesh, structure: Structure, threads: int) -> None:
+    def __init__(self, mesh: _core.Mesh, exact: ExactSurface, threads: int) -> None:
         self._mesh = mesh
-        self._structure = structure
+        self._exact = exact
         self._threads = threads
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"_mesh": self._mesh, "_structure": self._structure, "_threads": self._threads}
+        return {"_mesh": self._mesh, "_exact": self._exact, "_threads": self._threads}
+
+    @property
+    def exact(self) -> ExactSurface:
+        """The exact surface that this was made of, with all that has been found of it."""
+        return self._exact
 
     @property
     def structure(self) -> Structure:
         """The atoms to which ``atom`` refers."""
-        return self._structure
+        return self._exact.structure
 
     @cached_property
     def normals(self) -> Floats:
@@ -72,7 +75,7 @@ class _Vertices:
     @property
     def residue(self) -> Indices:
         """(n,) int32: index of the residue of that atom; a new array."""
-        return self._structure.residue[self.atom]
+        return self.structure.residue[self.atom]
 
     @property
     def patch(self) -> npt.NDArray[np.uint8]:
@@ -110,7 +113,7 @@ class _Vertices:
         a probe of 10 Å; 0 outside. Found on first use, then kept; saved with ``arrays="depth"`` and with
         ``color="depth"``.
         """
-        return _core.depth_values(self._mesh, self._structure._core, self._threads)
+        return _core.depth_values(self._mesh, self._exact._core, self._threads)
 
     def _with_arrays(self, values: _writing.Values, arrays: Arrays) -> _writing.Values:
         """The values, and the further arrays that are asked for."""
@@ -126,7 +129,7 @@ class _Vertices:
         values  arrays (n,) by name, which ``color`` may also name: "phi" or "phi:-5:5"
         """
         options = {**_writing.colour_options(color), **_writing.value_options(values, len(self.normals))}
-        return _core.colors(self._mesh, self._structure._core, options)
+        return _core.colors(self._mesh, self.structure._core, options)
 
     def map_values(self, path: Path, offset: float = 0.0, interpolation: str = "linear") -> Singles:
         """(n,) float32: the values of a map (.dx, .mrc, .map, .ccp4, also .gz) at the points, NaN outside it.
@@ -150,7 +153,7 @@ class _Vertices:
         """
         file = text_of_path(path)
         with opening(file):
-            return _core.table_values(self._mesh, self._structure._core, file)
+            return _core.table_values(self._mesh, self.structure._core, file)
 
 
 class Points(_Vertices):
@@ -186,7 +189,7 @@ class Points(_Vertices):
 
 
 class Surface(_Vertices):
-    """A computed surface; made by :func:`surface`.
+    """A computed surface; made by :func:`surface` and :meth:`ExactSurface.mesh`.
 
     Arrays are read-only views of the surface's memory: nothing is copied, and they keep the surface alive. A surface
     does not change once computed, so several threads may use it.
@@ -196,18 +199,20 @@ class Surface(_Vertices):
     ((23190, 3), (46384, 3), True)
     """
 
-    def __init__(self, core: _core.Surface, structure: Structure, options: dict[str, Any]) -> None:
-        super().__init__(core.mesh, structure, options["threads"])
+    def __init__(self, core: _core.Surface, exact: ExactSurface, options: dict[str, Any]) -> None:
+        super().__init__(core.mesh, exact, options["threads"])
         self._core = core
         self._options = options
-        self._measures: Measures | None = None
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"core": self._core, "structure": self._structure, "options": self._options, "measures": self._measures}
+        return {"bytes": self._core.to_bytes(), "exact": self._exact, "options": self._options}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        Surface.__init__(self, state["core"], state["structure"], state["options"])
-        self._measures = state["measures"]
+        core = _core.surface_of_bytes(state["bytes"], state["exact"]._core)
+        Surface.__init__(self, core, state["exact"], state["options"])
+
+    def __copy__(self) -> Surface:
+        return self
 
     def __repr__(self) -> str:
         return (f"<meniscus.Surface: {len(self.vertices)} vertices, {len(self.triangles)} triangles, "
@@ -270,7 +275,7 @@ class Surface(_Vertices):
 
     @property
     def measures(self) -> Measures:
-        """Exact areas and volumes for the same atoms and probe; measured on first use, then kept.
+        """Exact areas and volumes for the same atoms and probe, those of ``exact``; measured on first use, then kept.
 
         For a surface sas or vdw they are those of that surface: ses_area and sas_area are then the same.
 
@@ -278,10 +283,7 @@ class Surface(_Vertices):
         >>> abs(surface.mesh["corrected_area"] / surface.measures.ses_area - 1) < 0.01
         True
         """
-        if self._measures is None:
-            options = {"threads": self._options["threads"]}
-            self._measures = checked(Measures(_core.measure_surface(self._core, options), self._structure), stacklevel=3)
-        return self._measures
+        return self._exact._measured()
 
     @property
     def cavities(self) -> list[Component]:
@@ -300,7 +302,7 @@ class Surface(_Vertices):
         >>> ball.level_set([[0, 0, 2.1], [0, 0, 1.9], [0, 0, 50]]).round(2).tolist()
         [0.1, -0.1, nan]
         """
-        return self._core.values(positions("points", points))
+        return self._core.values(positions("points", points), self._threads)
 
     def gradient(self, points: npt.ArrayLike) -> Floats:
         """Gradients of the level-set function, (m, 3): pointing outwards, with a length near 1, NaN outside the band.
@@ -309,7 +311,7 @@ class Surface(_Vertices):
         >>> abs(ball.gradient([[0, 0, 2.0]])).round(2).tolist()
         [[0.0, 0.0, 1.0]]
         """
-        return self._core.gradients(positions("points", points))
+        return self._core.gradients(positions("points", points), self._threads)
 
     def sample(self, density: float = 1.0, seed: int = 0) -> Points:
         """Points spread evenly over the surface, each as far from its neighbours as the others (blue noise).
@@ -325,8 +327,8 @@ class Surface(_Vertices):
         >>> len(points), numpy.allclose(numpy.linalg.norm(points.points, axis=1), 2.0, atol=0.01)
         (99, True)
         """
-        mesh = self._core.sample(_options.number("density", density), _options.seed(seed), self._options["threads"])
-        return Points(mesh, self._structure, self._threads)
+        mesh = self._core.sample(_options.number("density", density), _options.seed(seed), self._threads)
+        return Points(mesh, self._exact, self._threads)
 
     def save(
         self,
@@ -405,152 +407,3 @@ class Surface(_Vertices):
                    "eps": eps, "ion_radius": ion_radius, "maps": maps}
         part = {"show": show, "cavity_file": cavity}
         _writing.save_surface(text_of_path(path), self, color, self._with_arrays(values, arrays), ascii, part, drawing)
-
-
-def surface(
-    atoms: Structure | Path | npt.ArrayLike,
-    radii: npt.ArrayLike | Path | None = None,
-    probe: float = 1.4,
-    spacing: float | None = None,
-    method: str = "flow",
-    *,
-    surface: str = "ses",
-    components: str = "all",
-    min_cavity: float = 0.0,
-    fill_cavities: float = 0.0,
-    edge: float | None = None,
-    vertex_density: float | None = None,
-    adaptive: bool = False,
-    keep_ridges: bool = False,
-    corners: str = "near",
-    simplify_topology: bool = False,
-    density: float = -0.5,
-    flow: str = "anchored",
-    curvature: str | None = None,
-    anchor: float | None = None,
-    reinitialise: str | None = None,
-    solver: str | None = None,
-    slope: str | None = None,
-    time_step: float | str | None = None,
-    half_width: float | None = None,
-    max_steps: int | None = None,
-    tolerance: float | None = None,
-    history: bool = False,
-    initial_area: bool = False,
-    quality: bool = False,
-    two_sided_distance: bool = False,
-    verify: bool = False,
-    threads: int = 0,
-    memory: int | str | None = None,
-    progress: Progress = None,
-    **reading: Unpack[Reading],
-) -> Surface:
-    """The solvent-excluded surface of atoms.
-
-    atoms    a Structure; the path of a file; or centres (n, 3), Å, as lists or arrays of any real type
-    radii    (n,), Å; required with centres. With a path, the name of a radius set
-    probe    probe radius, Å; 0 gives the van der Waals surface
-    spacing  grid spacing, Å; None: 0.5, and with edge or vertex_density half or a quarter of that for small surfaces
-             whose area would otherwise be off by more than 0.5 %
-    reading  with a path, the other arguments of :func:`read`: waters=True, chains="A" ...
-    method   flow (smooth level set), direct (exact distance, sharp ridges) or gaussian (only the start of the flow)
-
-    The other arguments have the names and defaults of the command line (``meniscus surface --help``):
-
-    surface                       ses, sas (solvent-accessible) or vdw (van der Waals: the same as probe 0)
-    components, min_cavity        pieces that the mesh keeps: all, outer or cavities; least volume of a cavity, Å³
-    fill_cavities                 like min_cavity, and the space of smaller cavities counts as inside in volumes
-    edge, vertex_density          even triangles with this edge length, Å, or vertices per Å²; then also adaptive,
-                                  keep_ridges, corners (near, on-surface, balanced),
-                                  simplify_topology
-    flow                          anchored, parallel or paper, and its parts one by one: curvature, anchor,
-                                  reinitialise, solver, slope, time_step, half_width, max_steps, tolerance; density is
-                                  the constant of the Gaussian start, Å⁻²
-    history, initial_area         a record of every step in ``Surface.flow``; the area of the start
-    quality, two_sided_distance   shapes of triangles; distance from the exact surface between vertices: in
-                                  ``Surface.mesh``
-    verify                        also run the expensive self-checks
-    threads                       0: all cores; results do not depend on it
-    memory                        "4G", "500M" or a number of MB: refuse what would need more
-    progress                      called with the stage's name and the fraction of it that is done, 0 to 1, a few times
-                                  per second; an exception that it raises ends the computation, as Ctrl-C does
-
-    Raises ValueError for invalid arrays or options and :class:`LimitError`, a ValueError and MemoryError, for a surface
-    that would not fit into memory. A result that fails its own checks comes with a :class:`CheckWarning`. Memory grows
-    with area / spacing². Other Python threads keep running.
-
-    >>> ball = meniscus.surface([[0, 0, 0]], [2.0], probe=1.4, spacing=0.25)
-    >>> ball.vertices.dtype, ball.triangles.dtype, ball.patch.dtype
-    (dtype('float64'), dtype('int32'), dtype('uint8'))
-    >>> round(float(numpy.median(ball.mean_curvature)), 2)
-    0.5
-    """
-    structure = as_structure(atoms, radii, reading)
-    options: dict[str, Any] = {
-        "probe": _options.number("probe", probe),
-        "finer_grid": spacing is None,
-        "method": _options.word("method", method),
-        "surface": _options.word("surface", surface),
-        "components": _options.word("components", components),
-        "min_cavity": _options.number("min_cavity", min_cavity),
-        "fill_cavities": _options.number("fill_cavities", fill_cavities),
-        "density": _options.number("density", density),
-        "flow": _options.word("flow", flow),
-        "threads": _options.count("threads", threads),
-        "adaptive": bool(adaptive),
-        "keep_ridges": bool(keep_ridges),
-        "corners": _options.word("corners", corners),
-        "simplify_topology": bool(simplify_topology),
-        "history": bool(history),
-        "initial_area": bool(initial_area),
-        "quality": bool(quality),
-        "two_sided_distance": bool(two_sided_distance),
-        "verify": bool(verify),
-    }
-    for name, text in (("curvature", curvature), ("reinitialise", reinitialise), ("solver", solver), ("slope", slope)):
-        if text is not None:
-            options[name] = _options.word(name, text)
-    for name, value in (("spacing", spacing), ("anchor", anchor), ("half_width", half_width), ("tolerance", tolerance)):
-        if value is not None:
-            options[name] = _options.number(name, value)
-    for name, value in (("edge", edge), ("vertex_density", vertex_density)):
-        if value is not None:
-            options[name] = _options.positive(name, value)
-    if time_step is not None:
-        options["time_step"] = _options.time_step(time_step)
-    if max_steps is not None:
-        options["max_steps"] = _options.whole("max_steps", max_steps)
-    if memory is not None:
-        options["memory_mb"] = _options.megabytes("memory", memory)
-    if surface == "vdw":
-        options["probe"] = 0.0
-    _check_together(options)
-    result = Surface(_core.compute_surface(structure._core, options, progress), structure, options)
-    if not result.passed:
-        failed = ", ".join(f"{c['name']} ({c['value']:g}, bound {c['bound']:g})" for c in result.checks
-                           if not c["passed"])
-        warnings.warn(f"the surface failed its own checks: {failed}", CheckWarning, stacklevel=2)
-    return result
-
-
-_PIECES_OF_THE_FLOW = ("curvature", "anchor", "reinitialise", "solver", "slope", "time_step", "half_width", "max_steps",
-                       "tolerance")
-
-
-def _check_together(options: dict[str, Any]) -> None:
-    if "edge" in options and "vertex_density" in options:
-        raise UsageError("edge and vertex_density set the same thing; give one of them")
-    even = "edge" in options or "vertex_density" in options
-    shaped = options["corners"] != "near" or any(
-        options[name] for name in ("adaptive", "keep_ridges", "simplify_topology"))
-    if shaped and not even:
-        raise UsageError("adaptive, keep_ridges, corners and simplify_topology shape even triangles; ask for them with "
-                         "edge")
-    if options["method"] != "flow":
-        given = [name for name in _PIECES_OF_THE_FLOW if name in options]
-        if options["flow"] != "anchored":
-            given.append("flow")
-        if options["history"]:
-            given.append("history")
-        if given:
-            raise UsageError(f"{given[0]} applies to the flow; use method='flow'")

@@ -161,15 +161,16 @@ def _view_options(drawing: dict[str, Any]) -> dict[str, Any]:
 
 
 def _save_mesh(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
-    _core.write_mesh(path, surface._core, options)
+    _core.write_mesh(path, surface._core, surface.structure._core, options)
 
 
 def _save_picture(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
-    _core.write_picture(path, surface._core, {**options, **_picture_options(drawing)})
+    _core.write_picture(path, surface._core, surface.structure._core, {**options, **_picture_options(drawing)})
 
 
 def _save_page(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
-    _core.write_page(path, surface._core, surface.measures._core, {**options, **_view_options(drawing)})
+    _core.write_page(path, surface._core, surface.structure._core, surface.measures._core,
+                     {**options, **_view_options(drawing)})
 
 
 def _save_level_set(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:

@@ -178,8 +178,9 @@ private:
     std::string_view bytes_;
 };
 
-/// Of the bytes, whatever the version of Meniscus; it changes with what fields() hand over.
-inline constexpr std::uint32_t kArchiveLayout = 2;
+/// Of the bytes, whatever the version of Meniscus; it changes with what fields() hand over, and with the
+/// states of the classes of Python.
+inline constexpr std::uint32_t kArchiveLayout = 3;
 
 template <class T>
 std::string archived(const T& value) {

@@ -17,6 +17,7 @@ void bind_errors(pybind11::module_& module);
 void bind_structure(pybind11::module_& module);
 void bind_measures(pybind11::module_& module);
 void bind_interfaces(pybind11::module_& module);
+void bind_exact_surface(pybind11::module_& module);
 void bind_surface(pybind11::module_& module);
 void bind_compare(pybind11::module_& module);
 void bind_writers(pybind11::module_& module);

@@ -8,10 +8,7 @@
 
 #include "arrays.h"
 #include "bindings.h"
-#include "held_surface.h"
-#include "meniscus/exact_surface.h"
 #include "meniscus/tables.h"
-#include "meniscus/threads.h"
 #include "meniscus/write.h"
 #include "options.h"
 #include "pickling.h"
@@ -35,14 +32,6 @@ std::shared_ptr<Measures> measure_structure(const Structure& structure, const py
     const MeasureOptions options = measure_options(given);
     const py::gil_scoped_release release;
     return std::make_shared<Measures>(measure(structure.atoms, options));
-}
-
-/// Of the surface that was computed, whichever it is.
-std::shared_ptr<Measures> measure_surface(const HeldSurface& held, const py::dict& given) {
-    const MeasureOptions options = measure_options(given);
-    const py::gil_scoped_release release;
-    const ThreadLimit limit(options.threads);
-    return std::make_shared<Measures>(held.surface.exact.measures());
 }
 
 py::dict totals_dict(const SurfaceTotals& t) {
@@ -92,18 +81,6 @@ void save_table(const Measures& measures, const Structure& structure, const std:
     write_table(path, measures_table(structure, measures, rows));
 }
 
-/// Negative inside.
-py::array distances(const Structure& structure, double probe, const Positions& points, int threads) {
-    const std::span<const Vec3> places = points_of(points);
-    std::vector<double> result;
-    {
-        const py::gil_scoped_release release;
-        const ThreadLimit limit(threads);
-        result = ExactSurface(structure.atoms, {.probe = probe}).signed_distance(places);
-    }
-    return owning(std::move(result));
-}
-
 }  // namespace
 
 void bind_measures(py::module_& module) {
@@ -129,9 +106,6 @@ void bind_measures(py::module_& module) {
     type.def("table", &table, py::arg("structure"), py::arg("per"));
     type.def("save", &save_table, py::arg("structure"), py::arg("path"), py::arg("per"));
     module.def("measure", &measure_structure, py::arg("structure"), py::arg("options"));
-    module.def("measure_surface", &measure_surface, py::arg("surface"), py::arg("options"));
-    module.def("signed_distance", &distances, py::arg("structure"), py::arg("probe"), py::arg("points"),
-               py::arg("threads"));
 }
 
 }  // namespace meniscus::python

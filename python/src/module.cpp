@@ -11,6 +11,7 @@ PYBIND11_MODULE(_core, module) {
     meniscus::python::bind_structure(module);
     meniscus::python::bind_measures(module);
     meniscus::python::bind_interfaces(module);
+    meniscus::python::bind_exact_surface(module);
     meniscus::python::bind_surface(module);
     meniscus::python::bind_compare(module);
     meniscus::python::bind_writers(module);

@@ -9,10 +9,9 @@
 
 #include "arrays.h"
 #include "bindings.h"
-#include "held_surface.h"
+#include "by_threads.h"
 #include "meniscus/colours.h"
 #include "meniscus/sample.h"
-#include "meniscus/threads.h"
 #include "options.h"
 #include "pickling.h"
 
@@ -58,8 +57,6 @@ RemeshOptions remesh_options(const Options& options) {
 SurfaceOptions surface_options(const Options& options) {
     SurfaceOptions surface;
     options.read_word("method", surface.method, kMethodWords);
-    options.read_word("surface", surface.surface, kSurfaceWords);
-    options.read("probe", surface.probe);
     options.read("spacing", surface.spacing);
     options.read("density", surface.density);
     surface.flow = flow_options(options);
@@ -102,39 +99,26 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-std::shared_ptr<HeldSurface> compute(const std::shared_ptr<Structure>& structure, const py::dict& given,
-                                     const py::object& progress) {
+std::shared_ptr<Surface> mesh_of(const ExactSurface& exact, const py::dict& given, const py::object& progress) {
     const SurfaceOptions options = surface_options(Options(given));
     RunOptions run = run_options(Options(given));
     Watcher watcher(progress);
     run.progress = [&watcher](std::string_view stage, double fraction) { watcher(stage, fraction); };
     const py::gil_scoped_release release;
-    Surface surface = compute_surface(structure->atoms, options, run);
-    refuse_large_indices(surface.mesh);
-    return std::make_shared<HeldSurface>(HeldSurface{structure, std::move(surface), run.threads});
+    auto surface = std::make_shared<Surface>(mesh(exact, options, run));
+    refuse_large_indices(surface->mesh);
+    return surface;
 }
 
-/// The structure as an object of its own, so that a pickle holds it once, whoever else refers to it.
-py::tuple surface_state(const HeldSurface& held) {
-    return py::make_tuple(std::const_pointer_cast<Structure>(held.structure), to_bytes(held.surface));
+/// Of the exact surface that the bytes leave out.
+std::shared_ptr<Surface> surface_of_bytes(const py::bytes& bytes, const ExactSurface& exact) {
+    auto surface = std::make_shared<Surface>(from_bytes<Surface>(bytes));
+    surface->exact = exact;
+    return surface;
 }
 
-std::shared_ptr<HeldSurface> surface_of_state(const py::tuple& state) {
-    if (state.size() != 2) throw InputError("this is no pickle of a surface");
-    const auto structure = state[0].cast<std::shared_ptr<Structure>>();
-    Surface surface = from_bytes<Surface>(state[1].cast<py::bytes>());
-    surface.exact = ExactSurface(structure->atoms, {surface.options.surface, surface.options.probe});
-    return std::make_shared<HeldSurface>(HeldSurface{structure, std::move(surface)});
-}
-
-py::array depths(const Mesh& mesh, const Structure& structure, int threads) {
-    VertexValues values;
-    {
-        const py::gil_scoped_release release;
-        const ThreadLimit limit(threads);
-        values = depth_values(mesh, ExactSurface(structure.atoms));
-    }
-    return owning(std::move(values.values));
+py::array depths(const Mesh& mesh, const ExactSurface& exact, int threads) {
+    return owning(by_threads(threads, [&] { return depth_values(mesh, exact).values; }));
 }
 
 py::dict percentiles(const Percentiles& p) {
@@ -144,8 +128,7 @@ py::dict percentiles(const Percentiles& p) {
 py::dict distances(const DistanceSummary& d) { return py::dict("mean"_a = d.mean, "p99"_a = d.p99, "max"_a = d.max); }
 
 /// The block `mesh` of the report.
-py::dict mesh_dict(const HeldSurface& held) {
-    const Surface& s = held.surface;
+py::dict mesh_dict(const Surface& s) {
     const MeshMeasures& m = s.measures;
     py::dict block("vertices"_a = s.mesh.vertices.size(), "triangles"_a = s.mesh.triangles.size(), "area"_a = m.area,
                    "volume"_a = m.volume, "corrected_area"_a = s.corrected_area,
@@ -181,8 +164,7 @@ py::list history_list(const std::vector<FlowStep>& history) {
 }
 
 /// The block `flow` of the report; None for other methods.
-py::object flow_dict(const HeldSurface& held) {
-    const Surface& s = held.surface;
+py::object flow_dict(const Surface& s) {
     if (s.options.method != Method::Flow) return py::none();
     const FlowSummary& f = s.flow;
     return py::dict("steps"_a = f.steps, "time"_a = f.time, "converged"_a = f.converged, "residual"_a = f.residual,
@@ -193,42 +175,34 @@ py::object flow_dict(const HeldSurface& held) {
                     "history"_a = history_list(s.history));
 }
 
-py::list checks_list(const HeldSurface& held) {
+py::list checks_list(const Surface& s) {
     py::list list;
-    for (const Check& c : held.surface.checks)
+    for (const Check& c : s.checks)
         list.append(py::dict("name"_a = c.name, "passed"_a = c.passed, "value"_a = c.value, "bound"_a = c.bound));
     return list;
 }
 
 /// Φ, or where there is no level set the exact signed distance.
-py::array values(const HeldSurface& held, const Positions& points) {
+py::array values(const Surface& surface, const Positions& points, int threads) {
     const std::span<const Vec3> places = points_of(points);
-    std::vector<double> result;
-    {
-        const py::gil_scoped_release release;
-        const ThreadLimit limit(held.threads);
-        const auto& level_set = held.surface.level_set;
-        result = level_set ? level_set->values(places) : held.surface.exact.signed_distance(places);
-    }
-    return owning(std::move(result));
+    return owning(by_threads(threads, [&] {
+        return surface.level_set ? surface.level_set->values(places) : surface.exact.signed_distance(places);
+    }));
 }
 
-py::array gradients(const HeldSurface& held, const Positions& points) {
+py::array gradients(const Surface& surface, const Positions& points, int threads) {
     const std::span<const Vec3> places = points_of(points);
-    std::vector<Vec3> result;
-    {
-        const py::gil_scoped_release release;
-        if (const auto& level_set = held.surface.level_set)
-            result = level_set->gradients(places);
-        else
-            for (const NearestFeature& at : held.surface.exact.nearest_features(places)) result.push_back(at.normal);
-    }
-    return owning(std::move(result));
+    return owning(by_threads(threads, [&] {
+        if (surface.level_set) return surface.level_set->gradients(places);
+        std::vector<Vec3> normals;
+        for (const NearestFeature& at : surface.exact.nearest_features(places)) normals.push_back(at.normal);
+        return normals;
+    }));
 }
 
-Mesh sample(const HeldSurface& held, double density, std::uint64_t seed, int threads) {
+Mesh sample(const Surface& surface, double density, std::uint64_t seed, int threads) {
     const py::gil_scoped_release release;
-    return sample_surface(held.surface, {.density = density, .seed = seed, .threads = threads});
+    return sample_surface(surface, {.density = density, .seed = seed, .threads = threads});
 }
 
 void bind_mesh(py::module_& module) {
@@ -257,22 +231,19 @@ void bind_mesh(py::module_& module) {
 
 void bind_surface(py::module_& module) {
     bind_mesh(module);
-    py::class_<HeldSurface, std::shared_ptr<HeldSurface>> type(module, "Surface");
-    type.def_property_readonly(
-        "mesh", [](const HeldSurface& held) -> const Mesh& { return held.surface.mesh; },
-        py::return_value_policy::reference_internal);
+    py::class_<Surface, std::shared_ptr<Surface>> type(module, "Surface");
+    type.def_readonly("mesh", &Surface::mesh);
     type.def_property_readonly("mesh_block", &mesh_dict);
     type.def_property_readonly("flow_block", &flow_dict);
     type.def_property_readonly("checks", &checks_list);
-    type.def_property_readonly("passed", [](const HeldSurface& held) { return held.surface.passed(); });
-    type.def_property_readonly("has_level_set",
-                               [](const HeldSurface& held) { return held.surface.level_set != nullptr; });
-    type.def(py::pickle(&surface_state, &surface_of_state));
-    type.def("values", &values, py::arg("points"));
-    type.def("gradients", &gradients, py::arg("points"));
+    type.def_property_readonly("passed", &Surface::passed);
+    type.def("values", &values, py::arg("points"), py::arg("threads"));
+    type.def("gradients", &gradients, py::arg("points"), py::arg("threads"));
     type.def("sample", &sample, py::arg("density"), py::arg("seed"), py::arg("threads"));
-    module.def("depth_values", &depths, py::arg("mesh"), py::arg("structure"), py::arg("threads"));
-    module.def("compute_surface", &compute, py::arg("structure"), py::arg("options"), py::arg("progress"));
+    type.def("to_bytes", &to_bytes<Surface>);
+    module.def("surface_of_bytes", &surface_of_bytes, py::arg("bytes"), py::arg("exact"));
+    module.def("depth_values", &depths, py::arg("mesh"), py::arg("exact"), py::arg("threads"));
+    module.def("mesh", &mesh_of, py::arg("exact"), py::arg("options"), py::arg("progress"));
 }
 
 }  // namespace meniscus::python

@@ -8,7 +8,6 @@
 
 #include "arrays.h"
 #include "bindings.h"
-#include "held_surface.h"
 #include "meniscus/colours.h"
 #include "meniscus/draw_surface.h"
 #include "meniscus/errors.h"
@@ -138,9 +137,9 @@ public:
         Options(given).read("cavity_file", cavity_);
     }
 
-    std::optional<MeshPart> part_of(const Mesh& mesh, const HeldSurface& held) const {
-        if (!select_.empty()) return part_of_atoms(mesh, select_atoms(*held.structure, select_, "show"));
-        if (cavity_ != 0) return part_of_component(mesh, component(held.surface.measures));
+    std::optional<MeshPart> part_of(const Mesh& mesh, const Surface& surface, const Structure& structure) const {
+        if (!select_.empty()) return part_of_atoms(mesh, select_atoms(structure, select_, "show"));
+        if (cavity_ != 0) return part_of_component(mesh, component(surface.measures));
         return std::nullopt;
     }
 
@@ -163,16 +162,16 @@ std::vector<Colour> picked(const std::vector<Colour>& colours, const std::vector
     return result;
 }
 
-void save_mesh(const std::string& path, const HeldSurface& held, const py::dict& given) {
+void save_mesh(const std::string& path, const Surface& surface, const Structure& structure, const py::dict& given) {
     const Colouring colouring(given);
     const Shown shown(given);
-    WriteOptions options = write_options(*held.structure, given);
-    options.computed_with = &held.surface.options;
-    options.probe = held.surface.options.probe;
+    WriteOptions options = write_options(structure, given);
+    options.computed_with = &surface.options;
+    options.probe = surface.options.probe;
     const py::gil_scoped_release release;
-    const Mesh complete = colouring.complete(held.surface.mesh, *held.structure, held.surface.exact);
-    std::vector<Colour> colours = colouring.of(complete, *held.structure);
-    const std::optional<MeshPart> part = shown.part_of(complete, held);
+    const Mesh complete = colouring.complete(surface.mesh, structure, surface.exact);
+    std::vector<Colour> colours = colouring.of(complete, structure);
+    const std::optional<MeshPart> part = shown.part_of(complete, surface, structure);
     if (part) colours = picked(colours, part->vertices);
     options.open = part && !measure_mesh(part->mesh).closed;
     options.colours = colours;
@@ -229,50 +228,49 @@ PictureOptions picture_options(const py::dict& given) {
     return picture;
 }
 
-void save_picture(const std::string& path, const HeldSurface& held, const py::dict& given) {
+void save_picture(const std::string& path, const Surface& surface, const Structure& structure, const py::dict& given) {
     const Colouring colouring(given);
     DrawOptions options{.picture = picture_options(given)};
     if (colouring.given.empty()) options.scheme = colouring.options;
     Options(given).read("legend", options.legend);
     const py::gil_scoped_release release;
-    const Mesh mesh = colouring.complete(held.surface.mesh, *held.structure, held.surface.exact);
-    const std::vector<Colour> colours = colouring.of(mesh, *held.structure);
-    write_picture(path, draw_surface(held.surface, *held.structure, {mesh, colours}, options));
+    const Mesh mesh = colouring.complete(surface.mesh, structure, surface.exact);
+    const std::vector<Colour> colours = colouring.of(mesh, structure);
+    write_picture(path, draw_surface(surface, structure, {mesh, colours}, options));
 }
 
-void save_page(const std::string& path, const HeldSurface& held, const Measures& exact, const py::dict& given) {
+void save_page(const std::string& path, const Surface& surface, const Structure& structure, const Measures& exact,
+               const py::dict& given) {
     const Colouring colouring(given);
     if (!colouring.given.empty()) throw UsageError(path + ": a page shows schemes; give it one");
     PageOptions options{.colours = colouring.options,
                         .viewpoint = viewpoint_of(given),
                         .projection = projection_of(given),
-                        .rows = page_rows(*held.structure, held.surface, exact),
+                        .rows = page_rows(structure, surface, exact),
                         .components = exact.components,
-                        .exact = held.surface.exact};
+                        .exact = surface.exact};
     Options(given).read("threads", options.threads);
     const py::gil_scoped_release release;
-    write_page(path, colouring.complete(held.surface.mesh, *held.structure, held.surface.exact), *held.structure,
-               options);
+    write_page(path, colouring.complete(surface.mesh, structure, surface.exact), structure, options);
 }
 
-void save_level_set(const std::string& path, const HeldSurface& held) {
-    if (!held.surface.level_set)
-        throw UsageError(path + ": a surface of method direct has no level set; use method flow");
+void save_level_set(const std::string& path, const Surface& surface) {
+    if (!surface.level_set) throw UsageError(path + ": a surface of method direct has no level set; use method flow");
     const py::gil_scoped_release release;
-    write_level_set(path, *held.surface.level_set);
+    write_level_set(path, *surface.level_set);
 }
 
 /// A file that has it, three counts, spacing and middle, or the one round all atoms.
-VolumeGrid grid_of(const py::dict& given, const HeldSurface& held) {
+VolumeGrid grid_of(const py::dict& given, const Surface& surface) {
     if (given.contains("grid_file")) return read_volume_grid(given["grid_file"].cast<std::string>());
-    const SurfaceOptions& made = held.surface.options;
-    if (!given.contains("grid")) return enclosing_grid(held.surface.exact, made.spacing);
+    const SurfaceOptions& made = surface.options;
+    if (!given.contains("grid")) return enclosing_grid(surface.exact, made.spacing);
     const auto [counts, spacing, middle] =
         given["grid"].cast<std::tuple<std::array<std::size_t, 3>, double, std::array<double, 3>>>();
     return centred_grid(counts, spacing, vector_of(middle));
 }
 
-void save_volume(const std::string& path, const HeldSurface& held, const py::dict& given) {
+void save_volume(const std::string& path, const Surface& surface, const py::dict& given) {
     FieldOptions options;
     const Options words(given);
     words.read_word("field", options.content, kFieldWords);
@@ -282,12 +280,12 @@ void save_volume(const std::string& path, const HeldSurface& held, const py::dic
         std::tie(options.inner_dielectric, options.outer_dielectric) = given["eps"].cast<std::pair<double, double>>();
     std::optional<ApbsMap> map;
     if (given.contains("map")) words.read_word("map", map.emplace(), kApbsMapWords);
-    const VolumeGrid grid = grid_of(given, held);
+    const VolumeGrid grid = grid_of(given, surface);
     const py::gil_scoped_release release;
     if (map)
-        write_volume(path, apbs_map(held.surface, grid, *map, options), content_of(*map));
+        write_volume(path, apbs_map(surface, grid, *map, options), content_of(*map));
     else
-        write_volume(path, surface_field(held.surface, grid, options), options.content);
+        write_volume(path, surface_field(surface, grid, options), options.content);
 }
 
 void save_values(const std::string& path, const Structure& structure, const Numbers& values) {
@@ -337,11 +335,13 @@ void bind_writers(py::module_& module) {
     module.def("colors", &colours, py::arg("mesh"), py::arg("structure"), py::arg("options"));
     module.def("map_values", &map_values, py::arg("mesh"), py::arg("path"), py::arg("options"));
     module.def("table_values", &table_values, py::arg("mesh"), py::arg("structure"), py::arg("path"));
-    module.def("write_mesh", &save_mesh, py::arg("path"), py::arg("surface"), py::arg("options"));
+    module.def("write_mesh", &save_mesh, py::arg("path"), py::arg("surface"), py::arg("structure"), py::arg("options"));
     module.def("write_points", &save_points, py::arg("path"), py::arg("points"), py::arg("structure"),
                py::arg("options"));
-    module.def("write_picture", &save_picture, py::arg("path"), py::arg("surface"), py::arg("options"));
-    module.def("write_page", &save_page, py::arg("path"), py::arg("surface"), py::arg("measures"), py::arg("options"));
+    module.def("write_picture", &save_picture, py::arg("path"), py::arg("surface"), py::arg("structure"),
+               py::arg("options"));
+    module.def("write_page", &save_page, py::arg("path"), py::arg("surface"), py::arg("structure"), py::arg("measures"),
+               py::arg("options"));
     module.def("missing_folder", &missing_folder, py::arg("path"));
     module.def("write_level_set", &save_level_set, py::arg("path"), py::arg("surface"));
     module.def("write_volume", &save_volume, py::arg("path"), py::arg("surface"), py::arg("options"));

@@ -28,10 +28,14 @@ surface.save("x.ply", color="patch")
 meniscus.measure("x.pdb", "bondi", waters=True, chains="A")
 meniscus.measure("x.pdb", watters=True)
 surface.sample(density="much")
+exact = meniscus.ExactSurface("x.pdb", waters=True, surface="sas")
+foot: npt.NDArray[np.float64] = exact.of_same_atoms(probe=1).nearest([[0, 0, 0]]).foot
+surface = exact.mesh(edge=1.0, keep_ridges=True)
+exact.mesh(edgy=1.0)
 """
 UNPACK = "--enable-incomplete-feature=Unpack"
 # Its classes have a metaclass and an __init__ that takes anything.
-OF_PYBIND11 = r"meniscus\._core\.(ComparedSurface|Interfaces|Measures|Mesh|Structure|Surface)(\.__init__)?" + "\n"
+OF_PYBIND11 = r"meniscus\._core\.(ComparedSurface|ExactSurface|Interfaces|Measures|Mesh|Structure|Surface)(\.__init__)?" + "\n"
 
 
 @unittest.skipUnless(importlib.util.find_spec("mypy"), "mypy is not installed")
@@ -50,8 +54,9 @@ class Types(InScratchFolder):
         pathlib.Path("use.py").write_text(USE)
         result = self.mypy("--strict", UNPACK, "use.py")
         self.assertIn('incompatible type "str"; expected "float"', result.stdout)
-        self.assertIn("Found 2 errors in 1 file", result.stdout)
+        self.assertIn("Found 3 errors in 1 file", result.stdout)
         self.assertIn('Unexpected keyword argument "watters" for "measure"', result.stdout)
+        self.assertIn('Unexpected keyword argument "edgy" for "mesh" of "ExactSurface"', result.stdout)
 
     def test_the_stub_describes_the_extension(self):
         pathlib.Path("allowed").write_text(OF_PYBIND11)
