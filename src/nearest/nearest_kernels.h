@@ -240,9 +240,6 @@ struct NearestKernels {
 /// Those that this machine can run, the plainest first.
 std::vector<NearestKernels> supported_nearest_kernels();
 
-/// Those with the wanted instructions; the last ones if there are none.
-const NearestKernels& choose_nearest_kernels(std::string_view instructions);
-
 /// Those with the instructions that the environment variable MENISCUS_INSTRUCTIONS names, else the last ones; the same
 /// from the first call to the end of the program.
 const NearestKernels& nearest_kernels();

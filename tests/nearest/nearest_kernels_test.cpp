@@ -250,11 +250,12 @@ TEST_F(NearestKernelsTest, GiveTheSameBitsOnEveryInstructionSet) {
 }
 
 TEST(NearestKernels, AreChosenByName) {
-    for (const NearestKernels& kernels : supported_nearest_kernels())
-        EXPECT_EQ(choose_nearest_kernels(kernels.instructions).instructions, kernels.instructions);
-    EXPECT_EQ(choose_nearest_kernels("plain").instructions, "plain");
-    EXPECT_EQ(choose_nearest_kernels("").instructions, supported_nearest_kernels().back().instructions);
-    EXPECT_EQ(&nearest_kernels(), &choose_nearest_kernels(wanted_instructions()));
+    const std::vector<NearestKernels> all = supported_nearest_kernels();
+    for (const NearestKernels& kernels : all) EXPECT_EQ(&choose_kernels(all, kernels.instructions), &kernels);
+    EXPECT_EQ(choose_kernels(all, "plain").instructions, "plain");
+    EXPECT_EQ(&choose_kernels(all, ""), &all.back());
+    EXPECT_EQ(nearest_kernels().instructions, choose_kernels(all, wanted_instructions()).instructions);
+    EXPECT_EQ(&nearest_kernels(), &nearest_kernels());
 }
 
 TEST_F(NearestKernelsTest, MarkWhatIsNearABox) {
