@@ -14,7 +14,6 @@
 #include "exact/patch_totals.h"
 #include "exact/ses_patches.h"
 #include "geometry/accessible_surface.h"
-#include "meniscus/errors.h"
 #include "meniscus/measures.h"
 #include "meniscus/threads.h"
 
@@ -404,8 +403,6 @@ Measures describe(const Atoms& atoms, const MeasureOptions& options, const Evalu
 }  // namespace
 
 Measures measure(const Atoms& atoms, const MeasureOptions& options) {
-    if (!(options.probe >= 0.0) || !std::isfinite(options.probe))
-        throw UsageError(joined("probe ", in_short(options.probe), ": must be finite and not negative"));
     const ThreadLimit limit(options.threads);
     return measure(AccessibleSurface(atoms, options.probe), atoms, options);
 }

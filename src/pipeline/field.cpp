@@ -14,12 +14,13 @@
 
 #include "cavities/filled_space.h"
 #include "core/number_text.h"
+#include "core/requirements.h"
 #include "core/workspaces.h"
 #include "geometry/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/threads.h"
 #include "nearest/box_features.h"
-#include "pipeline/checks.h"
+#include "pipeline/memory_limit.h"
 #include "project/level_set_side.h"
 
 namespace meniscus {
@@ -245,8 +246,7 @@ void check(const VolumeGrid& grid, const FieldOptions& options) {
     if (!is_finite(grid.origin)) throw UsageError("the origin of the grid is not finite; correct it");
     require_positive("inner dielectric constant", options.inner_dielectric);
     require_positive("outer dielectric constant", options.outer_dielectric);
-    require(std::isfinite(options.ion_radius) && options.ion_radius >= 0.0, "ion radius", options.ion_radius,
-            "finite and not negative");
+    require_not_negative("ion radius", options.ion_radius);
     check_threads(options.threads);
     refuse_grid_that_would_not_fit(grid, 1, {}, {});
 }
