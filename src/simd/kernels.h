@@ -17,6 +17,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/arc_tangent_factors.h"
 #include "core/bits.h"
 #include "meniscus/vec3.h"
 #include "simd/instructions.h"
