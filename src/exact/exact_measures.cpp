@@ -266,9 +266,8 @@ void find_rooms_of_cavities(const SesPatches& patches, std::vector<ComponentSums
         if (sum.signed_volume > 0.0) continue;
         for (const std::uint32_t atom : patches.atoms_of(patch)) {
             if (atom == kNone) continue;
-            Box ball;
-            ball.include(data.atoms.centres[atom]);
-            sum.room.include(ball.grown(data.atoms.radii[atom]));
+            const Vec3& centre = data.atoms.centres[atom];
+            sum.room.include(Box{centre, centre}.grown(data.atoms.radii[atom]));
         }
         if (patch.kind == PatchKind::Toroidal) {
             const SasArc& arc = data.arcs[patch.feature];
