@@ -88,9 +88,7 @@ struct Evaluation {
             totals.sas_area += patch.sas.area;
             totals.sas_volume += patch.sas.volume;
             totals.ses_volume += patch.ses.volume;
-            if (patch.kind == PatchKind::Contact) totals.contact_area += patch.ses.area;
-            if (patch.kind == PatchKind::Toroidal) totals.toroidal_area += patch.ses.area;
-            if (patch.kind == PatchKind::Reentrant) totals.reentrant_area += patch.ses.area;
+            add_area(totals, patch.kind, patch.ses.area);
         }
         totals.ses_area = totals.contact_area + totals.toroidal_area + totals.reentrant_area;
         sums.degenerate = patches.degenerate();
@@ -245,15 +243,10 @@ std::vector<ComponentSums> sum_components(const SesPatches& patches) {
             listed_in[atom] = patch.component;
             sum.atoms.push_back(data.atoms.original[atom]);
         }
-        if (patch.kind == PatchKind::Contact) {
-            sum.component.contact_area += patch.ses.area;
-            if (sum.sas_pieces.empty() || sum.sas_pieces.back() != patch.sas_component)
-                sum.sas_pieces.push_back(patch.sas_component);
-        } else if (patch.kind == PatchKind::Toroidal) {
-            sum.component.toroidal_area += patch.ses.area;
-        } else {
-            sum.component.reentrant_area += patch.ses.area;
-        }
+        add_area(sum.component, patch.kind, patch.ses.area);
+        if (patch.kind == PatchKind::Contact &&
+            (sum.sas_pieces.empty() || sum.sas_pieces.back() != patch.sas_component))
+            sum.sas_pieces.push_back(patch.sas_component);
     }
     return sums;
 }
