@@ -2,19 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "band/side_kernels.h"
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstring>
-#include <limits>
 #include <optional>
 #include <span>
-#include <type_traits>
 
-#include "core/bits.h"
-#include "simd/instructions.h"
-#include "simd/sign_bits.h"
+#include "simd/kernels.h"
 
 #define MENISCUS_KERNELS "band/side_kernels.inc"
 
@@ -40,11 +31,6 @@ SideLimits::SideLimits(double probe, double radius, double reach_of_points, doub
 }
 
 std::vector<SideKernels> supported_side_kernels() { return kernels_of_this_machine(); }
-
-const SideKernels& side_kernels() {
-    static const std::vector<SideKernels> all = supported_side_kernels();
-    static const SideKernels& chosen = choose_kernels(all, wanted_instructions());
-    return chosen;
-}
+const SideKernels& side_kernels() { return chosen_kernels(); }
 
 }  // namespace meniscus

@@ -7,24 +7,26 @@
 #include <iterator>
 #include <limits>
 
+#include "core/arc_tangent_factors.h"
+
 namespace meniscus::elementary {
 namespace {
 
-// The sum of two numbers of which the second is what the first lacks: twice the precision of one.
-struct Pair {
+// The sum of two numbers of which the second is what rounding took from the first: twice the precision of one.
+struct DoubleDouble {
     double high;
     double low;
 };
 
 // a + b without a rounding error, for any a and b.
-Pair sum(double a, double b) {
+DoubleDouble sum(double a, double b) {
     const double s = a + b;
     const double of_b = s - a;
     return {s, (a - (s - of_b)) + (b - of_b)};
 }
 
 // a b without a rounding error (Dekker 1971).
-Pair product(double a, double b) {
+DoubleDouble product(double a, double b) {
     constexpr double kSplit = 0x1p27 + 1.0;
     const auto upper_half = [](double x) {
         const double scaled = kSplit * x;
@@ -38,11 +40,11 @@ Pair product(double a, double b) {
     return {p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
 }
 
-Pair operator+(const Pair& a, const Pair& b) {
-    const Pair s = sum(a.high, b.high);
+DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
+    const DoubleDouble s = sum(a.high, b.high);
     return {s.high, s.low + (a.low + b.low)};
 }
-Pair operator-(const Pair& a) { return {-a.high, -a.low}; }
+DoubleDouble operator-(const DoubleDouble& a) { return {-a.high, -a.low}; }
 
 // Σ factors[i] x^i
 template <std::size_t n>
@@ -52,13 +54,15 @@ double polynomial(const double (&factors)[n], double x) {
     return value;
 }
 
-constexpr Pair kPi{0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
-constexpr Pair kHalfPi{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
-constexpr Pair kQuarterPi{0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55};
+constexpr DoubleDouble kPi{0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
+constexpr DoubleDouble kHalfPi{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
+constexpr DoubleDouble kQuarterPi{0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55};
+// The first has so few bits that its products with exponents are exact.
+constexpr DoubleDouble kLn2{0x1.62e42feep-1, 0x1.a39ef35793c76p-33};
 
 // What is left of an angle without its whole quarter turns, of which only the last two bits count.
 struct Reduced {
-    Pair rest;  // at most π/4 in magnitude
+    DoubleDouble rest;  // at most π/4 in magnitude
     int quarters;
 };
 
@@ -70,20 +74,20 @@ Reduced without_quarter_turns(double x) {
     constexpr double kThird = 0x1.3198a2e037073p-69;
     constexpr double kPerTurn = 0x1.45f306dc9c883p-1;
     const double turns = std::floor(x * kPerTurn + 0.5);
-    const Pair rest = sum(x - turns * kFirst, -turns * kSecond);
-    const Pair whole = sum(rest.high, rest.low - turns * kThird);
+    const DoubleDouble rest = sum(x - turns * kFirst, -turns * kSecond);
+    const DoubleDouble whole = sum(rest.high, rest.low - turns * kThird);
     return {whole, static_cast<int>(static_cast<long long>(turns) & 3)};
 }
 
 // Taylor's series; x is at most π/4 in magnitude.
-double sine_of_rest(const Pair& x) {
+double sine_of_rest(const DoubleDouble& x) {
     constexpr double kFactors[] = {-1.0 / 6,        1.0 / 120,         -1.0 / 5040,          1.0 / 362880,
                                    -1.0 / 39916800, 1.0 / 6227020800., -1.0 / 1307674368000, 1.0 / 355687428096000};
     const double x2 = x.high * x.high;
     return x.high + (x.high * x2 * polynomial(kFactors, x2) + x.low * (1.0 - 0.5 * x2));
 }
 
-double cosine_of_rest(const Pair& x) {
+double cosine_of_rest(const DoubleDouble& x) {
     constexpr double kFactors[] = {1.0 / 24,        -1.0 / 720,          1.0 / 40320,          -1.0 / 3628800,
                                    1.0 / 479001600, -1.0 / 87178291200., 1.0 / 20922789888000, -1.0 / 6402373705728000};
     const double x2 = x.high * x.high;
@@ -94,28 +98,24 @@ double cosine_of_rest(const Pair& x) {
 
 // The angle of a point in the upper half of the first quarter turn's first eighth: 0 <= y <= x, x > 0.
 //
-// The arc tangent of the quotient t up to tan(π/8), beyond it π/4 more than that of (t - 1) / (t + 1). The polynomial
-// is Chebyshev's on that range, off by 6e-18 of the result.
-Pair angle_below_diagonal(const Pair& y, const Pair& x) {
-    constexpr double kFactors[] = {-0.33333333333333331,  0.19999999999995521,   -0.14285714284666542,
-                                   0.11111111015256361,   -0.090909045781238734, 0.076921831908254329,
-                                   -0.066645114473727313, 0.058581489127221394,  -0.050854497375212498,
-                                   0.039231658283482157,  -0.019176887104237525};
-    const bool is_turned = y.high > 0.41421356237309503 * x.high;
-    const Pair above = is_turned ? y + -x : y;
-    const Pair below = is_turned ? y + x : x;
+// The arc tangent of the quotient t up to tan(π/8), beyond it π/4 more than that of (t - 1) / (t + 1).
+DoubleDouble angle_below_diagonal(const DoubleDouble& y, const DoubleDouble& x) {
+    const bool is_turned = y.high > kTangentOfEighth * x.high;
+    const DoubleDouble above = is_turned ? y + -x : y;
+    const DoubleDouble below = is_turned ? y + x : x;
     const double t = above.high / below.high;
-    const Pair back = product(t, below.high);
+    const DoubleDouble back = product(t, below.high);
     const double lacking = (((above.high - back.high) - back.low) + (above.low - t * below.low)) / below.high;
     const double t2 = t * t;
-    const double rest = t * t2 * polynomial(kFactors, t2) + lacking / (1.0 + t2);
-    return (is_turned ? kQuarterPi : Pair{0.0, 0.0}) + Pair{t, rest};
+    const double rest = t * t2 * polynomial(kArcTangentFactors, t2) + lacking / (1.0 + t2);
+    return (is_turned ? kQuarterPi : DoubleDouble{0.0, 0.0}) + DoubleDouble{t, rest};
 }
 
 // The angle of a point of the upper half plane that is not the origin.
-double angle_of(const Pair& y, const Pair& x) {
-    const Pair across = x.high < 0.0 ? -x : x;
-    Pair angle = y.high > across.high ? kHalfPi + -angle_below_diagonal(across, y) : angle_below_diagonal(y, across);
+double angle_of(const DoubleDouble& y, const DoubleDouble& x) {
+    const DoubleDouble across = x.high < 0.0 ? -x : x;
+    DoubleDouble angle =
+        y.high > across.high ? kHalfPi + -angle_below_diagonal(across, y) : angle_below_diagonal(y, across);
     if (x.high < 0.0) angle = kPi + -angle;
     return angle.high + angle.low;
 }
@@ -144,11 +144,11 @@ double atan2(double y, double x) {
 double acos(double x) {
     if (x >= 1.0) return 0.0;
     if (x <= -1.0) return kPi.high;
-    const Pair square = product(x, x);
-    const Pair left = sum(1.0, -square.high);
+    const DoubleDouble square = product(x, x);
+    const DoubleDouble left = sum(1.0, -square.high);
     const double squared = left.high + (left.low - square.low);
     const double root = std::sqrt(squared);
-    const Pair back = product(root, root);
+    const DoubleDouble back = product(root, root);
     const double lacking = ((left.high - back.high) - back.low) + (left.low - square.low);
     return angle_of({root, lacking / (2.0 * root)}, {x, 0.0});
 }
@@ -158,16 +158,15 @@ double exp(double x) {
     constexpr double kLowest = -745.1332191019412;
     constexpr double kHighest = 709.782712893384;
     constexpr double kPerLn2 = 0x1.71547652b82fep+0;
-    constexpr Pair kLn2{0x1.62e42feep-1, 0x1.a39ef35793c76p-33};  // the first of so few bits that products are exact
     constexpr double kFactors[] = {1.0 / 6,        1.0 / 24,        1.0 / 120,        1.0 / 720,
                                    1.0 / 5040,     1.0 / 40320,     1.0 / 362880,     1.0 / 3628800,
                                    1.0 / 39916800, 1.0 / 479001600, 1.0 / 6227020800.};
     if (x < kLowest) return 0.0;
     if (x > kHighest) return std::numeric_limits<double>::infinity();
     const double k = std::floor(x * kPerLn2 + 0.5);
-    const Pair r = sum(x - k * kLn2.high, -k * kLn2.low);
+    const DoubleDouble r = sum(x - k * kLn2.high, -k * kLn2.low);
     const double r2 = r.high * r.high;
-    const Pair first = sum(1.0, r.high);
+    const DoubleDouble first = sum(1.0, r.high);
     const double rest = 0.5 * r2 + r2 * r.high * polynomial(kFactors, r.high) + r.low * (1.0 + r.high);
     return std::ldexp(first.high + (first.low + rest), static_cast<int>(k));
 }
@@ -176,7 +175,6 @@ double exp(double x) {
 // Written as f - (f²/2 - s (f²/2 + Σ)), since 2 s = f - s f, only what is small is rounded.
 double log(double x) {
     constexpr double kRootHalf = 0x1.6a09e667f3bcdp-1;
-    constexpr Pair kLn2{0x1.62e42feep-1, 0x1.a39ef35793c76p-33};
     constexpr double kFactors[] = {2.0 / 3,  2.0 / 5,  2.0 / 7,  2.0 / 9,  2.0 / 11,
                                    2.0 / 13, 2.0 / 15, 2.0 / 17, 2.0 / 19, 2.0 / 21};
     if (x == 0.0) return -std::numeric_limits<double>::infinity();

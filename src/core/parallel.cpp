@@ -19,13 +19,6 @@ void parallel_ranges(std::size_t n, std::size_t grain, void (*run)(const void*, 
     is_alone() ? run(body, 0, n) : threads::for_ranges(n, grain, run, body);
 }
 
-void parallel_both(void (*run_first)(const void*), const void* first, void (*run_second)(const void*),
-                   const void* second) {
-    if (!is_alone()) return threads::both(run_first, first, run_second, second);
-    run_first(first);
-    run_second(second);
-}
-
 // A thread library's own limit may take memory from an allocator that is loaded with the first of them: one thread
 // alone does without.
 struct ThreadLimit::Control {

@@ -18,10 +18,6 @@ bool is_alone();
 void parallel_ranges(std::size_t n, std::size_t grain, void (*run)(const void*, std::size_t, std::size_t),
                      const void* body);
 
-/// Calls run_first(first) and run_second(second), in any order or at once.
-void parallel_both(void (*run_first)(const void*), const void* first, void (*run_second)(const void*),
-                   const void* second);
-
 /// Calls body(i) for i in [0, n), in any order, in ranges of which none of `grain` or less is divided further.
 template <class Body>
 void parallel_for(std::size_t n, std::size_t grain, const Body& body) {
@@ -41,8 +37,7 @@ void parallel_chunks(std::size_t n, std::size_t chunk, const Body& body) {
 /// Calls both, in any order or at once.
 template <class First, class Second>
 void parallel_both(const First& first, const Second& second) {
-    parallel_both([](const void* any) { (*static_cast<const First*>(any))(); }, &first,
-                  [](const void* any) { (*static_cast<const Second*>(any))(); }, &second);
+    parallel_for(2, 1, [&](std::size_t which) { which == 0 ? first() : second(); });
 }
 
 /// Sum of term(begin, end) over fixed chunks, added in their order: the same bits for any number of threads.

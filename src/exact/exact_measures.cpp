@@ -14,7 +14,6 @@
 #include "exact/patch_totals.h"
 #include "exact/ses_patches.h"
 #include "geometry/accessible_surface.h"
-#include "meniscus/errors.h"
 #include "meniscus/measures.h"
 #include "meniscus/threads.h"
 
@@ -89,9 +88,7 @@ struct Evaluation {
             totals.sas_area += patch.sas.area;
             totals.sas_volume += patch.sas.volume;
             totals.ses_volume += patch.ses.volume;
-            if (patch.kind == PatchKind::Contact) totals.contact_area += patch.ses.area;
-            if (patch.kind == PatchKind::Toroidal) totals.toroidal_area += patch.ses.area;
-            if (patch.kind == PatchKind::Reentrant) totals.reentrant_area += patch.ses.area;
+            add_area(totals, patch.kind, patch.ses.area);
         }
         totals.ses_area = totals.contact_area + totals.toroidal_area + totals.reentrant_area;
         sums.degenerate = patches.degenerate();
@@ -246,15 +243,10 @@ std::vector<ComponentSums> sum_components(const SesPatches& patches) {
             listed_in[atom] = patch.component;
             sum.atoms.push_back(data.atoms.original[atom]);
         }
-        if (patch.kind == PatchKind::Contact) {
-            sum.component.contact_area += patch.ses.area;
-            if (sum.sas_pieces.empty() || sum.sas_pieces.back() != patch.sas_component)
-                sum.sas_pieces.push_back(patch.sas_component);
-        } else if (patch.kind == PatchKind::Toroidal) {
-            sum.component.toroidal_area += patch.ses.area;
-        } else {
-            sum.component.reentrant_area += patch.ses.area;
-        }
+        add_area(sum.component, patch.kind, patch.ses.area);
+        if (patch.kind == PatchKind::Contact &&
+            (sum.sas_pieces.empty() || sum.sas_pieces.back() != patch.sas_component))
+            sum.sas_pieces.push_back(patch.sas_component);
     }
     return sums;
 }
@@ -267,9 +259,8 @@ void find_rooms_of_cavities(const SesPatches& patches, std::vector<ComponentSums
         if (sum.signed_volume > 0.0) continue;
         for (const std::uint32_t atom : patches.atoms_of(patch)) {
             if (atom == kNone) continue;
-            Box ball;
-            ball.include(data.atoms.centres[atom]);
-            sum.room.include(ball.grown(data.atoms.radii[atom]));
+            const Vec3& centre = data.atoms.centres[atom];
+            sum.room.include(Box{centre, centre}.grown(data.atoms.radii[atom]));
         }
         if (patch.kind == PatchKind::Toroidal) {
             const SasArc& arc = data.arcs[patch.feature];
@@ -404,8 +395,6 @@ Measures describe(const Atoms& atoms, const MeasureOptions& options, const Evalu
 }  // namespace
 
 Measures measure(const Atoms& atoms, const MeasureOptions& options) {
-    if (!(options.probe >= 0.0) || !std::isfinite(options.probe))
-        throw UsageError(joined("probe ", in_short(options.probe), ": must be finite and not negative"));
     const ThreadLimit limit(options.threads);
     return measure(AccessibleSurface(atoms, options.probe), atoms, options);
 }

@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meniscus/exact_surface.h"
 
-#include <cmath>
 #include <list>
 #include <mutex>
 #include <optional>
 #include <utility>
 
-#include "core/number_text.h"
+#include "core/requirements.h"
 #include "exact/measure_surface.h"
 #include "geometry/accessible_surface.h"
-#include "meniscus/errors.h"
 
 namespace meniscus {
 
@@ -67,9 +65,7 @@ ExactSurface ExactSurface::of_same_atoms(const ExactOptions& options) const {
 }
 
 const AccessibleSurface& ExactSurface::accessible() const {
-    const double probe = member_->options.probe;
-    if (!(probe >= 0.0) || !std::isfinite(probe))
-        throw UsageError(joined("probe ", in_short(probe), ": must be finite and not negative"));
+    require_not_negative("probe", member_->options.probe);
     const std::lock_guard lock(member_->mutex);
     if (!member_->accessible) member_->accessible.emplace(balls(), probe_of_balls());
     return *member_->accessible;

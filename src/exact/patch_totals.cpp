@@ -31,9 +31,7 @@ void accumulate(SurfaceTotals& to, PatchKind kind, const BothIntegrals& patch, d
     to.sas_volume += factor * patch.sas.volume;
     to.ses_area += factor * patch.ses.area;
     to.ses_volume += factor * patch.ses.volume;
-    if (kind == PatchKind::Contact) to.contact_area += factor * patch.ses.area;
-    if (kind == PatchKind::Toroidal) to.toroidal_area += factor * patch.ses.area;
-    if (kind == PatchKind::Reentrant) to.reentrant_area += factor * patch.ses.area;
+    add_area(to, kind, factor * patch.ses.area);
 }
 
 // Integrals over patches of one kind. Those of the largest component, nearly all, are only summed up.

@@ -20,6 +20,14 @@ struct PatchTotals {
     std::vector<std::uint32_t> unresolved;  ///< vertices whose trimming could not be resolved
 };
 
+/// Adds the area of a patch, Å², to that of its kind.
+template <class Areas>
+void add_area(Areas& to, PatchKind kind, double area) {
+    if (kind == PatchKind::Contact) to.contact_area += area;
+    if (kind == PatchKind::Toroidal) to.toroidal_area += area;
+    if (kind == PatchKind::Reentrant) to.reentrant_area += area;
+}
+
 /// Sums over all patches; keeps none of them and does not ask which pieces of surface they make.
 ///
 /// Each patch is counted to that component of `first`, an evaluation of the same atoms, to which the matching patch

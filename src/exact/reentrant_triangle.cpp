@@ -2,15 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exact/reentrant_triangle.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstring>
-#include <type_traits>
-
-#include "core/bits.h"
+#include "simd/kernels.h"
 #include "simd/pairs.h"
-#include "simd/sign_bits.h"
 
 namespace meniscus {
 namespace {

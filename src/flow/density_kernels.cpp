@@ -2,17 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flow/density_kernels.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <type_traits>
-
-#include "core/bits.h"
-#include "simd/instructions.h"
-#include "simd/sign_bits.h"
+#include "simd/kernels.h"
 
 #define MENISCUS_KERNELS "flow/density_kernels.inc"
 
@@ -24,11 +14,6 @@ namespace {
 }  // namespace
 
 std::vector<DensityKernels> supported_density_kernels() { return kernels_of_this_machine(); }
-
-const DensityKernels& density_kernels() {
-    static const std::vector<DensityKernels> all = supported_density_kernels();
-    static const DensityKernels& chosen = choose_kernels(all, wanted_instructions());
-    return chosen;
-}
+const DensityKernels& density_kernels() { return chosen_kernels(); }
 
 }  // namespace meniscus

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/elementary.h"
 #include "core/parallel.h"
@@ -133,15 +134,15 @@ void reinitialise(const BlockGrid& grid, Reinitialiser by, double width, FlowSta
 // One evolution in progress.
 class Evolution {
 public:
-    Evolution(const FlowFields& fields, std::span<const float> start, const FlowOptions& options)
-        : fields_(fields),
-          grid_(*fields.grid),
+    Evolution(const BlockGrid& grid, const DistanceBand& band, std::span<const float> start, const FlowOptions& options)
+        : band_(band),
+          grid_(grid),
           options_(options),
           constants_(constants_of(options, grid_.spacing())),
           next_(grid_.node_count(), 0.0F) {
         FlowState& state = result_.state;
         state.values.assign(start.begin(), start.end());
-        if (anchored()) held_ = held_field(grid_, fields.distance, fields.margin);
+        if (anchored()) held_ = held_field(grid_, band.distance, band.margin);
         if (options.reinitialiser == Reinitialiser::ClosestPoint)
             state.coefficients = interpolating_coefficients(grid_, start, options.half_width + 1.0);
         else if (anchored())
@@ -160,7 +161,7 @@ public:
         set_right_side();
         const bool solved = solve_step(mask);
         apply_everywhere(spline_value(), {grid_, state.coefficients, held_.fill}, next_);
-        const std::span<const float> held = anchored() ? fields_.distance : std::span<const float>(state.values);
+        const NodeField& held = anchored() ? band_.distance : state.values;
         for_each_node(mask.size(), [&](std::size_t n) {
             if (mask[n] == 0) next_[n] = held[n];
         });
@@ -198,7 +199,7 @@ private:
         NodeMask mask(grid_.node_count());
         const bool near_values = !anchored() || (result_.steps == 0 && std::isfinite(constants_.tau));
         for_each_node(mask.size(), [&](std::size_t n) {
-            const bool unknown = (anchored() && std::abs(fields_.distance[n]) < constants_.near) ||
+            const bool unknown = (anchored() && std::abs(band_.distance[n]) < constants_.near) ||
                                  (near_values && std::abs(state.values[n]) < constants_.near);
             mask[n] = unknown ? 1 : 0;
             if (!unknown || !anchored()) state.coefficients[n] = held_.coefficients[n];
@@ -216,8 +217,8 @@ private:
         NodeField slope;
         if (options_.slope == Slope::Computed) slope = computed_slope({grid_, values, held_.fill});
         for_each_node(next_.size(), [&](std::size_t n) {
-            const float curving = slope.empty() ? fields_.curvature[n] : fields_.curvature[n] * slope[n];
-            next_[n] = keep * values[n] + tau * (lambda * fields_.distance[n] - 2.0F * curving);
+            const float curving = slope.empty() ? band_.curvature[n] : band_.curvature[n] * slope[n];
+            next_[n] = keep * values[n] + tau * (lambda * band_.distance[n] - 2.0F * curving);
         });
     }
 
@@ -239,7 +240,7 @@ private:
         return solved.residual <= tolerance;
     }
 
-    const FlowFields& fields_;
+    const DistanceBand& band_;
     const BlockGrid& grid_;
     const FlowOptions& options_;
     StepConstants constants_;
@@ -275,18 +276,14 @@ double fraction_done(const std::vector<double>& left, const FlowOptions& options
 
 }  // namespace
 
-EvolutionResult evolve(const FlowFields& fields, std::span<const float> start, const FlowOptions& options,
-                       const EvolutionObserver& observer) {
+EvolutionResult evolve(const BlockGrid& grid, DistanceBand band, std::span<const float> start,
+                       const FlowOptions& options, const EvolutionObserver& observer) {
     if (is_one_solve(options)) {
-        EvolutionResult result = solve_steady_state(*fields.grid,
-                                                    {fields.margin,
-                                                     {fields.distance.begin(), fields.distance.end()},
-                                                     {fields.curvature.begin(), fields.curvature.end()}},
-                                                    options);
+        EvolutionResult result = solve_steady_state(grid, std::move(band), options);
         if (observer) observer(result, 1.0);
         return result;
     }
-    Evolution flow(fields, start, options);
+    Evolution flow(grid, band, start.empty() ? band.distance : start, options);
     std::vector<double> left;
     bool ended = false;
     while (!ended) {
@@ -300,11 +297,9 @@ EvolutionResult evolve(const FlowFields& fields, std::span<const float> start, c
 NodeField interpolating_coefficients(const BlockGrid& grid, std::span<const float> values, double half_width) {
     const double near = half_width * grid.spacing();
     const BlockFill fill = fill_by_sign(grid, values, near);
-    NodeMask mask(grid.node_count());
-    for_each_node(mask.size(), [&](std::size_t n) { mask[n] = std::abs(values[n]) < near ? 1 : 0; });
     NodeField coefficients(grid.node_count(), 0.0F);
     apply_everywhere(spline_quasi_interpolant(), {grid, values, fill}, coefficients);
-    const Unknowns unknowns = unknowns_of(mask);
+    const Unknowns unknowns = nodes_near(grid, values, static_cast<float>(near));
     solve({grid, unknowns, spline_value(), fill, {values}}, coefficients,
           {.tolerance = kSolverAccuracy * grid.spacing()});
     return coefficients;

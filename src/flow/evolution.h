@@ -26,14 +26,6 @@ inline constexpr double kThinRim = 1.25;
 /// Root mean square error of Φ that a solve leaves, in spacings.
 inline constexpr double kSolverAccuracy = 2e-5;
 
-/// What an evolution works on: one entry per node of the grid.
-struct FlowFields {
-    const BlockGrid* grid = nullptr;
-    std::span<const float> distance;   ///< s, clamped to ±margin, Å
-    std::span<const float> curvature;  ///< H0 with half_width + kBandRim spacings of the SES at least, Å^-1
-    double margin = 0.0;               ///< Å
-};
-
 /// Coefficients of the spline and its values at the nodes; outside the unknowns, values of what holds it there.
 struct FlowState {
     NodeField coefficients;
@@ -55,11 +47,13 @@ struct EvolutionResult {
 /// Called after every step with how far the flow is and the fraction of the way done; the state is the result's.
 using EvolutionObserver = std::function<void(const EvolutionResult&, double fraction)>;
 
-/// Runs a flow from `start`, node values of Φ.
+/// Runs a flow.
 ///
+/// band     s and H0 (FlowOptions::curvature), the latter within half_width + kBandRim spacings of the SES at least
+/// start    Φ at the nodes, Å; s if it is empty
 /// source   Pan & Tai 2009, eqs. 2.4, 3.3-3.5, with the changes of docs/design/flow.md
-EvolutionResult evolve(const FlowFields& fields, std::span<const float> start, const FlowOptions& options,
-                       const EvolutionObserver& observer);
+EvolutionResult evolve(const BlockGrid& grid, DistanceBand band, std::span<const float> start,
+                       const FlowOptions& options, const EvolutionObserver& observer);
 
 /// Coefficients of the spline that takes `values` at the nodes where |value| < half_width spacings.
 NodeField interpolating_coefficients(const BlockGrid& grid, std::span<const float> values, double half_width);

@@ -14,6 +14,7 @@
 #include "core/elementary.h"
 #include "core/parallel.h"
 #include "core/perpendicular.h"
+#include "core/requirements.h"
 #include "core/workspaces.h"
 #include "geometry/accessible_surface_data.h"
 #include "geometry/neighbour_caps.h"
@@ -459,8 +460,7 @@ void build(AccessibleSurface::Data& data, std::uint64_t seed, const AccessibleSu
 }  // namespace
 
 AccessibleSurface::AccessibleSurface(const Atoms& atoms, double probe, std::uint64_t seed) {
-    if (!(probe >= 0.0) || !std::isfinite(probe))
-        throw std::invalid_argument("the probe radius must be finite and not negative");
+    require_not_negative("probe", probe);
     auto data = std::make_unique<Data>();
     data->probe = probe;
     const double r_max = atoms.radii.empty() ? 1.0 : *std::max_element(atoms.radii.begin(), atoms.radii.end());

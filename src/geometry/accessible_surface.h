@@ -43,9 +43,9 @@ public:
     /// order 1e-10 Å (1e-14 of the largest sphere's, if that is more) that depends only on the atoms themselves, not on
     /// their order. Another seed gives another perturbation: what both give is not an accident of either.
     ///
-    /// throws   std::invalid_argument for no atoms, a radius <= 0 or a coordinate that is not finite; LimitError for
-    ///          coordinates and radii beyond 1e12 Å; std::runtime_error where no perturbation decides the arrangement
-    ///          (never seen)
+    /// throws   UsageError for a probe radius that is negative or not finite; std::invalid_argument for no atoms, a
+    ///          radius <= 0 or a coordinate that is not finite; LimitError for coordinates and radii beyond 1e12 Å;
+    ///          std::runtime_error where no perturbation decides the arrangement (never seen)
     /// cost     linear at protein density; parallel over atoms
     AccessibleSurface(const Atoms& atoms, double probe, std::uint64_t seed = 0);
     /// The same atoms and probe radius under the perturbation of another seed. This takes less time than the

@@ -2,16 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/cap_kernels.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <type_traits>
-
-#include "core/bits.h"
-#include "simd/instructions.h"
-#include "simd/sign_bits.h"
+#include "simd/kernels.h"
 
 #define MENISCUS_KERNELS "geometry/cap_kernels.inc"
 
@@ -23,10 +14,6 @@ namespace {
 }  // namespace
 
 std::vector<CapKernels> supported_cap_kernels() { return kernels_of_this_machine(); }
-
-const CapKernels& cap_kernels() {
-    static const CapKernels chosen = choose_kernels(supported_cap_kernels(), wanted_instructions());
-    return chosen;
-}
+const CapKernels& cap_kernels() { return chosen_kernels(); }
 
 }  // namespace meniscus

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "grid/block_kernels.h"
 
-#include <cstring>
-
-#include "simd/instructions.h"
+#include "simd/kernels.h"
 
 #define MENISCUS_KERNELS "grid/block_kernels.inc"
 
@@ -26,10 +24,6 @@ BlocksAround blocks_around(const BlockGrid& grid, std::span<const float> field, 
 }
 
 std::vector<BlockKernels> supported_block_kernels() { return kernels_of_this_machine(); }
-
-const BlockKernels& block_kernels() {
-    static const BlockKernels chosen = choose_kernels(supported_block_kernels(), wanted_instructions());
-    return chosen;
-}
+const BlockKernels& block_kernels() { return chosen_kernels(); }
 
 }  // namespace meniscus

@@ -2,17 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "grid/spline_kernels.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstring>
-#include <limits>
-#include <type_traits>
-
-#include "core/bits.h"
-#include "simd/instructions.h"
-#include "simd/sign_bits.h"
+#include "simd/kernels.h"
 
 #define MENISCUS_KERNELS "grid/spline_kernels.inc"
 
@@ -28,10 +18,6 @@ constexpr int kMostSteps = 4;          // after them
 }  // namespace
 
 std::vector<SplineKernels> supported_spline_kernels() { return kernels_of_this_machine(); }
-
-const SplineKernels& spline_kernels() {
-    static const SplineKernels chosen = choose_kernels(supported_spline_kernels(), wanted_instructions());
-    return chosen;
-}
+const SplineKernels& spline_kernels() { return chosen_kernels(); }
 
 }  // namespace meniscus

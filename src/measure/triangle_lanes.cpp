@@ -2,18 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/triangle_lanes.h"
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstring>
-#include <limits>
-#include <type_traits>
-
-#include "core/bits.h"
 #include "measure/creases.h"
-#include "simd/instructions.h"
-#include "simd/sign_bits.h"
+#include "simd/kernels.h"
 
 #define MENISCUS_KERNELS "measure/triangle_kernels.inc"
 
@@ -25,10 +15,6 @@ namespace {
 }  // namespace
 
 std::vector<TriangleKernels> supported_triangle_kernels() { return kernels_of_this_machine(); }
-
-const TriangleKernels& triangle_kernels() {
-    static const TriangleKernels chosen = choose_kernels(supported_triangle_kernels(), wanted_instructions());
-    return chosen;
-}
+const TriangleKernels& triangle_kernels() { return chosen_kernels(); }
 
 }  // namespace meniscus

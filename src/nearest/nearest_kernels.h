@@ -165,6 +165,16 @@ struct ArcLanes {
     LaneArray<double> height1;
     LaneArray<double> radius0;  ///< of its atoms
     LaneArray<double> radius1;
+
+    void set(std::size_t lane, const SasArc& arc, const CanonicalAtoms& atoms) {
+        set_point(centre, lane, arc.centre);
+        set_point(axis, lane, arc.axis);
+        radius[lane] = arc.radius;
+        height0[lane] = arc.height0;
+        height1[lane] = arc.height1;
+        radius0[lane] = atoms.radii[arc.atoms[0]];
+        radius1[lane] = atoms.radii[arc.atoms[1]];
+    }
 };
 
 /// One vertex for each point, with its atoms.
@@ -172,6 +182,14 @@ struct VertexLanes {
     LanePoints<double> position;
     std::array<LanePoints<double>, 3> centres;
     std::array<LaneArray<double>, 3> radii;
+
+    void set(std::size_t lane, const SasVertex& vertex, const CanonicalAtoms& atoms) {
+        set_point(position, lane, vertex.position);
+        for (std::size_t a = 0; a < 3; ++a) {
+            set_point(centres[a], lane, atoms.centres[vertex.atoms[a]]);
+            radii[a][lane] = atoms.radii[vertex.atoms[a]];
+        }
+    }
 };
 
 /// Marks are sets of items of a list, one bit for each (core/bits.h).
@@ -239,9 +257,6 @@ struct NearestKernels {
 
 /// Those that this machine can run, the plainest first.
 std::vector<NearestKernels> supported_nearest_kernels();
-
-/// Those with the wanted instructions; the last ones if there are none.
-const NearestKernels& choose_nearest_kernels(std::string_view instructions);
 
 /// Those with the instructions that the environment variable MENISCUS_INSTRUCTIONS names, else the last ones; the same
 /// from the first call to the end of the program.

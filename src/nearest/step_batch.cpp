@@ -41,16 +41,7 @@ std::size_t StepBatch::step_from_balls(std::size_t to, BatchSteps& steps) {
 
 std::size_t StepBatch::step_from_arcs(std::size_t to, BatchSteps& steps) {
     const Points& points = points_of(FeatureCell::Kind::Arc);
-    for (std::size_t k = 0; k < points.count; ++k) {
-        const SasArc& arc = data_->arcs[points.feature[k]];
-        set_point(arc_lanes_.centre, k, arc.centre);
-        set_point(arc_lanes_.axis, k, arc.axis);
-        arc_lanes_.radius[k] = arc.radius;
-        arc_lanes_.height0[k] = arc.height0;
-        arc_lanes_.height1[k] = arc.height1;
-        arc_lanes_.radius0[k] = data_->atoms.radii[arc.atoms[0]];
-        arc_lanes_.radius1[k] = data_->atoms.radii[arc.atoms[1]];
-    }
+    for (std::size_t k = 0; k < points.count; ++k) arc_lanes_.set(k, data_->arcs[points.feature[k]], data_->atoms);
     kernels_.step_from_arcs(data_->probe, points.places, arc_lanes_, points.count, to, steps.lanes, nearest_);
     write_labels(points, {steps, to, PatchKind::Toroidal}, [&](std::size_t k) {
         return data_->arcs[points.feature[k]].atoms[static_cast<std::size_t>(nearest_[k])];
@@ -60,14 +51,8 @@ std::size_t StepBatch::step_from_arcs(std::size_t to, BatchSteps& steps) {
 
 std::size_t StepBatch::step_from_vertices(std::size_t to, BatchSteps& steps) {
     const Points& points = points_of(FeatureCell::Kind::Vertex);
-    for (std::size_t k = 0; k < points.count; ++k) {
-        const SasVertex& vertex = data_->vertices[points.feature[k]];
-        set_point(vertex_lanes_.position, k, vertex.position);
-        for (std::size_t a = 0; a < 3; ++a) {
-            set_point(vertex_lanes_.centres[a], k, data_->atoms.centres[vertex.atoms[a]]);
-            vertex_lanes_.radii[a][k] = data_->atoms.radii[vertex.atoms[a]];
-        }
-    }
+    for (std::size_t k = 0; k < points.count; ++k)
+        vertex_lanes_.set(k, data_->vertices[points.feature[k]], data_->atoms);
     kernels_.step_from_vertices(data_->probe, points.places, vertex_lanes_, points.count, to, steps.lanes, nearest_);
     write_labels(points, {steps, to, PatchKind::Reentrant}, [&](std::size_t k) {
         return data_->vertices[points.feature[k]].atoms[static_cast<std::size_t>(nearest_[k])];

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "core/requirements.h"
 #include "measure/surface_distance.h"
 #include "measure/weighted_distances.h"
 #include "meniscus/errors.h"
@@ -16,7 +17,6 @@
 #include "meniscus/surface.h"
 #include "meniscus/threads.h"
 #include "mesh/merge_vertices.h"
-#include "pipeline/checks.h"
 
 namespace meniscus {
 namespace {

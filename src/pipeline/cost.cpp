@@ -20,8 +20,8 @@
 #include "meniscus/remesh.h"
 #include "meniscus/surface.h"
 #include "pipeline/band_size.h"
-#include "pipeline/checks.h"
 #include "pipeline/flow_stage.h"
+#include "pipeline/memory_limit.h"
 #include "space/point_cells.h"
 
 namespace meniscus {

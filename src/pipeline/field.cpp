@@ -14,13 +14,15 @@
 
 #include "cavities/filled_space.h"
 #include "core/number_text.h"
+#include "core/requirements.h"
 #include "core/workspaces.h"
 #include "geometry/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/threads.h"
 #include "nearest/box_features.h"
-#include "pipeline/checks.h"
+#include "pipeline/memory_limit.h"
 #include "project/level_set_side.h"
+#include "space/box_tree.h"
 
 namespace meniscus {
 namespace {
@@ -245,8 +247,7 @@ void check(const VolumeGrid& grid, const FieldOptions& options) {
     if (!is_finite(grid.origin)) throw UsageError("the origin of the grid is not finite; correct it");
     require_positive("inner dielectric constant", options.inner_dielectric);
     require_positive("outer dielectric constant", options.outer_dielectric);
-    require(std::isfinite(options.ion_radius) && options.ion_radius >= 0.0, "ion radius", options.ion_radius,
-            "finite and not negative");
+    require_not_negative("ion radius", options.ion_radius);
     check_threads(options.threads);
     refuse_grid_that_would_not_fit(grid, 1, {}, {});
 }
@@ -262,16 +263,11 @@ double megabytes(const VolumeGrid& grid, std::size_t volumes) {
 VolumeGrid enclosing_grid(const ExactSurface& exact, double spacing) {
     const Atoms& atoms = exact.balls();
     if (atoms.empty()) throw std::invalid_argument("no atoms");
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    std::array low{kInfinity, kInfinity, kInfinity};
-    std::array high{-kInfinity, -kInfinity, -kInfinity};
-    for (std::size_t i = 0; i < atoms.size(); ++i) {
-        const std::array centre{atoms.centres[i].x, atoms.centres[i].y, atoms.centres[i].z};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min(low[axis], centre[axis] - atoms.radii[i]);
-            high[axis] = std::max(high[axis], centre[axis] + atoms.radii[i]);
-        }
-    }
+    Box box;
+    for (std::size_t i = 0; i < atoms.size(); ++i)
+        box.include(Box{atoms.centres[i], atoms.centres[i]}.grown(atoms.radii[i]));
+    const std::array low{box.low.x, box.low.y, box.low.z};
+    const std::array high{box.high.x, box.high.y, box.high.z};
     VolumeGrid grid;
     std::array<double, 3> origin{};
     for (std::size_t axis = 0; axis < 3; ++axis) {

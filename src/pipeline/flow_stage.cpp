@@ -149,10 +149,9 @@ FlowOutcome run_flow(const FlowTask& task, DistanceBand band) {
     const bool may_leave = flow.anchor == 0.0;
     const bool recorded = may_leave || options.history || task.run.observer;
     band.curvature = curvature_field(accessible, *grid, flow, band);
-    const NodeField& start = task.start.empty() ? band.distance : task.start;
     FlowRecord record(accessible, grid, task.run.observer);
     FlowOutcome outcome;
-    if (recorded) add_start(record, *grid, start, flow.half_width);
+    if (recorded) add_start(record, *grid, task.start, flow.half_width);
 
     int iterations_before = 0;
     const EvolutionObserver observe = [&](const EvolutionResult& at, double fraction) {
@@ -164,11 +163,7 @@ FlowOutcome run_flow(const FlowTask& task, DistanceBand band) {
         iterations_before = at.solver_iterations;
         if (task.run.progress) task.run.progress("flow", fraction);
     };
-    const bool one_solve = is_one_solve(flow);  // uses up the band, and `start` with it
-    EvolutionResult result =
-        one_solve ? solve_steady_state(*grid, std::move(band), flow)
-                  : evolve({grid.get(), band.distance, band.curvature, band.margin}, start, flow, observe);
-    if (one_solve) observe(result, 1.0);
+    EvolutionResult result = evolve(*grid, std::move(band), task.start, flow, observe);
 
     outcome.summary = summarise(result);
     outcome.summary.explanation = may_leave ? describe_course(result, record) : describe_end(result);

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "core/number_text.h"
+#include "core/requirements.h"
 #include "geometry/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/threads.h"
 #include "mesh/spread_points.h"
-#include "pipeline/checks.h"
 #include "platform/memory.h"
 #include "project/finish_vertices.h"
 #include "project/surface_projector.h"

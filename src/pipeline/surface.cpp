@@ -13,6 +13,7 @@
 #include "cavities/choose_pieces.h"
 #include "core/number_text.h"
 #include "core/parallel.h"
+#include "core/requirements.h"
 #include "flow/evolution.h"
 #include "flow/gaussian_density.h"
 #include "geometry/accessible_surface.h"
@@ -21,7 +22,6 @@
 #include "meniscus/threads.h"
 #include "mesh/extract.h"
 #include "pipeline/band_size.h"
-#include "pipeline/checks.h"
 #include "pipeline/even_mesh.h"
 #include "pipeline/flow_stage.h"
 #include "pipeline/reference_values.h"
@@ -73,7 +73,7 @@ private:
 };
 
 void check_flow(const FlowOptions& flow) {
-    require(std::isfinite(flow.anchor) && flow.anchor >= 0.0, "anchor", flow.anchor, "finite and not negative");
+    require_not_negative("anchor", flow.anchor);
     require(flow.time_step > 0.0, "time step", flow.time_step, "positive");
     require(std::isfinite(flow.time_step) || flow.anchor > 0.0, "time step", flow.time_step,
             "finite without an anchor");
@@ -84,7 +84,7 @@ void check_flow(const FlowOptions& flow) {
 }
 
 void check_options(const SurfaceOptions& options) {
-    require(std::isfinite(options.probe) && options.probe >= 0.0, "probe", options.probe, "finite and not negative");
+    require_not_negative("probe", options.probe);
     if (options.method == Method::Gaussian && options.surface != SurfaceKind::Ses)
         throw UsageError(
             "method gaussian gives a single envelope of the atoms; for surface sas or vdw use method flow or direct");
@@ -99,10 +99,8 @@ void check_options(const SurfaceOptions& options) {
     require(remesh.corners == Corners::Near || remesh.is_on(), "edge", remesh.edge,
             "positive with any corners but near");
     require(!remesh.simplify_topology || remesh.is_on(), "edge", remesh.edge, "positive with simplify_topology");
-    require(std::isfinite(options.min_cavity) && options.min_cavity >= 0.0, "min cavity", options.min_cavity,
-            "finite and not negative");
-    require(std::isfinite(options.fill_cavities) && options.fill_cavities >= 0.0, "fill cavities",
-            options.fill_cavities, "finite and not negative");
+    require_not_negative("min cavity", options.min_cavity);
+    require_not_negative("fill cavities", options.fill_cavities);
 }
 
 // What every stage is told: which surface is meshed, and how.

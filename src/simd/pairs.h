@@ -9,6 +9,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "core/arc_tangent_factors.h"
 #include "meniscus/vec3.h"
 
 namespace meniscus {

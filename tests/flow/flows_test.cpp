@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "flow/closest_points.h"
 #include "flow/paper/printed_curvature.h"
@@ -45,8 +46,9 @@ public:
     // Excess of the radius over kRadius after every step, from that of the start.
     std::vector<double> excesses(double excess, std::span<const float> curvature, const FlowOptions& options) const {
         std::vector<double> found{excess};
-        const FlowFields fields{&grid(), band_.distance, curvature, band_.margin};
-        evolve(fields, start(kRadius + excess), options,
+        DistanceBand band = band_;
+        band.curvature.assign(curvature.begin(), curvature.end());
+        evolve(grid(), std::move(band), start(kRadius + excess), options,
                [&](const EvolutionResult& at, double) { found.push_back(mean_radius(at.state) - kRadius); });
         return found;
     }
@@ -150,10 +152,9 @@ TEST(Flows, OneSolveGivesTheSteadyState) {
 
 TEST(Flows, TheSharpFieldMakesTheDistanceItselfTheFixedPoint) {
     const FlowProblem problem(two_spheres(5.9), kWater, 0.25);  // with a cusp, where the parallel field rounds
-    const NodeField sharp = sharp_curvature(*problem.grid, problem.band, FlowOptions{}.half_width);
-    FlowFields fields = problem.fields();
-    fields.curvature = sharp;
-    const EvolutionResult result = evolve(fields, problem.start(-0.5), {.tolerance = 1e-6}, {});
+    DistanceBand band = problem.band;
+    band.curvature = sharp_curvature(*problem.grid, band, FlowOptions{}.half_width);
+    const EvolutionResult result = evolve(*problem.grid, std::move(band), problem.start(-0.5), {.tolerance = 1e-6}, {});
     const EvolutionResult rounded = problem.evolve(-0.5);
     const double off = largest_difference(problem, result.state.values, problem.band.distance);
     EXPECT_LT(off, 0.005);

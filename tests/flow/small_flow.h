@@ -33,9 +33,8 @@ struct FlowProblem {
     NodeField start(double c) const { return GaussianDensity(surface, c).sample(*grid, margin); }
 
     EvolutionResult evolve(double c, const FlowOptions& options = {}) const {
-        return meniscus::evolve(fields(), start(c), options, {});
+        return meniscus::evolve(*grid, band, start(c), options, {});
     }
-    FlowFields fields() const { return {grid.get(), band.distance, band.curvature, margin}; }
     LevelSet level_set(const EvolutionResult& result) const { return {grid, result.state.coefficients}; }
 
     static Vec3 origin(double h) { return 0.3819660 * h * Vec3{1.0, 0.9, 0.8}; }

@@ -11,6 +11,7 @@
 
 #include "core/parallel.h"
 #include "geometry/accessible_surface_data.h"
+#include "meniscus/errors.h"
 #include "meniscus/threads.h"
 #include "support/arrangements.h"
 #include "support/test_data.h"
@@ -289,8 +290,7 @@ TEST(AccessibleSurface, RefusesInvalidInput) {
     EXPECT_THROW(AccessibleSurface({{{0, 0, 0}}, {kNan}}, kProbe), std::invalid_argument);
     EXPECT_THROW(AccessibleSurface({{{0, kInfinity, 0}}, {1.0}}, kProbe), std::invalid_argument);
     EXPECT_THROW(AccessibleSurface({{{0, 0, 0}, {1, 1, 1}}, {1.0}}, kProbe), std::invalid_argument);
-    for (const double probe : {-0.1, kNan, kInfinity})
-        EXPECT_THROW(AccessibleSurface(one, probe), std::invalid_argument);
+    for (const double probe : {-0.1, kNan, kInfinity}) EXPECT_THROW(AccessibleSurface(one, probe), UsageError);
     const AccessibleSurface surface(one, kProbe);
     EXPECT_THROW(signed_distance(surface, std::vector<Vec3>{{0, 0, kNan}}), std::invalid_argument);
     EXPECT_THROW(signed_distance(surface, std::vector<Vec3>{{kInfinity, 0, 0}}), std::invalid_argument);

@@ -74,17 +74,13 @@ protected:
         }
         const std::vector<Vec3> points = random_points_around(atoms_, kPoints, 1.0);
         for (std::size_t i = 0; i < kPoints; ++i) {
-            points_.x[i] = points[i].x;
-            points_.y[i] = points[i].y;
-            points_.z[i] = points[i].z;
+            set_point(points_, i, points[i]);
             lengths_[i] = static_cast<float>(norm(points[i] - kMiddle));
-            small_points_.x[i] = static_cast<float>(points[i].x);
-            small_points_.y[i] = static_cast<float>(points[i].y);
-            small_points_.z[i] = static_cast<float>(points[i].z);
+            set_point(small_points_, i, points[i]);
         }
     }
 
-    Vec3 point(std::size_t i) const { return {points_.x[i], points_.y[i], points_.z[i]}; }
+    Vec3 point(std::size_t i) const { return get_point(points_, i); }
 
     Answers ask(const NearestKernels& kernels) const {
         const AccessibleSurface::Data& data = surface_.data();
@@ -130,20 +126,8 @@ protected:
             const std::size_t atom = k % data.atoms.size();
             set_point(balls.centre, k, data.atoms.centres[atom]);
             balls.radius[k] = data.atoms.radii[atom];
-            const SasArc& arc = data.arcs[k % data.arcs.size()];
-            set_point(arcs.centre, k, arc.centre);
-            set_point(arcs.axis, k, arc.axis);
-            arcs.radius[k] = arc.radius;
-            arcs.height0[k] = arc.height0;
-            arcs.height1[k] = arc.height1;
-            arcs.radius0[k] = data.atoms.radii[arc.atoms[0]];
-            arcs.radius1[k] = data.atoms.radii[arc.atoms[1]];
-            const SasVertex& vertex = data.vertices[k % data.vertices.size()];
-            set_point(vertices.position, k, vertex.position);
-            for (std::size_t a = 0; a < 3; ++a) {
-                set_point(vertices.centres[a], k, data.atoms.centres[vertex.atoms[a]]);
-                vertices.radii[a][k] = data.atoms.radii[vertex.atoms[a]];
-            }
+            arcs.set(k, data.arcs[k % data.arcs.size()], data.atoms);
+            vertices.set(k, data.vertices[k % data.vertices.size()], data.atoms);
         }
         kernels.step_from_balls(points_, balls, kPoints, 0, answers.from_balls);
         kernels.step_from_arcs(data.probe, points_, arcs, kPoints, 0, answers.from_arcs, answers.nearest_of_arcs);
@@ -186,7 +170,8 @@ void expect_equal(const LaneArray<T>& a, const LaneArray<T>& b) {
     EXPECT_TRUE(std::equal(a.at, a.at + kPoints, b.at));
 }
 
-void expect_equal(const LanePoints<double>& a, const LanePoints<double>& b) {
+template <class T>
+void expect_equal(const LanePoints<T>& a, const LanePoints<T>& b) {
     expect_equal(a.x, b.x);
     expect_equal(a.y, b.y);
     expect_equal(a.z, b.z);
@@ -221,9 +206,7 @@ TEST_F(NearestKernelsTest, GiveTheSameBitsOnEveryInstructionSet) {
         EXPECT_EQ(other.depths_in_middle, plain.depths_in_middle);
         EXPECT_EQ(other.deepest, plain.deepest);
         EXPECT_EQ(other.contenders, plain.contenders);
-        expect_equal(other.small.x, plain.small.x);
-        expect_equal(other.small.y, plain.small.y);
-        expect_equal(other.small.z, plain.small.z);
+        expect_equal(other.small, plain.small);
         EXPECT_EQ(other.sides.inside, plain.sides.inside);
         EXPECT_EQ(other.sides.settled, plain.sides.settled);
         expect_equal(other.depths.first, plain.depths.first);
@@ -250,11 +233,12 @@ TEST_F(NearestKernelsTest, GiveTheSameBitsOnEveryInstructionSet) {
 }
 
 TEST(NearestKernels, AreChosenByName) {
-    for (const NearestKernels& kernels : supported_nearest_kernels())
-        EXPECT_EQ(choose_nearest_kernels(kernels.instructions).instructions, kernels.instructions);
-    EXPECT_EQ(choose_nearest_kernels("plain").instructions, "plain");
-    EXPECT_EQ(choose_nearest_kernels("").instructions, supported_nearest_kernels().back().instructions);
-    EXPECT_EQ(&nearest_kernels(), &choose_nearest_kernels(wanted_instructions()));
+    const std::vector<NearestKernels> all = supported_nearest_kernels();
+    for (const NearestKernels& kernels : all) EXPECT_EQ(&choose_kernels(all, kernels.instructions), &kernels);
+    EXPECT_EQ(choose_kernels(all, "plain").instructions, "plain");
+    EXPECT_EQ(&choose_kernels(all, ""), &all.back());
+    EXPECT_EQ(nearest_kernels().instructions, choose_kernels(all, wanted_instructions()).instructions);
+    EXPECT_EQ(&nearest_kernels(), &nearest_kernels());
 }
 
 TEST_F(NearestKernelsTest, MarkWhatIsNearABox) {

@@ -12,10 +12,7 @@ namespace meniscus::threads {
 /// divided further. The first exception that is thrown is thrown on once all that has begun has ended.
 void for_ranges(std::size_t n, std::size_t grain, void (*run)(const void*, std::size_t, std::size_t), const void* body);
 
-/// Calls both, at once if a thread is free. Exceptions as those of for_ranges().
-void both(void (*run_first)(const void*), const void* first, void (*run_second)(const void*), const void* second);
-
-/// Limits for_ranges() and both() of the whole process to so many threads, at least two, while it lives.
+/// Limits for_ranges() of the whole process to so many threads, at least two, while it lives.
 class Limit {
 public:
     explicit Limit(int threads);

@@ -10,11 +10,6 @@ void for_ranges(std::size_t n, std::size_t /*grain*/, void (*run)(const void*, s
     run(body, 0, n);
 }
 
-void both(void (*run_first)(const void*), const void* first, void (*run_second)(const void*), const void* second) {
-    run_first(first);
-    run_second(second);
-}
-
 struct Limit::Control {};
 Limit::Limit(int /*threads*/) {}
 Limit::~Limit() = default;

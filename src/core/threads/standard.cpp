@@ -6,7 +6,6 @@
 #include <atomic>
 #include <condition_variable>
 #include <exception>
-#include <functional>
 #include <list>
 #include <mutex>
 #include <set>
@@ -21,15 +20,15 @@ namespace {
 // A loop in progress, whose ranges whoever is free takes in turn.
 class Loop {
 public:
-    Loop(std::size_t n, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& run)
-        : n_(n), grain_(grain), run_(run) {}
+    Loop(std::size_t n, std::size_t grain, void (*run)(const void*, std::size_t, std::size_t), const void* body)
+        : n_(n), grain_(grain), run_(run), body_(body) {}
 
     bool has_more() const { return next_.load(std::memory_order_relaxed) < n_; }
 
     void work() {
         for (std::size_t begin = 0; (begin = next_.fetch_add(grain_, std::memory_order_relaxed)) < n_;) {
             try {
-                run_(begin, std::min(begin + grain_, n_));
+                run_(body_, begin, std::min(begin + grain_, n_));
             } catch (...) {
                 next_ = n_;
                 const std::scoped_lock lock(mutex_);
@@ -47,7 +46,8 @@ public:
 private:
     std::size_t n_;
     std::size_t grain_;
-    const std::function<void(std::size_t, std::size_t)>& run_;
+    void (*run_)(const void*, std::size_t, std::size_t);
+    const void* body_;
     std::atomic<std::size_t> next_{0};
     std::mutex mutex_;
     std::exception_ptr failure_;
@@ -59,8 +59,8 @@ public:
     void run(Loop& loop) {
         {
             const std::scoped_lock lock(mutex_);
-            loops_.push_back(&loop);
             hire(0, [] {});
+            loops_.push_back(&loop);
         }
         wake_.notify_all();
         loop.work();
@@ -151,19 +151,8 @@ Crew& crew() {
 
 void for_ranges(std::size_t n, std::size_t grain, void (*run)(const void*, std::size_t, std::size_t),
                 const void* body) {
-    const std::function<void(std::size_t, std::size_t)> each = [&](std::size_t begin, std::size_t end) {
-        run(body, begin, end);
-    };
-    if (n <= grain) return each(0, n);
-    Loop loop(n, grain, each);
-    crew().run(loop);
-}
-
-void both(void (*run_first)(const void*), const void* first, void (*run_second)(const void*), const void* second) {
-    const std::function<void(std::size_t, std::size_t)> each = [&](std::size_t which, std::size_t) {
-        which == 0 ? run_first(first) : run_second(second);
-    };
-    Loop loop(2, 1, each);
+    if (n <= grain) return run(body, 0, n);
+    Loop loop(n, grain, run, body);
     crew().run(loop);
 }
 

@@ -4,7 +4,6 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_scheduler_observer.h>
 
@@ -62,10 +61,6 @@ void for_ranges(std::size_t n, std::size_t grain, void (*run)(const void*, std::
                 const void* body) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
                       [&](const auto& range) { run(body, range.begin(), range.end()); });
-}
-
-void both(void (*run_first)(const void*), const void* first, void (*run_second)(const void*), const void* second) {
-    tbb::parallel_invoke([&] { run_first(first); }, [&] { run_second(second); });
 }
 
 struct Limit::Control {

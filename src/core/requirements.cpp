@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "pipeline/checks.h"
+#include "core/requirements.h"
 
 #include <cmath>
 
 #include "core/number_text.h"
 #include "meniscus/errors.h"
-#include "platform/memory.h"
 
 namespace meniscus {
 
@@ -20,11 +19,10 @@ void require_positive(std::string_view option, double value) {
     require(is_positive(value), option, value, "finite and positive");
 }
 
-void check_threads(int threads) { require(threads >= 0, "threads", threads, "0 (all cores) or more"); }
-
-double limit_mb(std::size_t memory_limit_mb) {
-    return memory_limit_mb > 0 ? static_cast<double>(memory_limit_mb)
-                               : static_cast<double>(available_memory()) / kMegabyte;
+void require_not_negative(std::string_view option, double value) {
+    require(std::isfinite(value) && value >= 0.0, option, value, "finite and not negative");
 }
+
+void check_threads(int threads) { require(threads >= 0, "threads", threads, "0 (all cores) or more"); }
 
 }  // namespace meniscus
