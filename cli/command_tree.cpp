@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "meniscus/words.h"
+#include "meniscus/file_words.h"
 
 namespace meniscus::cli {
 

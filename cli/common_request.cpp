@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "help.h"
+#include "meniscus/file_words.h"
 #include "option_words.h"
 
 namespace meniscus::cli {
@@ -52,7 +53,7 @@ void set_altloc(CommonRequest& request, const std::string& text) {
 std::string spell_as_option(std::string_view option, std::string_view value) {
     if (option == "keep_waters") return value == "false" ? "--no-waters" : "--waters";
     if (option == "model" && value == "N") return "--model N|all";
-    return fmt::format("--{} {}", option, value);
+    return value.empty() ? flag_of(option) : flag_of(option) + " " + std::string(value);
 }
 
 std::vector<ReadFile> files_of_structure(const std::string& input, const ReadOptions& options) {
@@ -104,11 +105,6 @@ void add_atom_options(CLI::App& command, CommonRequest& request) {
                      rarely("Refuse atoms of unknown type instead of giving them their element's radius"));
 }
 
-void add_probe(CLI::App& command, double& probe) {
-    add_number(command, {"--probe", "Probe radius, Å\n; 0 gives the van der Waals surface", "R"}, probe,
-               Sign::NotNegative);
-}
-
 void add_output_options(CLI::App& command, CommonRequest& request) {
     command
         .add_option("-o", request.outputs,
@@ -124,15 +120,11 @@ void add_output_options(CLI::App& command, CommonRequest& request) {
     command.add_flag("-q,--quiet", request.quiet, "No summary, no notes, no progress bar");
 }
 
-void add_run_options(CLI::App& command, CommonRequest& request, int& threads) {
-    add_count(command, {"--threads", "Number of threads\n; results do not depend on it", "N", "all cores"}, threads);
+void add_progress(CLI::App& command, ProgressMode& progress) {
     add_choice(command,
                {"--progress", rarely("Progress on standard error; auto: a bar on a terminal; json: a line per update")},
-               request.progress, kProgress);
+               progress, kProgress);
 }
-
-const char* name_of(HydrogenPolicy policy) { return word_for(kHydrogenWords, policy); }
-const char* name_of(HeteroPolicy policy) { return word_for(kHeteroWords, policy); }
 
 std::vector<std::string> join_negative_values(const std::vector<std::string>& arguments) {
     std::vector<std::string> joined;

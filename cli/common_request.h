@@ -41,17 +41,10 @@ void add_input(CLI::App& command, CommonRequest& request);
 /// Which atoms of the input are kept, and with which radii. `request` must outlive the parser.
 void add_atom_options(CLI::App& command, CommonRequest& request);
 
-void add_probe(CLI::App& command, double& probe);
-
 /// -o, --format, --report, --quiet.
 void add_output_options(CLI::App& command, CommonRequest& request);
 
-/// --threads and --progress.
-void add_run_options(CLI::App& command, CommonRequest& request, int& threads);
-
-/// The words behind `--hydrogens` and `--hetero`.
-const char* name_of(HydrogenPolicy policy);
-const char* name_of(HeteroPolicy policy);
+void add_progress(CLI::App& command, ProgressMode& progress);
 
 /// Joins an option and a negative number or a list that begins with one ("--density" "-.5") with "=", because CLI11
 /// takes some negative numbers for options.

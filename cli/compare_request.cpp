@@ -33,8 +33,8 @@ constexpr std::array<const char*, 4> kWithoutValues{".obj", ".stl", ".off", ".ve
 ValueRange parse_range(const std::string& text) {
     const std::size_t colon = text.find(':', 1);
     if (colon == std::string::npos) throw UsageError(fmt::format("--range: '{}' is not MIN:MAX", text));
-    const ValueRange range{parse_number("--range", text.substr(0, colon), Sign::Any),
-                           parse_number("--range", text.substr(colon + 1), Sign::Any)};
+    const ValueRange range{parse_number("--range", text.substr(0, colon), Range::Any),
+                           parse_number("--range", text.substr(colon + 1), Range::Any)};
     if (range.min >= range.max)
         throw UsageError(fmt::format("--range: '{}' is empty; write the smaller value first", text));
     return range;
@@ -53,16 +53,24 @@ void add_compare_options(CLI::App& command, CompareRequest& request) {
     command.option_defaults()->group(kAtomGroup);
     add_atom_options(command, request);
     command.option_defaults()->group(kSurfaceGroup);
-    add_probe(command, request.structure.probe);
-    add_number(command,
-               {"--spacing",
-                rarely("Grid spacing of the mesh that is used to spread points over a structure's surface, Å"), "H"},
-               request.structure.spacing, Sign::Positive);
+    const OptionAdder add(command);
+    add(kProbeOption, request.structure.probe);
+    add(Option{.name = "spacing",
+               .brief = "",
+               .meaning = "Grid spacing of the mesh that is used to spread points over a structure's surface, Å",
+               .example = "--spacing 0.4",
+               .symbol = "H",
+               .range = Range::Positive},
+        request.structure.spacing);
     command.option_defaults()->group("Distances");
-    add_number(
-        command,
-        {"--points", "Minimum number of points per Å²\n, spread over the triangles, with at least four on each", "D"},
-        request.compare.density, Sign::Positive);
+    add(Option{.name = "points",
+               .brief = "Minimum number of points per Å²",
+               .meaning = "Distances are taken at D or more points per Å², spread over the triangles, at least four on "
+                          "each; the maximum also includes the vertices",
+               .example = "--points 20",
+               .symbol = "D",
+               .range = Range::Positive},
+        request.compare.density);
     command.option_defaults()->group("Output");
     add_output_options(command, request);
     add_word(command,
@@ -70,7 +78,8 @@ void add_compare_options(CLI::App& command, CompareRequest& request) {
               "MIN:MAX"},
              [&request](const std::string& text) { request.range = parse_range(text); });
     command.option_defaults()->group("Running");
-    add_run_options(command, request, request.compare.threads);
+    add(kThreadsOption, request.compare.threads);
+    add_progress(command, request.progress);
     command.parse_complete_callback([&command, &request] {
         for (const char* group : {kSurfaceGroup, kAtomGroup})
             if (const std::string name = first_given(command, group); !name.empty()) request.of_structures = name;

@@ -11,6 +11,7 @@ namespace meniscus::cli {
 namespace {
 
 constexpr std::size_t kTextColumn = 35;  // where what an option does begins
+constexpr char kInFull = '\f';           // after it stands what --help-all shows instead of what stands before it
 
 /// Characters of UTF-8: bytes that do not continue one.
 std::size_t columns(const std::string& text) {
@@ -25,13 +26,16 @@ bool asks_for_help(const CLI::App& app, const CLI::Option& option) {
 }
 
 bool is_shown(const CLI::Option& option, CLI::AppFormatMode mode) {
-    return option.nonpositional() && (in_full(mode) || !option.get_description().starts_with('\n'));
+    const std::string& text = option.get_description();
+    return option.nonpositional() && (in_full(mode) || !(text.starts_with('\n') || text.starts_with(kInFull)));
 }
 
 /// What an option does and, in brackets, its default.
 std::string describe(const CLI::Option& option, CLI::AppFormatMode mode) {
     std::string text = option.get_description();
-    if (!in_full(mode)) text.erase(std::min(text.find('\n'), text.size()));
+    const std::size_t meaning = text.find(kInFull);
+    if (!in_full(mode)) text.erase(std::min({text.find('\n'), meaning, text.size()}));
+    if (in_full(mode) && meaning != std::string::npos) text.erase(0, meaning + 1);
     text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
     return option.get_default_str().empty() ? text : text + " [" + option.get_default_str() + "]";
 }
@@ -85,17 +89,45 @@ std::string positionals(const CLI::App& app) {
     return text;
 }
 
+/// Text without the marks of code and links; links in parentheses of their own, which only lead elsewhere, go.
+std::string without_markdown(const std::string& markdown) {
+    std::string text;
+    for (std::size_t i = 0; i < markdown.size(); ++i) {
+        const std::size_t middle = markdown[i] == '[' ? markdown.find("](", i) : std::string::npos;
+        if (middle != std::string::npos) {
+            const std::size_t end = markdown.find(')', middle);
+            if (text.ends_with(" (") && markdown.compare(end, 2, "))") == 0) {
+                text.resize(text.size() - 2);
+                i = end + 1;
+            } else {
+                text += without_markdown(markdown.substr(i + 1, middle - i - 1));
+                i = end;
+            }
+        } else if (markdown[i] != '`' && markdown[i] != '\\') {
+            text += markdown[i];
+        }
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string brief_description(const CLI::Option& option) {
     const std::string& text = option.get_description();
-    const std::size_t start = text.starts_with('\n') ? 1 : 0;
-    return text.substr(start, text.find('\n', start) - start);
+    const std::size_t start = text.find_first_not_of("\n\f");
+    return start == std::string::npos ? "" : text.substr(start, text.find_first_of("\n\f", start) - start);
 }
 
 std::string full_description(const CLI::Option& option) { return describe(option, CLI::AppFormatMode::All); }
 
-std::string rarely(const std::string& text) { return "\n" + text; }
+std::string rarely(const std::string& description) {
+    const std::size_t meaning = description.find(kInFull);
+    return meaning == std::string::npos ? "\n" + description : description.substr(meaning);
+}
+
+std::string described(const std::string& brief, const std::string& meaning) {
+    return brief + kInFull + without_markdown(meaning);
+}
 
 std::string wrap(const std::string& text, const Wrap& layout) {
     std::istringstream words(text);

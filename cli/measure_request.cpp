@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "meniscus/file_words.h"
 #include "option_words.h"
 #include "output_plan.h"
 
@@ -41,7 +42,7 @@ void add_measure_options(CLI::App& command, MeasureRequest& request) {
     command.option_defaults()->group("Atoms");
     add_atom_options(command, request);
     command.option_defaults()->group("Measures");
-    add_probe(command, request.measure.probe);
+    OptionAdder{command}(kProbeOption, request.measure.probe);
     command
         .add_option("--between", request.between,
                     "Interface of groups of chains, as in A,C:B\n, or all: every pair of chains that touch; "
@@ -58,11 +59,9 @@ void add_measure_options(CLI::App& command, MeasureRequest& request) {
     add_choices(command, {"--value", "Value written as the B factor\n; one per copy, in their order, as with --per"},
                 request.values, kAtomValueWords);
     command.option_defaults()->group("Running");
-    add_run_options(command, request, request.measure.threads);
+    OptionAdder{command}(kThreadsOption, request.measure.threads);
+    add_progress(command, request.progress);
 }
-
-const char* name_of(RowsPer per) { return word_for(kRowsPerWords, per); }
-const char* name_of(AtomValue value) { return word_for(kAtomValueWords, value); }
 
 void check_request(const MeasureRequest& request) {
     const std::size_t tables = count_kind(request, OutputKind::Table);

@@ -26,8 +26,6 @@ struct MeasureRequest : CommonRequest {
 void add_measure_options(CLI::App& command, MeasureRequest& request);
 
 /// The word behind `--per` and `--value`.
-const char* name_of(RowsPer per);
-const char* name_of(AtomValue value);
 
 /// Which of `asked` the file number `place` of its kind takes: its own, the last one given, or `otherwise`.
 template <class T>

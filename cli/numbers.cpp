@@ -26,34 +26,6 @@ bool read_whole(std::string_view text, T& value) {
     return error == std::errc{} && stop == end;
 }
 
-bool has_sign(double value, Sign sign) {
-    switch (sign) {
-        case Sign::Positive:
-            return value > 0.0;
-        case Sign::NotNegative:
-            return value >= 0.0;
-        case Sign::Negative:
-            return value < 0.0;
-        case Sign::Any:
-            return true;
-    }
-    return false;
-}
-
-const char* describe(Sign sign) {
-    switch (sign) {
-        case Sign::Positive:
-            return " greater than 0";
-        case Sign::NotNegative:
-            return " of at least 0";
-        case Sign::Negative:
-            return " less than 0";
-        case Sign::Any:
-            return "";
-    }
-    return "";
-}
-
 /// Splits "4G" into "4" and the number of MB that G stands for; 0 for an unknown unit.
 std::pair<std::string_view, double> split_unit(std::string_view text) {
     constexpr std::array<std::pair<std::string_view, double>, 9> kUnits{{{"", 1.0},
@@ -73,12 +45,12 @@ std::pair<std::string_view, double> split_unit(std::string_view text) {
 
 }  // namespace
 
-double parse_number(const std::string& option, const std::string& text, Sign sign) {
+double parse_number(const std::string& option, const std::string& text, Range range) {
     double value = 0.0;
     if (!read_whole(std::string_view(text), value))
         throw UsageError(fmt::format("{}: '{}' is not a valid number", option, text));
-    if (!std::isfinite(value) || !has_sign(value, sign))
-        throw UsageError(fmt::format("{}: must be a finite number{}, not {}", option, describe(sign), text));
+    if (!contains(range, value))
+        throw UsageError(fmt::format("{}: must be {}, not {}", option, words_for(range), text));
     return value;
 }
 

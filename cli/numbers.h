@@ -1,20 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Option values that are numbers, read strictly: the whole text, finite, of the right sign.
+// Option values that are numbers, read strictly: the whole text, and in range.
 #pragma once
 
 #include <cstddef>
 #include <string>
 
-namespace meniscus::cli {
+#include "meniscus/option.h"
 
-/// What a number may be beside finite.
-enum class Sign { Positive, NotNegative, Negative, Any };
+namespace meniscus::cli {
 
 /// The number that `text` spells.
 /// option   the option's name, for the message
-/// throws   UsageError when text is not one finite decimal number or has the wrong sign
-double parse_number(const std::string& option, const std::string& text, Sign sign);
+/// throws   UsageError when text is not one decimal number, or is out of range; "inf" is infinite where that is allowed
+double parse_number(const std::string& option, const std::string& text, Range range);
 
 /// A whole number of at least 1.
 /// throws   UsageError

@@ -3,15 +3,14 @@
 // Options whose value is a word or a number, read strictly.
 #pragma once
 
-#include <fmt/core.h>
-
 #include <CLI/App.hpp>
 #include <functional>
 #include <string>
-#include <type_traits>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "meniscus/describe_options.h"
 #include "meniscus/words.h"
 #include "numbers.h"
 
@@ -24,6 +23,11 @@ struct OptionHelp {
     std::string symbol{};    ///< what stands for its value
     std::string standard{};  ///< the value that holds without the option; empty if help does not show one
 };
+
+/// "--min-cavity" for "min_cavity".
+std::string flag_of(std::string_view option);
+
+OptionHelp help_of(const Option& option);
 
 /// An option whose value is one word, which `read` may refuse with UsageError.
 CLI::Option* add_word(CLI::App& command, const OptionHelp& help, const std::function<void(const std::string&)>& read);
@@ -49,20 +53,44 @@ void add_choices(CLI::App& command, const OptionHelp& help, std::vector<T>& targ
         ->default_str(words.front().first);
 }
 
-/// An option whose value is a number; by default what `target`, a double or an optional one, holds.
-template <class Target>
-void add_number(CLI::App& command, OptionHelp help, Target& target, Sign sign) {
-    if constexpr (std::is_same_v<Target, double>) help.standard = fmt::format("{}", target);
-    add_word(command, help,
-             [name = help.name, &target, sign](const std::string& text) { target = parse_number(name, text, sign); });
-}
-
 /// An option whose value is a whole number, from 1 on.
 template <class Target>
 void add_count(CLI::App& command, OptionHelp help, Target& target) {
     help.symbol = "N";
     add_word(command, help, [name = help.name, &target](const std::string& text) { target = parse_count(name, text); });
 }
+
+/// Gives a command the options that a description of describe_options.h visits. What the options fill must outlive the
+/// parser.
+class OptionAdder {
+public:
+    explicit OptionAdder(CLI::App& command) : command_(command) {}
+
+    void operator()(const Option& option, bool& target) const;
+    void operator()(const Option& option, double& target) const;
+    void operator()(const Option& option, int& target) const;          ///< from 1 on
+    void operator()(const Option& option, std::size_t& target) const;  ///< an amount of memory
+    void operator()(const Option& option, double& target, double (*of)(double)) const;
+    void operator()(const Option& option, FlowOptions& flow, const Words<FlowName, 3>& words) const {
+        choose(option, words, [&flow](FlowName name) { flow = flow_of(name); });
+    }
+    template <class T, std::size_t N>
+    void operator()(const Option& option, T& target, const Words<T, N>& words) const {
+        choose(option, words, [&target](T value) { target = value; });
+    }
+
+private:
+    template <class T, std::size_t N, class Take>
+    void choose(const Option& option, const Words<T, N>& words, Take take) const {
+        OptionHelp help = help_of(option);
+        help.symbol = join(words, "|");
+        if (help.standard.empty()) help.standard = words.front().first;
+        add_word(command_, help,
+                 [name = help.name, &words, take](const std::string& text) { take(parse_word(name, text, words)); });
+    }
+
+    CLI::App& command_;
+};
 
 /// The first option of a group of help that was given; empty if none was.
 std::string first_given(const CLI::App& command, const std::string& group);

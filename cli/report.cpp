@@ -14,10 +14,11 @@
 #include <thread>
 
 #include "exact_blocks.h"
+#include "io/options_json.h"
 #include "meniscus/errors.h"
 #include "meniscus/file_name.h"
+#include "meniscus/file_words.h"
 #include "meniscus/version.h"
-#include "meniscus/words.h"
 #include "output_plan.h"
 #include "platform/files/atomic_file.h"
 
@@ -49,8 +50,6 @@ ordered_json input_block(const Structure& structure, double probe, const RunFact
             {"warnings", structure.warnings}};
 }
 
-ordered_json time_step_json(double step) { return std::isinf(step) ? ordered_json("inf") : ordered_json(step); }
-
 bool has(const std::vector<std::string>& outputs, OutputKind kind) {
     return std::any_of(outputs.begin(), outputs.end(),
                        [kind](const std::string& path) { return kind_of(path) == kind; });
@@ -58,38 +57,16 @@ bool has(const std::vector<std::string>& outputs, OutputKind kind) {
 
 ordered_json surface_options_block(const SurfaceRequest& request, const Structure& structure, const Surface& surface,
                                    const RunFacts& facts) {
-    const SurfaceOptions& o = surface.options;
-    const bool flow = o.method == Method::Flow;
-    ordered_json block{{"method", name_of(o.method)},
-                       {"flow", if_used(flow, name_of(request.flow.name))},
-                       {"curvature", if_used(flow, name_of(o.flow.curvature))},
-                       {"anchor", if_used(flow, o.flow.anchor)},
-                       {"reinitialise", if_used(flow, name_of(o.flow.reinitialiser))},
-                       {"solver", if_used(flow, name_of(o.flow.solver))},
-                       {"slope", if_used(flow, name_of(o.flow.slope))},
-                       {"surface", word_for(kSurfaceWords, o.surface)},
-                       {"probe", o.probe},
-                       {"spacing", o.spacing},
-                       {"components", name_of(o.pieces)},
-                       {"min_cavity", o.min_cavity},
-                       {"cavity_files", request.cavity_files},
-                       {"show", if_used(!request.show.empty(), request.show)},
-                       {"per_chain", request.per_chain},
-                       {"fill_cavities", o.fill_cavities},
-                       {"edge", if_used(o.remesh.is_on(), o.remesh.edge)},
-                       {"adaptive", if_used(o.remesh.is_on(), o.remesh.adaptive)},
-                       {"keep_ridges", if_used(o.remesh.is_on(), o.remesh.keep_ridges)},
-                       {"corners", if_used(o.remesh.is_on(), word_for(kCornersWords, o.remesh.corners))},
-                       {"simplify_topology", if_used(o.remesh.is_on(), o.remesh.simplify_topology)},
-                       {"density", if_used(o.method != Method::Direct, o.density)},
-                       {"time_step", if_used(flow, time_step_json(o.flow.time_step))},
-                       {"half_width", if_used(flow, o.flow.half_width)},
-                       {"max_steps", if_used(flow, o.flow.max_steps)},
-                       {"tolerance", if_used(flow, o.flow.tolerance)},
-                       {"threads", facts.threads},
-                       {"exact", o.exact},
-                       {"verify", o.verify},
-                       {"memory_mb", if_used(request.run.memory_limit_mb > 0, request.run.memory_limit_mb)}};
+    ordered_json block = options_block(surface.options);
+    OptionsAsJson more{surface.options};
+    describe_checks(surface.options, more);
+    describe(request.run, more);
+    block.update(more.block);
+    block["threads"] = facts.threads;
+    block["exact"] = surface.options.exact;
+    block["cavity_files"] = request.cavity_files;
+    block["show"] = if_used(!request.show.empty(), request.show);
+    block["per_chain"] = request.per_chain;
     block.update(report_picture(request.picture, structure, surface.mesh, has(request.outputs, OutputKind::Picture)));
     block.update(report_volumes(request.volume, has(request.outputs, OutputKind::Volume)));
     block.update(report_values(request.values));
@@ -98,9 +75,9 @@ ordered_json surface_options_block(const SurfaceRequest& request, const Structur
 
 ordered_json measure_options_block(const MeasureRequest& request, const RunFacts& facts) {
     ordered_json per = ordered_json::array();
-    for (const RowsPer rows : request.per) per.push_back(name_of(rows));
+    for (const RowsPer rows : request.per) per.push_back(word_for(kRowsPerWords, rows));
     ordered_json values = ordered_json::array();
-    for (const AtomValue value : request.values) values.push_back(name_of(value));
+    for (const AtomValue value : request.values) values.push_back(word_for(kAtomValueWords, value));
     return {{"probe", request.measure.probe},
             {"per", per},
             {"value", values},
@@ -109,16 +86,16 @@ ordered_json measure_options_block(const MeasureRequest& request, const RunFacts
 }
 
 /// Completes the options of a subcommand by those of reading.
-ordered_json options_block(ordered_json block, const CommonRequest& request) {
+ordered_json with_reading(ordered_json block, const CommonRequest& request) {
     const ReadOptions& o = request.read;
     block["radii"] = file_name(o.radii);
-    block["hydrogens"] = name_of(o.hydrogens);
+    block["hydrogens"] = word_for(kHydrogenWords, o.hydrogens);
     block["model"] = request.all_models ? ordered_json("all") : model_json(o.join_models ? kJoinedModels : o.model);
     block["assembly"] = if_used(!o.assembly.empty(), o.assembly);
     block["altloc"] = if_used(!o.altloc.empty(), o.altloc);
     block["chains"] = if_used(!o.chains.empty(), o.chains);
     block["select"] = if_used(!o.select.empty(), o.select);
-    block["hetero"] = name_of(o.hetero.value_or(HeteroPolicy::None));
+    block["hetero"] = word_for(kHeteroWords, o.hetero.value_or(HeteroPolicy::None));
     block["waters"] = o.keep_waters.value_or(false);
     block["strict_radii"] = o.strict_radii;
     return block;
@@ -227,7 +204,7 @@ ordered_json flow_block(const Surface& surface) {
             {"solver_iterations", f.solver_iterations},
             {"initial_area", f.initial_area},
             {"reinitialisations", f.reinitialisations},
-            {"end", name_of(f.end)},
+            {"end", word_for(kFlowEndWords, f.end)},
             {"kept_step", f.kept_step},
             {"explanation", f.explanation},
             {"history", history_block(surface.history)}};
@@ -267,7 +244,7 @@ ordered_json make_report(const SurfaceRequest& request, const Structure& structu
     return {{"meniscus", kVersion},
             {"schema", 1},
             {"input", input_block(structure, surface.options.probe, facts)},
-            {"options", options_block(surface_options_block(request, structure, surface, facts), request)},
+            {"options", with_reading(surface_options_block(request, structure, surface, facts), request)},
             {"exact", exact ? exact_json(*exact) : ordered_json()},
             {"components", exact ? components_json(*exact) : ordered_json()},
             {"mesh", mesh_block(surface, facts.shown)},
@@ -283,7 +260,7 @@ ordered_json make_report(const MeasureRequest& request, const Structure& structu
     return {{"meniscus", kVersion},
             {"schema", 1},
             {"input", input_block(structure, exact.options.probe, facts)},
-            {"options", options_block(measure_options_block(request, facts), request)},
+            {"options", with_reading(measure_options_block(request, facts), request)},
             {"exact", exact_json(exact)},
             {"components", components_json(exact)},
             {"interfaces", nullptr},

@@ -50,7 +50,7 @@ void check_files_beside(const SurfaceRequest& request, const Output* mesh) {
         throw UsageError(mesh == nullptr ? why + "; name a mesh with -o"
                                          : "-o -: " + why + "; name it with -o FILE.SUFFIX");
     };
-    if (request.flow.snapshots > 0) refuse("--snapshots writes meshes beside the final one");
+    if (request.snapshots > 0) refuse("--snapshots writes meshes beside the final one");
     if (request.cavity_files) refuse("--cavity-files writes meshes beside that of the surface");
 }
 
@@ -108,7 +108,7 @@ public:
 private:
     std::vector<Output> plan(const std::string& name, const std::string& mark) const override {
         std::vector<Output> outputs = plan_volumes(request_.volume, plan_outputs(request_.outputs, name, mark));
-        if (!request_.flow.history.empty()) outputs.push_back(plan_history(request_.flow.history, mark));
+        if (!request_.history.empty()) outputs.push_back(plan_history(request_.history, mark));
         check_together(request_, outputs);
         return outputs;
     }
@@ -172,7 +172,7 @@ private:
         RunOptions run = request_.run;
         run.keep_exact = has(job.outputs, OutputKind::Picture) || has(job.outputs, OutputKind::Volume);
         run.progress = [this](std::string_view stage, double fraction) { show(stage, fraction); };
-        if (request_.flow.snapshots > 0)
+        if (request_.snapshots > 0)
             run.observer = [&](const FlowStep& step, const Mesh& mesh) { write_snapshot(job, step, mesh); };
         surface_ = meniscus::mesh(std::move(exact), request_.surface, run);
         Stopwatch watch;
@@ -295,7 +295,7 @@ private:
     }
 
     void write_snapshot(const Job& job, const FlowStep& step, const Mesh& mesh) const {
-        if (step.step % request_.flow.snapshots != 0) return;
+        if (step.step % request_.snapshots != 0) return;
         {
             const WritingSection section;
             Mesh complete = mesh;

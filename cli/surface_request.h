@@ -6,7 +6,6 @@
 #include <string>
 
 #include "common_request.h"
-#include "flow_request.h"
 #include "meniscus/surface.h"
 #include "meniscus/write.h"
 #include "picture_options.h"
@@ -19,7 +18,8 @@ namespace meniscus::cli {
 struct SurfaceRequest : CommonRequest {
     SurfaceOptions surface;
     RunOptions run{};
-    FlowRequest flow;  ///< surface.flow is what it resolves to
+    std::string history;  ///< path of a record of the flow, empty for none
+    int snapshots = 0;    ///< a mesh every so many steps of the flow, 0 for none
     Encoding encoding = Encoding::Binary;
     PictureRequest picture{};
     ValueRequest values{};
@@ -34,9 +34,5 @@ struct SurfaceRequest : CommonRequest {
 /// While parsing, UsageError is thrown for values that make no sense, CLI::ParseError for everything that
 /// CLI11 itself refuses.
 void add_surface_options(CLI::App& command, SurfaceRequest& request);
-
-/// The words behind `--method` and `--components`.
-const char* name_of(Method method);
-const char* name_of(Pieces pieces);
 
 }  // namespace meniscus::cli

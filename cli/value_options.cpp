@@ -14,6 +14,7 @@
 
 #include "help.h"
 #include "meniscus/file_name.h"
+#include "meniscus/file_words.h"
 #include "meniscus/volume_file.h"
 #include "option_words.h"
 
@@ -85,7 +86,7 @@ void add_value_options(CLI::App& command, ValueRequest& request) {
         command,
         {"--offset", rarely("Sample maps D Å away from the surface, along its normal; negative: inside"), "D", "0"},
         [&request](const std::string& text) {
-            request.sampling.offset = parse_number("--offset", text, Sign::Any);
+            request.sampling.offset = parse_number("--offset", text, Range::Any);
             request.sampled_by = "--offset";
         });
     add_word(command,

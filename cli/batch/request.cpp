@@ -49,7 +49,7 @@ double parse_time(const std::string& option, const std::string& text) {
         if (last == 'h') unit = 3600.0;
     }
     try {
-        return unit * parse_number(option, number, Sign::Positive);
+        return unit * parse_number(option, number, Range::Positive);
     } catch (const UsageError&) {
         throw UsageError(fmt::format("{}: '{}' is not a time; write seconds, or for instance 15m or 2h", option, text));
     }
@@ -174,7 +174,7 @@ void add_surface(CLI::App& batch, Request& request, const std::function<void()>&
     add_surface_options(command, *given);
     const auto take = [&request, given]() -> const CommonRequest& {
         request.threads = given->run.threads;
-        request.history = given->flow.history;
+        request.history = given->history;
         return *given;
     };
     complete_subcommand(command, request, take, run);

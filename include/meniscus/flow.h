@@ -46,7 +46,12 @@ enum class Slope {
     Computed,  ///< from central differences
 };
 
+/// The three evolutions by name.
+enum class FlowName { Anchored, Parallel, Paper };
+
 struct FlowOptions {
+    FlowName name =
+        FlowName::Anchored;  ///< the evolution whose pieces those below are, or from which they were changed
     CurvatureField curvature = CurvatureField::Parallel;
     double anchor = 16.0;  ///< λ, in units of spacing^-2; 0 for none
     Reinitialiser reinitialiser = Reinitialiser::None;
@@ -66,9 +71,14 @@ struct FlowOptions {
 /// The three evolutions by name. A sphere's radius ρ, SES radius r: paper ρ' = 2(1/r - 1/ρ), parallel ρ' = 0,
 /// anchored ρ' = λ(r - ρ).
 inline constexpr FlowOptions kAnchoredFlow{};
-inline constexpr FlowOptions kParallelFlow{
-    .anchor = 0.0, .reinitialiser = Reinitialiser::ClosestPoint, .time_step = 1.0, .max_steps = 100, .tolerance = 1e-2};
-inline constexpr FlowOptions kPaperFlow{.curvature = CurvatureField::Paper,
+inline constexpr FlowOptions kParallelFlow{.name = FlowName::Parallel,
+                                           .anchor = 0.0,
+                                           .reinitialiser = Reinitialiser::ClosestPoint,
+                                           .time_step = 1.0,
+                                           .max_steps = 100,
+                                           .tolerance = 1e-2};
+inline constexpr FlowOptions kPaperFlow{.name = FlowName::Paper,
+                                        .curvature = CurvatureField::Paper,
                                         .anchor = 0.0,
                                         .reinitialiser = Reinitialiser::Paper,
                                         .solver = Solver::Gmres,
@@ -77,6 +87,10 @@ inline constexpr FlowOptions kPaperFlow{.curvature = CurvatureField::Paper,
                                         .half_width = 4.0,
                                         .max_steps = 100,
                                         .tolerance = 1e-2};
+
+constexpr const FlowOptions& flow_of(FlowName name) {
+    return name == FlowName::Paper ? kPaperFlow : name == FlowName::Parallel ? kParallelFlow : kAnchoredFlow;
+}
 
 /// Why an evolution ended.
 enum class FlowEnd {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "meniscus/atoms.h"
+#include "meniscus/option.h"
 
 namespace meniscus {
 
@@ -26,12 +27,6 @@ enum class HeteroPolicy {
     Ligands,  ///< groups of two or more atoms in the file: cofactors, sugars, lipids, buffer molecules
     All,      ///< also groups of one atom: ions, metals
 };
-
-/// How messages name an option of reading with a value for it: each client gives its users its own words.
-///
-/// option   the name of a member of ReadOptions: "hetero"
-/// value    "ligands", "true"; a word in capitals stands for what the user chooses: "ID"
-using OptionSpelling = std::string (*)(std::string_view option, std::string_view value);
 
 /// "hetero = ligands".
 std::string spell_as_member(std::string_view option, std::string_view value);

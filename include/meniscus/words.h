@@ -9,15 +9,10 @@
 #include <string>
 #include <utility>
 
-#include "meniscus/colours.h"
 #include "meniscus/errors.h"
-#include "meniscus/field.h"
 #include "meniscus/flow.h"
 #include "meniscus/remesh.h"
-#include "meniscus/structure.h"
 #include "meniscus/surface.h"
-#include "meniscus/tables.h"
-#include "meniscus/volume.h"
 
 namespace meniscus {
 
@@ -57,11 +52,6 @@ T parse_word(const std::string& option, const std::string& text, const Words<T, 
     return found->second;
 }
 
-inline constexpr Words<HydrogenPolicy, 3> kHydrogenWords{
-    {{"auto", HydrogenPolicy::Auto}, {"keep", HydrogenPolicy::Keep}, {"drop", HydrogenPolicy::Drop}}};
-inline constexpr Words<HeteroPolicy, 3> kHeteroWords{
-    {{"none", HeteroPolicy::None}, {"ligands", HeteroPolicy::Ligands}, {"all", HeteroPolicy::All}}};
-
 inline constexpr Words<Method, 3> kMethodWords{
     {{"flow", Method::Flow}, {"direct", Method::Direct}, {"gaussian", Method::Gaussian}}};
 inline constexpr Words<SurfaceKind, 3> kSurfaceWords{
@@ -70,6 +60,8 @@ inline constexpr Words<Pieces, 3> kPiecesWords{
     {{"all", Pieces::All}, {"outer", Pieces::Outer}, {"cavities", Pieces::Cavities}}};
 inline constexpr Words<Corners, 3> kCornersWords{
     {{"near", Corners::Near}, {"on-surface", Corners::OnSurface}, {"balanced", Corners::Balanced}}};
+inline constexpr Words<FlowName, 3> kFlowWords{
+    {{"anchored", FlowName::Anchored}, {"parallel", FlowName::Parallel}, {"paper", FlowName::Paper}}};
 inline constexpr Words<CurvatureField, 4> kCurvatureWords{{{"parallel", CurvatureField::Parallel},
                                                            {"sharp", CurvatureField::Sharp},
                                                            {"paper", CurvatureField::Paper},
@@ -87,36 +79,5 @@ inline constexpr Words<FlowEnd, 5> kFlowEndWords{{{"converged", FlowEnd::Converg
                                                   {"stalled", FlowEnd::Stalled},
                                                   {"vanished", FlowEnd::Vanished},
                                                   {"left-band", FlowEnd::LeftBand}}};
-
-inline constexpr Words<VolumeContent, 4> kFieldWords{{{"distance", VolumeContent::Distance},
-                                                      {"mask", VolumeContent::Mask},
-                                                      {"dielectric", VolumeContent::Dielectric},
-                                                      {"ions", VolumeContent::Ions}}};
-
-inline constexpr Words<ApbsMap, 4> kApbsMapWords{{{"dielx", ApbsMap::DielectricX},
-                                                  {"diely", ApbsMap::DielectricY},
-                                                  {"dielz", ApbsMap::DielectricZ},
-                                                  {"kappa", ApbsMap::Kappa}}};
-
-inline constexpr Words<RowsPer, 4> kRowsPerWords{
-    {{"residue", RowsPer::Residue}, {"atom", RowsPer::Atom}, {"chain", RowsPer::Chain}, {"cavity", RowsPer::Cavity}}};
-inline constexpr Words<AtomValue, 4> kAtomValueWords{
-    {{"sas", AtomValue::Sas}, {"ses", AtomValue::Ses}, {"rsa", AtomValue::Rsa}, {"depth", AtomValue::Depth}}};
-inline constexpr Words<Interpolation, 2> kInterpolationWords{
-    {{"linear", Interpolation::Linear}, {"cubic", Interpolation::Cubic}}};
-/// All but ColourScheme::Value, for which the name of the values stands.
-inline constexpr Words<ColourScheme, 13> kColourSchemeWords{{{"auto", ColourScheme::Automatic},
-                                                             {"single", ColourScheme::Single},
-                                                             {"patch", ColourScheme::Patch},
-                                                             {"element", ColourScheme::Element},
-                                                             {"chain", ColourScheme::Chain},
-                                                             {"residue", ColourScheme::Residue},
-                                                             {"residue-patch", ColourScheme::ResiduePatch},
-                                                             {"hydrophobicity", ColourScheme::Hydrophobicity},
-                                                             {"curvature", ColourScheme::Curvature},
-                                                             {"component", ColourScheme::Component},
-                                                             {"depth", ColourScheme::Depth},
-                                                             {"bfactor", ColourScheme::BFactor},
-                                                             {"plddt", ColourScheme::Plddt}}};
 
 }  // namespace meniscus

@@ -4,6 +4,7 @@
 // that a new one cannot be forgotten. Whoever adds one counts kArchiveLayout up.
 #pragma once
 
+#include "meniscus/describe_options.h"
 #include "meniscus/structure.h"
 #include "meniscus/surface.h"
 #include "meniscus/tables.h"
@@ -124,24 +125,25 @@ void fields(Archive& archive, MeshMeasures& s) {
     archive(area, volume, closed, manifold, euler_characteristic, smallest_angle_deg, shortest_edge, components);
 }
 
+/// Archives the options that a description visits.
 template <class Archive>
-void fields(Archive& archive, FlowOptions& s) {
-    auto& [curvature, anchor, reinitialiser, solver, slope, time_step, half_width, max_steps, tolerance] = s;
-    archive(curvature, anchor, reinitialiser, solver, slope, time_step, half_width, max_steps, tolerance);
-}
+struct OptionArchiver {
+    Archive& archive;
 
-template <class Archive>
-void fields(Archive& archive, RemeshOptions& s) {
-    auto& [edge, adaptive, keep_ridges, corners, simplify_topology, finer_grid] = s;
-    archive(edge, adaptive, keep_ridges, corners, simplify_topology, finer_grid);
-}
+    template <class T, class... More>
+    void operator()(const Option& /*option*/, T& member, const More&... /*more*/) const {
+        archive(member);
+    }
+    void operator()(const Option& /*option*/, FlowOptions& flow, const Words<FlowName, 3>& /*words*/) const {
+        archive(flow.name);
+    }
+    void operator()(const Option& /*option*/, double& /*target*/, double (* /*of*/)(double)) const {}
+};
 
 template <class Archive>
 void fields(Archive& archive, SurfaceOptions& s) {
-    auto& [method, surface, probe, spacing, density, flow, history, initial_area, quality, two_sided_distance, exact,
-           verify, pieces, min_cavity, fill_cavities, remesh] = s;
-    archive(method, surface, probe, spacing, density, flow, history, initial_area, quality, two_sided_distance, exact,
-            verify, pieces, min_cavity, fill_cavities, remesh);
+    describe(s, OptionArchiver<Archive>{archive});
+    archive(s.remesh.finer_grid, s.exact);
 }
 
 template <class Archive>

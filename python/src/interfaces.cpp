@@ -11,7 +11,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "meniscus/tables.h"
-#include "meniscus/words.h"
+#include "meniscus/file_words.h"
 #include "meniscus/write.h"
 #include "options.h"
 #include "pickling.h"
@@ -40,8 +40,7 @@ std::shared_ptr<Interfaces> measure_pairs(const Structure& structure,
                                           const std::optional<std::vector<std::pair<Names, Names>>>& given,
                                           const py::dict& options) {
     MeasureOptions measured;
-    Options(options).read("probe", measured.probe);
-    Options(options).read("threads", measured.threads);
+    describe(measured, OptionReader(options));
     const py::gil_scoped_release release;
     std::vector<ChainPair> pairs;
     if (!given) pairs = touching_chains(structure, measured.probe);

@@ -10,6 +10,7 @@
 #include "bindings.h"
 #include "meniscus/tables.h"
 #include "meniscus/write.h"
+#include "meniscus/file_words.h"
 #include "options.h"
 #include "pickling.h"
 #include "table_columns.h"
@@ -19,13 +20,9 @@ namespace meniscus::python {
 namespace {
 
 MeasureOptions measure_options(const py::dict& given) {
-    const Options options(given);
-    MeasureOptions measured;
-    options.read("probe", measured.probe);
-    options.read("cavities", measured.cavities);
-    options.read("depth", measured.depth);
-    options.read("threads", measured.threads);
-    return measured;
+    MeasureOptions options;
+    describe(options, OptionReader(given));
+    return options;
 }
 
 std::shared_ptr<Measures> measure_structure(const Structure& structure, const py::dict& given) {

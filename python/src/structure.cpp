@@ -11,6 +11,7 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "meniscus/radii.h"
+#include "meniscus/file_words.h"
 #include "options.h"
 #include "pickling.h"
 
@@ -18,6 +19,7 @@ namespace meniscus::python {
 
 std::string spell_as_keyword(std::string_view option, std::string_view value) {
     const std::string name(option == "keep_waters" ? "waters" : option);
+    if (value.empty()) return name;
     if (value == "true" || value == "false") return name + (value == "true" ? "=True" : "=False");
     const bool is_chosen_by_user =
         std::all_of(value.begin(), value.end(), [](unsigned char c) { return std::isupper(c) != 0; });

@@ -21,61 +21,20 @@ namespace {
 
 using namespace py::literals;
 
-constexpr Words<const FlowOptions*, 3> kFlows{
-    {{"anchored", &kAnchoredFlow}, {"parallel", &kParallelFlow}, {"paper", &kPaperFlow}}};
-
-FlowOptions flow_options(const Options& options) {
-    const FlowOptions* named = &kAnchoredFlow;
-    options.read_word("flow", named, kFlows);
-    FlowOptions flow = *named;
-    options.read_word("curvature", flow.curvature, kCurvatureWords);
-    options.read("anchor", flow.anchor);
-    options.read_word("reinitialise", flow.reinitialiser, kReinitialiserWords);
-    options.read_word("solver", flow.solver, kSolverWords);
-    options.read_word("slope", flow.slope, kSlopeWords);
-    options.read("time_step", flow.time_step);
-    options.read("half_width", flow.half_width);
-    options.read("max_steps", flow.max_steps);
-    options.read("tolerance", flow.tolerance);
-    return flow;
+SurfaceOptions surface_options(const py::dict& given) {
+    SurfaceOptions options;
+    OptionReader read(given);
+    describe(options, read);
+    options.remesh.finer_grid = !Options(given).has("spacing");
+    if (Options(given).has("edge") && Options(given).has("vertex_density"))
+        throw UsageError("edge and vertex_density set the same thing; give one of them");
+    for (const Option& option : read.changed()) refuse_without_effect(option, options, spell_as_keyword);
+    return options;
 }
 
-RemeshOptions remesh_options(const Options& options) {
-    RemeshOptions remesh;
-    double density = 0.0;
-    options.read("edge", remesh.edge);
-    options.read("vertex_density", density);
-    if (density > 0.0) remesh.edge = edge_of_density(density);
-    options.read("adaptive", remesh.adaptive);
-    options.read("keep_ridges", remesh.keep_ridges);
-    options.read_word("corners", remesh.corners, kCornersWords);
-    options.read("simplify_topology", remesh.simplify_topology);
-    options.read("finer_grid", remesh.finer_grid);
-    return remesh;
-}
-
-SurfaceOptions surface_options(const Options& options) {
-    SurfaceOptions surface;
-    options.read_word("method", surface.method, kMethodWords);
-    options.read("spacing", surface.spacing);
-    options.read("density", surface.density);
-    surface.flow = flow_options(options);
-    surface.remesh = remesh_options(options);
-    options.read_word("components", surface.pieces, kPiecesWords);
-    options.read("min_cavity", surface.min_cavity);
-    options.read("fill_cavities", surface.fill_cavities);
-    options.read("history", surface.history);
-    options.read("initial_area", surface.initial_area);
-    options.read("quality", surface.quality);
-    options.read("two_sided_distance", surface.two_sided_distance);
-    options.read("verify", surface.verify);
-    return surface;
-}
-
-RunOptions run_options(const Options& options) {
+RunOptions run_options(const py::dict& given) {
     RunOptions run;
-    options.read("threads", run.threads);
-    options.read("memory_mb", run.memory_limit_mb);
+    describe(run, OptionReader(given));
     return run;
 }
 
@@ -100,8 +59,8 @@ private:
 };
 
 std::shared_ptr<Surface> mesh_of(const ExactSurface& exact, const py::dict& given, const py::object& progress) {
-    const SurfaceOptions options = surface_options(Options(given));
-    RunOptions run = run_options(Options(given));
+    const SurfaceOptions options = surface_options(given);
+    RunOptions run = run_options(given);
     Watcher watcher(progress);
     run.progress = [&watcher](std::string_view stage, double fraction) { watcher(stage, fraction); };
     const py::gil_scoped_release release;

@@ -19,6 +19,7 @@
 #include "meniscus/vertex_values.h"
 #include "meniscus/volume_file.h"
 #include "meniscus/write.h"
+#include "meniscus/file_words.h"
 #include "options.h"
 #include "platform/files/atomic_file.h"
 

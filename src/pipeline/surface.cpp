@@ -22,6 +22,7 @@
 #include "meniscus/threads.h"
 #include "mesh/extract.h"
 #include "pipeline/band_size.h"
+#include "pipeline/check_options.h"
 #include "pipeline/even_mesh.h"
 #include "pipeline/flow_stage.h"
 #include "pipeline/reference_values.h"
@@ -37,10 +38,6 @@ namespace {
 // The grid starts here, in spacings: fractions without meaning, so that atoms at round coordinates with round
 // radii do not put the surface, or planes of symmetry, exactly onto nodes.
 constexpr Vec3 kGridShift{0.3819660, 0.2360680, 0.1458980};
-
-constexpr double kFinest = 1e-6;  // Å, of grids: no structure's coordinates are finer
-
-constexpr double kWidestBand = 16.0;  // spacings
 
 // Even meshes: areas farther from the exact one than this part of it ask for a finer grid, as long as the surface
 // covers no more of its squares than that.
@@ -71,37 +68,6 @@ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
     StageTimes seconds_;
 };
-
-void check_flow(const FlowOptions& flow) {
-    require_not_negative("anchor", flow.anchor);
-    require(flow.time_step > 0.0, "time step", flow.time_step, "positive");
-    require(std::isfinite(flow.time_step) || flow.anchor > 0.0, "time step", flow.time_step,
-            "finite without an anchor");
-    require(flow.half_width >= 2.0 && flow.half_width <= kWidestBand, "half width", flow.half_width,
-            joined("from 2 to ", in_short(kWidestBand)));
-    require_positive("tolerance", flow.tolerance);
-    require(flow.max_steps >= 1, "max steps", flow.max_steps, "at least 1");
-}
-
-void check_options(const SurfaceOptions& options) {
-    require_not_negative("probe", options.probe);
-    if (options.method == Method::Gaussian && options.surface != SurfaceKind::Ses)
-        throw UsageError(
-            "method gaussian gives a single envelope of the atoms; for surface sas or vdw use method flow or direct");
-    require_positive("spacing", options.spacing);
-    require(options.spacing >= kFinest, "spacing", options.spacing, "at least 1e-6");
-    require(is_positive(-options.density), "density", options.density, "finite and negative");
-    if (options.method == Method::Flow) check_flow(options.flow);
-    const RemeshOptions& remesh = options.remesh;
-    require(remesh.edge == 0.0 || is_positive(remesh.edge), "edge", remesh.edge, "finite and positive");
-    require(!remesh.is_on() || options.spacing <= kCoarsestForRemeshing, "spacing", options.spacing,
-            joined("at most ", in_short(kCoarsestForRemeshing), " for a mesh of even triangles"));
-    require(remesh.corners == Corners::Near || remesh.is_on(), "edge", remesh.edge,
-            "positive with any corners but near");
-    require(!remesh.simplify_topology || remesh.is_on(), "edge", remesh.edge, "positive with simplify_topology");
-    require_not_negative("min cavity", options.min_cavity);
-    require_not_negative("fill cavities", options.fill_cavities);
-}
 
 // What every stage is told: which surface is meshed, and how.
 struct Task {

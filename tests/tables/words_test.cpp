@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "meniscus/words.h"
+#include "meniscus/file_words.h"
 
 #include <gtest/gtest.h>
 
