@@ -96,7 +96,7 @@ template <class Visitor>
 void describe_report(const CompareRequest& request, const CompareFacts& facts, Visitor& visit) {
     const double probe = request.structure.probe;
     visit({"meniscus", "", "version of the program"}, kVersion);
-    visit({"schema", "", "1"}, 1);
+    visit({"schema", "", "version of this form, 1"}, 1);
     visit.block({"a", "", "the first surface, below"}, [&](auto& inner) { describe_input(facts.a, probe, inner); });
     visit.block({"b", "", "the second surface"}, [&](auto& inner) { describe_input(facts.b, probe, inner); });
     visit.block({"a_to_b", "", "distances from points of the first surface to the second, below"},

@@ -197,7 +197,7 @@ void describe(const Report& report, Visitor& visit) {
     const Surface* surface = report.surface;
     const bool has_flow = surface != nullptr && surface->options.method == Method::Flow;
     visit({"meniscus", "", "version of the program"}, kVersion);
-    visit({"schema", "", "1"}, 1);
+    visit({"schema", "", "version of this form, 1"}, 1);
     visit.block({"input", "", "what was read"}, [&](auto& inner) { describe_input(report, inner); });
     visit({"options", "", "the options in force"}, report.options);
     visit.optional_block({"exact", "",

@@ -52,17 +52,18 @@ void describe(const SurfaceTotals& t, Visitor& visit) {
 template <class Visitor>
 void describe(const PatchAreas& p, Visitor& visit) {
     visit({"ses_area", "Å²", "area of all its patches"}, p.sum());
-    visit({"contact_area", "Å²", "of its contact patches"}, p.contact);
-    visit({"toroidal_area", "Å²", "of its toroidal patches"}, p.toroidal);
-    visit({"reentrant_area", "Å²", "of its reentrant patches"}, p.reentrant);
+    visit({"contact_area", "Å²", "area of its contact patches"}, p.contact);
+    visit({"toroidal_area", "Å²", "area of its toroidal patches"}, p.toroidal);
+    visit({"reentrant_area", "Å²", "area of its reentrant patches"}, p.reentrant);
 }
 
 /// Totals; the components are described one by one.
 template <class Visitor>
 void describe(const Measures& m, Visitor& visit) {
     describe(m.totals, visit);
-    visit.block({"errors", "", "absolute error of each of these seven, estimated from independent evaluations"},
-                [&](auto& inner) { describe(m.errors, inner); });
+    visit.block(
+        {"errors", "", "absolute error of each of these seven by its key, estimated from independent evaluations"},
+        [&](auto& inner) { describe(m.errors, inner); });
     visit({"sas_components", "", "number of closed pieces of the SAS"}, m.sas_components);
     visit.block({"largest_sas_piece", "",
                  "SES patches of the piece of the SAS with the largest area; programs that roll one probe over the "
@@ -76,9 +77,9 @@ void describe(const SurfaceComponent& c, Visitor& visit) {
     const bool is_cavity = c.kind == ComponentKind::Cavity;
     visit({"kind", "", "`outer` or `cavity`"}, c.kind, kComponentKindWords);
     visit({"ses_area", "Å²", "area of the piece"}, c.ses_area);
-    visit({"contact_area", "Å²", "of its contact patches"}, c.contact_area);
-    visit({"toroidal_area", "Å²", "of its toroidal patches"}, c.toroidal_area);
-    visit({"reentrant_area", "Å²", "of its reentrant patches"}, c.reentrant_area);
+    visit({"contact_area", "Å²", "area of its contact patches"}, c.contact_area);
+    visit({"toroidal_area", "Å²", "area of its toroidal patches"}, c.toroidal_area);
+    visit({"reentrant_area", "Å²", "area of its reentrant patches"}, c.reentrant_area);
     visit({"ses_volume", "Å³", "enclosed volume, positive also for cavities"}, c.ses_volume);
     visit({"sas_area", "Å²", "area of the pieces of the SAS that belong to it"}, c.sas_area);
     visit({"sas_volume", "Å³", "volume that they enclose, positive also for cavities"}, c.sas_volume);
@@ -92,9 +93,9 @@ void describe(const SurfaceComponent& c, Visitor& visit) {
           is_cavity ? std::optional(c.inscribed_centre) : std::nullopt);
     visit({"inscribed_radius", "Å", "its radius; `null` for outer pieces"},
           is_cavity ? std::optional(c.inscribed_radius) : std::nullopt);
-    visit.block(
-        {"errors", "", "absolute error of each of its areas and volumes, estimated from independent evaluations"},
-        [&](auto& inner) { describe(c.errors, inner); });
+    visit.block({"errors", "",
+                 "absolute error of each of its areas and volumes by its key, estimated from independent evaluations"},
+                [&](auto& inner) { describe(c.errors, inner); });
 }
 
 template <class Visitor>
@@ -110,9 +111,9 @@ void describe(const Interface& i, Visitor& visit) {
     visit({"buried_ses", "Å²", "`ses_a` + `ses_b` - `ses_ab`; may be negative"}, i.buried_ses());
     visit.block({"errors", "", "absolute errors of the buried areas, estimated from independent evaluations"},
                 [&](auto& inner) {
-                    inner({"buried_sas", "Å²", "of `buried_sas`"}, i.sas_error);
-                    inner({"interface_area", "Å²", "of `interface_area`"}, 0.5 * i.sas_error);
-                    inner({"buried_ses", "Å²", "of `buried_ses`"}, i.ses_error);
+                    inner({"buried_sas", "Å²", "error of `buried_sas`"}, i.sas_error);
+                    inner({"interface_area", "Å²", "error of `interface_area`"}, 0.5 * i.sas_error);
+                    inner({"buried_ses", "Å²", "error of `buried_ses`"}, i.ses_error);
                 });
 }
 
@@ -174,7 +175,7 @@ void describe_mesh(const Surface& s, const Measures* exact, Visitor& visit) {
     visit({"corrected_area_deviation", "", "the same of `corrected_area`"}, deviation(s.corrected_area, kept.ses_area));
     visit({"corrected_volume_deviation", "", "the same of `corrected_volume`"},
           deviation(s.corrected_volume, kept.ses_volume));
-    visit({"closed", "", "no edge has only one triangle"}, m.closed);
+    visit({"closed", "", "every edge has two triangles that run along it in opposite directions"}, m.closed);
     visit({"manifold", "", "no edge or vertex where more than one sheet meets"}, m.manifold);
     visit({"components", "", "number of connected pieces, walls of cavities included"}, m.components.size());
     visit({"euler_characteristic", "", "vertices - edges + triangles: 2 per sphere-like piece, 2 less per tunnel"},
@@ -192,9 +193,9 @@ void describe_mesh(const Surface& s, const Measures* exact, Visitor& visit) {
         inner({"handles", "", "number of handles cut and tunnels closed"}, s.simplified.handles);
         inner({"pieces", "", "number of pieces dropped"}, s.simplified.pieces);
     });
-    visit({"mean_distance", "Å", "distance of the vertices from the exact SES: mean"}, s.distance.mean);
-    visit({"p99_distance", "Å", "99th percentile"}, s.distance.p99);
-    visit({"max_distance", "Å", "largest"}, s.distance.max);
+    visit({"mean_distance", "Å", "mean distance of the vertices from the exact SES"}, s.distance.mean);
+    visit({"p99_distance", "Å", "99th percentile of that distance"}, s.distance.p99);
+    visit({"max_distance", "Å", "largest such distance"}, s.distance.max);
     visit({"smallest_triangle_angle_deg", "°", "smallest angle of any triangle"}, m.smallest_angle_deg);
     visit.optional_block({"quality", "", "shapes of the triangles"}, s.quality,
                          [&](auto& inner, const MeshQuality& quality) {
@@ -216,7 +217,7 @@ void describe(const FlowStep& s, Visitor& visit) {
     visit({"area", "Å²", "area of the surface after that step"}, s.area);
     visit({"volume", "Å³", "its volume"}, s.volume);
     visit({"mean_distance", "Å", "mean distance of its vertices from the exact SES"}, s.mean_distance);
-    visit({"max_distance", "Å", "largest distance"}, s.max_distance);
+    visit({"max_distance", "Å", "largest such distance"}, s.max_distance);
     visit({"residual", "Å⁻¹", "mean change per unit time near the surface"}, s.residual);
     visit({"solver_iterations", "", "iterations of the linear solver"}, s.solver_iterations);
     visit({"components", "", "number of connected pieces"}, s.components);
@@ -232,7 +233,7 @@ void describe_flow(const Surface& s, Visitor& visit) {
     visit({"converged", "", "whether the flow came to rest"}, f.converged);
     visit({"residual", "Å⁻¹", "mean change per unit time near the surface at the last step"}, f.residual);
     visit({"mean_distance", "Å", "mean distance of the zero set from the exact SES"}, f.mean_distance);
-    visit({"max_distance", "Å", "largest distance"}, f.max_distance);
+    visit({"max_distance", "Å", "largest such distance"}, f.max_distance);
     visit({"solver_iterations", "", "iterations of the linear solver, over all steps"}, f.solver_iterations);
     visit({"initial_area", "Å²", "area of the zero set of the Gaussian map, where flows that run in time start"},
           f.initial_area);
@@ -260,9 +261,8 @@ template <class Visitor>
 void describe(const Cost& c, Visitor& visit) {
     visit({"vertices", "", "vertices of the grid's mesh"}, std::round(c.vertices));
     visit({"memory_mb", "MB", "peak memory of the process"}, c.memory_mb);
-    visit(
-        {"cpu_s", "s", "processor time without reading and writing, on the machine of [benchmarks](../benchmarks.md)"},
-        c.seconds);
+    visit({"cpu_s", "s", "processor time without reading and writing, on the machine of docs/benchmarks.md"},
+          c.seconds);
 }
 
 template <class Visitor>
