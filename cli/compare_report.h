@@ -46,4 +46,7 @@ std::string make_summary(const CompareRequest& request, const CompareFacts& fact
 /// Numbers that are not finite become null.
 nlohmann::ordered_json make_report(const CompareRequest& request, const CompareFacts& facts);
 
+/// The JSON schema of that.
+nlohmann::ordered_json compare_schema();
+
 }  // namespace meniscus::cli

@@ -3,17 +3,16 @@
 #include "measure_command.h"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <memory>
 
-#include "exact_blocks.h"
 #include "measure_summary.h"
 #include "meniscus/errors.h"
 #include "meniscus/write.h"
 #include "standard_output.h"
+#include "summary_text.h"
 
 namespace meniscus::cli {
 
@@ -95,7 +94,9 @@ private:
     }
 
     RunFacts facts() const override {
-        return {.seconds = {.exact = exact_seconds_}, .checks = {agreement_check(exact_), sums_check(exact_)}};
+        RunFacts facts{.seconds = {.exact = exact_seconds_}, .checks = {agreement_check(exact_), sums_check(exact_)}};
+        if (!request_.between.empty()) facts.interfaces = interfaces_;
+        return facts;
     }
 
     std::string failed() const override {
@@ -106,13 +107,7 @@ private:
     }
 
     ordered_json report(const Job& job, const RunFacts& facts) const override {
-        ordered_json report = make_report(request_, job.structure, exact_, facts);
-        if (request_.between.empty()) return report;
-        ordered_json& list = report["interfaces"] = ordered_json::array();
-        for (const ChainInterface& i : interfaces_)
-            list.push_back(interface_json(fmt::format("{}", fmt::join(i.chains.a, ",")),
-                                          fmt::format("{}", fmt::join(i.chains.b, ",")), i.areas));
-        return report;
+        return make_report(request_, job.structure, exact_, facts);
     }
 
     std::string summary(const Job& job, const RunFacts& facts) const override {

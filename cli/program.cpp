@@ -12,12 +12,15 @@
 #include "batch/command.h"
 #include "command_tree.h"
 #include "compare_command.h"
+#include "compare_report.h"
 #include "completion.h"
 #include "help.h"
+#include "json_visitor.h"
 #include "man_page.h"
 #include "measure_command.h"
 #include "meniscus/errors.h"
 #include "meniscus/version.h"
+#include "report.h"
 #include "surface_command.h"
 #include "unknown_words.h"
 
@@ -59,6 +62,12 @@ std::vector<std::string> names_of_subcommands() {
     std::transform(kSubcommands.begin(), kSubcommands.end(), names.begin(),
                    [](const Subcommand& command) { return std::string(command.name); });
     return names;
+}
+
+/// The JSON schemas of reports.
+std::string description_of(const std::string& what) {
+    if (what != "results") throw UsageError("--describe: unknown value '" + what + "'; choose one of results");
+    return ordered_json{{"report", report_schema()}, {"compare", compare_schema()}}.dump() + "\n";
 }
 
 bool is_truth(const std::string& value) { return value == "true" || value == "false"; }
@@ -129,11 +138,16 @@ void check_words(const CLI::App& program, const std::vector<std::string>& words)
 }
 
 bool print_made_page(const std::vector<std::string>& words) {
-    if (words.empty() || (words.front() != "--completion" && words.front() != "--man")) return false;
+    constexpr std::array kPages{"--completion", "--man", "--describe"};
+    if (words.empty() || std::find(kPages.begin(), kPages.end(), words.front()) == kPages.end()) return false;
     Outcome ignored = Outcome::Done;
     const auto program = make_program("", ignored);
     if (words.size() > 2) throw UsageError(words[2] + ": unexpected; " + words[0] + " takes one word");
     const std::string what = words.size() > 1 ? words[1] : "";
+    if (words.front() == "--describe") {
+        print(description_of(what));
+        return true;
+    }
     print(words.front() == "--man" ? man_page(*program, what) : completion_script(*program, what));
     return true;
 }

@@ -26,7 +26,8 @@ std::vector<std::string> prepare_words(const std::vector<std::string>& words);
 /// subcommand, a value for an option that takes none. throws   UsageError
 void check_words(const CLI::App& program, const std::vector<std::string>& words);
 
-/// Help for shells and packages, which help does not list: "--completion bash|zsh" and "--man [SUBCOMMAND]".
+/// What help does not list, for shells, packages and the manual: "--completion bash|zsh", "--man [SUBCOMMAND]" and
+/// "--describe results", the JSON schemas of reports.
 /// Whether the words ask for that; then it has been printed.
 /// throws   UsageError for another shell or subcommand
 bool print_made_page(const std::vector<std::string>& words);

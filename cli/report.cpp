@@ -4,6 +4,7 @@
 
 #include <sys/resource.h>
 
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -12,9 +13,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
+#include <variant>
 
-#include "exact_blocks.h"
 #include "io/options_json.h"
+#include "json_visitor.h"
 #include "meniscus/errors.h"
 #include "meniscus/file_name.h"
 #include "meniscus/file_words.h"
@@ -35,20 +37,6 @@ ordered_json if_used(bool used, const T& value) {
 }
 
 ordered_json model_json(int model) { return model == kJoinedModels ? ordered_json("join") : ordered_json(model); }
-
-ordered_json input_block(const Structure& structure, double probe, const RunFacts& facts) {
-    return {{"file", file_name(structure.file)},
-            {"sha256", structure.sha256},
-            {"model", model_json(facts.model)},
-            {"chain", if_used(!facts.chain.empty(), facts.chain)},
-            {"atoms", structure.atoms.size()},
-            {"residues", structure.residues.size()},
-            {"radii", file_name(structure.radii_set)},
-            {"probe", probe},
-            {"dropped", structure.dropped},
-            {"notes", structure.notes},
-            {"warnings", structure.warnings}};
-}
 
 bool has(const std::vector<std::string>& outputs, OutputKind kind) {
     return std::any_of(outputs.begin(), outputs.end(),
@@ -101,174 +89,177 @@ ordered_json with_reading(ordered_json block, const CommonRequest& request) {
     return block;
 }
 
-/// How far a value is from the exact one, relative to that; nan where there is nothing.
-double deviation(double value, double exact) { return (value - exact) / std::abs(exact); }
+/// What a report is made of.
+struct Report {
+    const Structure& structure;
+    double probe = 0.0;
+    ordered_json options{};
+    const Measures* exact = nullptr;   ///< none with --no-exact
+    const Surface* surface = nullptr;  ///< none in reports of measure
+    const RunFacts& facts;
+};
 
-ordered_json percentiles_json(const Percentiles& p) {
-    return {{"min", p.min}, {"p5", p.p5}, {"p50", p.p50}, {"p95", p.p95}, {"max", p.max}};
+using ModelPosition = std::variant<int, const char*>;
+
+template <class Visitor>
+void describe_input(const Report& report, Visitor& visit) {
+    const Structure& s = report.structure;
+    const RunFacts& facts = report.facts;
+    visit({"file", "", "file name without folders, as for all files in the report; `-` for standard input"},
+          file_name(s.file));
+    visit({"sha256", "", "SHA-256 of the bytes of the file as found, hexadecimal"}, s.sha256);
+    visit({"model", "", "position of the model in the file, from 1; the word `join` if all were put together"},
+          facts.model == kJoinedModels ? ModelPosition("join") : ModelPosition(facts.model));
+    visit({"chain", "", "the chain, with `--per-chain`; `null` without it"},
+          facts.chain.empty() ? std::optional<std::string>() : facts.chain);
+    visit({"atoms", "", "number of kept atoms"}, s.atoms.size());
+    visit({"residues", "", "number of residues with at least one kept atom"}, s.residues.size());
+    visit({"radii", "", "the radius set in use; `file` for radii from the input itself"}, file_name(s.radii_set));
+    visit({"probe", "Å", "probe radius"}, report.probe);
+    visit({"dropped", "", "number of atoms left out, by reason"}, s.dropped);
+    visit({"notes", "",
+           "what happens with every ordinary file, such as waters left out; also written to standard error, not with "
+           "`--quiet`"},
+          s.notes);
+    visit({"warnings", "", "what may make a number wrong; also written to standard error"}, s.warnings);
 }
 
-ordered_json quality_json(const Surface& surface) {
-    const std::optional<MeshQuality>& quality = surface.quality;
-    if (!quality) return nullptr;
-    const std::optional<std::size_t>& verified = surface.self_intersections;
-    return {{"angle_histogram", quality->angles},
-            {"smallest_angles_deg", percentiles_json(quality->smallest_angles)},
-            {"edges", percentiles_json(quality->edges)},
-            {"aspect_ratios", percentiles_json(quality->aspect_ratios)},
-            {"self_intersections", if_used(verified.has_value(), verified.value_or(0))}};
+template <class Visitor>
+void describe_interface(const ChainInterface& i, Visitor& visit) {
+    visit({"a", "", "the first group, chains separated by commas"}, fmt::format("{}", fmt::join(i.chains.a, ",")));
+    visit({"b", "", "the second group"}, fmt::format("{}", fmt::join(i.chains.b, ",")));
+    describe(i.areas, visit);
 }
 
-ordered_json two_sided_json(const std::optional<TwoSidedDistance>& distance) {
-    if (!distance) return nullptr;
-    const auto one_way = [](const DistanceSummary& d) {
-        return ordered_json{{"mean", d.mean}, {"p99", d.p99}, {"max", d.max}};
-    };
-    return {{"to_exact", one_way(distance->to_exact)}, {"from_exact", one_way(distance->from_exact)}};
+template <class Visitor>
+void describe_shown(const ShownPart& part, Visitor& visit) {
+    visit({"select", "", "the selection"}, part.select);
+    visit({"vertices", "", "number of its vertices"}, part.vertices);
+    visit({"triangles", "", "number of its triangles"}, part.triangles);
+    visit({"area", "Å²", "plain sum over them"}, part.area);
+    visit({"open", "", "whether the part is open; then `mesh.closed` is `false`"}, part.open);
 }
 
-ordered_json shown_json(const std::optional<ShownPart>& shown) {
-    if (!shown) return nullptr;
-    return {{"select", shown->select},
-            {"vertices", shown->vertices},
-            {"triangles", shown->triangles},
-            {"area", shown->area},
-            {"open", shown->open}};
+template <class Visitor>
+void describe_values(const ArrayNumbers& values, Visitor& visit) {
+    visit({"name", "", "name of the vertex array"}, values.name);
+    visit({"file", "", "the file it comes from"}, values.file);
+    visit({"min", "", "smallest value at a vertex"}, values.min);
+    visit({"max", "", "largest value at a vertex"}, values.max);
+    visit({"mean", "", "mean over the vertices, weighted by area"}, values.mean);
+    visit({"missing", "", "number of vertices without a value"}, values.missing);
 }
 
-/// What the numbers of the mesh are compared with: nan without exact measures.
-SurfaceTotals exact_of_mesh(const Surface& surface) {
-    if (surface.measured) return exact_counterpart(*surface.measured, surface.options);
-    SurfaceTotals none;
-    none.ses_area = none.ses_volume = std::numeric_limits<double>::quiet_NaN();
-    return none;
+template <class Visitor>
+void describe_times(const StageTimes& stages, const RunSeconds& run, Visitor& visit) {
+    visit({"total", "s", "from the start of the program"}, run.total);
+    visit({"read", "s", "the start of the program and reading; with `--model all` counted with the first model"},
+          run.read);
+    visit({"estimate", "s", "estimating what is `expected`"}, stages.estimate);
+    visit({"geometry", "s", "exact patches"}, stages.geometry);
+    visit({"band", "s", "distance in the narrow band"}, stages.band);
+    visit({"flow", "s", "the flow"}, stages.flow);
+    visit({"mesh", "s", "extraction and improvement of the mesh"}, stages.mesh);
+    visit({"exact", "s", "analytic areas and volumes, including the reference values for the checks"},
+          run.exact + stages.exact);
+    visit({"picture", "s", "colours and drawing"}, run.picture);
+    visit({"page", "s", "pages, including their pictures"}, run.page);
+    visit({"volume", "s", "the values of volumes"}, run.volume);
+    visit({"write", "s", "writing files"}, run.write);
 }
 
-ordered_json mesh_block(const Surface& surface, const std::optional<ShownPart>& shown) {
-    const MeshMeasures& m = surface.measures;
-    const SurfaceTotals exact = exact_of_mesh(surface);
-    return {{"vertices", surface.mesh.vertices.size()},
-            {"triangles", surface.mesh.triangles.size()},
-            {"area", m.area},
-            {"volume", m.volume},
-            {"corrected_area", surface.corrected_area},
-            {"corrected_volume", surface.corrected_volume},
-            {"area_deviation", deviation(m.area, exact.ses_area)},
-            {"volume_deviation", deviation(m.volume, exact.ses_volume)},
-            {"corrected_area_deviation", deviation(surface.corrected_area, exact.ses_area)},
-            {"corrected_volume_deviation", deviation(surface.corrected_volume, exact.ses_volume)},
-            {"closed", m.closed && !(shown && shown->open)},
-            {"manifold", m.manifold},
-            {"components", m.components.size()},
-            {"euler_characteristic", m.euler_characteristic},
-            {"dropped", {{"cavities", surface.dropped.cavities}, {"islands", surface.dropped.islands}}},
-            {"filled",
-             {{"cavities", surface.filled.cavities},
-              {"islands", surface.filled.islands},
-              {"volume", surface.filled.volume}}},
-            {"simplified", {{"handles", surface.simplified.handles}, {"pieces", surface.simplified.pieces}}},
-            {"mean_distance", surface.distance.mean},
-            {"p99_distance", surface.distance.p99},
-            {"max_distance", surface.distance.max},
-            {"smallest_triangle_angle_deg", m.smallest_angle_deg},
-            {"quality", quality_json(surface)},
-            {"shown", shown_json(shown)},
-            {"two_sided_distance", two_sided_json(surface.two_sided)}};
+template <class Visitor>
+void describe(const Report& report, Visitor& visit) {
+    const RunFacts& facts = report.facts;
+    const Surface* surface = report.surface;
+    const bool has_flow = surface != nullptr && surface->options.method == Method::Flow;
+    visit({"meniscus", "", "version of the program"}, kVersion);
+    visit({"schema", "", "version of this form, 1"}, 1);
+    visit.block({"input", "", "what was read"}, [&](auto& inner) { describe_input(report, inner); });
+    visit({"options", "", "the options in force"}, report.options);
+    visit.optional_block({"exact", "",
+                          "analytic areas and volumes; cavities count negative in the volumes; `null` with "
+                          "`--no-exact`"},
+                         report.exact, [](auto& inner, const Measures& exact) { describe(exact, inner); });
+    visit.optional_list(
+        {"components", "", "list of the closed pieces of the exact SES, by falling volume; `null` with `--no-exact`"},
+        report.exact != nullptr ? &report.exact->components : nullptr,
+        [](auto& inner, const SurfaceComponent& component) { describe(component, inner); });
+    if (surface == nullptr)
+        visit.optional_list(
+            {"interfaces", "", "list, with `measure --between`; `null` without it, absent from reports of `surface`"},
+            facts.interfaces, [](auto& inner, const ChainInterface& i) { describe_interface(i, inner); });
+    visit.optional_block(
+        {"mesh", "", "the mesh; `null` in reports of `measure`"}, surface, [&](auto& inner, const Surface& s) {
+            describe_mesh(s, s.measured.get(), inner);
+            inner.optional_block({"shown", "",
+                                  "the part that `--show` writes; `null` without it. Everything else but `closed` is "
+                                  "about the whole surface"},
+                                 facts.shown, [](auto& part, const ShownPart& shown) { describe_shown(shown, part); });
+        });
+    visit.optional_block({"flow", "", "how the flow ran; `null` unless the method is `flow`"},
+                         has_flow ? surface : nullptr, [](auto& inner, const Surface& s) { describe_flow(s, inner); });
+    visit.list({"checks", "", "list of checks that the result passed or failed"}, facts.checks,
+               [](auto& inner, const Check& check) { describe(check, inner); });
+    if (surface != nullptr)
+        visit.block(
+            {"expected", "", "cost estimated before the surface was computed; absent from reports of `measure`"},
+            [&](auto& inner) { describe(surface->expected, inner); });
+    visit.block({"time_s", "", "wall-clock seconds by stage"}, [&](auto& inner) {
+        describe_times(surface != nullptr ? surface->seconds : StageTimes{}, facts.seconds, inner);
+    });
+    visit({"peak_memory_mb", "MB", "peak memory of the process so far"}, facts.peak_memory_mb);
+    if (surface != nullptr)
+        visit.list({"values", "", "list of arrays put on the vertices; absent from reports of `measure`"}, facts.values,
+                   [](auto& inner, const ArrayNumbers& values) { describe_values(values, inner); });
 }
 
-ordered_json history_block(const std::vector<FlowStep>& history) {
-    ordered_json list = ordered_json::array();
-    for (const FlowStep& s : history)
-        list.push_back({{"step", s.step},
-                        {"time", s.time},
-                        {"area", s.area},
-                        {"volume", s.volume},
-                        {"mean_distance", s.mean_distance},
-                        {"max_distance", s.max_distance},
-                        {"residual", s.residual},
-                        {"solver_iterations", s.solver_iterations},
-                        {"components", s.components},
-                        {"genus", s.genus}});
-    return list;
+ordered_json to_json(const Report& report) {
+    ordered_json json = described_as_json([&](auto& visit) { describe(report, visit); });
+    if (report.facts.shown && report.facts.shown->open) json["mesh"]["closed"] = false;
+    return json;
 }
 
-ordered_json flow_block(const Surface& surface) {
-    if (surface.options.method != Method::Flow) return nullptr;
-    const FlowSummary& f = surface.flow;
-    return {{"steps", f.steps},
-            {"time", f.time},
-            {"converged", f.converged},
-            {"residual", f.residual},
-            {"mean_distance", f.mean_distance},
-            {"max_distance", f.max_distance},
-            {"solver_iterations", f.solver_iterations},
-            {"initial_area", f.initial_area},
-            {"reinitialisations", f.reinitialisations},
-            {"end", word_for(kFlowEndWords, f.end)},
-            {"kept_step", f.kept_step},
-            {"explanation", f.explanation},
-            {"history", history_block(surface.history)}};
-}
-
-ordered_json checks_block(const std::vector<Check>& checks) {
-    ordered_json list = ordered_json::array();
-    for (const Check& c : checks)
-        list.push_back({{"name", c.name}, {"passed", c.passed}, {"value", c.value}, {"bound", c.bound}});
-    return list;
-}
-
-ordered_json expected_block(const Cost& cost) {
-    return {{"vertices", std::round(cost.vertices)}, {"memory_mb", cost.memory_mb}, {"cpu_s", cost.seconds}};
-}
-
-ordered_json time_block(const StageTimes& s, const RunFacts& facts) {
-    return {{"total", facts.seconds.total},
-            {"read", facts.seconds.read},
-            {"estimate", s.estimate},
-            {"geometry", s.geometry},
-            {"band", s.band},
-            {"flow", s.flow},
-            {"mesh", s.mesh},
-            {"exact", facts.seconds.exact + s.exact},
-            {"picture", facts.seconds.picture},
-            {"page", facts.seconds.page},
-            {"volume", facts.seconds.volume},
-            {"write", facts.seconds.write}};
+ordered_json rules_of(const Surface* surface) {
+    const Structure structure;
+    const RunFacts facts;
+    SchemaVisitor visit;
+    describe(Report{.structure = structure, .surface = surface, .facts = facts}, visit);
+    return visit.rules();
 }
 
 }  // namespace
 
 ordered_json make_report(const SurfaceRequest& request, const Structure& structure, const Surface& surface,
                          const RunFacts& facts) {
-    const std::shared_ptr<const Measures>& exact = surface.measured;
-    return {{"meniscus", kVersion},
-            {"schema", 1},
-            {"input", input_block(structure, surface.options.probe, facts)},
-            {"options", with_reading(surface_options_block(request, structure, surface, facts), request)},
-            {"exact", exact ? exact_json(*exact) : ordered_json()},
-            {"components", exact ? components_json(*exact) : ordered_json()},
-            {"mesh", mesh_block(surface, facts.shown)},
-            {"flow", flow_block(surface)},
-            {"checks", checks_block(facts.checks)},
-            {"expected", expected_block(surface.expected)},
-            {"time_s", time_block(surface.seconds, facts)},
-            {"peak_memory_mb", facts.peak_memory_mb}};
+    return to_json({.structure = structure,
+                    .probe = surface.options.probe,
+                    .options = with_reading(surface_options_block(request, structure, surface, facts), request),
+                    .exact = facts.excluded != nullptr ? facts.excluded.get() : surface.measured.get(),
+                    .surface = &surface,
+                    .facts = facts});
 }
 
 ordered_json make_report(const MeasureRequest& request, const Structure& structure, const Measures& exact,
                          const RunFacts& facts) {
-    return {{"meniscus", kVersion},
-            {"schema", 1},
-            {"input", input_block(structure, exact.options.probe, facts)},
-            {"options", with_reading(measure_options_block(request, facts), request)},
-            {"exact", exact_json(exact)},
-            {"components", components_json(exact)},
-            {"interfaces", nullptr},
-            {"mesh", nullptr},
-            {"flow", nullptr},
-            {"checks", checks_block(facts.checks)},
-            {"time_s", time_block({}, facts)},
-            {"peak_memory_mb", facts.peak_memory_mb}};
+    return to_json({.structure = structure,
+                    .probe = exact.options.probe,
+                    .options = with_reading(measure_options_block(request, facts), request),
+                    .exact = &exact,
+                    .facts = facts});
+}
+
+ordered_json report_schema() {
+    ordered_json schema = schema_document(
+        "Report of meniscus surface and meniscus measure, schema 1",
+        "What --report writes: one report, or with --model all a list of them. Lengths are in Å, areas in Å², volumes "
+        "in Å³. A number that is not finite is written as null. Fields may be added without a new schema number; none "
+        "is renamed or removed.");
+    const ordered_json one{{"$ref", "#/$defs/report"}};
+    const Surface surface;
+    schema["anyOf"] = ordered_json::array({one, ordered_json{{"type", "array"}, {"items", one}}});
+    schema["$defs"]["report"] = either(rules_of(&surface), rules_of(nullptr));
+    return schema;
 }
 
 void write_report(const std::string& path, const ordered_json& report) {

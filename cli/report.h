@@ -3,6 +3,7 @@
 // The report: everything a program may want to know about a run, as JSON (docs/report.schema.json).
 #pragma once
 
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -12,7 +13,9 @@
 #include "meniscus/measures.h"
 #include "meniscus/structure.h"
 #include "meniscus/surface.h"
+#include "meniscus/tables.h"
 #include "surface_request.h"
+#include "value_options.h"
 
 namespace meniscus::cli {
 
@@ -45,9 +48,12 @@ struct RunFacts {
     int threads = 1;              ///< in use
     double peak_memory_mb = 0.0;  ///< of the process so far, in units of 2^20 bytes
     RunSeconds seconds{};
-    std::string chain{};               ///< the only one, with --per-chain
-    std::optional<ShownPart> shown{};  ///< with --show
-    std::vector<Check> checks{};       ///< all that the result was held against
+    std::string chain{};                                      ///< the only one, with --per-chain
+    std::optional<ShownPart> shown{};                         ///< with --show
+    std::vector<Check> checks{};                              ///< all that the result was held against
+    std::vector<ArrayNumbers> values{};                       ///< at the vertices
+    std::shared_ptr<const Measures> excluded{};               ///< of the SES, where the surface is another
+    std::optional<std::vector<ChainInterface>> interfaces{};  ///< with --between
 };
 
 /// The report of one surface. Numbers that are not finite become null, and so do blocks and deviations that need exact
@@ -55,9 +61,12 @@ struct RunFacts {
 nlohmann::ordered_json make_report(const SurfaceRequest& request, const Structure& structure, const Surface& surface,
                                    const RunFacts& facts);
 
-/// The report of exact measures alone, without interfaces.
+/// The report of exact measures alone.
 nlohmann::ordered_json make_report(const MeasureRequest& request, const Structure& structure, const Measures& exact,
                                    const RunFacts& facts);
+
+/// The JSON schema of both, without `$defs/options`.
+nlohmann::ordered_json report_schema();
 
 /// Writes a report, whole or not at all; "-" is standard output.
 /// throws   OutputError

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact_blocks.h"
 #include "messages.h"
 #include "summary_text.h"
 

@@ -3,6 +3,7 @@
 #include "summary_text.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "meniscus/list_of_counts.h"
 #include "messages.h"
@@ -38,6 +39,11 @@ std::string describe_checks(std::span<const Check> checks) {
     if (checks.empty()) return "";
     if (failed.empty()) return summary_line("checks", "passed: " + passed);
     return summary_line("checks", "FAILED: " + failed + (passed.empty() ? "" : "; passed: " + passed));
+}
+
+std::string disputed_patches(bool agreed, std::span<const std::string> disputed) {
+    if (agreed) return "";
+    return fmt::format("exact_agreement ({})", fmt::join(disputed, "; "));
 }
 
 std::string describe_run(const RunFacts& facts) {

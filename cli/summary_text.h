@@ -33,6 +33,9 @@ std::string list_ligands(const Structure& structure);
 /// Which checks the result has passed and which it has not, as a line; empty if there are none.
 std::string describe_checks(std::span<const Check> checks);
 
+/// "exact_agreement (patches of atom 3 by 0.1 Å², ...)", or empty if the evaluations agree.
+std::string disputed_patches(bool agreed, std::span<const std::string> disputed);
+
 /// Time, threads and memory, as a line.
 std::string describe_run(const RunFacts& facts);
 

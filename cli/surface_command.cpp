@@ -9,7 +9,6 @@
 #include <optional>
 #include <utility>
 
-#include "exact_blocks.h"
 #include "interrupt.h"
 #include "meniscus/draw_surface.h"
 #include "meniscus/errors.h"
@@ -331,6 +330,8 @@ private:
     RunFacts facts() const override {
         RunFacts facts{.seconds = seconds_, .checks = surface_.checks};
         if (part_) facts.shown = part_->shown;
+        facts.values = values_.numbers(surface_.mesh);
+        facts.excluded = excluded_;
         if (surface_.measured) facts.checks.push_back(agreement_check(*surface_.measured));
         return facts;
     }
@@ -338,13 +339,7 @@ private:
     std::string failed() const override { return failed_checks(surface_); }
 
     ordered_json report(const Job& job, const RunFacts& facts) const override {
-        ordered_json report = make_report(request_, job.structure, surface_, facts);
-        report["values"] = values_.report(surface_.mesh);
-        if (excluded_ != nullptr) {
-            report["exact"] = exact_json(*excluded_);
-            report["components"] = components_json(*excluded_);
-        }
-        return report;
+        return make_report(request_, job.structure, surface_, facts);
     }
 
     std::string summary(const Job& job, const RunFacts& facts) const override {

@@ -49,26 +49,21 @@ std::size_t count_missing(const VertexValues& values) {
         std::count_if(values.values.begin(), values.values.end(), [](float v) { return std::isnan(v); }));
 }
 
-ordered_json number_or_null(double value) { return std::isfinite(value) ? ordered_json(value) : ordered_json(); }
-
-ordered_json numbers_json(const VertexValues& values, const Mesh& mesh) {
+ArrayNumbers numbers_of(const VertexValues& values, const std::string& file, const Mesh& mesh) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    double low = kNone;
-    double high = kNone;
+    ArrayNumbers numbers{values.name, file, kNone, kNone, 0.0, count_missing(values)};
     double sum = 0.0;
     double area = 0.0;
     for (std::size_t v = 0; v < values.values.size(); ++v) {
         const double value = values.values[v];
         if (std::isnan(value)) continue;
-        low = std::fmin(low, value);
-        high = std::fmax(high, value);
+        numbers.min = std::fmin(numbers.min, value);
+        numbers.max = std::fmax(numbers.max, value);
         sum += double{mesh.areas[v]} * value;
         area += double{mesh.areas[v]};
     }
-    return {{"min", number_or_null(low)},
-            {"max", number_or_null(high)},
-            {"mean", number_or_null(sum / area)},
-            {"missing", count_missing(values)}};
+    numbers.mean = sum / area;
+    return numbers;
 }
 
 }  // namespace
@@ -259,14 +254,11 @@ std::vector<std::string> ValueSources::judge(const std::vector<VertexValues>& va
     return lines;
 }
 
-ordered_json ValueSources::report(const Mesh& mesh) const {
-    ordered_json list = ordered_json::array();
-    for (const VertexValues& array : mesh.values) {
-        ordered_json block{{"name", array.name}, {"file", file_name(path_of(array.name))}};
-        block.update(numbers_json(array, mesh));
-        list.push_back(std::move(block));
-    }
-    return list;
+std::vector<ArrayNumbers> ValueSources::numbers(const Mesh& mesh) const {
+    std::vector<ArrayNumbers> all;
+    for (const VertexValues& array : mesh.values)
+        all.push_back(numbers_of(array, file_name(path_of(array.name)), mesh));
+    return all;
 }
 
 }  // namespace meniscus::cli

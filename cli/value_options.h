@@ -29,6 +29,16 @@ struct ValueRequest {
     bool depth = false;               ///< --arrays depth
 };
 
+/// An array of values at vertices; numbers are nan where no vertex has a value.
+struct ArrayNumbers {
+    std::string name;
+    std::string file;  ///< where the values come from
+    double min = 0.0;
+    double max = 0.0;
+    double mean = 0.0;  ///< weighted by area
+    std::size_t missing = 0;
+};
+
 /// --sample, --offset, --interpolation, --values, --arrays. `request` must outlive the parser. While parsing,
 /// UsageError is thrown for values that make no sense.
 void add_value_options(CLI::App& command, ValueRequest& request);
@@ -62,9 +72,8 @@ public:
     /// throws   InputError for a map that no vertex lies in
     std::vector<std::string> judge(const std::vector<VertexValues>& values) const;
 
-    /// The report's block "values": of every array name, file, smallest, largest and mean value, and how many vertices
-    /// have none. The mean is weighted by area.
-    nlohmann::ordered_json report(const Mesh& mesh) const;
+    /// What the arrays of values at the vertices of a mesh look like.
+    std::vector<ArrayNumbers> numbers(const Mesh& mesh) const;
 
 private:
     struct Map {

@@ -32,6 +32,7 @@ ROOMS = {
     "mesh_io": ("reading", "mesh"),
     "volume": ("reading", "io", "platform"),
     "values": ("reading", "structure"),
+    "describe_results": ("exact", "flow", "measure", "pipeline", "words"),
     "words": ("colours", "flow", "pipeline", "remesh", "structure", "tables"),
     "io": ("reading", "structure", "tables", "render", "words", "pipeline", "grid", "platform"),
     "colours": ("reading", "structure", "radii", "tables", "values", "exact", "grid", "platform"),
@@ -42,7 +43,8 @@ ROOMS = {
 # Whose a public header is. The others hold the library's vocabulary (vectors, atoms, meshes, values on grids, errors), which
 # everybody may use.
 PUBLIC = {
-    "cavities": "cavities", "colours": "colours", "compare": "pipeline", "cost": "pipeline", "draw_surface": "draw",
+    "cavities": "cavities", "colours": "colours", "compare": "pipeline", "cost": "pipeline",
+    "describe_results": "describe_results", "draw_surface": "draw",
     "exact_surface": "exact", "field": "pipeline", "flow": "flow", "interfaces": "exact", "legend": "colours",
     "level_set": "grid", "level_set_file": "io", "measures": "exact", "mesh_part": "mesh", "mesh_quality": "measure",
     "page": "page", "picture": "render", "radii": "radii", "read_mesh": "mesh_io", "remesh": "remesh",

@@ -44,8 +44,9 @@ nlohmann::ordered_json report_of(const SurfaceRequest& request, Surface surface 
 }  // namespace
 
 TEST(Report, HasTheBlocksOfTheInterfaceInOrder) {
-    const std::vector<std::string> expected{"meniscus", "schema", "input",  "options",  "exact",  "components",
-                                            "mesh",     "flow",   "checks", "expected", "time_s", "peak_memory_mb"};
+    const std::vector<std::string> expected{"meniscus",   "schema",         "input", "options", "exact",
+                                            "components", "mesh",           "flow",  "checks",  "expected",
+                                            "time_s",     "peak_memory_mb", "values"};
     EXPECT_EQ(keys_of(report_of({})), expected);
     const std::vector<std::string> times{"total", "read",  "estimate", "geometry", "band",   "flow",
                                          "mesh",  "exact", "picture",  "page",     "volume", "write"};
@@ -183,6 +184,30 @@ TEST(Report, OfMeasuresHasNoMeshAndNamesItsOptions) {
     EXPECT_EQ(report["options"]["per"], (std::vector<std::string>{"atom", "cavity"}));
     EXPECT_EQ(report["options"]["between"], (std::vector<std::string>{"A:B"}));
     EXPECT_EQ(report["checks"][0]["passed"], false);
+}
+
+TEST(Report, OfInterfacesNamesTheGroups) {
+    RunFacts facts = kFacts;
+    ChainInterface interface;
+    interface.chains = {{"A", "C"}, {"B"}};
+    facts.interfaces = {interface};
+    const auto report = make_report(MeasureRequest{}, sample_structure(), Measures{}, facts);
+    ASSERT_EQ(report["interfaces"].size(), 1u);
+    EXPECT_EQ(report["interfaces"][0]["a"], "A,C");
+    EXPECT_EQ(report["interfaces"][0]["b"], "B");
+}
+
+TEST(Report, TheMeshIsOpenWhereOnlyAPartIsShown) {
+    Surface surface;
+    surface.measures.closed = true;
+    RunFacts facts = kFacts;
+    const auto closed = [&] {
+        return make_report(SurfaceRequest{}, sample_structure(), surface, facts)["mesh"]["closed"];
+    };
+    facts.shown = {.select = "//A", .open = false};
+    EXPECT_EQ(closed(), true);
+    facts.shown->open = true;
+    EXPECT_EQ(closed(), false);
 }
 
 TEST(Report, SurvivesFileNamesThatAreNoUtf8) {

@@ -33,4 +33,15 @@ TEST(SummaryText, ChecksAreOneLineWithTheFailedOnesFirst) {
     EXPECT_EQ(describe_checks({}), "");
 }
 
+TEST(SummaryText, DisputedPatchesAreNamed) {
+    const std::vector<std::string> names{"patches of atom 1", "patches of atom 2"};
+    EXPECT_EQ(disputed_patches(true, names), "");
+    EXPECT_EQ(disputed_patches(false, names), "exact_agreement (patches of atom 1; patches of atom 2)");
+    Measures measures;
+    EXPECT_TRUE(agreement_check(measures).passed);
+    measures.agreed = false;
+    EXPECT_FALSE(agreement_check(measures).passed);
+    EXPECT_EQ(agreement_check(measures).name, "exact_agreement");
+}
+
 }  // namespace meniscus::cli
