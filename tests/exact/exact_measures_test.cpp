@@ -13,6 +13,7 @@
 #include "geometry/accessible_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/measures.h"
+#include "support/arrangements.h"
 
 namespace meniscus {
 namespace {
@@ -111,12 +112,7 @@ TwoSpheres two_spheres(double r1, double r2, double d, double probe) {
 }
 
 TEST(Measure, TwoSpheresHaveTheirClosedForms) {
-    struct Case {
-        double r1, r2, d, probe, area, volume;
-    };
-    for (const Case& c :
-         {Case{1.7, 1.52, 1.23, 1.4, 45.237411, 27.522504}, Case{1.7, 1.7, 5.9, 1.4, 72.794368, 41.220155},
-          Case{2.0, 1.4, 4.5, 1.4, 77.520970, 47.694192}, Case{1.7, 1.7, 5.45, 1.5, 75.387196, 42.038952}}) {
+    for (const testing::TwoSpheresReference& c : testing::kTwoSpheresReferences) {
         const Measures m =
             measure({{{0.1, 0.2, 0.3}, {0.1 + 0.6 * c.d, 0.2, 0.3 + 0.8 * c.d}}, {c.r1, c.r2}}, {.probe = c.probe});
         EXPECT_NEAR(m.totals.ses_area, c.area, 1e-6);

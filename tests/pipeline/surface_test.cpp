@@ -151,14 +151,8 @@ TEST(Surface, SphereFallsToItsClosedFormWithSecondOrder) {
     }
 }
 
-// Closed forms of two spheres, from the reference notes: radii, distance, probe, area, volume.
 TEST(Surface, TwoSpheresMatchTheirClosedForms) {
-    struct Case {
-        double r1, r2, d, probe, area, volume;
-    };
-    for (const Case& c :
-         {Case{1.7, 1.52, 1.23, 1.4, 45.237411, 27.522504}, Case{1.7, 1.7, 5.9, 1.4, 72.794368, 41.220155},
-          Case{2.0, 1.4, 4.5, 1.4, 77.520970, 47.694192}, Case{1.7, 1.7, 5.45, 1.5, 75.387196, 42.038952}}) {
+    for (const TwoSpheresReference& c : kTwoSpheresReferences) {
         const Atoms atoms{{{0, 0, 0}, {c.d * 0.6, 0, c.d * 0.8}}, {c.r1, c.r2}};
         for (const Method method : {Method::Direct, Method::Flow}) {
             const auto run = [&](double spacing) {

@@ -25,6 +25,15 @@ inline Atoms two_spheres(double distance, double radius0 = 1.7, double radius1 =
     return {{{0, 0, 0}, {distance, 0, 0}}, {radius0, radius1}};
 }
 
+/// Closed forms of the SES of two spheres, from the reference notes: Å, Å² and Å³.
+struct TwoSpheresReference {
+    double r1, r2, d, probe, area, volume;
+};
+inline constexpr TwoSpheresReference kTwoSpheresReferences[] = {{1.7, 1.52, 1.23, 1.4, 45.237411, 27.522504},
+                                                                {1.7, 1.7, 5.9, 1.4, 72.794368, 41.220155},
+                                                                {2.0, 1.4, 4.5, 1.4, 77.520970, 47.694192},
+                                                                {1.7, 1.7, 5.45, 1.5, 75.387196, 42.038952}};
+
 /// An equilateral triangle in the plane z = 0.
 inline Atoms triangle(double side, double radius) {
     return equal_spheres({{0, 0, 0}, {side, 0, 0}, {0.5 * side, std::sqrt(0.75) * side, 0}}, radius);
