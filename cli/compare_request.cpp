@@ -33,8 +33,8 @@ constexpr std::array<const char*, 4> kWithoutValues{".obj", ".stl", ".off", ".ve
 ValueRange parse_range(const std::string& text) {
     const std::size_t colon = text.find(':', 1);
     if (colon == std::string::npos) throw UsageError(fmt::format("--range: '{}' is not MIN:MAX", text));
-    const ValueRange range{parse_number("--range", text.substr(0, colon), Range::Any),
-                           parse_number("--range", text.substr(colon + 1), Range::Any)};
+    const ValueRange range{parse_number("--range", text.substr(0, colon), NumberRange::Any),
+                           parse_number("--range", text.substr(colon + 1), NumberRange::Any)};
     if (range.min >= range.max)
         throw UsageError(fmt::format("--range: '{}' is empty; write the smaller value first", text));
     return range;
@@ -60,7 +60,7 @@ void add_compare_options(CLI::App& command, CompareRequest& request) {
                .meaning = "Grid spacing of the mesh that is used to spread points over a structure's surface, Å",
                .example = "--spacing 0.4",
                .symbol = "H",
-               .range = Range::Positive},
+               .range = NumberRange::Positive},
         request.structure.spacing);
     command.option_defaults()->group("Distances");
     add(Option{.name = "points",
@@ -69,7 +69,7 @@ void add_compare_options(CLI::App& command, CompareRequest& request) {
                           "each; the maximum also includes the vertices",
                .example = "--points 20",
                .symbol = "D",
-               .range = Range::Positive},
+               .range = NumberRange::Positive},
         request.compare.density);
     command.option_defaults()->group("Output");
     add_output_options(command, request);

@@ -45,7 +45,7 @@ std::pair<std::string_view, double> split_unit(std::string_view text) {
 
 }  // namespace
 
-double parse_number(const std::string& option, const std::string& text, Range range) {
+double parse_number(const std::string& option, const std::string& text, NumberRange range) {
     double value = 0.0;
     if (!read_whole(std::string_view(text), value))
         throw UsageError(fmt::format("{}: '{}' is not a valid number", option, text));

@@ -13,7 +13,7 @@ namespace meniscus::cli {
 /// The number that `text` spells.
 /// option   the option's name, for the message
 /// throws   UsageError when text is not one decimal number, or is out of range; "inf" is infinite where that is allowed
-double parse_number(const std::string& option, const std::string& text, Range range);
+double parse_number(const std::string& option, const std::string& text, NumberRange range);
 
 /// A whole number of at least 1.
 /// throws   UsageError

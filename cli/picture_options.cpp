@@ -55,7 +55,8 @@ ColourOptions parse_colours(const std::string& text) {
     if (parts.size() == 1) return colours;
     if (!takes_range(colours.scheme))
         throw UsageError(fmt::format("--color: {} takes no range; curvature, depth, bfactor and values do", parts[0]));
-    colours.range = {parse_number("--color", parts[1], Range::Any), parse_number("--color", parts[2], Range::Any)};
+    colours.range = {parse_number("--color", parts[1], NumberRange::Any),
+                     parse_number("--color", parts[2], NumberRange::Any)};
     if (colours.range->min >= colours.range->max)
         throw UsageError(fmt::format("--color: the range of '{}' is empty; write the smaller value first", text));
     return colours;
@@ -67,8 +68,8 @@ Vec3 parse_vector(const char* option, const std::string& text, const char* words
     const std::vector<std::string> parts = split(text, ',');
     if (parts.size() != 3)
         throw UsageError(fmt::format("{}: unknown value '{}'; choose one of {}", option, text, words));
-    return {parse_number(option, parts[0], Range::Any), parse_number(option, parts[1], Range::Any),
-            parse_number(option, parts[2], Range::Any)};
+    return {parse_number(option, parts[0], NumberRange::Any), parse_number(option, parts[1], NumberRange::Any),
+            parse_number(option, parts[2], NumberRange::Any)};
 }
 
 Vec3 parse_direction(const std::string& text) { return parse_vector("--view", text, kViewWords); }
@@ -94,7 +95,7 @@ std::optional<Cut> parse_cut(const std::string& text) {
     if (text.find(',') != std::string::npos) return parse_cut_through_point(text);
     if (text.find_first_not_of("0123456789.+-eE") != std::string::npos)
         throw UsageError(fmt::format("--cut: unknown value '{}'; choose one of {}", text, kCutWords));
-    return Cut{.through = Cut::Through::Depth, .depth = parse_number("--cut", text, Range::NotNegative)};
+    return Cut{.through = Cut::Through::Depth, .depth = parse_number("--cut", text, NumberRange::NotNegative)};
 }
 
 /// Up is y, or where that is the way one looks, away from the viewer of "front".
@@ -208,7 +209,7 @@ void add_picture_options(CLI::App& command, PictureRequest& request) {
         [&](const std::string& text) { picture.background = parse_background(text); });
     add_drawing(command, request, {"--depth-cue", rarely("Fade distant parts into the background, 0 to 1"), "F", "0"},
                 [&](const std::string& text) {
-                    picture.depth_cue = parse_number("--depth-cue", text, Range::NotNegative);
+                    picture.depth_cue = parse_number("--depth-cue", text, NumberRange::NotNegative);
                     if (picture.depth_cue > 1.0)
                         throw UsageError(fmt::format("--depth-cue: must be from 0 to 1, not {}", text));
                 });

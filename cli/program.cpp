@@ -14,6 +14,7 @@
 #include "compare_command.h"
 #include "compare_report.h"
 #include "completion.h"
+#include "described_options.h"
 #include "help.h"
 #include "json_visitor.h"
 #include "man_page.h"
@@ -64,9 +65,10 @@ std::vector<std::string> names_of_subcommands() {
     return names;
 }
 
-/// The JSON schemas of reports.
+/// The JSON schemas of reports, or what is to be known of the options that are described for all clients.
 std::string description_of(const std::string& what) {
-    if (what != "results") throw UsageError("--describe: unknown value '" + what + "'; choose one of results");
+    if (what == "options") return described_options().dump() + "\n";
+    if (what != "results") throw UsageError("--describe: unknown value '" + what + "'; choose one of options, results");
     return ordered_json{{"report", report_schema()}, {"compare", compare_schema()}}.dump() + "\n";
 }
 

@@ -81,7 +81,7 @@ void add_value_options(CLI::App& command, ValueRequest& request) {
         command,
         {"--offset", rarely("Sample maps D Å away from the surface, along its normal; negative: inside"), "D", "0"},
         [&request](const std::string& text) {
-            request.sampling.offset = parse_number("--offset", text, Range::Any);
+            request.sampling.offset = parse_number("--offset", text, NumberRange::Any);
             request.sampled_by = "--offset";
         });
     add_word(command,

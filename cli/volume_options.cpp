@@ -31,8 +31,9 @@ VolumeGrid parse_numbers(const std::vector<std::string>& parts) {
     std::array<std::size_t, 3> counts{};
     for (std::size_t axis = 0; axis < 3; ++axis)
         counts[axis] = static_cast<std::size_t>(parse_count("--grid", parts[axis]));
-    const auto number = [&](std::size_t i) { return parse_number("--grid", parts[i], Range::Any); };
-    return centred_grid(counts, parse_number("--grid", parts[3], Range::Positive), {number(4), number(5), number(6)});
+    const auto number = [&](std::size_t i) { return parse_number("--grid", parts[i], NumberRange::Any); };
+    return centred_grid(counts, parse_number("--grid", parts[3], NumberRange::Positive),
+                        {number(4), number(5), number(6)});
 }
 
 /// "_dielx.dx"
@@ -55,8 +56,8 @@ void set_grid(VolumeRequest& request, const std::string& text) {
 void set_dielectrics(FieldOptions& field, const std::string& text) {
     const std::vector<std::string> parts = CLI::detail::split(text, ',');
     if (parts.size() != 2) throw UsageError(fmt::format("--eps: '{}' must be IN,OUT, as in 2,78.54", text));
-    field.inner_dielectric = parse_number("--eps", parts[0], Range::Positive);
-    field.outer_dielectric = parse_number("--eps", parts[1], Range::Positive);
+    field.inner_dielectric = parse_number("--eps", parts[0], NumberRange::Positive);
+    field.outer_dielectric = parse_number("--eps", parts[1], NumberRange::Positive);
 }
 
 /// An option that only volumes heed.
@@ -126,7 +127,7 @@ void add_volume_options(CLI::App& command, VolumeRequest& request) {
         [&field](const std::string& text) { set_dielectrics(field, text); });
     add(command, request, {"--ion-radius", "Radius of ions, Å", "R", fmt::format("{}", field.ion_radius)},
         [&field](const std::string& text) {
-            field.ion_radius = parse_number("--ion-radius", text, Range::NotNegative);
+            field.ion_radius = parse_number("--ion-radius", text, NumberRange::NotNegative);
         });
     add(command, request,
         {"--maps",

@@ -49,7 +49,7 @@ double parse_time(const std::string& option, const std::string& text) {
         if (last == 'h') unit = 3600.0;
     }
     try {
-        return unit * parse_number(option, number, Range::Positive);
+        return unit * parse_number(option, number, NumberRange::Positive);
     } catch (const UsageError&) {
         throw UsageError(fmt::format("{}: '{}' is not a time; write seconds, or for instance 15m or 2h", option, text));
     }

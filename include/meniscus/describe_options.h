@@ -31,13 +31,13 @@ inline constexpr Option kProbeOption{.name = "probe",
                                      .meaning = "Probe radius, Å; 0 gives the van der Waals surface",
                                      .example = "--probe 1.5",
                                      .symbol = "R",
-                                     .range = Range::NotNegative};
+                                     .range = NumberRange::NotNegative};
 inline constexpr Option kThreadsOption{.name = "threads",
                                        .brief = "Number of threads",
                                        .meaning = "Number of threads; results do not depend on it",
                                        .example = "--threads 1",
                                        .symbol = "N",
-                                       .range = Range::NotNegative,
+                                       .range = NumberRange::NotNegative,
                                        .standard = "all cores"};
 
 /// Which surface, and how its mesh is made.
@@ -66,7 +66,7 @@ void describe_shape(Options& o, Visitor&& visit) {
                             "0.125 Å, unless their flow does not converge; summary and report say so",
                  .example = "--spacing 0.4",
                  .symbol = "H",
-                 .range = Range::Positive},
+                 .range = NumberRange::Positive},
           o.spacing);
     visit(Option{.name = "components",
                  .brief = "Closed pieces that the mesh keeps",
@@ -79,7 +79,7 @@ void describe_shape(Options& o, Visitor&& visit) {
                  .meaning = "Drop cavities that enclose less than V Å³ and what lies in them; outer pieces stay",
                  .example = "--min-cavity 30",
                  .symbol = "V",
-                 .range = Range::NotNegative},
+                 .range = NumberRange::NotNegative},
           o.min_cavity);
     visit(Option{.name = "fill_cavities",
                  .brief = "",
@@ -87,7 +87,7 @@ void describe_shape(Options& o, Visitor&& visit) {
                             "([filled](../conventions.md#which-pieces-a-mesh-keeps))",
                  .example = "--fill-cavities 30",
                  .symbol = "V",
-                 .range = Range::NotNegative},
+                 .range = NumberRange::NotNegative},
           o.fill_cavities);
     visit(Option{.name = "density",
                  .brief = "",
@@ -95,7 +95,7 @@ void describe_shape(Options& o, Visitor&& visit) {
                             "start from the map (`--flow paper`, `--flow parallel` or a finite `--time-step`)",
                  .example = "--density -0.6",
                  .symbol = "C",
-                 .range = Range::Negative,
+                 .range = NumberRange::Negative,
                  .effect = Effect::WithGaussianMap},
           o.density);
 }
@@ -122,7 +122,7 @@ void describe(Options& o, Visitor&& visit) {
                  .meaning = "Strength of the anchor in units of 1/H²: 16 for `anchored`, else 0 (none)",
                  .example = "--anchor 8",
                  .symbol = "L",
-                 .range = Range::NotNegative,
+                 .range = NumberRange::NotNegative,
                  .effect = Effect::WithFlow,
                  .standard = "of the flow"},
           o.anchor);
@@ -153,7 +153,7 @@ void describe(Options& o, Visitor&& visit) {
                  .meaning = "Time step in units of H²: `inf` (one solve) for `anchored`, else 1",
                  .example = "--time-step 1",
                  .symbol = "T",
-                 .range = Range::PositiveOrInfinite,
+                 .range = NumberRange::PositiveOrInfinite,
                  .effect = Effect::WithFlow,
                  .standard = "of the flow"},
           o.time_step);
@@ -163,7 +163,7 @@ void describe(Options& o, Visitor&& visit) {
                             "for `--flow paper`",
                  .example = "--half-width 4",
                  .symbol = "K",
-                 .range = Range::Positive,
+                 .range = NumberRange::Positive,
                  .effect = Effect::WithFlow,
                  .standard = "of the flow"},
           o.half_width);
@@ -172,7 +172,7 @@ void describe(Options& o, Visitor&& visit) {
                  .meaning = "Maximum number of steps: 30 for `anchored`, else 100",
                  .example = "--max-steps 50",
                  .symbol = "N",
-                 .range = Range::Positive,
+                 .range = NumberRange::Positive,
                  .effect = Effect::WithFlow,
                  .standard = "of the flow"},
           o.max_steps);
@@ -182,7 +182,7 @@ void describe(Options& o, Visitor&& visit) {
                             "(else, 10⁻² Å⁻¹)",
                  .example = "--tolerance 0.001",
                  .symbol = "E",
-                 .range = Range::Positive,
+                 .range = NumberRange::Positive,
                  .effect = Effect::WithFlow,
                  .standard = "of the flow"},
           o.tolerance);
@@ -199,7 +199,7 @@ void describe(Options& o, Visitor&& visit) {
                             "`gaussian`) is refused: choose a smaller L",
                  .example = "--edge 1",
                  .symbol = "L",
-                 .range = Range::Positive,
+                 .range = NumberRange::Positive,
                  .effect = Effect::WithEdge},
           o.edge);
     visit(Option{.name = "vertex_density",
@@ -207,7 +207,7 @@ void describe(Options& o, Visitor&& visit) {
                  .meaning = "The same as `--edge`, given as vertices per Å²; use only one of the two",
                  .example = "--vertex-density 2",
                  .symbol = "D",
-                 .range = Range::Positive},
+                 .range = NumberRange::Positive},
           o.edge, &edge_of_density);
     visit(Option{.name = "adaptive",
                  .brief = "With --edge: finer where curvature is high",
@@ -246,7 +246,7 @@ void describe_findings(Options& o, Visitor&& visit) {
     visit(Option{.name = "history",
                  .brief = "",
                  .meaning = "Keep a record of every step of the flow",
-                 .example = "--history steps.csv",
+                 .example = "",
                  .effect = Effect::WithFlow},
           o.history);
     visit(Option{.name = "initial_area",

@@ -11,26 +11,26 @@
 namespace meniscus {
 
 /// Which numbers an option takes. All are finite, but for PositiveOrInfinite.
-enum class Range : std::uint8_t { Any, Positive, NotNegative, Negative, PositiveOrInfinite };
+enum class NumberRange : std::uint8_t { Any, Positive, NotNegative, Negative, PositiveOrInfinite };
 
-inline bool contains(Range range, double value) {
-    if (range == Range::PositiveOrInfinite) return value > 0.0;
-    return std::isfinite(value) && (range != Range::Positive || value > 0.0) &&
-           (range != Range::NotNegative || value >= 0.0) && (range != Range::Negative || value < 0.0);
+inline bool contains(NumberRange range, double value) {
+    if (range == NumberRange::PositiveOrInfinite) return value > 0.0;
+    return std::isfinite(value) && (range != NumberRange::Positive || value > 0.0) &&
+           (range != NumberRange::NotNegative || value >= 0.0) && (range != NumberRange::Negative || value < 0.0);
 }
 
 /// "a finite number greater than 0", for messages.
-constexpr const char* words_for(Range range) {
+constexpr const char* words_for(NumberRange range) {
     switch (range) {
-        case Range::Positive:
+        case NumberRange::Positive:
             return "a finite number greater than 0";
-        case Range::NotNegative:
+        case NumberRange::NotNegative:
             return "a finite number of at least 0";
-        case Range::Negative:
+        case NumberRange::Negative:
             return "a finite number less than 0";
-        case Range::PositiveOrInfinite:
+        case NumberRange::PositiveOrInfinite:
             return "a number greater than 0";
-        case Range::Any:
+        case NumberRange::Any:
             break;
     }
     return "a finite number";
@@ -50,7 +50,7 @@ struct Option {
     const char* meaning;  ///< what the manual says, with units; code in backticks, links as Markdown has them
     const char* example;  ///< a value that makes sense, and other options that it needs, as the command line has them
     const char* symbol = "";  ///< what stands for the value in help; flags and choices need none
-    Range range = Range::Any;
+    NumberRange range = NumberRange::Any;
     Effect effect = Effect::Always;
     const char* standard = "";  ///< the value in words that holds without the option, if the member does not tell
 };

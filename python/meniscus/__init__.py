@@ -24,6 +24,7 @@ from ._core import version as __version__
 from ._errors import CheckWarning, InputError, LimitError, OutputError, ReadWarning, UsageError
 from ._exact import ExactSurface, Nearest, signed_distance, surface
 from ._interfaces import Interface
+from ._keywords import Meshing
 from ._map import map
 from ._measures import Component, Measures, measure
 from ._structure import Structure, radii, read, read_models
@@ -40,6 +41,7 @@ __all__ = [
     "Interface",
     "LimitError",
     "Measures",
+    "Meshing",
     "Nearest",
     "OutputError",
     "Points",

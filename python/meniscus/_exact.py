@@ -14,7 +14,8 @@ from . import _core, _options
 from ._arrays import Floats, positions
 from ._errors import CheckWarning
 from ._measures import Measures, checked
-from ._meshing import Meshing, Progress, meshing_options
+from ._keywords import DEFAULTS, Meshing
+from ._meshing import Progress, SurfaceKeywords, meshing_options, with_keywords
 from ._structure import Path, Reading, Structure, as_structure
 from ._surface import Indices, Surface
 
@@ -195,6 +196,7 @@ class ExactSurface:
         other._core = self._core.of_same_atoms(other._exact_options())
         return other
 
+    @with_keywords(DEFAULTS)
     def mesh(
         self,
         spacing: float | None = None,
@@ -229,6 +231,7 @@ class ExactSurface:
         return result
 
 
+@with_keywords(DEFAULTS, others="reading")
 def surface(
     atoms: Structure | Path | npt.ArrayLike,
     radii: npt.ArrayLike | Path | None = None,
@@ -237,35 +240,10 @@ def surface(
     method: str = "flow",
     *,
     surface: str = "ses",
-    components: str = "all",
-    min_cavity: float = 0.0,
-    fill_cavities: float = 0.0,
-    edge: float | None = None,
-    vertex_density: float | None = None,
-    adaptive: bool = False,
-    keep_ridges: bool = False,
-    corners: str = "near",
-    simplify_topology: bool = False,
-    density: float = -0.5,
-    flow: str = "anchored",
-    curvature: str | None = None,
-    anchor: float | None = None,
-    reinitialise: str | None = None,
-    solver: str | None = None,
-    slope: str | None = None,
-    time_step: float | str | None = None,
-    half_width: float | None = None,
-    max_steps: int | None = None,
-    tolerance: float | None = None,
-    history: bool = False,
-    initial_area: bool = False,
-    quality: bool = False,
-    two_sided_distance: bool = False,
-    verify: bool = False,
     threads: int = 0,
     memory: int | str | None = None,
     progress: Progress = None,
-    **reading: Unpack[Reading],
+    **keywords: Unpack[SurfaceKeywords],
 ) -> Surface:
     """The solvent-excluded surface of atoms: an :class:`ExactSurface` of them, meshed.
 
@@ -274,28 +252,14 @@ def surface(
     probe    probe radius, Å; 0 gives the van der Waals surface
     spacing  grid spacing, Å; None: 0.5, and with edge or vertex_density half or a quarter of that for small surfaces
              whose area would otherwise be off by more than 0.5 %
-    reading  with a path, the other arguments of :func:`read`: waters=True, chains="A" ...
     method   flow (smooth level set), direct (exact distance, sharp ridges) or gaussian (only the start of the flow)
-
-    The other arguments have the names and defaults of the command line (``meniscus surface --help``):
-
-    surface                       ses, sas (solvent-accessible) or vdw (van der Waals: the same as probe 0)
-    components, min_cavity        pieces that the mesh keeps: all, outer or cavities; least volume of a cavity, Å³
-    fill_cavities                 like min_cavity, and the space of smaller cavities counts as inside in volumes
-    edge, vertex_density          even triangles with this edge length, Å, or vertices per Å²; then also adaptive,
-                                  keep_ridges, corners (near, on-surface, balanced),
-                                  simplify_topology
-    flow                          anchored, parallel or paper, and its parts one by one: curvature, anchor,
-                                  reinitialise, solver, slope, time_step, half_width, max_steps, tolerance; density is
-                                  the constant of the Gaussian start, Å⁻²
-    history, initial_area         a record of every step in ``Surface.flow``; the area of the start
-    quality, two_sided_distance   shapes of triangles; distance from the exact surface between vertices: in
-                                  ``Surface.mesh``
-    verify                        also run the expensive self-checks
-    threads                       0: all cores; results do not depend on it
-    memory                        "4G", "500M" or a number of MB: refuse what would need more
-    progress                      called with the stage's name and the fraction of it that is done, 0 to 1, a few times
-                                  per second; an exception that it raises ends the computation, as Ctrl-C does
+    surface  ses, sas (solvent-accessible) or vdw (van der Waals: the same as probe 0)
+    threads  0: all cores; results do not depend on it
+    memory   "4G", "500M" or a number of MB: refuse what would need more
+    progress  called with the stage's name and the fraction of it that is done, 0 to 1, a few times per second; an
+              exception that it raises ends the computation, as Ctrl-C does
+    keywords  how to mesh, with the names and defaults of the command line: edge=1.0, components="outer" ...
+              (:class:`Meshing` describes each); and with a path the other arguments of :func:`read`: waters=True ...
 
     Raises ValueError for invalid arrays or options and :class:`LimitError`, a ValueError and MemoryError, for a surface
     that would not fit into memory. A result that fails its own checks comes with a :class:`CheckWarning`. Memory grows
@@ -307,17 +271,10 @@ def surface(
     >>> round(float(numpy.median(ball.mean_curvature)), 2)
     0.5
     """
-    structure = as_structure(atoms, radii, reading)
-    exact = ExactSurface(structure, probe=probe, surface=surface, threads=threads)
-    options = Meshing(
-        components=components, min_cavity=min_cavity, fill_cavities=fill_cavities, edge=edge,
-        vertex_density=vertex_density, adaptive=adaptive, keep_ridges=keep_ridges, corners=corners,
-        simplify_topology=simplify_topology, density=density, flow=flow, curvature=curvature, anchor=anchor,
-        reinitialise=reinitialise, solver=solver, slope=slope, time_step=time_step, half_width=half_width,
-        max_steps=max_steps, tolerance=tolerance, history=history, initial_area=initial_area, quality=quality,
-        two_sided_distance=two_sided_distance, verify=verify,
-    )
-    return exact._meshed(meshing_options(spacing, method, memory, options), progress)
+    meshing = {name: value for name, value in keywords.items() if name in DEFAULTS}
+    reading = {name: value for name, value in keywords.items() if name not in DEFAULTS}
+    exact = ExactSurface(as_structure(atoms, radii, reading), probe=probe, surface=surface, threads=threads)
+    return exact._meshed(meshing_options(spacing, method, memory, meshing), progress)
 
 
 def signed_distance(

@@ -31,13 +31,15 @@ def meshing_options(spacing: float | None, method: str, memory: int | str | None
     return {name: value for name, value in options.items() if value is not None}
 
 
-def with_keywords(keywords: Mapping[str, Any]) -> Callable[[Function], Function]:
-    """Makes help() and completion show keywords with their defaults, instead of **options."""
+def with_keywords(keywords: Mapping[str, Any], others: str = "") -> Callable[[Function], Function]:
+    """Makes help() and completion show keywords with their defaults, and **others if there are any."""
     def decorate(function: Function) -> Function:
         signature = inspect.signature(function)
-        named = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
-        shown = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=value)
-                 for name, value in keywords.items()]
-        function.__signature__ = signature.replace(parameters=[*named, *shown])  # type: ignore[attr-defined]
+        parameters = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
+        parameters += [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=value)
+                       for name, value in keywords.items()]
+        if others:
+            parameters.append(inspect.Parameter(others, inspect.Parameter.VAR_KEYWORD))
+        function.__signature__ = signature.replace(parameters=parameters)  # type: ignore[attr-defined]
         return function
     return decorate

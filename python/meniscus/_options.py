@@ -70,14 +70,6 @@ def not_negative(name: str, value: Any) -> float:
     return result
 
 
-def flag(name: str, value: Any) -> bool:
-    return bool(value)
-
-
-def time_step(name: str, value: Any) -> float:
-    return math.inf if value == "inf" else number(name, value)
-
-
 def megabytes(name: str, value: Any) -> int:
     """4G, 500M, or a number of MB."""
     match = re.fullmatch(r"([0-9]+\.?[0-9]*|\.[0-9]+)([A-Za-z]*)", str(value))

@@ -22,7 +22,8 @@ std::string Options::text(const char* name) const {
 
 double OptionReader::number(const Option& option) const {
     const py::object value = given_[option.name];
-    if (option.range == Range::PositiveOrInfinite && py::isinstance<py::str>(value) && given_.text(option.name) == "inf")
+    if (option.range == NumberRange::PositiveOrInfinite && py::isinstance<py::str>(value) &&
+        given_.text(option.name) == "inf")
         return std::numeric_limits<double>::infinity();
     const bool is_text_or_flag = py::isinstance<py::str>(value) || py::isinstance<py::bool_>(value);
     const double result = is_text_or_flag ? 0.0 : PyFloat_AsDouble(value.ptr());
@@ -52,9 +53,10 @@ void OptionReader::operator()(const Option& option, int& target) {
     int overflow = 0;
     const long long whole = PyLong_AsLongLongAndOverflow(value.ptr(), &overflow);
     if (overflow != 0 || whole > std::numeric_limits<int>::max() || !contains(option.range, static_cast<double>(whole)))
-        throw UsageError(std::string(option.name) + ": must be " +
-                         (option.range == Range::Positive ? "a whole number of at least 1" : "0 (all cores) or more") +
-                         ", not " + std::string(py::str(value)));
+        throw UsageError(
+            std::string(option.name) + ": must be " +
+            (option.range == NumberRange::Positive ? "a whole number of at least 1" : "0 (all cores) or more") +
+            ", not " + std::string(py::str(value)));
     set(option, target, static_cast<int>(whole));
 }
 

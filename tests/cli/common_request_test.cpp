@@ -7,6 +7,7 @@
 #include <CLI/Error.hpp>
 
 #include "meniscus/errors.h"
+#include "option_words.h"
 #include "parse_options.h"
 
 namespace meniscus::cli {
@@ -24,9 +25,10 @@ Parsed parse(const std::vector<std::string>& words) {
     parse_options(words, [&](CLI::App& command) {
         add_input(command, parsed.request);
         add_atom_options(command, parsed.request);
-        add_probe(command, parsed.probe);
+        OptionAdder{command}(kProbeOption, parsed.probe);
         add_output_options(command, parsed.request);
-        add_run_options(command, parsed.request, parsed.threads);
+        OptionAdder{command}(kThreadsOption, parsed.threads);
+        add_progress(command, parsed.request.progress);
     });
     return parsed;
 }

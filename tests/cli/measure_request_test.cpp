@@ -78,9 +78,4 @@ TEST(MeasureRequest, BetweenIsAPairOfGroupsOrAll) {
         EXPECT_THROW(parse_between(text), UsageError) << text;
 }
 
-TEST(MeasureRequest, NamesItsWords) {
-    EXPECT_STREQ(name_of(RowsPer::Residue), "residue");
-    EXPECT_STREQ(name_of(AtomValue::Rsa), "rsa");
-}
-
 }  // namespace meniscus::cli

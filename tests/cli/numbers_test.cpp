@@ -9,22 +9,22 @@
 namespace meniscus::cli {
 
 TEST(ParseNumber, ReadsTheWholeText) {
-    EXPECT_EQ(parse_number("--probe", "1.4", Range::Positive), 1.4);
-    EXPECT_EQ(parse_number("--probe", "0", Range::NotNegative), 0.0);
-    EXPECT_EQ(parse_number("--density", "-.5", Range::Negative), -0.5);
-    EXPECT_EQ(parse_number("--spacing", "2.5e-1", Range::Positive), 0.25);
+    EXPECT_EQ(parse_number("--probe", "1.4", NumberRange::Positive), 1.4);
+    EXPECT_EQ(parse_number("--probe", "0", NumberRange::NotNegative), 0.0);
+    EXPECT_EQ(parse_number("--density", "-.5", NumberRange::Negative), -0.5);
+    EXPECT_EQ(parse_number("--spacing", "2.5e-1", NumberRange::Positive), 0.25);
 }
 
 TEST(ParseNumber, RefusesWhatIsNoFiniteNumberOfTheRightSign) {
     for (const char* text : {"", "abc", "1.4A", "1,4", " 1", "0x10", "1e400", "nan", "inf", "-1", "0"})
-        EXPECT_THROW(parse_number("--spacing", text, Range::Positive), UsageError) << text;
-    EXPECT_THROW(parse_number("--density", "-inf", Range::Negative), UsageError);
-    EXPECT_THROW(parse_number("--density", "0", Range::Negative), UsageError);
+        EXPECT_THROW(parse_number("--spacing", text, NumberRange::Positive), UsageError) << text;
+    EXPECT_THROW(parse_number("--density", "-inf", NumberRange::Negative), UsageError);
+    EXPECT_THROW(parse_number("--density", "0", NumberRange::Negative), UsageError);
 }
 
 TEST(ParseNumber, NamesOptionAndValue) {
     try {
-        parse_number("--spacing", "-1", Range::Positive);
+        parse_number("--spacing", "-1", NumberRange::Positive);
         FAIL();
     } catch (const UsageError& error) {
         EXPECT_STREQ(error.what(), "--spacing: must be a finite number greater than 0, not -1");

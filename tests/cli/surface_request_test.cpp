@@ -162,10 +162,4 @@ TEST(SurfaceRequest, RefusesWhatWouldDoNothing) {
     EXPECT_EQ(parse({"a.pdb", "--edge", "1", "--corners", "near"}).surface.remesh.corners, Corners::Near);
 }
 
-TEST(SurfaceRequest, NamesItsWords) {
-    EXPECT_STREQ(name_of(Method::Gaussian), "gaussian");
-    EXPECT_STREQ(name_of(HydrogenPolicy::Auto), "auto");
-    EXPECT_STREQ(name_of(HeteroPolicy::All), "all");
-}
-
 }  // namespace meniscus::cli

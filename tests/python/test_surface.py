@@ -195,7 +195,7 @@ class Options(unittest.TestCase):
 
     def test_what_makes_no_sense_is_a_value_error(self):
         for options, message in (({"method": "fast"}, "method: unknown value 'fast'; choose one of flow, direct, gaussian"),
-                                 ({"spacing": 0}, "spacing 0: must be finite and positive"),
+                                 ({"spacing": 0}, "spacing: must be a finite number greater than 0"),
                                  ({"probe": -1}, "probe -1: must be finite and not negative"),
                                  ({"threads": -1}, "threads"),
                                  ({"edge": 0}, "edge: must be a finite number greater than 0"),

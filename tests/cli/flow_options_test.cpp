@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "flow_request.h"
 
 #include <gtest/gtest.h>
 
@@ -8,25 +7,27 @@
 
 #include "meniscus/errors.h"
 #include "parse_options.h"
+#include "surface_request.h"
 
 namespace meniscus::cli {
 
 namespace {
 
-FlowRequest parse_flow(const std::vector<std::string>& words) { return request_of(words, add_flow_options); }
-
-FlowOptions parsed(const std::vector<std::string>& arguments) { return resolve(parse_flow(arguments)); }
+FlowOptions parsed(std::vector<std::string> words) {
+    words.insert(words.begin(), "1abc.pdb");
+    return request_of(words, add_surface_options).surface.flow;
+}
 
 }  // namespace
 
-TEST(FlowRequest, NamesThreeFlows) {
+TEST(FlowOptions, NamesThreeFlows) {
     EXPECT_EQ(parsed({}), kAnchoredFlow);
     EXPECT_EQ(parsed({"--flow", "anchored"}), FlowOptions{});
     EXPECT_EQ(parsed({"--flow", "parallel"}), kParallelFlow);
     EXPECT_EQ(parsed({"--flow", "paper"}), kPaperFlow);
 }
 
-TEST(FlowRequest, PiecesReplaceThoseOfTheFlowWhateverTheOrder) {
+TEST(FlowOptions, PiecesReplaceThoseOfTheFlowWhateverTheOrder) {
     FlowOptions expected = kPaperFlow;
     expected.solver = Solver::Cg;
     expected.half_width = 3.5;
@@ -34,7 +35,7 @@ TEST(FlowRequest, PiecesReplaceThoseOfTheFlowWhateverTheOrder) {
     EXPECT_EQ(parsed({"--solver", "cg", "--half-width", "3.5", "--flow", "paper"}), expected);
 }
 
-TEST(FlowRequest, TakesEveryPiece) {
+TEST(FlowOptions, TakesEveryPiece) {
     const FlowOptions flow =
         parsed({"--curvature", "sharp", "--anchor", "4", "--reinitialise", "godunov", "--solver", "gmres", "--slope",
                 "computed", "--time-step", "inf", "--half-width", "2", "--max-steps", "7", "--tolerance", "1e-3"});
@@ -49,23 +50,14 @@ TEST(FlowRequest, TakesEveryPiece) {
     EXPECT_EQ(flow.tolerance, 1e-3);
 }
 
-TEST(FlowRequest, RefusesWhatMakesNoSense) {
-    EXPECT_THROW(parse_flow({"--curvature", "flat"}), UsageError);
-    EXPECT_THROW(parse_flow({"--reinitialise", "often"}), UsageError);
-    EXPECT_THROW(parse_flow({"--solver", "direct"}), UsageError);
-    EXPECT_THROW(parse_flow({"--anchor=-1"}), UsageError);
-    EXPECT_THROW(parse_flow({"--time-step=-inf"}), UsageError);
-    EXPECT_THROW(parse_flow({"--time-step", "0"}), UsageError);
-    EXPECT_THROW(parse_flow({"--snapshots", "0"}), UsageError);
-}
-
-TEST(FlowRequest, NamesItsWords) {
-    EXPECT_STREQ(name_of(FlowName::Paper), "paper");
-    EXPECT_STREQ(name_of(CurvatureField::PaperLiteral), "paper-literal");
-    EXPECT_STREQ(name_of(Reinitialiser::ClosestPoint), "closest-point");
-    EXPECT_STREQ(name_of(Solver::Gmres), "gmres");
-    EXPECT_STREQ(name_of(Slope::Unit), "unit");
-    EXPECT_STREQ(name_of(FlowEnd::LeftBand), "left-band");
+TEST(FlowOptions, RefusesWhatMakesNoSense) {
+    EXPECT_THROW(parsed({"--curvature", "flat"}), UsageError);
+    EXPECT_THROW(parsed({"--reinitialise", "often"}), UsageError);
+    EXPECT_THROW(parsed({"--solver", "direct"}), UsageError);
+    EXPECT_THROW(parsed({"--anchor=-1"}), UsageError);
+    EXPECT_THROW(parsed({"--time-step=-inf"}), UsageError);
+    EXPECT_THROW(parsed({"--time-step", "0"}), UsageError);
+    EXPECT_THROW(parsed({"--snapshots", "0"}), UsageError);
 }
 
 }  // namespace meniscus::cli
