@@ -190,6 +190,14 @@ class Measures:
         return self._core.sas_components
 
     @property
+    def largest_sas_piece(self) -> dict[str, float]:
+        """Areas of the patches of the surface that belong to the solvent-accessible piece with the largest area, Å²:
+        ses_area, contact_area, toroidal_area, reentrant_area. Programs that roll one probe over the molecule call this the
+        outer component.
+        """
+        return self._core.largest_sas_piece
+
+    @property
     def agreed(self) -> bool:
         """Whether two evaluations with independent perturbations agree, of interfaces, too."""
         return self._core.agreed and not self.disputed

@@ -16,6 +16,7 @@
 #include "meniscus/structure.h"
 #include "meniscus/write.h"
 #include "options.h"
+#include "result_dict.h"
 
 namespace meniscus::python {
 
@@ -45,14 +46,9 @@ Held from_structure(const Structure& structure, const py::dict& given) {
 }
 
 py::dict measures_of(const ComparedSurface& s) {
-    return py::dict("area"_a = s.area, "volume"_a = s.volume, "outer_pieces"_a = s.outer_pieces,
-                    "cavities"_a = s.cavities, "closed"_a = s.closed, "manifold"_a = s.manifold,
-                    "merged_vertices"_a = s.merged_vertices);
-}
-
-py::dict distance_dict(const OneWayDistance& d) {
-    return py::dict("mean"_a = d.mean, "p99"_a = d.p99, "max"_a = d.max, "signed_mean"_a = d.signed_mean,
-                    "points"_a = d.points);
+    py::dict measures = dict_of(s);
+    measures["merged_vertices"] = s.merged_vertices;
+    return measures;
 }
 
 py::dict compare(const Held& a, const Held& b, const py::dict& given) {
@@ -65,7 +61,7 @@ py::dict compare(const Held& a, const Held& b, const py::dict& given) {
         const py::gil_scoped_release release;
         found = compare_surfaces(*a, *b, options);
     }
-    return py::dict("a_to_b"_a = distance_dict(found.a_to_b), "b_to_a"_a = distance_dict(found.b_to_a),
+    return py::dict("a_to_b"_a = dict_of(found.a_to_b), "b_to_a"_a = dict_of(found.b_to_a),
                     "distances"_a = owning(std::move(found.distances)));
 }
 

@@ -15,6 +15,7 @@
 #include "meniscus/write.h"
 #include "options.h"
 #include "pickling.h"
+#include "result_dict.h"
 #include "table_columns.h"
 
 namespace meniscus::python {
@@ -60,11 +61,9 @@ py::array shares(const std::vector<InterfaceAtom>& atoms, double (InterfaceAtom:
 /// With the names that the report has.
 py::dict interface_dict(const ChainInterface& i) {
     const Interface& m = i.areas;
-    py::dict block("a"_a = py::tuple(py::cast(i.chains.a)), "b"_a = py::tuple(py::cast(i.chains.b)),
-                   "sas_a"_a = m.sas_a, "sas_b"_a = m.sas_b, "sas_ab"_a = m.sas_ab, "buried_sas"_a = m.buried_sas(),
-                   "interface_area"_a = m.interface_area(), "ses_a"_a = m.ses_a, "ses_b"_a = m.ses_b,
-                   "ses_ab"_a = m.ses_ab, "buried_ses"_a = m.buried_ses(),
-                   "errors"_a = py::dict("buried_sas"_a = m.sas_error, "buried_ses"_a = m.ses_error));
+    py::dict block = dict_of(m);
+    block["a"] = py::tuple(py::cast(i.chains.a));
+    block["b"] = py::tuple(py::cast(i.chains.b));
     block["atoms_a"] = owning(std::vector<std::uint32_t>(i.group_a));
     block["atoms_b"] = owning(std::vector<std::uint32_t>(i.group_b));
     block["atom_buried_sas_a"] = shares(m.atoms_a, &InterfaceAtom::buried_sas);

@@ -13,6 +13,7 @@
 #include "meniscus/file_words.h"
 #include "options.h"
 #include "pickling.h"
+#include "result_dict.h"
 #include "table_columns.h"
 
 namespace meniscus::python {
@@ -31,13 +32,6 @@ std::shared_ptr<Measures> measure_structure(const Structure& structure, const py
     return std::make_shared<Measures>(measure(structure.atoms, options));
 }
 
-py::dict totals_dict(const SurfaceTotals& t) {
-    using namespace py::literals;
-    return py::dict("sas_area"_a = t.sas_area, "sas_volume"_a = t.sas_volume, "ses_area"_a = t.ses_area,
-                    "ses_volume"_a = t.ses_volume, "contact_area"_a = t.contact_area,
-                    "toroidal_area"_a = t.toroidal_area, "reentrant_area"_a = t.reentrant_area);
-}
-
 /// One number of every atom; a view.
 py::array column(const py::object& self, double AtomMeasure::*member) {
     const auto& atoms = self.cast<const Measures&>().atoms;
@@ -48,23 +42,14 @@ py::array column(const py::object& self, double AtomMeasure::*member) {
     return array;
 }
 
-py::tuple triple(const Vec3& v) { return py::make_tuple(v.x, v.y, v.z); }
-
-py::dict component_dict(const SurfaceComponent& c) {
-    using namespace py::literals;
-    const py::object outside = c.inside_of == kNone ? py::object(py::none()) : py::cast(c.inside_of);
-    return py::dict("kind"_a = c.kind == ComponentKind::Outer ? "outer" : "cavity", "ses_area"_a = c.ses_area,
-                    "contact_area"_a = c.contact_area, "toroidal_area"_a = c.toroidal_area,
-                    "reentrant_area"_a = c.reentrant_area, "ses_volume"_a = c.ses_volume, "sas_area"_a = c.sas_area,
-                    "sas_volume"_a = c.sas_volume, "sas_components"_a = c.sas_components, "centre"_a = triple(c.centre),
-                    "inside_of"_a = outside, "atoms"_a = owning(std::vector<std::uint32_t>(c.atoms)),
-                    "inscribed_centre"_a = triple(c.inscribed_centre), "inscribed_radius"_a = c.inscribed_radius,
-                    "errors"_a = totals_dict(c.errors));
-}
-
+/// As the report has them, but with a sphere of radius 0 where a piece has no inscribed one.
 py::list components(const Measures& measures) {
-    py::list list;
-    for (const SurfaceComponent& component : measures.components) list.append(component_dict(component));
+    py::list list = dicts_of(measures.components);
+    for (const py::handle& block : list) {
+        if (!block["inscribed_radius"].is_none()) continue;
+        block["inscribed_centre"] = object_of(Vec3{});
+        block["inscribed_radius"] = 0.0;
+    }
     return list;
 }
 
@@ -82,8 +67,9 @@ void save_table(const Measures& measures, const Structure& structure, const std:
 
 void bind_measures(py::module_& module) {
     py::class_<Measures, std::shared_ptr<Measures>> type(module, "Measures");
-    type.def_property_readonly("totals", [](const Measures& m) { return totals_dict(m.totals); });
-    type.def_property_readonly("errors", [](const Measures& m) { return totals_dict(m.errors); });
+    type.def_property_readonly("totals", [](const Measures& m) { return dict_of(m.totals); });
+    type.def_property_readonly("errors", [](const Measures& m) { return dict_of(m.errors); });
+    type.def_property_readonly("largest_sas_piece", [](const Measures& m) { return dict_of(m.largest_sas_piece); });
     type.def_property_readonly("components", &components);
     type.def_property_readonly("probe", [](const Measures& m) { return m.options.probe; });
     type.def_property_readonly("depth_measured", [](const Measures& m) { return m.options.depth; });

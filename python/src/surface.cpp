@@ -14,6 +14,7 @@
 #include "meniscus/sample.h"
 #include "options.h"
 #include "pickling.h"
+#include "result_dict.h"
 
 namespace meniscus::python {
 
@@ -80,65 +81,21 @@ py::array depths(const Mesh& mesh, const ExactSurface& exact, int threads) {
     return owning(by_threads(threads, [&] { return depth_values(mesh, exact).values; }));
 }
 
-py::dict percentiles(const Percentiles& p) {
-    return py::dict("min"_a = p.min, "p5"_a = p.p5, "p50"_a = p.p50, "p95"_a = p.p95, "max"_a = p.max);
-}
-
-py::dict distances(const DistanceSummary& d) { return py::dict("mean"_a = d.mean, "p99"_a = d.p99, "max"_a = d.max); }
-
-/// The block `mesh` of the report.
-py::dict mesh_dict(const Surface& s) {
-    const MeshMeasures& m = s.measures;
-    py::dict block("vertices"_a = s.mesh.vertices.size(), "triangles"_a = s.mesh.triangles.size(), "area"_a = m.area,
-                   "volume"_a = m.volume, "corrected_area"_a = s.corrected_area,
-                   "corrected_volume"_a = s.corrected_volume, "closed"_a = m.closed, "manifold"_a = m.manifold,
-                   "components"_a = m.components.size(), "euler_characteristic"_a = m.euler_characteristic,
-                   "mean_distance"_a = s.distance.mean, "p99_distance"_a = s.distance.p99,
-                   "max_distance"_a = s.distance.max, "smallest_triangle_angle_deg"_a = m.smallest_angle_deg);
-    block["dropped"] = py::dict("cavities"_a = s.dropped.cavities, "islands"_a = s.dropped.islands);
-    block["filled"] =
-        py::dict("cavities"_a = s.filled.cavities, "islands"_a = s.filled.islands, "volume"_a = s.filled.volume);
-    block["simplified"] = py::dict("handles"_a = s.simplified.handles, "pieces"_a = s.simplified.pieces);
-    block["self_intersections"] = py::cast(s.self_intersections);
-    block["quality"] = py::none();
-    if (s.quality)
-        block["quality"] = py::dict(
-            "angle_histogram"_a = s.quality->angles, "smallest_angles_deg"_a = percentiles(s.quality->smallest_angles),
-            "edges"_a = percentiles(s.quality->edges), "aspect_ratios"_a = percentiles(s.quality->aspect_ratios));
-    block["two_sided_distance"] = py::none();
-    if (s.two_sided)
-        block["two_sided_distance"] = py::dict("to_exact"_a = distances(s.two_sided->to_exact),
-                                               "from_exact"_a = distances(s.two_sided->from_exact));
-    return block;
-}
-
-py::list history_list(const std::vector<FlowStep>& history) {
-    py::list list;
-    for (const FlowStep& s : history)
-        list.append(py::dict("step"_a = s.step, "time"_a = s.time, "area"_a = s.area, "volume"_a = s.volume,
-                             "mean_distance"_a = s.mean_distance, "max_distance"_a = s.max_distance,
-                             "residual"_a = s.residual, "solver_iterations"_a = s.solver_iterations,
-                             "components"_a = s.components, "genus"_a = s.genus));
-    return list;
+/// The block `mesh` of the report, with deviations from the exact measures, which are found once.
+py::dict mesh_dict(const Surface& surface, int threads) {
+    const std::shared_ptr<const Measures> exact = by_threads(threads, [&] { return surface.exact.shared_measures(); });
+    DictVisitor visit;
+    describe_mesh(surface, exact.get(), visit);
+    visit({"self_intersections", "", "also without the shapes of triangles"}, surface.self_intersections);
+    return visit.dict();
 }
 
 /// The block `flow` of the report; None for other methods.
-py::object flow_dict(const Surface& s) {
-    if (s.options.method != Method::Flow) return py::none();
-    const FlowSummary& f = s.flow;
-    return py::dict("steps"_a = f.steps, "time"_a = f.time, "converged"_a = f.converged, "residual"_a = f.residual,
-                    "mean_distance"_a = f.mean_distance, "max_distance"_a = f.max_distance,
-                    "solver_iterations"_a = f.solver_iterations, "initial_area"_a = f.initial_area,
-                    "reinitialisations"_a = f.reinitialisations, "end"_a = word_for(kFlowEndWords, f.end),
-                    "kept_step"_a = f.kept_step, "explanation"_a = f.explanation,
-                    "history"_a = history_list(s.history));
-}
-
-py::list checks_list(const Surface& s) {
-    py::list list;
-    for (const Check& c : s.checks)
-        list.append(py::dict("name"_a = c.name, "passed"_a = c.passed, "value"_a = c.value, "bound"_a = c.bound));
-    return list;
+py::object flow_dict(const Surface& surface) {
+    if (surface.options.method != Method::Flow) return py::none();
+    DictVisitor visit;
+    describe_flow(surface, visit);
+    return visit.dict();
 }
 
 /// Φ, or where there is no level set the exact signed distance.
@@ -192,9 +149,10 @@ void bind_surface(py::module_& module) {
     bind_mesh(module);
     py::class_<Surface, std::shared_ptr<Surface>> type(module, "Surface");
     type.def_readonly("mesh", &Surface::mesh);
-    type.def_property_readonly("mesh_block", &mesh_dict);
+    type.def("mesh_block", &mesh_dict, py::arg("threads"));
+    type.def_property_readonly("area", [](const Surface& s) { return s.measures.area; });
     type.def_property_readonly("flow_block", &flow_dict);
-    type.def_property_readonly("checks", &checks_list);
+    type.def_property_readonly("checks", [](const Surface& s) { return dicts_of(s.checks); });
     type.def_property_readonly("passed", &Surface::passed);
     type.def("values", &values, py::arg("points"), py::arg("threads"));
     type.def("gradients", &gradients, py::arg("points"), py::arg("threads"));
