@@ -13,10 +13,10 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr Words<NumberRange, 5> kRangeWords{{{"any", NumberRange::Any},
-                                       {"positive", NumberRange::Positive},
-                                       {"not-negative", NumberRange::NotNegative},
-                                       {"negative", NumberRange::Negative},
-                                       {"positive-or-infinite", NumberRange::PositiveOrInfinite}}};
+                                             {"positive", NumberRange::Positive},
+                                             {"not-negative", NumberRange::NotNegative},
+                                             {"negative", NumberRange::Negative},
+                                             {"positive-or-infinite", NumberRange::PositiveOrInfinite}}};
 constexpr Words<Effect, 4> kEffectWords{{{"always", Effect::Always},
                                          {"with-flow", Effect::WithFlow},
                                          {"with-gaussian-map", Effect::WithGaussianMap},

@@ -32,28 +32,30 @@ ROOMS = {
     "mesh_io": ("reading", "mesh"),
     "volume": ("reading", "io", "platform"),
     "values": ("reading", "structure"),
-    "describe_results": ("exact", "flow", "measure", "pipeline", "words"),
-    "words": ("colours", "flow", "pipeline", "remesh", "structure", "tables"),
-    "io": ("reading", "structure", "tables", "render", "words", "pipeline", "grid", "platform"),
+    "describe_results": ("exact", "flow", "measure", "pipeline"),
+    "file_words": ("colours", "pipeline", "structure", "tables"),
+    "io": ("reading", "structure", "tables", "render", "pipeline", "grid", "platform"),
     "colours": ("reading", "structure", "radii", "tables", "values", "exact", "grid", "platform"),
     "render": ("colours", "platform"),
-    "page": ("colours", "render", "io", "tables", "structure", "words", "exact", "pipeline", "platform"),
+    "page": ("colours", "render", "io", "tables", "structure", "exact", "pipeline", "platform"),
     "draw": ("colours", "render", "structure", "pipeline"),
 }
 # Whose a public header is. The others hold the library's vocabulary (vectors, atoms, meshes, values on grids, errors), which
 # everybody may use.
 PUBLIC = {
     "cavities": "cavities", "colours": "colours", "compare": "pipeline", "cost": "pipeline",
-    "describe_results": "describe_results", "draw_surface": "draw",
-    "exact_surface": "exact", "field": "pipeline", "flow": "flow", "interfaces": "exact", "legend": "colours",
+    "describe_options": "pipeline", "describe_results": "describe_results", "draw_surface": "draw",
+    "exact_surface": "exact", "field": "pipeline", "file_words": "file_words", "flow": "flow",
+    "interfaces": "exact", "legend": "colours",
     "level_set": "grid", "level_set_file": "io", "measures": "exact", "mesh_part": "mesh", "mesh_quality": "measure",
     "page": "page", "picture": "render", "radii": "radii", "read_mesh": "mesh_io", "remesh": "remesh",
     "sample": "pipeline", "structure": "structure", "surface": "pipeline", "tables": "tables", "vertex_values": "values",
-    "volume_file": "volume", "words": "words", "write": "io",
+    "volume_file": "volume", "words": "pipeline", "write": "io",
 }
 # What clients may use beside the public headers: how to write a file of their own whole or not at all, how foreign
-# words stand in messages, and how to load a library.
-FOR_CLIENTS = ("src/platform/files/atomic_file.h", "src/reading/text.h", "src/platform/files/loaded_library.h")
+# words stand in messages, how to load a library, and options as JSON.
+FOR_CLIENTS = ("src/io/options_json.h", "src/platform/files/atomic_file.h", "src/reading/text.h",
+               "src/platform/files/loaded_library.h")
 # Words that only some folders may include.
 ONLY_IN = {
     "<tbb/": ("src/core/threads/tbb.cpp", "src/render/ray_scene.cpp"),

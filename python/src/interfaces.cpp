@@ -10,8 +10,8 @@
 
 #include "arrays.h"
 #include "bindings.h"
-#include "meniscus/tables.h"
 #include "meniscus/file_words.h"
+#include "meniscus/tables.h"
 #include "meniscus/write.h"
 #include "options.h"
 #include "pickling.h"

@@ -8,9 +8,9 @@
 
 #include "arrays.h"
 #include "bindings.h"
+#include "meniscus/file_words.h"
 #include "meniscus/tables.h"
 #include "meniscus/write.h"
-#include "meniscus/file_words.h"
 #include "options.h"
 #include "pickling.h"
 #include "result_dict.h"

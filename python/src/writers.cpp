@@ -12,6 +12,7 @@
 #include "meniscus/draw_surface.h"
 #include "meniscus/errors.h"
 #include "meniscus/field.h"
+#include "meniscus/file_words.h"
 #include "meniscus/level_set_file.h"
 #include "meniscus/mesh_part.h"
 #include "meniscus/page.h"
@@ -19,7 +20,6 @@
 #include "meniscus/vertex_values.h"
 #include "meniscus/volume_file.h"
 #include "meniscus/write.h"
-#include "meniscus/file_words.h"
 #include "options.h"
 #include "platform/files/atomic_file.h"
 
