@@ -60,9 +60,7 @@ void refuse_without_effect(const Option& option, const SurfaceOptions& others, O
     if (option.effect == Effect::WithGaussianMap)
         throw UsageError(spelling(option.name, "") + " applies to the initial Gaussian map, which " +
                          spelling("method", "direct") + " does not use; leave it out");
-    throw UsageError(spelling("adaptive", "") + ", " + spelling("keep_ridges", "") + ", " + spelling("corners", "") +
-                     " and " + spelling("simplify_topology", "") + " shape even triangles; ask for them with " +
-                     spelling("edge", ""));
+    throw UsageError(spelling(option.name, "") + " shapes even triangles; ask for them with " + spelling("edge", ""));
 }
 
 }  // namespace meniscus

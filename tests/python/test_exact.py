@@ -237,7 +237,7 @@ class Meshing(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "unexpected keyword argument 'edgy'"):
             exact.mesh(edgy=1.0)
         with self.assertRaisesRegex(TypeError, "flow: must be text"):
-            exact.mesh(flow=None)
+            exact.mesh(flow=3)
         with self.assertRaises(meniscus.LimitError):
             exact.mesh(spacing=0.001, memory="100M")
 

@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: 2026 The Meniscus authors
 # SPDX-License-Identifier: Apache-2.0
-"""Python has every key of the command line's report, under the same name, and the same numbers."""
+"""Python and the command line have the same results and options, under the same names."""
 import dataclasses
+import inspect
 import json
 import math
 import subprocess
 import unittest
 
+import numpy
 from support import PROGRAM, ROOT, InScratchFolder, read
 
 import meniscus
@@ -32,6 +34,11 @@ ONLY_IN_PYTHON = {
                    for key in ("atoms_a", "atoms_b", "atom_buried_sas_a", "atom_buried_sas_b", "atom_buried_ses_a",
                                "atom_buried_ses_b")},
 }
+
+# Option -> why not all clients have it.
+ONLY_KEYWORDS = {"initial_area": "with --report", "quality": "with --report", "two_sided_distance": "with --report"}
+NOT_REPORTED = {"history": "a path there", "vertex_density": "reported as edge", "memory": "reported as memory_mb", **ONLY_KEYWORDS}
+NOT_IN_FILES = {"verify": "decides nothing about the mesh", "threads": "likewise", **NOT_REPORTED}
 
 
 def flat(value, place=""):
@@ -109,6 +116,18 @@ class Keys(InScratchFolder):
         for block in ("a_to_b", "b_to_a"):
             self.compare_keys(block, report[block], dataclasses.asdict(getattr(found, block)))
         self.compare_values("hausdorff", report["hausdorff"], found.hausdorff)
+
+    def test_of_options(self):
+        described = json.loads(subprocess.run([PROGRAM, "--describe", "options"], capture_output=True, check=True).stdout)
+        names = {option["name"] for options in described.values() for option in options}
+        self.assertLessEqual({"probe", "spacing", "edge", "flow", "verify", "threads"}, names)
+        text = subprocess.run([PROGRAM, "surface", "--help-all"], capture_output=True, encoding="utf-8", check=True).stdout
+        flags = {word.strip(",").removeprefix("--").replace("-", "_") for word in text.split() if word.startswith("--")}
+        reported = set(self.run_program("surface", COMPLEX, "--select", SELECTION, "--spacing", "1", "-o", "a.npz")["options"])
+        written = set(json.loads(str(numpy.load("a.npz")["options"]))["options"])
+        for found, without in ((flags, ONLY_KEYWORDS), (reported, NOT_REPORTED), (written, NOT_IN_FILES),
+                               (set(inspect.signature(meniscus.surface).parameters), {})):
+            self.assertEqual(names - found, set(without))
 
 
 if __name__ == "__main__":
