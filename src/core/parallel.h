@@ -18,6 +18,15 @@ bool is_alone();
 void parallel_ranges(std::size_t n, std::size_t grain, void (*run)(const void*, std::size_t, std::size_t),
                      const void* body);
 
+/// Calls run(work) as threads::isolated() does.
+void run_isolated(void (*run)(const void*), const void* work);
+
+/// Calls work(), which may have loops, under a lock: this thread takes up nothing meanwhile that may want the lock, too.
+template <class Work>
+void isolated(const Work& work) {
+    run_isolated([](const void* any) { (*static_cast<const Work*>(any))(); }, &work);
+}
+
 /// Calls body(i) for i in [0, n), in any order, in ranges of which none of `grain` or less is divided further.
 template <class Body>
 void parallel_for(std::size_t n, std::size_t grain, const Body& body) {

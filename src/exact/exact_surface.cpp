@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/parallel.h"
 #include "core/requirements.h"
 #include "exact/measure_surface.h"
 #include "geometry/accessible_surface.h"
@@ -67,14 +68,15 @@ ExactSurface ExactSurface::of_same_atoms(const ExactOptions& options) const {
 const AccessibleSurface& ExactSurface::accessible() const {
     require_not_negative("probe", member_->options.probe);
     const std::lock_guard lock(member_->mutex);
-    if (!member_->accessible) member_->accessible.emplace(balls(), probe_of_balls());
+    if (!member_->accessible) isolated([&] { member_->accessible.emplace(balls(), probe_of_balls()); });
     return *member_->accessible;
 }
 
 std::shared_ptr<const Measures> ExactSurface::shared_measures() const {
     const AccessibleSurface& surface = accessible();
     const std::lock_guard lock(member_->mutex);
-    if (!member_->measures) member_->measures = std::make_shared<const Measures>(measure(surface, balls()));
+    if (!member_->measures)
+        isolated([&] { member_->measures = std::make_shared<const Measures>(measure(surface, balls())); });
     return member_->measures;
 }
 

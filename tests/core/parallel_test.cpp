@@ -82,5 +82,16 @@ TEST(Parallel, ExceptionsReachTheCaller) {
                  std::runtime_error);
 }
 
+TEST(Isolated, DoesItsWorkWithinLoopsAndPassesOnWhatItThrows) {
+    std::atomic<int> done = 0;
+    std::mutex mutex;
+    parallel_for(50, 1, [&](std::size_t) {
+        const std::lock_guard lock(mutex);
+        isolated([&] { parallel_for(100, 1, [&](std::size_t) { ++done; }); });
+    });
+    EXPECT_EQ(done, 5000);
+    EXPECT_THROW(isolated([] { throw std::runtime_error("no"); }), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace meniscus::testing

@@ -12,6 +12,10 @@ namespace meniscus::threads {
 /// divided further. The first exception that is thrown is thrown on once all that has begun has ended.
 void for_ranges(std::size_t n, std::size_t grain, void (*run)(const void*, std::size_t, std::size_t), const void* body);
 
+/// Calls run(work). While loops within it wait for other threads, this one takes up nothing that began outside: what is
+/// done under a lock may otherwise meet that lock again.
+void isolated(void (*run)(const void*), const void* work);
+
 /// Limits for_ranges() of the whole process to so many threads, at least two, while it lives.
 class Limit {
 public:

@@ -156,6 +156,8 @@ void for_ranges(std::size_t n, std::size_t grain, void (*run)(const void*, std::
     crew().run(loop);
 }
 
+void isolated(void (*run)(const void*), const void* work) { run(work); }
+
 struct Limit::Control {
     int threads;
 };

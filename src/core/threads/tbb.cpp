@@ -63,6 +63,10 @@ void for_ranges(std::size_t n, std::size_t grain, void (*run)(const void*, std::
                       [&](const auto& range) { run(body, range.begin(), range.end()); });
 }
 
+void isolated(void (*run)(const void*), const void* work) {
+    tbb::this_task_arena::isolate([&] { run(work); });
+}
+
 struct Limit::Control {
     tbb::global_control limit;
 };
