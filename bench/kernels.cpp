@@ -115,8 +115,7 @@ void solve_per_node_and_iteration(benchmark::State& state) {
 
 void flow_per_node(benchmark::State& state) {
     const Stage& on = stage(state);
-    const FlowFields fields{&on.grid, on.band.distance, on.band.curvature, on.margin};
-    for (auto _ : state) benchmark::DoNotOptimize(evolve(fields, on.band.distance, {}, {}).steps);
+    for (auto _ : state) benchmark::DoNotOptimize(evolve(on.grid, {on.band}, {}, {}).steps);
     set_items(state, on.grid.node_count());
 }
 

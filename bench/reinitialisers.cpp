@@ -118,9 +118,8 @@ void report(const char* name, const Band& band, const NodeField& start, const Ca
 int main(int argc, char** argv) {
     if (argc != 2) return 2;
     const Band band(read_spheres(argv[1]));
-    const FlowFields fields{band.grid.get(), band.distance.distance, band.distance.curvature, kWidth};
     const NodeField gaussian = GaussianDensity(band.surface, -0.5).sample(*band.grid, kWidth);
-    const NodeField start = evolve(fields, gaussian, {}, {}).state.values;
+    const NodeField start = evolve(*band.grid, {band.distance, gaussian}, {}, {}).state.values;
     fmt::print("{:<16}  {:^42}  {:^42}\n", "", "after one call", "after ten calls");
     fmt::print("{:<16}", "reinitialiser");
     for (int i = 0; i < 2; ++i)

@@ -276,14 +276,14 @@ double fraction_done(const std::vector<double>& left, const FlowOptions& options
 
 }  // namespace
 
-EvolutionResult evolve(const BlockGrid& grid, DistanceBand band, std::span<const float> start,
-                       const FlowOptions& options, const EvolutionObserver& observer) {
+EvolutionResult evolve(const BlockGrid& grid, FlowStart from, const FlowOptions& options,
+                       const EvolutionObserver& observer) {
     if (is_one_solve(options)) {
-        EvolutionResult result = solve_steady_state(grid, std::move(band), options);
+        EvolutionResult result = solve_steady_state(grid, std::move(from.band), options);
         if (observer) observer(result, 1.0);
         return result;
     }
-    Evolution flow(grid, band, start.empty() ? band.distance : start, options);
+    Evolution flow(grid, from.band, from.start.empty() ? from.band.distance : from.start, options);
     std::vector<double> left;
     bool ended = false;
     while (!ended) {

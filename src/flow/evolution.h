@@ -47,13 +47,18 @@ struct EvolutionResult {
 /// Called after every step with how far the flow is and the fraction of the way done; the state is the result's.
 using EvolutionObserver = std::function<void(const EvolutionResult&, double fraction)>;
 
+/// What a flow begins with.
+struct FlowStart {
+    DistanceBand
+        band;  ///< s and H0 (FlowOptions::curvature), the latter within half_width + kBandRim spacings at least
+    std::span<const float> start{};  ///< Φ at the nodes, Å; s if it is empty
+};
+
 /// Runs a flow.
 ///
-/// band     s and H0 (FlowOptions::curvature), the latter within half_width + kBandRim spacings of the SES at least
-/// start    Φ at the nodes, Å; s if it is empty
 /// source   Pan & Tai 2009, eqs. 2.4, 3.3-3.5, with the changes of docs/design/flow.md
-EvolutionResult evolve(const BlockGrid& grid, DistanceBand band, std::span<const float> start,
-                       const FlowOptions& options, const EvolutionObserver& observer);
+EvolutionResult evolve(const BlockGrid& grid, FlowStart from, const FlowOptions& options,
+                       const EvolutionObserver& observer);
 
 /// Coefficients of the spline that takes `values` at the nodes where |value| < half_width spacings.
 NodeField interpolating_coefficients(const BlockGrid& grid, std::span<const float> values, double half_width);

@@ -163,7 +163,7 @@ FlowOutcome run_flow(const FlowTask& task, DistanceBand band) {
         iterations_before = at.solver_iterations;
         if (task.run.progress) task.run.progress("flow", fraction);
     };
-    EvolutionResult result = evolve(*grid, std::move(band), task.start, flow, observe);
+    EvolutionResult result = evolve(*grid, {std::move(band), task.start}, flow, observe);
 
     outcome.summary = summarise(result);
     outcome.summary.explanation = may_leave ? describe_course(result, record) : describe_end(result);

@@ -222,7 +222,7 @@ TEST(Evolution, ReportsItsStepsAndItsProgress) {
     const FlowOptions options{.time_step = 2.0, .tolerance = 1e-5};
     std::vector<double> fractions;
     const EvolutionResult result =
-        evolve(*problem.grid, problem.band, problem.start(-0.2), options,
+        evolve(*problem.grid, {problem.band, problem.start(-0.2)}, options,
                [&](const EvolutionResult&, double fraction) { fractions.push_back(fraction); });
     EXPECT_TRUE(result.converged());
     EXPECT_EQ(fractions.size(), static_cast<std::size_t>(result.steps));

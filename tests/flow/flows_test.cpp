@@ -48,7 +48,7 @@ public:
         std::vector<double> found{excess};
         DistanceBand band = band_;
         band.curvature.assign(curvature.begin(), curvature.end());
-        evolve(grid(), std::move(band), start(kRadius + excess), options,
+        evolve(grid(), {std::move(band), start(kRadius + excess)}, options,
                [&](const EvolutionResult& at, double) { found.push_back(mean_radius(at.state) - kRadius); });
         return found;
     }
@@ -154,7 +154,8 @@ TEST(Flows, TheSharpFieldMakesTheDistanceItselfTheFixedPoint) {
     const FlowProblem problem(two_spheres(5.9), kWater, 0.25);  // with a cusp, where the parallel field rounds
     DistanceBand band = problem.band;
     band.curvature = sharp_curvature(*problem.grid, band, FlowOptions{}.half_width);
-    const EvolutionResult result = evolve(*problem.grid, std::move(band), problem.start(-0.5), {.tolerance = 1e-6}, {});
+    const EvolutionResult result =
+        evolve(*problem.grid, {std::move(band), problem.start(-0.5)}, {.tolerance = 1e-6}, {});
     const EvolutionResult rounded = problem.evolve(-0.5);
     const double off = largest_difference(problem, result.state.values, problem.band.distance);
     EXPECT_LT(off, 0.005);

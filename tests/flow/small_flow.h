@@ -33,7 +33,7 @@ struct FlowProblem {
     NodeField start(double c) const { return GaussianDensity(surface, c).sample(*grid, margin); }
 
     EvolutionResult evolve(double c, const FlowOptions& options = {}) const {
-        return meniscus::evolve(*grid, band, start(c), options, {});
+        return meniscus::evolve(*grid, {band, start(c)}, options, {});
     }
     LevelSet level_set(const EvolutionResult& result) const { return {grid, result.state.coefficients}; }
 
