@@ -21,7 +21,7 @@ struct Colour {
     bool operator==(const Colour&) const = default;
 };
 
-/// A function that finds the colours of points of a surface, fastest for many that lie close together. May be called by
+/// A function that finds the colours of points of a surface, fastest for many points close together. May be called by
 /// several threads at once.
 ///
 /// points   Å, in the frame of the input

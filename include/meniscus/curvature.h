@@ -33,8 +33,8 @@ struct PrincipalCurvatures {
 
 /// Principal curvatures from the mean (Å^-1) and the Gaussian curvature (Å^-2).
 ///
-/// Both are equal if rounding makes gaussian exceed mean². At a cusp, where the mean curvature is infinite, both are
-/// equal to it if gaussian is +inf; else one of them is 0.
+/// The two are equal if rounding makes gaussian exceed mean². At a cusp, where the mean curvature is infinite, both
+/// principal curvatures equal the mean if gaussian is +inf; else one of them is 0.
 inline PrincipalCurvatures principal_curvatures(double mean, double gaussian) {
     if (std::isinf(mean)) {
         const double other = gaussian > 0.0 && std::isinf(gaussian) ? mean : 0.0;

@@ -32,8 +32,8 @@ struct DrawOptions {
 ///
 /// surface    computed from the structure's atoms
 /// drawn      the mesh of the surface or a part of that mesh, possibly with further values
-/// throws     UsageError for colours that do not match the mesh, a legend without a scheme, and as make_legend() and
-///            draw_picture()
+/// throws     UsageError for colours that do not match the mesh or a legend without a scheme, and whatever
+///            make_legend() and draw_picture() throw
 /// cost       that of draw_picture()
 Picture draw_surface(const Surface& surface, const Structure& structure, const ColouredMesh& drawn,
                      const DrawOptions& options = {});

@@ -24,6 +24,7 @@ enum class SurfaceKind {
     Vdw,  ///< van der Waals: of the atoms themselves, whatever the probe radius
 };
 
+/// Which surface of the atoms, and of which probe.
 struct ExactOptions {
     SurfaceKind kind = SurfaceKind::Ses;
     double probe = 1.4;  ///< probe radius, Å; 0 gives the van der Waals surface
@@ -65,7 +66,7 @@ public:
     /// The nearest feature of each point, in the order of `points`. Throws and costs the same as signed_distance().
     std::vector<NearestFeature> nearest_features(std::span<const Vec3> points) const;
 
-    /// A surface of the same atoms with other options. It is built only once, and kept as long as any surface of them.
+    /// A surface of the same atoms with other options, built only once and kept as long as any surface of these atoms.
     ExactSurface of_same_atoms(const ExactOptions& options) const;
 
     /// The solvent-accessible surface of the balls, from which all else follows. For use within the library.

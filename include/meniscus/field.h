@@ -24,13 +24,13 @@ struct FieldOptions {
 ///
 /// throws   std::invalid_argument for no atoms
 VolumeGrid enclosing_grid(const ExactSurface& exact, double spacing);
-inline constexpr double kFieldMargin = 4.0;
+inline constexpr double kFieldMargin = 4.0;  ///< spacings
 
 /// The value at each node of a grid:
 ///
 /// Distance    signed distance to the surface, Å, positive inside: contours at 0 get outward normals from programs that
 ///             take gradients downhill. With Method::Direct the exact distance everywhere; else the level set in the
-///             inner part of the narrow band, so that both have the same zero set, and the exact distance beyond.
+///             inner part of the narrow band, so that its zero set is that of the field, and beyond the exact distance.
 ///             Without an anchor (Method::Gaussian, some flows) the level set in the whole band; beyond, the exact
 ///             distance with the sign of the level set, and at least half the width of the band
 /// Mask        1 inside, 0 outside

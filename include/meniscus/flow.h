@@ -51,7 +51,7 @@ enum class FlowName { Anchored, Parallel, Paper };
 
 /// The parts of a flow.
 struct FlowOptions {
-    FlowName name = FlowName::Anchored;  ///< the predefined flow to which the other members belong, but for any changes
+    FlowName name = FlowName::Anchored;  ///< the predefined flow that sets the other members, unless they are changed
     CurvatureField curvature = CurvatureField::Parallel;
     double anchor = 16.0;  ///< λ, in units of spacing^-2; 0 for none
     Reinitialiser reinitialiser = Reinitialiser::None;
@@ -68,8 +68,8 @@ struct FlowOptions {
     bool operator==(const FlowOptions&) const = default;
 };
 
-/// The three predefined flows. A sphere of radius ρ around an atom of radius r changes by ρ' = λ(r - ρ) if anchored,
-/// ρ' = 0 if parallel, and ρ' = 2(1/r - 1/ρ) by the flow of the paper.
+/// The three predefined flows. The radius ρ of a sphere around an atom of radius r changes by ρ' = λ(r - ρ) with the
+/// anchored flow, ρ' = 0 with the parallel one, and ρ' = 2(1/r - 1/ρ) with that of the paper.
 inline constexpr FlowOptions kAnchoredFlow{};
 inline constexpr FlowOptions kParallelFlow{.name = FlowName::Parallel,
                                            .anchor = 0.0,
@@ -129,10 +129,10 @@ struct FlowSummary {
     double mean_distance = 0.0;  ///< mean distance of the final mesh's vertices from the exact SES, Å
     double max_distance = 0.0;   ///< largest such distance, Å
     int solver_iterations = 0;   ///< over all steps
-    double initial_area = 0.0;   ///< area of the zero set of the Gaussian map, Å²; 0 unless known
+    double initial_area = 0.0;   ///< of the zero set of the Gaussian map, Å²; 0 unless SurfaceOptions::initial_area
     int reinitialisations = 0;
     int kept_step = 0;          ///< the step that gave the result: the last; without an anchor, the nearest to the SES
-    std::string explanation{};  ///< why the flow did not converge, how near it came without an anchor; else empty
+    std::string explanation{};  ///< why the flow did not converge and, without an anchor, how near it came; else empty
 };
 
 }  // namespace meniscus

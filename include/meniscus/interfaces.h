@@ -48,7 +48,7 @@ struct Interface {
     double ses_error = 0.0;              ///< absolute error estimate of buried_ses()
     std::vector<InterfaceAtom> atoms_a;  ///< in the order of group A
     std::vector<InterfaceAtom> atoms_b;  ///< in the order of group B
-    bool agreed = true;                  ///< Measures::agreed of A, B and both
+    bool agreed = true;                  ///< whether Measures::agreed holds for A, B and both
     std::vector<std::string> disputed;   ///< patches on which evaluations differ, unless agreed
 
     double buried_sas() const { return sas_a + sas_b - sas_ab; }
@@ -61,7 +61,7 @@ struct Interface {
 /// pairs    indices into `groups`
 /// options  `cavities` and `depth` are not used
 /// returns  one interface per pair, in the order of the pairs
-/// throws   UsageError for a group of a pair that is empty, an index out of range, an atom in both groups of a pair;
+/// throws   UsageError for a group of a pair that is empty, an index out of range, an atom named twice in a pair;
 ///          and whatever measure() throws
 /// cost     that of measure() for the groups and for each pair
 std::vector<Interface> measure_interfaces(const Atoms& atoms, std::span<const AtomGroup> groups,

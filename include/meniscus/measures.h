@@ -98,14 +98,14 @@ struct Measures {
     SurfaceTotals totals;
     SurfaceTotals errors;            ///< absolute error estimates
     std::size_t sas_components = 0;  ///< number of closed pieces of the SAS
-    /// SES patches of the largest piece of the SAS: all that a probe reaches by rolling without leaving the atoms.
+    /// SES patches of the piece of the SAS with the largest area: all that one probe reaches by rolling on the atoms.
     /// Programs that start from one reduced surface report this as the outer component.
     PatchAreas largest_sas_piece;
     std::vector<SurfaceComponent> components;  ///< by falling volume
     std::vector<AtomMeasure> atoms;            ///< in the caller's order; of identical atoms only the first has areas
     std::vector<PatchMeasure> patches;         ///< empty without MeasureOptions::patches
     bool agreed = true;                        ///< whether two evaluations with different perturbations agree
-    bool degenerate = false;            ///< probe positions coincide, as on lattices: agree to 1e-5 instead of 1e-7
+    bool degenerate = false;  ///< probe positions coincide, as on lattices; then `agreed` is to 1e-5, else 1e-7
     std::vector<std::string> disputed;  ///< patches on which the two evaluations differ, unless agreed
 };
 

@@ -20,7 +20,7 @@ enum class PatchKind : std::uint8_t {
     Reentrant = 2,  ///< on the sphere of a probe that touches three atoms
 };
 
-/// Largest size of a coordinate, Å. Meshes that reach farther are refused, so that products of lengths stay finite.
+/// Largest absolute coordinate, Å. Meshes that reach farther are refused, so that products of lengths stay finite.
 inline constexpr double kFarthestCoordinate = 1e9;
 
 /// Number of a vertex, from 0. More than 2^32 - 1 vertices or triangles are a LimitError.
@@ -41,7 +41,7 @@ struct Mesh {
     std::vector<SmallVec3> normals;         ///< unit vectors pointing into the solvent
     std::vector<std::uint32_t> atoms;       ///< index of the nearest atom, in the caller's order
     std::vector<PatchKind> patches;         ///< kind of the nearest patch
-    std::vector<std::uint32_t> components;  ///< piece: 0 the largest outer one, others by falling volume
+    std::vector<std::uint32_t> components;  ///< number of the piece: 0 the largest outer one, then by falling volume
     std::vector<float> areas{};             ///< a third of the areas of the triangles around the vertex, Å²
     /// Curvatures of the surface itself, not of the triangles; principal curvatures are capped at ±1/spacing.
     std::vector<float> mean_curvatures{};      ///< Å^-1, positive on a sphere
@@ -51,7 +51,7 @@ struct Mesh {
     std::vector<Triangle> triangles;
 };
 
-/// Shape of one connected closed piece of a mesh.
+/// Measures of one connected piece of a mesh.
 struct MeshComponent {
     std::size_t vertices = 0;
     std::size_t triangles = 0;
@@ -64,7 +64,7 @@ struct MeshMeasures {
     double area = 0.0;                      ///< Å²
     double volume = 0.0;                    ///< Å³, by the divergence theorem; cavities count negative
     bool closed = false;                    ///< every edge has two triangles that run along it in opposite directions
-    bool manifold = false;                  ///< no edge has over two triangles; those round a vertex connect
+    bool manifold = false;                  ///< no edge or vertex where more than one sheet meets
     std::int64_t euler_characteristic = 0;  ///< vertices - edges + triangles
     double smallest_angle_deg = 0.0;        ///< smallest angle of any triangle, degrees
     double shortest_edge = 0.0;             ///< shortest side of any triangle, Å

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// The nearest feature of a molecular surface to a point, and the curvature there.
+// The feature of a molecular surface that is nearest to a point, and the curvature there.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace meniscus {
 
-/// What the SES is like where it is nearest to a query point, found by way of the nearest feature of the SAS.
+/// The SES where it is nearest to a query point, found by way of the nearest feature of the SAS.
 struct NearestFeature {
     double signed_distance = 0.0;  ///< Å, negative inside; see ExactSurface::signed_distance()
     PatchKind patch = PatchKind::Contact;

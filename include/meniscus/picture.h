@@ -106,7 +106,7 @@ struct LegendStyle {
 /// throws   UsageError for a size in which not even one class fits
 Picture draw_legend(const Legend& legend, const LegendStyle& style);
 
-/// A picture with two others beside each other.
+/// Puts two pictures beside each other.
 /// throws   UsageError for pictures of different heights
 Picture side_by_side(const Picture& left, const Picture& right);
 

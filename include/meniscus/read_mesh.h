@@ -20,7 +20,7 @@ namespace meniscus {
 ///          file that cannot be read or is not well-formed, a corner without a vertex, and a coordinate that is not
 ///          finite or beyond kFarthestCoordinate; UsageError for another suffix; LimitError for more vertices than a
 ///          mesh can have
-/// cost     O(n). Allocates no more than the file can hold
+/// cost     O(n). Memory is allocated only after sizes are checked against the length of the file
 Mesh read_mesh(const std::string& path);
 
 /// True if the path has a suffix that read_mesh() reads.

@@ -19,7 +19,7 @@ enum class Corners : std::uint8_t {
     Balanced,   ///< off the surface, so that triangles lie on both sides of it, half as far away as with OnSurface
 };
 
-/// Largest mean distance of triangles per edge² that Corners::Near allows, Å⁻¹.
+/// Largest mean distance of triangles from the surface, divided by edge², that Corners::Near allows, Å⁻¹.
 inline constexpr double kDistancePerSquareEdge = 0.03;
 
 /// Even triangles of a chosen size (isotropic remeshing) instead of those of marching cubes.

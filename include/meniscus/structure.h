@@ -85,15 +85,15 @@ struct Structure {
     std::map<std::string, std::size_t> dropped;
     /// Numbers of ligands left out, by residue name. A cavity may be the place of one of these ligands.
     std::map<std::string, std::size_t> left_out_ligands;
-    std::vector<std::string> notes;     ///< the expected, such as waters left out: a line per kind
+    std::vector<std::string> notes;     ///< expected findings, such as waters left out: a line per kind
     std::vector<std::string> warnings;  ///< assumptions that may make a number wrong: a line per kind
 };
 
 /// Reads PDB, mmCIF, BinaryCIF, GROMACS, PDBQT, PQR, xyzr or xyzrn, each possibly gzipped; "-" is standard input, whose
 /// format is recognised by its content.
 ///
-/// Every coordinate, radius and charge must be a finite number and nothing else. A warning says so if later models hold
-/// partners of the first model, such as a docked ligand, and not copies of it.
+/// Every coordinate, radius and charge must be a finite number and nothing else. A warning names chains of
+/// later models that are partners of the first model, such as a docked ligand, and not copies of it.
 ///
 /// throws   InputError "FILE:LINE:COLUMN: what; what to do"; UsageError for an unknown option value
 /// cost     O(size of the file)
@@ -111,9 +111,8 @@ std::string explain_identifier(const std::string& path);
 std::vector<bool> select_atoms(const Structure& structure, const std::string& expression,
                                const std::string& option = "selection");
 
-/// The expression in gemmi's syntax as which select_atoms() understands another: "//A/10-50" for "chain A and resi
-/// 10-50", "(HEM)" for "HEM" where no chain and no atom has that name. Empty for an expression that is taken as
-/// written.
+/// How select_atoms() reads an expression that is not in gemmi's syntax, rewritten in it: "//A/10-50" for "chain A and
+/// resi 10-50", "(HEM)" for "HEM" where no chain and no atom has that name. Empty for an expression taken as written.
 ///
 /// throws   UsageError for an expression that is not valid
 std::string restate_selection(const Structure& structure, const std::string& expression,

@@ -27,10 +27,10 @@ namespace meniscus {
 enum class Method {
     Flow,      ///< the level-set flow: a smooth function whose zero set is the surface
     Direct,    ///< marching cubes of the exact surface, all vertices on it: sharp ridges
-    Gaussian,  ///< only the Gaussian density envelope that the flow starts from; not the SES
+    Gaussian,  ///< only the envelope of the Gaussian density map; not the SES
 };
 
-/// Which closed pieces of the surface the mesh keeps.
+/// Which closed pieces of the surface the mesh keeps: all, only outer pieces, or only walls of cavities.
 enum class Pieces { All, Outer, Cavities };
 
 /// Everything that decides the result. Lengths in Å.
@@ -42,14 +42,14 @@ struct SurfaceOptions {
     double density = -0.5;                   ///< constant C of the initial Gaussian map, Å^-2, negative
     FlowOptions flow{};                      ///< the evolution that Method::Flow runs
     bool history = false;                    ///< keep a record of every step of the flow
-    bool initial_area = false;               ///< find FlowSummary::initial_area even where the flow does not need it
+    bool initial_area = false;               ///< find FlowSummary::initial_area
     bool quality = false;                    ///< find Surface::quality: the shapes of the triangles
-    bool two_sided_distance = false;         ///< find Surface::two_sided: distances of mesh and exact SES
+    bool two_sided_distance = false;         ///< find Surface::two_sided: distances between mesh and exact SES
     bool exact = false;                      ///< find Surface::measured: areas, volumes and pieces of the exact surface
     bool verify = false;                     ///< run the expensive self-checks, too: see Surface::checks
     Pieces pieces = Pieces::All;             ///< which pieces the mesh keeps
     double min_cavity = 0.0;     ///< Å³; cavities that enclose less are dropped, with all that lies in them
-    double fill_cavities = 0.0;  ///< Å³; the same, but such cavities count as inside in fields (field.h)
+    double fill_cavities = 0.0;  ///< Å³; smaller cavities are dropped, and count as inside in fields (field.h)
     RemeshOptions remesh{};      ///< even triangles of a chosen size; needs a spacing of at most 0.5 Å
 };
 
@@ -59,7 +59,7 @@ struct RunOptions {
     std::size_t memory_limit_mb = 0;  ///< in units of 2^20 bytes; 0: what the machine has available
     bool keep_exact = true;  ///< false: Surface::exact frees its memory, and computes again what is asked of it
     Progress progress{};
-    FlowObserver observer{};  ///< called after every step of a flow; each step then takes a mesh, too
+    FlowObserver observer{};  ///< called after every step of a flow, for which each step also makes a mesh
 };
 
 /// One self-check. It passes if value <= bound, or, where the value is a count or 1 for yes, if value == bound.
@@ -78,7 +78,7 @@ struct SimplifiedTopology {
 
 /// Wall-clock seconds per stage.
 struct StageTimes {
-    double estimate = 0.0;  ///< Surface::expected
+    double estimate = 0.0;  ///< estimating Surface::expected
     double geometry = 0.0;
     double exact = 0.0;  ///< the exact measures, for the checks or Surface::measured
     double band = 0.0;
@@ -93,7 +93,7 @@ struct Surface {
     Mesh mesh;
     MeshMeasures measures;
     double corrected_area = 0.0;                    ///< Å², curvature-corrected quadrature over the mesh
-    double corrected_volume = 0.0;                  ///< Å³
+    double corrected_volume = 0.0;                  ///< Å³, corrected likewise
     std::shared_ptr<const Measures> measured;       ///< of the exact surface, if SurfaceOptions::exact
     DistanceSummary distance;                       ///< from the vertices of the mesh to the exact SES
     std::optional<MeshQuality> quality;             ///< if SurfaceOptions::quality
@@ -101,7 +101,7 @@ struct Surface {
     DroppedPieces dropped;                          ///< by SurfaceOptions::min_cavity
     FilledCavities filled;                          ///< by SurfaceOptions::fill_cavities
     SimplifiedTopology simplified;                  ///< by RemeshOptions::simplify_topology
-    std::optional<std::size_t> self_intersections;  ///< pairs of triangles that meet; if verified
+    std::optional<std::size_t> self_intersections;  ///< pairs of triangles that intersect, if verified
     FlowSummary flow;                               ///< zero for Method::Direct and Method::Gaussian
     std::vector<FlowStep> history;                  ///< if SurfaceOptions::history, or for a flow without an anchor
     std::shared_ptr<const LevelSet> level_set;      ///< absent for Method::Direct

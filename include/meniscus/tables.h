@@ -40,7 +40,7 @@ struct GroupMeasure {
     bool buried() const { return sas_area < kBuriedArea; }
 };
 
-/// Sums the measures of every residue, in the order of Structure::residues.
+/// Sums the measures of every residue, in the order of Structure::residues; of all atoms if there are no residues.
 ///
 /// throws   UsageError if measures and structure differ in the number of atoms
 /// cost     O(n)
@@ -97,7 +97,8 @@ struct ChainInterface {
     Interface areas;
 };
 
-/// Every pair of chains that touch, as touching_groups() finds them, in the order of chains_of(). probe in Å.
+/// Every pair of chains that touch, as touching_groups() finds them, in the order of chains_of().
+/// probe    probe radius, Å
 std::vector<ChainPair> touching_chains(const Structure& structure, double probe);
 
 /// Measures the interfaces of pairs of groups of chains and ligands, in the order of the pairs.

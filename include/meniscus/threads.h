@@ -27,7 +27,7 @@ private:
 /// Starts the threads that later calls will use and returns at once, so that the caller can do something else
 /// meanwhile, such as reading. Nothing happens under a limit of one thread.
 ///
-/// meanwhile   called on the first thread that begins. It must not throw, must use only objects that live until the
+/// meanwhile   work for the first thread that begins. It must not throw, must use only objects that live until the
 ///             process ends, and must return soon after the threads are needed
 /// begin       called on each new thread before anything else; must not throw
 ///

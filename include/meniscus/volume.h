@@ -28,7 +28,7 @@ struct VolumeGrid {
     }
 };
 
-/// A grid from its numbers of nodes along x, y and z, its spacing, Å, and its middle, Å: in APBS dime, grid and gcent.
+/// A grid from its numbers of nodes along x, y and z, spacing (Å) and middle (Å): dime, grid and gcent of APBS.
 VolumeGrid centred_grid(const std::array<std::size_t, 3>& counts, double spacing, const Vec3& middle);
 
 /// One value per node. That of node (i, j, k) is at grid.index(i, j, k): the last axis varies fastest, as in OpenDX.

@@ -16,7 +16,7 @@ namespace meniscus {
 ///
 /// throws   UsageError for another suffix; InputError in one line, "FILE:LINE:COLUMN: what is wrong; what to do" (MRC:
 ///          "FILE:byte N (FIELD): ..."), for any other file, for skew axes and cells, and for values that are not
-///          finite. Allocates no more than the file can hold
+///          finite. Memory is allocated only after sizes are checked against the length of the file
 /// cost     DX 0.1 µs per value
 Volume read_volume(const std::string& path);
 

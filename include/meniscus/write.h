@@ -100,7 +100,7 @@ void write_atom_table(const std::string& path, const Structure& structure);
 
 /// Writes a table as comma-separated text (.csv, RFC 4180; empty cells are empty fields) or as a JSON list with one
 /// object per row (.json; empty cells and numbers that are not finite are null). Numbers have all their digits.
-/// throws   UsageError for another suffix or a row with too few or too many cells; OutputError
+/// throws   UsageError for another suffix or a row with too few or too many cells; OutputError as write_mesh()
 void write_table(const std::string& path, const Table& table);
 
 /// Writes the kept atoms as PDB (.pdb) or mmCIF (.cif) with one value per atom instead of the B factor.
