@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Atoms as the surface sees them: balls.
+// Atoms as a surface needs them: balls with a centre and a radius.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// A colour, and colours all over space.
+// Colours, fields of colours, and the schemes that colour a surface.
 #pragma once
 
 #include <cstdint>
@@ -21,14 +21,14 @@ struct Colour {
     bool operator==(const Colour&) const = default;
 };
 
-/// Finds the colours of points of a surface: soonest for many that lie next to each other. May be called from several
-/// threads at once.
+/// A function that finds the colours of points of a surface, fastest for many points close together. May be called by
+/// several threads at once.
 ///
 /// points   Å, in the frame of the input
-/// colours  where the colour of each point goes; as many as points
+/// colours  receives the colour of each point; has the same size
 using ColourField = std::function<void(std::span<const Vec3> points, std::span<Colour> colours)>;
 
-/// The values that get the first and the last colour of a palette; what is beyond them gets the same.
+/// The values that get the first and the last colour of a palette; values beyond get the nearer of the two colours.
 struct ValueRange {
     double min = 0.0;
     double max = 1.0;
@@ -36,21 +36,22 @@ struct ValueRange {
     bool operator==(const ValueRange&) const = default;
 };
 
+/// What the colours of a surface show.
 enum class ColourScheme {
-    Automatic,       ///< Chain if there are several, else Single
+    Automatic,       ///< Chain if there are several chains, else Single
     Single,          ///< one colour
-    Patch,           ///< contact, toroidal, reentrant
-    Element,         ///< of the nearest atom
-    Chain,           ///< of the nearest atom
-    Residue,         ///< kind of residue or nucleotide
+    Patch,           ///< kind of patch: contact, toroidal, reentrant
+    Element,         ///< element of the nearest atom
+    Chain,           ///< chain of the nearest atom
+    Residue,         ///< kind of the nearest residue or nucleotide
     ResiduePatch,    ///< contact patches by kind of residue, toroidal and reentrant ones red
-    Hydrophobicity,  ///< Kyte & Doolittle 1982, of the residue
+    Hydrophobicity,  ///< of the nearest residue, Kyte & Doolittle 1982
     Curvature,       ///< mean curvature, Å^-1
-    Component,       ///< outer pieces alike, every cavity its own
-    Depth,           ///< below the SES of a probe of kDepthProbe, Å
-    BFactor,         ///< of the nearest atom
-    Plddt,           ///< the bands of AlphaFold's confidence, which its files keep as B factors
-    Value,           ///< those of Mesh::values that ColourOptions::value names
+    Component,       ///< one colour for outer pieces, another for every cavity
+    Depth,           ///< depth below the SES of a probe of kDepthProbe, Å
+    BFactor,         ///< B factor of the nearest atom
+    Plddt,           ///< bands of AlphaFold's confidence, which its files hold as B factors
+    Value,           ///< the array of Mesh::values that ColourOptions::value names
 };
 
 }  // namespace meniscus

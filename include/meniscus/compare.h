@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// How far two surfaces are from each other: meshes of any program, and the exact surfaces of atoms.
+// Distances between two surfaces: meshes of any program, and exact surfaces of atoms.
 #pragma once
 
 #include <algorithm>
@@ -14,63 +14,66 @@
 
 namespace meniscus {
 
-/// One of two surfaces to compare, with what it measures by itself.
+/// One of two surfaces to compare, with its own measures.
 struct ComparedSurface {
-    Mesh mesh;                            ///< points are taken from its triangles
-    std::optional<ExactSurface> exact{};  ///< of atoms: points are moved onto the SES, and distances are to it
-    double area = 0.0;                    ///< Å²; of atoms exact, else the sum over triangles
-    double volume = 0.0;                  ///< Å³; the same
+    Mesh mesh;                            ///< its triangles provide the points at which distances are measured
+    std::optional<ExactSurface> exact{};  ///< if present, points are moved onto this SES, and distances are to the SES
+    double area = 0.0;                    ///< Å²; exact if `exact` is present, else the sum over triangles
+    double volume = 0.0;                  ///< Å³; exact if `exact` is present, else the sum over triangles
     std::size_t outer_pieces = 0;         ///< connected pieces whose normals point outwards
-    std::size_t cavities = 0;             ///< and those whose normals point inwards
-    bool closed = false;                  ///< see MeshMeasures; true of atoms, as is manifold
-    bool manifold = false;
-    std::size_t merged_vertices = 0;  ///< see mesh_to_compare()
+    std::size_t cavities = 0;             ///< connected pieces whose normals point inwards
+    bool closed = false;                  ///< see MeshMeasures; true if `exact` is present
+    bool manifold = false;                ///< see MeshMeasures; true if `exact` is present
+    std::size_t merged_vertices = 0;      ///< number of vertices that mesh_to_compare() has merged with others
 };
 
-/// A mesh as it is; or, if it is not closed, with vertices at the same place made one and unused ones dropped, as
-/// programs write them that give every triangle corners of its own. Then other vertex arrays are dropped, too.
+/// Takes a closed mesh as it is. In any other, vertices at the same place are merged, since some programs give every
+/// triangle corners of its own; unused vertices and all other vertex arrays are dropped.
 ///
 /// throws   UsageError for coordinates that are not finite or beyond kFarthestCoordinate (mesh.h)
 ComparedSurface mesh_to_compare(Mesh mesh);
 
+/// How the exact surface of atoms is made for a comparison.
 struct StructureToCompare {
     double probe = 1.4;    ///< Å; 0 gives the van der Waals surface
-    double spacing = 0.5;  ///< of the grid of the mesh that points are taken from, Å
+    double spacing = 0.5;  ///< grid spacing of the mesh whose triangles provide the points, Å
     int threads = 0;       ///< 0: all cores
 };
 
-/// The exact SES of atoms, with the mesh that Method::Direct makes of it.
+/// The exact SES of atoms, with a mesh by Method::Direct.
 /// throws   as compute_surface()
 ComparedSurface structure_to_compare(const Atoms& atoms, const StructureToCompare& options = {});
 
-/// Distances from one surface to another, Å; absolute values but for signed_mean. Means are weighted by area.
+/// Distances from points on one surface to another, Å: without sign except signed_mean. Means are weighted by area.
 struct OneWayDistance {
     double mean = 0.0;
-    double p99 = 0.0;          ///< 99 % of the area are nearer
-    double max = 0.0;          ///< vertices included
+    double p99 = 0.0;          ///< 99 % of the area is nearer than this
+    double max = 0.0;          ///< largest distance of a point or a vertex
     double signed_mean = 0.0;  ///< positive where the points lie outside the other surface
-    std::size_t points = 0;    ///< without the vertices
+    std::size_t points = 0;    ///< number of points, vertices not counted
 };
 
+/// Distances between two surfaces A and B, both ways.
 struct Comparison {
     OneWayDistance a_to_b;
     OneWayDistance b_to_a;
-    std::vector<float> distances;  ///< signed, of A's vertices to B, Å
+    std::vector<float> distances;  ///< signed distance of each vertex of A to B, Å
 
     double hausdorff() const { return std::max(a_to_b.max, b_to_a.max); }
 };
 
+/// How densely two surfaces are compared.
 struct CompareOptions {
-    double density = 10.0;  ///< points per Å² at least; no triangle has fewer than four
+    double density = 10.0;  ///< at least so many points per Å², > 0; no triangle has fewer than four
     int threads = 0;        ///< 0: all cores; results do not depend on it
 };
 
-/// Distances between two surfaces, both ways.
+/// Measures the distances between two surfaces, both ways.
 ///
-/// Every triangle is divided into n² equal ones, n = max(2, ceil(sqrt(density area))), whose centroids stand for them.
-/// Distances to a mesh are exact; their sign is that of the nearest point's normal (at edges and corners the normal
-/// weighted by angles), so it means outside and inside where the other mesh is closed and oriented. Distances to a SES
-/// are those of signed_distance().
+/// Every triangle is divided into n² equal triangles, n = max(2, ceil(sqrt(density area))), each with a point at its
+/// centroid. Distances to a mesh are exact; their sign follows from the normal at the nearest point (at edges and
+/// corners the angle-weighted normal), and so tells outside from inside if that mesh is closed and oriented. Distances
+/// to a SES are those of ExactSurface::signed_distance().
 ///
 /// throws   UsageError for a mesh without triangles or area, or options out of range; LimitError for more points than
 ///          fit into memory

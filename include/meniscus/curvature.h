@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Curvatures of a surface at a point, and how they follow from each other. All are positive on a sphere seen from
-// outside it, where the solvent is.
+// Curvatures of a surface at a point, and how they follow from each other. Mean and principal curvatures are positive
+// where the surface is convex towards the solvent, as on a sphere.
 #pragma once
 
 #include <algorithm>
@@ -20,11 +20,11 @@ struct PrincipalCurvatures {
 
     /// Shape index in [-1, 1] (Koenderink & van Doorn 1992): 2/π atan((k1 + k2) / (k1 - k2)), k1 >= k2.
     ///
-    /// 1 on a ball, 0.5 on a ridge, 0 on a symmetric saddle, -0.5 in a rut, -1 in a cup. Where both are equal it is 1
-    /// or -1 by their sign, and 0 on a plane, which has no shape index.
+    /// 1 on a ball, 0.5 on a ridge, 0 on a symmetric saddle, -0.5 in a rut, -1 in a cup. If both curvatures are equal,
+    /// the index is 1 or -1 by their sign, and 0 on a plane, for which it is undefined.
     double shape_index() const;
 
-    /// Both limited to [-limit, limit], limit in Å^-1, and 0 where not a number: |mean| <= limit, |gaussian| <= limit².
+    /// Both curvatures limited to [-limit, limit], Å^-1, and 0 instead of NaN: |mean| <= limit, |gaussian| <= limit².
     PrincipalCurvatures capped(double limit) const {
         const auto cap = [limit](double k) { return std::isnan(k) ? 0.0 : std::clamp(k, -limit, limit); };
         return {cap(largest), cap(smallest)};
@@ -33,8 +33,8 @@ struct PrincipalCurvatures {
 
 /// Principal curvatures from the mean (Å^-1) and the Gaussian curvature (Å^-2).
 ///
-/// Equal where rounding makes gaussian exceed mean². At a cusp, where the mean curvature is infinite, both have its
-/// sign if gaussian is +inf, and the other one is 0 if it is not.
+/// The two are equal if rounding makes gaussian exceed mean². At a cusp, where the mean curvature is infinite, both
+/// principal curvatures equal the mean if gaussian is +inf; else one of them is 0.
 inline PrincipalCurvatures principal_curvatures(double mean, double gaussian) {
     if (std::isinf(mean)) {
         const double other = gaussian > 0.0 && std::isinf(gaussian) ? mean : 0.0;

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Every option of a surface, described once. A visitor is called for each in turn as
+// Every option of a surface, described once. A visitor is called for each option in turn as
 //
 //   visit(option, member)          a number, a flag, or an amount of memory (std::size_t, units of 2^20 bytes)
 //   visit(option, member, words)   a choice
-//   visit(option, flow, words)     a choice that sets all of FlowOptions; what comes after it changes pieces of them
-//   visit(option, member, of)      a number of which of() makes the member, which has an option of its own, too
+//   visit(option, flow, words)     a choice that sets all of FlowOptions; the options after it change single members
+//   visit(option, member, of)      a number that of() converts into a member which also has an option of its own
 //
-// An option that is added needs its member and its description here; the command line, Python, reports, .npz files and
-// the manual take it from here.
+// A new option needs a member of an options struct and a description here, from which the command line, Python,
+// reports, .npz files and the manual take it.
 #pragma once
 
 #include <concepts>
@@ -22,7 +22,7 @@
 
 namespace meniscus {
 
-/// T or const T: what is only read can be visited, too.
+/// T or const T, so that visitors can also read options that they cannot change.
 template <class Given, class T>
 concept MaybeConst = std::same_as<std::remove_const_t<Given>, T>;
 
@@ -40,7 +40,7 @@ inline constexpr Option kThreadsOption{.name = "threads",
                                        .range = NumberRange::NotNegative,
                                        .standard = "all cores"};
 
-/// Which surface, and how its mesh is made.
+/// The options that say which surface, and how its mesh is made.
 template <MaybeConst<SurfaceOptions> Options, class Visitor>
 void describe_shape(Options& o, Visitor&& visit) {
     visit(kProbeOption, o.probe);
@@ -100,7 +100,7 @@ void describe_shape(Options& o, Visitor&& visit) {
           o.density);
 }
 
-/// Which evolution the flow follows.
+/// The options of the flow.
 template <MaybeConst<FlowOptions> Options, class Visitor>
 void describe(Options& o, Visitor&& visit) {
     visit(Option{.name = "flow",
@@ -188,7 +188,7 @@ void describe(Options& o, Visitor&& visit) {
           o.tolerance);
 }
 
-/// How triangles are made even.
+/// The options of even triangles.
 template <MaybeConst<RemeshOptions> Options, class Visitor>
 void describe(Options& o, Visitor&& visit) {
     visit(Option{.name = "edge",
@@ -240,7 +240,7 @@ void describe(Options& o, Visitor&& visit) {
           o.simplify_topology);
 }
 
-/// What is found out about the surface beside its mesh. The command line derives it from where its results go.
+/// The options that ask for results beside the mesh. The command line sets them as its outputs need them.
 template <MaybeConst<SurfaceOptions> Options, class Visitor>
 void describe_findings(Options& o, Visitor&& visit) {
     visit(Option{.name = "history",
@@ -263,7 +263,7 @@ void describe_findings(Options& o, Visitor&& visit) {
           o.two_sided_distance);
 }
 
-/// What the result is held against.
+/// The options of self-checks.
 template <MaybeConst<SurfaceOptions> Options, class Visitor>
 void describe_checks(Options& o, Visitor&& visit) {
     visit(Option{.name = "verify",
@@ -275,7 +275,7 @@ void describe_checks(Options& o, Visitor&& visit) {
           o.verify);
 }
 
-/// What a computation may use.
+/// The options of what a computation may use.
 template <MaybeConst<RunOptions> Options, class Visitor>
 void describe(Options& o, Visitor&& visit) {
     visit(kThreadsOption, o.threads);
@@ -289,7 +289,7 @@ void describe(Options& o, Visitor&& visit) {
           o.memory_limit_mb);
 }
 
-/// What is measured, and by how many threads.
+/// The options of measures without a mesh.
 template <MaybeConst<MeasureOptions> Options, class Visitor>
 void describe(Options& o, Visitor&& visit) {
     visit(kProbeOption, o.probe);
@@ -313,7 +313,7 @@ void describe(Options& o, Visitor&& visit) {
     describe_checks(o, visit);
 }
 
-/// Whether an option decides anything beside these others.
+/// Whether an option has an effect together with the given other options.
 inline bool has_effect(const Option& option, const SurfaceOptions& others) {
     switch (option.effect) {
         case Effect::WithFlow:
@@ -328,9 +328,9 @@ inline bool has_effect(const Option& option, const SurfaceOptions& others) {
     return true;
 }
 
-/// For options that were given: an option without an effect is refused.
+/// Refuses an option that was given but has no effect together with the others.
 ///
-/// throws   UsageError that says what the option needs, in the client's spelling
+/// throws   UsageError that says what the option needs, in the spelling of the client
 void refuse_without_effect(const Option& option, const SurfaceOptions& others, OptionSpelling spelling);
 
 }  // namespace meniscus

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// What every result consists of, described once: for the report, Python's dicts, the JSON schema and the manual.
+// Every key of every result, described once for the report, Python's dicts, the JSON schema and the manual.
 //
-// A visitor is called once per key, in the order of the report. It has, for an inner visitor of the same kind,
+// A visitor is called once per key, in the order of the report; `inner` is a visitor of the same type for nested keys:
 //   visit(quantity, value)                        a number, text, truth value, Vec3, vector, array or optional of these
 //   visit(quantity, value, words)                 a value that has a word
-//   visit.block(quantity, inside)                 inside(inner)
-//   visit.optional_block(quantity, maybe, inside) inside(inner, *maybe), unless the optional or pointer holds nothing
-//   visit.list(quantity, elements, inside)        inside(inner, element)
-//   visit.optional_list(quantity, maybe, inside)  the same with an optional of, or a pointer to, a vector
-// A visitor that needs no values, such as that of a schema, calls `inside` for a default-constructed element.
+//   visit.block(quantity, inside)                 calls inside(inner)
+//   visit.optional_block(quantity, maybe, inside) calls inside(inner, *maybe), unless the optional or pointer is empty
+//   visit.list(quantity, elements, inside)        calls inside(inner, element) for each element
+//   visit.optional_list(quantity, maybe, inside)  as list, with an optional of, or a pointer to, a vector
+// A visitor that needs no values, such as that of a schema, calls `inside` with a default-constructed element.
 #pragma once
 
 #include <cmath>
@@ -31,7 +31,7 @@ namespace meniscus {
 /// One key of a result.
 struct Quantity {
     const char* name;
-    const char* unit;     ///< "Å²"; empty for what has none
+    const char* unit;     ///< "Å²"; empty without a unit
     const char* meaning;  ///< a phrase in plain English; names of code in backticks
 };
 
@@ -57,7 +57,7 @@ void describe(const PatchAreas& p, Visitor& visit) {
     visit({"reentrant_area", "Å²", "area of its reentrant patches"}, p.reentrant);
 }
 
-/// Totals; the components are described one by one.
+/// The totals of measures; the components are described one by one.
 template <class Visitor>
 void describe(const Measures& m, Visitor& visit) {
     describe(m.totals, visit);
@@ -153,7 +153,7 @@ void describe(const TwoSidedDistance& d, Visitor& visit) {
 
 /// The mesh of a surface.
 ///
-/// exact   measures of the exact surface, from which deviations are counted; nullptr: they are nan
+/// exact   measures of the exact surface, for the deviations from it; nullptr: deviations are NaN, written as null
 template <class Visitor>
 void describe_mesh(const Surface& s, const Measures* exact, Visitor& visit) {
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -224,7 +224,7 @@ void describe(const FlowStep& s, Visitor& visit) {
     visit({"genus", "", "number of handles"}, s.genus);
 }
 
-/// How the flow of a surface ran; of no meaning for other methods.
+/// How the flow of a surface went; without meaning for methods other than Method::Flow.
 template <class Visitor>
 void describe_flow(const Surface& s, Visitor& visit) {
     const FlowSummary& f = s.flow;

@@ -13,27 +13,28 @@
 
 namespace meniscus {
 
-/// A mesh and a colour for each of its vertices; both must outlive it.
+/// References to a mesh and to one colour per vertex, which the caller keeps.
 struct ColouredMesh {
     const Mesh& mesh;
     std::span<const Colour> colours;
 };
 
+/// How a surface is drawn.
 struct DrawOptions {
-    PictureOptions picture{};               ///< its size is that with the legend
-    std::optional<ColourOptions> scheme{};  ///< that the colours come from; nothing: from elsewhere
-    bool legend = false;                    ///< at the right, in up to half of the width; of a scheme alone
-    const Mesh* whole = nullptr;            ///< what the legend is of, where a part of it is drawn
+    PictureOptions picture{};               ///< width and height include the legend
+    std::optional<ColourOptions> scheme{};  ///< the scheme that the colours come from; nothing: another source
+    bool legend = false;                    ///< draw a legend at the right, in up to half the width; needs a scheme
+    const Mesh* whole = nullptr;            ///< the mesh that the legend describes; nullptr: the drawn one
 };
 
-/// Draws a surface, or a part of it. Where a scheme gives a colour to every point, borders are drawn where they are on
-/// the surface, else as the colours of the vertices have them.
+/// Draws a surface, or a part of it. Borders between colours are sharp if a scheme gives a colour to every point;
+/// otherwise they follow the colours of the vertices.
 ///
-/// surface    of the structure's atoms
-/// drawn      the mesh of the surface, or a part of it, perhaps with more values
-/// throws     UsageError for colours that do not match the mesh, a legend without a scheme, and as make_legend() and
-///            draw_picture()
-/// cost       of draw_picture()
+/// surface    computed from the structure's atoms
+/// drawn      the mesh of the surface or a part of that mesh, possibly with further values
+/// throws     UsageError for colours that do not match the mesh or a legend without a scheme, and whatever
+///            make_legend() and draw_picture() throw
+/// cost       that of draw_picture()
 Picture draw_surface(const Surface& surface, const Structure& structure, const ColouredMesh& drawn,
                      const DrawOptions& options = {});
 

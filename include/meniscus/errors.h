@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// What can go wrong with what the caller gave; numerical outcomes are part of results instead.
+// Exceptions for errors in the caller's input; numerical outcomes are part of results instead.
 //
 // The command line maps these to exit codes in one place (cli/main.cpp): UsageError 2, InputError 3,
 // OutputError 4, LimitError 5.

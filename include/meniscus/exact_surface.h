@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// The exact surface of atoms: what meshes, fields, pictures and tables are made of, and held against.
+// The exact surface of atoms, from which meshes, fields, pictures and tables are made and by which they are checked.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +17,14 @@ namespace meniscus {
 
 class AccessibleSurface;
 
-/// Which surface of the atoms.
+/// Kinds of molecular surface.
 enum class SurfaceKind {
-    Ses,  ///< solvent-excluded: where the probe's ball cannot be
+    Ses,  ///< solvent-excluded: bounds the space that no probe reaches
     Sas,  ///< solvent-accessible: traced by the probe's centre
-    Vdw,  ///< van der Waals: of the atoms themselves; the probe radius does not matter
+    Vdw,  ///< van der Waals: of the atoms themselves, whatever the probe radius
 };
 
+/// Which surface of the atoms, and of which probe.
 struct ExactOptions {
     SurfaceKind kind = SurfaceKind::Ses;
     double probe = 1.4;  ///< probe radius, Å; 0 gives the van der Waals surface
@@ -31,19 +32,19 @@ struct ExactOptions {
     bool operator==(const ExactOptions&) const = default;
 };
 
-/// A surface of atoms, known analytically. Immutable, and cheap to copy: copies share what has been found.
+/// A surface of atoms, known analytically. Immutable, and cheap to copy: copies share what has been computed.
 ///
-/// Nothing is computed before it is asked for, and everything once. Members may be called by several threads.
+/// Results are computed when they are first asked for, and kept. Members may be called by several threads at once.
 class ExactSurface {
 public:
-    ExactSurface();  ///< of no atoms, which has no geometry: stands in until another surface is assigned
+    ExactSurface();  ///< without atoms: a placeholder until another surface is assigned
     explicit ExactSurface(Atoms atoms, const ExactOptions& options = {});
 
     const Atoms& atoms() const;
     const ExactOptions& options() const;
 
     /// The balls whose SES this surface is: the atoms themselves, or, for a SAS, the atoms enlarged by the probe
-    /// radius. The probe of these balls has radius 0 for a SAS and for a van der Waals surface.
+    /// radius. The probe that rolls over these balls has radius 0 for a SAS and for a van der Waals surface.
     const Atoms& balls() const;
     double probe_of_balls() const;  ///< Å
 
@@ -62,13 +63,13 @@ public:
     /// cost     O(log n) per point, parallel; 0.1 µs where points lie as close together as those of a grid
     std::vector<double> signed_distance(std::span<const Vec3> points) const;
 
-    /// What is nearest to each of the points. Errors and cost as those of signed_distance().
+    /// The nearest feature of each point, in the order of `points`. Throws and costs the same as signed_distance().
     std::vector<NearestFeature> nearest_features(std::span<const Vec3> points) const;
 
-    /// Another surface of the same atoms. It is kept as long as any surface of these atoms, and so is built only once.
+    /// A surface of the same atoms with other options, built only once and kept as long as any surface of these atoms.
     ExactSurface of_same_atoms(const ExactOptions& options) const;
 
-    /// The solvent-accessible surface of the balls, from which all else follows; for the rooms of this library.
+    /// The solvent-accessible surface of the balls, from which all else follows. For use within the library.
     ///
     /// throws   UsageError for a probe radius that is negative or not finite; std::invalid_argument for no atoms, a
     ///          radius that is not positive or a coordinate that is not finite; LimitError for coordinates and radii
@@ -76,16 +77,16 @@ public:
     /// cost     the first time linear at protein density, about 5 µs per atom, parallel
     const AccessibleSurface& accessible() const;
 
-    /// The exact measures, shared, where they are to outlive this surface.
+    /// The same as measures(), for callers that keep them longer than this surface.
     std::shared_ptr<const Measures> shared_measures() const;
 
 private:
-    struct Family;  // the atoms, and all surfaces of theirs
+    struct Family;  // the atoms and all their surfaces
     struct Member;
     ExactSurface(std::shared_ptr<Family> family, Member* member);
 
     std::shared_ptr<Family> family_;
-    Member* member_;  // of the family
+    Member* member_;  // owned by the family
 };
 
 }  // namespace meniscus

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// What of a path may stand in an output: results are passed on, and do not tell where their author keeps things.
+// The part of a path that outputs may contain: results are passed on, and must not reveal their author's folders.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace meniscus {
 
-/// The path without its folders; words that are no paths, as `-` or `bondi`, stay as they are.
+/// The path without its folders. Words that are not paths, such as `-` or `bondi`, stay as they are.
 inline std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 }  // namespace meniscus

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// The words by which people choose what is read, drawn and written (words.h has those of the surface itself).
+// The words by which users choose what is read, drawn and written; words.h has the words for the surface itself.
 #pragma once
 
 #include "meniscus/colours.h"
@@ -33,7 +33,7 @@ inline constexpr Words<AtomValue, 4> kAtomValueWords{
     {{"sas", AtomValue::Sas}, {"ses", AtomValue::Ses}, {"rsa", AtomValue::Rsa}, {"depth", AtomValue::Depth}}};
 inline constexpr Words<Interpolation, 2> kInterpolationWords{
     {{"linear", Interpolation::Linear}, {"cubic", Interpolation::Cubic}}};
-/// All but ColourScheme::Value, for which the name of the values stands.
+/// ColourScheme::Value has no word: users give the name of the values.
 inline constexpr Words<ColourScheme, 13> kColourSchemeWords{{{"auto", ColourScheme::Automatic},
                                                              {"single", ColourScheme::Single},
                                                              {"patch", ColourScheme::Patch},

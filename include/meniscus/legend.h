@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Legends: what the colours of a surface mean, for whoever draws them.
+// Legends: what the colours of a surface mean.
 #pragma once
 
 #include <string>
@@ -21,18 +21,19 @@ struct LegendEntry {
     bool operator==(const LegendEntry&) const = default;
 };
 
-/// Classes with a colour each, or a ramp over a range of values; a ramp can have classes beside it.
+/// A title, and classes with a colour each, a colour ramp for a range of values, or both.
 struct Legend {
-    std::string title;                   ///< "Patch", "Mean curvature, 1/Å"; empty for ColourScheme::Single
-    std::vector<LegendEntry> entries{};  ///< those that occur in the mesh, in the order to be shown
-    std::vector<Colour> ramp{};          ///< evenly from range.min to range.max; empty for schemes of classes
-    ValueRange range{};                  ///< of the ramp
+    std::string title;                   ///< such as "Mean curvature, 1/Å"; empty for ColourScheme::Single
+    std::vector<LegendEntry> entries{};  ///< classes that occur in the mesh, in the order to be shown
+    std::vector<Colour> ramp{};          ///< colours evenly spaced from range.min to range.max; may be empty
+    ValueRange range{};                  ///< values at the ends of the ramp
 };
 
-/// The legend of what colour_vertices() gives with the same arguments.
+/// The legend of the colours that colour_vertices() gives with the same arguments.
 ///
-/// Labels that come from the structure (chains, elements) are as they stand in the file; "-" for a chain without name.
-/// throws   UsageError for a mesh without the arrays that classes are told from: atom, patch, component
+/// Labels from the structure (chains, elements) are as in the file; "-" stands for a chain without a name.
+///
+/// throws   UsageError for a mesh without the arrays by which vertices are classified: atoms, patches, components
 /// cost     O(n)
 Legend make_legend(const Mesh& mesh, const Structure& structure, const ColourOptions& options = {});
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// The level-set function: a tri-cubic B-spline on a narrow band whose zero set is the surface.
+// The level-set function, whose zero set is the surface: a tri-cubic B-spline on a narrow band.
 #pragma once
 
 #include <limits>
@@ -19,68 +19,70 @@ class BlockGrid;
 
 /// Value and derivatives of a level-set function at one point, and the curvatures of the level set through it.
 ///
-/// Curvatures follow from gradient and Hessian whatever the slope of Φ; they are NaN where the gradient is zero.
+/// Curvatures follow from gradient and Hessian, whatever the slope of Φ, and are positive on a sphere. They are NaN
+/// where the gradient is zero.
 struct LevelSetSample {
     double value = 0.0;  ///< Φ, Å; negative inside
-    Vec3 gradient;       ///< ∇Φ
+    Vec3 gradient;       ///< ∇Φ, without unit
     /// Second derivatives in the order xx, yy, zz, xy, xz, yz, Å^-1.
     double hessian[6] = {0, 0, 0, 0, 0, 0};
 
-    double mean_curvature() const;                     ///< half the sum of the principal ones, Å^-1
-    double gaussian_curvature() const;                 ///< their product, Å^-2
+    double mean_curvature() const;                     ///< half the sum of the principal curvatures, Å^-1
+    double gaussian_curvature() const;                 ///< product of the principal curvatures, Å^-2
     PrincipalCurvatures principal_curvatures() const;  ///< Å^-1
-    double shape_index() const;                        ///< see PrincipalCurvatures
+    double shape_index() const;                        ///< -1 to 1; see PrincipalCurvatures
 };
 
-/// A twice continuously differentiable function on the narrow band (Pan & Tai 2009, eq. 2.1).
+/// A level-set function, twice continuously differentiable on the narrow band (Pan & Tai 2009, eq. 2.1). Points in Å.
 ///
-/// Outside the band, which ends one node before its outermost nodes, every query returns NaN. Queries of many points
-/// run in parallel and give the same as one by one, in the order of the points.
+/// Outside the band, which ends one spacing within its outermost nodes, values and derivatives are NaN. Queries of many
+/// points run in parallel; results are in the order of the points and the same as one by one.
 class LevelSet {
 public:
-    /// Takes the spline coefficients, one per node of the grid. Copies them where they are no NodeField.
+    /// Takes the spline coefficients, one per node of the grid, in the order of its blocks. A NodeField is not copied.
     LevelSet(std::shared_ptr<const BlockGrid> grid, NodeField coefficients);
     template <class Floats>
     LevelSet(std::shared_ptr<const BlockGrid> grid, const Floats& coefficients)
         : LevelSet(std::move(grid), NodeField(coefficients.begin(), coefficients.end())) {}
 
-    double spacing() const;
-    double value(const Vec3& point) const;
+    double spacing() const;                 ///< Å
+    double value(const Vec3& point) const;  ///< Φ, Å; negative inside
     LevelSetSample sample(const Vec3& point) const;
 
     std::vector<double> values(std::span<const Vec3> points) const;
     std::vector<Vec3> gradients(std::span<const Vec3> points) const;
     std::vector<LevelSetSample> samples(std::span<const Vec3> points) const;
 
-    /// The point of the zero set reached from `point` along the gradient, or `point` itself where Newton's
-    /// iteration leaves a ball of one spacing around it.
+    /// The point of the zero set that Newton's iteration reaches from `point` along the gradient, or `point` itself if
+    /// the iteration goes farther than one spacing.
     Vec3 project(const Vec3& point) const;
 
     /// The point of the zero set that is closest to `point`, by Newton's method on the conditions for a minimum of the
-    /// distance, from `point` on or from a point `start` near the surface.
+    /// distance. The iteration starts at `start`, a point near the surface; without one it starts at `point` and, if
+    /// that fails, around it.
     ///
-    /// What is returned has |Φ| below 1e-7 spacings times its slope, and the line to `point` is normal to the surface
-    /// there up to 1e-6 spacings. It is the closest point where that is unique and Φ is near to a distance; where
-    /// several are about equally close (next to a medial axis) it is a local minimum of the distance, one of them. From
-    /// `point` on, starts around it are tried where the first one fails. NaN in all coordinates outside the band, and
-    /// where no such point was found within kReach spacings.
+    /// The result has |Φ| below 1e-7 spacings times |∇Φ|, and the line to `point` is normal to the surface there up to
+    /// 1e-6 spacings. Next to a medial axis, where several points are about equally close, it is one of them: a local
+    /// minimum of the distance. All coordinates are NaN outside the band and where nothing is found within kReach.
+    ///
     /// cost     three or four samples, about 0.5 µs; some 10 µs where the first start fails
     Vec3 closest_point(const Vec3& point) const;
     Vec3 closest_point(const Vec3& point, const Vec3& start) const;
     std::vector<Vec3> closest_points(std::span<const Vec3> points) const;
 
-    static constexpr double kReach = 10.0;  ///< of closest_point, in spacings
+    static constexpr double kReach = 10.0;  ///< farthest that closest_point() looks, spacings
 
-    /// Distance along a ray to the first crossing of the zero set, from either side; infinity if there is none.
+    /// Distance along a ray to its first crossing of the zero set, from either side, Å; infinity if there is none.
     ///
-    /// origin     Å; anywhere, outside the band too
+    /// The distance is exact to 1e-7 spacings. Only a pair of crossings less than 1/8 spacing apart can be missed: the
+    /// ray is sampled that closely in cells whose spline coefficients differ in sign; in others the spline has no zero.
+    /// An origin on the zero set counts as outside.
+    ///
+    /// origin     Å; anywhere, also outside the band
     /// direction  of any length but zero
-    /// length     of the ray, Å
-    /// returns  Å, exact to 1e-7 spacings. A pair of crossings less than 1/8 spacing apart can be missed, no other: in
-    ///          cells whose spline coefficients do not all have one sign the ray is sampled that closely, in others
-    ///          the spline has no zero. An origin on the zero set counts as outside.
-    /// throws   UsageError for an origin or direction that is not finite, a zero direction, a length that is NaN
-    /// cost     a few µs; blocks of 8³ nodes that are missing are stepped over
+    /// length     length of the ray, Å
+    /// throws     UsageError for an origin or direction that is not finite, a zero direction, a length that is NaN
+    /// cost       a few µs; blocks of 8³ nodes that the grid does not have are stepped over
     double intersect(const Vec3& origin, const Vec3& direction,
                      double length = std::numeric_limits<double>::infinity()) const;
 
@@ -90,7 +92,7 @@ public:
 private:
     std::shared_ptr<const BlockGrid> grid_;
     NodeField coefficients_;
-    Vec3 low_;  // corners of the box round all blocks
+    Vec3 low_;  // corners of the bounding box of all blocks, Å
     Vec3 high_;
 };
 

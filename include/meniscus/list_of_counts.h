@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// How messages, summaries and pages list residues or atoms of some kinds.
+// Short lists of names with their numbers, for messages, summaries and pages.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace meniscus {
 
-/// "4 HEM, 2 PO4" from names and their numbers: most frequent first, at most six names; empty if there are none.
+/// Lists names with their numbers, "4 HEM, 2 PO4": the most frequent first, at most six; empty if there are none.
 inline std::string list_of_counts(const std::map<std::string, std::size_t>& counts) {
     constexpr std::size_t kMostNames = 6;
     std::vector<std::pair<std::string, std::size_t>> sorted(counts.begin(), counts.end());

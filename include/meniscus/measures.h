@@ -14,15 +14,16 @@
 
 namespace meniscus {
 
+/// What is measured, and how.
 struct MeasureOptions {
     double probe = 1.4;    ///< probe radius, Å; 0 gives the van der Waals surface
-    bool cavities = true;  ///< also nesting and inscribed spheres of the components
-    bool depth = false;    ///< also the depth of every atom
-    bool patches = false;  ///< also the list of all patches, which takes a kilobyte per atom
+    bool cavities = true;  ///< also find which component encloses which, and inscribed spheres
+    bool depth = false;    ///< also find the depth of every atom
+    bool patches = false;  ///< also list all patches, which takes a kilobyte per atom
     int threads = 0;       ///< 0: all cores; results do not depend on it
 };
 
-/// Areas and volumes of the whole surface; Å² and Å³. Cavities count negative in the volumes.
+/// Areas, Å², and volumes, Å³, of a whole surface, or the errors of these. Cavities count negative in the volumes.
 struct SurfaceTotals {
     double sas_area = 0.0;
     double sas_volume = 0.0;
@@ -33,17 +34,17 @@ struct SurfaceTotals {
     double reentrant_area = 0.0;
 };
 
-/// Stands for "no atom", "no component".
+/// The index that means "no atom" or "no component".
 inline constexpr std::uint32_t kNone = 0xffffffffU;
 
-/// A patch of the SES: what trimming leaves connected of one feature of the SAS.
+/// A patch of the SES: a connected part of what one face, arc or vertex of the SAS contributes after trimming.
 struct PatchMeasure {
     PatchKind kind = PatchKind::Contact;
-    std::array<std::uint32_t, 3> atoms{kNone, kNone, kNone};  ///< one, two or three, in the caller's order
-    std::uint32_t component = 0;                              ///< into Measures::components
+    std::array<std::uint32_t, 3> atoms{kNone, kNone, kNone};  ///< indices of its 1, 2 or 3 atoms, then kNone
+    std::uint32_t component = 0;                              ///< index into Measures::components
     double ses_area = 0.0;                                    ///< Å²
     double sas_area = 0.0;                                    ///< Å²; contact patches only
-    double first_share = 0.0;  ///< of ses_area, what belongs to atoms[0]; the others have equal parts of the rest
+    double first_share = 0.0;  ///< Å² of ses_area that belong to atoms[0]; the other atoms share the rest equally
 };
 
 enum class ComponentKind {
@@ -51,32 +52,33 @@ enum class ComponentKind {
     Cavity,  ///< bounds solvent enclosed by the molecule
 };
 
-/// A connected closed piece of the SES, found from the adjacency of its patches.
+/// A connected closed piece of the SES, found from the adjacency of its patches. Areas in Å², volumes in Å³.
 struct SurfaceComponent {
     ComponentKind kind = ComponentKind::Outer;
-    double ses_area = 0.0;  ///< Å²
+    double ses_area = 0.0;
     double contact_area = 0.0;
     double toroidal_area = 0.0;
     double reentrant_area = 0.0;
-    double ses_volume = 0.0;           ///< Å³ enclosed, positive
-    double sas_area = 0.0;             ///< of the SAS pieces that belong to it
-    double sas_volume = 0.0;           ///< Å³ enclosed by them, positive
-    std::size_t sas_components = 0;    ///< several where voids of separate probe pockets merge
-    Vec3 centre;                       ///< centroid of its surface, Å
-    std::uint32_t inside_of = kNone;   ///< the component next outside, or kNone
-    std::vector<std::uint32_t> atoms;  ///< that touch it, ascending, in the caller's order
-    Vec3 inscribed_centre;             ///< cavities: of the largest sphere without atoms in it, Å
-    double inscribed_radius = 0.0;     ///< Å; 0 for outer pieces
+    double ses_volume = 0.0;           ///< enclosed, positive
+    double sas_area = 0.0;             ///< of the pieces of the SAS that have a patch on this component
+    double sas_volume = 0.0;           ///< enclosed by those pieces, positive
+    std::size_t sas_components = 0;    ///< number of those pieces
+    Vec3 centre;                       ///< centroid of the component's surface, Å
+    std::uint32_t inside_of = kNone;   ///< index of the next component outside, or kNone
+    std::vector<std::uint32_t> atoms;  ///< indices of the atoms that touch the component, ascending
+    Vec3 inscribed_centre;             ///< centre of the largest sphere in a cavity that touches no atom, Å
+    double inscribed_radius = 0.0;     ///< radius of that sphere, Å; 0 for outer pieces
     SurfaceTotals errors;              ///< absolute error estimates of the areas and volumes
 };
 
-/// Shares of one atom. A toroidal patch is divided at the plane of its circle, a reentrant one in three equal parts.
+/// An atom's areas, Å². Toroidal patches are divided at the plane of the circle in which the two expanded spheres meet,
+/// reentrant ones into three equal parts.
 struct AtomMeasure {
-    double sas_area = 0.0;  ///< Å²
+    double sas_area = 0.0;
     double contact_area = 0.0;
     double toroidal_area = 0.0;
     double reentrant_area = 0.0;
-    double depth = 0.0;  ///< -(signed distance to the SES) at the centre, Å; if asked for
+    double depth = 0.0;  ///< of the atom's centre below the SES, Å; 0 without MeasureOptions::depth
 
     double ses_area() const { return contact_area + toroidal_area + reentrant_area; }
 };
@@ -94,22 +96,22 @@ struct PatchAreas {
 struct Measures {
     MeasureOptions options;
     SurfaceTotals totals;
-    SurfaceTotals errors;  ///< absolute error estimates
-    std::size_t sas_components = 0;
-    /// SES patches of the piece of the SAS with the largest area: all that a probe reaches by rolling without leaving
-    /// the atoms. Programs that start from one reduced surface report this as the outer component.
+    SurfaceTotals errors;            ///< absolute error estimates
+    std::size_t sas_components = 0;  ///< number of closed pieces of the SAS
+    /// SES patches of the piece of the SAS with the largest area: all that one probe reaches by rolling on the atoms.
+    /// Programs that start from one reduced surface report this as the outer component.
     PatchAreas largest_sas_piece;
     std::vector<SurfaceComponent> components;  ///< by falling volume
-    std::vector<AtomMeasure> atoms;            ///< in the caller's order; of exact duplicates only the first has areas
-    std::vector<PatchMeasure> patches;         ///< if asked for
-    bool agreed = true;                        ///< two evaluations that share no perturbation agree
-    bool degenerate = false;            ///< probe positions coincide, as on lattices: 1e-5 is asked for instead of 1e-7
-    std::vector<std::string> disputed;  ///< patches on which they do not, if not agreed
+    std::vector<AtomMeasure> atoms;            ///< in the caller's order; of identical atoms only the first has areas
+    std::vector<PatchMeasure> patches;         ///< empty without MeasureOptions::patches
+    bool agreed = true;                        ///< whether two evaluations with different perturbations agree
+    bool degenerate = false;  ///< probe positions coincide, as on lattices; then `agreed` is to 1e-5, else 1e-7
+    std::vector<std::string> disputed;  ///< patches on which the two evaluations differ, unless agreed
 };
 
-/// Exact measures of the SAS and SES.
+/// Measures the SAS and SES of atoms exactly.
 ///
-/// throws   UsageError for options out of range; as ExactSurface::accessible()
+/// throws   UsageError for options out of range, and whatever ExactSurface::accessible() throws
 /// cost     linear at protein density, about 25 µs per atom
 /// source   Gauss-Bonnet on spheres (Connolly 1983) with all self-intersections of reentrant patches trimmed;
 ///          docs/design/exact-measures.md

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Triangle meshes of molecular surfaces, and what a mesh says about itself.
+// Triangle meshes of molecular surfaces, and measures of a mesh by itself.
 #pragma once
 
 #include <array>
@@ -13,38 +13,37 @@
 
 namespace meniscus {
 
-/// Kind of the nearest patch of the solvent-excluded surface.
+/// Kinds of patches of the solvent-excluded surface.
 enum class PatchKind : std::uint8_t {
     Contact = 0,    ///< on an atom's van der Waals sphere
     Toroidal = 1,   ///< on the torus swept by the probe rolling over two atoms
-    Reentrant = 2,  ///< on a probe that touches three atoms
+    Reentrant = 2,  ///< on the sphere of a probe that touches three atoms
 };
 
-/// Å. Meshes that reach farther are refused, so that squares and products of lengths stay finite.
+/// Largest absolute coordinate, Å. Meshes that reach farther are refused, so that products of lengths stay finite.
 inline constexpr double kFarthestCoordinate = 1e9;
 
-/// Vertex number. Unsigned 32-bit, as numbers of triangles: where there might be more than 2^32 - 1, LimitError is
-/// thrown.
+/// Number of a vertex, from 0. More than 2^32 - 1 vertices or triangles are a LimitError.
 using VertexId = std::uint32_t;
 
-/// Corners, counter-clockwise seen from the solvent.
+/// The corners of a triangle, counter-clockwise seen from the solvent.
 using Triangle = std::array<VertexId, 3>;
 
-/// Values at the vertices that the surface does not have of itself, such as a potential.
+/// Values at the vertices that do not follow from the surface, such as a potential.
 struct VertexValues {
-    std::string name;  ///< a word; no two of a mesh are the same, nor that of another vertex array
-    std::vector<float> values;
+    std::string name;           ///< a word that names no other vertex array of the mesh
+    std::vector<float> values;  ///< one per vertex; NaN where there is none
 };
 
-/// A triangle mesh with one entry per vertex in every vertex array (or the array is empty).
+/// A triangle mesh. Every vertex array has one entry per vertex, or none at all.
 struct Mesh {
     std::vector<Vec3> vertices;             ///< positions, Å, in the frame of the input
     std::vector<SmallVec3> normals;         ///< unit vectors pointing into the solvent
     std::vector<std::uint32_t> atoms;       ///< index of the nearest atom, in the caller's order
     std::vector<PatchKind> patches;         ///< kind of the nearest patch
-    std::vector<std::uint32_t> components;  ///< 0 outer, then by falling enclosed volume
-    std::vector<float> areas{};             ///< a third of the areas of the triangles around, Å²
-    /// Curvatures of the surface itself, not of the triangles; principal ones are capped at ±1/spacing.
+    std::vector<std::uint32_t> components;  ///< number of the piece: 0 the largest outer one, then by falling volume
+    std::vector<float> areas{};             ///< a third of the areas of the triangles around the vertex, Å²
+    /// Curvatures of the surface itself, not of the triangles; principal curvatures are capped at ±1/spacing.
     std::vector<float> mean_curvatures{};      ///< Å^-1, positive on a sphere
     std::vector<float> gaussian_curvatures{};  ///< Å^-2
     std::vector<float> shape_indices{};        ///< from -1 (cup) to 1 (ball); see PrincipalCurvatures
@@ -52,7 +51,7 @@ struct Mesh {
     std::vector<Triangle> triangles;
 };
 
-/// Shape of one connected closed piece of a mesh.
+/// Measures of one connected piece of a mesh.
 struct MeshComponent {
     std::size_t vertices = 0;
     std::size_t triangles = 0;
@@ -60,19 +59,19 @@ struct MeshComponent {
     double volume = 0.0;  ///< Å³, signed: negative for the wall of a cavity
 };
 
-/// What a mesh measures by itself, without any other geometry. Plain sums over flat triangles.
+/// Measures of a mesh alone: plain sums over its flat triangles.
 struct MeshMeasures {
     double area = 0.0;                      ///< Å²
     double volume = 0.0;                    ///< Å³, by the divergence theorem; cavities count negative
     bool closed = false;                    ///< every edge has two triangles that run along it in opposite directions
-    bool manifold = false;                  ///< no edge has more than two triangles, and every vertex has one fan
+    bool manifold = false;                  ///< no edge or vertex where more than one sheet meets
     std::int64_t euler_characteristic = 0;  ///< vertices - edges + triangles
-    double smallest_angle_deg = 0.0;        ///< smallest corner of any triangle, degrees
+    double smallest_angle_deg = 0.0;        ///< smallest angle of any triangle, degrees
     double shortest_edge = 0.0;             ///< shortest side of any triangle, Å
     std::vector<MeshComponent> components;  ///< in the order of Mesh::components
 };
 
-/// Measures a mesh. Uses the components stored in it; pieces are counted afresh where they are absent.
+/// Measures a mesh, piece by piece as Mesh::components numbers them; where that is empty, pieces are found first.
 ///
 /// cost     O(n log n)
 MeshMeasures measure_mesh(const Mesh& mesh);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Numbers on the nodes of a grid, in memory that is not set to zero first.
+// Numbers on the nodes of a grid, in memory that is not zeroed first.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace meniscus {
 
-/// Leaves what a vector makes without a value as it is: for large arrays that are written in full anyway.
+/// An allocator whose vectors leave new elements uninitialised, for large arrays that are written in full anyway.
 template <class T>
 class UnsetAllocator : public std::allocator<T> {
 public:
@@ -28,7 +28,7 @@ public:
     }
 };
 
-/// One number per node. NodeField(n) holds n numbers of any value.
+/// One number per node, in the order of the grid's blocks. The n numbers of NodeField(n) are uninitialised.
 using NodeField = std::vector<float, UnsetAllocator<float>>;
 
 }  // namespace meniscus

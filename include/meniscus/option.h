@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// How an option is described, once for all who offer it: the command line, Python, reports and the manual.
+// How an option is described, once for every client: the command line, Python, reports and the manual.
 #pragma once
 
 #include <cmath>
@@ -10,16 +10,17 @@
 
 namespace meniscus {
 
-/// Which numbers an option takes. All are finite, but for PositiveOrInfinite.
+/// Which numbers an option takes. Only PositiveOrInfinite includes infinity.
 enum class NumberRange : std::uint8_t { Any, Positive, NotNegative, Negative, PositiveOrInfinite };
 
+/// Whether a range contains a number.
 inline bool contains(NumberRange range, double value) {
     if (range == NumberRange::PositiveOrInfinite) return value > 0.0;
     return std::isfinite(value) && (range != NumberRange::Positive || value > 0.0) &&
            (range != NumberRange::NotNegative || value >= 0.0) && (range != NumberRange::Negative || value < 0.0);
 }
 
-/// "a finite number greater than 0", for messages.
+/// The range in words, for messages: "a finite number greater than 0".
 constexpr const char* words_for(NumberRange range) {
     switch (range) {
         case NumberRange::Positive:
@@ -36,29 +37,30 @@ constexpr const char* words_for(NumberRange range) {
     return "a finite number";
 }
 
-/// What an option has an effect with.
+/// With which other options an option has an effect.
 enum class Effect : std::uint8_t {
     Always,
     WithFlow,         ///< Method::Flow
     WithGaussianMap,  ///< any method but Method::Direct
-    WithEdge,         ///< even triangles
+    WithEdge,         ///< RemeshOptions::edge above 0
 };
 
+/// The description of an option.
 struct Option {
-    const char* name;     ///< key of reports, keyword of Python; the command line puts "--" before it, "-" for "_"
-    const char* brief;    ///< what a screen of help says; empty for what is rarely needed
-    const char* meaning;  ///< what the manual says, with units; code in backticks, links as Markdown has them
-    const char* example;  ///< a value that makes sense, and other options that it needs, as the command line has them
-    const char* symbol = "";  ///< what stands for the value in help; flags and choices need none
+    const char* name;         ///< key in reports, keyword in Python; "min_cavity" is --min-cavity on the command line
+    const char* brief;        ///< the line of --help; empty for an option that only --help-all shows
+    const char* meaning;      ///< text for the manual in Markdown, with units
+    const char* example;      ///< a sensible use on the command line, with the other options that it needs
+    const char* symbol = "";  ///< placeholder for the value in help; empty for flags and choices
     NumberRange range = NumberRange::Any;
     Effect effect = Effect::Always;
-    const char* standard = "";  ///< the value in words that holds without the option, if the member does not tell
+    const char* standard = "";  ///< the default in words, if the member does not hold it
 };
 
-/// How messages name an option with a value for it: each client gives its users its own words.
+/// A function that names an option and a value in messages, as the users of a client write them.
 ///
-/// option   the name of an option: "hetero"
-/// value    "ligands", "true"; a word in capitals stands for what the user chooses: "ID"; empty: the option alone
+/// option   Option::name: "hetero"
+/// value    "ligands", "true"; capitals stand for what the user chooses: "ID"; empty: the option alone
 using OptionSpelling = std::string (*)(std::string_view option, std::string_view value);
 
 }  // namespace meniscus

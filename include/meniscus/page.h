@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Pages: a surface to turn, cut and ask, in one HTML file that opens in a browser without network or server.
+// Pages: one HTML file in which a browser shows a surface, to turn, cut and inspect, without network or server.
 #pragma once
 
 #include <optional>
@@ -19,50 +19,51 @@ namespace meniscus {
 
 /// A number that a page shows beside the surface, such as {"Exact", "area", "4613.9 Å²"}.
 struct PageRow {
-    std::string section;  ///< rows of one section follow each other under its name
+    std::string section;  ///< heading above consecutive rows of the same section
     std::string label;
     std::string value;
 };
 
-/// The numbers of a surface as pages show them: exact ones, the mesh's, how it was made, its checks.
+/// The numbers of a surface for PageOptions::rows: exact measures, measures of the mesh, its origin, its checks.
 ///
-/// structure  that the surface is of; its file, if it has one, is named without folders
+/// structure  the atoms of the surface; its file, if there is one, is named without folders
 /// exact      measures of the same atoms and probe
 std::vector<PageRow> page_rows(const Structure& structure, const Surface& surface, const Measures& exact);
 
-/// The same without exact numbers.
+/// The same numbers without the exact measures.
 std::vector<PageRow> page_rows(const Structure& structure, const Surface& surface);
 
+/// What a page shows.
 struct PageOptions {
-    ColourOptions colours{};               ///< shown first; a range holds for its scheme wherever the page shows it
-    std::optional<Viewpoint> viewpoint{};  ///< at first; nothing: as pictures have it
+    ColourOptions colours{};               ///< the scheme shown first; its range holds for that scheme throughout
+    std::optional<Viewpoint> viewpoint{};  ///< shown first; nothing: that of PictureOptions
     Projection projection = Projection::Orthographic;
-    std::vector<PageRow> rows{};
-    /// Exact pieces of the surface, of the same atoms: cavities are listed with their areas and volumes. Nothing: those
-    /// of the mesh, with the plain sums over its triangles.
+    std::vector<PageRow> rows{};  ///< the numbers beside the surface, in the order shown
+    /// Exact pieces of the same surface, for the list of cavities with their areas and volumes. Empty: the pieces of
+    /// the mesh, with plain sums over the triangles.
     std::span<const SurfaceComponent> components{};
-    ExactSurface exact{};  ///< of the structure's atoms, where there is one already: nothing of it is built again
+    ExactSurface exact{};  ///< an exact surface of the structure's atoms, if there is one, to save building it again
     int threads = 0;       ///< 0: all cores; the page does not depend on it
 };
 
 /// True unless the library was built without three.js (CMake's MENISCUS_PAGE=OFF).
 bool pages_supported();
 
-/// The page, as HTML.
+/// Makes a page, as HTML.
 ///
-/// It holds the mesh, rounded to 1/512 Å, the atoms, the colours of every scheme that the structure has something for,
-/// and a picture for browsers without WebGL 2 (docs/conventions.md). Whatever the structure calls its atoms is text
-/// there, never markup.
+/// The page holds the mesh, rounded to 1/512 Å, the atoms, the colours of every scheme for which the structure has
+/// data, and a picture for browsers without WebGL 2 (docs/conventions.md). Names in the structure are escaped: they
+/// cannot become markup.
 ///
-/// mesh     with normals, atoms and patches; curvatures are shown if it has them; without triangles the atoms alone
+/// mesh     needs normals, atoms and patches; curvatures are optional; without triangles the page shows only atoms
 /// throws   UsageError for arrays that are missing or whose sizes do not match, an atom that the structure does not
-///          have, options as of draw_picture() and colour_vertices(); LimitError for more than 2^24 atoms;
+///          have, and options that draw_picture() or colour_vertices() refuses; LimitError for more than 2^24 atoms;
 ///          std::runtime_error without three.js
-/// cost     O(n log n); most of it goes into depth_values() and into light
+/// cost     O(n log n), most of it for depth_values() and for the light that reaches each vertex
 std::string make_page(const Mesh& mesh, const Structure& structure, const PageOptions& options = {});
 
 /// Writes a page, as write_mesh() writes meshes: whole or not at all.
-/// throws   as make_page(); OutputError
+/// throws   OutputError for a file that cannot be written, and whatever make_page() throws
 void write_page(const std::string& path, const Mesh& mesh, const Structure& structure, const PageOptions& options = {});
 
 }  // namespace meniscus

@@ -16,36 +16,38 @@ namespace meniscus {
 
 struct Legend;
 
-/// Pixels in rows from the top, each from the left.
+/// A picture: rows of pixels from the top, each row from the left.
 struct Picture {
-    int width = 0;
-    int height = 0;
+    int width = 0;   ///< pixels
+    int height = 0;  ///< pixels
     std::vector<Colour> pixels{};
 };
 
+/// How space is projected onto the picture.
 enum class Projection { Orthographic, Perspective };
 
-/// From where a surface is seen. Vectors need not be of unit length or perpendicular.
+/// The direction from which a surface is seen. The vectors need not be of unit length or perpendicular.
 struct Viewpoint {
     Vec3 from{0.0, 0.0, 1.0};  ///< from the molecule towards the viewer
-    Vec3 up{0.0, 1.0, 0.0};    ///< shown upwards
+    Vec3 up{0.0, 1.0, 0.0};    ///< points upwards in the picture
 
     bool operator==(const Viewpoint&) const = default;
 };
 
-/// A plane that opens a surface: what lies on one side of it is left out, the molecule's inside is flat and grey.
+/// A plane that cuts a surface open: one side is left out, and the section through the molecule is drawn flat and grey.
 struct Cut {
+    /// What the plane passes through.
     enum class Through {
-        LargestCavity,  ///< its centre; the middle of what is seen if there is no cavity
-        Cavity,         ///< the centre of the one that `cavity` numbers
-        Depth,          ///< `depth` behind the point nearest to the viewer
+        LargestCavity,  ///< the centre of the largest cavity; halfway through the mesh if there is none
+        Cavity,         ///< the centre of cavity number `cavity`
+        Depth,          ///< a point `depth` behind the point of the mesh nearest to the viewer
         Point,          ///< `point`
     };
     Through through = Through::LargestCavity;
-    std::size_t cavity = 1;        ///< from 1, by falling volume
+    std::size_t cavity = 1;        ///< number from 1, by falling volume
     double depth = 0.0;            ///< Å
     Vec3 point{};                  ///< Å
-    std::optional<Vec3> normal{};  ///< towards what is left out, of any length; nothing: towards the viewer
+    std::optional<Vec3> normal{};  ///< points to the side left out, any length; nothing: to the viewer
 
     bool operator==(const Cut&) const = default;
 };
@@ -56,53 +58,55 @@ inline constexpr Colour kTransparent{255, 255, 255, 0};
 /// Largest width and height of a picture, pixels.
 inline constexpr int kLargestPicture = 16384;
 
+/// How a picture is drawn.
 struct PictureOptions {
-    int width = 1600;  ///< pixels
-    int height = 1200;
-    /// Nothing: the longest principal axis of the vertices lies horizontally, the second vertically.
+    int width = 1600;   ///< pixels, 1 to kLargestPicture
+    int height = 1200;  ///< pixels, 1 to kLargestPicture
+    /// Nothing: the longest principal axis of the vertices is horizontal, the second longest vertical.
     std::optional<Viewpoint> viewpoint{};
     Projection projection = Projection::Orthographic;
     Colour background = kWhite;
     std::optional<Cut> cut{};
     bool outline = false;    ///< dark lines where one part of the surface ends in front of another
-    double depth_cue = 0.0;  ///< share of the background in what is farthest away, 0 to 1
+    double depth_cue = 0.0;  ///< share of background in the colours of the farthest parts, 0 to 1
     int threads = 0;         ///< 0: all cores; the picture does not depend on it
 
     bool operator==(const PictureOptions&) const = default;
 };
 
-/// Draws a mesh, as large as fits.
+/// Draws a mesh, as large as fits into the picture.
 ///
-/// Normals are interpolated between vertices, and so are colours. Light comes from the sky around, as far as the
-/// surface itself leaves it open, and from two lamps beside the viewer. What a cut leaves out takes no light away. The
-/// section of the molecule is drawn where the mesh is closed and has an outside; a mesh of cavity walls alone has none.
+/// Normals and colours are interpolated between vertices. Light comes from two lamps beside the viewer and from the
+/// sky, as far as the surface does not hide it (ambient occlusion). Parts that a cut leaves out cast no shadow. The
+/// section through the molecule is drawn if the mesh is closed and not only walls of cavities.
 ///
-/// mesh     with normals, closed or not; an empty one gives the background alone. A cut through cavities needs
-///          `components`
-/// colours  one per vertex; their alpha is not used
-/// exact    if given, is asked for the colour in triangles whose corners differ, so that borders are sharp
+/// mesh     needs normals, and `components` for a cut through cavities; an empty mesh gives only background
+/// colours  one per vertex; alpha is not used
+/// exact    if given, colours triangles whose corners differ in colour, so that borders are sharp
 /// throws   UsageError for arrays whose sizes do not match, a size that is not 1 to kLargestPicture, a viewpoint whose
 ///          vectors are zero, parallel or not finite, a depth cue outside 0 to 1, a cut through a cavity that the mesh
 ///          does not have or with numbers that are not finite
-/// cost     O(pixels), and 100 rays per vertex that can be seen
+/// cost     O(pixels), and 100 rays per visible vertex
 Picture draw_picture(const Mesh& mesh, std::span<const Colour> colours, const PictureOptions& options = {},
                      const ColourField& exact = {});
 
+/// Size and background of a drawn legend.
 struct LegendStyle {
-    int width = 800;    ///< pixels; a legend is as wide as it must be, never wider than this
+    int width = 800;    ///< largest width, pixels; a legend is only as wide as it must be
     int height = 1200;  ///< pixels
     Colour background = kWhite;
 };
 
-/// Draws a legend: title, classes in as many columns as they need, or a bar of colours with a scale.
+/// Draws a legend: its title, and classes in as many columns as they need or a bar of colours with a scale.
 ///
-/// Text is a forty-second of the height, or less if that does not fit. Labels may be any UTF-8; long ones are cut
-/// short. Of more classes than have room in letters of 9 pixels the first are shown and the others counted.
+/// Text is a forty-second of the height, or less if that does not fit. Labels may be any UTF-8; long labels are cut
+/// short. If not all classes fit in letters of 9 pixels, the first are shown and the others counted.
 ///
 /// returns  a picture of the given height; 0 pixels wide for a legend without colours
-/// throws   UsageError where not even one class has room
+/// throws   UsageError for a size in which not even one class fits
 Picture draw_legend(const Legend& legend, const LegendStyle& style);
 
+/// Puts two pictures beside each other.
 /// throws   UsageError for pictures of different heights
 Picture side_by_side(const Picture& left, const Picture& right);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Radii of atoms that come from elsewhere than a file.
+// Van der Waals radii of atoms that the caller names, not a structure file.
 #pragma once
 
 #include <span>
@@ -9,18 +9,19 @@
 
 namespace meniscus {
 
-/// What is known of an atom; any case. Empty where nothing is.
+/// The names of an atom, in upper or lower case; a name that is not known is empty.
 struct AtomNames {
     std::string residue;  ///< "ALA"
     std::string name;     ///< "CA"
     std::string element;  ///< symbol: "C", "Fe"
 };
 
-/// A van der Waals radius for every atom, Å.
+/// The van der Waals radius of every atom, Å, in the order of `atoms`.
 ///
-/// Atoms that the set does not know get the radius of their element. Hydrogens get 0 from sets whose radii stand for
-/// heavy atoms with their hydrogens (united, protor, naccess): leave them out. Unlike read_structure() this knows
-/// neither disulfides nor charged amino ends; parse has other radii for the hydrogens there.
+/// Atoms that the set does not know get the radius of their element. Sets whose radii stand for heavy atoms with their
+/// hydrogens (united, protor, naccess) give hydrogens a radius of 0: leave those atoms out of the surface. Names
+/// alone do not show disulfides and charged amino termini, whose hydrogens have other radii in parse; read_structure()
+/// finds these from the whole structure.
 ///
 /// set      bondi (elements are enough), united, protor, naccess, parse, or the path of a file of rules
 /// throws   UsageError for an unknown set, and for an atom of neither known name nor known element; InputError for a

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// How the mesh of a surface is made even.
+// Remeshing: even triangles of a chosen size instead of those of the grid.
 #pragma once
 
 #include <cmath>
@@ -8,46 +8,48 @@
 
 namespace meniscus {
 
-/// Where the corners of even triangles lie. Normals, curvatures and labels are those of the surface next to a corner.
+/// Where the vertices of even triangles lie. Normals, curvatures and labels are those of the surface next to a vertex.
 enum class Corners : std::uint8_t {
-    /// Off the surface by as little as keeps the triangles within kDistancePerSquareEdge edge² of the exact surface, by
-    /// area: on molecules a third of what Balanced takes, and all of it where less does not do. Creases of the SAS
-    /// and of van der Waals surfaces may still be farther. With keep_ridges and Method::Gaussian it becomes OnSurface.
+    /// As near to the surface as keeps the triangles within kDistancePerSquareEdge edge² of the exact surface on
+    /// average over the area: on molecules a third as far off as Balanced, and as far only if nothing nearer will do.
+    /// Creases of the SAS and of van der Waals surfaces may be farther. The same as OnSurface with keep_ridges or
+    /// Method::Gaussian.
     Near,
-    OnSurface,  ///< all of them: on molecules triangles are 0.036 edge² from the surface in the mean (Å, edge in Å)
-    Balanced,   ///< so far off the surface that triangles lie on both sides of it, half as far away as by OnSurface
+    OnSurface,  ///< on the surface: the mean distance of triangles is 0.036 edge² Å on molecules (edge in Å)
+    Balanced,   ///< off the surface, so that triangles lie on both sides of it, half as far away as with OnSurface
 };
 
-/// What Corners::Near keeps to, Å⁻¹.
+/// Largest mean distance of triangles from the surface, divided by edge², that Corners::Near allows, Å⁻¹.
 inline constexpr double kDistancePerSquareEdge = 0.03;
 
-/// Even triangles of a chosen size instead of those that marching cubes cuts out of the grid.
+/// Even triangles of a chosen size (isotropic remeshing) instead of those of marching cubes.
 struct RemeshOptions {
-    /// Length to be kept to, Å; 0 leaves the mesh of the grid. Nearly all edges are from 0.6 to 1.5 times as long, 0.8
-    /// times on average.
+    /// Length of edges, Å; 0 leaves the mesh of the grid. Nearly all edges are 0.6 to 1.5 times as long, on average 0.8
+    /// times.
     double edge = 0.0;
-    bool adaptive = false;     ///< shorter where the surface bends more, longer where it is flat
+    bool adaptive = false;     ///< shorter edges where the surface bends more, longer where it is flat
     bool keep_ridges = false;  ///< edges of the mesh run along creases of the surface
     Corners corners = Corners::Near;
-    /// Handles and tunnels narrower than an edge are cut and capped, pieces smaller than one vanish, but never the
-    /// largest outer one. Without this the topology is that of the mesh of the grid.
+    /// Handles narrower than an edge are cut, tunnels closed, and smaller pieces dropped, except the largest outer one.
+    /// Otherwise the topology is that of the mesh of the grid.
     bool simplify_topology = false;
 
-    /// A surface whose corrected area is more than 0.5 % from the exact one is computed again on a grid of half the
-    /// spacing, and if need be of a quarter, where that covers no more than 150,000 squares of the grid. Not if its
-    /// flow has not converged.
+    /// A surface whose corrected area is more than 0.5 % off the exact area is computed again with half the spacing
+    /// and, if need be, a quarter, unless its flow does not converge, it would cover more than 150,000 squares of that
+    /// grid, or simplify_topology is set.
     bool finer_grid = false;
 
+    /// Whether triangles are made even.
     bool is_on() const { return edge > 0.0; }
 };
 
-/// Widest spacing of a grid whose mesh can be made even, Å: wider ones do not know the surface well enough.
+/// Largest grid spacing with which triangles can be made even, Å: coarser grids do not resolve the surface well enough.
 inline constexpr double kCoarsestForRemeshing = 0.5;
 
-/// Vertices of an even mesh per area / edge².
+/// Number of vertices of a mesh of even triangles, divided by area / edge².
 inline constexpr double kVerticesPerSquareEdge = 1.82;
 
-/// The RemeshOptions::edge that gives so many vertices per Å² of the surface.
+/// The RemeshOptions::edge, Å, that gives a number of vertices per Å² of the surface (> 0).
 inline double edge_of_density(double vertices_per_square_angstrom) {
     return std::sqrt(kVerticesPerSquareEdge / vertices_per_square_angstrom);
 }

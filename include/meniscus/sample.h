@@ -10,22 +10,23 @@
 
 namespace meniscus {
 
+/// How many points are spread over a surface, and which.
 struct SampleOptions {
-    double density = 1.0;    ///< points per Å² of the mesh
-    std::uint64_t seed = 0;  ///< another seed, other points
+    double density = 1.0;    ///< points per Å² of the mesh, > 0
+    std::uint64_t seed = 0;  ///< of the random choice of points
     int threads = 0;         ///< 0: all cores; the points do not depend on it
 };
 
-/// Points on the surface whose distances from their neighbours are all about the same: blue noise.
+/// Spreads points over a surface so that distances between neighbours are all about the same (blue noise).
 ///
-/// Candidates, five times as many, are thinned out where they are densest. Of a protein 98 in 100 points have their
-/// nearest neighbour 0.70 to 0.96 times as far away as in a triangular lattice, which is sqrt(1.155 / density). Points
-/// on two sides of a thin wall or of a sharp crease do not see each other.
+/// Five times as many candidates are thinned out where they are densest. On proteins, the nearest neighbour of 98 in
+/// 100 points is 0.70 to 0.96 times as far away as in a triangular lattice, where the distance is sqrt(1.155 /
+/// density). Points on different sides of a thin wall or of a sharp crease do not count as neighbours.
 ///
-/// surface  its mesh says which pieces get points, so pieces that it does not keep get none
-/// returns  the points as vertices of a mesh without triangles, with every vertex array: exactly density times the
-///          area of the mesh, rounded, in spatial order. They lie on the level set, or on the exact SES where there is
-///          none, as the mesh's vertices do, and curvatures are capped as theirs. Every point's area is the same
+/// surface  only the pieces that its mesh keeps get points
+/// returns  the points as vertices of a mesh without triangles, with every vertex array, in spatial order. Their number
+///          is density times the area of the mesh, rounded. They lie on the zero set of the level set, or on the exact
+///          SES if there is none, like the vertices of the mesh, with curvatures capped alike and equal areas
 /// throws   UsageError for options out of range; LimitError for more points than fit into memory
 /// cost     15 to 20 µs of processor time per point
 /// source   weighted sample elimination, Yuksel 2015, Computer Graphics Forum 34, 25-32

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// The one call: atoms and options in, a solvent-excluded surface that remembers its options out.
+// From atoms and options to the mesh of a molecular surface, with measures and checks, in one call.
 #pragma once
 
 #include <cstddef>
@@ -23,45 +23,46 @@
 
 namespace meniscus {
 
+/// How the mesh of a surface is computed.
 enum class Method {
     Flow,      ///< the level-set flow: a smooth function whose zero set is the surface
     Direct,    ///< marching cubes of the exact surface, all vertices on it: sharp ridges
-    Gaussian,  ///< only the Gaussian density envelope that the flow starts from; not the SES
+    Gaussian,  ///< only the envelope of the Gaussian density map; not the SES
 };
 
-/// Which closed pieces of the surface the mesh keeps.
+/// Which closed pieces of the surface the mesh keeps: all, only outer pieces, or only walls of cavities.
 enum class Pieces { All, Outer, Cavities };
 
 /// Everything that decides the result. Lengths in Å.
 struct SurfaceOptions {
     Method method = Method::Flow;
-    SurfaceKind surface = SurfaceKind::Ses;  ///< of Method::Gaussian always this one
+    SurfaceKind surface = SurfaceKind::Ses;  ///< Method::Gaussian allows no other
     double probe = 1.4;                      ///< probe radius; 0 gives the van der Waals surface
     double spacing = 0.5;                    ///< grid spacing
     double density = -0.5;                   ///< constant C of the initial Gaussian map, Å^-2, negative
-    FlowOptions flow{};                      ///< which evolution Method::Flow runs
+    FlowOptions flow{};                      ///< the evolution that Method::Flow runs
     bool history = false;                    ///< keep a record of every step of the flow
-    bool initial_area = false;               ///< measure the Gaussian start, too, where the flow can do without
-    bool quality = false;                    ///< look at the shapes of the triangles, too
-    bool two_sided_distance = false;  ///< measure how far mesh and exact SES are from each other between vertices, too
-    bool exact = false;               ///< measure areas, volumes and pieces exactly, too: Surface::measured
-    bool verify = false;              ///< make the expensive self-checks, too: see Surface::checks
-    Pieces pieces = Pieces::All;      ///< what the mesh keeps
-    double min_cavity = 0.0;          ///< Å³: cavities that enclose less are dropped, with all that lies in them
-    double fill_cavities = 0.0;       ///< Å³: the same, and their space counts as inside in fields (field.h)
-    RemeshOptions remesh{};           ///< even triangles of a chosen size; needs a spacing of at most 0.5 Å
+    bool initial_area = false;               ///< find FlowSummary::initial_area
+    bool quality = false;                    ///< find Surface::quality: the shapes of the triangles
+    bool two_sided_distance = false;         ///< find Surface::two_sided: distances between mesh and exact SES
+    bool exact = false;                      ///< find Surface::measured: areas, volumes and pieces of the exact surface
+    bool verify = false;                     ///< run the expensive self-checks, too: see Surface::checks
+    Pieces pieces = Pieces::All;             ///< which pieces the mesh keeps
+    double min_cavity = 0.0;     ///< Å³; cavities that enclose less are dropped, with all that lies in them
+    double fill_cavities = 0.0;  ///< Å³; smaller cavities are dropped, and count as inside in fields (field.h)
+    RemeshOptions remesh{};      ///< even triangles of a chosen size; needs a spacing of at most 0.5 Å
 };
 
-/// What a computation may use, and who watches it. The result does not depend on it.
+/// What a computation may use, and what is called while it runs. The result does not depend on these options.
 struct RunOptions {
     int threads = 0;                  ///< 0: all cores
-    std::size_t memory_limit_mb = 0;  ///< 0: what the machine has available
-    bool keep_exact = true;  ///< false: Surface::exact forgets what has been found, and finds it again if asked
+    std::size_t memory_limit_mb = 0;  ///< in units of 2^20 bytes; 0: what the machine has available
+    bool keep_exact = true;  ///< false: Surface::exact frees its memory, and computes again what is asked of it
     Progress progress{};
-    FlowObserver observer{};  ///< sees every step of a flow; where there is one, steps cost a mesh each
+    FlowObserver observer{};  ///< called after every step of a flow, for which each step also makes a mesh
 };
 
-/// One self-check: passed means value <= bound, or value == bound for counts.
+/// One self-check. It passes if value <= bound, or, where the value is a count or 1 for yes, if value == bound.
 struct Check {
     std::string name;
     bool passed = false;
@@ -71,15 +72,15 @@ struct Check {
 
 /// What RemeshOptions::simplify_topology has changed.
 struct SimplifiedTopology {
-    std::size_t handles = 0;  ///< cut; tunnels closed among them
-    std::size_t pieces = 0;   ///< vanished
+    std::size_t handles = 0;  ///< number of handles cut and tunnels closed
+    std::size_t pieces = 0;   ///< number of pieces dropped
 };
 
 /// Wall-clock seconds per stage.
 struct StageTimes {
-    double estimate = 0.0;  ///< of what the computation will take
+    double estimate = 0.0;  ///< estimating Surface::expected
     double geometry = 0.0;
-    double exact = 0.0;  ///< of the exact measures that the result is held against, or that were asked for
+    double exact = 0.0;  ///< the exact measures, for the checks or Surface::measured
     double band = 0.0;
     double flow = 0.0;
     double mesh = 0.0;
@@ -87,53 +88,53 @@ struct StageTimes {
 
 /// A computed surface.
 struct Surface {
-    ExactSurface exact;  ///< that it is a mesh of
+    ExactSurface exact;  ///< the surface that the mesh approximates
     SurfaceOptions options;
     Mesh mesh;
     MeshMeasures measures;
     double corrected_area = 0.0;                    ///< Å², curvature-corrected quadrature over the mesh
-    double corrected_volume = 0.0;                  ///< Å³
-    std::shared_ptr<const Measures> measured;       ///< of the exact surface, if asked for (SurfaceOptions::exact)
-    DistanceSummary distance;                       ///< of the mesh's vertices to the exact SES
-    std::optional<MeshQuality> quality;             ///< if asked for
-    std::optional<TwoSidedDistance> two_sided;      ///< if asked for
-    DroppedPieces dropped;                          ///< too small for the mesh
+    double corrected_volume = 0.0;                  ///< Å³, corrected likewise
+    std::shared_ptr<const Measures> measured;       ///< of the exact surface, if SurfaceOptions::exact
+    DistanceSummary distance;                       ///< from the vertices of the mesh to the exact SES
+    std::optional<MeshQuality> quality;             ///< if SurfaceOptions::quality
+    std::optional<TwoSidedDistance> two_sided;      ///< if SurfaceOptions::two_sided_distance
+    DroppedPieces dropped;                          ///< by SurfaceOptions::min_cavity
     FilledCavities filled;                          ///< by SurfaceOptions::fill_cavities
-    SimplifiedTopology simplified;                  ///< by making triangles even
-    std::optional<std::size_t> self_intersections;  ///< pairs of triangles that pass through each other, if verified
+    SimplifiedTopology simplified;                  ///< by RemeshOptions::simplify_topology
+    std::optional<std::size_t> self_intersections;  ///< pairs of triangles that intersect, if verified
     FlowSummary flow;                               ///< zero for Method::Direct and Method::Gaussian
-    std::vector<FlowStep> history;                  ///< if asked for, and always for a flow without an anchor
+    std::vector<FlowStep> history;                  ///< if SurfaceOptions::history, or for a flow without an anchor
     std::shared_ptr<const LevelSet> level_set;      ///< absent for Method::Direct
-    /// What the result was held against: "not_empty", "closed", "manifold", "converged" (of a flow), "mean_distance",
-    /// "volume" (against the exact one) and "pieces" (the right side of the surface in every exact piece with an
-    /// inscribed radius above 1.5 spacings); if verified also "sides" (of scattered points) and
-    /// "no_self_intersections". Method::Gaussian has nothing exact to be held against.
+    /// Self-checks: "not_empty", "closed", "manifold", "converged" (of a flow), "mean_distance" (from the exact SES),
+    /// "volume" (compared with the exact volume) and "pieces" (every exact piece with an inscribed radius above 1.5
+    /// spacings is on the right side of the mesh); with SurfaceOptions::verify also "sides" (scattered points are on
+    /// the right side) and "no_self_intersections". Method::Gaussian is not compared with anything exact.
     std::vector<Check> checks;
-    Cost expected;  ///< before the computation started
+    Cost expected;  ///< as estimated before the computation
     StageTimes seconds;
 
-    bool passed() const;  ///< every check passed
+    bool passed() const;  ///< whether every check passed
 };
 
-/// Computes a mesh of an exact surface, by SurfaceOptions::method. The options' surface and probe do not matter: those
-/// of the exact surface hold, and are Surface::options'.
+/// Computes a mesh of an exact surface, by SurfaceOptions::method. Surface kind and probe radius are those of the exact
+/// surface, whatever the options say; Surface::options has them.
 ///
-/// throws   UsageError for options out of range and for even triangles that the surface has no room for (its folds are
-///          narrower than an edge all over), LimitError when it would not fit into memory or lies too far from the
-///          origin for the spacing; as ExactSurface::accessible()
+/// throws   UsageError for options out of range, and for RemeshOptions::edge if the folds of the surface are narrower
+///          than an edge all over; LimitError for a computation that would not fit into memory, or atoms too far from
+///          the origin for the spacing; and whatever ExactSurface::accessible() throws
 /// cost     linear in the number of atoms; memory proportional to area / spacing²
 /// source   Pan & Tai 2009, with the anchored flow of docs/design/flow.md
 Surface mesh(ExactSurface exact, const SurfaceOptions& options = {}, const RunOptions& run = {});
 
-/// The same of atoms: of ExactSurface(atoms, {options.surface, options.probe}).
+/// Computes a mesh of ExactSurface(atoms, {options.surface, options.probe}), as mesh() does.
 Surface compute_surface(const Atoms& atoms, const SurfaceOptions& options = {}, const RunOptions& run = {});
 
-/// Exact area and volume of those pieces that a mesh of these options keeps; in the volume cavities count negative.
+/// Exact area and volume of those pieces that a mesh with the given options keeps; cavities count negative in volumes.
 ///
 /// exact   measures of the exact surface
 SurfaceTotals exact_counterpart(const Measures& exact, const SurfaceOptions& options);
 
-/// Closed pieces by kind.
+/// Numbers of closed pieces, by kind.
 struct PieceCounts {
     std::size_t outer = 0;
     std::size_t cavities = 0;
@@ -142,25 +143,25 @@ struct PieceCounts {
     bool operator==(const PieceCounts&) const = default;
 };
 
-/// All pieces of the exact surface.
+/// Counts all pieces of an exact surface.
 PieceCounts count_pieces(const Measures& exact);
 
-/// The pieces of a mesh.
+/// Counts the pieces of a mesh.
 PieceCounts count_pieces(const MeshMeasures& mesh);
 
-/// Those pieces of the exact surface that a mesh of these options keeps. Where the mesh has other numbers, features
-/// smaller than its grid came out joined or separate.
+/// Counts those pieces of an exact surface that a mesh with the given options keeps. If the mesh has other numbers,
+/// features narrower than a grid spacing were joined or cut.
 ///
 /// exact   measures of the exact surface
 PieceCounts count_kept_pieces(const Measures& exact, const SurfaceOptions& options);
 
-/// Whether the independent evaluations of exact measures agree: value and bound are 1 where they do.
+/// Checks that independent evaluations of the exact measures agree: the value is 1 if so, else 0; the bound is 1.
 inline Check agreement_check(const Measures& measured) {
     return {"exact_agreement", measured.agreed, measured.agreed ? 1.0 : 0.0, 1.0};
 }
 
-/// Whether the areas of atoms, and areas and volumes of components, sum to the totals: the largest difference,
-/// relative.
+/// Checks that the areas of atoms, and the areas and volumes of components, sum to the totals: the value is the largest
+/// relative difference.
 Check sums_check(const Measures& measured);
 
 }  // namespace meniscus

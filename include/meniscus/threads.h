@@ -7,14 +7,13 @@
 
 namespace meniscus {
 
-/// Limits the threads of calls while it lives. Functions with an option `threads` do so for themselves; the least of
-/// several limits holds. Results are the same for any.
+/// Limits the number of threads of calls made while this object lives. Functions with an option `threads` set such a
+/// limit themselves; the smallest limit holds. Results do not depend on it.
 ///
-/// A limit of one is that of the calls that its own thread makes; one of several threads is the whole process's, so
-/// that calls which other threads make meanwhile have no more either.
+/// A limit of one thread applies to calls from the thread that made the object, a larger one to the whole process.
 class ThreadLimit {
 public:
-    /// threads   0 sets no limit: all cores. With 1 the calling thread does everything itself, and no other is started.
+    /// threads   0: no limit, all cores; 1: the calling thread does everything itself, and no other thread is started.
     explicit ThreadLimit(int threads);
     ~ThreadLimit();
     ThreadLimit(const ThreadLimit&) = delete;
@@ -25,17 +24,17 @@ private:
     std::unique_ptr<Control> control_;
 };
 
-/// Starts the threads that later calls of this one will use, while it does something else first, such as reading; it
-/// does not wait for them. Nothing happens under a limit of one thread.
+/// Starts the threads that later calls will use and returns at once, so that the caller can do something else
+/// meanwhile, such as reading. Nothing happens under a limit of one thread.
 ///
-/// meanwhile   called by the first that begins, and not waited for: it must use nothing that ends, and return soon
-///             after the other threads are needed
-/// begin       called by each of them before anything else, and not waited for; neither may throw
+/// meanwhile   work for the first thread that begins. It must not throw, must use only objects that live until the
+///             process ends, and must return soon after the threads are needed
+/// begin       called on each new thread before anything else; must not throw
 ///
-/// The kernel of Linux may begin a thread on the processor of the one that starts it and leave both there for 30 ms:
-/// such a thread is moved to another processor that it may use (docs/design/performance.md).
+/// Linux may begin a thread on the processor of its parent and leave both there for 30 ms: such a thread is moved to
+/// another processor that the process may use (docs/design/performance.md).
 ///
-/// throws   std::bad_alloc without memory for them, and what the thread library does where no thread can be started
+/// throws   std::bad_alloc, and whatever the thread library throws where no thread can be started
 void start_threads(
     void (*meanwhile)() = [] {}, void (*begin)() = [] {});
 

@@ -7,7 +7,7 @@
 
 namespace meniscus {
 
-/// A point or direction; lengths in Å.
+/// A point (coordinates in Å) or a direction.
 struct Vec3 {
     double x = 0.0;
     double y = 0.0;
@@ -36,7 +36,7 @@ inline double norm(const Vec3& a) { return std::sqrt(squared_norm(a)); }
 /// a / |a|; precondition: a is not zero.
 inline Vec3 normalised(const Vec3& a) { return (1.0 / norm(a)) * a; }
 
-/// A direction in single precision, for arrays with one for every vertex.
+/// A direction in single precision, for arrays that hold one per vertex.
 struct SmallVec3 {
     float x = 0.0F;
     float y = 0.0F;
@@ -48,7 +48,7 @@ struct SmallVec3 {
 
 constexpr SmallVec3 operator-(const SmallVec3& a) { return {-a.x, -a.y, -a.z}; }
 
-/// Rounded.
+/// The vector rounded to single precision.
 constexpr SmallVec3 to_small(const Vec3& a) {
     return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Values from elsewhere at the vertices of a mesh: of atoms, residues and chains, and of maps.
+// Values from other sources at the vertices of a mesh: values of atoms, residues and chains, and of maps.
 #pragma once
 
 #include <cstddef>
@@ -15,64 +15,69 @@
 
 namespace meniscus {
 
-/// One value for each of a structure's atoms, NaN where there is none.
+/// One value for each atom of a structure.
 struct AtomValues {
     std::string name;
-    std::vector<double> of_atom;
+    std::vector<double> of_atom;  ///< in the order of the atoms; NaN where there is none
 };
 
-/// A table of values, as read_value_table() found it.
+/// What read_value_table() finds in a table.
 struct ValueTable {
     std::vector<AtomValues> columns;
     std::size_t rows = 0;
-    std::size_t strange_rows = 0;      ///< that name nothing of the structure
-    std::vector<std::string> texts{};  ///< columns left alone, since no cell of theirs is a number
+    std::size_t strange_rows = 0;      ///< number of rows that match nothing in the structure
+    std::vector<std::string> texts{};  ///< names of the columns skipped because none of their cells is a number
 };
 
-/// Reads values by atom, residue or chain from comma-separated text with one line of names (.csv, also .csv.gz); cells
-/// may also be separated by semicolons or tabs.
+/// Reads values by atom, residue or chain from a table (.csv, also .csv.gz) with one line of column names; cells are
+/// separated by commas, semicolons or tabs.
 ///
-/// What a row is about is told by columns named as in tables of measures: index, or chain, resnum, icode, name, altloc,
-/// or serial; chain is not needed where the structure has one only. What of these, and of resname, stands beside an
-/// index, or beside a residue's number, must agree with the structure. All other columns are values, one array each;
-/// an empty cell, NA or nan is no value, true and false are 1 and 0. Columns of which no cell is a number are left
-/// alone. In tables of several interfaces, which have a column `interface` and name a residue once for each of them,
-/// every interface has arrays of its own: buried_sas_A_B for A:B. throws   InputError "FILE:LINE:COLUMN: what; what to
-/// do" cost     O(n log n)
+/// The columns that say what a row is about are named as in tables of measures: index; or serial; or chain, resnum,
+/// icode, name and altloc, of which chain may be missing if the structure has only one. If several are given, or
+/// resname, they must agree with the structure. All other columns are values, one array each. An empty cell, NA or nan
+/// is no value; true and false are 1 and 0. Columns without any number are skipped. In a table of several interfaces,
+/// with a column `interface` and a row per residue for each, every interface gets its own arrays: buried_sas_A_B for
+/// A:B.
+///
+/// throws   InputError "FILE:LINE:COLUMN: what; what to do"
+/// cost     O(n log n)
 ValueTable read_value_table(const std::string& path, const Structure& structure);
 
-/// throws   InputError for a table whose rows all name something that the structure does not have
+/// Refuses a table that belongs to another structure.
+/// throws   InputError for a table of which no row matches anything in the structure
 void refuse_strange_table(const ValueTable& table, const std::string& path, const Structure& structure);
 
-/// Whether values may have this name: a letter or '_', then letters, digits and '_'; no vertex array of the surface
-/// itself has it.
+/// Whether values may have a name: a letter or '_', then letters, digits and '_', but not the name of a vertex array
+/// that surfaces have anyway, in upper or lower case.
 bool is_value_name(const std::string& name);
 
-/// At each vertex the value of its nearest atom.
-/// throws   UsageError for a mesh without atoms, or with one that has no value here
+/// Gives each vertex the value of its nearest atom.
+/// throws   UsageError for a mesh without `atoms`, or with an atom beyond AtomValues::of_atom
 VertexValues values_at_vertices(const Mesh& mesh, const AtomValues& values);
 
-/// The values that a scheme brings along: B factors, named bfactor or plddt, for the schemes of these names; nothing
-/// for all others.
+/// The values of atoms that a scheme shows: the B factors, called bfactor or plddt, for BFactor and Plddt; nothing for
+/// other schemes.
 std::optional<AtomValues> values_of_scheme(ColourScheme scheme, const Structure& structure);
 
+/// How the values of a map are taken at the vertices.
 struct SampleVolumeOptions {
     Interpolation interpolation = Interpolation::Linear;
-    double offset = 0.0;  ///< Å along the normal, into the solvent; negative: into the molecule
+    double offset = 0.0;  ///< Å along the normal: positive into the solvent, negative into the molecule
 };
 
-/// The values of a map at the vertices, NaN at those beyond its ends.
+/// The values of a map at the vertices; NaN at vertices outside the map.
 ///
-/// throws   UsageError for an offset that is not finite, or one other than zero for a mesh without normals
+/// name     of the array returned
+/// throws   UsageError for an offset that is not finite, or not zero for a mesh without normals
 VertexValues sample_volume(const Mesh& mesh, const std::string& name, const Volume& volume,
                            const SampleVolumeOptions& options = {});
 
-/// The values of that name.
-/// throws   UsageError for a mesh without them
+/// The array of Mesh::values that has a name.
+/// throws   UsageError for a mesh without such an array
 const VertexValues& values_named(const Mesh& mesh, const std::string& name);
 
-/// From the smallest value to the largest; if they have both signs, as far to either side of zero.
-/// returns  0 to 1 where there is none
+/// The range from the smallest to the largest finite value, extended to be symmetric about zero if both signs occur; 0
+/// to 1 if no value is finite.
 ValueRange range_of(const VertexValues& values);
 
 }  // namespace meniscus

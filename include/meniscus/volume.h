@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Values on a regular grid, such as an electrostatic potential, and those between the nodes.
+// Values on a regular grid, such as an electrostatic potential, and interpolation between the nodes.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace meniscus {
 /// A regular grid along the axes: node (i, j, k) lies at origin + (i spacing.x, j spacing.y, k spacing.z).
 struct VolumeGrid {
     std::array<std::size_t, 3> counts{};  ///< nodes along x, y, z
-    Vec3 origin;                          ///< node (0, 0, 0), Å
+    Vec3 origin;                          ///< position of node (0, 0, 0), Å
     Vec3 spacing{1.0, 1.0, 1.0};          ///< Å, positive
 
     bool operator==(const VolumeGrid&) const = default;
@@ -28,35 +28,36 @@ struct VolumeGrid {
     }
 };
 
-/// So many nodes along x, y, z, the same spacing between them, Å, and the middle of them all: what APBS calls dime,
-/// grid and gcent.
+/// A grid from its numbers of nodes along x, y and z, spacing (Å) and middle (Å): dime, grid and gcent of APBS.
 VolumeGrid centred_grid(const std::array<std::size_t, 3>& counts, double spacing, const Vec3& middle);
 
-/// One value per node, that of node (i, j, k) at grid.index(i, j, k): the last axis runs fastest, as in OpenDX.
+/// One value per node. That of node (i, j, k) is at grid.index(i, j, k): the last axis varies fastest, as in OpenDX.
 struct Volume {
     VolumeGrid grid;
     std::vector<float> values;
 };
 
-/// What values mean; files say it in their headers.
+/// What the values of a volume mean.
 enum class VolumeContent {
-    Distance,    ///< signed distance to a surface, Å, inside positive
+    Distance,    ///< signed distance to a surface, Å, positive inside
     Mask,        ///< 1 inside, 0 outside
     Dielectric,  ///< relative permittivity
     Ions,        ///< accessibility for ions, 0 or 1
 };
 
+/// How values between the nodes are found.
 enum class Interpolation {
     Linear,  ///< trilinear: continuous, exact for linear functions
     Cubic,   ///< Catmull-Rom in each axis: continuous derivatives, exact for quadratic functions
 };
 
-/// Values between the nodes, in the order of the points.
+/// Interpolates a volume at points (Å); results are in the order of the points.
 ///
-/// Both go through the values at the nodes. Cubic takes the four nearest nodes in each axis; where one lies beyond the
-/// grid its value is extrapolated, quadratically if the axis has three nodes, so that next to the faces, too, it is
-/// exact for quadratic functions.
-/// returns  NaN for points that lie outside the grid (not for those on its faces) or are not finite
+/// Both kinds of interpolation reproduce the values at the nodes. Cubic takes the four nearest nodes along each axis;
+/// the value of a node beyond the grid is extrapolated, quadratically if the axis has at least three nodes, so that
+/// quadratic functions are exact also next to the faces of the grid.
+///
+/// returns  NaN for points that are outside the grid or not finite; points on its faces are inside
 /// throws   UsageError for a volume whose number of values is not that of its nodes
 /// cost     Linear 10 ns per point, Cubic 50 ns; in parallel
 std::vector<double> interpolate(const Volume& volume, std::span<const Vec3> points,

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// The words by which people choose: the same on the command line, in reports and in Python.
+// The words by which users choose: the same on the command line, in reports and in Python.
 #pragma once
 
 #include <algorithm>
@@ -16,23 +16,23 @@
 
 namespace meniscus {
 
-/// Words and what they stand for, the default first.
+/// A list of words and the values they stand for, the default first.
 template <class T, std::size_t N>
 using Words = std::array<std::pair<const char*, T>, N>;
 
-/// The word for one of the values that have one.
+/// The word for a value, which must be in the list.
 template <class T, std::size_t N>
 const char* word_for(const Words<T, N>& words, T value) {
     return std::find_if(words.begin(), words.end(), [&](const auto& w) { return w.second == value; })->first;
 }
 
-/// Whether a text is one of the words.
+/// Whether a text is one of the words of a list.
 template <class T, std::size_t N>
 bool is_word_of(const Words<T, N>& words, const std::string& text) {
     return std::any_of(words.begin(), words.end(), [&](const auto& w) { return text == w.first; });
 }
 
-/// All words in their order.
+/// All words of a list in their order, with a separator between them.
 template <class T, std::size_t N>
 std::string join(const Words<T, N>& words, const char* separator) {
     std::string list;
@@ -40,9 +40,9 @@ std::string join(const Words<T, N>& words, const char* separator) {
     return list;
 }
 
-/// What a word stands for.
+/// The value that a word stands for.
 ///
-/// option   named in the message
+/// option   what the error message calls the option
 /// throws   UsageError for a text that is none of the words
 template <class T, std::size_t N>
 T parse_word(const std::string& option, const std::string& text, const Words<T, N>& words) {
