@@ -45,7 +45,7 @@ enum class ColourScheme {
     Chain,           ///< chain of the nearest atom
     Residue,         ///< kind of the nearest residue or nucleotide
     ResiduePatch,    ///< contact patches by kind of residue, toroidal and reentrant ones red
-    Hydrophobicity,  ///< of the nearest residue, Kyte & Doolittle 1982
+    Hydrophobicity,  ///< hydrophobicity of the nearest residue, Kyte & Doolittle 1982
     Curvature,       ///< mean curvature, Å^-1
     Component,       ///< one colour for outer pieces, another for every cavity
     Depth,           ///< depth below the SES of a probe of kDepthProbe, Å

@@ -18,7 +18,7 @@ namespace meniscus {
 
 /// The curvature field H0, Å^-1. r and R are the radii of atom and probe, d is the distance from the axis of two atoms.
 enum class CurvatureField {
-    Parallel,      ///< of the parallel surface through each point: exact at every distance from the SES
+    Parallel,      ///< mean curvature of the parallel surface through each point: exact at every distance
     Sharp,         ///< half the discrete Laplacian of s: the steady state is s itself, sharp ridges included
     Paper,         ///< as printed, constant along normals: 1/r, -1/R, and for two atoms (1/d - 1/R)/2
     PaperLiteral,  ///< as Paper, but -1/R for two atoms that do not intersect

@@ -19,8 +19,8 @@ void write_level_set(const std::string& path, const LevelSet& level_set);
 /// Reads a level set that write_level_set() wrote; every bit is the same.
 ///
 /// throws   InputError, in one line, for a file that cannot be read, is of another kind or version, has been cut off or
-///          changed (as a checksum shows), or does not describe a grid. Memory is
-///          allocated only after sizes are checked against the length of the file
+///          changed (as a checksum shows), or does not describe a grid. Memory is allocated
+///          only after sizes are checked against the length of the file
 LevelSet read_level_set(const std::string& path);
 
 /// The bytes that write_level_set() writes.

@@ -47,6 +47,7 @@ struct PatchMeasure {
     double first_share = 0.0;  ///< Å² of ses_area that belong to atoms[0]; the other atoms share the rest equally
 };
 
+/// Kinds of closed pieces of the SES.
 enum class ComponentKind {
     Outer,   ///< bounds a piece of the molecule from outside
     Cavity,  ///< bounds solvent enclosed by the molecule
@@ -59,9 +60,9 @@ struct SurfaceComponent {
     double contact_area = 0.0;
     double toroidal_area = 0.0;
     double reentrant_area = 0.0;
-    double ses_volume = 0.0;           ///< enclosed, positive
-    double sas_area = 0.0;             ///< of the pieces of the SAS that have a patch on this component
-    double sas_volume = 0.0;           ///< enclosed by those pieces, positive
+    double ses_volume = 0.0;           ///< enclosed volume, positive
+    double sas_area = 0.0;             ///< area of the pieces of the SAS that have a patch on this component
+    double sas_volume = 0.0;           ///< volume that those pieces enclose, positive
     std::size_t sas_components = 0;    ///< number of those pieces
     Vec3 centre;                       ///< centroid of the component's surface, Å
     std::uint32_t inside_of = kNone;   ///< index of the next component outside, or kNone
@@ -78,7 +79,7 @@ struct AtomMeasure {
     double contact_area = 0.0;
     double toroidal_area = 0.0;
     double reentrant_area = 0.0;
-    double depth = 0.0;  ///< of the atom's centre below the SES, Å; 0 without MeasureOptions::depth
+    double depth = 0.0;  ///< depth of the centre below the SES, Å; 0 without MeasureOptions::depth
 
     double ses_area() const { return contact_area + toroidal_area + reentrant_area; }
 };
@@ -101,7 +102,7 @@ struct Measures {
     /// SES patches of the piece of the SAS with the largest area: all that one probe reaches by rolling on the atoms.
     /// Programs that start from one reduced surface report this as the outer component.
     PatchAreas largest_sas_piece;
-    std::vector<SurfaceComponent> components;  ///< by falling volume
+    std::vector<SurfaceComponent> components;  ///< components of the SES, by falling volume
     std::vector<AtomMeasure> atoms;            ///< in the caller's order; of identical atoms only the first has areas
     std::vector<PatchMeasure> patches;         ///< empty without MeasureOptions::patches
     bool agreed = true;                        ///< whether two evaluations with different perturbations agree

@@ -41,7 +41,7 @@ struct Mesh {
     std::vector<SmallVec3> normals;         ///< unit vectors pointing into the solvent
     std::vector<std::uint32_t> atoms;       ///< index of the nearest atom, in the caller's order
     std::vector<PatchKind> patches;         ///< kind of the nearest patch
-    std::vector<std::uint32_t> components;  ///< number of the piece: 0 the largest outer one, then by falling volume
+    std::vector<std::uint32_t> components;  ///< number of the piece: 0 is the largest outer one, then by falling volume
     std::vector<float> areas{};             ///< a third of the areas of the triangles around the vertex, Å²
     /// Curvatures of the surface itself, not of the triangles; principal curvatures are capped at ±1/spacing.
     std::vector<float> mean_curvatures{};      ///< Å^-1, positive on a sphere

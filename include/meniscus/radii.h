@@ -19,9 +19,8 @@ struct AtomNames {
 /// The van der Waals radius of every atom, Å, in the order of `atoms`.
 ///
 /// Atoms that the set does not know get the radius of their element. Sets whose radii stand for heavy atoms with their
-/// hydrogens (united, protor, naccess) give hydrogens a radius of 0: leave those atoms out of the surface. Names
-/// alone do not show disulfides and charged amino termini, whose hydrogens have other radii in parse; read_structure()
-/// finds these from the whole structure.
+/// hydrogens (united, protor, naccess) give hydrogens a radius of 0: leave those atoms out of the surface. Disulfides
+/// and charged amino termini, whose hydrogens have other radii in parse, are found by read_structure() only.
 ///
 /// set      bondi (elements are enough), united, protor, naccess, parse, or the path of a file of rules
 /// throws   UsageError for an unknown set, and for an atom of neither known name nor known element; InputError for a

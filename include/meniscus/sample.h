@@ -13,7 +13,7 @@ namespace meniscus {
 /// How many points are spread over a surface, and which.
 struct SampleOptions {
     double density = 1.0;    ///< points per Å² of the mesh, > 0
-    std::uint64_t seed = 0;  ///< of the random choice of points
+    std::uint64_t seed = 0;  ///< seed of the random choice of points
     int threads = 0;         ///< 0: all cores; the points do not depend on it
 };
 

@@ -67,7 +67,7 @@ struct AtomLabel {
     char altloc = ' ';          ///< alternate location; ' ' for none
     int serial = 0;             ///< as in the file
     double b_factor = 0.0;      ///< Å², or the pLDDT of a predicted model
-    double occupancy = 1.0;     ///< 0 to 1
+    double occupancy = 1.0;     ///< as in the file
     double charge = 0.0;        ///< e; from PQR or PDBQT, else the formal charge
 };
 
@@ -75,7 +75,7 @@ struct AtomLabel {
 struct Structure {
     std::string file;       ///< as given; "-" for standard input
     std::string name;       ///< stem for output files: "1ubq" for "dir/1ubq.pdb.gz", "stdin" for "-"
-    std::string sha256;     ///< of the bytes of the file as found, hexadecimal; empty without ReadOptions::checksum
+    std::string sha256;     ///< SHA-256 of the file's bytes, hexadecimal; empty without ReadOptions::checksum
     std::string radii_set;  ///< the set in use: bondi, united, ..., "file" for radii from PQR or xyzr, or a path
     Atoms atoms;
     std::vector<AtomLabel> labels;
@@ -92,8 +92,8 @@ struct Structure {
 /// Reads PDB, mmCIF, BinaryCIF, GROMACS, PDBQT, PQR, xyzr or xyzrn, each possibly gzipped; "-" is standard input, whose
 /// format is recognised by its content.
 ///
-/// Every coordinate, radius and charge must be a finite number and nothing else. A warning names chains of
-/// later models that are partners of the first model, such as a docked ligand, and not copies of it.
+/// Every coordinate, radius and charge must be a finite number and nothing else. A warning names chains of later models
+/// that are partners of the first model, such as a docked ligand, and not copies of it.
 ///
 /// throws   InputError "FILE:LINE:COLUMN: what; what to do"; UsageError for an unknown option value
 /// cost     O(size of the file)

@@ -40,7 +40,7 @@ struct SurfaceOptions {
     double probe = 1.4;                      ///< probe radius; 0 gives the van der Waals surface
     double spacing = 0.5;                    ///< grid spacing
     double density = -0.5;                   ///< constant C of the initial Gaussian map, Å^-2, negative
-    FlowOptions flow{};                      ///< the evolution that Method::Flow runs
+    FlowOptions flow{};                      ///< the flow of Method::Flow
     bool history = false;                    ///< keep a record of every step of the flow
     bool initial_area = false;               ///< find FlowSummary::initial_area
     bool quality = false;                    ///< find Surface::quality: the shapes of the triangles
@@ -94,16 +94,16 @@ struct Surface {
     MeshMeasures measures;
     double corrected_area = 0.0;                    ///< Å², curvature-corrected quadrature over the mesh
     double corrected_volume = 0.0;                  ///< Å³, corrected likewise
-    std::shared_ptr<const Measures> measured;       ///< of the exact surface, if SurfaceOptions::exact
-    DistanceSummary distance;                       ///< from the vertices of the mesh to the exact SES
-    std::optional<MeshQuality> quality;             ///< if SurfaceOptions::quality
+    std::shared_ptr<const Measures> measured;       ///< measures of the exact surface, if SurfaceOptions::exact
+    DistanceSummary distance;                       ///< distance of the vertices from the exact SES
+    std::optional<MeshQuality> quality;             ///< shapes of triangles, if SurfaceOptions::quality
     std::optional<TwoSidedDistance> two_sided;      ///< if SurfaceOptions::two_sided_distance
-    DroppedPieces dropped;                          ///< by SurfaceOptions::min_cavity
-    FilledCavities filled;                          ///< by SurfaceOptions::fill_cavities
-    SimplifiedTopology simplified;                  ///< by RemeshOptions::simplify_topology
+    DroppedPieces dropped;                          ///< what SurfaceOptions::min_cavity dropped
+    FilledCavities filled;                          ///< what SurfaceOptions::fill_cavities filled
+    SimplifiedTopology simplified;                  ///< what RemeshOptions::simplify_topology changed
     std::optional<std::size_t> self_intersections;  ///< pairs of triangles that intersect, if verified
     FlowSummary flow;                               ///< zero for Method::Direct and Method::Gaussian
-    std::vector<FlowStep> history;                  ///< if SurfaceOptions::history, or for a flow without an anchor
+    std::vector<FlowStep> history;                  ///< steps, if SurfaceOptions::history or without an anchor
     std::shared_ptr<const LevelSet> level_set;      ///< absent for Method::Direct
     /// Self-checks: "not_empty", "closed", "manifold", "converged" (of a flow), "mean_distance" (from the exact SES),
     /// "volume" (compared with the exact volume) and "pieces" (every exact piece with an inscribed radius above 1.5
