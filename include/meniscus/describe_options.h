@@ -226,7 +226,7 @@ void describe(Options& o, Visitor&& visit) {
                  .meaning = "With `--edge`: where vertices lie. `near`: as near to the surface as keeps the triangles "
                             "within 0.03 L² Å of it on average (with 1 Å on molecules, vertices are 0.01 Å off on "
                             "average), or `balanced` where nothing else is near enough. `on-surface`: on the surface, "
-                            "wherever the triangles then are (0.037 Å off with 1 Å); with `--keep-ridges` and "
+                            "wherever the triangles then are (0.037 Å off with 1 Å); with `--keep-ridges` or "
                             "`--method gaussian`, `near` means this. `balanced`: so that the triangles lie on both "
                             "sides of the surface (0.019 Å off; vertices 0.03 Å off)",
                  .example = "--edge 1 --corners on-surface",
@@ -254,7 +254,10 @@ void describe_findings(Options& o, Visitor&& visit) {
                  .meaning = "Measure the area of the Gaussian map, too, where the flow can do without it",
                  .example = ""},
           o.initial_area);
-    visit(Option{.name = "quality", .brief = "", .meaning = "Look at the shapes of the triangles, too", .example = ""},
+    visit(Option{.name = "quality",
+                 .brief = "",
+                 .meaning = "Also find the angles, edges and aspect ratios of the triangles",
+                 .example = ""},
           o.quality);
     visit(Option{.name = "two_sided_distance",
                  .brief = "",

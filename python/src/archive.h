@@ -15,6 +15,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "fields.h"
 #include "meniscus/errors.h"
 #include "meniscus/level_set.h"
 #include "meniscus/level_set_file.h"

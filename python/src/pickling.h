@@ -9,7 +9,6 @@
 #include <string>
 
 #include "archive.h"
-#include "fields.h"
 
 namespace meniscus::python {
 

@@ -19,9 +19,7 @@ void parallel_ranges(std::size_t n, std::size_t grain, void (*run)(const void*, 
     is_alone() ? run(body, 0, n) : threads::for_ranges(n, grain, run, body);
 }
 
-void run_isolated(void (*run)(const void*), const void* work) {
-    is_alone() ? run(work) : threads::isolated(run, work);
-}
+void run_isolated(void (*run)(const void*), const void* work) { is_alone() ? run(work) : threads::isolated(run, work); }
 
 // A thread library's own limit may take memory from an allocator that is loaded with the first of them: one thread
 // alone does without.
