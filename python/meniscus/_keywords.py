@@ -39,13 +39,13 @@ class Meshing(TypedDict, total=False):
     corners             With edge: where vertices lie. near: as near to the surface as keeps the triangles within 0.03
                         L² Å of it on average (with 1 Å on molecules, vertices are 0.01 Å off on average), or balanced
                         where nothing else is near enough. on-surface: on the surface, wherever the triangles then are
-                        (0.037 Å off with 1 Å); with keep_ridges and method="gaussian", near means this. balanced: so
+                        (0.037 Å off with 1 Å); with keep_ridges or method="gaussian", near means this. balanced: so
                         that the triangles lie on both sides of the surface (0.019 Å off; vertices 0.03 Å off) (near,
                         on-surface, balanced)
     simplify_topology   With edge: cut handles, close tunnels and drop pieces narrower than an edge
     history             Keep a record of every step of the flow
     initial_area        Measure the area of the Gaussian map, too, where the flow can do without it
-    quality             Look at the shapes of the triangles, too
+    quality             Also find the angles, edges and aspect ratios of the triangles
     two_sided_distance  Measure how far mesh and exact surface are from each other between vertices, too
     verify              Also make the expensive self-checks: the mesh nowhere passes through itself, 20,000 points are
                         on the correct side, the exact measures are evaluated twice; exit code 6 if one fails
