@@ -13,8 +13,14 @@ foreach(library IN LISTS MENISCUS_LIBRARIES)
     LIBRARY COMPONENT development)
   install(EXPORT meniscus-${library}-targets NAMESPACE Meniscus:: DESTINATION ${package_dir} COMPONENT development)
 endforeach()
+# core alone has no use for the headers of the other libraries.
+set(left_out)
+if(NOT MENISCUS_LIBRARIES MATCHES files)
+  set(left_out REGEX "/(colours?|draw_surface|file_name|file_words|legend|level_set_file|list_of_counts|page|picture|radii|read_mesh|\
+structure|tables|vertex_values|volume_file|write)\\.h$" EXCLUDE)
+endif()
 install(DIRECTORY include/meniscus DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
-  FILES_MATCHING PATTERN *.h)
+  FILES_MATCHING PATTERN *.h ${left_out})
 
 configure_package_config_file(cmake/meniscus-config.cmake.in meniscus-config.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(meniscus-config-version.cmake COMPATIBILITY SameMinorVersion)

@@ -38,8 +38,13 @@ struct ExactOptions {
 class ExactSurface {
 public:
     ExactSurface();  ///< without atoms: a placeholder until another surface is assigned
+    /// throws   UsageError for a probe radius that is negative or not finite
     explicit ExactSurface(Atoms atoms, const ExactOptions& options = {});
+    ExactSurface(const ExactSurface&) = default;  // moving copies, too: what was moved from stays what it was
+    ExactSurface& operator=(const ExactSurface&) = default;
+    ~ExactSurface() = default;
 
+    // References are valid as long as a surface of these atoms is kept.
     const Atoms& atoms() const;
     const ExactOptions& options() const;
 
@@ -67,13 +72,14 @@ public:
     std::vector<NearestFeature> nearest_features(std::span<const Vec3> points) const;
 
     /// A surface of the same atoms with other options, built only once and kept as long as any surface of these atoms.
+    ///
+    /// throws   UsageError for a probe radius that is negative or not finite
     ExactSurface of_same_atoms(const ExactOptions& options) const;
 
     /// The solvent-accessible surface of the balls, from which all else follows. For use within the library.
     ///
-    /// throws   UsageError for a probe radius that is negative or not finite; std::invalid_argument for no atoms, a
-    ///          radius that is not positive or a coordinate that is not finite; LimitError for coordinates and radii
-    ///          beyond 1e12 Å
+    /// throws   std::invalid_argument for no atoms, a radius that is not positive or a coordinate that is not finite;
+    ///          LimitError for coordinates and radii beyond 1e12 Å
     /// cost     the first time linear at protein density, about 5 µs per atom, parallel
     const AccessibleSurface& accessible() const;
 

@@ -15,7 +15,12 @@
 namespace meniscus {
 
 struct ExactSurface::Member {
-    explicit Member(const ExactOptions& of) : options(of) {}
+    Member(const Atoms& atoms, const ExactOptions& of) : options(of) {
+        if (of.kind != SurfaceKind::Sas) return;
+        enlarged = atoms;
+        for (double& radius : enlarged.radii)
+            if (radius > 0.0) radius += of.probe;  // atoms without a size are refused when the surface is asked for
+    }
 
     ExactOptions options;
     Atoms enlarged;  // of a SAS
@@ -54,19 +59,14 @@ double ExactSurface::probe_of_balls() const {
 }
 
 ExactSurface ExactSurface::of_same_atoms(const ExactOptions& options) const {
+    require_not_negative("probe", options.probe);
     const std::lock_guard lock(family_->mutex);
     for (Member& member : family_->members)
         if (member.options == options) return {family_, &member};
-    Member& made = family_->members.emplace_back(options);
-    if (options.kind == SurfaceKind::Sas) {
-        made.enlarged = family_->atoms;
-        for (double& radius : made.enlarged.radii) radius += options.probe;
-    }
-    return {family_, &made};
+    return {family_, &family_->members.emplace_back(family_->atoms, options)};
 }
 
 const AccessibleSurface& ExactSurface::accessible() const {
-    require_not_negative("probe", member_->options.probe);
     const std::lock_guard lock(member_->mutex);
     if (!member_->accessible) isolated([&] { member_->accessible.emplace(balls(), probe_of_balls()); });
     return *member_->accessible;

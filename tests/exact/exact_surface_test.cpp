@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "geometry/accessible_surface.h"
@@ -52,7 +54,8 @@ TEST(ExactSurface, IsBuiltAndMeasuredOnceForAllCopies) {
 TEST(ExactSurface, HasTheMeasuresOfItsAtoms) {
     const Atoms atoms = random_cluster(40, 9.0, 5);
     const Measures alone = measure(atoms, {.probe = 1.1});
-    const Measures& own = ExactSurface(atoms, {.probe = 1.1}).measures();
+    const ExactSurface exact(atoms, {.probe = 1.1});
+    const Measures& own = exact.measures();
     EXPECT_EQ(own.totals.ses_area, alone.totals.ses_area);
     EXPECT_EQ(own.errors.ses_volume, alone.errors.ses_volume);
     EXPECT_EQ(own.components.size(), alone.components.size());
@@ -79,9 +82,26 @@ TEST(ExactSurface, MayBeAskedBySeveralThreads) {
 
 TEST(ExactSurface, RefusesWhatHasNoGeometryWhenItIsAsked) {
     EXPECT_THROW(ExactSurface().accessible(), std::invalid_argument);
-    EXPECT_THROW(ExactSurface(kTwo, {.probe = -1.0}).measures(), UsageError);
-    EXPECT_THROW(ExactSurface(kTwo, {.probe = std::numeric_limits<double>::infinity()}).measures(), UsageError);
-    EXPECT_THROW(ExactSurface({{{0, 0, 0}}, {0.0}}).measures(), std::invalid_argument);
+    EXPECT_THROW(ExactSurface({{{0, 0, 0}}, {0.0}}).accessible(), std::invalid_argument);
+    for (const double radius : {0.0, -1.0}) {
+        const ExactSurface sas({{{0, 0, 0}}, {radius}}, {SurfaceKind::Sas, 1.4});
+        EXPECT_THROW(sas.accessible(), std::invalid_argument) << radius;
+    }
+}
+
+TEST(ExactSurface, RefusesProbesThatAreNoRadii) {
+    const ExactSurface exact(kTwo);
+    for (const double probe : {-1.0, std::numeric_limits<double>::infinity(), std::nan("")}) {
+        EXPECT_THROW(ExactSurface(kTwo, {.probe = probe}), UsageError) << probe;
+        EXPECT_THROW(exact.of_same_atoms({.probe = probe}), UsageError) << probe;
+    }
+}
+
+TEST(ExactSurface, StaysWhatItWasWhenItIsMovedFrom) {
+    ExactSurface exact(kTwo, {.probe = 1.25});
+    const ExactSurface other = std::move(exact);
+    EXPECT_EQ(exact.atoms().radii, kTwo.radii);  // NOLINT(bugprone-use-after-move): moving copies
+    EXPECT_EQ(exact.options().probe, other.options().probe);
 }
 
 }  // namespace

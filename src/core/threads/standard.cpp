@@ -9,6 +9,7 @@
 #include <list>
 #include <mutex>
 #include <set>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -94,11 +95,15 @@ private:
     }
 
     void hire(int at_least, void (*begin)()) {
-        for (const int wanted = std::max(at_least, most_helpers()); hired_ < wanted; ++hired_)
-            std::thread([this, begin] {
-                begin();
-                serve();
-            }).detach();
+        const auto work = [this, begin] {
+            begin();
+            serve();
+        };
+        try {
+            for (const int wanted = std::max(at_least, most_helpers()); hired_ < wanted; ++hired_)
+                std::thread(work).detach();
+        } catch (const std::system_error&) {  // the system has no more: those that are there do it
+        }
     }
 
     [[noreturn]] void serve() {
