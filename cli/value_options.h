@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "meniscus/colours.h"
+#include "meniscus/exact_surface.h"
 #include "meniscus/vertex_values.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name

@@ -40,11 +40,9 @@ public:
     ExactSurface();  ///< without atoms: a placeholder until another surface is assigned
     /// throws   UsageError for a probe radius that is negative or not finite
     explicit ExactSurface(Atoms atoms, const ExactOptions& options = {});
-    ExactSurface(const ExactSurface&) = default;  // moving copies, too: what was moved from stays what it was
-    ExactSurface& operator=(const ExactSurface&) = default;
-    ~ExactSurface() = default;
 
-    // References are valid as long as a surface of these atoms is kept.
+    // References are valid as long as a surface of these atoms is kept. One that was moved from can only be assigned
+    // to.
     const Atoms& atoms() const;
     const ExactOptions& options() const;
 

@@ -18,7 +18,7 @@
 namespace meniscus::python {
 
 std::string spell_as_keyword(std::string_view option, std::string_view value) {
-    const std::string name(option == "keep_waters" ? "waters" : option);
+    std::string name(option == "keep_waters" ? "waters" : option);
     if (value.empty()) return name;
     if (value == "true" || value == "false") return name + (value == "true" ? "=True" : "=False");
     const bool is_chosen_by_user =

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
+// What the options of a surface have to be.
 #pragma once
 
 #include "meniscus/surface.h"

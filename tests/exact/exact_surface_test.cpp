@@ -8,7 +8,6 @@
 #include <limits>
 #include <stdexcept>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include "geometry/accessible_surface.h"
@@ -95,13 +94,6 @@ TEST(ExactSurface, RefusesProbesThatAreNoRadii) {
         EXPECT_THROW(ExactSurface(kTwo, {.probe = probe}), UsageError) << probe;
         EXPECT_THROW(exact.of_same_atoms({.probe = probe}), UsageError) << probe;
     }
-}
-
-TEST(ExactSurface, StaysWhatItWasWhenItIsMovedFrom) {
-    ExactSurface exact(kTwo, {.probe = 1.25});
-    const ExactSurface other = std::move(exact);
-    EXPECT_EQ(exact.atoms().radii, kTwo.radii);  // NOLINT(bugprone-use-after-move): moving copies
-    EXPECT_EQ(exact.options().probe, other.options().probe);
 }
 
 }  // namespace
