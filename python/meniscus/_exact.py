@@ -247,19 +247,19 @@ def surface(
 ) -> Surface:
     """The solvent-excluded surface of atoms: an :class:`ExactSurface` of them, meshed.
 
-    atoms    a Structure; the path of a file; or centres (n, 3), Å, as lists or arrays of any real type
-    radii    (n,), Å; required with centres. With a path, the name of a radius set
-    probe    probe radius, Å; 0 gives the van der Waals surface
-    spacing  grid spacing, Å; None: 0.5, and with edge or vertex_density half or a quarter of that for small surfaces
-             whose area would otherwise be off by more than 0.5 %
-    method   flow (smooth level set), direct (exact distance, sharp ridges) or gaussian (only the start of the flow)
-    surface  ses, sas (solvent-accessible) or vdw (van der Waals: the same as probe 0)
-    threads  0: all cores; results do not depend on it
-    memory   "4G", "500M" or a number of MB: refuse what would need more
+    atoms     a Structure; the path of a file; or centres (n, 3), Å, as lists or arrays of any real type
+    radii     (n,), Å; required with centres. With a path, the name of a radius set
+    probe     probe radius, Å; 0 gives the van der Waals surface
+    spacing   grid spacing, Å; None: 0.5, and with edge or vertex_density half or a quarter of that for small surfaces
+              whose area would otherwise be off by more than 0.5 %
+    method    flow (smooth level set), direct (exact distance, sharp ridges) or gaussian (only the start of the flow)
+    surface   ses, sas (solvent-accessible) or vdw (van der Waals: the same as probe 0)
+    threads   0: all cores; results do not depend on it
+    memory    "4G", "500M" or a number of MB: refuse what would need more
     progress  called with the stage's name and the fraction of it that is done, 0 to 1, a few times per second; an
               exception that it raises ends the computation, as Ctrl-C does
-    keywords  how to mesh, with the names and defaults of the command line: edge=1.0, components="outer" ...
-              (:class:`Meshing` describes each); and with a path the other arguments of :func:`read`: waters=True ...
+    keywords  how to mesh, with the names and defaults of the command line: edge=1.0, components="outer" ...;
+              :class:`Meshing` describes each. With a path, the other arguments of :func:`read`, too: waters=True ...
 
     Raises ValueError for invalid arrays or options and :class:`LimitError`, a ValueError and MemoryError, for a surface
     that would not fit into memory. A result that fails its own checks comes with a :class:`CheckWarning`. Memory grows
