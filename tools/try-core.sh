@@ -33,11 +33,11 @@ failed=0
 try() {
     local name=$1 runner=$2 tests=$3 folder=$root/build/core-$1
     shift 3
-    if quietly "$@" -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DMENISCUS_LIBRARIES=core \
+    if (quietly "$@" -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DMENISCUS_LIBRARIES=core \
         -DMENISCUS_INSTALL=OFF -DMENISCUS_TESTS="$tests" && quietly cmake --build "$folder" &&
         quietly cmake --build "$folder" --target core_checksums &&
         $runner "$(find "$folder/tests/alone" -name core_checksums -o -name core_checksums.js)" "${spheres[@]}" |
-        diff "$expected" - && { [ "$tests" = OFF ] || quietly ctest --test-dir "$folder"; }; then
+        diff "$expected" - && { [ "$tests" = OFF ] || quietly ctest --test-dir "$folder" --output-on-failure; }); then
         say "core, $name: the same bits"
     else
         say "core, $name: FAILED"

@@ -83,6 +83,12 @@ std::set<int> processors_of_a_loop() {
     return counts;
 }
 
+#ifdef MENISCUS_TEST_WITHOUT_THREADS
+constexpr bool kHasNoThreads = true;
+#else
+constexpr bool kHasNoThreads = false;
+#endif
+
 TEST(StartThreads, NoneUnderALimitOfOne) {
     const ThreadLimit limit(1);
     const auto before = count_threads();
@@ -91,6 +97,7 @@ TEST(StartThreads, NoneUnderALimitOfOne) {
 }
 
 TEST(StartThreads, OneOfThemDoesWhatItIsGiven) {
+    if (kHasNoThreads) GTEST_SKIP() << "core was built without threads";
     static std::promise<std::thread::id> done_by;
     auto found = done_by.get_future();
     start_threads([] { done_by.set_value(std::this_thread::get_id()); });
@@ -100,6 +107,7 @@ TEST(StartThreads, OneOfThemDoesWhatItIsGiven) {
 
 #ifndef __SANITIZE_THREAD__
 TEST(StartThreads, EachTellsFirstThatItBegins) {
+    if (kHasNoThreads) GTEST_SKIP() << "core was built without threads";
     if (count_threads() > 1) GTEST_SKIP() << "they have begun in other tests";
     static std::mutex mutex;
     static std::set<std::thread::id> begun;
