@@ -56,7 +56,6 @@ void add_compare_options(CLI::App& command, CompareRequest& request) {
     const OptionAdder add(command);
     add(kProbeOption, request.structure.probe);
     add(Option{.name = "spacing",
-               .brief = "",
                .meaning = "Grid spacing of the mesh that is used to spread points over a structure's surface, Å",
                .example = "--spacing 0.4",
                .symbol = "H",

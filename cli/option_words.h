@@ -32,13 +32,19 @@ OptionHelp help_of(const Option& option);
 /// An option whose value is one word, which `read` may refuse with UsageError.
 CLI::Option* add_word(CLI::App& command, const OptionHelp& help, const std::function<void(const std::string&)>& read);
 
-/// An option whose value is one of `words`, which must outlive the parser; by default the first.
-template <class Target, class T, std::size_t N>
-void add_choice(CLI::App& command, OptionHelp help, Target& target, const Words<T, N>& words) {
+/// An option whose value is one of `words`, which must outlive the parser; by default the first. take(value) is called.
+template <class T, std::size_t N, class Take>
+void add_choice(CLI::App& command, OptionHelp help, const Words<T, N>& words, Take take) {
     help.symbol = join(words, "|");
     if (help.standard.empty()) help.standard = words.front().first;
     add_word(command, help,
-             [name = help.name, &target, &words](const std::string& text) { target = parse_word(name, text, words); });
+             [name = help.name, &words, take](const std::string& text) { take(parse_word(name, text, words)); });
+}
+
+/// The same; the value goes to `target`.
+template <class Target, class T, std::size_t N>
+void add_choice(CLI::App& command, const OptionHelp& help, Target& target, const Words<T, N>& words) {
+    add_choice(command, help, words, [&target](T value) { target = value; });
 }
 
 /// The same as an option that may be given several times, each time with one word.
@@ -72,23 +78,14 @@ public:
     void operator()(const Option& option, std::size_t& target) const;  ///< an amount of memory
     void operator()(const Option& option, double& target, double (*of)(double)) const;
     void operator()(const Option& option, FlowOptions& flow, const Words<FlowName, 3>& words) const {
-        choose(option, words, [&flow](FlowName name) { flow = flow_of(name); });
+        add_choice(command_, help_of(option), words, [&flow](FlowName name) { flow = flow_of(name); });
     }
     template <class T, std::size_t N>
     void operator()(const Option& option, T& target, const Words<T, N>& words) const {
-        choose(option, words, [&target](T value) { target = value; });
+        add_choice(command_, help_of(option), target, words);
     }
 
 private:
-    template <class T, std::size_t N, class Take>
-    void choose(const Option& option, const Words<T, N>& words, Take take) const {
-        OptionHelp help = help_of(option);
-        help.symbol = join(words, "|");
-        if (help.standard.empty()) help.standard = words.front().first;
-        add_word(command_, help,
-                 [name = help.name, &words, take](const std::string& text) { take(parse_word(name, text, words)); });
-    }
-
     CLI::App& command_;
 };
 

@@ -54,7 +54,6 @@ void describe_shape(Options& o, Visitor&& visit) {
                .example = "--method direct"},
         o.method, kMethodWords);
     visit(Option{.name = "surface",
-                 .brief = "",
                  .meaning = "Which surface: solvent-excluded, solvent-accessible (traced by the centre of the probe), "
                             "or van der Waals (the same as `--probe 0`). With `--method flow` or `direct`",
                  .example = "--surface sas"},
@@ -82,7 +81,6 @@ void describe_shape(Options& o, Visitor&& visit) {
                  .range = NumberRange::NotNegative},
           o.min_cavity);
     visit(Option{.name = "fill_cavities",
-                 .brief = "",
                  .meaning = "Drop cavities that enclose less than V Å³, and count their space as inside in volumes "
                             "([filled](../conventions.md#which-pieces-a-mesh-keeps))",
                  .example = "--fill-cavities 30",
@@ -90,7 +88,6 @@ void describe_shape(Options& o, Visitor&& visit) {
                  .range = NumberRange::NotNegative},
           o.fill_cavities);
     visit(Option{.name = "density",
-                 .brief = "",
                  .meaning = "Constant of the Gaussian map, Å⁻², negative; for `--method gaussian`, and for flows that "
                             "start from the map (`--flow paper`, `--flow parallel` or a finite `--time-step`)",
                  .example = "--density -0.6",
@@ -100,91 +97,72 @@ void describe_shape(Options& o, Visitor&& visit) {
           o.density);
 }
 
+/// A piece of the flow, whose default is that of the flow chosen by name.
+constexpr Option of_flow(Option option) {
+    option.effect = Effect::WithFlow;
+    option.standard = "of the flow";
+    return option;
+}
+
 /// The options of the flow.
 template <MaybeConst<FlowOptions> Options, class Visitor>
 void describe(Options& o, Visitor&& visit) {
     visit(Option{.name = "flow",
-                 .brief = "",
                  .meaning = "Which flow; the options below modify it. Only `anchored` ends at the solvent-excluded "
                             "surface; `paper` is the flow of Pan and Tai",
                  .example = "--flow parallel",
                  .effect = Effect::WithFlow},
           o, kFlowWords);
-    visit(Option{.name = "curvature",
-                 .brief = "",
-                 .meaning = "The curvature field: `parallel`, or `paper` for `--flow paper`",
-                 .example = "--curvature sharp",
-                 .effect = Effect::WithFlow,
-                 .standard = "of the flow"},
+    visit(of_flow({.name = "curvature",
+                   .meaning = "The curvature field: `parallel`, or `paper` for `--flow paper`",
+                   .example = "--curvature sharp"}),
           o.curvature, kCurvatureWords);
-    visit(Option{.name = "anchor",
-                 .brief = "",
-                 .meaning = "Strength of the anchor in units of 1/H²: 16 for `anchored`, else 0 (none)",
-                 .example = "--anchor 8",
-                 .symbol = "L",
-                 .range = NumberRange::NotNegative,
-                 .effect = Effect::WithFlow,
-                 .standard = "of the flow"},
+    visit(of_flow({.name = "anchor",
+                   .meaning = "Strength of the anchor in units of 1/H²: 16 for `anchored`, else 0 (none)",
+                   .example = "--anchor 8",
+                   .symbol = "L",
+                   .range = NumberRange::NotNegative}),
           o.anchor);
-    visit(Option{.name = "reinitialise",
-                 .brief = "",
+    visit(
+        of_flow({.name = "reinitialise",
                  .meaning = "What makes the level set a signed distance again before each step: `none` for `anchored`, "
                             "`closest-point` for `parallel`, `paper` for `paper`",
-                 .example = "--reinitialise godunov",
-                 .effect = Effect::WithFlow,
-                 .standard = "of the flow"},
-          o.reinitialiser, kReinitialiserWords);
-    visit(Option{.name = "solver",
-                 .brief = "",
-                 .meaning = "Solver of the linear systems: `richardson`, or `gmres` for `--flow paper`",
-                 .example = "--solver cg",
-                 .effect = Effect::WithFlow,
-                 .standard = "of the flow"},
+                 .example = "--reinitialise godunov"}),
+        o.reinitialiser, kReinitialiserWords);
+    visit(of_flow({.name = "solver",
+                   .meaning = "Solver of the linear systems: `richardson`, or `gmres` for `--flow paper`",
+                   .example = "--solver cg"}),
           o.solver, kSolverWords);
-    visit(Option{.name = "slope",
-                 .brief = "",
-                 .meaning = "The factor \\|∇Φ\\| of the curvature: `unit`, or `computed` for `--flow paper`",
-                 .example = "--slope computed",
-                 .effect = Effect::WithFlow,
-                 .standard = "of the flow"},
+    visit(of_flow({.name = "slope",
+                   .meaning = "The factor \\|∇Φ\\| of the curvature: `unit`, or `computed` for `--flow paper`",
+                   .example = "--slope computed"}),
           o.slope, kSlopeWords);
-    visit(Option{.name = "time_step",
-                 .brief = "",
-                 .meaning = "Time step in units of H²: `inf` (one solve) for `anchored`, else 1",
-                 .example = "--time-step 1",
-                 .symbol = "T",
-                 .range = NumberRange::PositiveOrInfinite,
-                 .effect = Effect::WithFlow,
-                 .standard = "of the flow"},
+    visit(of_flow({.name = "time_step",
+                   .meaning = "Time step in units of H²: `inf` (one solve) for `anchored`, else 1",
+                   .example = "--time-step 1",
+                   .symbol = "T",
+                   .range = NumberRange::PositiveOrInfinite}),
           o.time_step);
-    visit(Option{.name = "half_width",
-                 .brief = "",
+    visit(
+        of_flow({.name = "half_width",
                  .meaning = "Half-width of the band: unknowns are the nodes within K spacings of the surface; 3, or 4 "
                             "for `--flow paper`",
                  .example = "--half-width 4",
                  .symbol = "K",
-                 .range = NumberRange::Positive,
-                 .effect = Effect::WithFlow,
-                 .standard = "of the flow"},
-          o.half_width);
-    visit(Option{.name = "max_steps",
-                 .brief = "",
-                 .meaning = "Maximum number of steps: 30 for `anchored`, else 100",
-                 .example = "--max-steps 50",
-                 .symbol = "N",
-                 .range = NumberRange::Positive,
-                 .effect = Effect::WithFlow,
-                 .standard = "of the flow"},
+                 .range = NumberRange::Positive}),
+        o.half_width);
+    visit(of_flow({.name = "max_steps",
+                   .meaning = "Maximum number of steps: 30 for `anchored`, else 100",
+                   .example = "--max-steps 50",
+                   .symbol = "N",
+                   .range = NumberRange::Positive}),
           o.max_steps);
-    visit(Option{.name = "tolerance",
-                 .brief = "",
-                 .meaning = "Stop when E spacings are left to go (`anchored`, 10⁻⁴), or when the speed is down to E "
-                            "(else, 10⁻² Å⁻¹)",
-                 .example = "--tolerance 0.001",
-                 .symbol = "E",
-                 .range = NumberRange::Positive,
-                 .effect = Effect::WithFlow,
-                 .standard = "of the flow"},
+    visit(of_flow({.name = "tolerance",
+                   .meaning = "Stop when E spacings are left to go (`anchored`, 10⁻⁴), or when the speed is down to E "
+                              "(else, 10⁻² Å⁻¹)",
+                   .example = "--tolerance 0.001",
+                   .symbol = "E",
+                   .range = NumberRange::Positive}),
           o.tolerance);
 }
 
@@ -203,7 +181,6 @@ void describe(Options& o, Visitor&& visit) {
                  .effect = Effect::WithEdge},
           o.edge);
     visit(Option{.name = "vertex_density",
-                 .brief = "",
                  .meaning = "The same as `--edge`, given as vertices per Å²; use only one of the two",
                  .example = "--vertex-density 2",
                  .symbol = "D",
@@ -222,7 +199,6 @@ void describe(Options& o, Visitor&& visit) {
                  .effect = Effect::WithEdge},
           o.keep_ridges);
     visit(Option{.name = "corners",
-                 .brief = "",
                  .meaning = "With `--edge`: where vertices lie. `near`: as near to the surface as keeps the triangles "
                             "within 0.03 L² Å of it on average (with 1 Å on molecules, vertices are 0.01 Å off on "
                             "average), or `balanced` where nothing else is near enough. `on-surface`: on the surface, "
@@ -233,7 +209,6 @@ void describe(Options& o, Visitor&& visit) {
                  .effect = Effect::WithEdge},
           o.corners, kCornersWords);
     visit(Option{.name = "simplify_topology",
-                 .brief = "",
                  .meaning = "With `--edge`: cut handles, close tunnels and drop pieces narrower than an edge",
                  .example = "--edge 1 --simplify-topology",
                  .effect = Effect::WithEdge},
@@ -244,25 +219,17 @@ void describe(Options& o, Visitor&& visit) {
 template <MaybeConst<SurfaceOptions> Options, class Visitor>
 void describe_findings(Options& o, Visitor&& visit) {
     visit(Option{.name = "history",
-                 .brief = "",
                  .meaning = "Keep a record of every step of the flow",
                  .example = "",
                  .effect = Effect::WithFlow},
           o.history);
     visit(Option{.name = "initial_area",
-                 .brief = "",
-                 .meaning = "Measure the area of the Gaussian map, too, where the flow can do without it",
-                 .example = ""},
+                 .meaning = "Measure the area of the Gaussian map, too, where the flow can do without it"},
           o.initial_area);
-    visit(Option{.name = "quality",
-                 .brief = "",
-                 .meaning = "Also find the angles, edges and aspect ratios of the triangles",
-                 .example = ""},
+    visit(Option{.name = "quality", .meaning = "Also find the angles, edges and aspect ratios of the triangles"},
           o.quality);
     visit(Option{.name = "two_sided_distance",
-                 .brief = "",
-                 .meaning = "Measure how far mesh and exact surface are from each other between vertices, too",
-                 .example = ""},
+                 .meaning = "Measure how far mesh and exact surface are from each other between vertices, too"},
           o.two_sided_distance);
 }
 
@@ -296,13 +263,9 @@ void describe(Options& o, Visitor&& visit) {
 template <MaybeConst<MeasureOptions> Options, class Visitor>
 void describe(Options& o, Visitor&& visit) {
     visit(kProbeOption, o.probe);
-    visit(Option{.name = "cavities",
-                 .brief = "",
-                 .meaning = "Also find which component encloses which, and inscribed spheres",
-                 .example = ""},
+    visit(Option{.name = "cavities", .meaning = "Also find which component encloses which, and inscribed spheres"},
           o.cavities);
-    visit(Option{.name = "depth", .brief = "", .meaning = "Also measure the depth of every atom", .example = ""},
-          o.depth);
+    visit(Option{.name = "depth", .meaning = "Also measure the depth of every atom"}, o.depth);
     visit(kThreadsOption, o.threads);
 }
 

@@ -47,11 +47,11 @@ enum class Effect : std::uint8_t {
 
 /// The description of an option.
 struct Option {
-    const char* name;         ///< key in reports, keyword in Python; "min_cavity" is --min-cavity on the command line
-    const char* brief;        ///< the line of --help; empty for an option that only --help-all shows
-    const char* meaning;      ///< text for the manual in Markdown, with units
-    const char* example;      ///< a sensible use on the command line, with the other options that it needs
-    const char* symbol = "";  ///< placeholder for the value in help; empty for flags and choices
+    const char* name = "";     ///< key in reports, keyword in Python; "min_cavity" is --min-cavity on the command line
+    const char* brief = "";    ///< the line of --help; empty for an option that only --help-all shows
+    const char* meaning = "";  ///< text for the manual in Markdown, with units
+    const char* example = "";  ///< a sensible use on the command line, with the other options that it needs
+    const char* symbol = "";   ///< placeholder for the value in help; empty for flags and choices
     NumberRange range = NumberRange::Any;
     Effect effect = Effect::Always;
     const char* standard = "";  ///< the default in words, if the member does not hold it
