@@ -259,6 +259,7 @@ ordered_json report_schema() {
     const Surface surface;
     schema["anyOf"] = ordered_json::array({one, ordered_json{{"type", "array"}, {"items", one}}});
     schema["$defs"]["report"] = either(rules_of(&surface), rules_of(nullptr));
+    schema["$defs"]["options"] = {{"type", "object"}, {"description", "The options in force."}};
     return schema;
 }
 

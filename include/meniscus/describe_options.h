@@ -171,7 +171,8 @@ template <MaybeConst<RemeshOptions> Options, class Visitor>
 void describe(Options& o, Visitor&& visit) {
     visit(Option{.name = "edge",
                  .brief = "Even triangles with edges of about L Å",
-                 .meaning = "Even triangles with edges near L Å, instead of those of the grid; at least 97 % of the "
+                 .meaning = "Even triangles with edges near L Å, instead of those of the grid, whose spacing is at "
+                            "most 0.5 Å then; at least 97 % of the "
                             "edges are between 0.6 and 1.5 L. The topology stays that of the grid's mesh. A surface "
                             "with folds narrower than L all over (van der Waals surfaces with 2 Å, envelopes of "
                             "`gaussian`) is refused: choose a smaller L",

@@ -29,10 +29,10 @@ class Meshing(TypedDict, total=False):
     max_steps           Maximum number of steps: 30 for anchored, else 100
     tolerance           Stop when E spacings are left to go (anchored, 10⁻⁴), or when the speed is down to E (else, 10⁻²
                         Å⁻¹)
-    edge                Even triangles with edges near L Å, instead of those of the grid; at least 97 % of the edges are
-                        between 0.6 and 1.5 L. The topology stays that of the grid's mesh. A surface with folds narrower
-                        than L all over (van der Waals surfaces with 2 Å, envelopes of gaussian) is refused: choose a
-                        smaller L
+    edge                Even triangles with edges near L Å, instead of those of the grid, whose spacing is at most 0.5 Å
+                        then; at least 97 % of the edges are between 0.6 and 1.5 L. The topology stays that of the
+                        grid's mesh. A surface with folds narrower than L all over (van der Waals surfaces with 2 Å,
+                        envelopes of gaussian) is refused: choose a smaller L
     vertex_density      The same as edge, given as vertices per Å²; use only one of the two
     adaptive            With edge: shorter edges where the surface bends more
     keep_ridges         With edge: edges run along the creases of the surface

@@ -290,7 +290,7 @@ class Surface(_Vertices):
 
     @property
     def cavities(self) -> list[Component]:
-        """The exact cavities for the same atoms and probe, largest volume first, whichever pieces the mesh keeps."""
+        """The exact cavities of the same surface, largest volume first, whichever pieces the mesh keeps."""
         return self.measures.cavities
 
     def level_set(self, points: npt.ArrayLike) -> Floats:

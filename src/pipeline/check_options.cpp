@@ -45,7 +45,8 @@ void check_options(const SurfaceOptions& options) {
                 joined("from 2 to ", in_short(kWidestBand)));
         require(flow.max_steps >= 1, "max steps", flow.max_steps, "at least 1");
     }
-    require(remesh.edge == 0.0 || is_positive(remesh.edge), "edge", remesh.edge, "finite and positive");
+    require(remesh.edge == 0.0 || (is_positive(remesh.edge) && remesh.edge >= kFinest), "edge", remesh.edge,
+            "finite and at least 1e-6");
     require(!remesh.is_on() || options.spacing <= kCoarsestForRemeshing, "spacing", options.spacing,
             joined("at most ", in_short(kCoarsestForRemeshing), " for a mesh of even triangles"));
     require(remesh.corners == Corners::Near || remesh.is_on(), "edge", remesh.edge,

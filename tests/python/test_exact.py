@@ -241,6 +241,36 @@ class Meshing(unittest.TestCase):
         with self.assertRaises(meniscus.LimitError):
             exact.mesh(spacing=0.001, memory="100M")
 
+    def test_values_of_another_type_are_refused_by_name(self):
+        class Breaks:
+            def __index__(self):
+                raise KeyError("mine")
+
+        exact = meniscus.ExactSurface(CENTRES, RADII)
+        for options, message in (({"quality": np.array([True, False])}, "quality: must be True or False"),
+                                 ({"verify": "no"}, "verify: must be True or False"),
+                                 ({"history": "steps.csv"}, "history: must be True or False"),
+                                 ({"edge": True}, "edge: must be a number"),
+                                 ({"edge": np.array([1.0])}, "edge: must be a number"),
+                                 ({"max_steps": 2.5}, "max_steps: must be a whole number")):
+            with self.assertRaisesRegex(TypeError, message):
+                exact.mesh(**options)
+        with self.assertRaisesRegex(meniscus.UsageError, "max_steps: 1000000000000 is too large"):
+            exact.mesh(max_steps=10**12)
+        with self.assertRaisesRegex(KeyError, "mine"):
+            exact.mesh(max_steps=Breaks())
+        with self.assertRaisesRegex(meniscus.UsageError, "unknown value 'flow"):
+            exact.mesh(method="flow\0x")
+        for name in ("edge", "spacing"):
+            with self.assertRaisesRegex(meniscus.UsageError, f"{name}: the number is too large"):
+                exact.mesh(**{name: 10**400})
+        with self.assertRaisesRegex(meniscus.UsageError, "edge 1e-200: must be"):
+            exact.mesh(edge=1e-200)
+        with self.assertRaises(UnicodeError):
+            exact.mesh(method="\udcff")
+        mesh = exact.mesh(spacing=np.float32(0.5), quality=np.bool_(True), history=1)
+        self.assertIsNotNone(mesh.mesh["quality"])
+
     def test_a_mesh_that_fails_its_checks_is_warned_of(self):
         with self.assertWarnsRegex(meniscus.CheckWarning, "converged") as caught:
             meniscus.ExactSurface(CENTRES, RADII).mesh(flow="paper", max_steps=1)

@@ -75,6 +75,12 @@ class Pickles(unittest.TestCase):
         self.assertIs(again.measures.structure, structure)
         self.assertIs(again.structure._core, structure._core)
 
+    def test_every_protocol(self):
+        surface = meniscus.surface(CENTRES, RADII, spacing=1.0)
+        for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+            for thing in (surface.structure, surface.exact, surface, surface.measures):
+                self.assertEqual(repr(pickle.loads(pickle.dumps(thing, protocol))), repr(thing), protocol)
+
     def test_points(self):
         points = meniscus.surface(CENTRES, RADII).sample(2.0)
         for way in WAYS:
