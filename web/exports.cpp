@@ -84,8 +84,8 @@ EMSCRIPTEN_KEEPALIVE meniscus_status meniscus_web_estimate(const meniscus_struct
 }
 
 /// What a page of the surface shows (page.h), colour: a scheme, or empty. Whoever calls frees *bytes.
-EMSCRIPTEN_KEEPALIVE meniscus_status meniscus_web_page(const meniscus_surface* surface, const char* colour, char** bytes,
-                                                       size_t* size) {
+EMSCRIPTEN_KEEPALIVE meniscus_status meniscus_web_page(const meniscus_surface* surface, const char* colour,
+                                                       char** bytes, size_t* size) {
     return guarded([&] {
         const std::string data = content_of(*surface->structure, surface->surface, colour).data;
         *bytes = static_cast<char*>(std::malloc(data.size()));
