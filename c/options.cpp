@@ -128,6 +128,11 @@ void set(Options& options, const std::string& name, const std::string& text) {
 }
 
 }  // namespace
+
+std::string spell(std::string_view option, std::string_view value) {
+    return spell_as_member(option == "keep_waters" ? "waters" : option, value);
+}
+
 }  // namespace meniscus::c
 
 meniscus_options* meniscus_options_new(void) { return new (std::nothrow) meniscus_options; }
