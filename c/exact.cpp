@@ -15,6 +15,15 @@ meniscus_totals totals_of(const SurfaceTotals& t) {
     return {t.sas_area, t.sas_volume, t.ses_area, t.ses_volume, t.contact_area, t.toroidal_area, t.reentrant_area};
 }
 
+/// With the depths of atoms, which tables have.
+Measures with_depths(const ExactSurface& exact) {
+    Measures measures = exact.measures();
+    const std::vector<double> distances = exact.signed_distance(exact.atoms().centres);
+    for (std::size_t i = 0; i < distances.size(); ++i) measures.atoms[i].depth = -distances[i];
+    measures.options.depth = true;
+    return measures;
+}
+
 }  // namespace
 }  // namespace meniscus::c
 
@@ -86,6 +95,6 @@ meniscus_status meniscus_write_table(meniscus_exact* exact, const char* per, con
         need(path, "path");
         const meniscus::ThreadLimit limit(exact->threads);
         const meniscus::RowsPer rows = meniscus::parse_word("per", per, meniscus::kRowsPerWords);
-        meniscus::write_table(path, meniscus::measures_table(*exact->structure, exact->exact.measures(), rows));
+        meniscus::write_table(path, meniscus::measures_table(*exact->structure, with_depths(exact->exact), rows));
     });
 }
