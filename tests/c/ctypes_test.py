@@ -66,7 +66,7 @@ def same_measures(folder, structure, options):
 
 
 def same_mesh(folder, exact, options):
-    for name, value in ((b"spacing", b"0.8"), (b"exact", b"true"), (b"quality", b"true")):
+    for name, value in ((b"spacing", b"0.8"), (b"exact", b"true"), (b"quality", b"true"), (b"initial_area", b"true")):
         check(lib.meniscus_options_set(options, name, value))
     surface = made(lib.meniscus_surface_new, exact, options, None, None)
     check(lib.meniscus_write_mesh(surface, f"{folder}/ours.stl".encode()))
