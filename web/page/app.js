@@ -192,6 +192,7 @@ const App = (() => {
       $("name").textContent = data.info.name;
       $("view").setAttribute("aria-label", `The surface of ${data.info.name}. Drag or use the arrow keys to rotate it.`);
       Tables.numbers(data.info.rows, item.report.exact ? item.report.exact.errors : {});
+      Tables.keyNumbers(item.report, data.info.cavities.length);
       Tables.interfaces(item.interfaces);
       Tables.remarks(item);
       $("settings").open = false;

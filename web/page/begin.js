@@ -7,7 +7,7 @@
   const {$} = Panel;
 
   /** The example: a structure file, deflated. */
-  const example = async () => new File([await Decode.embedded("example")], Built.exampleName);
+  const example = async () => new File([await Decode.embedded("example-file")], Built.exampleName);
 
   async function loadThree() {
     const script = document.createElement("script");
