@@ -43,6 +43,7 @@ const App = (() => {
     }
 
     choose(item) {
+      if (this.run && this.run.item === item) return;
       this.current = item;
       this.list();
       if (item.content && item.asked === this.asked()) return this.show(item);
