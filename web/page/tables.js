@@ -67,10 +67,15 @@ const Tables = (() => {
     }));
   }
 
+  // The engine names options as its callers set them; here they are fields.
+  const fields = [[/keep_waters = true/, "“waters, too”"], [/hetero = "?ligands"?/, "“also ligands”"],
+                  [/hetero = "?all"?/, "“also ions and all else”"]];
+  const inFields = text => fields.reduce((changed, [option, field]) => changed.replace(option, field), text);
+
   function remarks({notes = [], warnings = []}) {
     $("remarks").hidden = notes.length + warnings.length === 0;
-    $("remark-list").replaceChildren(...warnings.map(text => element("li", text, {class: "warning"})),
-                                     ...notes.map(text => element("li", text)));
+    $("remark-list").replaceChildren(...warnings.map(text => element("li", inFields(text), {class: "warning"})),
+                                     ...notes.map(text => element("li", inFields(text))));
   }
 
   /** items: {name, state, text}; chosen(i) when one is picked */
