@@ -29,6 +29,7 @@ const Page = (() => {
       this.marker = this.makeMarker();
       this.controls = new Controls(this.canvas, this.extent(), this.info.view, () => this.draw(), this.left.signal);
       this.plane = null;
+      this.size = this.canvas.clientWidth + " " + this.canvas.clientHeight;
       this.setScheme(this.info.scheme);
       this.fill();
       this.listen();
@@ -90,6 +91,13 @@ const Page = (() => {
     fits() {
       const {width, height, clientWidth, clientHeight} = this.canvas, ratio = this.ratio();
       return width === Math.round(clientWidth * ratio) && height === Math.round(clientHeight * ratio);
+    }
+
+    /** Called at the beginning, too, when there is nothing to do. */
+    resize() {
+      const {clientWidth, clientHeight} = this.canvas, size = clientWidth + " " + clientHeight;
+      if (size !== this.size) this.controls.refit();
+      this.size = size;
     }
 
     planeForView(camera) {
@@ -328,7 +336,7 @@ const Page = (() => {
       on("view", "dblclick", e => this.approach(e));
       this.controls.clicked = e => this.ask(e.clientX, e.clientY);
       document.addEventListener("keydown", e => this.key(e), {signal});
-      const sizes = new ResizeObserver(() => this.controls.refit());
+      const sizes = new ResizeObserver(() => this.resize());
       sizes.observe($("stage"));
       signal.addEventListener("abort", () => sizes.disconnect());
       this.setCut(0);

@@ -10,8 +10,11 @@ const App = (() => {
                   exact: "Measuring exactly", interfaces: "Measuring between chains", band: "Laying out the grid",
                   flow: "Letting the surface flow", mesh: "Making the mesh", page: "Lighting the picture"};
 
+  // The estimate is of the program on one core; a browser takes so many times as long, with what it draws.
+  const slower = 8;
+
   // What is asked about before it is begun, and what a browser cannot hold at all.
-  const longWait = 40;          // seconds
+  const longWait = 60;          // seconds
   const muchMemory = 1500;      // MB
   const mostMemory = 3500;      // MB: WebAssembly addresses 4 GB
   const kept = 3;               // surfaces that the engine holds for saving, the last ones shown
@@ -43,6 +46,7 @@ const App = (() => {
     }
 
     choose(item) {
+      if (this.run && this.run.item === item) return;
       this.current = item;
       this.list();
       if (item.content && item.asked === this.asked()) return this.show(item);
@@ -79,8 +83,9 @@ const App = (() => {
     /** Asks first where it would take long; rejects where that is declined, or what is asked for cannot be. */
     async agreed(item) {
       const options = Settings.read();
-      if (!this.engine.estimate) return;
       const cost = await this.engine.estimate(await bytesOf(item), {...options, name: item.name});
+      cost.seconds *= slower;
+      item.expected = cost.seconds >= 5 ? `, about ${duration(cost.seconds)} in all` : "";
       if (cost.seconds <= longWait && cost.megabytes <= muchMemory) return;
       const answer = await this.question(item, cost, options.spacing);
       if (answer === "no") throw Object.assign(new Error("left"), {name: "AbortError"});
@@ -172,7 +177,7 @@ const App = (() => {
     }
 
     progress({stage, fraction}) {
-      const text = stages[stage] || stage;
+      const text = (stages[stage] || stage) + (this.run && this.run.item.expected || "");
       $("busy").hidden = false;
       if ($("busy-text").textContent !== text) $("busy-text").textContent = text;   // read aloud once
       $("progress").value = fraction;
@@ -192,6 +197,7 @@ const App = (() => {
       $("name").textContent = data.info.name;
       $("view").setAttribute("aria-label", `The surface of ${data.info.name}. Drag or use the arrow keys to rotate it.`);
       Tables.numbers(data.info.rows, item.report.exact ? item.report.exact.errors : {});
+      Tables.keyNumbers(item.report, data.info.cavities.length);
       Tables.interfaces(item.interfaces);
       Tables.remarks(item);
       $("settings").open = false;

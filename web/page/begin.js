@@ -7,7 +7,7 @@
   const {$} = Panel;
 
   /** The example: a structure file, deflated. */
-  const example = async () => new File([await Decode.embedded("example")], Built.exampleName);
+  const example = async () => new File([await Decode.embedded("example-file")], Built.exampleName);
 
   async function loadThree() {
     const script = document.createElement("script");
@@ -29,9 +29,17 @@
     });
   }
 
+  /** Licences are long: they are unpacked for those who want to read them. */
+  function offerNotices() {
+    $("notices").parentElement.addEventListener("toggle", async () => {
+      $("notices").textContent ||= new TextDecoder().decode(await Decode.embedded("notices-file"));
+    });
+  }
+
   async function start() {
     if (matchMedia("(max-width: 720px)").matches) document.body.classList.add("folded");
     setTheme();
+    offerNotices();
     if (!window.DecompressionStream || !window.WebAssembly) throw new Error("this browser is too old for it");
     const [wasm] = await Promise.all([Decode.embedded("wasm"), loadThree()]);
     const engine = new Meniscus({wasm: await WebAssembly.compile(wasm), worker: $("worker").textContent});

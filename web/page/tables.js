@@ -44,6 +44,19 @@ const Tables = (() => {
     }
   }
 
+  /** What most want to know, beneath the name. */
+  function keyNumbers({exact, mesh}, cavities) {
+    const grouped = value => Number(plain(value, 1)).toLocaleString("en", {minimumFractionDigits: 1});
+    const numbers = exact ? [["area", grouped(exact.ses_area) + " Å²"], ["volume", grouped(exact.ses_volume) + " Å³"]]
+                          : [["area of the mesh", grouped(mesh.area) + " Å²"], ["its volume", grouped(mesh.volume) + " Å³"]];
+    numbers.push(["cavities", String(cavities)]);
+    $("key-numbers").replaceChildren(...numbers.map(([label, value]) => {
+      const pair = element("div");
+      pair.append(element("dt", label), element("dd", value));
+      return pair;
+    }));
+  }
+
   function interfaces(list = []) {
     $("interfaces").hidden = list.length === 0;
     $("interface-list").replaceChildren(...list.map(pair => {
@@ -54,10 +67,15 @@ const Tables = (() => {
     }));
   }
 
+  // The engine names options as its callers set them; here they are fields.
+  const fields = [[/keep_waters = true/, "“waters, too”"], [/hetero = "?ligands"?/, "“also ligands”"],
+                  [/hetero = "?all"?/, "“also ions and all else”"]];
+  const inFields = text => fields.reduce((changed, [option, field]) => changed.replace(option, field), text);
+
   function remarks({notes = [], warnings = []}) {
     $("remarks").hidden = notes.length + warnings.length === 0;
-    $("remark-list").replaceChildren(...warnings.map(text => element("li", text, {class: "warning"})),
-                                     ...notes.map(text => element("li", text)));
+    $("remark-list").replaceChildren(...warnings.map(text => element("li", inFields(text), {class: "warning"})),
+                                     ...notes.map(text => element("li", inFields(text))));
   }
 
   /** items: {name, state, text}; chosen(i) when one is picked */
@@ -73,5 +91,5 @@ const Tables = (() => {
     }));
   }
 
-  return {numbers, interfaces, remarks, files};
+  return {numbers, keyNumbers, interfaces, remarks, files};
 })();
