@@ -98,32 +98,29 @@ function parse(text) {
 }
 
 /**
- * Mean curvature at each vertex, Å⁻¹, positive on a sphere: half of the divergence of the normals in the triangles
- * around it. Near creases it is an estimate.
+ * Mean curvature at each vertex, Å⁻¹, positive on a sphere: half of the divergence of the normals, which are taken to be
+ * linear in each triangle. It is smoothed over the triangles around a vertex, 0.5 Å or so.
  */
 export function meanCurvatures({positions, normals, indices}) {
-  const divergence = new Float64Array(positions.length / 3), area = new Float64Array(positions.length / 3);
+  const divergences = new Float64Array(positions.length / 3), areas = new Float64Array(positions.length / 3);
   for (let t = 0; t < indices.length; t += 3) {
-    const corners = indices.subarray(t, t + 3), [twiceArea, sum] = ofTriangle(positions, normals, corners);
-    for (const corner of corners) {
-      divergence[corner] += sum;
-      area[corner] += twiceArea;
+    const [twiceArea, sum] = ofTriangle(positions, normals, [3 * indices[t], 3 * indices[t + 1], 3 * indices[t + 2]]);
+    for (let corner = t; corner < t + 3; ++corner) {
+      divergences[indices[corner]] += sum;
+      areas[indices[corner]] += twiceArea;
     }
   }
-  return Float32Array.from(divergence, (sum, vertex) => area[vertex] > 0 ? sum / (2 * area[vertex]) : 0);
+  return Float32Array.from(divergences, (sum, vertex) => areas[vertex] > 0 ? sum / (2 * areas[vertex]) : 0);
 }
 
-/** Twice the area of a triangle, and that times the divergence of the normals, which are linear in it. */
-function ofTriangle(positions, normals, corners) {
-  const point = corner => positions.subarray(3 * corner, 3 * corner + 3);
-  const [a, b, c] = Array.from(corners, point), cross = product(minus(b, a), minus(c, a)), twiceArea = Math.hypot(...cross);
-  if (twiceArea === 0) return [0, 0];
-  const opposite = [minus(c, b), minus(a, c), minus(b, a)];
-  const sum = opposite.reduce((total, edge, i) =>
-    total + dot(product(cross, edge), normals.subarray(3 * corners[i], 3 * corners[i] + 3)), 0);
-  return [twiceArea, sum / twiceArea];
+/** Twice the area of a triangle, and that times the divergence in it: (v × (nᵢ - nⱼ) + u × (nₖ - nᵢ)) · (u × v) / |u × v|. */
+function ofTriangle(p, n, [i, j, k]) {
+  const difference = (values, to, from) =>
+    [values[to] - values[from], values[to + 1] - values[from + 1], values[to + 2] - values[from + 2]];
+  const u = difference(p, j, i), v = difference(p, k, i), across = product(u, v), twiceArea = Math.sqrt(dot(across, across));
+  const sum = dot(across, product(v, difference(n, i, j))) + dot(across, product(u, difference(n, k, i)));
+  return [twiceArea, twiceArea > 0 ? sum / twiceArea : 0];
 }
 
-const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const product = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
