@@ -8,6 +8,7 @@ PACKAGE is the folder of the built npm package; VIEWERS has node_modules with mo
 for screenshots. Skipped (77) where one of these, Chromium, its driver or Python's selenium is missing.
 """
 import base64
+import gzip
 import io
 import pathlib
 import sys
@@ -36,6 +37,7 @@ PROBES = {
           place: p => { const [x, y] = canvas.camera.project([0, 0, 0, 0], p), box = canvas.webgl.gl.canvas.getBoundingClientRect();
                         const ratio = canvas.webgl.gl.drawingBufferWidth / box.width;
                         return [box.left + x / ratio, box.bottom - y / ratio]; },
+          molecules: shown.plugin.managers.structure.hierarchy.current.structures.length,
           towards: [0, 1, 2].map(k => canvas.camera.state.position[k] - canvas.camera.state.target[k]),
         };""",
     "3dmol": """
@@ -44,6 +46,7 @@ PROBES = {
         return {
           there: shapes.every(shape => viewer.shapes.includes(shape)), vertices: sum("vertices"), corners: sum("faceidx"),
           place: p => { const at = viewer.modelToScreen({x: p[0], y: p[1], z: p[2]}); return [at.x, at.y]; },
+          molecules: viewer.models.length,
           towards: [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
         };""",
     "ngl": """
@@ -54,6 +57,7 @@ PROBES = {
           corners: buffer.geometry.index.count,
           place: p => { const at = stage.viewerControls.getPositionOnCanvas(vector.clone().fromArray(p));
                         return [box.left + at.x, box.bottom - at.y]; },
+          molecules: stage.compList.filter(each => each.type === "structure").length,
           towards: vector.clone().set(0, 0, -stage.viewer.camera.position.z < 0 ? 1 : -1).transformDirection(inverse).toArray(),
         };""",
 }
@@ -195,6 +199,20 @@ class Examples:
         orange = lambda r, g, b: (r > b + 40) & (r > g + 15)
         self.wait(lambda: self.share(orange) > 0.02, 120)
         self.keep("chains")
+        self.assertEqual(self.browser.errors(), [])
+
+    def test_a_dropped_file_takes_its_place(self):
+        zipped = gzip.compress((self.root / "examples" / "1ubq.pdb").read_bytes())
+        self.js("""
+            const bytes = Uint8Array.from(atob(arguments[0]), c => c.charCodeAt(0)), dataTransfer = new DataTransfer();
+            dataTransfer.items.add(new File([bytes], "dropped.pdb.gz"));
+            const canvas = document.querySelector("#view canvas");
+            for (const type of ["dragenter", "dragover", "drop"])
+              canvas.dispatchEvent(new DragEvent(type, {dataTransfer, bubbles: true, cancelable: true}))""",
+                base64.b64encode(zipped).decode("ascii"))
+        self.wait("document.body.dataset.ready === 'dropped.pdb.gz'")
+        self.assertEqual(self.probe("molecules"), 1)
+        self.assertFalse(self.js("return document.body.classList.contains('over')"))
         self.assertEqual(self.browser.errors(), [])
 
     def test_what_is_no_structure_gets_a_message(self):

@@ -49,7 +49,7 @@ class Handle {
     const {indices, atom} = this.surface, {screen, depth} = this.projected();
     let best = -Infinity, found = null;
     for (let t = 0; t < indices.length; t += 3) {
-      const shares = sharesAt(screen, indices.subarray(t, t + 3), x, y);
+      const shares = sharesAt(screen[indices[t]], screen[indices[t + 1]], screen[indices[t + 2]], {x, y});
       if (!shares) continue;
       const z = shares.reduce((sum, share, k) => sum + share * depth[indices[t + k]], 0);
       if (z > best) [best, found] = [z, atom[indices[t + shares.indexOf(Math.max(...shares))]]];
@@ -102,8 +102,7 @@ function depthIn([dx, dy, dz, , qx, qy, qz, qw]) {
 }
 
 /** The barycentric coordinates of a point in a triangle that faces the reader, or null. */
-function sharesAt(screen, corners, x, y) {
-  const [a, b, c] = [screen[corners[0]], screen[corners[1]], screen[corners[2]]];
+function sharesAt(a, b, c, {x, y}) {
   const whole = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   if (whole >= 0) return null;  // y grows downwards on a page
   const u = ((b.x - x) * (c.y - y) - (b.y - y) * (c.x - x)) / whole, v = ((c.x - x) * (a.y - y) - (c.y - y) * (a.x - x)) / whole;

@@ -61,15 +61,21 @@ async function read(file) {
   return {name, text: await new Response(stream).text(), format: /\.(mm)?cif$/i.test(name) ? "cif" : "pdb"};
 }
 
+/** Before the viewer, which may take dropped files, too. */
 function acceptDrops(open) {
   const over = state => document.body.classList.toggle("over", state);
-  addEventListener("dragover", event => { event.preventDefault(); over(true); });
-  addEventListener("dragleave", event => event.relatedTarget || over(false));
-  addEventListener("drop", event => {
+  const on = (type, act) => addEventListener(type, event => {
     event.preventDefault();
+    event.stopPropagation();
+    act(event);
+  }, {capture: true});
+  on("dragenter", () => over(true));
+  on("dragover", () => over(true));
+  on("dragleave", event => event.relatedTarget || over(false));
+  on("drop", event => {
     over(false);
     if (event.dataTransfer.files.length > 0) open(event.dataTransfer.files[0]);
-  }, {capture: true});
+  });
 }
 
 function tell(text, wrong = false) {
