@@ -253,6 +253,20 @@ class ThreeDmol(Examples, web_browser.BrowserTest):
 class Ngl(Examples, web_browser.BrowserTest):
     NAME = "ngl"
 
+    def test_each_triangle_is_picked_as_one_of_its_atoms(self):
+        """NGL interpolates between the identifiers of corners, which would name any atom between two."""
+        mixed, foreign = self.js("""
+            const {geometry} = shown.buffer, ids = geometry.attributes.primitiveId.array, drawn = geometry.index.array;
+            const {indices, atom} = shown.surface;
+            let mixed = 0, foreign = 0;
+            for (let t = 0; t < drawn.length; t += 3) {
+              const [a, b, c] = [0, 1, 2].map(k => ids[drawn[t + k]]);
+              if (a !== b || b !== c) ++mixed;
+              if (![0, 1, 2].some(k => atom[indices[t + k]] === a)) ++foreign;
+            }
+            return [mixed, foreign];""")
+        self.assertEqual((mixed, foreign), (0, 0))
+
 
 if __name__ == "__main__":
     if PICTURES:
