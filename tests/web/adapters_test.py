@@ -86,7 +86,7 @@ class Examples:
         self.load()
 
     def load(self):
-        self.open(f"web/examples/{self.NAME}.html")
+        self.open(f"node_modules/meniscus-surface/examples/{self.NAME}.html")
         self.wait("document.body.dataset.ready === '1ubq.pdb'")
 
     def probe(self, member):
@@ -173,7 +173,7 @@ class Examples:
     def test_the_atom_under_the_pointer_is_named(self):
         found = self.outermost()
         self.assertGreater(len({f["atom"] for f in found}), 2)
-        names = self.js("const {atomName} = await import('/web/adapters/names.js');"
+        names = self.js("const {atomName} = await import('/node_modules/meniscus-surface/adapters/names.js');"
                         "return arguments[0].map(f => atomName(shown.surface, f.atom))", found)
         self.wait(lambda: self.named(found[0]["place"]) == names[0], 60)
         self.assertEqual([self.named(f["place"]) for f in found], names)

@@ -16,9 +16,10 @@ import web_browser
 
 PAGE = """<!DOCTYPE html>
 <link rel="icon" href="data:,">
-<script src="/web/node_modules/{name}/{script}"></script>
+<script src="/node_modules/{name}/{script}"></script>
 <script type="importmap">
-{{"imports": {{"meniscus-surface": "/web/src/index.js", "meniscus-surface/": "/web/adapters/"}}}}
+{{"imports": {{"meniscus-surface": "/node_modules/meniscus-surface/dist/index.js",
+              "meniscus-surface/adapters/{name}": "/node_modules/meniscus-surface/adapters/{name}.js"}}}}
 </script>
 <div id="view" style="position: relative; width: 400px; height: 300px"></div>
 <script type="module">
@@ -37,7 +38,6 @@ class HowTo(web_browser.BrowserTest):
         for name, script in web_browser.VIEWERS.items():
             with self.subTest(name):
                 code = next(block.text for block in blocks if block.info == ["js", name]) + for_all
-                code = code.replace(f'"meniscus-surface/{name}"', f'"meniscus-surface/{name}.js"')
                 (self.folder / f"{name}.html").write_text(PAGE.format(name=name, script=script, code=code), encoding="utf-8")
                 self.open(f"made/{name}.html")
                 self.assertGreater(self.wait("globalThis.vertices"), 10000)

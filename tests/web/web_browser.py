@@ -19,7 +19,7 @@ VIEWERS = {"molstar": "build/viewer/molstar.js", "3dmol": "build/3Dmol-min.js", 
 
 def missing(package, viewers):
     """What is not there, in words; None if all is. `viewers` is a folder with node_modules."""
-    if not (package / "src" / "index.js").is_file():
+    if not (package / "dist" / "index.js").is_file():
         return f"the built npm package ({package})"
     for name, script in VIEWERS.items():
         if not (viewers / "node_modules" / name / script).is_file():
@@ -48,10 +48,11 @@ class Handler(http.server.SimpleHTTPRequestHandler):
 
 
 class Browser:
-    """The repository with the built package as web/, the viewers where npm would put them, and `folder` as made/."""
+    """Package and viewers where npm would put them, below node_modules/; `folder` as made/; the repository for the rest."""
 
     def __init__(self, root, package, viewers, folder):
-        places = (("/web/node_modules/", viewers / "node_modules"), ("/web/", package), ("/made/", folder), ("/", root))
+        places = (("/node_modules/meniscus-surface/", package), ("/node_modules/", viewers / "node_modules"),
+                  ("/made/", folder), ("/", root))
         self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Handler, places=places))
         threading.Thread(target=self.server.serve_forever, daemon=True).start()
         self.driver = browser_test.start_browser(folder / "profile", "--window-size=800,600")

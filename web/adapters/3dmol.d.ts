@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-import type {Surface} from "../src/index.js";
+import type {Surface} from "meniscus-surface";
 import type {Colouring} from "./colours.js";
 
 export interface Mol3dOptions {

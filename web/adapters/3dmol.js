@@ -8,7 +8,7 @@ const FRONT = 0;              // $3Dmol.FrontSide
 
 /**
  * @param {object} viewer 3Dmol.js's GLViewer
- * @param {import("../src/index.js").Surface} surface
+ * @param {import("meniscus-surface").Surface} surface
  * @param {import("./3dmol.js").Mol3dOptions} options
  * @returns {import("./3dmol.js").Mol3dHandle}
  */

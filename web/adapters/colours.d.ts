@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-import type {Surface} from "../src/index.js";
+import type {Surface} from "meniscus-surface";
 
 export type Scheme = "element" | "chain" | "residue" | "hydrophobicity" | "patch" | "component" | "curvature";
 
@@ -18,6 +18,3 @@ export function vertexColours(surface: Surface, colouring?: Colouring): Uint32Ar
 
 /** Throws a TypeError if it is no colouring; what a function returns is checked when it is called. */
 export function checkColouring(colouring: Colouring): void;
-
-/** Mean curvature at each vertex, Å⁻¹, positive on a sphere; near creases an estimate. */
-export function meanCurvatures(surface: Pick<Surface, "positions" | "normals" | "indices">): Float32Array;

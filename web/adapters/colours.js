@@ -19,7 +19,7 @@ function byChain(surface) {
 }
 
 function byComponent(surface) {
-  const cavities = surface.cavities.map(cavity => cavity.component).sort((a, b) => a - b);
+  const cavities = surface.cavities.map(cavity => cavity.component).filter(Number.isInteger).sort((a, b) => a - b);
   return vertex => {
     const cavity = cavities.indexOf(surface.component[vertex]);
     return cavity < 0 ? PLAIN : DISTINCT[(cavity + 1) % DISTINCT.length];
@@ -31,8 +31,7 @@ function hydropathyColour({residue}, atom) {
   return value === undefined ? NEUTRAL : rampColour(GREEN_BROWN, placeIn(HYDROPATHY, value));
 }
 
-function byCurvature(surface) {
-  const curvatures = meanCurvatures(surface);
+function byCurvature({values: {mean_curvature: curvatures}}) {
   return vertex => rampColour(RED_BLUE, placeIn(CURVATURE, curvatures[vertex]));
 }
 
@@ -51,7 +50,7 @@ export const SCHEMES = Object.keys(schemes);
 
 /**
  * A colour per vertex, 0xRRGGBB.
- * @param {import("../src/index.js").Surface} surface
+ * @param {import("meniscus-surface").Surface} surface
  * @param {import("./colours.js").Colouring} colouring a scheme, one colour (a CSS colour or 0xRRGGBB), or a function of
  *     the indices of atom and vertex that returns one
  * @throws {TypeError} if it is none of these
@@ -96,31 +95,3 @@ function parse(text) {
   const [red, green, blue] = canvas.getImageData(0, 0, 1, 1).data;
   return red << 16 | green << 8 | blue;
 }
-
-/**
- * Mean curvature at each vertex, Å⁻¹, positive on a sphere: half of the divergence of the normals, which are taken to be
- * linear in each triangle. It is smoothed over the triangles around a vertex, 0.5 Å or so.
- */
-export function meanCurvatures({positions, normals, indices}) {
-  const divergences = new Float64Array(positions.length / 3), areas = new Float64Array(positions.length / 3);
-  for (let t = 0; t < indices.length; t += 3) {
-    const [twiceArea, sum] = ofTriangle(positions, normals, [3 * indices[t], 3 * indices[t + 1], 3 * indices[t + 2]]);
-    for (let corner = t; corner < t + 3; ++corner) {
-      divergences[indices[corner]] += sum;
-      areas[indices[corner]] += twiceArea;
-    }
-  }
-  return Float32Array.from(divergences, (sum, vertex) => areas[vertex] > 0 ? sum / (2 * areas[vertex]) : 0);
-}
-
-/** Twice the area of a triangle, and that times the divergence in it: (v × (nᵢ - nⱼ) + u × (nₖ - nᵢ)) · (u × v) / |u × v|. */
-function ofTriangle(p, n, [i, j, k]) {
-  const difference = (values, to, from) =>
-    [values[to] - values[from], values[to + 1] - values[from + 1], values[to + 2] - values[from + 2]];
-  const u = difference(p, j, i), v = difference(p, k, i), across = product(u, v), twiceArea = Math.sqrt(dot(across, across));
-  const sum = dot(across, product(v, difference(n, i, j))) + dot(across, product(u, difference(n, k, i)));
-  return [twiceArea, twiceArea > 0 ? sum / twiceArea : 0];
-}
-
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const product = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];

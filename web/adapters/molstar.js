@@ -7,7 +7,7 @@ import {atomName} from "./names.js";
 
 /**
  * @param {object} plugin Mol*'s PluginContext: `viewer.plugin` of the ready-made viewer
- * @param {import("../src/index.js").Surface} surface
+ * @param {import("meniscus-surface").Surface} surface
  * @param {import("./molstar.js").MolstarOptions} options
  * @returns {Promise<import("./molstar.js").MolstarHandle>}
  */

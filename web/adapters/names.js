@@ -4,7 +4,7 @@
 
 /**
  * Chain, residue and atom, as in "A LYS 48 NZ"; for atoms without names (given as positions) their number from 1.
- * @param {import("../src/index.js").Surface} surface
+ * @param {import("meniscus-surface").Surface} surface
  * @param {number} atom index among surface.atoms
  */
 export function atomName({atoms}, atom) {

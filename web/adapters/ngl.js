@@ -6,7 +6,7 @@ import {atomName} from "./names.js";
 
 /**
  * @param {object} stage NGL's Stage
- * @param {import("../src/index.js").Surface} surface
+ * @param {import("meniscus-surface").Surface} surface
  * @param {import("./ngl.js").NglOptions} options
  * @returns {import("./ngl.js").NglHandle}
  */

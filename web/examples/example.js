@@ -4,7 +4,7 @@
 // text. What is special to a viewer stands in its page.
 import {SCHEMES} from "../adapters/colours.js";
 
-const FIRST = new URL("../../examples/1ubq.pdb", import.meta.url);
+const FIRST = new URL("1ubq.pdb", import.meta.url);
 const element = id => document.getElementById(id);
 
 document.querySelector("header").insertAdjacentHTML("beforeend", `
