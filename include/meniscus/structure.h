@@ -99,6 +99,11 @@ struct Structure {
 /// cost     O(size of the file)
 Structure read_structure(const std::string& path, const ReadOptions& options = {});
 
+/// The same from the bytes of a file in memory.
+///
+/// name     tells the format, as a path would: "1abc.cif.gz"; messages and Structure::file have it
+Structure parse_structure(std::string bytes, const std::string& name, const ReadOptions& options = {});
+
 /// The advice that read_structure() gives where a path is not a file but an identifier of the PDB, of UniProt or of
 /// AlphaFold DB: "1UBQ is not a file; Meniscus does not download: get 1ubq.cif from the PDB (...)". Else empty.
 std::string explain_identifier(const std::string& path);

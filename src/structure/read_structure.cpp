@@ -38,9 +38,8 @@ void append(std::vector<std::string>& lines, const std::vector<std::string>& mor
 // A loaded file that hands out its models one by one.
 class ModelSource {
 public:
-    ModelSource(const std::string& path, const ReadOptions& options)
-        : file_(load_input(path, options.checksum ? Checksum::Found : Checksum::LeftOut)),
-          assemblies_(!options.assembly.empty()) {
+    ModelSource(InputFile file, const ReadOptions& options)
+        : file_(std::move(file)), assemblies_(!options.assembly.empty()) {
         if (is_pdb()) pdb_ = find_pdb_models(file_.text);
         if (file_.format == Format::Pqr) pdb_ = find_pqr_models(file_.text);
         if (file_.format == Format::Cif) cif_.emplace(file_.text, file_.path);
@@ -256,6 +255,17 @@ void tell_models(const ModelSource& source, const ReadOptions& options, RawModel
     }
 }
 
+Checksum checksum_of(const ReadOptions& options) {
+    return options.checksum ? Checksum::Found : Checksum::LeftOut;
+}
+
+Structure structure_from(InputFile file, const ReadOptions& options) {
+    const ModelSource source(std::move(file), options);
+    RawModel model = options.join_models ? source.joined() : model_with_atoms(source, options.model, options);
+    if (source.model_count() > 1) tell_models(source, options, model);
+    return make_structure(source.file(), model, options);
+}
+
 std::string model_suffix(int position) {
     const std::string number = std::to_string(position);
     return "_m" + (number.size() < 2 ? "0" + number : number);
@@ -265,15 +275,17 @@ std::string model_suffix(int position) {
 
 Structure read_structure(const std::string& path, const ReadOptions& options) {
     check_options(options);
-    const ModelSource source(path, options);
-    RawModel model = options.join_models ? source.joined() : model_with_atoms(source, options.model, options);
-    if (source.model_count() > 1) tell_models(source, options, model);
-    return make_structure(source.file(), model, options);
+    return structure_from(load_input(path, checksum_of(options)), options);
+}
+
+Structure parse_structure(std::string bytes, const std::string& name, const ReadOptions& options) {
+    check_options(options);
+    return structure_from(load_bytes(std::move(bytes), name, checksum_of(options)), options);
 }
 
 std::vector<Structure> read_all_models(const std::string& path, const ReadOptions& options) {
     check_options(options);
-    const ModelSource source(path, options);
+    const ModelSource source(load_input(path, checksum_of(options)), options);
     std::vector<Structure> structures;
     for (int position = 1; position <= source.model_count(); ++position) {
         ReadOptions own = options;
