@@ -166,7 +166,7 @@ class ExactSurface:
 
     @property
     def kind(self) -> SurfaceKind:
-        """ses, sas or vdw."""
+        """Which surface: ses, sas or vdw."""
         return self._kind
 
     @property

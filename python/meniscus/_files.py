@@ -79,7 +79,8 @@ def _single_file(suffix: str, save: Callable[[str], object]) -> bytes:
     if not suffix:
         raise UsageError('format: required for a file without a name; write for instance format="ply"')
     with tempfile.TemporaryDirectory(prefix="meniscus-") as folder:
-        save(os.path.join(folder, "output" + suffix))
+        with _without_folder(folder):
+            save(os.path.join(folder, "output" + suffix))
         files = list(pathlib.Path(folder).iterdir())
         if len(files) != 1:
             raise UsageError(f"format {suffix[1:]}: makes several files; give a path instead of an open file")
@@ -110,6 +111,15 @@ def write_whole(path: str, write: Callable[[BinaryIO], Any]) -> None:
 
 
 @contextlib.contextmanager
+def _without_folder(folder: str) -> Iterator[None]:
+    """Messages do not name the folder of temporary files, of which the caller knows nothing."""
+    try:
+        yield
+    except (InputError, UsageError) as error:
+        raise type(error)(str(error).replace(folder + os.sep, "")) from None
+
+
+@contextlib.contextmanager
 def on_disk(source: Source, format: str | None = None) -> Iterator[str]:
     """The path of a file with the content of an open one; a path as it is. Messages have the name without the folder."""
     if not is_file(source):
@@ -121,7 +131,5 @@ def on_disk(source: Source, format: str | None = None) -> Iterator[str]:
     with tempfile.TemporaryDirectory(prefix="meniscus-") as folder:
         path = os.path.join(folder, name)
         pathlib.Path(path).write_bytes(content_of(source))
-        try:
+        with _without_folder(folder):
             yield path
-        except (InputError, UsageError) as error:
-            raise type(error)(str(error).replace(folder + os.sep, "")) from None

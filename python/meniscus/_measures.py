@@ -83,12 +83,12 @@ class Component:
 
     @property
     def area(self) -> float:
-        """``ses_area``, Å²."""
+        """Å²: ``ses_area``."""
         return self.ses_area
 
     @property
     def volume(self) -> float:
-        """``ses_volume``, Å³."""
+        """Å³: ``ses_volume``."""
         return self.ses_volume
 
 
@@ -129,7 +129,7 @@ class Measures:
 
     @property
     def totals(self) -> dict[str, float]:
-        """sas_area, sas_volume, ses_area, ses_volume, contact_area, toroidal_area, reentrant_area."""
+        """All totals by their names: sas_area, sas_volume, ses_area, ses_volume, contact_area, toroidal_area, reentrant_area."""
         return self._core.totals
 
     @property

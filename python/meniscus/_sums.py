@@ -67,9 +67,7 @@ def atoms_of(structure: Structure, selection: Any) -> Indices:
     """Indices of the selected atoms, ascending, each once."""
     if isinstance(selection, str):
         return structure.select(selection)
-    if hasattr(selection, "ix"):  # atoms of MDAnalysis, or an object that has them
-        return _of_places(structure, selection.ix)
-    if hasattr(selection, "atoms") and hasattr(selection.atoms, "ix"):
+    if hasattr(selection, "atoms"):  # those of residues are numbered otherwise than the residues
         return _of_places(structure, selection.atoms.ix)
     array = as_array("selection", selection)
     if array.ndim == 1 and array.dtype == np.bool_:
