@@ -23,15 +23,17 @@ Wherever atoms are expected, an object of MDAnalysis, MDTraj, Biopython, Biotite
 
 A tutorial is in ``docs/python.md``.
 """
+from ._calls import measure, signed_distance, surface
 from ._compare import Compared, Comparison, Distance, compare
+from ._component import Component
 from ._core import version as __version__
 from ._errors import CheckWarning, InputError, LimitError, OutputError, ReadWarning, UsageError
-from ._exact import ExactSurface, Nearest, signed_distance, surface
+from ._exact import ExactSurface, Nearest
 from ._foreign import from_biopython, from_biotite, from_gemmi, from_mdanalysis, from_mdtraj, from_openmm
 from ._interfaces import Interface
 from ._keywords import Meshing, SurfaceOptions
 from ._map import map
-from ._measures import Component, Measures, measure
+from ._measures import Measures
 from ._nouns import RunOptions
 from ._points import Points
 from ._reading import ReadOptions, read, read_models

@@ -13,6 +13,7 @@ from . import _files, _foreign
 from ._arrays import ArrayLike
 from ._errors import UsageError
 from ._files import Path, Source
+from ._nouns import of_kind
 from ._reading import DEFAULTS, ReadOptions, read_for_caller
 from ._structure import Structure
 
@@ -41,7 +42,7 @@ def read_source(source: Any, reading: Mapping[str, Any], options: ReadOptions | 
     check_reading(reading, options, has_source=True)
     given = dict(reading)
     frame = given.pop("frame", None)
-    asked = (options or ReadOptions()).replace(**given)
+    asked = of_kind("reading", options, ReadOptions).replace(**given)
     if _foreign.is_foreign(source):
         return _foreign.structure_of(source, frame, asked, stacklevel + 1)
     if frame is not None:

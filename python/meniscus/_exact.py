@@ -17,7 +17,7 @@ from ._errors import CheckWarning, UsageError
 from ._keywords import DEFAULTS, Meshing, Method, SurfaceKind, SurfaceOptions
 from ._measures import Measures, checked
 from ._meshing import given, with_keywords, with_run
-from ._nouns import NOT_GIVEN, Progress, RunOptions
+from ._nouns import NOT_GIVEN, Progress, RunOptions, of_kind
 from ._reading import Reading, ReadOptions
 from ._structure import Structure
 from ._surface import Surface
@@ -25,12 +25,8 @@ from ._surface import Surface
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-_OPTIONS: dict[str, Any] = {field.name: field.default for field in dataclasses.fields(SurfaceOptions)}
-_RUN: dict[str, Any] = {field.name: field.default for field in dataclasses.fields(RunOptions)}
-
-
-class SurfaceKeywords(Meshing, Reading, total=False):
-    """What :func:`surface` takes beside the arguments that it names."""
+SURFACE_DEFAULTS: dict[str, Any] = {field.name: field.default for field in dataclasses.fields(SurfaceOptions)}
+RUN_DEFAULTS: dict[str, Any] = {field.name: field.default for field in dataclasses.fields(RunOptions)}
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -284,7 +280,7 @@ class ExactSurface:
         other._core = self._core.of_same_atoms(other._exact_options())
         return other
 
-    @with_keywords({**_OPTIONS, **_RUN, **DEFAULTS}, but=("probe", "surface", "threads"))
+    @with_keywords({**SURFACE_DEFAULTS, **RUN_DEFAULTS, **DEFAULTS}, but=("probe", "surface", "threads"))
     def mesh(
         self,
         spacing: float | None = NOT_GIVEN,
@@ -336,7 +332,7 @@ class ExactSurface:
         """
         asked = meshing_of(options, given(spacing=spacing, method=method), keywords)
         for name, own in (("probe", self._probe), ("surface", self._kind)):
-            if getattr(asked, name) not in (own, _OPTIONS[name]):
+            if getattr(asked, name) not in (own, SURFACE_DEFAULTS[name]):
                 raise UsageError(f"{name} {getattr(asked, name)}: of options, but this surface has {name} {own}; "
                                  "see of_same_atoms()")
         used = with_run(run, memory=memory, progress=progress)
@@ -344,7 +340,7 @@ class ExactSurface:
 
     def _meshed(self, asked: SurfaceOptions, run: RunOptions) -> Surface:
         """For functions that are called from outside: a warning names their caller."""
-        options = {**asked._values(), **self._exact_options(), "threads": run.threads}
+        options = {"method": asked.method, **asked._given(), **self._exact_options(), "threads": run.threads}
         if run.memory is not None:
             options["memory"] = _options.megabytes("memory", run.memory)
         result = Surface(_core.mesh(self._core, options, run.progress), self, options)
@@ -361,148 +357,4 @@ def meshing_of(options: SurfaceOptions | None, named: dict[str, Any], keywords: 
         if name not in DEFAULTS:
             raise TypeError(f"unexpected keyword argument {name!r}")
     changes = {name: value for name, value in {**named, **keywords}.items() if value is not None or name == "probe"}
-    return (options or SurfaceOptions()).replace(**changes)
-
-
-@with_keywords({**_OPTIONS, **_RUN}, others="keywords")
-def surface(
-    atoms: Atoms,
-    radii: Radii | None = None,
-    probe: float = NOT_GIVEN,
-    spacing: float | None = NOT_GIVEN,
-    method: Method = NOT_GIVEN,
-    *,
-    surface: SurfaceKind = NOT_GIVEN,
-    options: SurfaceOptions | None = None,
-    reading: ReadOptions | None = None,
-    run: RunOptions | None = None,
-    threads: int = NOT_GIVEN,
-    memory: int | str | None = NOT_GIVEN,
-    progress: Progress = NOT_GIVEN,
-    **keywords: Unpack[SurfaceKeywords],
-) -> Surface:
-    """The solvent-excluded surface of atoms: an :class:`ExactSurface` of them, meshed.
-
-    What decides the result is in ``options``, what is kept of a file in ``reading``, and what the computation may use in
-    ``run``. For convenience, every member of the three is a keyword, too; all that is given as a keyword replaces what
-    the three say. A result that fails its own checks comes with a :class:`CheckWarning`. Memory grows with area /
-    spacing². Other Python threads keep running.
-
-    Parameters
-    ----------
-    atoms : Structure, str, os.PathLike, file object, object of another package, or array_like, shape (n, 3)
-        A structure, or what :func:`read` and the functions ``from_...`` make one of; or centres, Å.
-    radii : array_like, shape (n,), or str, optional
-        Å; required with centres. With a file or an object of another package, the name of a radius set.
-    probe : float, default 1.4
-        Probe radius, Å; 0 gives the van der Waals surface.
-    spacing : float, optional
-        Grid spacing, Å; by default 0.5, and with edge or vertex_density half or a quarter of that for small surfaces whose
-        area would otherwise be off by more than 0.5 %.
-    method : {"flow", "direct", "gaussian"}, default "flow"
-        flow (smooth level set), direct (exact distance, sharp ridges) or gaussian (only the start of the flow).
-    surface : {"ses", "sas", "vdw"}, default "ses"
-        Solvent-excluded, solvent-accessible or van der Waals (the same as probe 0).
-    options : SurfaceOptions, optional
-        Which surface, and how it is meshed.
-    reading : ReadOptions, optional
-        With a file or an object of another package: what to keep, and which radii.
-    run : RunOptions, optional
-        Threads, memory, progress.
-    threads : int, default 0
-        0: all cores; results do not depend on it.
-    memory : int or str, optional
-        "4G", "500M" or a number of MB: refuse what would need more.
-    progress : callable, optional
-        Called with the stage's name and the fraction of it that is done; see :class:`RunOptions`.
-    **keywords
-        The other members of SurfaceOptions and ReadOptions: edge=1.0, components="outer", waters=True ...; and frame=N for
-        trajectories.
-
-    Returns
-    -------
-    Surface
-
-    Raises
-    ------
-    UsageError
-        For invalid arrays or options. A ValueError.
-    InputError, OSError
-        For a file that cannot be read.
-    LimitError
-        For a surface that would not fit into memory. A ValueError and MemoryError.
-
-    Examples
-    --------
-    >>> ball = meniscus.surface([[0, 0, 0]], [2.0], probe=1.4, spacing=0.25)
-    >>> ball.vertices.dtype, ball.triangles.dtype, ball.patch.dtype
-    (dtype('float64'), dtype('int32'), dtype('uint8'))
-    >>> round(float(numpy.median(ball.mean_curvature)), 2)
-    0.5
-    """
-    meshing = {name: value for name, value in keywords.items() if name in DEFAULTS}
-    to_read = {name: value for name, value in keywords.items() if name not in DEFAULTS}
-    structure = as_structure(atoms, radii, to_read, reading)
-    named = given(probe=probe, surface=surface, spacing=spacing, method=method)
-    asked = meshing_of(options, named, meshing)
-    used = with_run(run, threads=threads, memory=memory, progress=progress)
-    exact = ExactSurface(structure, probe=asked.probe, surface=asked.surface, threads=used.threads)
-    return exact._meshed(asked, used)
-
-
-def signed_distance(
-    atoms: Atoms,
-    radii: Radii | None = None,
-    points: ArrayLike | None = None,
-    probe: float = 1.4,
-    threads: int = 0,
-    *,
-    reading: ReadOptions | None = None,
-    **keywords: Unpack[Reading],
-) -> Floats:
-    """Signed distances from the exact solvent-excluded surface; negative inside.
-
-    Exact inside and on the surface; outside, next to ridges, a lower bound with the correct zero set. Takes about
-    0.1 µs per point for points as close together as those of a grid and 3 µs for isolated ones, plus the geometry of
-    the atoms.
-
-    Parameters
-    ----------
-    atoms : Structure, str, os.PathLike, file object, object of another package, or array_like, shape (n, 3)
-        As for :func:`measure`.
-    radii : array_like, shape (n,), or str, optional
-        Å; required with centres. With a file or an object of another package, the name of a radius set.
-    points : array_like, shape (m, 3)
-        Å; anywhere; required.
-    probe : float, default 1.4
-        Probe radius, Å.
-    threads : int, default 0
-        0: all cores; results do not depend on it.
-    reading : ReadOptions, optional
-        With a file or an object of another package: what to keep, and which radii.
-    **keywords
-        The members of ReadOptions, which replace those of ``reading``; and frame=N for trajectories.
-
-    Returns
-    -------
-    ndarray of float64, shape (m,)
-        Å; an array of your own, which may be written to.
-
-    Raises
-    ------
-    UsageError
-        For invalid arrays or options. A ValueError.
-    InputError, OSError
-        For a file that cannot be read.
-
-    Examples
-    --------
-    >>> meniscus.signed_distance([[0, 0, 0]], [2.0], [[0, 0, 5], [1, 0, 0]]).round(6).tolist()
-    [3.0, -1.0]
-    >>> bool(meniscus.signed_distance(meniscus.read("1ubq.pdb"), points=[[0, 0, 0]]) > 20)
-    True
-    """
-    structure = as_structure(atoms, radii, keywords, reading)
-    if points is None:
-        raise TypeError("points: required, (m, 3) in Å")
-    return ExactSurface(structure, probe=probe, threads=threads).signed_distance(points)
+    return of_kind("options", options, SurfaceOptions).replace(**changes)

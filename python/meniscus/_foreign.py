@@ -10,6 +10,7 @@ from . import _core, _foreign_atoms
 from ._arrays import positions
 from ._foreign_atoms import Found
 from ._meshing import with_keywords
+from ._nouns import of_kind
 from ._reading import DEFAULTS, ReadingOfFile, ReadOptions, warn_of
 from ._structure import Structure, columns_of
 
@@ -100,7 +101,7 @@ def _made(name: str, found: Found, options: ReadOptions, stacklevel: int) -> Str
 
 
 def _from(name: str, found: Found, options: ReadOptions | None, keywords: Any) -> Structure:
-    return _made(name, found, (options or ReadOptions()).replace(**keywords), stacklevel=4)
+    return _made(name, found, of_kind("options", options, ReadOptions).replace(**keywords), stacklevel=4)
 
 
 @with_keywords(_KEYWORDS)

@@ -223,7 +223,7 @@ class SurfaceOptions(Noun):
         >>> meniscus.SurfaceOptions(edge=1.0).replace(edge=2.0, adaptive=True)
         SurfaceOptions(edge=2.0, adaptive=True)
         """
-        return dataclasses.replace(self, **changes)
+        return self._changed(changes)
 
 
 DEFAULTS: dict[str, Any] = {field.name: field.default for field in dataclasses.fields(SurfaceOptions)

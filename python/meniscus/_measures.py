@@ -3,94 +3,21 @@
 """Exact areas, volumes and cavities, without a grid."""
 from __future__ import annotations
 
-import dataclasses
 import warnings
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 from . import _core, _files, _options
-from ._arrays import Floats, Indices
-from ._atoms import Atoms, Radii, as_structure
+from ._arrays import Floats
 from ._choices import Per, PerInterface, TableFormat
+from ._component import Component
 from ._errors import CheckWarning, UsageError, text_of_path
 from ._files import Target
-from ._interfaces import Between, Interface, Pairs, pairs_of
-from ._meshing import with_keywords, with_run
-from ._nouns import NOT_GIVEN, RunOptions
-from ._reading import Reading, ReadOptions
+from ._interfaces import Interface
 from ._structure import Structure
 from ._sums import Selection, Sum, sum_of
 
 if TYPE_CHECKING:
     import pandas  # type: ignore[import]
-    from typing_extensions import Unpack
-
-Point = tuple[float, float, float]
-
-
-@dataclasses.dataclass(frozen=True)
-class Component:
-    """A connected closed piece of the solvent-excluded surface; made by :func:`measure`.
-
-    Parameters
-    ----------
-    kind : {"outer", "cavity"}
-        Whether it bounds the molecule from outside or solvent inside.
-    ses_area : float
-        Å².
-    contact_area : float
-        Å², of contact patches.
-    toroidal_area : float
-        Å², of toroidal patches.
-    reentrant_area : float
-        Å², of reentrant patches.
-    ses_volume : float
-        Å³ enclosed, positive.
-    sas_area : float
-        Å², of the solvent-accessible pieces that belong to it.
-    sas_volume : float
-        Å³ that those pieces enclose, positive.
-    sas_components : int
-        Their number.
-    centre : tuple of float
-        Centroid of its surface, Å.
-    inside_of : int or None
-        Index of the component that directly encloses it.
-    atoms : ndarray of int32, shape (k,)
-        Indices of the atoms that touch it.
-    inscribed_centre : tuple of float
-        Centre of the largest sphere that fits into a cavity, Å.
-    inscribed_radius : float
-        Its radius, Å; 0 for outer pieces.
-    errors : dict of str to float
-        Absolute error estimates of the areas and volumes by name.
-    """
-
-    kind: Literal["outer", "cavity"]
-    ses_area: float
-    contact_area: float
-    toroidal_area: float
-    reentrant_area: float
-    ses_volume: float
-    sas_area: float
-    sas_volume: float
-    sas_components: int
-    centre: Point
-    inside_of: int | None
-    atoms: Indices = dataclasses.field(repr=False, compare=False)
-    inscribed_centre: Point
-    inscribed_radius: float
-    errors: dict[str, float] = dataclasses.field(repr=False, compare=False)
-
-    @property
-    def area(self) -> float:
-        """Å²: ``ses_area``."""
-        return self.ses_area
-
-    @property
-    def volume(self) -> float:
-        """Å³: ``ses_volume``."""
-        return self.ses_volume
-
 
 class Measures:
     """Exact areas and volumes; made by :func:`measure`. Areas in Å², volumes in Å³; those of cavities are subtracted.
@@ -410,89 +337,6 @@ class Measures:
         if not _files.saved_elsewhere(path, format, lambda inner: self.save(inner, per)):
             text = text_of_path(path)  # type: ignore[arg-type]
             self._core.save(self._structure._core, text, _options.word("per", per))
-
-
-@with_keywords({"threads": 0}, others="keywords")
-def measure(
-    atoms: Atoms,
-    radii: Radii | None = None,
-    probe: float = 1.4,
-    *,
-    between: Between = None,
-    cavities: bool = True,
-    depth: bool = False,
-    threads: int = NOT_GIVEN,
-    reading: ReadOptions | None = None,
-    run: RunOptions | None = None,
-    **keywords: Unpack[Reading],
-) -> Measures:
-    """Exact areas and volumes of the SAS and SES with error estimates, shares of atoms, components and cavities.
-
-    Takes about 25 µs per atom; other Python threads keep running. If two evaluations do not agree, there is a
-    :class:`CheckWarning`, and ``Measures.disputed`` lists the patches.
-
-    Parameters
-    ----------
-    atoms : Structure, str, os.PathLike, file object, object of another package, or array_like, shape (n, 3)
-        A structure, or what :func:`read` and the functions ``from_...`` make one of; or centres, Å.
-    radii : array_like, shape (n,), or str, optional
-        Å; required with centres. With a file or an object of another package, the name of a radius set.
-    probe : float, default 1.4
-        Probe radius, Å; 0 gives the van der Waals surface.
-    between : str or pair or sequence of pairs, optional
-        Interfaces, too: ("A", "B") or "A:B", ("A,C", "B") or (["A", "C"], "B"), a list of such pairs, or "all" for every
-        pair of chains that touch. A ligand is named in parentheses, ("A", "(HEM)"), or "B(HEM)" for that of chain B; it
-        must have been kept: read(..., hetero="ligands").
-    cavities : bool, default True
-        Also find which component encloses which, and inscribed spheres.
-    depth : bool, default False
-        Also measure the depth of every atom.
-    threads : int, default 0
-        0: all cores; results do not depend on it.
-    reading : ReadOptions, optional
-        With a file or an object of another package: what to keep, and which radii.
-    run : RunOptions, optional
-        Threads.
-    **keywords
-        The members of ReadOptions, waters=True, chains="A" ..., which replace those of ``reading``; and frame=N for
-        trajectories.
-
-    Returns
-    -------
-    Measures
-
-    Raises
-    ------
-    UsageError
-        For invalid arrays or options. A ValueError.
-    InputError, OSError
-        For a file that cannot be read.
-
-    Examples
-    --------
-    >>> ball = meniscus.measure([[0, 0, 0]], [2.0], probe=1.0)
-    >>> numpy.allclose([ball.ses_area, ball.sas_area], [16 * numpy.pi, 36 * numpy.pi])
-    True
-    >>> round(meniscus.measure("1ubq.pdb").ses_area, 1)
-    3892.2
-    >>> two = meniscus.Structure.from_arrays([[0, 0, 0], [3, 0, 0]], 1.7, chain=["A", "B"])
-    >>> round(meniscus.measure(two, between=("A", "B")).interfaces[0].buried_sas, 1)
-    62.3
-    """
-    structure = as_structure(atoms, radii, keywords, reading)
-    options = {"probe": _options.number("probe", probe), "cavities": bool(cavities), "depth": bool(depth),
-               "threads": with_run(run, threads=threads).threads}
-    pairs = pairs_of(between)
-    core = _core.measure(structure._core, options)
-    found = None if between is None else _interfaces(structure, pairs, options)
-    return checked(Measures(core, structure, found), stacklevel=3)
-
-
-def _interfaces(structure: Structure, pairs: Pairs, options: dict[str, Any]) -> _core.Interfaces:
-    try:
-        return _core.measure_interfaces(structure._core, pairs, options)
-    except UsageError as error:
-        raise UsageError(f"between: {error}") from None
 
 
 def checked(measures: Measures, stacklevel: int) -> Measures:

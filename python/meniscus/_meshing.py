@@ -7,7 +7,7 @@ import inspect
 from collections.abc import Callable, Collection, Mapping
 from typing import Any, TypeVar
 
-from ._nouns import NOT_GIVEN, RunOptions
+from ._nouns import NOT_GIVEN, RunOptions, of_kind
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -19,7 +19,7 @@ def given(**keywords: Any) -> dict[str, Any]:
 
 def with_run(run: RunOptions | None, **keywords: Any) -> RunOptions:
     """The options of a run, of which keywords replace some."""
-    return (run or RunOptions()).replace(**given(**keywords))
+    return of_kind("run", run, RunOptions).replace(**given(**keywords))
 
 
 def with_keywords(keywords: Mapping[str, Any], others: str = "", but: Collection[str] = ()) -> Callable[[Function], Function]:

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable
-from typing import Any, Optional, TypedDict, TYPE_CHECKING
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, Optional, TypedDict, TypeVar
 
 from . import _options
 
@@ -18,6 +18,10 @@ NOT_GIVEN: Any = object()
 """The default of keywords that may also stand in an object of options."""
 
 
+Options = TypeVar("Options", bound="Noun")
+
+
+@dataclasses.dataclass(frozen=True, repr=False)
 class Noun:
     """Base of dataclasses that hold options."""
 
@@ -31,11 +35,30 @@ class Noun:
         values = {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
         return {name: value for name, value in values.items() if value is not None}
 
-    def __repr__(self) -> str:
-        """Only what does not have its default value."""
+    def _given(self) -> dict[str, Any]:
+        """Those that do not have their default values."""
         defaults = {field.name: field.default for field in dataclasses.fields(self)}
-        given = [f"{name}={value!r}" for name, value in self._values().items() if value != defaults[name]]
-        return f"{type(self).__name__}({', '.join(given)})"
+        return {name: value for name, value in self._values().items() if value != defaults[name]}
+
+    def _changed(self: Options, changes: Mapping[str, Any]) -> Options:
+        names = {field.name for field in dataclasses.fields(self)}
+        for name in changes:
+            if name not in names:
+                raise TypeError(f"unexpected keyword argument {name!r}")
+        return dataclasses.replace(self, **changes)
+
+    def __repr__(self) -> str:
+        given = ", ".join(f"{name}={value!r}" for name, value in self._given().items())
+        return f"{type(self).__name__}({given})"
+
+
+def of_kind(name: str, value: Options | None, kind: type[Options]) -> Options:
+    """Options that a caller gives, or those with all defaults."""
+    if value is None:
+        return kind()
+    if not isinstance(value, kind):
+        raise TypeError(f"{name}: must be {kind.__name__}, not {type(value).__name__}")
+    return value
 
 
 class Running(TypedDict, total=False):
@@ -101,4 +124,4 @@ class RunOptions(Noun):
         -------
         RunOptions
         """
-        return dataclasses.replace(self, **changes)
+        return self._changed(changes)

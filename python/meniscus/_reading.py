@@ -13,7 +13,7 @@ from ._choices import Hetero, Hydrogens, RadiusSet, ReadFormat
 from ._errors import InputError, ReadWarning, text_of_path, unreadable
 from ._files import Path, Source
 from ._meshing import with_keywords
-from ._nouns import Noun
+from ._nouns import Noun, of_kind
 from ._structure import Structure, Texts
 
 if TYPE_CHECKING:
@@ -128,7 +128,7 @@ class ReadOptions(Noun):
         -------
         ReadOptions
         """
-        return dataclasses.replace(self, **changes)
+        return self._changed(changes)
 
     def _for_core(self) -> dict[str, Any]:
         joins = isinstance(self.model, str) and self.model == "join"
@@ -208,7 +208,7 @@ def read(
     ...     meniscus.read(file)
     <meniscus.Structure 1ubq: 602 atoms, 76 residues, radii united>
     """
-    asked = (options or ReadOptions()).replace(**keywords)
+    asked = of_kind("options", options, ReadOptions).replace(**keywords)
     return read_for_caller(path, asked, format, name, stacklevel=4)
 
 
@@ -257,7 +257,7 @@ def read_models(
     """
     if "model" in keywords:
         raise TypeError("unexpected keyword argument 'model': every model is read")
-    asked = (options or ReadOptions()).replace(**keywords).replace(model=1)._for_core()
+    asked = of_kind("options", options, ReadOptions).replace(**keywords).replace(model=1)._for_core()
     if _files.is_file(path):
         data = _files.content_of(path)
         cores = _core.read_models_of_bytes(data, _named(path, data, format, name), asked)

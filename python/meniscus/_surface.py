@@ -12,7 +12,8 @@ from ._arrays import ArrayLike, Floats, Indices, arrays_of, positions
 from ._choices import Field, Maps, SurfaceFormat
 from ._errors import text_of_path
 from ._files import Target
-from ._measures import Component, Measures
+from ._component import Component
+from ._measures import Measures
 from ._points import VERTEX_ARRAYS, Arrays, OnSurface, Points, further
 
 if TYPE_CHECKING:

@@ -240,7 +240,7 @@ bool is_named_as_mesh(const std::string& path) {
 }
 
 // Standard input, and bytes in memory whose name tells nothing.
-bool is_nameless(const std::string& path) { return path == "-" || path.starts_with('<'); }
+bool is_nameless(const std::string& path) { return path == "-" || (path.starts_with('<') && path.ends_with('>')); }
 
 [[noreturn]] void fail_nothing(const std::string& path) {
     if (path == "-") throw InputError("-: nothing came on standard input; pipe a PDB, mmCIF or xyzr file into it");

@@ -6,7 +6,6 @@ import io
 import pathlib
 import unittest
 
-import numpy as np
 from support import CENTRES, RADII, UBIQUITIN, InScratchFolder, read
 
 import meniscus

@@ -61,6 +61,18 @@ class Objects(unittest.TestCase):
                 make()
 
 
+    def test_of_another_kind_are_refused(self):
+        reading, run = meniscus.ReadOptions(), meniscus.RunOptions()
+        for call, message in ((lambda: meniscus.surface(CENTRES, RADII, options=reading), "options: must be SurfaceOptions, not Read"),
+                              (lambda: meniscus.surface(CENTRES, RADII, options={"probe": 1}), "must be SurfaceOptions, not dict"),
+                              (lambda: meniscus.surface(CENTRES, RADII, run=4), "run: must be RunOptions, not int"),
+                              (lambda: meniscus.measure(UBIQUITIN, reading=run), "reading: must be ReadOptions, not Run"),
+                              (lambda: meniscus.read(UBIQUITIN, options=run), "options: must be ReadOptions, not RunOptions"),
+                              (lambda: meniscus.read(UBIQUITIN, watters=True), "unexpected keyword argument 'watters'")):
+            with self.assertRaisesRegex(TypeError, message):
+                call()
+
+
 class InUse(unittest.TestCase):
     def mesh(self, **options):
         return meniscus.surface(CENTRES, RADII, **options).vertices.tobytes()
