@@ -51,6 +51,7 @@ ReadOptions read_options(const py::dict& given) {
 
 std::vector<StructurePointer> shared(std::vector<Structure>&& structures) {
     std::vector<StructurePointer> pointers;
+    pointers.reserve(structures.size());
     for (Structure& structure : structures) pointers.push_back(std::make_shared<Structure>(std::move(structure)));
     return pointers;
 }

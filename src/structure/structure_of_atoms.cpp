@@ -5,7 +5,7 @@
 
 #include "meniscus/errors.h"
 #include "meniscus/named_atoms.h"
-#include "reading/text.h"
+#include "reading/numbers.h"
 #include "structure/element.h"
 #include "structure/make_structure.h"
 #include "structure/residue_list.h"
