@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Objects of MDAnalysis, MDTraj, Biopython, gemmi, Biotite and OpenMM give the structures that their files give."""
 import importlib.util
+import os
 import pathlib
 import pickle
 import subprocess
@@ -16,6 +17,7 @@ from support import ROOT, UBIQUITIN, InScratchFolder, read
 
 import meniscus
 
+DATA = os.environ.get("MENISCUS_TEST_DATA", "")
 COMPLEX = str(ROOT / "examples" / "1a0q.pdb")
 COLUMNS = ("radii", "element", "name", "resname", "resnum", "icode", "chain", "altloc", "serial", "b_factor", "occupancy")
 
@@ -55,6 +57,11 @@ def of_mdanalysis(path):
 def of_biopython(path):
     from Bio.PDB import PDBParser
     return PDBParser(QUIET=True).get_structure(pathlib.Path(path).stem, path)
+
+
+def of_biopython_cif(path):
+    from Bio.PDB import MMCIFParser
+    return MMCIFParser(QUIET=True).get_structure(pathlib.Path(path).stem, path)
 
 
 def of_gemmi(path):
@@ -107,6 +114,18 @@ class SameAsTheFile(InScratchFolder):
                             {"select": "chain A and name CA"}, {"radii": "bondi"}):
                 with self.subTest(package=package, options=options):
                     self.expect_same(quietly(convert, parse("rich.pdb"), **options), read("rich.pdb", **options))
+
+    @unittest.skipUnless(DATA, "MENISCUS_TEST_DATA does not name a folder of structures")
+    def test_real_structures(self):
+        """With alternative residues, insertion codes, sugars, several models, modified residues."""
+        for name in ("1en2.cif", "1us0.pdb", "1igy.pdb", "1l2y.pdb", "1ema.cif"):
+            path = str(pathlib.Path(DATA) / "structures" / name)
+            for package, parse, convert in (*READERS, ("Bio", of_biopython_cif, meniscus.from_biopython)):
+                fits = name.endswith(".cif") == (parse is of_biopython_cif) or package == "gemmi"
+                if not (fits and importlib.util.find_spec(package)):
+                    continue
+                with self.subTest(package=package, name=name):
+                    self.expect_same(quietly(convert, parse(path)), read(path), but=("notes",))
 
     @has("mdtraj")
     def test_what_mdtraj_keeps(self):
@@ -211,6 +230,19 @@ class OfMDAnalysis(InScratchFolder):
         with self.assertRaisesRegex(meniscus.InputError, r"MDAnalysis: no atoms left: 58 waters left out"):
             meniscus.measure(waters)
         self.assertEqual(len(meniscus.measure(waters, waters=True).structure), 58)
+
+
+    def test_a_long_trajectory_leaves_nothing_behind(self):
+        def resident_mb():
+            with open("/proc/self/statm", encoding="ascii") as file:
+                return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 2**20
+
+        atoms = self.universe.select_atoms("resid 1:20")
+        for i in range(300):
+            meniscus.measure(atoms, frame=i % 3, cavities=False)
+            if i == 50:
+                before = resident_mb()
+        self.assertLess(resident_mb() - before, 8.0)
 
 
 class OfBiopython(InScratchFolder):
