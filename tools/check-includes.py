@@ -27,7 +27,7 @@ ROOMS = {
                  "space", "platform"),
     "reading": ("platform",),
     "radii": ("reading",),
-    "structure": ("reading", "radii"),
+    "structure": ("reading", "radii", "platform"),
     "tables": ("structure", "radii", "flow", "exact"),
     "mesh_io": ("reading", "mesh"),
     "volume": ("reading", "io", "platform"),
@@ -53,9 +53,9 @@ PUBLIC = {
     "volume_file": "volume", "words": "pipeline", "write": "io",
 }
 # What clients may use beside the public headers: how to write a file of their own whole or not at all, how foreign
-# words stand in messages, how to load a library, and options as JSON.
-FOR_CLIENTS = ("src/io/options_json.h", "src/platform/files/atomic_file.h", "src/reading/text.h",
-               "src/platform/files/loaded_library.h")
+# words stand in messages, how to load a library, options and results as JSON.
+FOR_CLIENTS = ("src/io/options_json.h", "src/io/json_visitor.h", "src/io/describe_structure.h",
+               "src/platform/files/atomic_file.h", "src/reading/text.h", "src/platform/files/loaded_library.h")
 # Words that only some folders may include.
 ONLY_IN = {
     "<tbb/": ("src/core/threads/tbb.cpp", "src/render/ray_scene.cpp"),
@@ -82,7 +82,7 @@ def wrong_includes(path):
     for target in includes(path):
         other = room_of(target)
         if room is None:
-            if path.parts[0] in ("cli", "python") and target.parts[0] == "src" and str(target) not in FOR_CLIENTS:
+            if path.parts[0] in ("cli", "python", "c", "web") and target.parts[0] == "src" and str(target) not in FOR_CLIENTS:
                 yield f"{target}: only the public headers may be used here"
         elif path.parts[0] == "include" and target.parts[0] == "src":
             yield f"{target}: only the public headers may be used here"

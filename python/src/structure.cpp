@@ -71,13 +71,13 @@ std::vector<StructurePointer> read_models(const std::string& path, const py::dic
 StructurePointer read_bytes(std::string bytes, const std::string& name, const py::dict& given) {
     const ReadOptions options = read_options(given);
     const py::gil_scoped_release release;
-    return std::make_shared<Structure>(read_structure_bytes(std::move(bytes), name, options));
+    return std::make_shared<Structure>(parse_structure(std::move(bytes), name, options));
 }
 
 std::vector<StructurePointer> read_models_of_bytes(std::string bytes, const std::string& name, const py::dict& given) {
     const ReadOptions options = read_options(given);
     const py::gil_scoped_release release;
-    return shared(read_all_models_of_bytes(std::move(bytes), name, options));
+    return shared(parse_all_models(std::move(bytes), name, options));
 }
 
 /// What another program is called, how the structure is to be called, and what is to be noted first.

@@ -191,21 +191,21 @@ void tell_models(const ModelSource& source, const ReadOptions& options, RawModel
     }
 }
 
-std::string model_suffix(int position) {
-    const std::string number = std::to_string(position);
-    return "_m" + (number.size() < 2 ? "0" + number : number);
-}
-
 Checksum checksum_of(const ReadOptions& options) { return options.checksum ? Checksum::Found : Checksum::LeftOut; }
 
-Structure read_loaded(InputFile file, const ReadOptions& options) {
+Structure structure_from(InputFile file, const ReadOptions& options) {
     const ModelSource source(std::move(file), options);
     RawModel model = options.join_models ? source.joined() : model_with_atoms(source, options.model, options);
     if (source.model_count() > 1) tell_models(source, options, model);
     return make_structure(source.file(), model, options).structure;
 }
 
-std::vector<Structure> read_all_loaded(InputFile file, const ReadOptions& options) {
+std::string model_suffix(int position) {
+    const std::string number = std::to_string(position);
+    return "_m" + (number.size() < 2 ? "0" + number : number);
+}
+
+std::vector<Structure> structures_from(InputFile file, const ReadOptions& options) {
     const ModelSource source(std::move(file), options);
     std::vector<Structure> structures;
     for (int position = 1; position <= source.model_count(); ++position) {
@@ -221,23 +221,22 @@ std::vector<Structure> read_all_loaded(InputFile file, const ReadOptions& option
 
 Structure read_structure(const std::string& path, const ReadOptions& options) {
     check_options(options);
-    return read_loaded(load_input(path, checksum_of(options)), options);
+    return structure_from(load_input(path, checksum_of(options)), options);
 }
 
-Structure read_structure_bytes(std::string bytes, const std::string& name, const ReadOptions& options) {
+Structure parse_structure(std::string bytes, const std::string& name, const ReadOptions& options) {
     check_options(options);
-    return read_loaded(load_bytes(std::move(bytes), name, checksum_of(options)), options);
+    return structure_from(load_bytes(std::move(bytes), name, checksum_of(options)), options);
 }
 
 std::vector<Structure> read_all_models(const std::string& path, const ReadOptions& options) {
     check_options(options);
-    return read_all_loaded(load_input(path, checksum_of(options)), options);
+    return structures_from(load_input(path, checksum_of(options)), options);
 }
 
-std::vector<Structure> read_all_models_of_bytes(std::string bytes, const std::string& name,
-                                                const ReadOptions& options) {
+std::vector<Structure> parse_all_models(std::string bytes, const std::string& name, const ReadOptions& options) {
     check_options(options);
-    return read_all_loaded(load_bytes(std::move(bytes), name, checksum_of(options)), options);
+    return structures_from(load_bytes(std::move(bytes), name, checksum_of(options)), options);
 }
 
 }  // namespace meniscus

@@ -104,9 +104,9 @@ private:
         return *value;
     }
 
-    std::uint64_t count(std::size_t i, const char* what) const {
+    std::size_t count(std::size_t i, const char* what) const {
         const Word& w = word(i, what);
-        const auto value = reading::whole_number<std::uint64_t>(w.text);
+        const auto value = reading::whole_number<std::size_t>(w.text);
         if (!value || *value == 0 || *value > kMostNodes)
             fail(w, fmt::format("{} {} is not a number of nodes; correct it", what, shown(w.text)));
         return *value;

@@ -71,19 +71,18 @@ TEST(StructureOfAtoms, NamesTheProgramInMessages) {
     }
 }
 
-TEST(ReadStructureBytes, IsReadStructure) {
+TEST(ParseStructure, IsReadStructure) {
     const std::string atom = "ATOM      1  CA  GLY A   1       1.000   2.000   3.000  1.00  0.00           C\n";
-    const Structure named_file = read_structure_bytes(atom, "dir/a.pdb");
+    const Structure named_file = parse_structure(atom, "dir/a.pdb");
     EXPECT_EQ(named_file.name, "a");
     EXPECT_EQ(named_file.file, "dir/a.pdb");
     EXPECT_EQ(named_file.sha256.size(), 64U);
-    EXPECT_EQ(read_structure_bytes("1 2 3 1.5\n", "<data>").atoms.radii.front(), 1.5);
-    EXPECT_EQ(read_structure_bytes(atom, "<data>").name, "structure");
-    EXPECT_EQ(read_all_models_of_bytes("MODEL 1\n" + atom + "ENDMDL\nMODEL 2\n" + atom + "ENDMDL\n", "<data>").size(),
-              2U);
-    EXPECT_THROW(read_structure_bytes("", "<data>"), InputError);
-    EXPECT_THROW(read_structure_bytes("hello\n", "<data>"), InputError);
-    EXPECT_THROW(read_structure_bytes(atom, "a.cif"), InputError);
+    EXPECT_EQ(parse_structure("1 2 3 1.5\n", "<data>").atoms.radii.front(), 1.5);
+    EXPECT_EQ(parse_structure(atom, "<data>").name, "structure");
+    EXPECT_EQ(parse_all_models("MODEL 1\n" + atom + "ENDMDL\nMODEL 2\n" + atom + "ENDMDL\n", "<data>").size(), 2U);
+    EXPECT_THROW(parse_structure("", "<data>"), InputError);
+    EXPECT_THROW(parse_structure("hello\n", "<data>"), InputError);
+    EXPECT_THROW(parse_structure(atom, "a.cif"), InputError);
 }
 
 }  // namespace
