@@ -273,12 +273,12 @@ def of_gemmi(source: Any, frame: int | None) -> Found:
 
 def _in_angstrom(positions: Any) -> Any:
     """Quantities by their unit; plain numbers are nanometres, as everywhere in OpenMM."""
-    if not hasattr(positions, "value_in_unit"):
-        if len(positions) and hasattr(positions[0], "value_in_unit"):
-            return np.array([_in_angstrom(position) for position in positions])
-        return _PER_NANOMETRE * np.asarray(positions, dtype=np.float64)
-    unit = importlib.import_module(type(positions).__module__.split(".")[0] + ".unit")
-    return np.array([tuple(place) for place in positions.value_in_unit(unit.angstrom)], dtype=np.float64)
+    if hasattr(positions, "value_in_unit"):
+        unit = importlib.import_module(type(positions).__module__.split(".")[0] + ".unit")
+        return np.array(positions.value_in_unit(unit.angstrom), dtype=np.float64)
+    if len(positions) and hasattr(positions[0], "value_in_unit"):
+        return np.array([_in_angstrom(position) for position in positions])
+    return _PER_NANOMETRE * np.asarray(positions, dtype=np.float64)
 
 
 def _positions_of_openmm(source: Any, frame: int | None) -> tuple[Any, list[str]]:

@@ -46,7 +46,8 @@ class _Quantity:
         return len(self._values)
 
     def value_in_unit(self, unit):
-        return [tuple(row) for row in self._values * (self._unit / unit)]
+        values = self._values * (self._unit / unit)
+        return tuple(values) if values.ndim == 1 else [tuple(row) for row in values]
 
 
 Quantity = _class("openmm.unit", "Quantity", **{name: _Quantity.__dict__[name]

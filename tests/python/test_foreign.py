@@ -300,6 +300,9 @@ class StandIns(InScratchFolder):
     def test_a_topology_of_openmm_needs_positions(self):
         topology = foreign.Topology(self.protein)
         np.testing.assert_allclose(meniscus.from_openmm(topology, self.protein.xyz / 10).xyz, self.protein.xyz)
+        with unittest.mock.patch.dict(sys.modules, foreign.openmm_unit()):
+            one_by_one = [foreign.Quantity(place, 0.1) for place in self.protein.xyz]
+            np.testing.assert_allclose(meniscus.from_openmm(topology, one_by_one).xyz, self.protein.xyz)
         with self.assertRaisesRegex(TypeError, "a Topology has no positions; give them, too"):
             meniscus.from_openmm(topology)
 
