@@ -3,6 +3,7 @@
 """What objects of other packages know of their atoms. Nothing is imported: each object brings its package along."""
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import importlib
 import pathlib
@@ -59,17 +60,17 @@ def _refuse_frame(frame: int | None, why: str) -> None:
 
 # --- MDAnalysis
 
-def _positions_of_frame(atoms: Any, frame: int | None) -> Any:
-    """The current ones, or those of a frame, after which the trajectory is where it was."""
-    if frame is None:
-        return atoms.positions
-    trajectory = atoms.universe.trajectory
-    wanted, before = _checked_frame(frame, len(trajectory)), trajectory.ts.frame
+@contextlib.contextmanager
+def _at_frame(trajectory: Any, frame: int | None) -> Iterator[None]:
+    """At the current frame, or at another, after which the trajectory is where it was."""
+    before = trajectory.ts.frame
+    wanted = before if frame is None else _checked_frame(frame, len(trajectory))
     if wanted == before:
-        return atoms.positions
+        yield
+        return
     try:
         trajectory[wanted]
-        return atoms.positions.copy()
+        yield
     finally:
         trajectory[before]
 
@@ -89,23 +90,27 @@ def _texts(values: Any) -> list[str] | None:
 
 
 def of_mdanalysis(source: Any, frame: int | None) -> Found:
-    atoms = getattr(source, "atoms", None)
-    if atoms is None or not hasattr(atoms, "positions"):
+    if not hasattr(getattr(source, "atoms", None), "positions"):
         raise _wrong("mdanalysis", "a Universe or a group of atoms, residues or segments", source)
+    file = getattr(source.universe, "filename", None)
+    with _at_frame(source.universe.trajectory, frame):
+        atoms = source.atoms  # of groups that are updated, those of this frame
+        return Found(atoms.positions.copy(), _columns_of_mdanalysis(atoms), np.array(atoms.ix, dtype=np.int32),
+                     pathlib.PurePath(file).stem if isinstance(file, str) else "")
+
+
+def _columns_of_mdanalysis(atoms: Any) -> dict[str, Any]:
     known = {name: getattr(atoms, theirs, None) for name, theirs in (
         ("element", "elements"), ("name", "names"), ("resname", "resnames"), ("resnum", "resids"), ("icode", "icodes"),
         ("altloc", "altLocs"), ("serial", "ids"), ("b_factor", "tempfactors"), ("occupancy", "occupancies"),
         ("radius", "radii"))}
     columns = {name: _texts(values) if name in ("element", "name", "resname", "icode", "altloc") else values
                for name, values in known.items()}
-    charges = getattr(atoms, "charges", None)
-    records = getattr(atoms, "record_types", None)
+    charges, records = getattr(atoms, "charges", None), getattr(atoms, "record_types", None)
     columns.update(chain=_chains_of_mdanalysis(atoms),
                    charge=getattr(atoms, "formalcharges", None) if charges is None else charges,
                    hetero=None if records is None else [record == "HETATM" for record in records])
-    file = getattr(atoms.universe, "filename", None)
-    return Found(_positions_of_frame(atoms, frame), columns, np.asarray(atoms.ix, dtype=np.int32),
-                 pathlib.PurePath(file).stem if isinstance(file, str) else "")
+    return columns
 
 
 # --- MDTraj

@@ -217,6 +217,14 @@ class OfMDAnalysis(InScratchFolder):
         with self.assertRaisesRegex(TypeError, "frame: must be a whole number"):
             meniscus.measure(universe, frame=1.5)
 
+    def test_a_group_that_changes_with_the_frame(self):
+        protein = self.universe.select_atoms("protein")
+        low = float(np.median(protein.positions[:, 0])) + 0.5
+        chosen = self.universe.select_atoms(f"protein and prop x > {low}", updating=True)
+        now, then = (len(meniscus.from_mdanalysis(chosen, frame=frame)) for frame in (0, 2))
+        self.assertGreater(then, now)
+        self.assertEqual(now, len(chosen))
+
     def test_index_is_of_the_universe(self):
         chosen = self.universe.select_atoms("resid 10:20")
         made = meniscus.from_mdanalysis(chosen)
