@@ -58,7 +58,7 @@ def _refuse_frame(frame: int | None, why: str) -> None:
         raise UsageError(f"frame: {why}")
 
 
-# --- MDAnalysis
+# MDAnalysis has lengths in Å. What a topology does not have raises an AttributeError.
 
 @contextlib.contextmanager
 def _at_frame(trajectory: Any, frame: int | None) -> Iterator[None]:
@@ -113,7 +113,7 @@ def _columns_of_mdanalysis(atoms: Any) -> dict[str, Any]:
     return columns
 
 
-# --- MDTraj
+# MDTraj has lengths in nm.
 
 def _letters(index: int) -> str:
     """Names of chains that have only a number: A to Z, a to z, 0 to 9, then 62, 63 ..."""
@@ -142,7 +142,7 @@ def of_mdtraj(source: Any, frame: int | None) -> Found:
     return Found(_PER_NANOMETRE * np.asarray(source.xyz[chosen], dtype=np.float64), columns, notes=notes)
 
 
-# --- Biopython
+# Biopython has entities within entities: structure, models, chains, residues, atoms. Its atoms hide their alternatives.
 
 def _residues_of_biopython(entity: Any) -> Iterator[Any]:
     """Residues, all alternatives of point mutations among them."""
@@ -203,7 +203,7 @@ def _chain_of_biopython(residue: Any) -> str:
     return "" if chain is None else str(chain.id).strip()
 
 
-# --- Biotite
+# Biotite has arrays of annotations, some of which are there only if they were asked for.
 
 _OF_BIOTITE = (("element", "element"), ("name", "atom_name"), ("resname", "res_name"), ("resnum", "res_id"),
                ("icode", "ins_code"), ("chain", "chain_id"), ("hetero", "hetero"), ("altloc", "altloc_id"),
@@ -227,7 +227,7 @@ def of_biotite(source: Any, frame: int | None) -> Found:
     return Found(xyz, columns, notes=notes)
 
 
-# --- gemmi
+# gemmi has structures, models, chains and residues, each of which is iterated over.
 
 def _residues_of_gemmi(source: Any) -> Iterator[tuple[str, Any]]:
     """Names of chains, and their residues."""
@@ -274,7 +274,7 @@ def of_gemmi(source: Any, frame: int | None) -> Found:
     return Found(np.array([atom.pos.tolist() for _, _, atom in rows]).reshape(-1, 3), columns, stem=stem, notes=notes)
 
 
-# --- OpenMM
+# OpenMM has a topology and, elsewhere, positions with their unit.
 
 def _in_angstrom(positions: Any) -> Any:
     """Quantities by their unit; plain numbers are nanometres, as everywhere in OpenMM."""

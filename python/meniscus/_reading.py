@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import dataclasses
+import pathlib
+import sys
 import warnings
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeVar, get_args
@@ -180,9 +182,9 @@ def read(
     options : ReadOptions, optional
         What to keep, and which radii.
     format : {"pdb", "cif", "bcif", "gro", "pdbqt", "pqr", "xyzr", "xyzrn"}, optional
-        Format of a file object, where neither its name nor its content tells: PQR without REMARK, xyzrn.
+        The format, where neither the name nor, of a file object, the content tells: PQR without REMARK, xyzrn.
     name : str, optional
-        What messages and ``Structure.file`` call a file object; its suffix is a format, too.
+        What messages and ``Structure.file`` call the file; its suffix is a format, too.
     **keywords
         The members of :class:`ReadOptions`; they replace those of ``options``.
 
@@ -230,9 +232,9 @@ def read_models(
     options : ReadOptions, optional
         What to keep, and which radii; ``model`` does not matter.
     format : str, optional
-        Format of a file object, as for :func:`read`.
+        The format, as for :func:`read`.
     name : str, optional
-        Name of a file object, as for :func:`read`.
+        The name, as for :func:`read`.
     **keywords
         The members of :class:`ReadOptions` but ``model``; they replace those of ``options``.
 
@@ -258,9 +260,8 @@ def read_models(
     if "model" in keywords:
         raise TypeError("unexpected keyword argument 'model': every model is read")
     asked = of_kind("options", options, ReadOptions).replace(**keywords).replace(model=1)._for_core()
-    if _files.is_file(path):
-        data = _files.content_of(path)
-        cores = _core.read_models_of_bytes(data, _named(path, data, format, name), asked)
+    if _is_in_memory(path, format, name):
+        cores = _core.read_models_of_bytes(*_content_and_name(path, format, name), asked)
     else:
         cores = _opened(path, lambda text: _core.read_models(text, asked))
     structures = [Structure(core) for core in cores]
@@ -272,9 +273,8 @@ def read_for_caller(source: Source, options: ReadOptions, format: str | None = N
                     *, stacklevel: int) -> Structure:
     """As read() does, for a function that is called from outside so many frames above this one."""
     asked = options._for_core()
-    if _files.is_file(source):
-        data = _files.content_of(source)
-        core = _core.read_bytes(data, _named(source, data, format, name), asked)
+    if _is_in_memory(source, format, name):
+        core = _core.read_bytes(*_content_and_name(source, format, name), asked)
     else:
         core = _opened(source, lambda text: _core.read(text, asked))
     structure = Structure(core)
@@ -293,15 +293,29 @@ def _opened(path: Any, read_path: Callable[[str], Made]) -> Made:
 _SUFFIXES = tuple("." + format for format in get_args(ReadFormat))
 
 
-def _named(file: object, data: bytes, format: str | None, name: str | None) -> str:
-    """What an open file is called; in angle brackets where its name does not tell the format."""
-    called = name or _files.name_of(file)
+def _is_in_memory(source: Source, format: str | None, name: str | None) -> bool:
+    """Whether the bytes are read here: of an open file, and of a path that does not tell the format."""
+    return _files.is_file(source) or format is not None or name is not None
+
+
+def _content_and_name(source: Any, format: str | None, name: str | None) -> tuple[bytes, str]:
+    if _files.is_file(source):
+        data, called = _files.content_of(source), name or _files.name_of(source)
+    else:
+        path = text_of_path(source)
+        data = sys.stdin.buffer.read() if path == "-" else pathlib.Path(path).read_bytes()
+        called = name or ("" if path == "-" else path)
+    return data, _named(called, data, format, is_told=bool(name))
+
+
+def _named(called: str, data: bytes, format: str | None, is_told: bool) -> str:
+    """What bytes are called; in angle brackets where their name does not tell the format."""
     if called.lower().endswith(".gz"):
         called = called[:-3]
     if format:
         suffix = "." + _options.one_of("format", format, get_args(ReadFormat))
         called = called if called.lower().endswith(suffix) else (called or "data") + suffix
-    elif not (name or called.lower().rstrip("0123456789").endswith(_SUFFIXES)):
+    elif not (is_told or called.lower().rstrip("0123456789").endswith(_SUFFIXES)):
         return "<data>"
     # What gzip.open() gives is decompressed already, under the name of what is not.
     return called + ".gz" if data.startswith(b"\x1f\x8b") else called

@@ -44,6 +44,17 @@ class Reading(InScratchFolder):
         with self.assertRaisesRegex(meniscus.UsageError, "format: unknown value 'xyz'; choose one of pdb, "):
             meniscus.read(io.StringIO(SPHERES), format="xyz")
 
+    def test_a_path_may_tell_nothing(self):
+        pathlib.Path("spheres.dat").write_text(SPHERES)
+        pathlib.Path("models.dat").write_bytes(pathlib.Path(UBIQUITIN).read_bytes())
+        with self.assertRaisesRegex(meniscus.InputError, "unknown suffix"):
+            meniscus.read("spheres.dat")
+        for options in ({"format": "xyzr"}, {"name": "a.xyzr"}):
+            self.assertEqual(read(pathlib.Path("spheres.dat"), **options).radii.tolist(), [1.5, 1.4])
+        self.assertEqual(len(meniscus.read_models("models.dat", format="pdb")[0]), 602)
+        with self.assertRaises(FileNotFoundError):
+            meniscus.read("nosuch.dat", format="pdb")
+
     def test_what_is_wrong_is_told_with_its_place(self):
         bad = "ATOM      1  CA  GLY A   1       1.000   2.000   x.000\n"
         for options, start in (({}, "<data>:1:47: "), ({"name": "mine.pdb"}, "mine.pdb:1:47: "), ({"format": "pdb"}, "data.pdb:1:47")):
