@@ -100,7 +100,8 @@ def measure(
     pairs = pairs_of(between)
     core = _core.measure(structure._core, options)
     found = None if between is None else _interfaces(structure, pairs, options)
-    return checked(Measures(core, structure, found), stacklevel=3)
+    asked = {"surface": "ses", "probe": core.probe, "threads": options["threads"]}
+    return checked(Measures(core, structure, asked, found), stacklevel=3)
 
 
 def _interfaces(structure: Structure, pairs: Pairs, options: dict[str, Any]) -> _core.Interfaces:

@@ -183,7 +183,9 @@ class ExactSurface:
     def _measured(self) -> Measures:
         """For properties: a warning names whoever asked for the property."""
         if self._measures is None:
-            self._measures = checked(Measures(self._core.measures(self._threads), self._structure), stacklevel=4)
+            asked = {**self._exact_options(), "threads": self._threads}
+            found = Measures(self._core.measures(self._threads), self._structure, asked)
+            self._measures = checked(found, stacklevel=4)
         return self._measures
 
     def signed_distance(self, points: ArrayLike) -> Floats:

@@ -31,14 +31,18 @@ class Measures:
     True
     """
 
-    def __init__(self, core: _core.Measures, structure: Structure, interfaces: _core.Interfaces | None = None) -> None:
+    def __init__(self, core: _core.Measures, structure: Structure, surface: dict[str, Any],
+                 interfaces: _core.Interfaces | None = None) -> None:
+        """surface: the surface, probe and threads that were asked for."""
         self._core = core
         self._structure = structure
         self._interfaces = interfaces
+        self._surface = surface
         self._components: list[Component] | None = None
+        self._turned: list[_core.Measures] | None = None
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "_components": None}
+        return {**self.__dict__, "_components": None, "_turned": None}
 
     def __repr__(self) -> str:
         return (f"<meniscus.Measures: SES {self.ses_area:.2f} Å², {self.ses_volume:.2f} Å³; "
@@ -247,6 +251,8 @@ class Measures:
 
     def sum(self, selection: Selection) -> Sum:
         """Areas of some of the atoms, with the errors.
+
+        For the errors, the first sum measures the molecule again, turned, which takes as long as :func:`measure`.
 
         Parameters
         ----------

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Union
 import numpy as np
 import numpy.typing as npt
 
+from . import _core
 from ._arrays import ArrayLike, Indices, as_array
 from ._errors import UsageError
 from ._structure import Structure
@@ -41,8 +42,8 @@ class Sum:
     reentrant_area : float
         Of reentrant patches, which are divided equally among the atoms.
     errors : dict of str to float
-        Absolute error estimates by the same names. They are those of the whole surface, since the evaluations that they
-        come from are compared as wholes.
+        Absolute error estimates by the same names, from the differences to the molecule turned. They are large where
+        probe positions coincide, as on lattices: then it is arbitrary how patches are divided among atoms.
     """
 
     atoms: Indices = dataclasses.field(repr=False, compare=False)
@@ -57,10 +58,37 @@ class Sum:
         return len(self.atoms)
 
 
+# A rotation by an angle that no lattice has; its entries are exact to rounding.
+_TURN = np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0.0], [0.48, 0.64, 0.6]])
+_TURNS_OF_DEGENERATE = 3  # one may divide patches as the molecule does by chance
+
+
 def sum_of(measures: Measures, selection: Selection) -> Sum:
+    """The errors are those of the whole and, as in it, three times the difference of another evaluation."""
     atoms = atoms_of(measures.structure, selection)
-    areas = {name: float(getattr(measures, "atom_" + name)[atoms].sum()) for name in _AREAS}
-    return Sum(atoms=atoms, errors={name: measures.errors[name] for name in _AREAS}, **areas)
+    areas = _areas(measures._core, atoms)
+    if measures._turned is None:
+        measures._turned = _measure_turned(measures)
+    others = [_areas(turned, atoms) for turned in measures._turned]
+    errors = {name: measures.errors[name] + 3 * max(abs(other[name] - areas[name]) for other in others) for name in _AREAS}
+    return Sum(atoms=atoms, errors=errors, **areas)
+
+
+def _areas(core: _core.Measures, atoms: Indices) -> dict[str, float]:
+    """The areas of these atoms by their names."""
+    shares = {name: float(getattr(core, f"atom_{name}")[atoms].sum()) for name in _AREAS if name != "ses_area"}
+    return {**shares, "ses_area": sum(shares[name] for name in ("contact_area", "toroidal_area", "reentrant_area"))}
+
+
+def _measure_turned(measures: Measures) -> list[_core.Measures]:
+    """Turned, the molecule has the same areas, but other rounding and other perturbations."""
+    structure, turned = measures.structure, []
+    xyz = structure.xyz
+    for _ in range(_TURNS_OF_DEGENERATE if measures.degenerate else 1):
+        xyz = xyz @ _TURN.T
+        atoms = _core.from_arrays(xyz, structure.radii, {})
+        turned.append(_core.exact_surface(atoms, measures._surface).measures(measures._surface["threads"]))
+    return turned
 
 
 def atoms_of(structure: Structure, selection: Any) -> Indices:

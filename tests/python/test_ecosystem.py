@@ -190,16 +190,31 @@ class Sums(unittest.TestCase):
         self.assertEqual(exact.sum([]).sas_area, 0.0)
         self.assertAlmostEqual(parts[3].contact_area + parts[3].toroidal_area + parts[3].reentrant_area, parts[3].ses_area, 9)
 
+    def expect_same_within_errors(self, one, other):
+        for name, error in one.errors.items():
+            self.assertLessEqual(abs(getattr(one, name) - getattr(other, name)), error + other.errors[name], name)
+
     def test_errors_cover_another_position_of_the_molecule(self):
         """Turned, the molecule has the same areas but other rounding and perturbations."""
-        turn = np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0.0], [0.48, 0.64, 0.6]])
-        turned = meniscus.measure(self.protein.xyz @ turn.T, self.protein.radii)
-        for first in range(0, 600, 50):
-            part = range(first, first + 50)
-            one, other = self.exact.sum(part), turned.sum(part)
-            for name, error in one.errors.items():
-                self.assertLessEqual(abs(getattr(one, name) - getattr(other, name)), error + other.errors[name], name)
-                self.assertLess(error, 1e-3)
+        turn = np.array([[2, -1, 2], [2, 2, -1], [-1, 2, 2]]) / 3
+        for kind in ("ses", "sas", "vdw"):
+            exact = meniscus.ExactSurface(self.protein, surface=kind).measures
+            turned = meniscus.ExactSurface(self.protein.xyz @ turn.T, self.protein.radii, surface=kind).measures
+            for first in range(0, 600, 100):
+                one, other = exact.sum(range(first, first + 100)), turned.sum(range(first, first + 100))
+                self.expect_same_within_errors(one, other)
+                self.assertLess(max(one.errors.values()), 1e-3)
+
+    def test_errors_are_large_where_the_shares_are_arbitrary(self):
+        """Between the eight atoms of a cube, probe positions coincide."""
+        cube = 3.2 * np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
+        turn = np.array([[2, -1, 2], [2, 2, -1], [-1, 2, 2]]) / 3
+        exact, turned = meniscus.measure(cube, 1.7), meniscus.measure(cube @ turn.T, 1.7)
+        self.assertTrue(exact.degenerate)
+        for atom in range(8):
+            self.expect_same_within_errors(exact.sum([atom]), turned.sum([atom]))
+        self.assertGreater(max(exact.sum([atom]).errors["reentrant_area"] for atom in range(8)), 0.5)
+        self.assertLess(exact.sum(np.arange(8)).errors["reentrant_area"], 1e-6)
 
     def test_what_makes_no_sense(self):
         for selection, message in (("chain Z", "selects nothing|no atoms|none"), ([True, False], "a mask of 2 entries for 602"),
