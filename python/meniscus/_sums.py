@@ -58,7 +58,7 @@ class Sum:
         return len(self.atoms)
 
 
-# A rotation by an angle that no lattice has; its entries are exact to rounding.
+# A rotation whose rows are unit vectors to rounding.
 _TURN = np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0.0], [0.48, 0.64, 0.6]])
 _TURNS_OF_DEGENERATE = 3  # one may divide patches as the molecule does by chance
 
@@ -70,7 +70,8 @@ def sum_of(measures: Measures, selection: Selection) -> Sum:
     if measures._turned is None:
         measures._turned = _measure_turned(measures)
     others = [_areas(turned, atoms) for turned in measures._turned]
-    errors = {name: measures.errors[name] + 3 * max(abs(other[name] - areas[name]) for other in others) for name in _AREAS}
+    errors = {name: measures.errors[name] + 3 * max(abs(other[name] - area) for other in others)
+              for name, area in areas.items()}
     return Sum(atoms=atoms, errors=errors, **areas)
 
 
@@ -81,11 +82,12 @@ def _areas(core: _core.Measures, atoms: Indices) -> dict[str, float]:
 
 
 def _measure_turned(measures: Measures) -> list[_core.Measures]:
-    """Turned, the molecule has the same areas, but other rounding and other perturbations."""
-    structure, turned = measures.structure, []
-    xyz = structure.xyz
+    """Turned, the molecule has the same areas, but other rounding and other perturbations. Without a library's product of
+    matrices, whose last bits depend on the machine."""
+    structure, xyz = measures.structure, measures.structure.xyz
+    turned = []
     for _ in range(_TURNS_OF_DEGENERATE if measures.degenerate else 1):
-        xyz = xyz @ _TURN.T
+        xyz = np.stack([xyz[:, 0] * row[0] + xyz[:, 1] * row[1] + xyz[:, 2] * row[2] for row in _TURN], axis=1)
         atoms = _core.from_arrays(xyz, structure.radii, {})
         turned.append(_core.exact_surface(atoms, measures._surface).measures(measures._surface["threads"]))
     return turned
