@@ -60,7 +60,10 @@ class Measures:
 
     @property
     def totals(self) -> dict[str, float]:
-        """All totals by their names: sas_area, sas_volume, ses_area, ses_volume, contact_area, toroidal_area, reentrant_area."""
+        """All totals by their names.
+
+        The names are sas_area, sas_volume, ses_area, ses_volume, contact_area, toroidal_area and reentrant_area.
+        """
         return self._core.totals
 
     @property
@@ -146,7 +149,7 @@ class Measures:
 
     @property
     def atom_toroidal_area(self) -> Floats:
-        """(n,) float64, Å²: the share of each atom in toroidal patches, which are divided where the expanded spheres meet."""
+        """(n,) float64, Å²: the share of each atom in toroidal patches, divided where the expanded spheres meet."""
         return self._core.atom_toroidal_area
 
     @property

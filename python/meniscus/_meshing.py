@@ -22,7 +22,8 @@ def with_run(run: RunOptions | None, **keywords: Any) -> RunOptions:
     return of_kind("run", run, RunOptions).replace(**given(**keywords))
 
 
-def with_keywords(keywords: Mapping[str, Any], others: str = "", but: Collection[str] = ()) -> Callable[[Function], Function]:
+def with_keywords(keywords: Mapping[str, Any], others: str = "", but: Collection[str] = ()
+                  ) -> Callable[[Function], Function]:
     """Makes help() and completion show keywords with their defaults, but not some, and **others if there are any."""
     def decorate(function: Function) -> Function:
         signature = inspect.signature(function)
