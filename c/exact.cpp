@@ -12,8 +12,7 @@ namespace meniscus::c {
 namespace {
 
 meniscus_totals totals_of(const SurfaceTotals& t) {
-    return {t.sas_area,     t.sas_volume,    t.ses_area,      t.ses_volume,
-            t.contact_area, t.toroidal_area, t.reentrant_area};
+    return {t.sas_area, t.sas_volume, t.ses_area, t.ses_volume, t.contact_area, t.toroidal_area, t.reentrant_area};
 }
 
 }  // namespace

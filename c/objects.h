@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "meniscus/exact_surface.h"
 #include "meniscus/meniscus.h"
@@ -13,11 +14,14 @@
 
 namespace meniscus::c {
 
+/// How messages name an option and its value: "hetero = ligands".
+std::string spell(std::string_view option, std::string_view value);
+
 /// Every option that meniscus_options_set() knows.
 struct Options {
     SurfaceOptions surface{};
     RunOptions run{};
-    ReadOptions read{};
+    ReadOptions read{.spelling = spell};
     std::string between{};  ///< interfaces that reports have: "A,B:C" or "all"; empty: none
 };
 

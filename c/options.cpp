@@ -87,18 +87,30 @@ std::vector<std::string> names_in(std::string_view list) {
 /// Sets an option of reading; false if it is none.
 bool set_reading(ReadOptions& read, const std::string& name, const std::string& text) {
     const Option model{.name = "model", .range = NumberRange::Positive};
-    if (name == "radii") read.radii = text;
-    else if (name == "hydrogens") read.hydrogens = parse_word(name, text, kHydrogenWords);
-    else if (name == "hetero") read.hetero = parse_word(name, text, kHeteroWords);
-    else if (name == "waters") read.keep_waters = flag_from(name, text);
-    else if (name == "model" && text == "join") read.join_models = true;
-    else if (name == "model") read.model = whole_from<int>(model, text);
-    else if (name == "assembly") read.assembly = text;
-    else if (name == "altloc") read.altloc = text;
-    else if (name == "chains") read.chains = names_in(text);
-    else if (name == "select") read.select = text;
-    else if (name == "strict_radii") read.strict_radii = flag_from(name, text);
-    else return false;
+    if (name == "radii")
+        read.radii = text;
+    else if (name == "hydrogens")
+        read.hydrogens = parse_word(name, text, kHydrogenWords);
+    else if (name == "hetero")
+        read.hetero = parse_word(name, text, kHeteroWords);
+    else if (name == "waters")
+        read.keep_waters = flag_from(name, text);
+    else if (name == "model" && text == "join")
+        read.join_models = true;
+    else if (name == "model")
+        read.model = whole_from<int>(model, text);
+    else if (name == "assembly")
+        read.assembly = text;
+    else if (name == "altloc")
+        read.altloc = text;
+    else if (name == "chains")
+        read.chains = names_in(text);
+    else if (name == "select")
+        read.select = text;
+    else if (name == "strict_radii")
+        read.strict_radii = flag_from(name, text);
+    else
+        return false;
     return true;
 }
 
@@ -116,6 +128,11 @@ void set(Options& options, const std::string& name, const std::string& text) {
 }
 
 }  // namespace
+
+std::string spell(std::string_view option, std::string_view value) {
+    return spell_as_member(option == "keep_waters" ? "waters" : option, value);
+}
+
 }  // namespace meniscus::c
 
 meniscus_options* meniscus_options_new(void) { return new (std::nothrow) meniscus_options; }

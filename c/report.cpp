@@ -21,8 +21,7 @@ ordered_json input_block(const Structure& structure, double probe) {
 template <class List>
 ordered_json described_one_by_one(const List& list) {
     ordered_json all = ordered_json::array();
-    for (const auto& element : list)
-        all.push_back(described_as_json([&](auto& visit) { describe(element, visit); }));
+    for (const auto& element : list) all.push_back(described_as_json([&](auto& visit) { describe(element, visit); }));
     return all;
 }
 
@@ -39,23 +38,22 @@ ordered_json cavities_block(const Mesh& mesh, const Structure& structure, std::s
 }
 
 void add_exact(ordered_json& report, const Measures* measures) {
-    report["exact"] = measures == nullptr ? ordered_json()
-                                          : described_as_json([&](auto& visit) { describe(*measures, visit); });
+    report["exact"] =
+        measures == nullptr ? ordered_json() : described_as_json([&](auto& visit) { describe(*measures, visit); });
     report["components"] = measures == nullptr ? ordered_json() : described_one_by_one(measures->components);
 }
 
 /// "A,B:C" as a pair of groups of chains and ligands.
 ChainPair pair_from(const std::string& text) {
     const std::size_t colon = text.find(':');
-    if (colon == std::string::npos)
-        throw UsageError("between: write all, or two groups as A,B:C, not '" + text + "'");
+    if (colon == std::string::npos) throw UsageError("between: write all, or two groups as A,B:C, not '" + text + "'");
     return {split_group(text.substr(0, colon)), split_group(text.substr(colon + 1))};
 }
 
 std::vector<ChainInterface> interfaces_of(const Structure& structure, const Options& options) {
     const double probe = options.surface.probe;
-    const std::vector<ChainPair> pairs = options.between == "all" ? touching_chains(structure, probe)
-                                                                  : std::vector{pair_from(options.between)};
+    const std::vector<ChainPair> pairs =
+        options.between == "all" ? touching_chains(structure, probe) : std::vector{pair_from(options.between)};
     return chain_interfaces(structure, pairs, {.probe = probe, .threads = options.run.threads});
 }
 
@@ -88,8 +86,9 @@ std::string report_of(const Structure& structure, const Surface& surface) {
                          : ordered_json();
     report["checks"] = described_one_by_one(surface.checks);
     report["expected"] = described_as_json([&](auto& visit) { describe(surface.expected, visit); });
-    const std::span<const SurfaceComponent> pieces =
-        measured != nullptr ? std::span<const SurfaceComponent>(measured->components) : std::span<const SurfaceComponent>();
+    const std::span<const SurfaceComponent> pieces = measured != nullptr
+                                                         ? std::span<const SurfaceComponent>(measured->components)
+                                                         : std::span<const SurfaceComponent>();
     report["cavities"] = cavities_block(surface.mesh, structure, pieces);
     return text_of(report);
 }

@@ -31,9 +31,9 @@ Structure spheres(std::size_t n, const double* centres, const double* radii) {
 meniscus_atom label_of(const Structure& structure, std::size_t atom) {
     const AtomLabel& label = structure.labels[atom];
     const Residue& residue = structure.residues[label.residue];
-    return {label.name.c_str(),    label.element.c_str(), residue.name.c_str(),   residue.chain.c_str(),
-            residue.number,        label.serial,          residue.insertion_code, label.altloc,
-            label.b_factor,        label.occupancy,       label.charge};
+    return {label.name.c_str(), label.element.c_str(),  residue.name.c_str(), residue.chain.c_str(), residue.number,
+            label.serial,       residue.insertion_code, label.altloc,         label.b_factor,        label.occupancy,
+            label.charge};
 }
 
 }  // namespace

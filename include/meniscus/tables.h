@@ -147,7 +147,7 @@ struct ListedCavity {
     Vec3 centre;                  ///< centroid of its wall, Å
     double radius = 0.0;          ///< of a ball around the centre that holds its wall, Å
     std::uint32_t component = 0;  ///< number of its wall in Mesh::components; kNone if the mesh has no such piece
-    std::string lining{};         ///< labels of the residues around it, "A:LEU12, A:VAL30"; empty if taken from the mesh
+    std::string lining{};  ///< labels of the residues around it, "A:LEU12, A:VAL30"; empty if taken from the mesh
 };
 
 /// The cavities of a surface by falling volume.

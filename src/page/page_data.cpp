@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "meniscus/list_of_counts.h"
+#include "meniscus/tables.h"
 #include "meniscus/version.h"
 #include "page/schemes.h"
 #include "render/camera.h"
