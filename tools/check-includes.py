@@ -48,7 +48,7 @@ PUBLIC = {
     "exact_surface": "exact", "field": "pipeline", "file_words": "file_words", "flow": "flow",
     "interfaces": "exact", "legend": "colours",
     "level_set": "grid", "level_set_file": "io", "measures": "exact", "mesh_part": "mesh", "mesh_quality": "measure",
-    "page": "page", "picture": "render", "radii": "radii", "read_mesh": "mesh_io", "remesh": "remesh",
+    "named_atoms": "structure", "page": "page", "picture": "render", "radii": "radii", "read_mesh": "mesh_io", "remesh": "remesh",
     "sample": "pipeline", "structure": "structure", "surface": "pipeline", "tables": "tables", "vertex_values": "values",
     "volume_file": "volume", "words": "pipeline", "write": "io",
 }
