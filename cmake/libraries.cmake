@@ -7,8 +7,10 @@ set(libraries
   files     ZLIB::ZLIB       "ZLIB"        zlib        zlib1g-dev
   files     PNG::PNG         "PNG"         libpng      libpng-dev
   files     Nettle::nettle   "Nettle"      nettle      nettle-dev
-  files     fmt::fmt         "fmt"         fmt         libfmt-dev
-  view      TBB::tbb         "TBB"         tbb         libtbb-dev)
+  files     fmt::fmt         "fmt"         fmt         libfmt-dev)
+if(NOT MENISCUS_PORTABLE)  # that Embree runs on
+  list(APPEND libraries view TBB::tbb "TBB" tbb libtbb-dev)
+endif()
 if(MENISCUS_THREADS STREQUAL tbb)
   list(APPEND libraries core TBB::tbb "TBB" tbb libtbb-dev)
 elseif(MENISCUS_THREADS STREQUAL std)

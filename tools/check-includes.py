@@ -55,7 +55,7 @@ PUBLIC = {
 # What clients may use beside the public headers: how to write a file of their own whole or not at all, how foreign
 # words stand in messages, how to load a library, and options as JSON.
 FOR_CLIENTS = ("src/io/options_json.h", "src/platform/files/atomic_file.h", "src/reading/text.h",
-               "src/platform/files/loaded_library.h")
+               "src/platform/files/loaded_library.h", "src/platform/files/own_file.h")
 # Words that only some folders may include.
 ONLY_IN = {
     "<tbb/": ("src/core/threads/tbb.cpp", "src/render/ray_scene.cpp"),

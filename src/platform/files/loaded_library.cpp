@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "platform/files/loaded_library.h"
 
+#ifndef MENISCUS_PORTABLE
 #include <dlfcn.h>
+#endif
 
 #include <new>
 #include <stdexcept>
@@ -10,6 +12,12 @@
 
 namespace meniscus {
 
+#ifdef MENISCUS_PORTABLE
+// Everything is linked; a static program cannot load anything.
+std::optional<LoadedLibrary> LoadedLibrary::load(const char* /*name*/) { return LoadedLibrary(nullptr); }
+
+void* LoadedLibrary::symbol(const char* /*name*/) const { return handle_; }
+#else
 // Words are all that the loader has for its reasons.
 std::optional<LoadedLibrary> LoadedLibrary::load(const char* name) {
     if (void* const handle = dlopen(name, RTLD_NOW | RTLD_LOCAL); handle != nullptr) return LoadedLibrary(handle);
@@ -25,5 +33,6 @@ void* LoadedLibrary::symbol(const char* name) const {
     if (found == nullptr) throw std::runtime_error(dlerror());
     return found;
 }
+#endif
 
 }  // namespace meniscus

@@ -1,0 +1,12 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+# Portable builds (MENISCUS_PORTABLE): all libraries are linked from static ones, also those that are otherwise loaded when
+# they are needed. The program then runs on any Linux for its processor, and the Python module on any with a C library that
+# is new enough. Embree comes from tools/make-embree (-Dembree_ROOT); the other libraries from Debian's packages.
+set(MENISCUS_THREADS std)  # Debian has no static oneTBB
+set(MENISCUS_VDB OFF)      # nor OpenVDB
+set(MENISCUS_INSTALL OFF)
+set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
+set(fmt_DIR ${CMAKE_CURRENT_LIST_DIR}/portable)
+set(link_program -static-pie -s)
+set(link_module -static-libstdc++ -static-libgcc -s)
