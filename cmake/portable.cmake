@@ -8,5 +8,5 @@ set(MENISCUS_VDB OFF)      # nor OpenVDB
 set(MENISCUS_INSTALL OFF)
 set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
 set(fmt_DIR ${CMAKE_CURRENT_LIST_DIR}/portable)
-set(link_program -static-pie -s)
-set(link_module -static-libstdc++ -static-libgcc -s)
+list(APPEND link_program -static-pie -s)
+list(APPEND link_module -static-libstdc++ -static-libgcc -s)

@@ -12,7 +12,9 @@ if [ -z "${SOURCE_DATE_EPOCH-}" ]; then
 fi
 export SOURCE_DATE_EPOCH
 
-# build_portable PYTHON TARGET ...: MENISCUS_EMBREE may name a folder that tools/make-embree has filled.
+# build_portable PYTHON TARGET ...: with the CMake settings in `settings`. MENISCUS_EMBREE may name a folder that
+# tools/make-embree has filled.
+settings=()
 build_portable() {
     local python=$1 embree=${MENISCUS_EMBREE-$root/build/embree}
     shift
@@ -20,7 +22,7 @@ build_portable() {
     forget_moved_build "$portable"
     quietly cmake -S "$root" -B "$portable" -G Ninja -DCMAKE_BUILD_TYPE=Release -DMENISCUS_PORTABLE=ON \
         -DMENISCUS_TESTS=OFF -Dembree_ROOT="$(cd "$embree" && pwd)/install" -DMENISCUS_PYTHON=ON \
-        -DPython_EXECUTABLE="$python" -DPYTHON_EXECUTABLE="$python"
+        -DPython_EXECUTABLE="$python" -DPYTHON_EXECUTABLE="$python" "${settings[@]}"
     drop_unusable_launcher "$portable"
     quietly cmake --build "$portable" --target "$@"
 }

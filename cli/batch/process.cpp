@@ -15,10 +15,7 @@
 #include <system_error>
 #include <utility>
 
-#ifdef __linux__
-#include <sys/prctl.h>
-#include <sys/syscall.h>
-#endif
+#include "platform/files/child_process.h"
 
 namespace meniscus::cli::batch {
 
@@ -32,16 +29,6 @@ double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 *
 
 /// How long it may take to notice the end of a process where the system gives no handle of it.
 constexpr double kLook = 0.01;  // seconds
-
-#ifdef __linux__
-bool end_with_parent() { return prctl(PR_SET_PDEATHSIG, SIGKILL) == 0; }
-
-/// Open for reading once the process has ended; kernels before 5.3 have none.
-Descriptor handle_of(pid_t id) { return Descriptor(static_cast<int>(syscall(SYS_pidfd_open, id, 0))); }
-#else
-bool end_with_parent() { return true; }  // which is then left to whoever ends both
-Descriptor handle_of(pid_t /*id*/) { return {}; }
-#endif
 
 /// Two ends of a pipe that programs started from here do not get.
 bool open_pipe(std::array<int, 2>& ends) {
@@ -84,7 +71,7 @@ Process::Process(const std::vector<std::string>& words, const ProcessLimits& lim
     id_ = fork();
     if (id_ < 0) fail("a process cannot be started");
     if (id_ == 0) become(arguments.data(), streams, limits, parent);
-    handle_ = handle_of(id_);
+    handle_ = Descriptor(process_handle(id_));
 }
 
 Process::Process(Process&& other) noexcept
