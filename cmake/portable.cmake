@@ -8,5 +8,6 @@ set(MENISCUS_VDB OFF)      # nor OpenVDB
 set(MENISCUS_INSTALL OFF)
 set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
 set(fmt_DIR ${CMAKE_CURRENT_LIST_DIR}/portable)
-list(APPEND link_program -static-pie -s)
+set(CMAKE_CXX_LINK_OPTIONS_PIE -fPIE -static-pie)
+list(APPEND link_program -s)
 list(APPEND link_module -static-libstdc++ -static-libgcc -s)

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Meniscus authors
 # SPDX-License-Identifier: Apache-2.0
-"""Compares what two builds have written: the bytes of all files, but of reports only what does not differ from run to run.
+"""Compares what two builds have written: the bytes of all files, but of reports only what does not differ from run to run,
+and not the times of a batch.
 
 usage: same-outputs.py EXPECTED_FOLDER FOLDER    exit code 1 if anything differs or is missing
 """
@@ -27,7 +28,7 @@ def same(expected, found):
 
 def main():
     expected, found = map(pathlib.Path, sys.argv[1:])
-    names = sorted(path.name for path in expected.iterdir() if path.is_file())
+    names = sorted(path.name for path in expected.iterdir() if path.is_file() and not path.name.endswith("times.jsonl"))
     differing = [name for name in names if not (found / name).is_file() or not same(expected / name, found / name)]
     if not names or differing:
         sys.exit(f"{found}: differ or are missing: {', '.join(differing) or 'all'}")
