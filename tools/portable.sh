@@ -20,8 +20,10 @@ build_portable() {
     shift
     "$root/tools/make-embree" "$embree"
     forget_moved_build "$portable"
-    quietly cmake -S "$root" -B "$portable" -G Ninja -DCMAKE_BUILD_TYPE=Release -DMENISCUS_PORTABLE=ON \
-        -DMENISCUS_TESTS=OFF -Dembree_ROOT="$(cd "$embree" && pwd)/install" -DMENISCUS_PYTHON=ON \
+    # Another Python may have been the last one.
+    quietly cmake -S "$root" -B "$portable" -G Ninja -U "Python_*" -U "PYTHON_*" -U pybind11_DIR \
+        -DCMAKE_BUILD_TYPE=Release -DMENISCUS_PORTABLE=ON -DMENISCUS_TESTS=OFF \
+        -Dembree_ROOT="$(cd "$embree" && pwd)/install" -DMENISCUS_PYTHON=ON \
         -DPython_EXECUTABLE="$python" -DPYTHON_EXECUTABLE="$python" "${settings[@]}"
     drop_unusable_launcher "$portable"
     quietly cmake --build "$portable" --target "$@"
