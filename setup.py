@@ -3,8 +3,9 @@
 """Builds the extension module of the Python package, and the program that it brings along, with CMake; everything else
 is in pyproject.toml.
 
-MENISCUS_BUILD  a CMake build folder of this project, configured with MENISCUS_PYTHON=ON for the same Python: what has
-                been built there is used. Without it everything is built, which takes some minutes.
+MENISCUS_BUILD     a CMake build folder of this project, configured with MENISCUS_PYTHON=ON for the same Python: what has
+                   been built there is used. Without it everything is built, which takes some minutes.
+MENISCUS_PLATFORM  the platform that the wheel is named for, as tools/make-wheel finds it out
 """
 import os
 import pathlib
@@ -42,6 +43,9 @@ class CMakeBuild(build_ext):
         program = target.parent / "bin" / "meniscus"
         program.parent.mkdir(exist_ok=True)
         self.copy_file(str(build / "cli" / "meniscus"), str(program))
+        licences = build / "licences.txt"
+        if licences.is_file():
+            self.copy_file(str(licences), str(target.parent / "licences.txt"))
 
     @staticmethod
     def configure(build):
@@ -53,4 +57,6 @@ class CMakeBuild(build_ext):
 
 # Dates within wheels: the earliest that they can hold, not of the build.
 os.environ.setdefault("SOURCE_DATE_EPOCH", "315532800")
-setup(version=version(), ext_modules=[Extension("meniscus._core", sources=[])], cmdclass={"build_ext": CMakeBuild})
+platform = os.environ.get("MENISCUS_PLATFORM")
+options = {"bdist_wheel": {"plat_name": platform}} if platform else {}
+setup(version=version(), options=options, ext_modules=[Extension("meniscus._core", sources=[])], cmdclass={"build_ext": CMakeBuild})

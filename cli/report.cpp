@@ -269,7 +269,12 @@ double peak_memory_mb() {
         if (key == "VmHWM:" && status >> kilobytes) return kilobytes / 1024.0;
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) / 1024.0;
+#ifdef __APPLE__
+    constexpr double kPerMegabyte = 1024.0 * 1024.0;  // bytes there, elsewhere kilobytes
+#else
+    constexpr double kPerMegabyte = 1024.0;
+#endif
+    return static_cast<double>(usage.ru_maxrss) / kPerMegabyte;
 }
 
 }  // namespace meniscus::cli

@@ -53,9 +53,10 @@ PUBLIC = {
     "volume_file": "volume", "words": "pipeline", "write": "io",
 }
 # What clients may use beside the public headers: how to write a file of their own whole or not at all, how foreign
-# words stand in messages, how to load a library, options and results as JSON.
+# words stand in messages, how to load a library, processes and their files, options and results as JSON.
 FOR_CLIENTS = ("src/io/options_json.h", "src/io/json_visitor.h", "src/io/describe_structure.h",
-               "src/platform/files/atomic_file.h", "src/reading/text.h", "src/platform/files/loaded_library.h")
+               "src/platform/files/atomic_file.h", "src/reading/text.h", "src/platform/files/loaded_library.h",
+               "src/platform/files/own_file.h", "src/platform/files/child_process.h")
 # Words that only some folders may include.
 ONLY_IN = {
     "<tbb/": ("src/core/threads/tbb.cpp", "src/render/ray_scene.cpp"),
@@ -66,6 +67,13 @@ ONLY_IN = {
     "<png.h>": ("src/io/", "tests/io/"),
     "<CLI/": ("cli/", "tests/cli/"),
     "<pybind11/": ("python/",),
+    # What not every system has is called in platform/; the two others leave it out where it is missing.
+    "<dlfcn.h>": ("src/platform/",),
+    "<sys/prctl.h>": ("src/platform/",),
+    "<sys/syscall.h>": ("src/platform/",),
+    "<sys/auxv.h>": ("src/platform/",),
+    "<sched.h>": ("src/core/threads/tbb.cpp", "tests/"),
+    "<malloc.h>": ("cli/heap.cpp",),
     "<iostream>": ("cli/", "src/structure/", "src/io/", "tests/", "bench/", "fuzz/"),
     "<fstream>": ("cli/", "src/platform/", "src/structure/", "src/radii/", "src/io/", "tests/", "bench/", "fuzz/"),
 }

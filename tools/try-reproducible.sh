@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Builds everything we ship twice: in folders of other names and depths, by other users (where this is root), with other
 # homes, time zones and languages, one after the other, without the network; and compares every byte of
-# programs, libraries, packages and the wheel.
+# programs, libraries, packages, the portable program and the wheel, whose Embree both builds share.
 #   tools/try-reproducible.sh [BUILD ...]    BUILD: build folders to compare instead of making them
 # Exit code 1 if anything differs. Takes two builds; what a compiler cache holds would prove nothing and is not used.
 set -euo pipefail
@@ -36,13 +36,14 @@ build_in() {
         CCACHE_DISABLE=1 SOURCE_DATE_EPOCH="$date" "$@" bash -c "umask 022; cd '$source' &&
         cmake --preset package -DMENISCUS_VDB=ON -DMENISCUS_PYTHON=ON -DPython_EXECUTABLE=$python -DPYTHON_EXECUTABLE=$python &&
         cmake --build build/package && (cd build/package && cpack) &&
-        MENISCUS_BUILD=build/package $python -m pip wheel --no-build-isolation --no-deps --no-index --no-cache-dir \
-            -w build/package ."
+        MENISCUS_EMBREE='$embree' tools/make-portable && MENISCUS_EMBREE='$embree' tools/make-wheel $python &&
+        mv build/wheel/*.whl build/portable/meniscus-*-linux-* build/package"
 }
 
 # Files that are shipped or made of what is, by their paths in the build folder.
 shipped() {
-    (cd "$1" && find . -maxdepth 1 \( -name '*.deb' -o -name '*.tar.gz' -o -name '*.whl' \) && find cli src python \
+    (cd "$1" && find . -maxdepth 1 \( -name '*.deb' -o -name '*.tar.gz' -o -name '*.whl' -o\
+        -name 'meniscus-*-linux-*' \) && find cli src python \
         -type f \( -name '*.so' -o -name 'libmeniscus-*.a' -o \( -path 'cli/*' -perm -u+x \) \)) | sort
 }
 
@@ -64,6 +65,9 @@ if [ "$#" -eq 2 ]; then
     compare "$1" "$2"
     exit
 fi
+embree=$work/embree
+"$root/tools/make-embree" "$embree"
+chmod -R go+rX "$embree"
 first=$work/one second=$work/another/place/of-a-longer-name
 copy_sources "$first"
 copy_sources "$second"

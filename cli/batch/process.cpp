@@ -3,9 +3,7 @@
 #include "batch/process.h"
 
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -17,6 +15,8 @@
 #include <system_error>
 #include <utility>
 
+#include "platform/files/child_process.h"
+
 namespace meniscus::cli::batch {
 
 namespace {
@@ -27,11 +27,21 @@ constexpr std::size_t kMostMessages = 1U << 16U;  // bytes
 
 double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
 
+/// How long it may take to notice the end of a process where the system gives no handle of it.
+constexpr double kLook = 0.01;  // seconds
+
+/// Two ends of a pipe that programs started from here do not get.
+bool open_pipe(std::array<int, 2>& ends) {
+    if (pipe(ends.data()) != 0) return false;
+    for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
+    return true;
+}
+
 /// In the new process, between fork and exec: only what is safe there.
 /// streams   its standard input, output and error
 [[noreturn]] void become(char* const* words, const std::array<int, 3>& streams, const ProcessLimits& limits,
                          pid_t parent) {
-    if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() != parent) _exit(127);
+    if (!end_with_parent() || getppid() != parent) _exit(127);
     if (limits.memory_mb > 0) {
         const rlim_t bytes = static_cast<rlim_t>(limits.memory_mb) << 20U;
         const rlimit limit{bytes, bytes};
@@ -52,7 +62,7 @@ Process::Process(const std::vector<std::string>& words, const ProcessLimits& lim
     arguments.push_back(nullptr);
     const Descriptor nothing("/dev/null", O_RDWR);
     std::array<int, 2> ends{};
-    if (!nothing.is_open() || pipe2(ends.data(), O_CLOEXEC) != 0) fail("a process cannot be started");
+    if (!nothing.is_open() || !open_pipe(ends)) fail("a process cannot be started");
     errors_ = Descriptor(ends[0]);
     const Descriptor writing(ends[1]);
     if (fcntl(ends[0], F_SETFL, O_NONBLOCK) != 0) fail("a process cannot be started");
@@ -61,14 +71,7 @@ Process::Process(const std::vector<std::string>& words, const ProcessLimits& lim
     id_ = fork();
     if (id_ < 0) fail("a process cannot be started");
     if (id_ == 0) become(arguments.data(), streams, limits, parent);
-    handle_ = Descriptor(static_cast<int>(syscall(SYS_pidfd_open, id_, 0)));
-    if (!handle_.is_open()) {
-        const int error = errno;
-        kill(id_, SIGKILL);
-        waitpid(id_, nullptr, 0);
-        errno = error;
-        fail("a process cannot be watched");
-    }
+    handle_ = Descriptor(process_handle(id_));
 }
 
 Process::Process(Process&& other) noexcept
@@ -90,7 +93,10 @@ void Process::wait_for_any(const std::vector<Process*>& processes, double second
     std::vector<pollfd> watched;
     watched.reserve(2 * processes.size());
     for (const Process* process : processes) {
-        watched.push_back({process->handle_.number(), POLLIN, 0});
+        if (process->handle_.is_open())
+            watched.push_back({process->handle_.number(), POLLIN, 0});
+        else
+            seconds = std::min(seconds, kLook);
         if (process->errors_.is_open()) watched.push_back({process->errors_.number(), POLLIN, 0});
         seconds = std::min(seconds, process->seconds_left());
     }

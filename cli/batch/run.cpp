@@ -29,6 +29,7 @@
 #include "meniscus/errors.h"
 #include "meniscus/version.h"
 #include "messages.h"
+#include "platform/files/own_file.h"
 #include "report.h"
 #include "structure_run.h"
 
@@ -80,10 +81,18 @@ std::string status_of(const ProcessEnd& end) {
     return end.exit_code == 0 ? "done" : "failed";
 }
 
+/// As in "ended by SIGSEGV"; its number where the C library has no names.
+std::string signal_name(int number) {
+#ifdef __GLIBC__
+    if (const char* name = sigabbrev_np(number)) return std::string("SIG") + name;
+#endif
+    return fmt::format("signal {}", number);
+}
+
 std::string error_of(const ProcessEnd& end, double time_limit) {
     if (end.timed_out) return fmt::format("took longer than {:g} s", time_limit);
     if (end.signal == SIGKILL) return "ended by SIGKILL, probably because memory ran out";
-    if (end.signal != 0) return fmt::format("ended by SIG{}", sigabbrev_np(end.signal));
+    if (end.signal != 0) return fmt::format("ended by {}", signal_name(end.signal));
     const std::string message = last_message(end.messages, end.exit_code == kChecksFailed ? kWarningMark : kErrorMark);
     return message.empty() ? fmt::format("exit code {}", end.exit_code) : message;
 }
@@ -238,7 +247,7 @@ public:
 private:
     /// The command line of a task's process.
     std::vector<std::string> words_of(const Task& task, const std::string& folder) const {
-        std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), request_.command};
+        std::vector<std::string> words{program_file(), request_.command};
         words.insert(words.end(), request_.options.begin(), request_.options.end());
         const bool has_limit =
             std::any_of(words.begin(), words.end(), [](const auto& w) { return w.starts_with("--memory="); });

@@ -36,13 +36,13 @@ FreeType load_free_type() {
     const std::optional<LoadedLibrary> library = LoadedLibrary::load("libfreetype.so.6");
     if (!library) throw std::runtime_error("text needs FreeType 2 (Debian package libfreetype6); install it");
     FreeType found{};
-    library->find("FT_Init_FreeType", found.init);
-    library->find("FT_Done_FreeType", found.done);
-    library->find("FT_New_Memory_Face", found.new_memory_face);
-    library->find("FT_Done_Face", found.done_face);
-    library->find("FT_Set_Char_Size", found.set_char_size);
-    library->find("FT_Set_Transform", found.set_transform);
-    library->find("FT_Load_Char", found.load_char);
+    MENISCUS_FIND(library, FT_Init_FreeType, found.init);
+    MENISCUS_FIND(library, FT_Done_FreeType, found.done);
+    MENISCUS_FIND(library, FT_New_Memory_Face, found.new_memory_face);
+    MENISCUS_FIND(library, FT_Done_Face, found.done_face);
+    MENISCUS_FIND(library, FT_Set_Char_Size, found.set_char_size);
+    MENISCUS_FIND(library, FT_Set_Transform, found.set_transform);
+    MENISCUS_FIND(library, FT_Load_Char, found.load_char);
     return found;
 }
 

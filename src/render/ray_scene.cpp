@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/ray_scene.h"
 
-#include <tbb/global_control.h>
-
 #include <algorithm>
 #include <array>
 #include <new>
@@ -11,8 +9,27 @@
 
 #include "render/embree.h"
 
+#ifndef MENISCUS_PORTABLE
+#include <tbb/global_control.h>
+#endif
+
 namespace meniscus {
 namespace {
+
+// One thread builds the tree, so that ties between triangles are always decided alike.
+#ifdef MENISCUS_PORTABLE
+constexpr const char* kDevice = "threads=1";  // that Embree has threads of its own
+
+struct OneThread {
+    OneThread() {}  // as the other, an object that does something
+};
+#else
+constexpr const char* kDevice = nullptr;
+
+struct OneThread {
+    tbb::global_control limit{tbb::global_control::max_allowed_parallelism, 1};
+};
+#endif
 
 Vec3 centre_of(const std::vector<Vec3>& points) {
     Vec3 sum;
@@ -46,7 +63,7 @@ void set_triangles(RTCGeometry geometry, const Mesh& mesh) {
 }  // namespace
 
 struct RayScene::Handles {
-    Handles() : device(embree().new_device(nullptr)), scene(device == nullptr ? nullptr : embree().new_scene(device)) {
+    Handles() : device(embree().new_device(kDevice)), scene(device == nullptr ? nullptr : embree().new_scene(device)) {
         if (scene != nullptr) return;
         if (embree().get_device_error(device) != RTC_ERROR_UNSUPPORTED_CPU)
             throw std::bad_alloc();  // memory, or for threads
@@ -64,8 +81,7 @@ struct RayScene::Handles {
 };
 
 RayScene::RayScene(const Mesh& mesh) : centre_(centre_of(mesh.vertices)) {
-    // One thread builds the tree, so that ties between triangles are always decided alike.
-    const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+    const OneThread limit;
     const auto handles = std::make_shared<Handles>();
     RTCGeometry geometry = embree().new_geometry(handles->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     set_vertices(geometry, mesh, centre_);

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <array>
@@ -14,6 +13,8 @@
 
 #include "meniscus/errors.h"
 #include "platform/files/atomic_file.h"
+#include "platform/files/loaded_library.h"
+#include "platform/files/own_file.h"
 #include "volume/vdb_module.h"
 #include "volume/writers.h"
 
@@ -42,18 +43,19 @@ fs::path module_above(const fs::path& file) {
 
 // Of the library that this code is in, or else of the program.
 fs::path find_module() {
-    Dl_info here{};
-    if (::dladdr(reinterpret_cast<const void*>(&vdb_supported), &here) != 0)
-        if (fs::path found = module_above(here.dli_fname); !found.empty()) return found;
-    return module_above("/proc/self/exe");
+    const std::string here = file_that_holds(reinterpret_cast<const void*>(&vdb_supported));
+    if (fs::path found = module_above(here); !found.empty()) return found;
+    return module_above(program_file());
 }
 
 // Loaded once, and for good: OpenVDB keeps registers of its own.
 VdbWriter* writer() {
     static VdbWriter* const found = []() -> VdbWriter* {
         const fs::path path = find_module();
-        void* const module = path.empty() ? nullptr : ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-        return module == nullptr ? nullptr : reinterpret_cast<VdbWriter*>(::dlsym(module, kVdbWriterName));
+        if (path.empty()) return nullptr;
+        VdbWriter* function = nullptr;
+        if (const auto module = LoadedLibrary::load(path.c_str())) module->find(kVdbWriterName, function);
+        return function;
     }();
     return found;
 }

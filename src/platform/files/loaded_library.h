@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Libraries that are loaded when they are first needed, not with the program, and for good.
+// Libraries that are loaded when they are first needed, not with the program, and for good; or, in a portable build
+// (MENISCUS_PORTABLE), are linked into the program, which then needs no other file.
 #pragma once
 
 #include <optional>
@@ -29,3 +30,10 @@ private:
 };
 
 }  // namespace meniscus
+
+/// Sets a pointer to a function of a library that was loaded; in a portable build, to the one that is linked.
+#ifdef MENISCUS_PORTABLE
+#define MENISCUS_FIND(library, name, function) (function) = &(name)
+#else
+#define MENISCUS_FIND(library, name, function) (library)->find(#name, function)
+#endif
