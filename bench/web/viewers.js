@@ -20,36 +20,44 @@ const molstarOptions = {probeRadius: PROBE, resolution: SPACING, probePositions:
 /**
  * One row per way: {name, ms (median of the turns), best, vertices, triangles, area}.
  * text   a PDB file, of which every program takes the records ATOM
+ * turns  in each of them every way has its turn, so that all meet the same load; two turns before them warm up
  */
 export async function measureAll(text, turns) {
-  const atoms = text.replace(/^HETATM.*\n/gm, ""), given = await surface(atoms, {method: "direct"});
-  const ours = options => () => surface(atoms, {probe: PROBE, spacing: SPACING, ...options});
-  const rows = [];
-  for (const [name, run] of [
-    ["Meniscus, direct", ours({method: "direct"})],
-    ["Meniscus, flow", ours({method: "flow"})],
-    ["Meniscus, direct, with exact numbers", ours({method: "direct", exact: true})],
-    ["Meniscus, exact numbers alone", () => measure(atoms, {probe: PROBE})],
-    ["Mol*", () => molstarFromText(atoms)],
-    ["Mol*, without reading, radii as ours", () => molstarFromSpheres(given.atoms)],
-    ["NGL (smoothed, its default)", () => ngl(atoms, {type: "ms"})],
-    ["NGL, type av", () => ngl(atoms, {type: "av"})],
-    ["3Dmol.js (its workers)", () => threeDmol(atoms)],
-  ]) rows.push({name, ...await timed(run, turns)});
-  return rows;
+  const rows = (await waysFor(text.replace(/^HETATM.*\n/gm, ""))).map(([name, run]) => ({name, run, times: []}));
+  for (let turn = -2; turn < turns; ++turn)
+    for (const row of rows) {
+      await new Promise(resolve => setTimeout(resolve, 50));
+      const begin = performance.now(), result = await row.run(), time = performance.now() - begin;
+      if (turn >= 0) row.times.push(time);
+      if (turn === turns - 1) row.sizes = sizes(result);
+    }
+  return rows.map(summary);
 }
 
-async function timed(run, turns) {
-  const times = [];
-  let result = await run();  // the first one warms up
-  for (let turn = 0; turn < turns; ++turn) {
-    await new Promise(resolve => setTimeout(resolve, 50));
-    const begin = performance.now();
-    result = await run();
-    times.push(performance.now() - begin);
-  }
+async function waysFor(text) {
+  const {atoms} = await ours(text, {method: "direct"});
+  return [
+    ["Meniscus, direct", () => ours(text, {method: "direct"})],
+    ["Meniscus, flow", () => ours(text, {method: "flow"})],
+    ["Meniscus, direct, with exact numbers", () => ours(text, {method: "direct", exact: true})],
+    ["Meniscus, exact numbers alone", () => measure(text, {probe: PROBE})],
+    ["Mol*", () => molstarFromText(text)],
+    ["Mol*, without reading, radii as ours", () => molstarFromSpheres(atoms)],
+    ["NGL (smoothed, its default)", () => ngl(text, {type: "ms"})],
+    ["NGL, type av", () => ngl(text, {type: "av"})],
+    ["3Dmol.js (its workers)", () => threeDmol(text)],
+  ];
+}
+
+function summary({name, times, sizes}) {
   times.sort((a, b) => a - b);
-  return {ms: times[turns >> 1], best: times[0], ...sizes(result)};
+  return {name, ms: times[times.length >> 1], best: times[0], ...sizes};
+}
+
+async function ours(text, options) {
+  const made = await surface(text, {probe: PROBE, spacing: SPACING, ...options});
+  made.close();
+  return made;
 }
 
 function sizes({positions, indices}) {
