@@ -4,6 +4,7 @@
 """meniscus.html in Chromium, opened from file:// and driven as a user would; its numbers against those of the program.
 
 usage: page_test.py MENISCUS ROOT    skipped (77) without Chromium, its driver, Python's selenium or build/web
+MENISCUS_SCREENSHOTS=FOLDER keeps pictures of it, wide and narrow, light and dark.
 """
 import csv
 import gzip
@@ -299,6 +300,20 @@ class MeniscusHtml(unittest.TestCase):
         self.assertIn(f"{expected[0]['interface_area']:.1f}", self.text("#interface-list"))
         cavities = [c for c in self.js("return meniscus.shown.report.components") if c["kind"] == "cavity"]
         self.assertEqual(self.js("return document.querySelectorAll('#cavity-list tr').length"), len(cavities))
+        if "MENISCUS_SCREENSHOTS" in os.environ:
+            self.photograph(pathlib.Path(os.environ["MENISCUS_SCREENSHOTS"]))
+
+    def photograph(self, folder):
+        """Pictures to look at, of docs/images, too (there in 128 colours, as docs/make_pictures makes them)."""
+        for theme in ("light", "dark"):
+            self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+                "features": [{"name": "prefers-color-scheme", "value": theme}]})
+            for name, width, height in (("wide", 1100, 680), ("phone", 390, 760)):
+                self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+                    "width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 720})
+                time.sleep(1)  # until the view has been fitted and drawn
+                self.browser.save_screenshot(str(folder / f"browser-{name}-{theme}.png"))
+        self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
 
     def test_what_would_take_long_is_asked_about_first(self):
         rows = []
