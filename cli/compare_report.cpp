@@ -7,7 +7,7 @@
 #include <array>
 #include <optional>
 
-#include "json_visitor.h"
+#include "json_schema.h"
 #include "meniscus/file_name.h"
 #include "meniscus/version.h"
 #include "messages.h"

@@ -16,7 +16,7 @@
 #include "completion.h"
 #include "described_options.h"
 #include "help.h"
-#include "json_visitor.h"
+#include "json_schema.h"
 #include "man_page.h"
 #include "measure_command.h"
 #include "meniscus/errors.h"

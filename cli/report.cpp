@@ -4,7 +4,6 @@
 
 #include <sys/resource.h>
 
-#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -15,8 +14,9 @@
 #include <thread>
 #include <variant>
 
+#include "io/describe_structure.h"
 #include "io/options_json.h"
-#include "json_visitor.h"
+#include "json_schema.h"
 #include "meniscus/errors.h"
 #include "meniscus/file_name.h"
 #include "meniscus/file_words.h"
@@ -25,8 +25,6 @@
 #include "platform/files/atomic_file.h"
 
 namespace meniscus::cli {
-
-using nlohmann::ordered_json;
 
 namespace {
 
@@ -105,30 +103,12 @@ template <class Visitor>
 void describe_input(const Report& report, Visitor& visit) {
     const Structure& s = report.structure;
     const RunFacts& facts = report.facts;
-    visit({"file", "", "file name without folders, as for all files in the report; `-` for standard input"},
-          file_name(s.file));
-    visit({"sha256", "", "SHA-256 of the bytes of the file as found, hexadecimal"}, s.sha256);
+    describe_file(s, visit);
     visit({"model", "", "position of the model in the file, from 1; the word `join` if all were put together"},
           facts.model == kJoinedModels ? ModelPosition("join") : ModelPosition(facts.model));
     visit({"chain", "", "the chain, with `--per-chain`; `null` without it"},
           facts.chain.empty() ? std::optional<std::string>() : facts.chain);
-    visit({"atoms", "", "number of kept atoms"}, s.atoms.size());
-    visit({"residues", "", "number of residues with at least one kept atom"}, s.residues.size());
-    visit({"radii", "", "the radius set in use; `file` for radii from the input itself"}, file_name(s.radii_set));
-    visit({"probe", "Å", "probe radius"}, report.probe);
-    visit({"dropped", "", "number of atoms left out, by reason"}, s.dropped);
-    visit({"notes", "",
-           "what happens with every ordinary file, such as waters left out; also written to standard error, not with "
-           "`--quiet`"},
-          s.notes);
-    visit({"warnings", "", "what may make a number wrong; also written to standard error"}, s.warnings);
-}
-
-template <class Visitor>
-void describe_interface(const ChainInterface& i, Visitor& visit) {
-    visit({"a", "", "the first group, chains separated by commas"}, fmt::format("{}", fmt::join(i.chains.a, ",")));
-    visit({"b", "", "the second group"}, fmt::format("{}", fmt::join(i.chains.b, ",")));
-    describe(i.areas, visit);
+    describe_kept(s, report.probe, visit);
 }
 
 template <class Visitor>
@@ -188,7 +168,7 @@ void describe(const Report& report, Visitor& visit) {
     if (surface == nullptr)
         visit.optional_list(
             {"interfaces", "", "list, with `measure --between`; `null` without it, absent from reports of `surface`"},
-            facts.interfaces, [](auto& inner, const ChainInterface& i) { describe_interface(i, inner); });
+            facts.interfaces, [](auto& inner, const ChainInterface& i) { describe(i, inner); });
     visit.optional_block(
         {"mesh", "", "the mesh; `null` in reports of `measure`"}, surface, [&](auto& inner, const Surface& s) {
             describe_mesh(s, s.measured.get(), inner);

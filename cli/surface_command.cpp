@@ -60,6 +60,8 @@ void check_together(const SurfaceRequest& request, const std::vector<Output>& ou
     const bool has_picture = has(outputs, OutputKind::Picture);
     if (has_page && !pages_supported())
         throw UsageError("this build cannot write pages; build with MENISCUS_PAGE=ON, or ask for another format");
+    if (has_picture && !pictures_supported())
+        throw UsageError("this build draws no pictures; build with MENISCUS_PICTURES=ON, or ask for another format");
     if (!request.show.empty() && !has_picture && !has_page && first_mesh(outputs) == nullptr)
         throw UsageError("--show chooses a part of meshes, pictures and pages; ask for one of them with -o");
     if (request.encoding == Encoding::Text && std::none_of(outputs.begin(), outputs.end(), has_encoding))

@@ -2,13 +2,19 @@
 # SPDX-License-Identifier: Apache-2.0
 # The libraries that Meniscus links, the one list: who links a static library links them, too, so that the files for
 # CMake and pkg-config and the Debian package all name them.
+# of        target           find_package  pkg-config  Debian package
 set(libraries
-  # of      target           find_package  pkg-config  Debian package
-  files     ZLIB::ZLIB       "ZLIB"        zlib        zlib1g-dev
-  files     PNG::PNG         "PNG"         libpng      libpng-dev
-  files     Nettle::nettle   "Nettle"      nettle      nettle-dev
   files     fmt::fmt         "fmt"         fmt         libfmt-dev)
-if(NOT MENISCUS_PORTABLE)  # that Embree runs on
+if(MENISCUS_ZLIB)
+  list(APPEND libraries files ZLIB::ZLIB "ZLIB" zlib zlib1g-dev)
+endif()
+if(MENISCUS_NETTLE)
+  list(APPEND libraries files Nettle::nettle "Nettle" nettle nettle-dev)
+endif()
+if(MENISCUS_PICTURES)
+  list(APPEND libraries files PNG::PNG "PNG" libpng libpng-dev)
+endif()
+if(MENISCUS_PICTURES AND NOT MENISCUS_PORTABLE)  # that Embree runs on
   list(APPEND libraries view TBB::tbb "TBB" tbb libtbb-dev)
 endif()
 if(MENISCUS_THREADS STREQUAL tbb)

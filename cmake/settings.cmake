@@ -19,8 +19,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 if(EMSCRIPTEN)
   # Sizes have 32 bits there; and exceptions, which messages to users are made of, have to be asked for.
-  add_compile_options(-Wno-shorten-64-to-32 -fexceptions)
-  add_link_options(-fexceptions)
+  add_compile_options(-Wno-shorten-64-to-32 -fwasm-exceptions -msimd128)
+  add_link_options(-fwasm-exceptions)
 endif()
 # Of the linkers for ELF, that is, not on macOS and Windows: programs name only libraries that they call; a module offers
 # nothing of the libraries within it to other modules of the process.
@@ -59,6 +59,9 @@ function(meniscus_room name)
   target_link_libraries(meniscus_${name} PUBLIC ${ARG_USES})
   set_target_properties(meniscus_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   meniscus_pack(meniscus_${name} 8)
+  if(EMSCRIPTEN AND NOT library STREQUAL "core")
+    target_compile_options(meniscus_${name} PRIVATE -Os)  # what reads and writes is to be small rather than fast there
+  endif()
   meniscus_part(meniscus_${name})
 endfunction()
 

@@ -27,14 +27,14 @@ ROOMS = {
                  "space", "platform"),
     "reading": ("platform",),
     "radii": ("reading",),
-    "structure": ("reading", "radii"),
-    "tables": ("structure", "radii", "flow", "exact"),
+    "structure": ("reading", "radii", "platform"),
+    "tables": ("structure", "radii", "flow", "exact", "measure"),
     "mesh_io": ("reading", "mesh"),
     "volume": ("reading", "io", "platform"),
     "values": ("reading", "structure"),
     "describe_results": ("exact", "flow", "measure", "pipeline"),
     "file_words": ("colours", "pipeline", "structure", "tables"),
-    "io": ("reading", "structure", "tables", "render", "pipeline", "grid", "platform"),
+    "io": ("reading", "structure", "tables", "render", "pipeline", "describe_results", "grid", "platform"),
     "colours": ("reading", "structure", "radii", "tables", "values", "exact", "grid", "platform"),
     "render": ("colours", "platform"),
     "page": ("colours", "render", "io", "tables", "structure", "exact", "pipeline", "platform"),
@@ -48,16 +48,15 @@ PUBLIC = {
     "exact_surface": "exact", "field": "pipeline", "file_words": "file_words", "flow": "flow",
     "interfaces": "exact", "legend": "colours",
     "level_set": "grid", "level_set_file": "io", "measures": "exact", "mesh_part": "mesh", "mesh_quality": "measure",
-    "page": "page", "picture": "render", "radii": "radii", "read_mesh": "mesh_io", "remesh": "remesh",
+    "named_atoms": "structure", "page": "page", "picture": "render", "radii": "radii", "read_mesh": "mesh_io", "remesh": "remesh",
     "sample": "pipeline", "structure": "structure", "surface": "pipeline", "tables": "tables", "vertex_values": "values",
     "volume_file": "volume", "words": "pipeline", "write": "io",
 }
 # What clients may use beside the public headers: how to write a file of their own whole or not at all, how foreign
-# words stand in messages, how to load a library, processes and their files, and options as
-# JSON.
-FOR_CLIENTS = ("src/io/options_json.h", "src/platform/files/atomic_file.h", "src/reading/text.h",
-               "src/platform/files/loaded_library.h", "src/platform/files/own_file.h",
-               "src/platform/files/child_process.h")
+# words stand in messages, how to load a library, processes and their files, options and results as JSON.
+FOR_CLIENTS = ("src/io/options_json.h", "src/io/json_visitor.h", "src/io/describe_structure.h",
+               "src/platform/files/atomic_file.h", "src/reading/text.h", "src/platform/files/loaded_library.h",
+               "src/platform/files/own_file.h", "src/platform/files/child_process.h")
 # Words that only some folders may include.
 ONLY_IN = {
     "<tbb/": ("src/core/threads/tbb.cpp", "src/render/ray_scene.cpp"),
@@ -91,7 +90,7 @@ def wrong_includes(path):
     for target in includes(path):
         other = room_of(target)
         if room is None:
-            if path.parts[0] in ("cli", "python") and target.parts[0] == "src" and str(target) not in FOR_CLIENTS:
+            if path.parts[0] in ("cli", "python", "c", "web") and target.parts[0] == "src" and str(target) not in FOR_CLIENTS:
                 yield f"{target}: only the public headers may be used here"
         elif path.parts[0] == "include" and target.parts[0] == "src":
             yield f"{target}: only the public headers may be used here"

@@ -43,8 +43,25 @@ apt_get() {
 
 # Installs what is missing of the named sections; silent and without network when nothing is.
 install_packages() {
-    local wanted missing
+    local wanted
     mapfile -t wanted < <(packages_of "$@")
+    install_missing "${wanted[@]}"
+}
+
+# install_only SECTION PACKAGE ...: of a section, which must have them, these packages alone.
+install_only() {
+    local package listed
+    listed=$(packages_of "$1")
+    shift
+    for package in "$@"; do
+        grep -qx "$package" <<<"$listed" || die "packages.txt does not have $package where it is looked for"
+    done
+    install_missing "$@"
+}
+
+# Installs those of the named packages that are missing.
+install_missing() {
+    local wanted=("$@") missing
     if ! command -v dpkg-query >/dev/null; then
         say "warning: not a Debian system; needed are: ${wanted[*]}"
         return

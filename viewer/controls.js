@@ -25,8 +25,9 @@ const Controls = (() => {
      * points   of the surface, which the first view fits into the window, with a margin around (Å)
      * frame    {right, up, towards} of the first view
      * changed  is called after every move
+     * signal   ends it
      */
-    constructor(canvas, {points, margin}, frame, changed) {
+    constructor(canvas, {points, margin}, frame, changed, signal) {
       this.canvas = canvas;
       this.points = points;
       this.margin = margin;
@@ -41,7 +42,7 @@ const Controls = (() => {
       this.view = this.firstView();
       this.radius = this.reach();
       this.atFirst = true;
-      this.listen();
+      this.listen(signal);
     }
 
     get camera() { return this.inPerspective ? this.deep : this.flat; }
@@ -59,14 +60,14 @@ const Controls = (() => {
     }
 
     /** All of the surface, as large as fits, as in pictures. */
-    firstView() {
+    firstView(aspect = this.aspect) {
       const view = new View(new THREE.Vector3(), this.firstTurn.clone(), 1);
       const halves = [view.axis(1, 0, 0), view.axis(0, 1, 0), view.axis(0, 0, 1)].map(axis => {
         const [low, high] = this.extent(axis);
         view.centre.addScaledVector(axis, (low + high) / 2);
         return (high - low) / 2;
       });
-      view.half = (Math.max(halves[1], halves[0] / this.aspect, 1) + this.margin) / filled;
+      view.half = (Math.max(halves[1], halves[0] / aspect, 1) + this.margin) / filled;
       if (this.inPerspective) view.half += halves[2] * slope;
       return view;
     }
@@ -89,7 +90,7 @@ const Controls = (() => {
     }
 
     /** Puts the camera where the view says. */
-    place() {
+    place(aspect = this.aspect) {
       const {view, camera} = this, towards = view.axis(0, 0, 1);
       const back = towards.dot(this.middle.clone().sub(view.centre));   // of the middle, from what is looked at
       const distance = this.inPerspective ? view.half / slope : Math.max(0, back) + 2 * this.radius;
@@ -98,11 +99,11 @@ const Controls = (() => {
       camera.near = Math.max(distance - back - this.radius, this.inPerspective ? 0.02 * view.half : 0);
       camera.far = Math.max(distance - back + this.radius, camera.near + 1);
       if (this.inPerspective) {
-        camera.aspect = this.aspect;
+        camera.aspect = aspect;
       } else {
         camera.top = view.half;
         camera.bottom = -view.half;
-        camera.right = view.half * this.aspect;
+        camera.right = view.half * aspect;
         camera.left = -camera.right;
       }
       camera.updateProjectionMatrix();
@@ -188,8 +189,8 @@ const Controls = (() => {
       return {origin, direction};
     }
 
-    listen() {
-      const on = (name, f, options) => this.canvas.addEventListener(name, f, options);
+    listen(signal) {
+      const on = (name, f, options) => this.canvas.addEventListener(name, f, {signal, ...options});
       on("pointerdown", e => this.down(e));
       on("pointermove", e => this.move(e));
       for (const name of ["pointerup", "pointercancel"]) on(name, e => this.up(e));

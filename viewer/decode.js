@@ -71,10 +71,9 @@ const Decode = (() => {
     return points;
   }
 
-  /** All that the page knows: {info, mesh, atoms, colours(stream)}. Positions are relative to info.low. */
-  async function load() {
-    const bytes = await embedded("data");
-    const length = new DataView(bytes.buffer).getUint32(0, true);
+  /** All that the page knows, from its bytes: {info, mesh, atoms, stream(name)}. Positions are relative to info.low. */
+  function decode(bytes) {
+    const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true);
     const info = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
     const has = name => name in info.streams;
     const stream = name => {
@@ -111,5 +110,5 @@ const Decode = (() => {
     };
   }
 
-  return {load, embedded};
+  return {decode, embedded};
 })();

@@ -88,6 +88,7 @@ const Panel = (() => {
     $("cavities").hidden = cavities.length === 0;
     $("left-out").hidden = ligandsLeftOut === "";
     $("left-out").textContent = "Ligands that may fill them were left out: " + ligandsLeftOut;
+    $("cavity-list").replaceChildren();
     cavities.forEach((cavity, i) => {
       const row = element("tr"), first = element("td"), button = element("button", String(i + 1), {type: "button"});
       button.setAttribute("aria-label", "Go to cavity " + (i + 1));
@@ -103,6 +104,7 @@ const Panel = (() => {
   }
 
   function fillSchemes(schemes, first) {
+    $("scheme").replaceChildren();
     for (const scheme of schemes) $("scheme").append(element("option", scheme.label, {value: scheme.id}));
     $("scheme").value = first;
   }

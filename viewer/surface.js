@@ -274,6 +274,11 @@ const Surface = (() => {
       this.uniforms.choosing.value = Boolean(chosen);
     }
 
+    /** Gives back what the graphics card holds beside geometry and materials. */
+    dispose() {
+      for (const texture of [this.paint, this.uniforms.spheres.value, this.uniforms.ofComponent.value]) texture.dispose();
+    }
+
     /** Shows a component of the mesh, or none (null), in the accent colour. */
     markComponent(component) { this.uniforms.chosen.value = component === null ? -1 : component; }
 

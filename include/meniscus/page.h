@@ -46,19 +46,28 @@ struct PageOptions {
     int threads = 0;       ///< 0: all cores; the page does not depend on it
 };
 
-/// True unless the library was built without three.js (CMake's MENISCUS_PAGE=OFF).
+/// True unless the library was built without three.js (CMake's MENISCUS_PAGE=OFF), zlib or nettle.
 bool pages_supported();
+
+/// All that a page shows, for programs that show it themselves: viewer/decode.js reads it. Any build can make it.
+struct PageContent {
+    std::string title;  ///< plain text
+    std::string data;   ///< bytes: mesh, atoms, colours, cavities, PageOptions::rows
+};
+
+/// throws, cost   as make_page(), less what the file and its picture take
+PageContent page_content(const Mesh& mesh, const Structure& structure, const PageOptions& options = {});
 
 /// Makes a page, as HTML.
 ///
 /// The page holds the mesh, rounded to 1/512 Å, the atoms, the colours of every scheme for which the structure has
-/// data, and a picture for browsers without WebGL 2 (docs/conventions.md). Names in the structure are escaped: they
-/// cannot become markup.
+/// data, and a picture for browsers without WebGL 2 (docs/conventions.md; none if the library draws no pictures). Names
+/// in the structure are escaped: they cannot become markup.
 ///
 /// mesh     needs normals, atoms and patches; curvatures are optional; without triangles the page shows only atoms
 /// throws   UsageError for arrays that are missing or whose sizes do not match, an atom that the structure does not
 ///          have, and options that draw_picture() or colour_vertices() refuses; LimitError for more than 2^24 atoms;
-///          std::runtime_error without three.js
+///          std::runtime_error unless pages_supported()
 /// cost     O(n log n), most of it for depth_values() and for the light that reaches each vertex
 std::string make_page(const Mesh& mesh, const Structure& structure, const PageOptions& options = {});
 

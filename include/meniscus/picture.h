@@ -74,6 +74,10 @@ struct PictureOptions {
     bool operator==(const PictureOptions&) const = default;
 };
 
+/// True unless the library was built without pictures (CMake's MENISCUS_PICTURES=OFF). Without, whatever draws or
+/// writes a picture throws UsageError.
+bool pictures_supported();
+
 /// Draws a mesh, as large as fits into the picture.
 ///
 /// Normals and colours are interpolated between vertices. Light comes from two lamps beside the viewer and from the

@@ -99,6 +99,12 @@ struct Structure {
 /// cost     O(size of the file)
 Structure read_structure(const std::string& path, const ReadOptions& options = {});
 
+/// The same from the bytes of a file in memory.
+///
+/// name     tells the format, as a path would: "1abc.cif.gz"; in angle brackets ("<data>") it does not, and the content
+///          tells. Messages and Structure::file have it
+Structure parse_structure(std::string bytes, const std::string& name, const ReadOptions& options = {});
+
 /// The advice that read_structure() gives where a path is not a file but an identifier of the PDB, of UniProt or of
 /// AlphaFold DB: "1UBQ is not a file; Meniscus does not download: get 1ubq.cif from the PDB (...)". Else empty.
 std::string explain_identifier(const std::string& path);
@@ -126,5 +132,8 @@ std::vector<Structure> split_chains(const Structure& structure);
 ///
 /// throws   as read_structure(), for the first model that cannot be read
 std::vector<Structure> read_all_models(const std::string& path, const ReadOptions& options = {});
+
+/// The same from the bytes of a file in memory, as parse_structure() takes them.
+std::vector<Structure> parse_all_models(std::string bytes, const std::string& name, const ReadOptions& options = {});
 
 }  // namespace meniscus

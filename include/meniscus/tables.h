@@ -18,6 +18,7 @@
 #include "meniscus/flow.h"
 #include "meniscus/interfaces.h"
 #include "meniscus/measures.h"
+#include "meniscus/mesh.h"
 #include "meniscus/structure.h"
 
 namespace meniscus {
@@ -138,5 +139,23 @@ std::string residue_label(const Residue& residue);
 
 /// The residues that line a component: ascending indices of those with an atom that touches the component.
 std::vector<std::uint32_t> lining_residues(const Structure& structure, const SurfaceComponent& component);
+
+/// A cavity with the piece of a mesh that is its wall.
+struct ListedCavity {
+    double area = 0.0;            ///< Å²
+    double volume = 0.0;          ///< Å³, positive
+    Vec3 centre;                  ///< centroid of its wall, Å
+    double radius = 0.0;          ///< of a ball around the centre that holds its wall, Å
+    std::uint32_t component = 0;  ///< number of its wall in Mesh::components; kNone if the mesh has no such piece
+    std::string lining{};  ///< labels of the residues around it, "A:LEU12, A:VAL30"; empty if taken from the mesh
+};
+
+/// The cavities of a surface by falling volume.
+///
+/// components  exact pieces of the surface; if there are none, cavities are those of the mesh, with plain sums over its
+///             triangles
+/// cost        O(vertices)
+std::vector<ListedCavity> list_cavities(const Mesh& mesh, const Structure& structure,
+                                        std::span<const SurfaceComponent> components = {});
 
 }  // namespace meniscus

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Solvent-excluded surfaces of proteins and other molecules.
 
+Examples
+--------
 >>> protein = meniscus.read("1ubq.pdb")
 >>> surface = meniscus.surface(protein)
 >>> surface.vertices.shape
@@ -14,21 +16,30 @@ Lengths are in Å, areas in Å², volumes in Å³, curvatures in Å⁻¹. The le
 normals point into the solvent. Arrays of results are read-only views: nothing is copied. ``numpy(copy=True)`` of a
 surface or structure, and ``copy()`` of any array, give arrays of your own. Indices are int32.
 
-Structures, surfaces, exact surfaces, measures and comparisons can be pickled and copied, to the bit; a pickle is for the
-version that made it.
+Structures, surfaces, exact surfaces, measures, comparisons and options can be pickled and copied, to the bit; a pickle is
+for the version that made it.
+
+Wherever atoms are expected, an object of MDAnalysis, MDTraj, Biopython, Biotite, gemmi or OpenMM will do, too.
 
 A tutorial is in ``docs/python.md``.
 """
+from ._calls import measure, signed_distance, surface
 from ._compare import Compared, Comparison, Distance, compare
+from ._component import Component
 from ._core import version as __version__
 from ._errors import CheckWarning, InputError, LimitError, OutputError, ReadWarning, UsageError
-from ._exact import ExactSurface, Nearest, signed_distance, surface
+from ._exact import ExactSurface, Nearest
+from ._foreign import from_biopython, from_biotite, from_gemmi, from_mdanalysis, from_mdtraj, from_openmm
 from ._interfaces import Interface
-from ._keywords import Meshing
+from ._keywords import Meshing, SurfaceOptions
 from ._map import map
-from ._measures import Component, Measures, measure
-from ._structure import Structure, radii, read, read_models
-from ._surface import Points, Surface
+from ._measures import Measures
+from ._nouns import RunOptions
+from ._points import Points
+from ._reading import ReadOptions, read, read_models
+from ._structure import Structure, radii
+from ._sums import Sum
+from ._surface import Surface
 
 __all__ = [
     "CheckWarning",
@@ -45,12 +56,22 @@ __all__ = [
     "Nearest",
     "OutputError",
     "Points",
+    "ReadOptions",
     "ReadWarning",
+    "RunOptions",
     "Structure",
+    "Sum",
     "Surface",
+    "SurfaceOptions",
     "UsageError",
     "__version__",
     "compare",
+    "from_biopython",
+    "from_biotite",
+    "from_gemmi",
+    "from_mdanalysis",
+    "from_mdtraj",
+    "from_openmm",
     "map",
     "measure",
     "radii",

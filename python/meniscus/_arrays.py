@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, Protocol, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -12,15 +12,43 @@ import numpy.typing as npt
 from ._errors import UsageError
 
 Floats = npt.NDArray[np.float64]
+Singles = npt.NDArray[np.float32]
+Indices = npt.NDArray[np.int32]
+
+_CPU = 1  # DLPack's number of it; 3 is memory of the CPU that is pinned for a GPU
+_PINNED = 3
 
 
-def _numbers(name: str, values: npt.ArrayLike) -> npt.NDArray[Any]:
-    if isinstance(values, np.ma.MaskedArray) and np.any(values.mask):
-        raise UsageError(f"{name}: some entries are masked; leave them out")
+class SupportsDLPack(Protocol):
+    """An array of PyTorch, JAX, CuPy ..."""
+
+    def __dlpack__(self, *, stream: Any = None) -> Any: ...
+
+    def __dlpack_device__(self) -> Any: ...
+
+
+ArrayLike = Union[npt.ArrayLike, SupportsDLPack]
+
+
+def as_array(name: str, values: Any) -> npt.NDArray[Any]:
+    """Anything that numpy takes, or that speaks DLPack in memory of the CPU."""
+    if hasattr(values, "__dlpack_device__") and not isinstance(values, np.ndarray):
+        if int(values.__dlpack_device__()[0]) not in (_CPU, _PINNED):
+            raise UsageError(f"{name}: lies in the memory of another device; copy it to the CPU first")
+        if not hasattr(values, "__array__"):
+            return np.from_dlpack(values)
     try:
-        array = np.asarray(values)
+        return np.asarray(values)
     except ValueError as error:
         raise UsageError(f"{name}: rows have different lengths; an array of numbers is needed") from error
+    except RuntimeError as error:  # PyTorch's of tensors that require gradients
+        raise UsageError(f"{name}: cannot become an array: {error}") from error
+
+
+def _numbers(name: str, values: Any) -> npt.NDArray[Any]:
+    if isinstance(values, np.ma.MaskedArray) and np.any(values.mask):
+        raise UsageError(f"{name}: some entries are masked; leave them out")
+    array = as_array(name, values)
     if array.dtype.kind not in "fiu" and array.size > 0:
         raise UsageError(f"{name}: numbers are needed, not {array.dtype}")
     return array
@@ -34,7 +62,7 @@ def _finite(name: str, array: npt.NDArray[Any]) -> Floats:
     return result
 
 
-def positions(name: str, values: npt.ArrayLike) -> Floats:
+def positions(name: str, values: Any) -> Floats:
     """Shape (n, 3), finite; lists and arrays of any real type are converted."""
     array = _numbers(name, values)
     if array.size == 0 and array.ndim < 2:
@@ -44,7 +72,7 @@ def positions(name: str, values: npt.ArrayLike) -> Floats:
     return _finite(name, array)
 
 
-def one_per(name: str, values: npt.ArrayLike, count: int) -> Floats:
+def one_per(name: str, values: Any, count: int) -> Floats:
     """Shape (count,), finite; a single number stands for all."""
     array = _numbers(name, values)
     if array.ndim == 0:
@@ -54,7 +82,7 @@ def one_per(name: str, values: npt.ArrayLike, count: int) -> Floats:
     return _finite(name, array)
 
 
-def whole_per(name: str, values: npt.ArrayLike, count: int) -> list[int]:
+def whole_per(name: str, values: Any, count: int) -> list[int]:
     """Shape (count,), whole numbers of 32 bits; a single number stands for all."""
     array = one_per(name, values, count)
     wrong = (array != np.rint(array)) | (np.abs(array) >= 2**31)

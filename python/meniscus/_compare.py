@@ -6,52 +6,95 @@ from __future__ import annotations
 import dataclasses
 from typing import TYPE_CHECKING, Any, Union
 
-from . import _core, _options
-from ._arrays import Floats
+from . import _atoms, _core, _files, _foreign, _options
+from ._arrays import Floats, Indices, Singles
+from ._choices import MeshFormat
 from ._errors import UsageError, opening, text_of_path
-from ._structure import Path, Reading, Structure, check_reading, read_for_caller
-from ._surface import Indices, Singles, Surface
+from ._files import Source, Target
+from ._reading import Reading, ReadOptions
+from ._structure import Structure
+from ._surface import Surface
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
 _WITH_VALUES = (".ply", ".glb", ".vtp", ".npz")
 
-Comparable = Union[Path, Surface, Structure]
+Comparable = Union[Source, Surface, Structure, "_foreign.ForeignObject"]
 
 
 @dataclasses.dataclass(frozen=True)
 class Distance:
-    """Distances from one surface to another, Å: absolute values weighted by area, except for ``signed_mean``."""
+    """Distances from one surface to another, Å; made by :func:`compare`.
+
+    Parameters
+    ----------
+    mean : float
+        Mean of the absolute values, weighted by area.
+    p99 : float
+        99 % of the area is nearer than this.
+    max : float
+        The largest.
+    signed_mean : float
+        Mean with signs, positive where the points lie outside the other surface.
+    points : int
+        Number of points.
+    """
 
     mean: float
     p99: float
-    """99 % of the area is nearer than this"""
     max: float
     signed_mean: float
-    """positive where the points lie outside the other surface"""
     points: int
-    """number of points"""
 
 
 @dataclasses.dataclass(frozen=True)
 class Compared:
-    """Measures of one of the two surfaces; exact for a structure."""
+    """Measures of one of the two surfaces, exact for a structure; made by :func:`compare`.
+
+    Parameters
+    ----------
+    area : float
+        Å².
+    volume : float
+        Å³.
+    outer_pieces : int
+        Closed pieces that bound it from outside.
+    cavities : int
+        Closed pieces that bound a space inside.
+    closed : bool
+        Whether no edge has only one triangle.
+    manifold : bool
+        Whether no edge has more than two triangles.
+    merged_vertices : int
+        Coincident vertices that were merged, because the mesh was not closed.
+    """
 
     area: float
-    """Å²"""
     volume: float
-    """Å³"""
     outer_pieces: int
     cavities: int
     closed: bool
     manifold: bool
     merged_vertices: int
-    """coincident vertices that were merged, because the mesh was not closed"""
 
 
 class Comparison:
-    """The result of :func:`compare`."""
+    """Distances between two surfaces, both ways; made by :func:`compare`.
+
+    Attributes
+    ----------
+    a : Compared
+        Measures of A.
+    b : Compared
+        Measures of B.
+    a_to_b : Distance
+        Distances of the points of A from B.
+    b_to_a : Distance
+        Distances of the points of B from A.
+    distances : ndarray of float32, shape (n,)
+        Signed distances of ``vertices`` to B, Å, positive outside.
+    """
 
     def __init__(self, a: _core.ComparedSurface, b: _core.ComparedSurface, options: dict[str, float | int],
                  structure: Structure | None) -> None:
@@ -64,7 +107,6 @@ class Comparison:
         self.a_to_b = Distance(**found["a_to_b"])
         self.b_to_a = Distance(**found["b_to_a"])
         self.distances: Singles = found["distances"]
-        """(n,) float32, Å: signed distances of ``vertices`` to B, positive outside."""
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
@@ -89,13 +131,28 @@ class Comparison:
         """(m, 3) int32: triangles of A's mesh; a view."""
         return self._mesh.triangles
 
-    def save(self, path: Path, range: tuple[float, float] | None = None) -> None:
-        """Writes A's mesh (.ply .glb .vtp .npz) with the vertex array ``distance`` and its colours: blue inside B, red
-        outside.
+    def save(self, path: Target, range: tuple[float, float] | None = None, *, format: MeshFormat | None = None) -> None:
+        """Writes A's mesh with the vertex array ``distance`` and its colours: blue inside B, red outside.
 
-        range  distances shown in full blue and full red, Å; by default, 99 % of A's area lies between them
+        Parameters
+        ----------
+        path : str, os.PathLike or binary file object
+            Where to write: .ply .glb .vtp .npz.
+        range : tuple of float, optional
+            Distances shown in full blue and full red, Å; by default, 99 % of A's area lies between them.
+        format : {"ply", "glb", "vtp", "npz"}, optional
+            The format, instead of that of the suffix; required for a file object without a name.
+
+        Raises
+        ------
+        UsageError
+            For another format.
+        OSError
+            If the file cannot be written.
         """
-        target = text_of_path(path)
+        if _files.saved_elsewhere(path, format, lambda inner: self.save(inner, range)):
+            return
+        target = text_of_path(path)  # type: ignore[arg-type]
         if not target.endswith(_WITH_VALUES):
             raise UsageError(f"{target}: this format cannot hold distances; choose {' '.join(_WITH_VALUES)}")
         reach = max(self.a_to_b.p99, 1e-3)
@@ -111,19 +168,25 @@ def _mesh_of_file(path: str) -> _core.ComparedSurface:
         return _core.compared_file(path)
 
 
-def _is_structure_file(value: Comparable) -> bool:
-    return not isinstance(value, (Surface, Structure)) and not _core.is_mesh_file(text_of_path(value))
+def _is_mesh_file(value: Comparable) -> bool:
+    if _files.is_file(value):
+        return _core.is_mesh_file(_files.name_of(value))
+    return not _foreign.is_foreign(value) and _core.is_mesh_file(text_of_path(value))  # type: ignore[arg-type]
 
 
-def _side(value: Comparable, options: dict[str, float | int], reading: Reading
+def _is_to_be_read(value: Comparable) -> bool:
+    return not isinstance(value, (Surface, Structure)) and not _is_mesh_file(value)
+
+
+def _side(value: Comparable, options: dict[str, float | int], reading: Reading, wanted: ReadOptions | None
           ) -> tuple[_core.ComparedSurface, Structure | None]:
     if isinstance(value, Surface):
         return _core.compared_mesh(value._core.mesh), value.structure
     if not isinstance(value, Structure):
-        path = text_of_path(value)
-        if _core.is_mesh_file(path):
-            return _mesh_of_file(path), None
-        value = read_for_caller(path, reading)
+        if _is_mesh_file(value):
+            with _files.on_disk(value) as path:  # type: ignore[arg-type]
+                return _mesh_of_file(path), None
+        value = _atoms.read_source(value, reading, wanted, stacklevel=4)
     return _core.compared_structure(value._core, options), value
 
 
@@ -135,21 +198,47 @@ def compare(
     points: float = 10.0,
     spacing: float = 0.5,
     threads: int = 0,
-    **reading: Unpack[Reading],
+    reading: ReadOptions | None = None,
+    **keywords: Unpack[Reading],
 ) -> Comparison:
     """Distances between two surfaces, both ways, by points spread over their triangles.
 
-    a, b     a :class:`Surface` or the path of a mesh (.ply .obj .stl .off .glb .vert .face, each also .gz); or a
-             structure or its path, whose exact solvent-excluded surface is used
-    probe    probe radius for structures, Å
-    points   minimum number of points per Å²
-    spacing  grid spacing of the mesh that is used to spread points over a structure's surface, Å
-    threads  0: all cores; results do not depend on it
-    reading  for paths of structures, the arguments of :func:`read` beside radii: waters=True, chains="A" ...
+    Other Python threads keep running.
 
-    Raises ValueError for invalid arguments, :class:`InputError` for a file that is not valid, OSError for a file that
-    cannot be opened. Other Python threads keep running.
+    Parameters
+    ----------
+    a : Surface, Structure, str, os.PathLike, file object or object of another package
+        A surface; a mesh (.ply .obj .stl .off .glb .vert .face, each also .gz; a file object needs a name with such a
+        suffix); or a structure, whose exact solvent-excluded surface is used.
+    b : Surface, Structure, str, os.PathLike, file object or object of another package
+        The other.
+    probe : float, default 1.4
+        Probe radius for structures, Å.
+    points : float, default 10
+        Minimum number of points per Å².
+    spacing : float, default 0.5
+        Grid spacing of the mesh that is used to spread points over a structure's surface, Å.
+    threads : int, default 0
+        0: all cores; results do not depend on it.
+    reading : ReadOptions, optional
+        What to keep of structures that are read, and which radii.
+    **keywords
+        The members of ReadOptions, waters=True, chains="A" ..., which replace those of ``reading``; and frame=N for
+        trajectories.
 
+    Returns
+    -------
+    Comparison
+
+    Raises
+    ------
+    UsageError
+        For invalid arguments. A ValueError.
+    InputError, OSError
+        For a file that cannot be read.
+
+    Examples
+    --------
     >>> protein = meniscus.read("1ubq.pdb")
     >>> found = meniscus.compare(meniscus.surface(protein), protein)
     >>> found.a_to_b.mean < 0.02, found.a.closed, round(found.b.area, 1)
@@ -157,6 +246,6 @@ def compare(
     """
     options = {"probe": _options.number("probe", probe), "points": _options.number("points", points),
                "spacing": _options.number("spacing", spacing), "threads": _options.count("threads", threads)}
-    check_reading(reading, has_path=_is_structure_file(a) or _is_structure_file(b))
-    (first, structure), (second, _) = _side(a, options, reading), _side(b, options, reading)
+    _atoms.check_reading(keywords, reading, has_source=_is_to_be_read(a) or _is_to_be_read(b))
+    (first, structure), (second, _) = _side(a, options, keywords, reading), _side(b, options, keywords, reading)
     return Comparison(first, second, options, structure)

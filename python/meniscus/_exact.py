@@ -11,16 +11,22 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core, _options
-from ._arrays import Floats, positions
-from ._errors import CheckWarning
+from ._arrays import ArrayLike, Floats, Indices, positions
+from ._atoms import Atoms, Radii, as_structure
+from ._errors import CheckWarning, UsageError
+from ._keywords import DEFAULTS, Meshing, Method, SurfaceKind, SurfaceOptions
 from ._measures import Measures, checked
-from ._keywords import DEFAULTS, Meshing
-from ._meshing import Progress, SurfaceKeywords, meshing_options, with_keywords
-from ._structure import Path, Reading, Structure, as_structure
-from ._surface import Indices, Surface
+from ._meshing import given, with_keywords, with_run
+from ._nouns import NOT_GIVEN, Progress, RunOptions, of_kind
+from ._reading import Reading, ReadOptions
+from ._structure import Structure
+from ._surface import Surface
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
+
+SURFACE_DEFAULTS: dict[str, Any] = {field.name: field.default for field in dataclasses.fields(SurfaceOptions)}
+RUN_DEFAULTS: dict[str, Any] = {field.name: field.default for field in dataclasses.fields(RunOptions)}
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -29,25 +35,35 @@ class Nearest:
 
     The nearest point of the surface itself is ``points - distance[:, None] * normal`` where the distance is exact: see
     :meth:`ExactSurface.signed_distance`. The arrays are read-only.
+
+    Parameters
+    ----------
+    distance : ndarray of float64, shape (m,)
+        Signed distance from the surface, Å, negative inside.
+    atom : ndarray of int32, shape (m,)
+        Index of the nearest of the atoms that the patch touches.
+    patch : ndarray of uint8, shape (m,)
+        0 contact, 1 toroidal, 2 reentrant.
+    normal : ndarray of float64, shape (m, 3)
+        Gradient of the distance, a unit vector that points out of the molecule; 0 where undefined, as at the centre of the
+        atom whose patch is nearest.
+    mean_curvature : ndarray of float64, shape (m,)
+        Å⁻¹, positive on a sphere: of the parallel surface through the point, which for a point on the surface is the
+        surface; may be infinite at cusps.
+    gaussian_curvature : ndarray of float64, shape (m,)
+        Å⁻²: of the same surface.
+    foot : ndarray of float64, shape (m, 3)
+        Centre of the probe where it touches the surface there, Å, a point of the solvent-accessible surface; for sas and
+        vdw a point of the surface itself.
     """
 
     distance: Floats
-    """(m,) float64, Å: signed distance from the surface, negative inside"""
     atom: Indices
-    """(m,) int32: index of the nearest of the atoms that the patch touches"""
     patch: npt.NDArray[np.uint8]
-    """(m,) uint8: 0 contact, 1 toroidal, 2 reentrant"""
     normal: Floats
-    """(m, 3) float64: gradient of the distance, a unit vector that points out of the molecule; 0 where undefined, as at the
-    centre of the atom whose patch is nearest"""
     mean_curvature: Floats
-    """(m,) float64, Å⁻¹, positive on a sphere: of the parallel surface through the point, which for a point on the
-    surface is the surface; may be infinite at cusps"""
     gaussian_curvature: Floats
-    """(m,) float64, Å⁻²: of the same surface"""
     foot: Floats
-    """(m, 3) float64, Å: centre of the probe where it touches the surface there, a point of the solvent-accessible
-    surface; for sas and vdw a point of the surface itself"""
 
     def __len__(self) -> int:
         return len(self.distance)
@@ -59,21 +75,38 @@ class Nearest:
 class ExactSurface:
     """The surface of atoms, known analytically: exact measures, distances and curvatures, and meshes of it.
 
-    atoms     a Structure; the path of a file; or centres (n, 3), Å
-    radii     (n,), Å; required with centres. With a path, the name of a radius set
-    probe     probe radius, Å; 0 gives the van der Waals surface
-    surface   ses (solvent-excluded), sas (solvent-accessible, traced by the probe's centre) or vdw (van der Waals: of
-              the atoms themselves)
-    threads   0: all cores; for all that is asked of this surface. Results do not depend on it
-    reading   with a path, the other arguments of :func:`read`: waters=True, chains="A" ...
-
     Nothing is computed before it is asked for, and everything once: the geometry, which takes about 5 µs per atom, and
     the measures are kept, and meshes are made of the same geometry. A surface does not change, so several threads may
-    use it; other Python threads keep running.
+    use it; other Python threads keep running. What can only be found with the geometry, such as that there are no atoms,
+    is a UsageError of the first method that needs it.
 
-    Raises ValueError for invalid arrays or options. What can only be found with the geometry, such as that there are no
-    atoms, is a ValueError of the first method that needs it.
+    Parameters
+    ----------
+    atoms : Structure, str, os.PathLike, file object, object of another package, or array_like, shape (n, 3)
+        As for :func:`measure`.
+    radii : array_like, shape (n,), or str, optional
+        Å; required with centres. With a file or an object of another package, the name of a radius set.
+    probe : float, default 1.4
+        Probe radius, Å; 0 gives the van der Waals surface.
+    surface : {"ses", "sas", "vdw"}, default "ses"
+        Solvent-excluded, solvent-accessible (traced by the probe's centre) or van der Waals (of the atoms themselves).
+    threads : int, default 0
+        0: all cores; for all that is asked of this surface. Results do not depend on it.
+    reading : ReadOptions, optional
+        With a file or an object of another package: what to keep, and which radii.
+    **keywords
+        The members of ReadOptions, waters=True, chains="A" ..., which replace those of ``reading``; and frame=N for
+        trajectories.
 
+    Raises
+    ------
+    UsageError
+        For invalid arrays or options. A ValueError.
+    InputError, OSError
+        For a file that cannot be read.
+
+    Examples
+    --------
     >>> exact = meniscus.ExactSurface("1ubq.pdb")
     >>> round(exact.measures.ses_area, 1), exact.signed_distance([[0, 0, 0]]).round(2).tolist()
     (3892.2, [27.11])
@@ -83,17 +116,19 @@ class ExactSurface:
 
     def __init__(
         self,
-        atoms: Structure | Path | npt.ArrayLike,
-        radii: npt.ArrayLike | Path | None = None,
+        atoms: Atoms,
+        radii: Radii | None = None,
         probe: float = 1.4,
         *,
-        surface: str = "ses",
+        surface: SurfaceKind = "ses",
         threads: int = 0,
-        **reading: Unpack[Reading],
+        reading: ReadOptions | None = None,
+        **keywords: Unpack[Reading],
     ) -> None:
-        self._structure = as_structure(atoms, radii, reading)
+        self._structure = as_structure(atoms, radii, keywords, reading)
         self._probe = _options.not_negative("probe", probe)
-        self._kind = _options.word("surface", surface)
+        self._kind: SurfaceKind = surface
+        _options.word("surface", surface)
         self._threads = _options.count("threads", threads)
         self._measures: Measures | None = None
         self._core = _core.exact_surface(self._structure._core, self._exact_options())
@@ -126,8 +161,8 @@ class ExactSurface:
         return self._probe
 
     @property
-    def kind(self) -> str:
-        """ses, sas or vdw."""
+    def kind(self) -> SurfaceKind:
+        """Which surface: ses, sas or vdw."""
         return self._kind
 
     @property
@@ -137,6 +172,8 @@ class ExactSurface:
         For a surface sas or vdw they are those of that surface: ses_area and sas_area are then the same. If two
         evaluations do not agree, there is a :class:`CheckWarning`. Takes about 25 µs per atom.
 
+        Examples
+        --------
         >>> ball = meniscus.ExactSurface([[0, 0, 0]], [2.0], surface="sas")
         >>> numpy.allclose(ball.measures.ses_area, 4 * numpy.pi * 3.4**2)
         True
@@ -146,41 +183,89 @@ class ExactSurface:
     def _measured(self) -> Measures:
         """For properties: a warning names whoever asked for the property."""
         if self._measures is None:
-            self._measures = checked(Measures(self._core.measures(self._threads), self._structure), stacklevel=4)
+            asked = {**self._exact_options(), "threads": self._threads}
+            found = Measures(self._core.measures(self._threads), self._structure, asked)
+            self._measures = checked(found, stacklevel=4)
         return self._measures
 
-    def signed_distance(self, points: npt.ArrayLike) -> Floats:
-        """Signed distances from the surface, (m,), Å; negative inside.
-
-        points  (m, 3), Å; anywhere
+    def signed_distance(self, points: ArrayLike) -> Floats:
+        """Signed distances from the surface; negative inside.
 
         Exact inside and on the surface; outside, next to ridges, a lower bound with the correct zero set. Takes about
-        0.1 µs per point for points as close together as those of a grid and 3 µs for isolated ones. Raises ValueError
-        for an array of another shape and for coordinates that are not finite.
+        0.1 µs per point for points as close together as those of a grid and 3 µs for isolated ones.
 
+        Parameters
+        ----------
+        points : array_like, shape (m, 3)
+            Å; anywhere.
+
+        Returns
+        -------
+        ndarray of float64, shape (m,)
+            Å; an array of your own, which may be written to.
+
+        Raises
+        ------
+        UsageError
+            For an array of another shape, and coordinates that are not finite.
+
+        Examples
+        --------
         >>> meniscus.ExactSurface([[0, 0, 0]], [2.0]).signed_distance([[0, 0, 5], [1, 0, 0]]).round(6).tolist()
         [3.0, -1.0]
         """
         return self._core.signed_distance(positions("points", points), self._threads)
 
-    def nearest(self, points: npt.ArrayLike) -> Nearest:
+    def nearest(self, points: ArrayLike) -> Nearest:
         """What is nearest to each of the points: distance, atom, patch, normal, curvatures, place of the probe.
 
-        points  (m, 3), Å; anywhere
+        Takes as long as :meth:`signed_distance`.
 
-        Errors and time are those of :meth:`signed_distance`.
+        Parameters
+        ----------
+        points : array_like, shape (m, 3)
+            Å; anywhere.
 
+        Returns
+        -------
+        Nearest
+
+        Raises
+        ------
+        UsageError
+            For an array of another shape, and coordinates that are not finite.
+
+        Examples
+        --------
         >>> found = meniscus.ExactSurface([[0, 0, 0]], [2.0]).nearest([[0, 0, 5]])
         >>> found.distance.round(6).tolist(), found.normal.round(6).tolist(), found.foot.round(6).tolist()
         ([3.0], [[0.0, 0.0, 1.0]], [[0.0, 0.0, 3.4]])
         """
         return Nearest(**self._core.nearest(positions("points", points), self._threads))
 
-    def of_same_atoms(self, probe: float | None = None, surface: str | None = None) -> ExactSurface:
-        """Another surface of the same structure; what is not given is as here.
+    def of_same_atoms(self, probe: float | None = None, surface: SurfaceKind | None = None) -> ExactSurface:
+        """Another surface of the same structure.
 
         What is found of it is kept as long as any surface of these atoms, so that asking again builds nothing again.
 
+        Parameters
+        ----------
+        probe : float, optional
+            Probe radius, Å; by default that of this surface.
+        surface : {"ses", "sas", "vdw"}, optional
+            Which surface; by default as this one.
+
+        Returns
+        -------
+        ExactSurface
+
+        Raises
+        ------
+        UsageError
+            For a radius that is negative or not finite, and an unknown word.
+
+        Examples
+        --------
         >>> exact = meniscus.ExactSurface("1ubq.pdb")
         >>> exact.of_same_atoms(surface="sas")
         <meniscus.ExactSurface: sas of 602 atoms, probe 1.4 Å>
@@ -192,38 +277,75 @@ class ExactSurface:
         if probe is not None:
             other._probe = _options.not_negative("probe", probe)
         if surface is not None:
-            other._kind = _options.word("surface", surface)
+            _options.word("surface", surface)
+            other._kind = surface
         other._core = self._core.of_same_atoms(other._exact_options())
         return other
 
-    @with_keywords(DEFAULTS)
+    @with_keywords({**SURFACE_DEFAULTS, **RUN_DEFAULTS, **DEFAULTS}, but=("probe", "surface", "threads"))
     def mesh(
         self,
-        spacing: float | None = None,
-        method: str = "flow",
+        spacing: float | None = NOT_GIVEN,
+        method: Method = NOT_GIVEN,
         *,
-        memory: int | str | None = None,
-        progress: Progress = None,
-        **options: Unpack[Meshing],
+        options: SurfaceOptions | None = None,
+        run: RunOptions | None = None,
+        memory: int | str | None = NOT_GIVEN,
+        progress: Progress = NOT_GIVEN,
+        **keywords: Unpack[Meshing],
     ) -> Surface:
         """A mesh of this surface, as :func:`surface` makes it, without building the geometry again.
 
-        spacing, method, memory, progress  as for :func:`surface`
-        options                            its other arguments that say how to mesh: components, edge, flow, quality ...
+        Parameters
+        ----------
+        spacing : float, optional
+            Grid spacing, Å; see :class:`SurfaceOptions`.
+        method : {"flow", "direct", "gaussian"}, default "flow"
+            How the mesh is made; see :class:`SurfaceOptions`.
+        options : SurfaceOptions, optional
+            How to mesh. Their probe and surface must be those of this surface, or left at their defaults.
+        run : RunOptions, optional
+            Threads, by default those of this surface; memory, progress.
+        memory : int or str, optional
+            "4G", "500M" or a number of MB; see :class:`RunOptions`.
+        progress : callable, optional
+            Called with stage and fraction; see :class:`RunOptions`.
+        **keywords
+            The other members of SurfaceOptions: components, edge, flow, quality ... All that is given as a keyword
+            replaces what ``options`` and ``run`` say.
 
-        Raises what :func:`surface` raises and TypeError for an unknown argument; takes as long, less the geometry.
+        Returns
+        -------
+        Surface
 
+        Raises
+        ------
+        UsageError
+            For invalid options. A ValueError.
+        LimitError
+            For a surface that would not fit into memory. A ValueError and MemoryError.
+
+        Examples
+        --------
         >>> exact = meniscus.ExactSurface([[0, 0, 0], [2, 0, 0]], [1.5, 1.5])
         >>> fine, coarse = exact.mesh(spacing=0.25), exact.mesh(method="direct")
         >>> fine.measures is coarse.measures is exact.measures
         True
         """
-        return self._meshed(meshing_options(spacing, method, memory, options), progress)
+        asked = meshing_of(options, given(spacing=spacing, method=method), keywords)
+        for name, own in (("probe", self._probe), ("surface", self._kind)):
+            if getattr(asked, name) not in (own, SURFACE_DEFAULTS[name]):
+                raise UsageError(f"{name} {getattr(asked, name)}: of options, but this surface has {name} {own}; "
+                                 "see of_same_atoms()")
+        used = with_run(run, memory=memory, progress=progress)
+        return self._meshed(asked, used.replace(threads=used.threads or self._threads))
 
-    def _meshed(self, meshing: dict[str, Any], progress: Progress) -> Surface:
+    def _meshed(self, asked: SurfaceOptions, run: RunOptions) -> Surface:
         """For functions that are called from outside: a warning names their caller."""
-        options = {**self._exact_options(), "threads": self._threads, **meshing}
-        result = Surface(_core.mesh(self._core, options, progress), self, options)
+        options = {"method": asked.method, **asked._given(), **self._exact_options(), "threads": run.threads}
+        if run.memory is not None:
+            options["memory"] = _options.megabytes("memory", run.memory)
+        result = Surface(_core.mesh(self._core, options, run.progress), self, options)
         if not result.passed:
             failed = ", ".join(f"{c['name']} ({c['value']:g}, bound {c['bound']:g})" for c in result.checks
                                if not c["passed"])
@@ -231,79 +353,10 @@ class ExactSurface:
         return result
 
 
-@with_keywords(DEFAULTS, others="reading")
-def surface(
-    atoms: Structure | Path | npt.ArrayLike,
-    radii: npt.ArrayLike | Path | None = None,
-    probe: float = 1.4,
-    spacing: float | None = None,
-    method: str = "flow",
-    *,
-    surface: str = "ses",
-    threads: int = 0,
-    memory: int | str | None = None,
-    progress: Progress = None,
-    **keywords: Unpack[SurfaceKeywords],
-) -> Surface:
-    """The solvent-excluded surface of atoms: an :class:`ExactSurface` of them, meshed.
-
-    atoms     a Structure; the path of a file; or centres (n, 3), Å, as lists or arrays of any real type
-    radii     (n,), Å; required with centres. With a path, the name of a radius set
-    probe     probe radius, Å; 0 gives the van der Waals surface
-    spacing   grid spacing, Å; None: 0.5, and with edge or vertex_density half or a quarter of that for small surfaces
-              whose area would otherwise be off by more than 0.5 %
-    method    flow (smooth level set), direct (exact distance, sharp ridges) or gaussian (only the start of the flow)
-    surface   ses, sas (solvent-accessible) or vdw (van der Waals: the same as probe 0)
-    threads   0: all cores; results do not depend on it
-    memory    "4G", "500M" or a number of MB: refuse what would need more
-    progress  called with the stage's name and the fraction of it that is done, 0 to 1, a few times per second; an
-              exception that it raises ends the computation, as Ctrl-C does
-    keywords  how to mesh, with the names and defaults of the command line: edge=1.0, components="outer" ...;
-              :class:`Meshing` describes each. With a path, the other arguments of :func:`read`, too: waters=True ...
-
-    Raises ValueError for invalid arrays or options and :class:`LimitError`, a ValueError and MemoryError, for a surface
-    that would not fit into memory. A result that fails its own checks comes with a :class:`CheckWarning`. Memory grows
-    with area / spacing². Other Python threads keep running.
-
-    >>> ball = meniscus.surface([[0, 0, 0]], [2.0], probe=1.4, spacing=0.25)
-    >>> ball.vertices.dtype, ball.triangles.dtype, ball.patch.dtype
-    (dtype('float64'), dtype('int32'), dtype('uint8'))
-    >>> round(float(numpy.median(ball.mean_curvature)), 2)
-    0.5
-    """
-    meshing = {name: value for name, value in keywords.items() if name in DEFAULTS}
-    reading = {name: value for name, value in keywords.items() if name not in DEFAULTS}
-    exact = ExactSurface(as_structure(atoms, radii, reading), probe=probe, surface=surface, threads=threads)
-    return exact._meshed(meshing_options(spacing, method, memory, meshing), progress)
-
-
-def signed_distance(
-    atoms: Structure | Path | npt.ArrayLike,
-    radii: npt.ArrayLike | Path | None = None,
-    points: npt.ArrayLike | None = None,
-    probe: float = 1.4,
-    threads: int = 0,
-    **reading: Unpack[Reading],
-) -> Floats:
-    """Signed distances from the exact solvent-excluded surface, (m,), Å; negative inside.
-
-    atoms     a Structure, the path of a file, or centres (n, 3), Å
-    radii     (n,), Å; required with centres
-    points    (m, 3), Å; anywhere; required
-    probe     probe radius, Å
-    threads   0: all cores; results do not depend on it
-    reading   with a path, the other arguments of :func:`read`
-
-    Exact inside and on the surface; outside, next to ridges, a lower bound with the correct zero set. Takes about
-    0.1 µs per point for points as close together as those of a grid and 3 µs for isolated ones, plus the geometry of
-    the atoms.
-
-    >>> meniscus.signed_distance([[0, 0, 0]], [2.0], [[0, 0, 5], [1, 0, 0]]).round(6).tolist()
-    [3.0, -1.0]
-    >>> bool(meniscus.signed_distance(meniscus.read("1ubq.pdb"), points=[[0, 0, 0]]) > 20)
-    True
-    """
-    structure = as_structure(atoms, radii, reading)
-    if points is None:
-        raise TypeError("points: required, (m, 3) in Å")
-    return ExactSurface(structure, probe=probe, threads=threads).signed_distance(points)
+def meshing_of(options: SurfaceOptions | None, named: dict[str, Any], keywords: Any) -> SurfaceOptions:
+    """Options, of which keywords replace some; those that are None do not."""
+    for name in keywords:
+        if name not in DEFAULTS:
+            raise TypeError(f"unexpected keyword argument {name!r}")
+    changes = {name: value for name, value in {**named, **keywords}.items() if value is not None or name == "probe"}
+    return of_kind("options", options, SurfaceOptions).replace(**changes)

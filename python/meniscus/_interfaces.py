@@ -7,11 +7,8 @@ import dataclasses
 from collections.abc import Sequence
 from typing import Any, Optional, Union
 
-import numpy as np
-import numpy.typing as npt
-
 from . import _core
-from ._arrays import Floats
+from ._arrays import Floats, Indices
 from ._errors import UsageError
 
 Side = Union[str, Sequence[str]]
@@ -21,31 +18,65 @@ Pairs = Optional[list[tuple[list[str], list[str]]]]
 
 @dataclasses.dataclass(frozen=True)
 class Interface:
-    """The interface of two groups of chains and ligands. Areas in Å²; ``docs/conventions.md`` says what they mean."""
+    """The interface of two groups of chains and ligands; made by :func:`measure`. Areas in Å².
+
+    ``docs/conventions.md`` says what the areas mean.
+
+    Parameters
+    ----------
+    a : tuple of str
+        Chains and ligands of side A, as asked for.
+    b : tuple of str
+        Those of side B.
+    sas_a : float
+        Solvent-accessible area of side A alone.
+    sas_b : float
+        That of side B alone.
+    sas_ab : float
+        That of both together.
+    buried_sas : float
+        sas_a + sas_b - sas_ab.
+    interface_area : float
+        Half of it: per side, as usually quoted.
+    ses_a : float
+        Solvent-excluded area of side A alone.
+    ses_b : float
+        That of side B alone.
+    ses_ab : float
+        That of both together.
+    buried_ses : float
+        ses_a + ses_b - ses_ab.
+    errors : dict of str to float
+        Absolute error estimates of buried_sas and buried_ses.
+    atoms_a : ndarray of int32, shape (k,)
+        Indices of the atoms of side A.
+    atoms_b : ndarray of int32, shape (l,)
+        Those of side B.
+    atom_buried_sas_a : ndarray of float64, shape (k,)
+        Solvent-accessible area that each atom of side A loses.
+    atom_buried_sas_b : ndarray of float64, shape (l,)
+        That of side B.
+    atom_buried_ses_a : ndarray of float64, shape (k,)
+        Solvent-excluded area that each atom of side A loses.
+    atom_buried_ses_b : ndarray of float64, shape (l,)
+        That of side B.
+    """
 
     a: tuple[str, ...]
-    """chains and ligands of the one side, as asked for"""
     b: tuple[str, ...]
     sas_a: float
-    """of side A alone"""
     sas_b: float
     sas_ab: float
-    """of both together"""
     buried_sas: float
-    """sas_a + sas_b - sas_ab"""
     interface_area: float
-    """half of it: per side, as usually quoted"""
     ses_a: float
     ses_b: float
     ses_ab: float
     buried_ses: float
     errors: dict[str, float] = dataclasses.field(repr=False, compare=False)
-    """absolute error estimates of buried_sas and buried_ses"""
-    atoms_a: npt.NDArray[np.int32] = dataclasses.field(repr=False, compare=False)
-    """(k,), indices of the atoms of side A"""
-    atoms_b: npt.NDArray[np.int32] = dataclasses.field(repr=False, compare=False)
+    atoms_a: Indices = dataclasses.field(repr=False, compare=False)
+    atoms_b: Indices = dataclasses.field(repr=False, compare=False)
     atom_buried_sas_a: Floats = dataclasses.field(repr=False, compare=False)
-    """(k,), what each of them loses"""
     atom_buried_sas_b: Floats = dataclasses.field(repr=False, compare=False)
     atom_buried_ses_a: Floats = dataclasses.field(repr=False, compare=False)
     atom_buried_ses_b: Floats = dataclasses.field(repr=False, compare=False)

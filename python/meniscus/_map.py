@@ -15,13 +15,12 @@ import subprocess
 import tempfile
 import threading
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any, Protocol, Union
+from typing import Any, Literal, Protocol, Union
 
 from . import _options
 from ._errors import InputError, LimitError, OutputError, UsageError, text_of_path
 from ._program import find as find_program
-from ._structure import Path
-from ._writing import write_whole
+from ._files import Path, write_whole
 
 _COMMANDS = ("measure", "surface")
 _SUFFIX = re.compile(r"(?<=.)\.(pdb[0-9]{0,2}|ent|cif|mmcif|pdbqt|pqr|xyzr|xyzrn)(\.gz)?\Z", re.ASCII | re.DOTALL | re.IGNORECASE)
@@ -357,7 +356,7 @@ def map(
     paths: Iterable[Path],
     client: Client | None = None,
     *,
-    command: str = "measure",
+    command: Literal["measure", "surface"] = "measure",
     out: Path | None = None,
     outputs: Union[str, Sequence[str]] = (),
     base: Path | None = None,
@@ -375,26 +374,51 @@ def map(
     of JSON: ``input`` (its name), ``status`` ("done", "failed", "checks failed", "timed out", "crashed"), ``exit``,
     ``error``, ``outputs`` and ``report``.
 
-    paths         files of structures
-    client        a ``distributed.Client``: its workers compute, and if one is lost, others take over its part. They
-                  need this package and the program, and must see files under the same paths. None: this machine
-    command       "measure" or "surface"
-    out           a folder for outputs, ``results.jsonl`` and ``times.jsonl``: the files that ``meniscus batch`` writes.
-                  None: only the returned records are kept
-    outputs       endings of outputs, such as ".csv" or "_a.ply"; by default ".ply" for surfaces
-    base          a folder that holds all files; files are named by their paths below it. None: the deepest such folder
-    time_limit    for each file, in seconds, or as in "15m" and "2h"
-    memory_limit  for each file: "500M", "4G"
-    mixed_radii   whether the radius set may differ from file to file
-    program       path of ``meniscus``. None: the one that was installed with this package, else found on the PATH
-    jobs          files computed at a time without a client; None: the number of cores
-    options       options of the command: ``min_cavity=5`` is ``--min-cavity=5``, ``waters=True`` is ``--waters``,
-                  ``waters=False`` is ``--no-waters``, and a list repeats an option
+    Parameters
+    ----------
+    paths : sequence of str or os.PathLike
+        Files of structures.
+    client : distributed.Client, optional
+        Its workers compute, and if one is lost, others take over its part. They need this package and the program, and
+        must see files under the same paths. By default, this machine computes.
+    command : {"measure", "surface"}, default "measure"
+        What is computed.
+    out : str or os.PathLike, optional
+        A folder for outputs, ``results.jsonl`` and ``times.jsonl``: the files that ``meniscus batch`` writes. By default,
+        only the returned records are kept.
+    outputs : str or sequence of str, optional
+        Endings of outputs, such as ".csv" or "_a.ply"; by default ".ply" for surfaces.
+    base : str or os.PathLike, optional
+        A folder that holds all files; files are named by their paths below it. By default the deepest such folder.
+    time_limit : float or str, optional
+        For each file, in seconds, or as in "15m" and "2h".
+    memory_limit : str, optional
+        For each file: "500M", "4G".
+    mixed_radii : bool, default False
+        Whether the radius set may differ from file to file.
+    program : str or os.PathLike, optional
+        Path of ``meniscus``; by default the one that was installed with this package, else found on the PATH.
+    jobs : int, optional
+        Files computed at a time without a client; by default the number of cores.
+    **options
+        Options of the command: ``min_cavity=5`` is ``--min-cavity=5``, ``waters=True`` is ``--waters``, ``waters=False``
+        is ``--no-waters``, and a list repeats an option.
 
-    Raises ValueError for invalid arguments and for mixed radii, OSError if none of the files is there, for outputs that
-    cannot be written and if the program is not found. Ctrl-C ends the processes on this machine; workers finish the files that
-    they have begun.
+    Returns
+    -------
+    list of dict
+        The records, in the order of ``paths``.
 
+    Raises
+    ------
+    UsageError
+        For invalid arguments and for mixed radii. A ValueError.
+    OSError
+        If none of the files is there, for outputs that cannot be written and if the program is not found. Ctrl-C ends the
+        processes on this machine; workers finish the files that they have begun.
+
+    Examples
+    --------
     >>> found = meniscus.map(["1ubq.pdb"], probe=1.2)
     >>> found[0]["status"], round(found[0]["report"]["exact"]["ses_area"], 1)
     ('done', 4102.3)

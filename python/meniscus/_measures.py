@@ -3,69 +3,27 @@
 """Exact areas, volumes and cavities, without a grid."""
 from __future__ import annotations
 
-import dataclasses
 import warnings
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-import numpy.typing as npt
-
-from . import _core, _options
+from . import _core, _files, _options
 from ._arrays import Floats
+from ._choices import Per, PerInterface, TableFormat
+from ._component import Component
 from ._errors import CheckWarning, UsageError, text_of_path
-from ._interfaces import Between, Interface, Pairs, pairs_of
-from ._structure import Path, Reading, Structure, as_structure
+from ._files import Target
+from ._interfaces import Interface
+from ._structure import Structure
+from ._sums import Selection, Sum, sum_of
 
 if TYPE_CHECKING:
-    from typing_extensions import Unpack
-
-Point = tuple[float, float, float]
-
-
-@dataclasses.dataclass(frozen=True)
-class Component:
-    """A connected closed piece of the solvent-excluded surface."""
-
-    kind: str
-    """outer or cavity"""
-    ses_area: float
-    """Å²"""
-    contact_area: float
-    toroidal_area: float
-    reentrant_area: float
-    ses_volume: float
-    """Å³ enclosed, positive"""
-    sas_area: float
-    """Å², of the solvent-accessible pieces that belong to it"""
-    sas_volume: float
-    sas_components: int
-    centre: Point
-    """centroid of its surface, Å"""
-    inside_of: int | None
-    """index of the component that directly encloses it"""
-    atoms: npt.NDArray[np.int32] = dataclasses.field(repr=False, compare=False)
-    """(k,), indices of the atoms that touch it"""
-    inscribed_centre: Point
-    """centre of the largest sphere that fits into a cavity, Å"""
-    inscribed_radius: float
-    """Å; 0 for outer pieces"""
-    errors: dict[str, float] = dataclasses.field(repr=False, compare=False)
-    """absolute error estimates of the areas and volumes by name"""
-
-    @property
-    def area(self) -> float:
-        """``ses_area``, Å²."""
-        return self.ses_area
-
-    @property
-    def volume(self) -> float:
-        """``ses_volume``, Å³."""
-        return self.ses_volume
-
+    import pandas  # type: ignore[import]
 
 class Measures:
-    """The result of :func:`measure`. Areas in Å², volumes in Å³; volumes of cavities are subtracted.
+    """Exact areas and volumes; made by :func:`measure`. Areas in Å², volumes in Å³; those of cavities are subtracted.
 
+    Examples
+    --------
     >>> exact = meniscus.measure(meniscus.read("1ubq.pdb"))
     >>> round(exact.ses_area, 3), round(exact.ses_volume, 3)
     (3892.239, 10056.303)
@@ -73,14 +31,18 @@ class Measures:
     True
     """
 
-    def __init__(self, core: _core.Measures, structure: Structure, interfaces: _core.Interfaces | None = None) -> None:
+    def __init__(self, core: _core.Measures, structure: Structure, surface: dict[str, Any],
+                 interfaces: _core.Interfaces | None = None) -> None:
+        """surface: the surface, probe and threads that were asked for."""
         self._core = core
         self._structure = structure
         self._interfaces = interfaces
+        self._surface = surface
         self._components: list[Component] | None = None
+        self._turned: list[_core.Measures] | None = None
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "_components": None}
+        return {**self.__dict__, "_components": None, "_turned": None}
 
     def __repr__(self) -> str:
         return (f"<meniscus.Measures: SES {self.ses_area:.2f} Å², {self.ses_volume:.2f} Å³; "
@@ -88,6 +50,7 @@ class Measures:
 
     @property
     def structure(self) -> Structure:
+        """The atoms."""
         return self._structure
 
     @property
@@ -97,7 +60,10 @@ class Measures:
 
     @property
     def totals(self) -> dict[str, float]:
-        """sas_area, sas_volume, ses_area, ses_volume, contact_area, toroidal_area, reentrant_area."""
+        """All totals by their names.
+
+        The names are sas_area, sas_volume, ses_area, ses_volume, contact_area, toroidal_area and reentrant_area.
+        """
         return self._core.totals
 
     @property
@@ -107,30 +73,37 @@ class Measures:
 
     @property
     def sas_area(self) -> float:
+        """Å²: of the solvent-accessible surface, which the centre of the probe traces."""
         return self.totals["sas_area"]
 
     @property
     def sas_volume(self) -> float:
+        """Å³: enclosed by the solvent-accessible surface."""
         return self.totals["sas_volume"]
 
     @property
     def ses_area(self) -> float:
+        """Å²: of the solvent-excluded surface."""
         return self.totals["ses_area"]
 
     @property
     def ses_volume(self) -> float:
+        """Å³: enclosed by the solvent-excluded surface."""
         return self.totals["ses_volume"]
 
     @property
     def contact_area(self) -> float:
+        """Å²: of contact patches, where the probe touches one atom."""
         return self.totals["contact_area"]
 
     @property
     def toroidal_area(self) -> float:
+        """Å²: of toroidal patches, where it touches two."""
         return self.totals["toroidal_area"]
 
     @property
     def reentrant_area(self) -> float:
+        """Å²: of reentrant patches, where it touches three."""
         return self.totals["reentrant_area"]
 
     @property
@@ -144,6 +117,8 @@ class Measures:
     def cavities(self) -> list[Component]:
         """The components that enclose solvent, largest volume first.
 
+        Examples
+        --------
         >>> shell = meniscus.Structure.from_arrays(5 * numpy.vstack([numpy.eye(3), -numpy.eye(3)]), 4.0)
         >>> [(round(c.volume, 2), round(c.inscribed_radius, 6)) for c in meniscus.measure(shell, probe=0.5).cavities]
         [(7.97, 1.0)]
@@ -152,13 +127,15 @@ class Measures:
 
     @property
     def atom_sas_area(self) -> Floats:
-        """(n,), Å²: the share of each atom; the shares sum to the total."""
+        """(n,) float64, Å²: the share of each atom; the shares sum to the total."""
         return self._core.atom_sas_area
 
     @property
     def atom_ses_area(self) -> Floats:
-        """(n,), Å²: the sum of the three kinds of patches.
+        """(n,) float64, Å²: the sum of the three kinds of patches.
 
+        Examples
+        --------
         >>> exact = meniscus.measure([[0, 0, 0], [2, 0, 0]], [1.5, 1.5])
         >>> numpy.allclose(exact.atom_ses_area.sum(), exact.ses_area)
         True
@@ -167,19 +144,28 @@ class Measures:
 
     @property
     def atom_contact_area(self) -> Floats:
+        """(n,) float64, Å²: the share of each atom in contact patches."""
         return self._core.atom_contact_area
 
     @property
     def atom_toroidal_area(self) -> Floats:
+        """(n,) float64, Å²: the share of each atom in toroidal patches, divided where the expanded spheres meet."""
         return self._core.atom_toroidal_area
 
     @property
     def atom_reentrant_area(self) -> Floats:
+        """(n,) float64, Å²: the share of each atom in reentrant patches, which are divided equally."""
         return self._core.atom_reentrant_area
 
     @property
     def atom_depth(self) -> Floats:
-        """(n,), Å: distances of the centres from the surface. Raises ValueError unless measured with ``depth=True``."""
+        """(n,) float64, Å: distances of the centres from the surface.
+
+        Raises
+        ------
+        UsageError
+            Unless it was measured with ``depth=True``.
+        """
         if not self._core.depth_measured:
             raise UsageError("depth: not measured; ask for it with measure(..., depth=True)")
         return self._core.atom_depth
@@ -191,9 +177,10 @@ class Measures:
 
     @property
     def largest_sas_piece(self) -> dict[str, float]:
-        """Areas of the patches of the surface that belong to the solvent-accessible piece with the largest area, Å²:
-        ses_area, contact_area, toroidal_area, reentrant_area. Programs that roll one probe over the molecule call this the
-        outer component.
+        """Areas of patches that belong to the solvent-accessible piece with the largest area, Å².
+
+        The names are ses_area, contact_area, toroidal_area and reentrant_area. Programs that roll one probe over the
+        molecule call this the outer component.
         """
         return self._core.largest_sas_piece
 
@@ -217,85 +204,148 @@ class Measures:
         """The interfaces that ``measure(..., between=...)`` asked for, in that order."""
         return [] if self._interfaces is None else [Interface(**block) for block in self._interfaces.blocks]
 
-    def interface_table(self, per: str = "residue") -> dict[str, list[Any]]:
-        """A list per column, one row per residue, atom or chain of each side of each interface: areas alone and in the
-        complex, and what is buried; the columns are in ``docs/conventions.md``.
+    def interface_table(self, per: PerInterface = "residue") -> dict[str, list[Any]]:
+        """What each side of each interface buries, as a list per column.
+
+        Parameters
+        ----------
+        per : {"residue", "atom", "chain"}, default "residue"
+            What has a row.
+
+        Returns
+        -------
+        dict of str to list
+            Areas alone and in the complex, and what is buried, Å²; the columns are in ``docs/conventions.md``.
+
+        Raises
+        ------
+        UsageError
+            If no interface was measured.
         """
         return self._asked_interfaces().table(self._structure._core, _options.word("per", per))
 
-    def save_interfaces(self, path: Path, per: str = "residue") -> None:
-        """Writes that table as .csv or .json. Raises OSError if it cannot be written."""
-        self._asked_interfaces().save(self._structure._core, text_of_path(path), _options.word("per", per))
+    def save_interfaces(self, path: Target, per: PerInterface = "residue", *, format: TableFormat | None = None) -> None:
+        """Writes the table of interfaces as .csv or .json.
+
+        Parameters
+        ----------
+        path : str, os.PathLike or file object
+            Where to write.
+        per : {"residue", "atom", "chain"}, default "residue"
+            What has a row.
+        format : {"csv", "json"}, optional
+            The format, instead of that of the suffix; required for a file object without a name.
+
+        Raises
+        ------
+        UsageError
+            If no interface was measured.
+        OSError
+            If the file cannot be written.
+        """
+        if not _files.saved_elsewhere(path, format, lambda inner: self.save_interfaces(inner, per)):
+            text = text_of_path(path)  # type: ignore[arg-type]
+            self._asked_interfaces().save(self._structure._core, text, _options.word("per", per))
 
     def _asked_interfaces(self) -> _core.Interfaces:
         if self._interfaces is None:
             raise UsageError("between: no interface was measured; ask for one with measure(..., between=('A', 'B'))")
         return self._interfaces
 
-    def table(self, per: str = "atom") -> dict[str, list[Any]]:
-        """A list per column, one row per atom, residue, chain or cavity; the columns are in ``docs/conventions.md``.
+    def sum(self, selection: Selection) -> Sum:
+        """Areas of some of the atoms, with the errors.
 
+        For the errors, the first sum measures the molecule again, turned, which takes as long as :func:`measure`.
+
+        Parameters
+        ----------
+        selection : str, array_like of bool, shape (n,), array_like of int, or MDAnalysis.AtomGroup
+            Which atoms: in words, as :meth:`Structure.select` takes them; a mask; indices, each of which counts once; or
+            atoms of the universe that the structure was made of, of which those that were left out count nothing.
+
+        Returns
+        -------
+        Sum
+            sas_area, ses_area, contact_area, toroidal_area and reentrant_area, Å².
+
+        Raises
+        ------
+        UsageError
+            For an expression that is not valid or selects nothing, a mask of another length and an index out of range.
+
+        Examples
+        --------
+        >>> exact = meniscus.measure("1ubq.pdb")
+        >>> tail = exact.sum("chain A and resi 72-76")
+        >>> len(tail), round(tail.sas_area, 1), round(tail.ses_area, 1)
+        (39, 674.6, 471.4)
+        >>> numpy.isclose(exact.sum(exact.structure.element == "S").sas_area, exact.sum("[S]").sas_area)
+        True
+        """
+        return sum_of(self, selection)
+
+    def table(self, per: Per = "atom") -> dict[str, list[Any]]:
+        """The measures of parts, as a list per column.
+
+        Parameters
+        ----------
+        per : {"atom", "residue", "chain", "cavity"}, default "atom"
+            What has a row.
+
+        Returns
+        -------
+        dict of str to list
+            Areas in Å², volumes in Å³; the columns are in ``docs/conventions.md``.
+
+        Examples
+        --------
         >>> rows = meniscus.measure(meniscus.read("1ubq.pdb")).table("residue")
         >>> rows["resname"][:3], [round(a, 1) for a in rows["sas_area"][:3]]
         (['MET', 'GLN', 'ILE'], [55.5, 75.3, 0.0])
         """
         return self._core.table(self._structure._core, _options.word("per", per))
 
-    def save(self, path: Path, per: str = "atom") -> None:
-        """Writes a table as .csv or .json. Raises OSError if it cannot be written."""
-        self._core.save(self._structure._core, text_of_path(path), _options.word("per", per))
+    def to_pandas(self, per: Per = "atom") -> pandas.DataFrame:
+        """The measures of parts as a table of pandas.
 
+        Parameters
+        ----------
+        per : {"atom", "residue", "chain", "cavity"}, default "atom"
+            What has a row.
 
-def measure(
-    atoms: Structure | Path | npt.ArrayLike,
-    radii: npt.ArrayLike | Path | None = None,
-    probe: float = 1.4,
-    *,
-    between: Between = None,
-    cavities: bool = True,
-    depth: bool = False,
-    threads: int = 0,
-    **reading: Unpack[Reading],
-) -> Measures:
-    """Exact areas and volumes of the SAS and SES with error estimates, shares of atoms, components and cavities.
+        Returns
+        -------
+        pandas.DataFrame
+            With the columns of :meth:`table`.
 
-    atoms     a Structure; the path of a file; or centres (n, 3), Å
-    radii     (n,), Å; required with centres. With a path, the name of a radius set
-    reading   with a path, the other arguments of :func:`read`: waters=True, chains="A" ...
-    probe     probe radius, Å; 0 gives the van der Waals surface
-    between   interfaces, too: ("A", "B") or "A:B", ("A,C", "B") or (["A", "C"], "B"), a list of such pairs, or "all" for
-              every pair of chains that touch. A ligand is named in parentheses, ("A", "(HEM)"), or "B(HEM)" for that of
-              chain B; it must have been kept: read(..., hetero="ligands")
-    cavities  also find which component encloses which, and inscribed spheres
-    depth     also measure the depth of every atom
-    threads   0: all cores; results do not depend on it
+        Raises
+        ------
+        ImportError
+            If pandas is not installed.
+        """
+        from ._export import frame
+        return frame(self.table(per))
 
-    Raises ValueError for invalid arrays or options. If two evaluations do not agree, there is a :class:`CheckWarning`,
-    and ``Measures.disputed`` lists the patches. Takes about 25 µs per atom; other Python threads keep running.
+    def save(self, path: Target, per: Per = "atom", *, format: TableFormat | None = None) -> None:
+        """Writes a table as .csv or .json.
 
-    >>> ball = meniscus.measure([[0, 0, 0]], [2.0], probe=1.0)
-    >>> numpy.allclose([ball.ses_area, ball.sas_area], [16 * numpy.pi, 36 * numpy.pi])
-    True
-    >>> round(meniscus.measure("1ubq.pdb").ses_area, 1)
-    3892.2
-    >>> two = meniscus.Structure.from_arrays([[0, 0, 0], [3, 0, 0]], 1.7, chain=["A", "B"])
-    >>> round(meniscus.measure(two, between=("A", "B")).interfaces[0].buried_sas, 1)
-    62.3
-    """
-    structure = as_structure(atoms, radii, reading)
-    options = {"probe": _options.number("probe", probe), "cavities": bool(cavities), "depth": bool(depth),
-               "threads": _options.count("threads", threads)}
-    pairs = pairs_of(between)
-    core = _core.measure(structure._core, options)
-    found = None if between is None else _interfaces(structure, pairs, options)
-    return checked(Measures(core, structure, found), stacklevel=3)
+        Parameters
+        ----------
+        path : str, os.PathLike or file object
+            Where to write.
+        per : {"atom", "residue", "chain", "cavity"}, default "atom"
+            What has a row.
+        format : {"csv", "json"}, optional
+            The format, instead of that of the suffix; required for a file object without a name.
 
-
-def _interfaces(structure: Structure, pairs: Pairs, options: dict[str, Any]) -> _core.Interfaces:
-    try:
-        return _core.measure_interfaces(structure._core, pairs, options)
-    except UsageError as error:
-        raise UsageError(f"between: {error}") from None
+        Raises
+        ------
+        OSError
+            If the file cannot be written.
+        """
+        if not _files.saved_elsewhere(path, format, lambda inner: self.save(inner, per)):
+            text = text_of_path(path)  # type: ignore[arg-type]
+            self._core.save(self._structure._core, text, _options.word("per", per))
 
 
 def checked(measures: Measures, stacklevel: int) -> Measures:

@@ -1,43 +1,36 @@
 # SPDX-FileCopyrightText: 2026 The Meniscus authors
 # SPDX-License-Identifier: Apache-2.0
-"""Keywords of meshing, as the extension takes them."""
+"""How functions that take options both as an object and as keywords put them together."""
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Mapping
-from typing import Any, Optional, TypeVar
+from collections.abc import Callable, Collection, Mapping
+from typing import Any, TypeVar
 
-from . import _options
-from ._keywords import DEFAULTS, Meshing
-from ._structure import Reading
+from ._nouns import NOT_GIVEN, RunOptions, of_kind
 
-Progress = Optional[Callable[[str, float], object]]
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 
-class SurfaceKeywords(Meshing, Reading, total=False):
-    """What :func:`surface` takes beside the arguments that it names."""
+def given(**keywords: Any) -> dict[str, Any]:
+    """Those that the caller has given."""
+    return {name: value for name, value in keywords.items() if value is not NOT_GIVEN}
 
 
-def meshing_options(spacing: float | None, method: str, memory: int | str | None,
-                    given: Mapping[str, Any]) -> dict[str, Any]:
-    """The options as the extension takes them."""
-    for name in given:
-        if name not in DEFAULTS:
-            raise TypeError(f"unexpected keyword argument {name!r}")
-    options = {"method": method, "spacing": spacing, **given}
-    if memory is not None:
-        options["memory"] = _options.megabytes("memory", memory)
-    return {name: value for name, value in options.items() if value is not None}
+def with_run(run: RunOptions | None, **keywords: Any) -> RunOptions:
+    """The options of a run, of which keywords replace some."""
+    return of_kind("run", run, RunOptions).replace(**given(**keywords))
 
 
-def with_keywords(keywords: Mapping[str, Any], others: str = "") -> Callable[[Function], Function]:
-    """Makes help() and completion show keywords with their defaults, and **others if there are any."""
+def with_keywords(keywords: Mapping[str, Any], others: str = "", but: Collection[str] = ()
+                  ) -> Callable[[Function], Function]:
+    """Makes help() and completion show keywords with their defaults, but not some, and **others if there are any."""
     def decorate(function: Function) -> Function:
         signature = inspect.signature(function)
-        parameters = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
+        named = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
+        parameters = [p.replace(default=keywords[p.name]) if p.default is NOT_GIVEN else p for p in named]
         parameters += [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=value)
-                       for name, value in keywords.items()]
+                       for name, value in keywords.items() if name not in (*signature.parameters, *but)]
         if others:
             parameters.append(inspect.Parameter(others, inspect.Parameter.VAR_KEYWORD))
         function.__signature__ = signature.replace(parameters=parameters)  # type: ignore[attr-defined]

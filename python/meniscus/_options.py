@@ -7,6 +7,7 @@ import math
 import numbers
 import operator
 import re
+from collections.abc import Iterable
 from typing import Any
 
 from ._errors import UsageError
@@ -57,6 +58,12 @@ def word(name: str, value: Any) -> str:
     if not isinstance(value, str):
         raise TypeError(f"{name}: must be text, not {value!r}")
     return value
+
+
+def one_of(name: str, value: Any, words: Iterable[str]) -> str:
+    if word(name, value) not in words:
+        raise UsageError(f"{name}: unknown value '{value}'; choose one of {', '.join(words)}")
+    return str(value)
 
 
 def positive(name: str, value: Any) -> float:

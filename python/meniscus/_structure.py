@@ -1,49 +1,40 @@
 # SPDX-FileCopyrightText: 2026 The Meniscus authors
 # SPDX-License-Identifier: Apache-2.0
-"""Atoms with radii and names: read from files, or made of arrays."""
+"""Atoms with radii and names."""
 from __future__ import annotations
 
-import inspect
-import os
-import pathlib
-import warnings
-from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, TypedDict, Union
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _core, _options
-from ._arrays import Floats, arrays_of, one_per, positions, texts, whole_per
-from ._errors import InputError, ReadWarning, UsageError, text_of_path, unreadable
+from . import _core, _files, _options
+from ._arrays import ArrayLike, Floats, Indices, arrays_of, one_per, positions, texts, whole_per
+from ._choices import AtomFormat, RadiusSet
+from ._errors import UsageError, text_of_path
+from ._files import Path, Target
 
-Path = Union[str, "os.PathLike[str]"]
+if TYPE_CHECKING:
+    import pandas  # type: ignore[import]
+
 Texts = Union[str, Iterable[str]]
 Strings = npt.NDArray[np.str_]
+Whole = Union[Sequence[int], ArrayLike]
+
+_TEXTS = ("element", "name", "resname", "icode", "chain", "altloc")
+_NUMBERS = ("xyz", "radii", "resnum", "residue", "serial", "b_factor", "occupancy", "charge")
+_COLUMNS = ("serial", "name", "element", "altloc", "resname", "resnum", "icode", "chain", "residue", "radii", "b_factor",
+            "occupancy", "charge")
 
 
 class Structure:
-    """Atoms with radii and, where known, their names; made by :func:`read` or :meth:`from_arrays`.
+    """Atoms with radii and, where known, their names; made by :func:`read`, :meth:`from_arrays` and ``from_...``.
 
-    Every column has one entry per kept atom, in the order of the file:
+    Every column has one entry per kept atom, in the order of the file. Columns of numbers are read-only.
 
-    ========== =================================================
-    xyz        (n, 3) float64, Å; a read-only view
-    radii      (n,) float64, Å; a read-only view
-    element    (n,) text, upper case; empty where unknown
-    name       (n,) text: CA, OXT
-    chain      (n,) text; copies of an assembly or in joined models are A, A-2, A-3
-    resname    (n,) text: ALA
-    resnum     (n,) int32, as in the file
-    icode      (n,) text; blank if there is none
-    residue    (n,) int32, from 0, over the kept residues
-    altloc     (n,) text; blank if there is none
-    serial     (n,) int32
-    b_factor   (n,) float64
-    occupancy  (n,) float64
-    charge     (n,) float64, e
-    ========== =================================================
-
+    Examples
+    --------
     >>> protein = meniscus.read("1ubq.pdb")
     >>> protein
     <meniscus.Structure 1ubq: 602 atoms, 76 residues, radii united>
@@ -51,73 +42,104 @@ class Structure:
     ((602, 3), ['N', 'CA', 'C'], 'MET')
     """
 
-    def __init__(self, core: _core.Structure) -> None:
+    def __init__(self, core: _core.Structure, index: Indices | None = None, origin: str = "arrays") -> None:
         self._core = core
+        self._index = index
+        self._origin = origin
         self._residues: dict[str, Any] | None = None
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"_core": self._core, "_residues": None}
+        return {**self.__dict__, "_residues": None}
 
     @classmethod
     def from_arrays(
         cls,
-        xyz: npt.ArrayLike,
-        radii: npt.ArrayLike | str = "bondi",
+        xyz: ArrayLike,
+        radii: ArrayLike | RadiusSet | str = "bondi",
         *,
         element: Texts | None = None,
         name: Texts | None = None,
         resname: Texts | None = None,
-        resnum: Sequence[int] | npt.ArrayLike | None = None,
+        resnum: Whole | None = None,
         icode: Texts | None = None,
         chain: Texts | None = None,
-        serial: Sequence[int] | npt.ArrayLike | None = None,
-        b_factor: npt.ArrayLike | None = None,
-        occupancy: npt.ArrayLike | None = None,
-        charge: npt.ArrayLike | None = None,
+        altloc: Texts | None = None,
+        serial: Whole | None = None,
+        b_factor: ArrayLike | None = None,
+        occupancy: ArrayLike | None = None,
+        charge: ArrayLike | None = None,
     ) -> Structure:
-        """Makes a structure of atoms from another program.
+        """Makes a structure of arrays; nothing is left out.
 
-        xyz     (n, 3), Å
-        radii   (n,), Å, or one number for all, or the name of a set: see :func:`radii`
-        others  (n,) each, or one text for all; what is not given is left empty. Residues are runs of atoms with the
-                same chain, resname, resnum and icode
+        Every column but the first two may be one text or number for all atoms; what is not given is left empty.
 
+        Parameters
+        ----------
+        xyz : array_like, shape (n, 3)
+            Centres, Å.
+        radii : array_like, shape (n,), or float, or str, default "bondi"
+            Radii, Å; one number for all; or the name of a set: see :func:`radii`.
+        element : str or sequence of str, optional
+            Symbols.
+        name : str or sequence of str, optional
+            Names of the atoms: CA, OXT.
+        resname : str or sequence of str, optional
+            Names of the residues: ALA.
+        resnum : int or array_like, shape (n,), optional
+            Numbers of the residues. Residues are runs of atoms with the same chain, resname, resnum and icode.
+        icode : str or sequence of str, optional
+            Insertion codes, one letter each.
+        chain : str or sequence of str, optional
+            Chains.
+        altloc : str or sequence of str, optional
+            Alternative locations, one letter each.
+        serial : int or array_like, shape (n,), optional
+            Serial numbers; 1, 2, 3 ... if not given.
+        b_factor : float or array_like, shape (n,), optional
+            B factors, Å².
+        occupancy : float or array_like, shape (n,), optional
+            Occupancies; 1 if not given.
+        charge : float or array_like, shape (n,), optional
+            Charges, e.
+
+        Returns
+        -------
+        Structure
+
+        Raises
+        ------
+        UsageError
+            For an array of another shape, numbers that are not finite, and an atom without a radius in the set.
+
+        Examples
+        --------
         >>> water = meniscus.Structure.from_arrays([[0, 0, 0], [0.96, 0, 0], [-0.24, 0.93, 0]], element=["O", "H", "H"])
         >>> water.radii.tolist()
         [1.52, 1.2, 1.2]
         """
         centres = positions("xyz", xyz)
-        n = len(centres)
-        columns: dict[str, Any] = {}
-        for key, words in (("element", element), ("name", name), ("resname", resname), ("icode", icode),
-                           ("chain", chain)):
-            if words is not None:
-                columns[key] = texts(key, words, n)
-        for key, values in (("resnum", resnum), ("serial", serial)):
-            if values is not None:
-                columns[key] = whole_per(key, values, n)
-        for key, values in (("b_factor", b_factor), ("occupancy", occupancy), ("charge", charge)):
-            if values is not None:
-                columns[key] = one_per(key, values, n).tolist()
+        given = {"element": element, "name": name, "resname": resname, "icode": icode, "chain": chain, "altloc": altloc,
+                 "resnum": resnum, "serial": serial, "b_factor": b_factor, "occupancy": occupancy, "charge": charge}
+        columns = columns_of(given, len(centres))
         if isinstance(radii, str):
-            empty = [""] * n
+            empty = [""] * len(centres)
             sizes = _core.radii(columns.get("element", empty), columns.get("name", empty),
                                 columns.get("resname", empty), radii)
         else:
-            sizes = one_per("radii", radii, n)
+            sizes = one_per("radii", radii, len(centres))
         return cls(_core.from_arrays(centres, sizes, columns))
 
     def __len__(self) -> int:
         return len(self._core)
 
     def __repr__(self) -> str:
-        label = self.stem or "from arrays"
+        label = self.stem or f"from {self._origin}"
         return (f"<meniscus.Structure {label}: {len(self)} atoms, {len(self._per_residue['name'])} residues, "
                 f"radii {self.radii_set}>")
 
     @property
     def file(self) -> str:
-        """Path of the file, as given; empty for arrays."""
+        """Path of the file, as given; empty for arrays and objects of other packages."""
         return self._core.file
 
     @property
@@ -139,6 +161,8 @@ class Structure:
     def dropped(self) -> dict[str, int]:
         """How many atoms were left out, by reason.
 
+        Examples
+        --------
         >>> meniscus.read("1ubq.pdb").dropped
         {'waters': 58}
         """
@@ -148,6 +172,8 @@ class Structure:
     def notes(self) -> list[str]:
         """What was done as with every ordinary file, such as waters left out: one line per kind.
 
+        Examples
+        --------
         >>> meniscus.read("1ubq.pdb").notes
         ['58 waters left out (keep them with waters=True)']
         """
@@ -159,55 +185,106 @@ class Structure:
         return self._core.warnings
 
     @property
+    def index(self) -> Indices:
+        """(n,) int32, from 0: the place of each atom in the object that the structure was made of.
+
+        That is ``ix`` of MDAnalysis, ``index`` of MDTraj and OpenMM, the position in a Biotite array, and the position in
+        the order of iteration for Biopython and gemmi. Of files and arrays it counts the kept atoms.
+
+        Examples
+        --------
+        >>> meniscus.read("1ubq.pdb").index[:3].tolist()
+        [0, 1, 2]
+        """
+        return np.arange(len(self), dtype=np.int32) if self._index is None else self._index
+
+    @property
     def xyz(self) -> Floats:
+        """(n, 3) float64, Å: centres; a view."""
         return self._core.xyz
 
     @property
     def radii(self) -> Floats:
+        """(n,) float64, Å; a view."""
         return self._core.radii
 
     @property
     def element(self) -> Strings:
+        """(n,) text, upper case; empty where unknown."""
         return np.array(self._core.element, dtype=np.str_)
 
     @property
     def name(self) -> Strings:
+        """(n,) text: names of the atoms: CA, OXT."""
         return np.array(self._core.name_of_atoms, dtype=np.str_)
 
     @property
     def altloc(self) -> Strings:
+        """(n,) text: alternative locations; blank if there is none."""
         return np.array(self._core.altloc, dtype=np.str_)
 
     @property
-    def residue(self) -> npt.NDArray[np.int32]:
+    def residue(self) -> Indices:
+        """(n,) int32, from 0: counts the kept residues."""
         return self._core.residue
 
     @property
-    def serial(self) -> npt.NDArray[np.int32]:
+    def serial(self) -> Indices:
+        """(n,) int32: serial numbers, as in the file."""
         return self._core.serial
 
     @property
     def b_factor(self) -> Floats:
+        """(n,) float64, Å², or the pLDDT of a predicted model."""
         return self._core.b_factor
 
     @property
     def occupancy(self) -> Floats:
+        """(n,) float64, as in the file."""
         return self._core.occupancy
 
     @property
     def charge(self) -> Floats:
+        """(n,) float64, e: from PQR or PDBQT, else the formal charge."""
         return self._core.charge
 
     def numpy(self, copy: bool = False) -> dict[str, npt.NDArray[Any]]:
-        """The columns of numbers by their names: xyz, radii, resnum, residue, serial, b_factor, occupancy, charge.
+        """The columns of numbers by their names.
 
-        copy  arrays of their own, which may be written to and which ``torch.from_numpy`` takes without a warning
+        Parameters
+        ----------
+        copy : bool, default False
+            Arrays of their own, which may be written to and which ``torch.from_numpy`` and ``from_dlpack`` take.
 
+        Returns
+        -------
+        dict of str to ndarray
+            xyz, radii, resnum, residue, serial, b_factor, occupancy, charge, as the properties of these names.
+
+        Examples
+        --------
         >>> meniscus.read("1ubq.pdb").numpy(copy=True)["xyz"].flags.writeable
         True
         """
-        names = ("xyz", "radii", "resnum", "residue", "serial", "b_factor", "occupancy", "charge")
-        return arrays_of(self, names, copy)
+        return arrays_of(self, _NUMBERS, copy)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The atoms as a table of pandas, one row each.
+
+        Returns
+        -------
+        pandas.DataFrame
+            Columns x, y, z (Å), serial, name, element, altloc, resname, resnum, icode, chain, residue, radii (Å),
+            b_factor, occupancy, charge.
+
+        Raises
+        ------
+        ImportError
+            If pandas is not installed.
+        """
+        from ._export import frame
+        places = dict(zip("xyz", self.xyz.T))
+        return frame({**places, **{name: getattr(self, name) for name in _COLUMNS}})
 
     @property
     def _per_residue(self) -> dict[str, Any]:
@@ -222,39 +299,93 @@ class Structure:
 
     @property
     def chain(self) -> Strings:
+        """(n,) text; copies of an assembly or in joined models are A, A-2, A-3."""
         return self._of_residues("chain")
 
     @property
     def resname(self) -> Strings:
+        """(n,) text: names of the residues: ALA."""
         return self._of_residues("name")
 
     @property
-    def resnum(self) -> npt.NDArray[np.int32]:
+    def resnum(self) -> Indices:
+        """(n,) int32: numbers of the residues, as in the file."""
         return self._of_residues("number")
 
     @property
     def icode(self) -> Strings:
+        """(n,) text: insertion codes; blank if there is none."""
         return self._of_residues("icode")
 
-    def split_chains(self) -> list[Structure]:
-        """One structure per chain, with the radii that the atoms have here.
+    def select(self, expression: str) -> Indices:
+        """Which atoms an expression selects.
 
+        Parameters
+        ----------
+        expression : str
+            In gemmi's syntax, "//A/10-50", or in the words of PyMOL and VMD: "chain A and resi 10-50", as ``--select`` of
+            the command line takes it.
+
+        Returns
+        -------
+        ndarray of int32, shape (k,)
+            Indices of the atoms, ascending.
+
+        Raises
+        ------
+        UsageError
+            For an expression that is not valid or selects nothing.
+
+        Examples
+        --------
+        >>> len(meniscus.read("1ubq.pdb").select("chain A and resi 10-50"))
+        319
+        """
+        return _core.select(self._core, _options.word("expression", expression), "selection")
+
+    def split_chains(self) -> list[Structure]:
+        """Splits the structure by chains.
+
+        Returns
+        -------
+        list of Structure
+            One per chain, in the order of their first atoms, with the radii that the atoms have here.
+
+        Examples
+        --------
         >>> [chain.chain[0] for chain in meniscus.read("1ubq.pdb").split_chains()]
         ['A']
         """
-        return [Structure(core) for core in _core.split_chains(self._core)]
+        chains, index = self.chain, self.index
+        return [Structure(core, index[chains == core.residues["chain"][0]], self._origin)
+                for core in _core.split_chains(self._core)]
 
-    def save(self, path: Path, values: npt.ArrayLike | None = None) -> None:
-        """Writes the atoms, in the format of the suffix.
+    def save(self, path: Target, values: ArrayLike | None = None, *, format: AtomFormat | None = None) -> None:
+        """Writes the atoms, in the format of the suffix: .xyzr .xyzrn .csv .pdb .cif.
 
-        .xyzr .xyzrn  centres and radii
-        .csv          the table of atoms, which a mesh's ``atom`` indexes
-        .pdb .cif     the atoms, with ``values``, (n,), instead of the B factor
+        .xyzr and .xyzrn hold centres and radii, .csv the table of atoms that a mesh's ``atom`` indexes. No partial file
+        is left behind.
 
-        Raises OSError if the file cannot be written; no partial file is left behind.
+        Parameters
+        ----------
+        path : str, os.PathLike or binary file object
+            Where to write.
+        values : array_like, shape (n,), optional
+            Written to .pdb and .cif instead of the B factors.
+        format : {"xyzr", "xyzrn", "csv", "pdb", "cif"}, optional
+            The format, instead of that of the suffix; required for a file object without a name.
+
+        Raises
+        ------
+        UsageError
+            For an unknown suffix.
+        OSError
+            If the file cannot be written.
         """
-        text = text_of_path(path)
-        suffix = pathlib.PurePath(text).suffix
+        if _files.saved_elsewhere(path, format, lambda inner: self.save(inner, values)):
+            return
+        text = text_of_path(path)  # type: ignore[arg-type]
+        suffix = _files.suffix_of(text, None)
         if suffix in (".xyzr", ".xyzrn"):
             _core.write_spheres(text, self._core)
         elif suffix == ".csv":
@@ -266,90 +397,21 @@ class Structure:
             raise UsageError(f"{text}: unknown suffix; choose one of .xyzr .xyzrn .csv .pdb .cif")
 
 
-def read(
-    path: Path,
-    *,
-    radii: Path = "auto",
-    hydrogens: str = "auto",
-    model: int | str = 1,
-    assembly: str | int | None = None,
-    altloc: str | None = None,
-    chains: Texts | None = None,
-    select: str | None = None,
-    hetero: str | None = None,
-    waters: bool | None = None,
-    strict_radii: bool = False,
-) -> Structure:
-    """Reads PDB, mmCIF, BinaryCIF, GROMACS, PDBQT, PQR, xyzr or xyzrn, each possibly gzipped; "-" reads standard input.
-
-    The options, their words and defaults are those of the command line (``docs/conventions.md``).
-
-    radii         bondi, united, protor, naccess, parse, a file of rules, or auto: the file's own, else bondi if the
-                  structure has hydrogens, else united
-    hydrogens     auto (as the radii require), keep or drop
-    model         model to read, counted from 1; "join" puts all together, copies of chain A being A-2, A-3 ...;
-                  :func:`read_models` reads each as a structure of its own
-    assembly      biological assembly named in the file
-    altloc        alternative location to use, one character; by default the one with the highest occupancy
-    chains        "A,B" or a list; "label:A" for mmCIF label names
-    select        atoms to keep, in gemmi's syntax: "//A/10-50", "CA", "(ALA,GLY)"
-    hetero        none, ligands or all: atoms beside the polymer. By default none, but all of PQR files and of those that
-                  have neither protein nor nucleic acid
-    waters        whether to keep waters. By default they are left out, but those of PQR files are kept, with a warning
-    strict_radii  treat an atom of unknown type as an error
-
-    What was assumed and may make a number wrong is a :class:`ReadWarning`, and kept in ``Structure.warnings``. What
-    happens with every ordinary file is in ``Structure.notes`` alone. Atoms that were left out are counted in
-    ``Structure.dropped``. Raises :class:`InputError`, a ValueError, for a file that is not valid, and
-    OSError (FileNotFoundError, PermissionError ...) for a file that cannot be opened. Other Python threads keep
-    running.
-
-    >>> calphas = meniscus.read("1ubq.pdb", select="CA", radii="united")
-    >>> len(calphas), calphas.radii_set
-    (76, 'united')
-    """
-    options = _read_options(radii=radii, hydrogens=hydrogens, model=model, assembly=assembly, altloc=altloc,
-                            chains=chains, select=select, hetero=hetero, waters=waters, strict_radii=strict_radii)
-    return _read(path, options, stacklevel=4)
-
-
-def _read(path: Path, options: dict[str, Any], stacklevel: int) -> Structure:
-    text = text_of_path(path)
-    try:
-        structure = Structure(_core.read(text, options))
-    except InputError as error:
-        raise (unreadable(text, str(error)) if text != "-" else None) or error from None
-    _warn(structure.warnings, stacklevel)
-    return structure
-
-
-def read_models(
-    path: Path,
-    *,
-    radii: Path = "auto",
-    hydrogens: str = "auto",
-    assembly: str | int | None = None,
-    altloc: str | None = None,
-    chains: Texts | None = None,
-    select: str | None = None,
-    hetero: str | None = None,
-    waters: bool | None = None,
-    strict_radii: bool = False,
-) -> list[Structure]:
-    """Reads all models of a file, each as a structure of its own; the options are those of :func:`read`.
-
-    >>> [model.stem for model in meniscus.read_models("1ubq.pdb")]
-    ['1ubq_m01']
-    """
-    options = _read_options(radii=radii, hydrogens=hydrogens, model=1, assembly=assembly, altloc=altloc,
-                            chains=chains, select=select, hetero=hetero, waters=waters, strict_radii=strict_radii)
-    text = text_of_path(path)
-    try:
-        structures = [Structure(core) for core in _core.read_models(text, options)]
-    except InputError as error:
-        raise (unreadable(text, str(error)) if text != "-" else None) or error from None
-    _warn((line for structure in structures for line in structure.warnings), stacklevel=3)
-    return structures
+def columns_of(given: dict[str, Any], count: int) -> dict[str, Any]:
+    """Names and numbers of atoms as the extension takes them, without those that are None."""
+    columns: dict[str, Any] = {}
+    for key, values in given.items():
+        if values is None:
+            continue
+        if key in _TEXTS:
+            columns[key] = texts(key, values, count)
+        elif key in ("resnum", "serial"):
+            columns[key] = whole_per(key, values, count)
+        elif key in ("hetero", "in_polymer"):
+            columns[key] = [bool(value) for value in values]
+        else:
+            columns[key] = one_per(key, values, count).tolist()
+    return columns
 
 
 def radii(
@@ -357,19 +419,36 @@ def radii(
     name: Texts | None = None,
     resname: Texts | None = None,
     *,
-    set: Path = "bondi",
+    set: RadiusSet | Path = "bondi",
 ) -> Floats:
-    """Van der Waals radii of atoms from another program, (n,) float64, Å.
-
-    element  symbols, in any case
-    name     atom names; they and residue names are required by every set except bondi
-    resname  residue names
-    set      bondi, united, protor, naccess, parse, or a file of rules
+    """Van der Waals radii of atoms.
 
     Atoms that are not in the set get the radius of their element. Hydrogens get 0 from sets whose radii already include
-    them (united, protor, naccess): leave them out. Raises ValueError for an unknown set and for an atom that is neither
-    in the set nor of a known element.
+    them (united, protor, naccess): leave them out.
 
+    Parameters
+    ----------
+    element : str or sequence of str
+        Symbols, in any case; a single text is one atom.
+    name : str or sequence of str, optional
+        Names of the atoms; they and those of residues are required by every set except bondi.
+    resname : str or sequence of str, optional
+        Names of the residues.
+    set : {"bondi", "united", "protor", "naccess", "parse"} or path of a file of rules, default "bondi"
+        The radius set; ``docs/conventions.md`` says where they come from.
+
+    Returns
+    -------
+    ndarray of float64, shape (n,)
+        Å.
+
+    Raises
+    ------
+    UsageError
+        For an unknown set, and for an atom that is neither in the set nor of a known element.
+
+    Examples
+    --------
     >>> meniscus.radii(["C", "N", "O"]).tolist()
     [1.7, 1.55, 1.52]
     >>> meniscus.radii(["C", "O", "H"], ["CA", "O", "HA"], "GLY", set="united").tolist()
@@ -380,101 +459,3 @@ def radii(
     names = texts("name", "" if name is None else name, n)
     resnames = texts("resname", "" if resname is None else resname, n)
     return _core.radii(elements, names, resnames, text_of_path(set))
-
-
-def _read_options(**given: Any) -> dict[str, Any]:
-    joins = isinstance(given["model"], str) and given["model"] == "join"
-    options: dict[str, Any] = {
-        "radii": text_of_path(given["radii"]),
-        "hydrogens": _options.word("hydrogens", given["hydrogens"]),
-        "join_models": joins,
-        "strict_radii": bool(given["strict_radii"]),
-    }
-    if isinstance(given["model"], str) and not joins:
-        raise TypeError(f"model: must be a whole number or \"join\", not {given['model']!r}; read_models() reads every "
-                        "model")
-    if not joins:
-        options["model"] = _options.whole("model", given["model"])
-    if given["hetero"] is not None:
-        options["hetero"] = _options.word("hetero", given["hetero"])
-    if given["waters"] is not None:
-        options["waters"] = bool(given["waters"])
-    for name in ("assembly", "altloc", "select"):
-        if given[name] is not None:
-            options[name] = str(given[name])
-    if given["chains"] is not None:
-        options["chains"] = _options.chains(given["chains"])
-    return options
-
-
-class Reading(TypedDict, total=False):
-    """The keywords of :func:`read` beside radii, which every function takes that takes the path of a structure."""
-
-    hydrogens: str
-    model: int | str
-    assembly: str | int | None
-    altloc: str | None
-    chains: Texts | None
-    select: str | None
-    hetero: str | None
-    waters: bool | None
-    strict_radii: bool
-
-
-_DEFAULTS = {name: parameter.default for name, parameter in inspect.signature(read).parameters.items()
-             if parameter.kind is parameter.KEYWORD_ONLY}
-
-
-def check_reading(reading: Mapping[str, object], has_path: bool) -> None:
-    """Refuses what is no keyword of read(), and all of them where no path is given."""
-    for name in reading:
-        if name not in _DEFAULTS:
-            raise TypeError(f"unexpected keyword argument {name!r}")
-        if not has_path:
-            raise TypeError(f"{name} is an argument of read(); it applies where the path of a structure is given")
-
-
-def read_for_caller(path: Path, reading: Mapping[str, object]) -> Structure:
-    """As read() does, for a function that was called from outside and calls a function that calls this one."""
-    check_reading(reading, has_path=True)
-    return _read(path, _read_options(**{**_DEFAULTS, **reading}), stacklevel=6)
-
-
-def _warn(lines: Iterable[str], stacklevel: int) -> None:
-    for line in dict.fromkeys(lines):
-        warnings.warn(line, ReadWarning, stacklevel=stacklevel)
-
-
-def _set_for_file(sizes: npt.ArrayLike | Path | None) -> Mapping[str, object]:
-    if sizes is None:
-        return {}
-    if not isinstance(sizes, (str, os.PathLike)):
-        raise UsageError("radii: with a file, the name of a set such as 'bondi'; numbers go with an array of centres")
-    return {"radii": sizes}
-
-
-def _check_type(atoms: Any) -> None:
-    """Refuses what is neither a list nor an array, such as None, bytes, an open file or a Surface."""
-    if isinstance(atoms, (list, tuple)) or (not isinstance(atoms, (bytes, bytearray)) and np.ndim(atoms) > 0):
-        return
-    hint = "; its atoms are its .structure" if isinstance(getattr(atoms, "structure", None), Structure) else ""
-    raise TypeError("atoms: must be a Structure, the path of a file, or centres of shape (n, 3), not "
-                    f"{type(atoms).__name__}{hint}")
-
-
-def as_structure(atoms: Structure | Path | npt.ArrayLike, sizes: npt.ArrayLike | Path | None,
-                 reading: Mapping[str, object]) -> Structure:
-    """What the functions take as atoms: a structure, a file and keywords of read(), or centres and radii."""
-    if isinstance(atoms, (str, os.PathLike)):
-        return read_for_caller(atoms, {**_set_for_file(sizes), **reading})
-    check_reading(reading, has_path=False)
-    if isinstance(atoms, Structure):
-        if sizes is not None:
-            raise UsageError("radii: a Structure has its own radii; make another with Structure.from_arrays")
-        return atoms
-    _check_type(atoms)
-    if sizes is None:
-        raise TypeError("radii: required with an array of centres, (n,) in Å; meniscus.radii() gives those of elements")
-    if isinstance(sizes, (str, os.PathLike)):
-        raise TypeError(f"radii: must be numbers with an array of centres; see meniscus.radii(set={sizes!r})")
-    return Structure.from_arrays(atoms, sizes)

@@ -3,29 +3,32 @@
 """Files of surfaces, each format chosen by the suffix."""
 from __future__ import annotations
 
-import contextlib
 import os
 import pathlib
 import re
-import secrets
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, BinaryIO, Union
+from typing import TYPE_CHECKING, Any, Literal, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core, _options
+from ._arrays import ArrayLike, as_array
+from ._choices import ColorScheme, ViewName
 from ._errors import OutputError, UsageError, opening
+from ._files import write_whole
 
 if TYPE_CHECKING:
-    from ._surface import Points, Surface
+    from ._points import Points
+    from ._surface import Surface
 
-Color = Union[str, npt.NDArray[np.uint8]]
-Values = Union[None, Mapping[str, npt.ArrayLike]]
-View = Union[str, Sequence[float], Sequence[Sequence[float]]]
-Cut = Union[None, str, float, Sequence[float], Sequence[Sequence[float]]]
+Scheme = Union[ColorScheme, str]
+Color = Union[Scheme, npt.NDArray[np.uint8]]
+Values = Union[None, Mapping[str, ArrayLike]]
+View = Union[ViewName, Sequence[float], Sequence[Sequence[float]], npt.NDArray[Any]]
+Cut = Union[None, Literal["auto"], str, float, Sequence[float], Sequence[Sequence[float]], npt.NDArray[Any]]
 
-Grid = Union[None, str, os.PathLike[str], Sequence[float]]
+Grid = Union[None, str, "os.PathLike[str]", Sequence[float], npt.NDArray[Any]]
 
 _VIEWS = {
     "front": ((0, 0, 1), (0, 1, 0)),
@@ -60,10 +63,11 @@ def value_options(values: Values, count: int) -> dict[str, Any]:
         raise TypeError(f"values: must be arrays by name, such as {{'area': array}}, not {type(values).__name__}")
     arrays = {}
     for name, array in (values or {}).items():
-        if np.asarray(array).dtype.kind not in "fiub":
-            raise UsageError(f"values: '{name}' must be numbers, not {np.asarray(array).dtype}")
+        given = as_array(f"values: '{name}'", array)
+        if given.dtype.kind not in "fiub":
+            raise UsageError(f"values: '{name}' must be numbers, not {given.dtype}")
         with np.errstate(over="ignore"):
-            arrays[str(name)] = single = np.ascontiguousarray(array, dtype=np.float32)
+            arrays[str(name)] = single = np.ascontiguousarray(given, dtype=np.float32)
         if np.isinf(single).any():
             raise UsageError(f"values: '{name}' has a number beyond single precision; NaN is for missing values")
         if single.shape != (count,):
@@ -73,7 +77,7 @@ def value_options(values: Values, count: int) -> dict[str, Any]:
 
 
 def _checked_colours(color: Any) -> npt.NDArray[np.uint8]:
-    array = np.asarray(color)
+    array = as_array("color", color)
     if array.dtype != np.uint8 or array.ndim != 2 or array.shape[1] not in (3, 4):
         raise UsageError(f"color: must be a scheme or a uint8 array of shape (n, 3) or (n, 4), not {array.dtype} of "
                          f"shape {array.shape}")
@@ -233,20 +237,7 @@ def _save_point_arrays(path: str, points: Points, more: dict[str, npt.NDArray[An
                           ) from error
 
 
-def write_whole(path: str, write: Callable[[BinaryIO], Any]) -> None:
-    """Under another name first: the file appears whole or not at all."""
-    temporary = f"{path}.{secrets.token_hex(4)}.tmp"
-    try:
-        with open(temporary, "xb") as file:
-            write(file)
-        os.replace(temporary, path)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            os.unlink(temporary)
-        raise
-
-
-# A format is one line here, and one in Surface.save's text.
+# A format is one line here, one in _choices.py and one in Surface.save's text.
 _SURFACE_WRITERS: dict[str, Callable[[str, Surface, dict[str, Any], dict[str, Any]], None]] = {
     ".ply": _save_mesh,
     ".obj": _save_mesh,

@@ -83,6 +83,14 @@ py::array owning(std::vector<T>&& values) {
     return view(all, owner);
 }
 
+/// The same for results of functions, which nobody else holds: it may be written to.
+template <class T>
+py::array given_away(std::vector<T>&& values) {
+    py::array array = owning(std::move(values));
+    py::detail::array_proxy(array.ptr())->flags |= py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+    return array;
+}
+
 /// What meniscus/_arrays.py makes of any array of positions: (n, 3), contiguous, finite.
 using Positions = py::array_t<double, py::array::c_style>;
 using Numbers = py::array_t<double, py::array::c_style>;

@@ -41,7 +41,7 @@ std::shared_ptr<Measures> measures(const ExactSurface& exact, int threads) {
 
 py::array signed_distance(const ExactSurface& exact, const Positions& points, int threads) {
     const std::span<const Vec3> places = points_of(points);
-    return owning(by_threads(threads, [&] { return exact.signed_distance(places); }));
+    return given_away(by_threads(threads, [&] { return exact.signed_distance(places); }));
 }
 
 template <class T>

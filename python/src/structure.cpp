@@ -10,7 +10,9 @@
 
 #include "arrays.h"
 #include "bindings.h"
+#include "columns.h"
 #include "meniscus/file_words.h"
+#include "meniscus/named_atoms.h"
 #include "meniscus/radii.h"
 #include "options.h"
 #include "pickling.h"
@@ -29,7 +31,6 @@ std::string spell_as_keyword(std::string_view option, std::string_view value) {
 namespace {
 
 using StructurePointer = std::shared_ptr<Structure>;
-using Texts = std::vector<std::string>;
 
 ReadOptions read_options(const py::dict& given) {
     const Options options(given);
@@ -48,6 +49,13 @@ ReadOptions read_options(const py::dict& given) {
     return read;
 }
 
+std::vector<StructurePointer> shared(std::vector<Structure>&& structures) {
+    std::vector<StructurePointer> pointers;
+    pointers.reserve(structures.size());
+    for (Structure& structure : structures) pointers.push_back(std::make_shared<Structure>(std::move(structure)));
+    return pointers;
+}
+
 StructurePointer read(const std::string& path, const py::dict& given) {
     const ReadOptions options = read_options(given);
     const py::gil_scoped_release release;
@@ -57,62 +65,61 @@ StructurePointer read(const std::string& path, const py::dict& given) {
 std::vector<StructurePointer> read_models(const std::string& path, const py::dict& given) {
     const ReadOptions options = read_options(given);
     const py::gil_scoped_release release;
-    std::vector<StructurePointer> models;
-    for (Structure& model : read_all_models(path, options))
-        models.push_back(std::make_shared<Structure>(std::move(model)));
-    return models;
+    return shared(read_all_models(path, options));
 }
 
-std::vector<StructurePointer> split(const Structure& structure) {
-    std::vector<StructurePointer> chains;
-    for (Structure& chain : split_chains(structure)) chains.push_back(std::make_shared<Structure>(std::move(chain)));
-    return chains;
+StructurePointer read_bytes(std::string bytes, const std::string& name, const py::dict& given) {
+    const ReadOptions options = read_options(given);
+    const py::gil_scoped_release release;
+    return std::make_shared<Structure>(parse_structure(std::move(bytes), name, options));
 }
 
-char letter(const std::string& text) { return text.empty() ? ' ' : text.front(); }
+std::vector<StructurePointer> read_models_of_bytes(std::string bytes, const std::string& name, const py::dict& given) {
+    const ReadOptions options = read_options(given);
+    const py::gil_scoped_release release;
+    return shared(parse_all_models(std::move(bytes), name, options));
+}
 
-/// The names that from_arrays() is given: every list has an entry per atom, or is empty.
-struct Columns {
-    Texts element, name, resname, chain, icode;
-    std::vector<int> resnum, serial;
-    std::vector<double> b_factor, occupancy, charge;
+/// What another program is called, how the structure is to be called, and what is to be noted first.
+struct Origin {
+    std::string source, name;
+    Texts notes;
 
-    explicit Columns(const py::dict& given) {
+    explicit Origin(const py::dict& given) {
         const Options options(given);
-        options.read("element", element);
+        options.read("source", source);
         options.read("name", name);
-        options.read("resname", resname);
-        options.read("chain", chain);
-        options.read("icode", icode);
-        options.read("resnum", resnum);
-        options.read("serial", serial);
-        options.read("b_factor", b_factor);
-        options.read("occupancy", occupancy);
-        options.read("charge", charge);
-    }
-
-    template <class T>
-    static T at(const std::vector<T>& column, std::size_t i, T otherwise = {}) {
-        return column.empty() ? otherwise : column[i];
-    }
-
-    Residue residue(std::size_t i) const {
-        return {.chain = at(chain, i),
-                .name = at(resname, i),
-                .number = at(resnum, i),
-                .insertion_code = letter(at(icode, i))};
-    }
-    AtomLabel label(std::size_t i) const {
-        AtomLabel label;
-        label.name = at(name, i);
-        label.element = at(element, i);
-        label.serial = at(serial, i, static_cast<int>(i + 1));
-        label.b_factor = at(b_factor, i);
-        label.occupancy = at(occupancy, i, 1.0);
-        label.charge = at(charge, i);
-        return label;
+        options.read("notes", notes);
     }
 };
+
+/// The structure, and the index of each kept atom among those given.
+py::tuple read_atoms(const Positions& xyz, const py::dict& columns, const py::dict& given_origin,
+                     const py::dict& given) {
+    const ReadOptions options = read_options(given);
+    const Origin origin(given_origin);
+    const std::vector<NamedAtom> atoms = Columns(columns).named_atoms(points_of(xyz));
+    auto made = std::make_shared<StructureOfAtoms>();
+    {
+        const py::gil_scoped_release release;
+        *made = structure_of_atoms(atoms, origin.source, options);
+    }
+    Structure& structure = made->structure;
+    structure.name = origin.name;
+    structure.notes.insert(structure.notes.begin(), origin.notes.begin(), origin.notes.end());
+    std::vector<std::int32_t> indices(made->indices.begin(), made->indices.end());
+    return py::make_tuple(StructurePointer(made, &structure), owning(std::move(indices)));
+}
+
+std::vector<StructurePointer> split(const Structure& structure) { return shared(split_chains(structure)); }
+
+py::array selected(const Structure& structure, const std::string& expression, const std::string& option) {
+    std::vector<std::int32_t> indices;
+    const std::vector<bool> chosen = select_atoms(structure, expression, option);
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        if (chosen[i]) indices.push_back(static_cast<std::int32_t>(i));
+    return given_away(std::move(indices));
+}
 
 bool is_same(const Residue& a, const Residue& b) {
     return a.chain == b.chain && a.name == b.name && a.number == b.number && a.insertion_code == b.insertion_code;
@@ -139,7 +146,7 @@ py::array radii_by_name(const Texts& elements, const Texts& names, const Texts& 
     std::vector<AtomNames> atoms(elements.size());
     for (std::size_t i = 0; i < atoms.size(); ++i)
         atoms[i] = {.residue = residues[i], .name = names[i], .element = elements[i]};
-    return owning(radii_of(atoms, set));
+    return given_away(radii_of(atoms, set));
 }
 
 template <class Get>
@@ -213,6 +220,10 @@ void bind_structure(py::module_& module) {
     def_pickle<Structure>(type);
     module.def("read", &read, py::arg("path"), py::arg("options"));
     module.def("read_models", &read_models, py::arg("path"), py::arg("options"));
+    module.def("read_bytes", &read_bytes, py::arg("bytes"), py::arg("name"), py::arg("options"));
+    module.def("read_models_of_bytes", &read_models_of_bytes, py::arg("bytes"), py::arg("name"), py::arg("options"));
+    module.def("read_atoms", &read_atoms, py::arg("xyz"), py::arg("columns"), py::arg("origin"), py::arg("options"));
+    module.def("select", &selected, py::arg("structure"), py::arg("expression"), py::arg("option"));
     module.def("split_chains", &split, py::arg("structure"));
     module.def("from_arrays", &from_arrays, py::arg("xyz"), py::arg("radii"), py::arg("columns"));
     module.def("radii", &radii_by_name, py::arg("elements"), py::arg("names"), py::arg("resnames"), py::arg("set"));

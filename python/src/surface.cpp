@@ -33,6 +33,9 @@ SurfaceOptions surface_options(const py::dict& given) {
     return options;
 }
 
+/// throws   as mesh_of() does for the same options
+void check_surface_options(const py::dict& given) { surface_options(given); }
+
 RunOptions run_options(const py::dict& given) {
     RunOptions run;
     describe(run, OptionReader(given));
@@ -101,14 +104,14 @@ py::object flow_dict(const Surface& surface) {
 /// Φ, or where there is no level set the exact signed distance.
 py::array values(const Surface& surface, const Positions& points, int threads) {
     const std::span<const Vec3> places = points_of(points);
-    return owning(by_threads(threads, [&] {
+    return given_away(by_threads(threads, [&] {
         return surface.level_set ? surface.level_set->values(places) : surface.exact.signed_distance(places);
     }));
 }
 
 py::array gradients(const Surface& surface, const Positions& points, int threads) {
     const std::span<const Vec3> places = points_of(points);
-    return owning(by_threads(threads, [&] {
+    return given_away(by_threads(threads, [&] {
         if (surface.level_set) return surface.level_set->gradients(places);
         std::vector<Vec3> normals;
         for (const NearestFeature& at : surface.exact.nearest_features(places)) normals.push_back(at.normal);
@@ -160,6 +163,7 @@ void bind_surface(py::module_& module) {
     type.def("to_bytes", &to_bytes<Surface>);
     module.def("surface_of_bytes", &surface_of_bytes, py::arg("bytes"), py::arg("exact"));
     module.def("depth_values", &depths, py::arg("mesh"), py::arg("exact"), py::arg("threads"));
+    module.def("check_surface_options", &check_surface_options, py::arg("options"));
     module.def("mesh", &mesh_of, py::arg("exact"), py::arg("options"), py::arg("progress"));
 }
 

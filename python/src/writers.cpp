@@ -107,7 +107,7 @@ py::array colours(const Mesh& mesh, const Structure& structure, const py::dict& 
         const py::gil_scoped_release release;
         result = colouring.of(colouring.complete(mesh, structure, ExactSurface(structure.atoms)), structure);
     }
-    return owning(std::move(result));
+    return given_away(std::move(result));
 }
 
 /// What every mesh is written with.
@@ -304,7 +304,7 @@ py::array map_values(const Mesh& mesh, const std::string& path, const py::dict& 
         const py::gil_scoped_release release;
         values = sample_volume(mesh, "map", read_volume(path), options);
     }
-    return owning(std::move(values.values));
+    return given_away(std::move(values.values));
 }
 
 py::dict table_values(const Mesh& mesh, const Structure& structure, const std::string& path) {
@@ -316,7 +316,7 @@ py::dict table_values(const Mesh& mesh, const Structure& structure, const std::s
         for (const AtomValues& column : table.columns) all.push_back(values_at_vertices(mesh, column));
     }
     py::dict arrays;
-    for (VertexValues& values : all) arrays[py::str(values.name)] = owning(std::move(values.values));
+    for (VertexValues& values : all) arrays[py::str(values.name)] = given_away(std::move(values.values));
     return arrays;
 }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace meniscus {
 
@@ -19,12 +20,17 @@ constexpr std::uint64_t count_bits(std::uint64_t word) {
     return (word * 0x0101010101010101U) >> 56U;
 }
 
-/// The bits of a number.
-inline std::uint64_t bits_of(double value) {
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &value, sizeof(bits));
-    return bits;
+/// The same bits as another type: std::bit_cast, which Emscripten's C++ library does not have.
+template <class To, class From>
+To bit_cast(const From& from) {
+    static_assert(sizeof(To) == sizeof(From) && std::is_trivially_copyable_v<To> && std::is_trivially_copyable_v<From>);
+    To to{};
+    std::memcpy(&to, &from, sizeof(to));
+    return to;
 }
+
+/// The bits of a number.
+inline std::uint64_t bits_of(double value) { return bit_cast<std::uint64_t>(value); }
 
 /// Calls visit(bit) for every bit that is set, in rising order.
 template <class Visit>

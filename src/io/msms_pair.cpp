@@ -104,7 +104,7 @@ void append_right(std::string& line, std::string_view text, std::size_t columns)
 void append_number(std::string& line, std::uint64_t number, std::size_t columns) {
     std::array<char, 20> digits;
     const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    append_right(line, {digits.data(), end}, columns);
+    append_right(line, {digits.data(), static_cast<std::size_t>(end - digits.data())}, columns);
 }
 
 // "%9.3f" of a number of units, without a sign before zero. fmt would take three times as long.
@@ -116,7 +116,7 @@ void append_units(std::string& line, std::int64_t units) {
     at = std::to_chars(at, text.data() + text.size(), magnitude / kUnitsPerAngstrom).ptr;
     *at++ = '.';
     for (const std::uint64_t unit : {100, 10, 1}) *at++ = static_cast<char>('0' + magnitude / unit % 10);
-    append_right(line, {text.data(), at}, 9);
+    append_right(line, {text.data(), static_cast<std::size_t>(at - text.data())}, 9);
     line += ' ';
 }
 

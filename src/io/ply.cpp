@@ -158,8 +158,7 @@ private:
         const std::size_t few = std::max(kLeastBatch / record_size, count / kBatchesOfSmallMesh);
         const std::size_t batch = std::max<std::size_t>(1, std::min(kBatch / record_size, few));
         std::array<std::unique_ptr<std::byte[]>, 2> records;
-        for (auto& buffer : records)
-            buffer = std::make_unique_for_overwrite<std::byte[]>(std::min(count, batch) * record_size);
+        for (auto& buffer : records) buffer.reset(new std::byte[std::min(count, batch) * record_size]);
         const auto end_of = [&](std::size_t begin) { return std::min(count, begin + batch); };
         const auto pack = [&](std::size_t first, std::size_t last, std::byte* to) {
             parallel_chunks(last - first, kPackedAtOnce, [&](std::size_t begin, std::size_t end) {

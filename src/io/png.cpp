@@ -50,13 +50,13 @@ std::size_t most_bytes(const Picture& picture, bool opaque) {
 
 // libpng leaves a function that fails by longjmp(), and its own are C: what it is given allocates nothing, throws
 // nothing and has no destructor.
-struct Sink {
+struct PngSink {
     std::string* content;  // with room for all
     std::array<char, 128> message{};
 };
 
 void append(png_structp png, png_bytep bytes, std::size_t size) {
-    std::string& content = *static_cast<Sink*>(png_get_io_ptr(png))->content;
+    std::string& content = *static_cast<PngSink*>(png_get_io_ptr(png))->content;
     if (size > content.capacity() - content.size()) png_error(png, "more bytes than foreseen");
     content.append(reinterpret_cast<const char*>(bytes), size);
 }
@@ -64,7 +64,7 @@ void append(png_structp png, png_bytep bytes, std::size_t size) {
 void flush(png_structp /*png*/) {}
 
 [[noreturn]] void note_and_leave(png_structp png, png_const_charp message) {
-    std::array<char, 128>& noted = static_cast<Sink*>(png_get_error_ptr(png))->message;
+    std::array<char, 128>& noted = static_cast<PngSink*>(png_get_error_ptr(png))->message;
     std::strncpy(noted.data(), message, noted.size() - 1);
     png_longjmp(png, 1);
 }
@@ -95,7 +95,7 @@ std::string encode_png(const Picture& picture) {
     const std::vector<std::uint8_t> bytes = packed_channels(picture, opaque);
     std::string content;
     content.reserve(most_bytes(picture, opaque));
-    Sink sink{&content};
+    PngSink sink{&content};
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, note_and_leave, ignore);
     png_infop info = png == nullptr ? nullptr : png_create_info_struct(png);
     if (info != nullptr) png_set_write_fn(png, &sink, append, flush);

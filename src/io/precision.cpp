@@ -50,7 +50,7 @@ void write_rounded(AtomicFile& file, const Vec3& p) {
 // Of all vertices: corners that lie apart already in x are told apart without their places, which take six times the
 // memory.
 std::unique_ptr<const float[]> rounded_x(const Mesh& mesh) {
-    auto x = std::make_unique_for_overwrite<float[]>(mesh.vertices.size());
+    std::unique_ptr<float[]> x(new float[mesh.vertices.size()]);
     parallel_for(mesh.vertices.size(), kItemsPerChunk,
                  [&](std::size_t v) { x[v] = static_cast<float>(mesh.vertices[v].x); });
     return x;

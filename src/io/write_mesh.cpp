@@ -77,8 +77,8 @@ std::vector<std::uint32_t> residues_of_vertices(const Mesh& mesh, const Structur
     const auto is_beyond = [&](std::uint32_t a) { return a >= atoms; };
     if (parallel_any_of(mesh.atoms, is_beyond))
         throw UsageError("vertex array 'atom' names atom " +
-                         std::to_string(*std::ranges::find_if(mesh.atoms, is_beyond)) + " of a structure with " +
-                         std::to_string(atoms));
+                         std::to_string(*std::find_if(mesh.atoms.begin(), mesh.atoms.end(), is_beyond)) +
+                         " of a structure with " + std::to_string(atoms));
     std::vector<std::uint32_t> residues;
     resize_touched(residues, mesh.atoms.size());
     parallel_for(residues.size(), kGrain,

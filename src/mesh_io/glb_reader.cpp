@@ -169,7 +169,8 @@ private:
             const Matrix whole = product(parent, transformation(node));
             if (node.contains("mesh")) add_mesh(list("meshes").at(number_in(node.at("mesh"))), whole);
             if (!node.contains("children")) continue;
-            for (const json& child : node.at("children")) steps.push_back({number_in(child), whole});
+            for (const json& child : node.at("children"))
+                steps.push_back({static_cast<std::size_t>(number_in(child)), whole});
         }
     }
 

@@ -52,10 +52,4 @@ private:
     std::string bytes_;
 };
 
-/// zlib's format (RFC 1950).
-std::string deflated(std::string_view bytes);
-
-/// RFC 4648, section 4.
-std::string base64(std::string_view bytes);
-
 }  // namespace meniscus::page

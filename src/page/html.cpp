@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "meniscus/version.h"
-#include "page/byte_streams.h"
+#include "page/packed_text.h"
 #include "page/viewer_files.h"
 
 namespace meniscus::page {
@@ -92,13 +92,20 @@ std::string tables_of(std::span<const PageRow> rows) {
     return section == nullptr ? html : html + "</tbody></table>\n";
 }
 
+/// What is seen where scripts or WebGL are missing; without a picture nothing but a notice.
+std::string still_picture(const PageParts& parts) {
+    if (parts.picture.empty()) return {};
+    return "<img id=\"picture\" alt=\"The surface of " + escaped(parts.description) +
+           "\" src=\"data:image/png;base64," + base64(parts.picture) + "\">";
+}
+
 std::string make_html(const PageParts& parts) {
     return filled(kViewerHtml, {{"policy", policy()},
                                 {"title", escaped(parts.title)},
                                 {"description", escaped(parts.description)},
                                 {"version", kVersion},
                                 {"style", std::string(kViewerStyle)},
-                                {"picture", base64(parts.picture)},
+                                {"picture", still_picture(parts)},
                                 {"tables", parts.tables},
                                 {"licence", escaped(kThreeLicence)},
                                 {"three", base64(deflated(kThreeScript))},

@@ -19,7 +19,7 @@ std::string tables_of(std::span<const PageRow> rows);
 
 struct PageParts {
     std::string title;        ///< plain text
-    std::string picture;      ///< PNG
+    std::string picture;      ///< PNG; empty: none
     std::string data;         ///< of page_data(), not yet compressed
     std::string tables;       ///< HTML
     std::string description;  ///< plain text

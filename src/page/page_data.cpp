@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "meniscus/list_of_counts.h"
+#include "meniscus/tables.h"
 #include "meniscus/version.h"
 #include "page/schemes.h"
 #include "render/camera.h"
@@ -94,7 +95,7 @@ ordered_json residues_json(const Structure& structure) {
 
 ordered_json cavities_json(const Mesh& mesh, const Structure& structure, const PageOptions& options) {
     ordered_json list = ordered_json::array();
-    for (const ListedCavity& cavity : list_cavities(mesh, structure, options))
+    for (const ListedCavity& cavity : list_cavities(mesh, structure, options.components))
         list.push_back({{"area", cut_to(cavity.area, 100.0)},
                         {"volume", cut_to(cavity.volume, 100.0)},
                         {"centre", point_json(cavity.centre)},

@@ -3,12 +3,12 @@
 #include "radii/rule_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <sstream>
 
 #include "meniscus/errors.h"
+#include "reading/numbers.h"
 #include "reading/text.h"
 
 namespace meniscus {
@@ -48,7 +48,7 @@ struct Line {
 double read_radius(const Line& line, std::string_view word) {
     if (word.empty()) line.fail(word, "the radius is missing; write RESIDUE ATOM RADIUS");
     double radius = 0.0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), radius);
+    const auto [end, error] = reading::from_chars(word.data(), word.data() + word.size(), radius);
     const bool is_number = error == std::errc() && end == word.data() + word.size() && std::isfinite(radius);
     if (!is_number) line.fail(word, "the radius " + shown(word) + " is not a number; write it in Å, such as 1.70");
     if (radius < 0.0) line.fail(word, "the radius " + shown(word) + " is negative; 0 leaves an atom out");

@@ -85,8 +85,6 @@ std::size_t likely_size(std::string_view bytes) {
 
 }  // namespace
 
-bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
-
 std::string gunzip(std::string_view bytes, const std::string& file) {
     std::string content;
     content.reserve(likely_size(bytes));

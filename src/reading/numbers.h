@@ -9,6 +9,10 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <type_traits>
+#ifndef __cpp_lib_to_chars
+#include <fast_float/fast_float.h>
+#endif
 
 namespace meniscus::reading {
 
@@ -29,13 +33,24 @@ inline std::string_view trimmed(std::string_view text) {
     return without_blank_end(text);
 }
 
+/// std::from_chars, also where the C++ library has it only for whole numbers, as Clang's has.
+template <class Number>
+auto from_chars(const char* begin, const char* end, Number& value) {
+#ifndef __cpp_lib_to_chars
+    if constexpr (std::is_floating_point_v<Number>)
+        return fast_float::from_chars(begin, end, value);
+    else
+#endif
+        return std::from_chars(begin, end, value);
+}
+
 /// The whole text (blanks at its ends aside) as a number; nothing if any of it is left over.
 template <class Number>
 std::optional<Number> whole_number(std::string_view text) {
     text = trimmed(text);
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto [end, error] = from_chars(text.data(), text.data() + text.size(), value);
     if (text.empty() || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
     return value;
 }

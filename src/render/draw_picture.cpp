@@ -7,7 +7,7 @@
 #include "meniscus/errors.h"
 #include "meniscus/picture.h"
 #include "meniscus/threads.h"
-#include "render/openness.h"
+#include "render/draw_by.h"
 #include "render/scene.h"
 #include "render/tile.h"
 
@@ -66,6 +66,8 @@ Picture draw(const Scene& scene, const PictureOptions& options) {
 
 }  // namespace
 
+bool pictures_supported() { return true; }
+
 Picture draw_picture(const Mesh& mesh, std::span<const Colour> colours, const PictureOptions& options,
                      const ColourField& exact) {
     check(mesh, colours, options);
@@ -74,13 +76,13 @@ Picture draw_picture(const Mesh& mesh, std::span<const Colour> colours, const Pi
     return draw(Scene(mesh, RayScene(mesh), colours, options, exact), options);
 }
 
-Picture draw_picture_by(std::span<const float> sky, const Mesh& mesh, const std::optional<RayScene>& rays,
-                        std::span<const Colour> colours, const PictureOptions& options) {
+Picture draw_picture_by(std::span<const float> sky, const Mesh& mesh, std::span<const Colour> colours,
+                        const PictureOptions& options) {
     check(mesh, colours, options);
     const ThreadLimit limit(options.threads);
-    if (!rays) return blank(options);
+    if (mesh.triangles.empty()) return blank(options);
     const ColourField none;
-    Scene scene(mesh, *rays, colours, options, none);
+    Scene scene(mesh, RayScene(mesh), colours, options, none);
     scene.take_sky(sky);
     return draw(scene, options);
 }

@@ -4,22 +4,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "core/golden_angle.h"
 #include "core/parallel.h"
-#include "render/camera.h"
-#include "render/scene.h"
-#include "render/sky_light.h"
+#include "render/depth_layers.h"
+#include "render/sky_reach.h"
 
 namespace meniscus {
 namespace {
 
-/// Rays per Å² of the surface: however fine the mesh is, the light costs the same.
-constexpr double kRaysPerArea = 36.0;
-constexpr double kFewestRays = 2.0;  // of a vertex
-constexpr double kMostRays = 64.0;
+/// Axes along which the mesh is projected: each gives two directions of the sky.
+constexpr std::size_t kAxes = 24;
+constexpr std::size_t kAtOnce = 8;  // so many maps are in memory
 
-/// Rounds of smoothing times the square of an edge, Å²: they blur the rays, however fine the mesh.
+/// Pixels are at least so wide, Å: a quarter of an atom, since what is smaller is blurred anyway.
+constexpr double kFinestPixel = 0.4;
+
+/// Vertices are lifted by so many pixels, so that the surface around a vertex does not hide the sky from it.
+constexpr double kLift = 1.0;
+
+/// Directions that graze the surface would meet the triangles around the vertex.
+constexpr float kSmallestCosine = 0.1F;
+
+/// Rounds of smoothing times the square of an edge, Å²: they blur what single directions hide, however fine the mesh.
 constexpr double kOpennessBlur = 0.4;
 constexpr double kMostRounds = 20.0;
 
@@ -42,21 +49,49 @@ int rounds_of_smoothing(double edge) {
     return static_cast<int>(std::clamp(std::round(kOpennessBlur / (edge * edge)), 1.0, kMostRounds));
 }
 
-/// Twice as many equilateral triangles as vertices cover the surface.
-std::size_t rays_of_vertex(double edge) {
-    const double area = 0.5 * std::numbers::sqrt3 * edge * edge;
-    return static_cast<std::size_t>(std::clamp(std::round(kRaysPerArea * area), kFewestRays, kMostRays));
+/// Spread evenly over a half of the sphere, on a spiral (Vogel 1979).
+Vec3 axis(std::size_t i) {
+    const double height = (static_cast<double>(i) + 0.5) / double{kAxes};
+    const double turn = kGoldenAngle * static_cast<double>(i);
+    const double radius = std::sqrt(1.0 - height * height);
+    return {radius * std::cos(turn), radius * std::sin(turn), height};
 }
+
+/// How much of the sky a vertex sees, of how much that has been looked at, weighted by the cosine to the normal.
+struct Seen {
+    float open = 0.0F;
+    float all = 0.0F;
+
+    void look(float cosine, float share) {
+        if (cosine < kSmallestCosine) return;
+        open += cosine * share;
+        all += cosine;
+    }
+};
 
 }  // namespace
 
-std::vector<float> openness(const Mesh& mesh, const RayScene& rays) {
-    const Camera camera(mesh.vertices, {});
-    const SkyRays sky(rays, mesh, reach_of_sky(camera));
+std::vector<float> openness(const Mesh& mesh) {
     const double edge = mean_edge(mesh);
-    const std::size_t few = rays_of_vertex(edge);
-    std::vector<float> shares(mesh.vertices.size());
-    parallel_for(shares.size(), 256, [&](std::size_t v) { shares[v] = sky.open_share(static_cast<VertexId>(v), few); });
+    const double pixel = std::max(kFinestPixel, edge);
+    const auto reach = static_cast<float>(reach_of_sky(Camera(mesh.vertices, {})));
+    std::vector<Seen> seen(mesh.vertices.size());
+    for (std::size_t first = 0; first < kAxes; first += kAtOnce) {
+        std::vector<std::optional<DepthLayers>> maps(kAtOnce);
+        parallel_for(kAtOnce, 1, [&](std::size_t i) { maps[i].emplace(mesh, axis(first + i), pixel); });
+        parallel_for(seen.size(), 1024, [&](std::size_t v) {
+            const Vec3 normal = mesh.normals[v];
+            const Vec3 point = mesh.vertices[v] + (kLift * pixel) * normal;
+            for (std::size_t i = 0; i < kAtOnce; ++i) {
+                const auto cosine = static_cast<float>(dot(normal, axis(first + i)));
+                const DepthLayers::Gaps gaps = maps[i]->gaps(point);
+                seen[v].look(cosine, std::min(gaps.above / reach, 1.0F));
+                seen[v].look(-cosine, std::min(gaps.below / reach, 1.0F));
+            }
+        });
+    }
+    std::vector<float> shares;
+    for (const Seen& s : seen) shares.push_back(s.all > 0.0F ? s.open / s.all : 1.0F);
     for (int round = rounds_of_smoothing(edge); round > 0; --round) shares = smoothed(mesh, shares);
     return shares;
 }

@@ -7,15 +7,10 @@
 #include <cmath>
 
 #include "render/cut_plane.h"
+#include "render/sky_reach.h"
 
 namespace meniscus {
 namespace {
-
-/// The sky is blocked by what lies within this share of the molecule's depth, but no farther than kLongestReach: beyond
-/// that, hollows of large assemblies would only be black.
-constexpr double kReachShare = 0.5;
-constexpr double kLongestReach = 25.0;
-constexpr double kShortestReach = 2.0;
 
 /// Of a section through the molecule: a light, warm grey that no palette has.
 constexpr Colour kSection{222, 217, 208, 255};
@@ -33,10 +28,6 @@ Light interpolated_light(const Triangle& t, const RayHit& hit, std::span<const C
 }
 
 }  // namespace
-
-double reach_of_sky(const Camera& camera) {
-    return std::clamp(kReachShare * camera.depth_range(), kShortestReach, kLongestReach);
-}
 
 Scene::Scene(const Mesh& mesh, const RayScene& rays, std::span<const Colour> colours, const PictureOptions& options,
              const ColourField& exact)

@@ -35,9 +35,6 @@ struct Spot {
     double y = 0.0;
 };
 
-/// How far the sky is blocked, Å: by a share of the molecule's depth.
-double reach_of_sky(const Camera& camera);
-
 class Scene {
 public:
     /// All arguments but the rays must outlive the scene. Precondition: they have passed the checks of draw_picture(),

@@ -34,11 +34,12 @@ constexpr double kLampShadow = 0.70;
 // A wide, weak highlight: anything more looks like plastic.
 constexpr double kGloss = 0.02;
 
-float single(double value) { return static_cast<float>(value); }
+float rounded_to_float(double value) { return static_cast<float>(value); }
 
 std::array<float, 256> decoding_table() {
     std::array<float, 256> table;
-    for (std::size_t i = 0; i < table.size(); ++i) table[i] = single(linear_from_srgb(static_cast<double>(i) / 255.0));
+    for (std::size_t i = 0; i < table.size(); ++i)
+        table[i] = rounded_to_float(linear_from_srgb(static_cast<double>(i) / 255.0));
     return table;
 }
 
@@ -124,8 +125,8 @@ Light Lamps::shade(const Light& albedo, const Vec3& normal, const Vec3& to_viewe
     const double rim = 1.0 - kRimShade * cube(1.0 - std::clamp(dot(normal, to_viewer), 0.0, 1.0));
     const double diffuse = rim * (from_sky + reached * (key + fill));
     const double highlight = kGloss * reached * gloss(normal, key_, to_viewer);
-    const float white = single(highlight);
-    return single(diffuse) * albedo + Light{white, white, white};
+    const float white = rounded_to_float(highlight);
+    return rounded_to_float(diffuse) * albedo + Light{white, white, white};
 }
 
 }  // namespace meniscus

@@ -12,6 +12,7 @@
 #include "core/golden_angle.h"
 #include "core/mix_bits.h"
 #include "core/perpendicular.h"
+#include "render/sky_reach.h"
 
 namespace meniscus {
 namespace {
@@ -39,12 +40,6 @@ std::size_t rounds_of_smoothing(const Mesh& mesh) {
 }
 
 }  // namespace
-
-double mean_edge(const Mesh& mesh) {
-    double sum = 0.0;
-    for (const Triangle& t : mesh.triangles) sum += norm(mesh.vertices[t[1]] - mesh.vertices[t[0]]);
-    return sum / static_cast<double>(mesh.triangles.size());
-}
 
 /// The rays are spread evenly in the plane beneath them, on a spiral (Vogel 1979), and so by the cosine over the sky.
 float SkyRays::open_share(VertexId vertex, std::size_t rays) const {

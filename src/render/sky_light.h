@@ -82,7 +82,4 @@ private:
     mutable std::atomic<Prepared*> prepared_{nullptr};
 };
 
-/// Mean length of the edges of triangles, of which there must be one, Å.
-double mean_edge(const Mesh& mesh);
-
 }  // namespace meniscus

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "core/bits.h"
 #include "reading/text.h"
 
 namespace meniscus::reading {
@@ -71,7 +72,7 @@ Number little_endian(const char* at) {
     std::array<char, sizeof(Number)> bytes;
     std::memcpy(bytes.data(), at, sizeof(Number));
     if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
-    return std::bit_cast<Number>(bytes);
+    return bit_cast<Number>(bytes);
 }
 
 template <class Number, class Value>

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "meniscus/errors.h"
+#include "platform/files/digits.h"
 #include "reading/lower_case.h"
 #include "structure/bcif_encodings.h"
 #include "structure/message_pack.h"
@@ -60,29 +61,26 @@ private:
     std::vector<std::string_view> written(BcifArray array) {
         if (auto* const texts = std::get_if<BcifTexts>(&array)) return quoted(std::move(*texts));
         if (const auto* const integers = std::get_if<BcifIntegers>(&array))
-            return printed(integers->size(), [&](char* to, char* end, std::size_t i) {
-                return std::to_chars(to, end, (*integers)[i]).ptr;
+            return printed(integers->size(), [&](Digits& digits, std::size_t i) {
+                return digits_of(std::int64_t{(*integers)[i]}, digits);
             });
         const auto& reals = std::get<BcifReals>(array);
         // The fewest digits that a float is known by are those that it was made from: 12.345, not 12.34500026702881.
-        return printed(reals.values.size(), [&](char* to, char* end, std::size_t i) {
+        return printed(reals.values.size(), [&](Digits& digits, std::size_t i) {
             const double value = reals.values[i];
-            return reals.single ? std::to_chars(to, end, static_cast<float>(value)).ptr
-                                : std::to_chars(to, end, value).ptr;
+            return reals.single ? digits_of(static_cast<float>(value), digits) : digits_of(value, digits);
         });
     }
 
-    // print(to, end, i) writes value i and returns where it ends.
+    // print(digits, i) is the text of value i, held in `digits`.
     template <class Print>
     std::vector<std::string_view> printed(std::size_t count, const Print& print) {
-        constexpr std::size_t kLongest = 32;  // bytes; -2.2250738585072014e-308 has 24
         std::string& text = texts_.emplace_back();
         std::vector<std::size_t> ends;
         ends.reserve(count);
-        std::array<char, kLongest> number;
+        Digits digits;
         for (std::size_t i = 0; i < count; ++i) {
-            const char* const end = print(number.data(), number.data() + number.size(), i);
-            text.append(number.data(), static_cast<std::size_t>(end - number.data()));
+            text += print(digits, i);
             ends.push_back(text.size());
         }
         std::vector<std::string_view> values(count);

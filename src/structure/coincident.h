@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/bits.h"
 #include "core/mix_bits.h"
 #include "meniscus/vec3.h"
 
@@ -22,7 +23,7 @@ inline std::vector<Vec3> likely_coincident(const std::vector<Vec3>& points) {
     const auto bit_of = [bits](const Vec3& p) {
         std::uint64_t hash = 0;
         for (const double v : {p.x, p.y, p.z})
-            hash = (hash ^ std::bit_cast<std::uint64_t>(v + 0.0)) * kMixIncrement;  // + 0.0: -0 is 0
+            hash = (hash ^ bit_cast<std::uint64_t>(v + 0.0)) * kMixIncrement;  // + 0.0: -0 is 0
         return static_cast<std::size_t>((hash ^ hash >> 32U) & (bits - 1));
     };
     std::vector<std::uint64_t> taken(bits / 64);

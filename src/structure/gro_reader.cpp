@@ -3,7 +3,6 @@
 #include "structure/gro_reader.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -13,6 +12,7 @@
 #include "reading/text.h"
 #include "structure/choose_atoms.h"
 #include "structure/element.h"
+#include "structure/simulated_atoms.h"
 
 namespace meniscus::reading {
 namespace {
@@ -177,16 +177,6 @@ private:
     const std::string& file_;
 };
 
-bool is_standard_name(std::string_view residue) {
-    return is_amino_acid(residue) || is_nucleotide(residue) || is_water(residue);
-}
-
-// The places of charge of four- and five-point waters.
-bool is_virtual_site(std::string_view atom, std::string_view residue) {
-    constexpr auto kSites = std::to_array<std::string_view>({"MW", "M", "EPW", "OM", "LP1", "LP2", "EP1", "EP2", "LP"});
-    return is_water(residue) && std::find(kSites.begin(), kSites.end(), atom) != kSites.end();
-}
-
 RawAtom to_gro_atom(const GroLine& line, const RawResidue& residue) {
     RawAtom atom;
     atom.centre = line.centre();
@@ -217,7 +207,7 @@ private:
     void read(const GroLine& line, std::size_t i) {
         const int number = line.residue_number();
         const std::string name = line.residue_name();
-        if (is_virtual_site(line.atom_name(), name)) {
+        if (is_site_of_water(line.atom_name(), name)) {
             ++virtual_sites_;
             return;
         }
@@ -244,12 +234,8 @@ private:
     }
 
     void finish() {
-        if (virtual_sites_ > 0)
-            model_.notes.push_back(counted(virtual_sites_, "virtual site") + " of water left out: no atoms");
-        if (std::any_of(model_.atoms.begin(), model_.atoms.end(), [](const RawAtom& atom) { return atom.hetatm; }))
-            model_.notes.push_back(
-                "residues that are neither amino acids nor nucleotides nor water taken as hetero groups: GROMACS files "
-                "do not tell them");
+        tell_virtual_sites(virtual_sites_, model_);
+        tell_hetero_by_name("GROMACS files do", model_);
     }
 
     const GroFrame& frame_;

@@ -239,13 +239,19 @@ bool is_named_as_mesh(const std::string& path) {
     return std::any_of(kMeshes.begin(), kMeshes.end(), [&](std::string_view end) { return name.ends_with(end); });
 }
 
+// Standard input, and bytes in memory whose name tells nothing.
+bool is_nameless(const std::string& path) { return path == "-" || (path.starts_with('<') && path.ends_with('>')); }
+
+[[noreturn]] void fail_nothing(const std::string& path) {
+    if (path == "-") throw InputError("-: nothing came on standard input; pipe a PDB, mmCIF or xyzr file into it");
+    throw InputError(path + ": empty; a PDB, mmCIF or xyzr file is needed");
+}
+
 void choose_format(InputFile& file) {
     std::optional<Format> format;
-    if (file.path == "-") {
+    if (is_nameless(file.path)) {
         format = format_by_content(file.text);
-        if (!format && first_line(file.text).empty()) {
-            throw InputError("-: nothing came on standard input; pipe a PDB, mmCIF or xyzr file into it");
-        }
+        if (!format && first_line(file.text).empty()) fail_nothing(file.path);
     } else if (const auto suffix = suffix_of(file.path)) {
         format = suffix->format;
     }
@@ -254,7 +260,8 @@ void choose_format(InputFile& file) {
     if (is_named_as_mesh(file.path))
         throw InputError(file.path + ": is a mesh, not a structure; give the structure that it was made from");
     check_content(file);
-    const char* problem = file.path == "-" ? ": neither PDB nor mmCIF nor GROMACS nor xyzr; " : ": unknown suffix; ";
+    const char* problem =
+        is_nameless(file.path) ? ": neither PDB nor mmCIF nor GROMACS nor xyzr; " : ": unknown suffix; ";
     throw InputError(file.path + problem +
                      "supported formats are .pdb .ent .cif .mmcif .bcif .gro .pdbqt .pqr .xyzr .xyzrn, each also .gz");
 }
@@ -265,6 +272,7 @@ bool is_biological_unit(const std::string& path) { return digits_of_assembly(low
 
 std::string stem_of(const std::string& path) {
     if (path == "-") return "stdin";
+    if (is_nameless(path)) return "structure";
     std::string name = base_name(path);
     if (const auto suffix = suffix_of(path)) name.resize(name.size() - suffix->length);
     return name.empty() ? "structure" : name;
@@ -278,7 +286,7 @@ InputFile load_bytes(std::string bytes, const std::string& path, Checksum checks
     const bool named_gzip = lower_case(path).ends_with(".gz");
     if (is_gzip(bytes)) {
         file.text = gunzip(bytes, path);
-        if (!named_gzip && path != "-") file.notes.push_back("gzip data in a file not named .gz: decompressed");
+        if (!named_gzip && !is_nameless(path)) file.notes.push_back("gzip data in a file not named .gz: decompressed");
     } else if (named_gzip) {
         throw InputError(path + ": is named .gz but contains no gzip data; remove .gz from its name");
     } else {

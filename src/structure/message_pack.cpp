@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "structure/message_pack.h"
 
-#include <bit>
+
+#include "core/bits.h"
 
 namespace meniscus::reading {
 namespace {
@@ -70,8 +71,8 @@ private:
     void read_number(PackedValue& value, std::uint8_t first) {
         if (first < 0xcc) {
             value.kind = Kind::Real;
-            value.real = first == 0xca ? double{std::bit_cast<float>(static_cast<std::uint32_t>(unsigned_of(4)))}
-                                       : std::bit_cast<double>(unsigned_of(8));
+            value.real = first == 0xca ? double{bit_cast<float>(static_cast<std::uint32_t>(unsigned_of(4)))}
+                                       : bit_cast<double>(unsigned_of(8));
         } else if (first < 0xd0) {
             const std::uint64_t number = unsigned_of(1U << (first - 0xccU));
             set(value, static_cast<std::int64_t>(number));

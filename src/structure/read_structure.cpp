@@ -9,21 +9,15 @@
 
 #include "meniscus/errors.h"
 #include "reading/text.h"
-#include "structure/assign_radii.h"
-#include "structure/build_structure.h"
-#include "structure/choose_atoms.h"
-#include "structure/coincident.h"
 #include "structure/gemmi/cif_file.h"
 #include "structure/gemmi/gemmi_reader.h"
 #include "structure/gro_reader.h"
-#include "structure/guessed_elements.h"
 #include "structure/input_file.h"
 #include "structure/join_models.h"
-#include "structure/join_residues.h"
+#include "structure/make_structure.h"
 #include "structure/pdb_screen.h"
 #include "structure/pdbqt_reader.h"
 #include "structure/pqr_reader.h"
-#include "structure/residue_kinds.h"
 #include "structure/sphere_readers.h"
 
 namespace meniscus {
@@ -31,16 +25,11 @@ namespace {
 
 using namespace reading;
 
-void append(std::vector<std::string>& lines, const std::vector<std::string>& more) {
-    lines.insert(lines.end(), more.begin(), more.end());
-}
-
 // A loaded file that hands out its models one by one.
 class ModelSource {
 public:
-    ModelSource(const std::string& path, const ReadOptions& options)
-        : file_(load_input(path, options.checksum ? Checksum::Found : Checksum::LeftOut)),
-          assemblies_(!options.assembly.empty()) {
+    ModelSource(InputFile file, const ReadOptions& options)
+        : file_(std::move(file)), assemblies_(!options.assembly.empty()) {
         if (is_pdb()) pdb_ = find_pdb_models(file_.text);
         if (file_.format == Format::Pqr) pdb_ = find_pqr_models(file_.text);
         if (file_.format == Format::Cif) cif_.emplace(file_.text, file_.path);
@@ -97,9 +86,7 @@ private:
 
     RawModel named_model(int position) const {
         RawModel model = parse(position);
-        join_residues(model);
-        correct_lone_ions(model);
-        classify_residues(model);
+        complete_model(model);
         return model;
     }
 
@@ -179,58 +166,6 @@ private:
     std::string different_sizes_;
 };
 
-void check_options(const ReadOptions& options) {
-    if (options.model < 1) throw UsageError("--model " + std::to_string(options.model) + ": models are counted from 1");
-    if (options.join_models && !options.assembly.empty())
-        throw UsageError("--model join: the models of a file are not to be copied by --assembly; give one of the two");
-    if (options.altloc.size() > 1) throw UsageError("--altloc " + options.altloc + ": must be one character");
-}
-
-[[noreturn]] void fail_empty(const std::string& path, const RawModel& model, const Chosen& chosen) {
-    if (model.atoms.empty()) {
-        throw InputError(path + ": no atoms in this file; check that it is the right one" +
-                         (model.warnings.empty() ? "" : " (" + model.warnings.front() + ")"));
-    }
-    std::vector<std::string> lines = model.warnings;
-    append(lines, chosen.notes);
-    append(lines, chosen.warnings);
-    std::string reasons;
-    for (const std::string& line : lines) reasons += (reasons.empty() ? "" : "; ") + line;
-    throw InputError(path + ": no atoms left" +
-                     (reasons.empty() ? "; --chains or --select keep none" : ": " + reasons));
-}
-
-std::string why_guessed(const InputFile& file, const RawModel& model) {
-    if (!model.why_guessed.empty()) return model.why_guessed;
-    if (file.format == Format::Pdbqt) return "the types of atoms in columns 78-79 are not AutoDock's";
-    const bool is_cif = file.format == Format::Cif || file.format == Format::Bcif;
-    return is_cif ? "_atom_site.type_symbol is not given" : "columns 77-78 are blank";
-}
-
-Structure make_structure(const InputFile& file, const RawModel& model, const ReadOptions& options) {
-    Chosen chosen = choose_atoms(model, options, file.path);
-    const AssignedRadii radii = assign_radii(model, options, file.path, chosen);
-    if (chosen.atoms.empty()) fail_empty(file.path, model, chosen);
-    tell_guessed_elements(model, why_guessed(file, model), chosen);
-    Structure structure;
-    structure.file = file.path;
-    structure.name = file.name;
-    structure.sha256 = file.sha256;
-    structure.radii_set = radii.set;
-    structure.dropped = chosen.dropped;
-    structure.left_out_ligands = chosen.ligands;
-    structure.notes = model.notes;
-    append(structure.notes, chosen.notes);
-    structure.warnings = model.warnings;
-    append(structure.warnings, chosen.warnings);
-    build_structure(model, chosen, radii, options.assembly, structure);
-    if (structure.atoms.empty()) throw InputError(file.path + ": assembly " + options.assembly + " has no kept atoms");
-    if (const std::size_t count = count_coincident(structure.atoms.centres); count > 0) {
-        structure.warnings.push_back(counted(count, "atom") + " at exactly the position of another atom");
-    }
-    return structure;
-}
-
 RawModel model_with_atoms(const ModelSource& source, int position, const ReadOptions& options) {
     RawModel model = source.model(position);
     if (const int other = source.filled_instead_of(position); other > 0)
@@ -256,32 +191,52 @@ void tell_models(const ModelSource& source, const ReadOptions& options, RawModel
     }
 }
 
+Checksum checksum_of(const ReadOptions& options) { return options.checksum ? Checksum::Found : Checksum::LeftOut; }
+
+Structure structure_from(InputFile file, const ReadOptions& options) {
+    const ModelSource source(std::move(file), options);
+    RawModel model = options.join_models ? source.joined() : model_with_atoms(source, options.model, options);
+    if (source.model_count() > 1) tell_models(source, options, model);
+    return make_structure(source.file(), model, options).structure;
+}
+
 std::string model_suffix(int position) {
     const std::string number = std::to_string(position);
     return "_m" + (number.size() < 2 ? "0" + number : number);
+}
+
+std::vector<Structure> structures_from(InputFile file, const ReadOptions& options) {
+    const ModelSource source(std::move(file), options);
+    std::vector<Structure> structures;
+    for (int position = 1; position <= source.model_count(); ++position) {
+        ReadOptions own = options;
+        own.model = position;
+        structures.push_back(make_structure(source.file(), model_with_atoms(source, position, options), own).structure);
+        structures.back().name += model_suffix(position);
+    }
+    return structures;
 }
 
 }  // namespace
 
 Structure read_structure(const std::string& path, const ReadOptions& options) {
     check_options(options);
-    const ModelSource source(path, options);
-    RawModel model = options.join_models ? source.joined() : model_with_atoms(source, options.model, options);
-    if (source.model_count() > 1) tell_models(source, options, model);
-    return make_structure(source.file(), model, options);
+    return structure_from(load_input(path, checksum_of(options)), options);
+}
+
+Structure parse_structure(std::string bytes, const std::string& name, const ReadOptions& options) {
+    check_options(options);
+    return structure_from(load_bytes(std::move(bytes), name, checksum_of(options)), options);
 }
 
 std::vector<Structure> read_all_models(const std::string& path, const ReadOptions& options) {
     check_options(options);
-    const ModelSource source(path, options);
-    std::vector<Structure> structures;
-    for (int position = 1; position <= source.model_count(); ++position) {
-        ReadOptions own = options;
-        own.model = position;
-        structures.push_back(make_structure(source.file(), model_with_atoms(source, position, options), own));
-        structures.back().name += model_suffix(position);
-    }
-    return structures;
+    return structures_from(load_input(path, checksum_of(options)), options);
+}
+
+std::vector<Structure> parse_all_models(std::string bytes, const std::string& name, const ReadOptions& options) {
+    check_options(options);
+    return structures_from(load_bytes(std::move(bytes), name, checksum_of(options)), options);
 }
 
 }  // namespace meniscus

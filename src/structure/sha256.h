@@ -8,7 +8,7 @@
 
 namespace meniscus::reading {
 
-/// SHA-256 of the bytes, as 64 hexadecimal digits in lower case.
+/// SHA-256 of the bytes, as 64 hexadecimal digits in lower case; empty in a build without nettle.
 std::string sha256_hex(std::string_view bytes);
 
 }  // namespace meniscus::reading

@@ -37,7 +37,7 @@ private:
     [[noreturn]] void fail(const std::string& what) const;
 
     std::string path_;
-    void* file_ = nullptr;  // gzFile
+    void* file_ = nullptr;  // gzFile; std::FILE in a build without zlib
     std::uint64_t most_ = 0;
     std::unique_ptr<char[]> buffer_;
     std::size_t next_ = 0;

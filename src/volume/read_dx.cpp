@@ -104,12 +104,13 @@ private:
         return *value;
     }
 
-    std::uint64_t count(std::size_t i, const char* what) const {
+    std::size_t count(std::size_t i, const char* what) const {
         const Word& w = word(i, what);
         const auto value = reading::whole_number<std::uint64_t>(w.text);
-        if (!value || *value == 0 || *value > kMostNodes)
+        const std::uint64_t most = std::min<std::uint64_t>(kMostNodes, std::numeric_limits<std::size_t>::max());
+        if (!value || *value == 0 || *value > most)
             fail(w, fmt::format("{} {} is not a number of nodes; correct it", what, shown(w.text)));
-        return *value;
+        return static_cast<std::size_t>(*value);
     }
 
     bool begins_with(const char* text) const { return words_[0].text == text; }

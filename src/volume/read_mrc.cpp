@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -12,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/bits.h"
 #include "meniscus/errors.h"
 #include "volume/byte_source.h"
 #include "volume/mrc_header.h"
@@ -26,9 +26,9 @@ constexpr std::int32_t kFirstStack = 401;  // space groups from here on are stac
 
 template <class T>
 T swapped(T value) {
-    auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
+    auto bytes = bit_cast<std::array<char, sizeof(T)>>(value);
     std::reverse(bytes.begin(), bytes.end());
-    return std::bit_cast<T>(bytes);
+    return bit_cast<T>(bytes);
 }
 
 template <class T>

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <bit>
 #include <cstdint>
 #include <iterator>
 #include <string_view>
 
+#include "core/bits.h"
 #include "platform/files/atomic_file.h"
 #include "platform/files/digits.h"
 #include "volume/writers.h"
@@ -34,7 +34,7 @@ std::string header(const VolumeGrid& grid, VolumeContent content) {
 class RepeatedNumber {
 public:
     std::string_view text(float value) {
-        const auto bits = std::bit_cast<std::uint32_t>(value);
+        const auto bits = bit_cast<std::uint32_t>(value);
         if (text_.empty() || bits != bits_) text_ = digits_of(value, digits_);
         bits_ = bits;
         return text_;

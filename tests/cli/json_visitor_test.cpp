@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "json_visitor.h"
+#include "json_schema.h"
 
 #include <gtest/gtest.h>
 

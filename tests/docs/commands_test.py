@@ -9,7 +9,7 @@
     ```                    likewise
     ```sh not-run slurm    run by tests/engines/slurm_test.py where Slurm is installed
     ```python              run with the interpreter that MENISCUS_DOCS_PYTHON names, which has the package; else, and
-                           without the engine that it imports, listed. Blocks with >>> belong to tests/python
+                           without the package that it imports (Dask's, PyTorch), listed. Blocks with >>> belong to tests/python
     ```output              what the block before it prints; "..." for what differs from run to run
 
 usage: commands_test.py PROGRAM SOURCE_DIR
@@ -52,8 +52,8 @@ def has_module(name):
 
 
 def has_engines(block):
-    """Whether the engines are there that a block of Python imports: Debian's, which no other page needs."""
-    return all(has_module(name) for name in re.findall(r"^(?:from|import) (distributed)\b", block.text, re.MULTILINE))
+    """Whether the packages are there that a block of Python imports: Debian's, which no other page needs."""
+    return all(has_module(name) for name in re.findall(r"^(?:from|import) (distributed|torch)\b", block.text, re.MULTILINE))
 
 
 def is_run(block):

@@ -37,21 +37,6 @@ TEST(ByteStreams, ByteDifferencesWrapAround) {
     EXPECT_EQ(byte_differences(std::vector<std::uint8_t>{250, 4, 3}), (std::string{"\xFA\x0A\xFF"}));
 }
 
-TEST(ByteStreams, DeflatedTextInflates) {
-    const std::string text(10000, 'x');
-    EXPECT_LT(deflated(text).size(), 200U);
-    EXPECT_EQ(testing::inflated(deflated(text)), text);
-}
-
-TEST(ByteStreams, Base64IsThatOfTheStandard) {  // RFC 4648, section 10
-    EXPECT_EQ(base64(""), "");
-    EXPECT_EQ(base64("f"), "Zg==");
-    EXPECT_EQ(base64("fo"), "Zm8=");
-    EXPECT_EQ(base64("foo"), "Zm9v");
-    EXPECT_EQ(base64("foob"), "Zm9vYg==");
-    EXPECT_EQ(base64("\xFF\xFE\xFD"), "//79");
-}
-
 TEST(ByteStreams, StreamsKnowTheirPlaces) {
     Streams streams;
     streams.add("a", "xyz");

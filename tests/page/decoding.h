@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Reads back what pages hold, for tests; and a small molecule with its surface.
+// Reads back what pages hold, for tests.
 #pragma once
 
 #include <zlib.h>
@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "page/page_data.h"
-#include "support/shapes.h"
-#include "support/small_structures.h"
+#include "support/small_molecule.h"
 
 namespace meniscus::testing {
 
@@ -81,24 +80,6 @@ struct DecodedPage {
     std::string bytes;
     nlohmann::json info;
     std::size_t begin = 0;
-};
-
-/// Two atoms far apart, each with its own sphere as surface; the second sphere is the wall of a cavity.
-struct SmallMolecule {
-    SmallMolecule() : structure(two_atoms()) {
-        for (std::uint32_t i = 0; i < 2; ++i) {
-            Mesh sphere = projected_sphere({structure.atoms.centres[i], structure.atoms.radii[i]}, 0.5);
-            mesh.atoms.insert(mesh.atoms.end(), sphere.vertices.size(), i);
-            mesh.components.insert(mesh.components.end(), sphere.vertices.size(), i);
-            mesh.normals.insert(mesh.normals.end(), sphere.normals.begin(), sphere.normals.end());
-            append(mesh, i == 0 ? sphere : turned_inside_out(sphere));
-        }
-        mesh.patches.assign(mesh.vertices.size(), PatchKind::Contact);
-        mesh.mean_curvatures.assign(mesh.vertices.size(), 0.6F);
-    }
-
-    Structure structure;
-    Mesh mesh;
 };
 
 }  // namespace meniscus::testing

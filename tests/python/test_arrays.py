@@ -144,9 +144,11 @@ class Paths(InScratchFolder):
             meniscus.measure(UBIQUITIN, watters=True)
 
     def test_they_are_described_once(self):
-        from meniscus import _structure
-        parameters = inspect.signature(meniscus.read).parameters
-        self.assertEqual(set(_structure.Reading.__annotations__), set(parameters) - {"path", "radii"})
+        from meniscus import _reading
+        options = set(inspect.signature(meniscus.ReadOptions).parameters)
+        self.assertEqual(options, set(_reading.ReadingOfFile.__annotations__))
+        self.assertEqual(options - {"radii"} | {"frame"}, set(_reading.Reading.__annotations__))
+        self.assertEqual(options | {"path", "options", "format", "name"}, set(inspect.signature(meniscus.read).parameters))
 
     def test_warnings_of_reading_name_the_line_of_the_caller(self):
         with open("odd.pqr", "w", encoding="ascii") as file:
@@ -159,11 +161,10 @@ class Paths(InScratchFolder):
 
     def test_what_is_no_atoms_is_called_by_its_type(self):
         surface = meniscus.surface(CENTRES, RADII)
-        with open("empty", "wb+") as file:
-            for atoms, name in ((None, "NoneType"), (b"1ubq.pdb", "bytes"), (file, "BufferedRandom"), (3.0, "float")):
-                for call in (meniscus.surface, meniscus.measure):
-                    with self.assertRaisesRegex(TypeError, f"atoms: must be a Structure, .* not {name}$"):
-                        call(atoms)
+        for atoms, name in ((None, "NoneType"), (b"1ubq.pdb", "bytes"), (3.0, "float")):
+            for call in (meniscus.surface, meniscus.measure):
+                with self.assertRaisesRegex(TypeError, f"atoms: must be a Structure, .* not {name}$"):
+                    call(atoms)
         for atoms, name in ((surface, "Surface"), (surface.measures, "Measures"), (surface.sample(), "Points")):
             with self.assertRaisesRegex(TypeError, f"not {name}; its atoms are its .structure"):
                 meniscus.measure(atoms)

@@ -4,6 +4,7 @@
 import importlib.util
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -33,6 +34,44 @@ foot: npt.NDArray[np.float64] = exact.of_same_atoms(probe=1).nearest([[0, 0, 0]]
 surface = exact.mesh(edge=1.0, keep_ridges=True)
 exact.mesh(edgy=1.0)
 """
+
+# Right words, and with a "W" wrong ones, each an error of its line.
+WORDS = """
+import io
+from typing import Any
+
+import meniscus
+
+options = meniscus.SurfaceOptions(method="direct", spacing=1.0, time_step=None)
+reading = meniscus.ReadOptions(hetero="ligands", radii="bondi", model="join")
+run = meniscus.RunOptions(threads=2, memory="4G")
+surface: meniscus.Surface = meniscus.surface("x.pdb", options=options, reading=reading, run=run)
+surface.save("x.ply", color="curvature:-1:1", field="mask", arrays="depth", view="front", maps="apbs")
+surface.write(io.BytesIO(), format="glb")
+part: meniscus.Sum = surface.measures.sum("chain A")
+area: float = part.errors["sas_area"]
+table: Any = surface.measures.to_pandas("residue")
+meniscus.read(io.BytesIO(), format="pqr", hydrogens="keep")
+meniscus.surface("x.pdb", method="fast")  # W
+meniscus.surface("x.pdb", surface="sass")  # W
+meniscus.surface("x.pdb", components="some")  # W
+meniscus.surface("x.pdb", hetero="some")  # W
+meniscus.SurfaceOptions(method="fast")  # W
+options.replace(corners="far")  # W
+meniscus.ReadOptions(hydrogens="add")  # W
+reading.replace(hetero="some")  # W
+run.replace(thread=2)  # W
+meniscus.read("x.pdb", hydrogens="add")  # W
+meniscus.read(io.BytesIO(), format="docx")  # W
+surface.save("x.ply", field="masks")  # W
+surface.save("x.ply", arrays="depths")  # W
+surface.write(io.BytesIO(), format="gif")  # W
+surface.map_values("x.dx", interpolation="nearest")  # W
+surface.measures.table("helix")  # W
+surface.measures.to_pandas("helix")  # W
+meniscus.ExactSurface("x.pdb", surface="mesh")  # W
+meniscus.map(["x.pdb"], command="compare")  # W
+"""
 UNPACK = "--enable-incomplete-feature=Unpack"
 # Its classes have a metaclass and an __init__ that takes anything.
 OF_PYBIND11 = r"meniscus\._core\.(ComparedSurface|ExactSurface|Interfaces|Measures|Mesh|Structure|Surface)(\.__init__)?" + "\n"
@@ -57,6 +96,13 @@ class Types(InScratchFolder):
         self.assertIn("Found 3 errors in 1 file", result.stdout)
         self.assertIn('Unexpected keyword argument "watters" for "measure"', result.stdout)
         self.assertIn('Unexpected keyword argument "edgy" for "mesh" of "ExactSurface"', result.stdout)
+
+    def test_wrong_words_are_refused(self):
+        pathlib.Path("words.py").write_text(WORDS)
+        result = self.mypy("--strict", UNPACK, "words.py")
+        wrong = {number for number, line in enumerate(WORDS.splitlines(), 1) if line.endswith("# W")}
+        found = {int(number) for number in re.findall(r"^words\.py:(\d+): error", result.stdout, re.MULTILINE)}
+        self.assertEqual(found, wrong, result.stdout + result.stderr)
 
     def test_the_stub_describes_the_extension(self):
         pathlib.Path("allowed").write_text(OF_PYBIND11)

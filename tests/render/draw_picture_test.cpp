@@ -7,6 +7,7 @@
 
 #include "meniscus/errors.h"
 #include "meniscus/picture.h"
+#include "render/draw_by.h"
 #include "render/small_scenes.h"
 
 namespace meniscus {
@@ -152,6 +153,15 @@ TEST(DrawPicture, WhatMakesNoSenseIsRefused) {
     Mesh broken = ball.mesh;
     broken.triangles[0][1] = 1000000;
     EXPECT_THROW(draw_picture(broken, ball.colours, {}), UsageError);
+}
+
+TEST(DrawPicture, UsesTheSkyItIsGiven) {
+    const ColouredMesh ball = blue_sphere({{0, 0, 0}, 3.0}, 0.5);
+    const std::vector<float> night(ball.mesh.vertices.size(), 0.0F);
+    const PictureOptions options{.width = 20, .height = 20};
+    const Picture dark = draw_picture_by(night, ball.mesh, ball.colours, options);
+    const Picture light = draw_picture(ball.mesh, ball.colours, options);
+    EXPECT_LT(pixel(dark, 10, 10).blue, pixel(light, 10, 10).blue);
 }
 
 }  // namespace

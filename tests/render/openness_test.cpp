@@ -7,7 +7,8 @@
 #include <algorithm>
 
 #include "render/camera.h"
-#include "render/scene.h"
+#include "render/sky_light.h"
+#include "render/sky_reach.h"
 #include "render/small_scenes.h"
 
 namespace meniscus {
@@ -18,7 +19,7 @@ using testing::ColouredMesh;
 
 TEST(Openness, NothingHidesTheSkyFromABall) {
     const Mesh ball = blue_sphere({{0, 0, 0}, 3.0}, 0.5).mesh;
-    for (const float share : openness(ball, RayScene(ball))) EXPECT_GT(share, 0.97F);
+    for (const float share : openness(ball)) EXPECT_GT(share, 0.97F);
 }
 
 TEST(Openness, IsNearWhatPicturesSee) {
@@ -26,21 +27,12 @@ TEST(Openness, IsNearWhatPicturesSee) {
     append(scene, blue_sphere({{5.0, 0, 0}, 3.0}, 0.4));
     const RayScene rays(scene.mesh);
     const SkyLight sky({rays, scene.mesh, reach_of_sky(Camera(scene.mesh.vertices, {}))});
-    const std::vector<float> shares = openness(scene.mesh, rays);
+    const std::vector<float> shares = openness(scene.mesh);
     double sum = 0.0;
     for (std::size_t v = 0; v < shares.size(); ++v)
         sum += std::abs(double{shares[v]} - double{sky.at(static_cast<VertexId>(v))});
     EXPECT_LT(sum / static_cast<double>(shares.size()), 0.05);
     EXPECT_LT(*std::min_element(shares.begin(), shares.end()), 0.75F) << "there is shade between the balls";
-}
-
-TEST(DrawPictureBy, UsesTheSkyItIsGiven) {
-    const ColouredMesh scene = blue_sphere({{0, 0, 0}, 3.0}, 0.5);
-    const std::vector<float> night(scene.mesh.vertices.size(), 0.0F);
-    const PictureOptions options{.width = 20, .height = 20};
-    const Picture dark = draw_picture_by(night, scene.mesh, RayScene(scene.mesh), scene.colours, options);
-    const Picture light = draw_picture(scene.mesh, scene.colours, options);
-    EXPECT_LT(testing::pixel(dark, 10, 10).blue, testing::pixel(light, 10, 10).blue);
 }
 
 }  // namespace

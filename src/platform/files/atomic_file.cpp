@@ -147,7 +147,7 @@ void AtomicFile::open_temporary() {
 }
 
 void AtomicFile::reserve([[maybe_unused]] std::size_t size) {
-#ifdef FALLOC_FL_KEEP_SIZE
+#if defined(FALLOC_FL_KEEP_SIZE) && !defined(__EMSCRIPTEN__)
     if (temporary_.empty()) return;
     const int result = ::fallocate(descriptor_, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(size));
     if (result != 0 && errno == ENOSPC) fail(errno);  // other errors: the file system cannot do this

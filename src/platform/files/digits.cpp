@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "platform/files/shortest_digits.h"
+
 namespace meniscus {
 namespace {
 
@@ -53,7 +55,7 @@ std::string_view digits_of_thousandths(double value, Digits& digits) {
 
 template <class T>
 std::string_view fewest_digits(T value, Digits& digits) {
-    const auto* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    const auto* const end = print_shortest(digits.data(), digits.data() + digits.size(), value);
     return {digits.data(), static_cast<std::size_t>(end - digits.data())};
 }
 

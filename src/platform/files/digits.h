@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <string_view>
 
@@ -17,5 +18,8 @@ std::string_view digits_of(float value, Digits& digits);
 std::string_view digits_of(double value, Digits& digits);
 std::string_view digits_of(std::uint64_t value, Digits& digits);
 std::string_view digits_of(std::int64_t value, Digits& digits);
+std::string_view digits_of(std::unsigned_integral auto value, Digits& digits) {
+    return digits_of(std::uint64_t{value}, digits);
+}
 
 }  // namespace meniscus

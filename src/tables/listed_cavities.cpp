@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "meniscus/mesh.h"
 #include "meniscus/tables.h"
-#include "page/page_data.h"
 
-namespace meniscus::page {
+namespace meniscus {
 namespace {
 
 /// An exact cavity and a piece of the mesh are the same if their centroids are no farther apart than this share of the
@@ -74,16 +74,16 @@ ListedCavity from_measures(const SurfaceComponent& cavity, const Wall* wall, con
 
 }  // namespace
 
-std::vector<ListedCavity> list_cavities(const Mesh& mesh, const Structure& structure, const PageOptions& options) {
+std::vector<ListedCavity> list_cavities(const Mesh& mesh, const Structure& structure, std::span<const SurfaceComponent> components) {
     const std::vector<Wall> walls = walls_of(mesh);
     std::vector<ListedCavity> listed;
-    for (const SurfaceComponent& c : options.components)
+    for (const SurfaceComponent& c : components)
         if (c.kind == ComponentKind::Cavity) listed.push_back(from_measures(c, wall_of(c, walls), structure));
-    if (options.components.empty())
+    if (components.empty())
         for (const Wall& wall : walls) listed.push_back(from_mesh(wall));
     std::stable_sort(listed.begin(), listed.end(),
                      [](const ListedCavity& a, const ListedCavity& b) { return a.volume > b.volume; });
     return listed;
 }
 
-}  // namespace meniscus::page
+}  // namespace meniscus

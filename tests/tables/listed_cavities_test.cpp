@@ -4,9 +4,10 @@
 
 #include <numbers>
 
-#include "page/decoding.h"
+#include "meniscus/tables.h"
+#include "support/small_molecule.h"
 
-namespace meniscus::page {
+namespace meniscus {
 namespace {
 
 using testing::SmallMolecule;
@@ -36,7 +37,7 @@ TEST(Cavities, ExactOnesFindTheirWallsInTheMesh) {
     const std::vector components{cavity_at({500.0, 0.0, 0.0}, 20.0),
                                  cavity_at(molecule.structure.atoms.centres[1] + Vec3{0.2, 0, 0}, 14.0),
                                  SurfaceComponent{}};
-    const auto listed = list_cavities(molecule.mesh, molecule.structure, {.components = components});
+    const auto listed = list_cavities(molecule.mesh, molecule.structure, components);
     ASSERT_EQ(listed.size(), 2U);
     EXPECT_EQ(listed[0].volume, 20.0);
     EXPECT_EQ(listed[0].component, kNone) << "nothing of the mesh is there";
@@ -51,4 +52,4 @@ TEST(Cavities, AMeshWithoutComponentsHasNone) {
 }
 
 }  // namespace
-}  // namespace meniscus::page
+}  // namespace meniscus

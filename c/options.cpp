@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Options from text, by the descriptions that the other clients use.
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+#include "meniscus/describe_options.h"
+#include "meniscus/file_words.h"
+#include "objects.h"
+
+namespace meniscus::c {
+namespace {
+
+bool flag_from(const std::string& name, const std::string& text) {
+    if (text == "true" || text == "1") return true;
+    if (text == "false" || text == "0") return false;
+    throw UsageError(name + ": must be true or false, not '" + text + "'");
+}
+
+double number_from(const Option& option, const std::string& text) {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (text.empty() || end != text.c_str() + text.size())
+        throw UsageError(std::string(option.name) + ": '" + text + "' is not a number");
+    if (!contains(option.range, value))
+        throw UsageError(std::string(option.name) + ": must be " + words_for(option.range) + ", not " + text);
+    return value;
+}
+
+template <class Whole>
+Whole whole_from(const Option& option, const std::string& text) {
+    const double value = number_from(option, text);
+    const auto whole = static_cast<Whole>(value >= 0.0 && value < 2e9 ? value : 0.0);
+    if (static_cast<double>(whole) != value)
+        throw UsageError(std::string(option.name) + ": must be a whole number, not " + text);
+    return whole;
+}
+
+/// Sets the option of one name, among those that a description visits.
+struct OptionSetter {
+    const std::string& name;
+    const std::string& text;
+    bool found = false;
+
+    void operator()(const Option& option, bool& target) {
+        if (is(option)) target = flag_from(name, text);
+    }
+    void operator()(const Option& option, double& target) {
+        if (is(option)) target = number_from(option, text);
+    }
+    void operator()(const Option& option, int& target) {
+        if (is(option)) target = whole_from<int>(option, text);
+    }
+    void operator()(const Option& option, std::size_t& target) {
+        if (is(option)) target = whole_from<std::size_t>(option, text);
+    }
+    void operator()(const Option& option, double& target, double (*of)(double)) {
+        if (is(option)) target = of(number_from(option, text));
+    }
+    void operator()(const Option& option, FlowOptions& flow, const Words<FlowName, 3>& words) {
+        if (is(option)) flow = flow_of(parse_word(name, text, words));
+    }
+    template <class T, std::size_t N>
+    void operator()(const Option& option, T& target, const Words<T, N>& words) {
+        if (is(option)) target = parse_word(name, text, words);
+    }
+
+private:
+    bool is(const Option& option) {
+        if (name != option.name) return false;
+        found = true;
+        return true;
+    }
+};
+
+std::vector<std::string> names_in(std::string_view list) {
+    std::vector<std::string> names;
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        names.emplace_back(list.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return names;
+}
+
+/// Sets an option of reading; false if it is none.
+bool set_reading(ReadOptions& read, const std::string& name, const std::string& text) {
+    const Option model{.name = "model", .range = NumberRange::Positive};
+    if (name == "radii")
+        read.radii = text;
+    else if (name == "hydrogens")
+        read.hydrogens = parse_word(name, text, kHydrogenWords);
+    else if (name == "hetero")
+        read.hetero = parse_word(name, text, kHeteroWords);
+    else if (name == "waters")
+        read.keep_waters = flag_from(name, text);
+    else if (name == "model" && text == "join")
+        read.join_models = true;
+    else if (name == "model")
+        read.model = whole_from<int>(model, text);
+    else if (name == "assembly")
+        read.assembly = text;
+    else if (name == "altloc")
+        read.altloc = text;
+    else if (name == "chains")
+        read.chains = names_in(text);
+    else if (name == "select")
+        read.select = text;
+    else if (name == "strict_radii")
+        read.strict_radii = flag_from(name, text);
+    else
+        return false;
+    return true;
+}
+
+void set(Options& options, const std::string& name, const std::string& text) {
+    OptionSetter setter{name, text};
+    describe(options.surface, setter);
+    describe(options.run, setter);
+    if (setter.found || set_reading(options.read, name, text)) return;
+    if (name == "exact")
+        options.surface.exact = flag_from(name, text);
+    else if (name == "between")
+        options.between = text;
+    else
+        throw UsageError("there is no option '" + name + "'; docs/reference/options.md lists them");
+}
+
+}  // namespace
+
+std::string spell(std::string_view option, std::string_view value) {
+    return spell_as_member(option == "keep_waters" ? "waters" : option, value);
+}
+
+}  // namespace meniscus::c
+
+meniscus_options* meniscus_options_new(void) { return new (std::nothrow) meniscus_options; }
+
+void meniscus_options_free(meniscus_options* options) { delete options; }
+
+meniscus_status meniscus_options_set(meniscus_options* options, const char* name, const char* value) {
+    using namespace meniscus::c;
+    return guarded([&] {
+        need(options, "options");
+        need(name, "name");
+        need(value, "value");
+        set(*options, name, value);
+    });
+}

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Results as JSON, with the keys of the program's reports.
+#include "io/describe_structure.h"
+#include "io/json_visitor.h"
+#include "io/options_json.h"
+#include "meniscus/tables.h"
+#include "meniscus/version.h"
+#include "objects.h"
+
+namespace meniscus::c {
+namespace {
+
+ordered_json input_block(const Structure& structure, double probe) {
+    return described_as_json([&](auto& visit) {
+        describe_file(structure, visit);
+        describe_kept(structure, probe, visit);
+    });
+}
+
+template <class List>
+ordered_json described_one_by_one(const List& list) {
+    ordered_json all = ordered_json::array();
+    for (const auto& element : list) all.push_back(described_as_json([&](auto& visit) { describe(element, visit); }));
+    return all;
+}
+
+ordered_json cavities_block(const Mesh& mesh, const Structure& structure, std::span<const SurfaceComponent> exact) {
+    ordered_json all = ordered_json::array();
+    for (const ListedCavity& c : list_cavities(mesh, structure, exact))
+        all.push_back({{"volume", c.volume},
+                       {"area", c.area},
+                       {"centre", json_of(c.centre)},
+                       {"radius", c.radius},
+                       {"component", c.component == kNone ? ordered_json() : ordered_json(c.component)},
+                       {"lining", c.lining}});
+    return all;
+}
+
+void add_exact(ordered_json& report, const Measures* measures) {
+    report["exact"] =
+        measures == nullptr ? ordered_json() : described_as_json([&](auto& visit) { describe(*measures, visit); });
+    report["components"] = measures == nullptr ? ordered_json() : described_one_by_one(measures->components);
+}
+
+/// "A,B:C" as a pair of groups of chains and ligands.
+ChainPair pair_from(const std::string& text) {
+    const std::size_t colon = text.find(':');
+    if (colon == std::string::npos) throw UsageError("between: write all, or two groups as A,B:C, not '" + text + "'");
+    return {split_group(text.substr(0, colon)), split_group(text.substr(colon + 1))};
+}
+
+std::vector<ChainInterface> interfaces_of(const Structure& structure, const Options& options) {
+    const double probe = options.surface.probe;
+    const std::vector<ChainPair> pairs =
+        options.between == "all" ? touching_chains(structure, probe) : std::vector{pair_from(options.between)};
+    return chain_interfaces(structure, pairs, {.probe = probe, .threads = options.run.threads});
+}
+
+std::string text_of(const ordered_json& json) {
+    return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::string report_of(const Structure& structure) { return text_of(input_block(structure, ExactOptions{}.probe)); }
+
+std::string report_of(const Structure& structure, const ExactSurface& exact, const Options& options) {
+    ordered_json report{{"meniscus", kVersion}, {"schema", 1}};
+    report["input"] = input_block(structure, exact.options().probe);
+    add_exact(report, &exact.measures());
+    report["cavities"] = cavities_block({}, structure, exact.measures().components);
+    if (!options.between.empty()) report["interfaces"] = described_one_by_one(interfaces_of(structure, options));
+    return text_of(report);
+}
+
+std::string report_of(const Structure& structure, const Surface& surface) {
+    const Measures* measured = surface.measured.get();
+    ordered_json report{{"meniscus", kVersion}, {"schema", 1}};
+    report["input"] = input_block(structure, surface.options.probe);
+    report["options"] = options_block(surface.options);
+    add_exact(report, measured);
+    report["mesh"] = described_as_json([&](auto& visit) { describe_mesh(surface, measured, visit); });
+    report["flow"] = surface.options.method == Method::Flow
+                         ? described_as_json([&](auto& visit) { describe_flow(surface, visit); })
+                         : ordered_json();
+    report["checks"] = described_one_by_one(surface.checks);
+    report["expected"] = described_as_json([&](auto& visit) { describe(surface.expected, visit); });
+    const std::span<const SurfaceComponent> pieces = measured != nullptr
+                                                         ? std::span<const SurfaceComponent>(measured->components)
+                                                         : std::span<const SurfaceComponent>();
+    report["cavities"] = cavities_block(surface.mesh, structure, pieces);
+    return text_of(report);
+}
+
+}  // namespace meniscus::c

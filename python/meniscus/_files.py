@@ -1,0 +1,135 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+"""Paths and open files: what is read from either, and written to either."""
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import pathlib
+import secrets
+import tempfile
+from collections.abc import Callable, Iterator
+from typing import Any, BinaryIO, Protocol, Union
+
+from ._errors import InputError, UsageError, text_of_path
+
+Path = Union[str, "os.PathLike[str]"]
+
+
+class Readable(Protocol):
+    """An open file, io.BytesIO, io.StringIO, gzip.GzipFile ..."""
+
+    def read(self) -> bytes | str: ...
+
+
+class Writable(Protocol):
+    """An open file, io.BytesIO, gzip.GzipFile ..."""
+
+    def write(self, data: Any, /) -> object: ...
+
+
+Source = Union[Path, Readable]
+Target = Union[Path, Writable]
+
+
+def is_file(value: object) -> bool:
+    """Whether this is an open file that can be read, and not the path of one."""
+    return not isinstance(value, (str, os.PathLike)) and hasattr(value, "read")
+
+
+def name_of(file: object) -> str:
+    """The path that a file was opened by; empty if it has none."""
+    name = getattr(file, "name", "")
+    return name if isinstance(name, str) else ""
+
+
+def content_of(file: Any) -> bytes:
+    """All that is still to be read from a file; text as UTF-8."""
+    data = file.read()
+    if isinstance(data, str):
+        return data.encode("utf-8", "surrogateescape")
+    return bytes(data)
+
+
+def suffix_of(path: str, format: str | None) -> str:
+    """The suffix that says how to write: of the format, else of the path."""
+    return "." + format.lstrip(".") if format else pathlib.PurePath(path).suffix
+
+
+def saved_elsewhere(target: Target, format: str | None, save: Callable[[str], object]) -> bool:
+    """Writes to an open file, or to a path whose suffix is not that of the format.
+
+    save     writes to a path with the right suffix
+    returns  False for a path that can be written to as it is
+    """
+    if not isinstance(target, (str, os.PathLike)) and hasattr(target, "write"):
+        _write_to(target, _single_file(suffix_of(name_of(target), format), save))
+        return True
+    path = text_of_path(target)  # type: ignore[arg-type]
+    suffix = suffix_of(path, format)
+    if suffix == pathlib.PurePath(path).suffix:
+        return False
+    data = _single_file(suffix, save)
+    write_whole(path, lambda file: file.write(data))
+    return True
+
+
+def _single_file(suffix: str, save: Callable[[str], object]) -> bytes:
+    if not suffix:
+        raise UsageError('format: required for a file without a name; write for instance format="ply"')
+    with tempfile.TemporaryDirectory(prefix="meniscus-") as folder:
+        with _without_folder(folder):
+            save(os.path.join(folder, "output" + suffix))
+        files = list(pathlib.Path(folder).iterdir())
+        if len(files) != 1:
+            raise UsageError(f"format {suffix[1:]}: makes several files; give a path instead of an open file")
+        return files[0].read_bytes()
+
+
+def _write_to(file: Any, data: bytes) -> None:
+    if not isinstance(file, io.TextIOBase):
+        file.write(data)
+        return
+    try:
+        file.write(data.decode("utf-8"))
+    except UnicodeDecodeError:
+        raise UsageError("the file was opened as text, but this format is binary; open it with mode 'wb'") from None
+
+
+def write_whole(path: str, write: Callable[[BinaryIO], Any]) -> None:
+    """Under another name first: the file appears whole or not at all."""
+    temporary = f"{path}.{secrets.token_hex(4)}.tmp"
+    try:
+        with open(temporary, "xb") as file:
+            write(file)
+        os.replace(temporary, path)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.unlink(temporary)
+        raise
+
+
+@contextlib.contextmanager
+def _without_folder(folder: str) -> Iterator[None]:
+    """Messages do not name the folder of temporary files, of which the caller knows nothing."""
+    try:
+        yield
+    except (InputError, UsageError) as error:
+        raise type(error)(str(error).replace(folder + os.sep, "")) from None
+
+
+@contextlib.contextmanager
+def on_disk(source: Source, format: str | None = None) -> Iterator[str]:
+    """The path of a file with the content of an open one; a path as it is. Messages have the name without the folder."""
+    if not is_file(source):
+        yield text_of_path(source)  # type: ignore[arg-type]
+        return
+    name = os.path.basename(name_of(source)) or "data"
+    if format:
+        name = pathlib.PurePath(name).stem + suffix_of(name, format)
+    with tempfile.TemporaryDirectory(prefix="meniscus-") as folder:
+        path = os.path.join(folder, name)
+        pathlib.Path(path).write_bytes(content_of(source))
+        with _without_folder(folder):
+            yield path

@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+"""What docs/howto/web-viewers.md shows, run in Chromium.
+
+usage: howto_test.py MENISCUS ROOT PACKAGE VIEWERS    as adapters_test.py
+"""
+import shutil
+import sys
+import pathlib
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "docs"))
+import markdown  # noqa: E402
+
+import web_browser
+
+PAGE = """<!DOCTYPE html>
+<link rel="icon" href="data:,">
+<script src="/node_modules/{name}/{script}"></script>
+<script type="importmap">
+{{"imports": {{"meniscus-surface": "/node_modules/meniscus-surface/dist/index.js",
+              "meniscus-surface/adapters/{name}": "/node_modules/meniscus-surface/adapters/{name}.js"}}}}
+</script>
+<div id="view" style="position: relative; width: 400px; height: 300px"></div>
+<script type="module">
+{code}
+globalThis.vertices = shown.surface.positions.length / 3;
+</script>
+"""
+
+
+class HowTo(web_browser.BrowserTest):
+    def test_what_is_shown_runs(self):
+        shutil.copy(self.root / "examples" / "1ubq.pdb", self.folder)
+        blocks = [block for block in markdown.read(self.root / "docs" / "howto" / "web-viewers.md")[0] if block.kind == "js"]
+        for_all = "".join(block.text for block in blocks if block.info == ["js"])
+        self.assertEqual([block.info[1] for block in blocks if len(block.info) > 1], list(web_browser.VIEWERS))
+        for name, script in web_browser.VIEWERS.items():
+            with self.subTest(name):
+                code = next(block.text for block in blocks if block.info == ["js", name]) + for_all
+                (self.folder / f"{name}.html").write_text(PAGE.format(name=name, script=script, code=code), encoding="utf-8")
+                self.open(f"made/{name}.html")
+                self.assertGreater(self.wait("globalThis.vertices"), 10000)
+                self.assertEqual(self.browser.errors(), [])
+
+
+if __name__ == "__main__":
+    web_browser.main()

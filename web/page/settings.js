@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The options of the surface, as the form has them.
+"use strict";
+
+const Settings = (() => {
+  const {$} = Panel;
+  const numbers = ["probe", "spacing", "model"], words = ["radii", "method", "hetero", "hydrogens", "assembly", "select"];
+
+  /** What the engine is asked for; a field that is empty is left to the engine. Throws an Error with one line. */
+  function read() {
+    const options = {exact: $("exact").checked, interfaces: $("between").checked && $("exact").checked};
+    for (const id of numbers) {
+      if (!$(id).checkValidity() || $(id).value === "") {
+        reveal($(id));
+        throw new Error(`${$(id).labels[0].textContent}: ${$(id).validationMessage || "a number is needed"}`);
+      }
+      options[id] = +$(id).value;
+    }
+    for (const id of words)
+      if ($(id).value.trim() !== "") options[id] = $(id).value.trim();
+    const chains = $("chains").value.split(",").map(c => c.trim()).filter(Boolean);
+    if (chains.length > 0) options.chains = chains;
+    if ($("waters").checked) options.keep_waters = true;
+    return options;
+  }
+
+  /** Unfolds what hides a field and goes there. */
+  function reveal(field) {
+    for (let e = field.parentElement; e; e = e.parentElement) if (e.tagName === "DETAILS") e.open = true;
+    field.focus();
+  }
+
+  /** changed() after every change, submitted() where the form is sent off. */
+  function listen({changed, submitted}) {
+    $("options").addEventListener("input", changed);
+    $("options").addEventListener("submit", e => {
+      e.preventDefault();
+      submitted();
+    });
+  }
+
+  return {read, listen};
+})();
