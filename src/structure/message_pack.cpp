@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "structure/message_pack.h"
 
-
 #include "core/bits.h"
 
 namespace meniscus::reading {

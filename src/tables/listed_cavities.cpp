@@ -74,7 +74,8 @@ ListedCavity from_measures(const SurfaceComponent& cavity, const Wall* wall, con
 
 }  // namespace
 
-std::vector<ListedCavity> list_cavities(const Mesh& mesh, const Structure& structure, std::span<const SurfaceComponent> components) {
+std::vector<ListedCavity> list_cavities(const Mesh& mesh, const Structure& structure,
+                                        std::span<const SurfaceComponent> components) {
     const std::vector<Wall> walls = walls_of(mesh);
     std::vector<ListedCavity> listed;
     for (const SurfaceComponent& c : components)

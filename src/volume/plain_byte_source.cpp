@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Takes the place of gzip_byte_source.cpp in a build without zlib (CMake's MENISCUS_ZLIB=OFF): gzipped files are refused.
+// Takes the place of gzip_byte_source.cpp in a build without zlib (CMake's MENISCUS_ZLIB=OFF): gzipped files are
+// refused.
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
