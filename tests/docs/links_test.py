@@ -13,7 +13,7 @@ import markdown
 
 SOURCE = pathlib.Path(sys.argv[1]).resolve()
 LARGEST_PICTURE = 200_000  # bytes, of a picture of the manual
-ALL_PICTURES = 1_200_000
+ALL_PICTURES = 1_500_000
 
 
 def all_pages():
