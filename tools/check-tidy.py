@@ -24,8 +24,11 @@ from sources import ROOT, Cache, closure, configurations, named, sources
 
 
 # Compiled only where the library that they are about is installed (packages.txt, section [full]) or chosen.
-OPTIONAL = {pathlib.Path("src/volume/vdb_module.cpp"), pathlib.Path("src/core/threads/none.cpp"),
-            pathlib.Path("src/core/threads/standard.cpp")}
+OPTIONAL = set(map(pathlib.Path, """
+src/volume/vdb_module.cpp src/core/threads/none.cpp src/core/threads/standard.cpp
+src/reading/no_gunzip.cpp src/volume/plain_byte_source.cpp src/structure/no_sha256.cpp src/io/no_zlib.cpp src/io/no_png.cpp
+src/io/png_standard_error.cpp src/page/no_pages.cpp src/render/no_pictures.cpp tests/render/no_pictures_test.cpp
+cli/batch/unused_formats.cpp""".split()))
 # -Wno-unknown-warning-option: the commands are GCC's.
 ARGUMENTS = ["--quiet", "--extra-arg=-Wno-unknown-warning-option", "--extra-arg=-Wreserved-identifier"]
 SETTINGS = ".clang-tidy"
