@@ -25,6 +25,7 @@
 #define MENISCUS_API
 #endif
 
+// NOLINTBEGIN(readability-identifier-naming): names are those of C, where prefixes stand for namespaces.
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -187,5 +188,6 @@ MENISCUS_API meniscus_status meniscus_write_mesh(const meniscus_surface* surface
 #ifdef __cplusplus
 }
 #endif
+// NOLINTEND(readability-identifier-naming)
 
 #endif
