@@ -22,6 +22,7 @@ std::string started_as() {
     std::error_code error;
     const std::filesystem::path link = std::filesystem::read_symlink("/proc/self/exe", error);
     if (!error) return link.string();
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): this is how the kernel hands the address over
     const auto* const name = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
     return name == nullptr ? "" : name;
 }
