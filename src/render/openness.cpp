@@ -91,6 +91,7 @@ std::vector<float> openness(const Mesh& mesh) {
         });
     }
     std::vector<float> shares;
+    shares.reserve(seen.size());
     for (const Seen& s : seen) shares.push_back(s.all > 0.0F ? s.open / s.all : 1.0F);
     for (int round = rounds_of_smoothing(edge); round > 0; --round) shares = smoothed(mesh, shares);
     return shares;
