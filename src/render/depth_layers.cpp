@@ -15,11 +15,12 @@ namespace {
 constexpr float kFar = std::numeric_limits<float>::infinity();
 constexpr double kMostPixels = 1 << 24U;
 
-/// The first and the last middle of a pixel, of `count`, between two numbers; the last is before the first for none.
+/// The first and the last middle of a pixel between two coordinates, which are not negative; the last is before the
+/// first for none. Conversion to a whole number takes a fraction of the time of std::ceil and std::floor.
 struct Middles {
-    Middles(float low, float high, int count)
-        : first(std::max(0, static_cast<int>(std::ceil(low - 0.5F)))),
-          last(std::min(count - 1, static_cast<int>(std::floor(high - 0.5F)))) {}
+    Middles(float low, float high) : first(static_cast<int>(low + 0.5F)), last(static_cast<int>(high + 0.5F) - 1) {}
+    bool empty() const { return last < first; }
+
     int first;
     int last;
 };
@@ -64,10 +65,11 @@ DepthLayers::Place DepthLayers::place(const Vec3& point) const {
 /// The middles of pixels on which a triangle lies. On the edge between two triangles a middle counts once or twice,
 /// which makes no difference.
 void DepthLayers::cross(const Place& a, const Place& b, const Place& c, std::vector<Crossing>& crossings) const {
-    const Middles x(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}), columns_);
-    const Middles y(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}), rows_);
+    const Middles x(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}));
+    if (x.empty()) return;
+    const Middles y(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}));
     const float twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-    if (x.last < x.first || y.last < y.first || twice == 0.0F) return;
+    if (y.empty() || twice == 0.0F) return;
     const float share = 1.0F / twice;
     for (int row = y.first; row <= y.last; ++row)
         for (int column = x.first; column <= x.last; ++column) {
