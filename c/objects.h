@@ -4,9 +4,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
+#include "meniscus/colour.h"
 #include "meniscus/exact_surface.h"
 #include "meniscus/meniscus.h"
 #include "meniscus/structure.h"
@@ -47,6 +49,9 @@ void need(const void* argument, const char* name);
 
 /// Thrown where the caller's progress function asks to stop.
 struct Stopped {};
+
+/// Writes a mesh with all that is known of it; colours: one per vertex, or none.
+void write_to(const std::string& path, const meniscus_surface& surface, std::span<const Colour> colours);
 
 std::string report_of(const Structure& structure);
 std::string report_of(const Structure& structure, const ExactSurface& exact, const Options& options);

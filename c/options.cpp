@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
 // Options from text, by the descriptions that the other clients use.
-#include <cstdlib>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string_view>
 #include <vector>
 
 #include "meniscus/describe_options.h"
 #include "meniscus/file_words.h"
 #include "objects.h"
+#include "reading/option_numbers.h"
 
 namespace meniscus::c {
 namespace {
@@ -18,23 +21,11 @@ bool flag_from(const std::string& name, const std::string& text) {
     throw UsageError(name + ": must be true or false, not '" + text + "'");
 }
 
-double number_from(const Option& option, const std::string& text) {
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (text.empty() || end != text.c_str() + text.size())
-        throw UsageError(std::string(option.name) + ": '" + text + "' is not a number");
-    if (!contains(option.range, value))
-        throw UsageError(std::string(option.name) + ": must be " + words_for(option.range) + ", not " + text);
-    return value;
-}
-
-template <class Whole>
-Whole whole_from(const Option& option, const std::string& text) {
-    const double value = number_from(option, text);
-    const auto whole = static_cast<Whole>(value >= 0.0 && value < 2e9 ? value : 0.0);
-    if (static_cast<double>(whole) != value)
+int whole_from(const Option& option, const std::string& text) {
+    const double value = parse_number(option.name, text, option.range);
+    if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max())
         throw UsageError(std::string(option.name) + ": must be a whole number, not " + text);
-    return whole;
+    return static_cast<int>(value);
 }
 
 /// Sets the option of one name, among those that a description visits.
@@ -47,16 +38,16 @@ struct OptionSetter {
         if (is(option)) target = flag_from(name, text);
     }
     void operator()(const Option& option, double& target) {
-        if (is(option)) target = number_from(option, text);
+        if (is(option)) target = parse_number(name, text, option.range);
     }
     void operator()(const Option& option, int& target) {
-        if (is(option)) target = whole_from<int>(option, text);
+        if (is(option)) target = whole_from(option, text);
     }
     void operator()(const Option& option, std::size_t& target) {
-        if (is(option)) target = whole_from<std::size_t>(option, text);
+        if (is(option)) target = parse_memory(name, text);
     }
     void operator()(const Option& option, double& target, double (*of)(double)) {
-        if (is(option)) target = of(number_from(option, text));
+        if (is(option)) target = of(parse_number(name, text, option.range));
     }
     void operator()(const Option& option, FlowOptions& flow, const Words<FlowName, 3>& words) {
         if (is(option)) flow = flow_of(parse_word(name, text, words));
@@ -81,12 +72,13 @@ std::vector<std::string> names_in(std::string_view list) {
         names.emplace_back(list.substr(begin, end - begin));
         begin = end + 1;
     }
+    if (std::find(names.begin(), names.end(), "") != names.end())
+        throw UsageError("chains: empty name in '" + std::string(list) + "'; write A,B");
     return names;
 }
 
 /// Sets an option of reading; false if it is none.
 bool set_reading(ReadOptions& read, const std::string& name, const std::string& text) {
-    const Option model{.name = "model", .range = NumberRange::Positive};
     if (name == "radii")
         read.radii = text;
     else if (name == "hydrogens")
@@ -98,7 +90,7 @@ bool set_reading(ReadOptions& read, const std::string& name, const std::string& 
     else if (name == "model" && text == "join")
         read.join_models = true;
     else if (name == "model")
-        read.model = whole_from<int>(model, text);
+        read.model = parse_count(name, text);
     else if (name == "assembly")
         read.assembly = text;
     else if (name == "altloc")

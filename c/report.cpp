@@ -43,17 +43,15 @@ void add_exact(ordered_json& report, const Measures* measures) {
     report["components"] = measures == nullptr ? ordered_json() : described_one_by_one(measures->components);
 }
 
-/// "A,B:C" as a pair of groups of chains and ligands.
-ChainPair pair_from(const std::string& text) {
-    const std::size_t colon = text.find(':');
-    if (colon == std::string::npos) throw UsageError("between: write all, or two groups as A,B:C, not '" + text + "'");
-    return {split_group(text.substr(0, colon)), split_group(text.substr(colon + 1))};
+std::vector<ChainPair> pairs_from(const std::string& between, const Structure& structure, double probe) {
+    if (between == "all") return touching_chains(structure, probe);
+    if (const std::optional<ChainPair> pair = split_pair(between)) return {*pair};
+    throw UsageError("between: '" + between + "' is not a pair of groups; write A:B, A,C:B or all");
 }
 
 std::vector<ChainInterface> interfaces_of(const Structure& structure, const Options& options) {
     const double probe = options.surface.probe;
-    const std::vector<ChainPair> pairs =
-        options.between == "all" ? touching_chains(structure, probe) : std::vector{pair_from(options.between)};
+    const std::vector<ChainPair> pairs = pairs_from(options.between, structure, probe);
     return chain_interfaces(structure, pairs, {.probe = probe, .threads = options.run.threads});
 }
 

@@ -20,6 +20,17 @@ Progress progress_by(meniscus_progress function, void* user) {
 const float* data_or_null(const std::vector<float>& values) { return values.empty() ? nullptr : values.data(); }
 
 }  // namespace
+
+void write_to(const std::string& path, const meniscus_surface& surface, std::span<const Colour> colours) {
+    const Surface& s = surface.surface;
+    write_mesh(path, s.mesh,
+               {.colours = colours,
+                .structure = surface.structure.get(),
+                .computed_with = &s.options,
+                .probe = s.options.probe,
+                .shortest_edge = s.measures.shortest_edge});
+}
+
 }  // namespace meniscus::c
 
 using namespace meniscus::c;
@@ -87,11 +98,6 @@ meniscus_status meniscus_write_mesh(const meniscus_surface* surface, const char*
     return guarded([&] {
         need(surface, "surface");
         need(path, "path");
-        const meniscus::Surface& s = surface->surface;
-        meniscus::write_mesh(path, s.mesh,
-                             {.structure = surface->structure.get(),
-                              .computed_with = &s.options,
-                              .probe = s.options.probe,
-                              .shortest_edge = s.measures.shortest_edge});
+        write_to(path, *surface, {});
     });
 }

@@ -21,13 +21,6 @@ constexpr const char* kMeasureExamples =
     "  meniscus measure 1abc.pdb --between A:B               an interface\n"
     "  meniscus measure 1abc.pdb -o depth.pdb --value depth  depths as B factors";
 
-std::vector<std::string> checked_group(const std::string& group, const std::string& whole) {
-    std::vector<std::string> names = split_group(group);
-    if (std::find(names.begin(), names.end(), "") != names.end())
-        throw UsageError(fmt::format("--between: empty name in '{}'; write --between A:B, A,C:B or all", whole));
-    return names;
-}
-
 std::size_t count_kind(const MeasureRequest& request, OutputKind kind) {
     return static_cast<std::size_t>(
         std::count_if(request.outputs.begin(), request.outputs.end(),
@@ -87,11 +80,8 @@ std::string restate_between(const std::string& text) {
 
 std::optional<ChainPair> parse_between(const std::string& text) {
     if (text == "all") return std::nullopt;
-    const std::size_t colon = text.find(':');
-    if (colon == std::string::npos || text.find(':', colon + 1) != std::string::npos)
-        throw UsageError(
-            fmt::format("--between: '{}' is not a pair of groups; write --between A:B, A,C:B or all", text));
-    return ChainPair{checked_group(text.substr(0, colon), text), checked_group(text.substr(colon + 1), text)};
+    if (std::optional<ChainPair> pair = split_pair(text)) return pair;
+    throw UsageError(fmt::format("--between: '{}' is not a pair of groups; write --between A:B, A,C:B or all", text));
 }
 
 }  // namespace meniscus::cli

@@ -12,7 +12,7 @@
 
 #include "meniscus/describe_options.h"
 #include "meniscus/words.h"
-#include "numbers.h"
+#include "reading/option_numbers.h"
 
 namespace meniscus::cli {
 

@@ -7,7 +7,7 @@ set(MENISCUS_THREADS std)  # Debian has no static oneTBB
 set(MENISCUS_VDB OFF)      # nor OpenVDB
 set(MENISCUS_INSTALL OFF)
 set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
-set(fmt_DIR ${CMAKE_CURRENT_LIST_DIR}/portable)
+set(fmt_DIR ${CMAKE_CURRENT_LIST_DIR}/headers)
 set(CMAKE_CXX_LINK_OPTIONS_PIE -fPIE -static-pie)
 list(APPEND link_program -s)
 # What is not called is left out, and with it functions of newer C libraries.

@@ -65,6 +65,20 @@ function(meniscus_room name)
   meniscus_part(meniscus_${name})
 endfunction()
 
+# meniscus_choose(OPTION WITH source ... LINKING library ... WITHOUT source): of a room that can do without a library. Adds to
+# `chosen` and `linked` what the option asks for; cmake/libraries.cmake has found the libraries.
+function(meniscus_choose option)
+  cmake_parse_arguments(ARG "" "" "WITH;LINKING;WITHOUT" ${ARGN})
+  if(${option})
+    list(APPEND chosen ${ARG_WITH})
+    list(APPEND linked ${ARG_LINKING})
+  else()
+    list(APPEND chosen ${ARG_WITHOUT})
+  endif()
+  set(chosen ${chosen} PARENT_SCOPE)
+  set(linked ${linked} PARENT_SCOPE)
+endfunction()
+
 # The objects of this target become part of the library that is being described (src/CMakeLists.txt).
 function(meniscus_part target)
   set_property(GLOBAL APPEND PROPERTY MENISCUS_PARTS_${library} ${target})

@@ -53,10 +53,10 @@ PUBLIC = {
     "volume_file": "volume", "words": "pipeline", "write": "io",
 }
 # What clients may use beside the public headers: how to write a file of their own whole or not at all, how foreign
-# words stand in messages, how to load a library, processes and their files, options and results as JSON.
+# words stand in messages, how options are read from text, how to load a library, processes and their files, options and results as JSON.
 FOR_CLIENTS = ("src/io/options_json.h", "src/io/json_visitor.h", "src/io/describe_structure.h",
-               "src/platform/files/atomic_file.h", "src/reading/text.h", "src/platform/files/loaded_library.h",
-               "src/platform/files/own_file.h", "src/platform/files/child_process.h")
+               "src/platform/files/atomic_file.h", "src/reading/text.h", "src/reading/option_numbers.h",
+               "src/platform/files/loaded_library.h", "src/platform/files/own_file.h", "src/platform/files/child_process.h")
 # Words that only some folders may include.
 ONLY_IN = {
     "<tbb/": ("src/core/threads/tbb.cpp", "src/render/ray_scene.cpp"),

@@ -11,7 +11,6 @@
 #include "meniscus/cost.h"
 #include "meniscus/file_words.h"
 #include "meniscus/page.h"
-#include "meniscus/write.h"
 
 // clang-format off
 EM_JS(int, tell_progress, (const char* stage, double fraction), {
@@ -60,16 +59,8 @@ EMSCRIPTEN_KEEPALIVE void meniscus_web_positions(const meniscus_surface* surface
 
 /// meniscus_write_mesh(), with the colours that the program gives.
 EMSCRIPTEN_KEEPALIVE meniscus_status meniscus_web_write_mesh(const meniscus_surface* surface, const char* path) {
-    return guarded([&] {
-        const meniscus::Surface& s = surface->surface;
-        const std::vector<meniscus::Colour> colours = meniscus::colour_vertices(s.mesh, *surface->structure);
-        meniscus::write_mesh(path, s.mesh,
-                             {.colours = colours,
-                              .structure = surface->structure.get(),
-                              .computed_with = &s.options,
-                              .probe = s.options.probe,
-                              .shortest_edge = s.measures.shortest_edge});
-    });
+    return guarded(
+        [&] { write_to(path, *surface, meniscus::colour_vertices(surface->surface.mesh, *surface->structure)); });
 }
 
 /// Seconds of native code on one core, and MB that a surface would need.

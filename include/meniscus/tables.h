@@ -90,6 +90,10 @@ struct ChainPair {
 /// may be empty, as in "A,".
 std::vector<std::string> split_group(const std::string& text);
 
+/// Splits "A,C:B" at its colon into two groups, as split_group() splits these; nothing for a text without exactly one
+/// colon, or with an empty name.
+std::optional<ChainPair> split_pair(const std::string& text);
+
 /// The interface of two groups of chains and ligands.
 struct ChainInterface {
     ChainPair chains;

@@ -189,6 +189,15 @@ std::vector<std::string> split_group(const std::string& text) {
     return names;
 }
 
+std::optional<ChainPair> split_pair(const std::string& text) {
+    const std::size_t colon = text.find(':');
+    if (colon == std::string::npos || text.find(':', colon + 1) != std::string::npos) return std::nullopt;
+    ChainPair pair{split_group(text.substr(0, colon)), split_group(text.substr(colon + 1))};
+    for (const auto* group : {&pair.a, &pair.b})
+        if (std::find(group->begin(), group->end(), "") != group->end()) return std::nullopt;
+    return pair;
+}
+
 std::vector<ChainPair> touching_chains(const Structure& structure, double probe) {
     check_match(structure, structure.atoms.size());
     const Chains chains = chains_of(structure);

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "platform/files/shortest_digits.h"
 
-#ifndef __cpp_lib_to_chars
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,8 +13,6 @@
 
 namespace meniscus {
 namespace {
-
-constexpr std::size_t kRoom = 32;
 
 /// digits[0].digits[1]digits[2]... times ten to the power of `exponent`.
 struct Decimal {
@@ -69,10 +65,8 @@ std::string shortest(T value) {
 
 }  // namespace
 
-char* print_shortest(char* to, char* /*end*/, float value) { return to + shortest(value).copy(to, kRoom); }
+std::string shortest_text(float value) { return shortest(value); }
 
-char* print_shortest(char* to, char* /*end*/, double value) { return to + shortest(value).copy(to, kRoom); }
+std::string shortest_text(double value) { return shortest(value); }
 
 }  // namespace meniscus
-
-#endif

@@ -8,7 +8,7 @@
 
 #include "meniscus/option.h"
 
-namespace meniscus::cli {
+namespace meniscus {
 
 /// The number that `text` spells.
 /// option   the option's name, for the message
@@ -26,4 +26,4 @@ std::size_t parse_memory(const std::string& option, const std::string& text);
 /// True for text such as "-0.5", "-.5" and "-inf": a value, although it starts like an option.
 bool looks_like_negative_number(const std::string& text);
 
-}  // namespace meniscus::cli
+}  // namespace meniscus

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Meniscus authors
 # SPDX-License-Identifier: Apache-2.0
-# {fmt} compiled in, for portable builds: Debian has it as a shared library only.
-find_path(MENISCUS_FMT_INCLUDE_DIR fmt/core.h REQUIRED)
+# {fmt} compiled in from its headers, for builds that can link no shared library: portable ones and WebAssembly.
+# MENISCUS_HEADERS, if set, is the folder with the headers (tools/make-web).
+find_path(MENISCUS_FMT_INCLUDE_DIR fmt/core.h HINTS ${MENISCUS_HEADERS} NO_CMAKE_FIND_ROOT_PATH REQUIRED)
 if(NOT TARGET fmt::fmt)
   add_library(fmt::fmt INTERFACE IMPORTED)
   set_target_properties(fmt::fmt PROPERTIES

@@ -1,20 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "numbers.h"
+#include "reading/option_numbers.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <string_view>
 #include <utility>
 
 #include "meniscus/errors.h"
+#include "reading/numbers.h"
 
-namespace meniscus::cli {
+namespace meniscus {
 
 namespace {
 
@@ -22,7 +22,7 @@ namespace {
 template <class T>
 bool read_whole(std::string_view text, T& value) {
     const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    const auto [stop, error] = reading::from_chars(text.data(), end, value);
     return error == std::errc{} && stop == end;
 }
 
@@ -76,4 +76,4 @@ bool looks_like_negative_number(const std::string& text) {
     return text.size() > 1 && text[0] == '-' && read_whole(std::string_view(text), value);
 }
 
-}  // namespace meniscus::cli
+}  // namespace meniscus

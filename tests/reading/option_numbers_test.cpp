@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "numbers.h"
+#include "reading/option_numbers.h"
 
 #include <gtest/gtest.h>
 
 #include "meniscus/errors.h"
 
-namespace meniscus::cli {
+namespace meniscus {
 
 TEST(ParseNumber, ReadsTheWholeText) {
     EXPECT_EQ(parse_number("--probe", "1.4", NumberRange::Positive), 1.4);
@@ -55,4 +55,4 @@ TEST(LooksLikeNegativeNumber, TellsValuesFromOptions) {
     for (const char* text : {"-o", "--probe", "-", "1", ""}) EXPECT_FALSE(looks_like_negative_number(text)) << text;
 }
 
-}  // namespace meniscus::cli
+}  // namespace meniscus
