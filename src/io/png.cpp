@@ -13,8 +13,6 @@
 #include <vector>
 
 #include "meniscus/errors.h"
-#include "meniscus/write.h"
-#include "platform/files/atomic_file.h"
 
 namespace meniscus {
 namespace {
@@ -104,13 +102,6 @@ std::string encode_png(const Picture& picture) {
     png_destroy_write_struct(&png, &info);
     if (!done) throw std::runtime_error(std::string("PNG: ") + sink.message.data());
     return content;
-}
-
-void write_picture(const std::string& path, const Picture& picture) {
-    const std::string content = encode_png(picture);
-    AtomicFile file(path);
-    file.write(content);
-    file.commit();
 }
 
 }  // namespace meniscus
