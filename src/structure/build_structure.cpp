@@ -33,7 +33,7 @@ public:
 
     void reserve(std::size_t count) {
         if (count > std::numeric_limits<std::uint32_t>::max()) {
-            throw LimitError(structure_.file + ": more than 4294967295 atoms; choose fewer with --chains or --select");
+            throw LimitError(structure_.file + ": more than 4294967295 atoms; choose some of the chains, or a selection");
         }
         structure_.atoms.centres.reserve(count);
         structure_.atoms.radii.reserve(count);

@@ -228,7 +228,7 @@ class Options(unittest.TestCase):
 
     def test_what_would_not_fit_is_a_limit_error(self):
         for kind in (meniscus.LimitError, MemoryError, ValueError):
-            with self.assertRaisesRegex(kind, "needs about .* of memory"):
+            with self.assertRaisesRegex(kind, r"needs about .* of memory .* choose a spacing of [0-9.]+ Å or more"):
                 meniscus.surface(CENTRES, RADII, spacing=0.001, memory="100M")
 
     def test_a_surface_that_fails_its_checks_is_warned_of(self):
