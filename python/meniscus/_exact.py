@@ -345,12 +345,11 @@ class ExactSurface:
         options = {"method": asked.method, **asked._given(), **self._exact_options(), "threads": run.threads}
         if run.memory is not None:
             options["memory"] = _options.megabytes("memory", run.memory)
-        result = Surface(_core.mesh(self._core, options, run.progress), self, options)
-        if not result.passed:
-            failed = ", ".join(f"{c['name']} ({c['value']:g}, bound {c['bound']:g})" for c in result.checks
-                               if not c["passed"])
-            warnings.warn(f"the surface failed its own checks: {failed}", CheckWarning, stacklevel=3)
-        return result
+        core = _core.mesh(self._core, options, run.progress)
+        failed = [f"{c['name']} ({c['value']:g}, bound {c['bound']:g})" for c in core.mesh_checks if not c["passed"]]
+        if failed:
+            warnings.warn(f"the surface failed its own checks: {', '.join(failed)}", CheckWarning, stacklevel=3)
+        return Surface(core, self, options)
 
 
 def meshing_of(options: SurfaceOptions | None, named: dict[str, Any], keywords: Any) -> SurfaceOptions:

@@ -190,13 +190,16 @@ class Surface(OnSurface):
 
     @property
     def checks(self) -> list[dict[str, Any]]:
-        """The self-checks of the surface: name, passed, value, bound."""
-        return self._core.checks
+        """The self-checks of the surface, as in the block ``checks`` of the report: name, passed, value, bound.
+
+        The last, exact_agreement, is of the exact measures, which are found on first use.
+        """
+        return [*self._core.mesh_checks, self._core.exact_check(self._threads)]
 
     @property
     def passed(self) -> bool:
         """Whether every check passed."""
-        return self._core.passed
+        return all(check["passed"] for check in self.checks)
 
     @property
     def measures(self) -> Measures:

@@ -171,6 +171,7 @@ class Options(unittest.TestCase):
                          "converged")
         self.assertGreater(len(surface(flow="parallel", history=True).flow["history"]), 1)
         self.assertGreater(surface(initial_area=True).flow["initial_area"], 0)
+        self.assertIsNone(surface().flow["initial_area"])
         self.assertIsNone(surface().mesh["quality"])
         self.assertEqual(len(surface(quality=True).mesh["quality"]["angle_histogram"]), 18)
         self.assertIn("to_exact", surface(two_sided_distance=True).mesh["two_sided_distance"])
