@@ -101,7 +101,7 @@ def measure(
     core = _core.measure(structure._core, options)
     found = None if between is None else _interfaces(structure, pairs, options)
     asked = {"surface": "ses", "probe": core.probe, "threads": options["threads"]}
-    return checked(Measures(core, structure, asked, found), stacklevel=3)
+    return checked(Measures(core, structure, asked, found))
 
 
 def _interfaces(structure: Structure, pairs: Pairs, options: dict[str, Any]) -> _core.Interfaces:

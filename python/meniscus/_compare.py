@@ -183,7 +183,7 @@ def _side(value: Comparable, options: dict[str, float | int], reading: Reading, 
         if _is_mesh_file(value):
             with _files.on_disk(value) as path, opening(path):  # type: ignore[arg-type]
                 return _core.compared_file(path), None
-        value = _atoms.read_source(value, reading, wanted, stacklevel=4)
+        value = _atoms.read_source(value, reading, wanted)
     if isinstance(value, Structure):
         value = ExactSurface(value, probe=options["probe"], threads=int(options["threads"]))
     return _core.compared_exact(value._core, options), value

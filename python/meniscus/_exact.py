@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import dataclasses
-import warnings
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,7 +12,7 @@ import numpy.typing as npt
 from . import _core, _options
 from ._arrays import ArrayLike, Floats, Indices, positions
 from ._atoms import Atoms, Radii, as_structure
-from ._errors import CheckWarning, UsageError
+from ._errors import CheckWarning, UsageError, warn
 from ._keywords import DEFAULTS, Meshing, Method, SurfaceKind, SurfaceOptions
 from ._measures import Measures, checked
 from ._meshing import given, with_keywords, with_run
@@ -178,14 +177,9 @@ class ExactSurface:
         >>> numpy.allclose(ball.measures.ses_area, 4 * numpy.pi * 3.4**2)
         True
         """
-        return self._measured()
-
-    def _measured(self) -> Measures:
-        """For properties: a warning names whoever asked for the property."""
         if self._measures is None:
             asked = {**self._exact_options(), "threads": self._threads}
-            found = Measures(self._core.measures(self._threads), self._structure, asked)
-            self._measures = checked(found, stacklevel=4)
+            self._measures = checked(Measures(self._core.measures(self._threads), self._structure, asked))
         return self._measures
 
     def signed_distance(self, points: ArrayLike) -> Floats:
@@ -341,14 +335,14 @@ class ExactSurface:
         return self._meshed(asked, used.replace(threads=used.threads or self._threads))
 
     def _meshed(self, asked: SurfaceOptions, run: RunOptions) -> Surface:
-        """For functions that are called from outside: a warning names their caller."""
+        """With options that are put together."""
         options = {"method": asked.method, **asked._given(), **self._exact_options(), "threads": run.threads}
         if run.memory is not None:
             options["memory"] = _options.megabytes("memory", run.memory)
         core = _core.mesh(self._core, options, run.progress)
         failed = [f"{c['name']} ({c['value']:g}, bound {c['bound']:g})" for c in core.mesh_checks if not c["passed"]]
         if failed:
-            warnings.warn(f"the surface failed its own checks: {', '.join(failed)}", CheckWarning, stacklevel=3)
+            warn(f"the surface failed its own checks: {', '.join(failed)}", CheckWarning)
         return Surface(core, self, options)
 
 

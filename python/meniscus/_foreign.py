@@ -81,13 +81,13 @@ def is_foreign(value: object) -> bool:
     return _package_of(value) is not None
 
 
-def structure_of(source: Any, frame: int | None, options: ReadOptions, stacklevel: int) -> Structure:
+def structure_of(source: Any, frame: int | None, options: ReadOptions) -> Structure:
     """The structure of what is_foreign() tells."""
     name, extract = _PACKAGES[_package_of(source) or ""]
-    return _made(name, extract(source, frame), options, stacklevel + 1)
+    return _made(name, extract(source, frame), options)
 
 
-def _made(name: str, found: Found, options: ReadOptions, stacklevel: int) -> Structure:
+def _made(name: str, found: Found, options: ReadOptions) -> Structure:
     for option in _OF_FILES:
         if getattr(options, option) != DEFAULTS[option]:
             raise TypeError(f"{option}: says what of a file is read; of an object of {name}, frame=N is taken")
@@ -96,12 +96,12 @@ def _made(name: str, found: Found, options: ReadOptions, stacklevel: int) -> Str
     columns = columns_of(found.columns, len(centres))
     core, chosen = _core.read_atoms(centres, columns, origin, options._for_core())
     structure = Structure(core, chosen if found.index is None else found.index[chosen], name)
-    warn_of(structure, stacklevel + 1)
+    warn_of([structure])
     return structure
 
 
 def _from(name: str, found: Found, options: ReadOptions | None, keywords: Any) -> Structure:
-    return _made(name, found, of_kind("options", options, ReadOptions).replace(**keywords), stacklevel=4)
+    return _made(name, found, of_kind("options", options, ReadOptions).replace(**keywords))
 
 
 @with_keywords(_KEYWORDS)

@@ -3,14 +3,13 @@
 """Exact areas, volumes and cavities, without a grid."""
 from __future__ import annotations
 
-import warnings
 from typing import TYPE_CHECKING, Any
 
 from . import _core, _files, _options
 from ._arrays import Floats
 from ._choices import Per, PerInterface, TableFormat
 from ._component import Component
-from ._errors import CheckWarning, UsageError, text_of_path
+from ._errors import CheckWarning, UsageError, text_of_path, warn
 from ._files import Target
 from ._interfaces import Interface
 from ._structure import Structure
@@ -348,9 +347,8 @@ class Measures:
             self._core.save(self._structure._core, text, _options.word("per", per))
 
 
-def checked(measures: Measures, stacklevel: int) -> Measures:
+def checked(measures: Measures) -> Measures:
     """Warns if two evaluations do not agree."""
     if not measures.agreed:
-        warnings.warn("exact measures: evaluations do not agree on " + ", ".join(measures.disputed), CheckWarning,
-                      stacklevel=stacklevel)
+        warn("exact measures: evaluations do not agree on " + ", ".join(measures.disputed), CheckWarning)
     return measures

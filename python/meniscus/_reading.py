@@ -6,13 +6,12 @@ from __future__ import annotations
 import dataclasses
 import pathlib
 import sys
-import warnings
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeVar, get_args
 
 from . import _core, _files, _options
 from ._choices import Hetero, Hydrogens, RadiusSet, ReadFormat
-from ._errors import InputError, ReadWarning, text_of_path, unreadable
+from ._errors import InputError, ReadWarning, text_of_path, unreadable, warn
 from ._files import Path, Source
 from ._meshing import with_keywords
 from ._nouns import Noun, of_kind
@@ -211,7 +210,7 @@ def read(
     <meniscus.Structure 1ubq: 602 atoms, 76 residues, radii united>
     """
     asked = of_kind("options", options, ReadOptions).replace(**keywords)
-    return read_for_caller(path, asked, format, name, stacklevel=4)
+    return read_as_asked(path, asked, format, name)
 
 
 @with_keywords(_OF_MODELS)
@@ -265,20 +264,19 @@ def read_models(
     else:
         cores = _opened(path, lambda text: _core.read_models(text, asked))
     structures = [Structure(core) for core in cores]
-    _warn((line for structure in structures for line in structure.warnings), stacklevel=3)
+    warn_of(structures)
     return structures
 
 
-def read_for_caller(source: Source, options: ReadOptions, format: str | None = None, name: str | None = None,
-                    *, stacklevel: int) -> Structure:
-    """As read() does, for a function that is called from outside so many frames above this one."""
+def read_as_asked(source: Source, options: ReadOptions, format: str | None = None, name: str | None = None) -> Structure:
+    """As read() does, with options that are put together."""
     asked = options._for_core()
     if _is_in_memory(source, format, name):
         core = _core.read_bytes(*_content_and_name(source, format, name), asked)
     else:
         core = _opened(source, lambda text: _core.read(text, asked))
     structure = Structure(core)
-    warn_of(structure, stacklevel)
+    warn_of([structure])
     return structure
 
 
@@ -321,11 +319,7 @@ def _named(called: str, data: bytes, format: str | None, is_told: bool) -> str:
     return called + ".gz" if data.startswith(b"\x1f\x8b") else called
 
 
-def warn_of(structure: Structure, stacklevel: int) -> None:
-    """Warns of what may make a number of a structure wrong."""
-    _warn(structure.warnings, stacklevel + 1)
-
-
-def _warn(lines: Iterable[str], stacklevel: int) -> None:
-    for line in dict.fromkeys(lines):
-        warnings.warn(line, ReadWarning, stacklevel=stacklevel)
+def warn_of(structures: list[Structure]) -> None:
+    """Warns of what may make a number of structures wrong, of each only once."""
+    for line in dict.fromkeys(line for structure in structures for line in structure.warnings):
+        warn(line, ReadWarning)

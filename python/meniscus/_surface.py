@@ -213,7 +213,7 @@ class Surface(OnSurface):
         >>> abs(surface.mesh["corrected_area"] / surface.measures.ses_area - 1) < 0.01
         True
         """
-        return self._exact._measured()
+        return self._exact.measures
 
     @property
     def cavities(self) -> list[Component]:
