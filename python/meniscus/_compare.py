@@ -152,15 +152,15 @@ class Comparison:
         OSError
             If the file cannot be written.
         """
-        if _files.saved_elsewhere(path, format, lambda inner: self.save(inner, range)):
-            return
-        target = text_of_path(path)  # type: ignore[arg-type]
-        if not target.endswith(_WITH_VALUES):
-            raise UsageError(f"{target}: this format cannot hold distances; choose {' '.join(_WITH_VALUES)}")
         reach = max(self.a_to_b.p99, 1e-3)
         low, high = (-reach, reach) if range is None else range
-        _core.write_compared(target, self._mesh, self.distances,
-                             (_options.number("range", low), _options.number("range", high)),
+        ends = _options.number("range", low), _options.number("range", high)
+        _files.save_to(path, format, lambda inner: self._write(inner, ends))
+
+    def _write(self, path: str, range: tuple[float, float]) -> None:
+        if not path.endswith(_WITH_VALUES):
+            raise UsageError(f"{path}: this format cannot hold distances; choose {' '.join(_WITH_VALUES)}")
+        _core.write_compared(path, self._mesh, self.distances, range,
                              None if self._structure is None else self._structure._core, self._probe)
 
 

@@ -57,22 +57,21 @@ def suffix_of(path: str, format: str | None) -> str:
     return "." + format.lstrip(".") if format else pathlib.PurePath(path).suffix
 
 
-def saved_elsewhere(target: Target, format: str | None, save: Callable[[str], object]) -> bool:
-    """Writes to an open file, or to a path whose suffix is not that of the format.
+def save_to(target: Target, format: str | None, save: Callable[[str], object]) -> None:
+    """Saves to a path or an open file, also where the suffix is not that of the format.
 
     save     writes to a path with the right suffix
-    returns  False for a path that can be written to as it is
     """
     if not isinstance(target, (str, os.PathLike)) and hasattr(target, "write"):
         _write_to(target, _single_file(suffix_of(name_of(target), format), save))
-        return True
+        return
     path = text_of_path(target)  # type: ignore[arg-type]
     suffix = suffix_of(path, format)
     if suffix == pathlib.PurePath(path).suffix:
-        return False
-    data = _single_file(suffix, save)
-    write_whole(path, lambda file: file.write(data))
-    return True
+        save(path)
+    else:
+        data = _single_file(suffix, save)
+        write_whole(path, lambda file: file.write(data))
 
 
 def _single_file(suffix: str, save: Callable[[str], object]) -> bytes:

@@ -13,7 +13,7 @@ import numpy.typing as npt
 from . import _core, _files, _options, _writing
 from ._arrays import Floats, Indices, Singles, arrays_of
 from ._choices import Interpolation, PointFormat, VertexArray
-from ._errors import UsageError, opening, text_of_path
+from ._errors import UsageError, opening
 from ._files import Source, Target
 from ._structure import Structure
 
@@ -284,8 +284,5 @@ class Points(OnSurface):
         OSError
             If the file cannot be written; no partial file is left behind.
         """
-        def save(inner: str) -> None:
-            _writing.save_points(inner, self, color, self._with_arrays(values, arrays), ascii)
-
-        if not _files.saved_elsewhere(path, format, save):
-            save(text_of_path(path))  # type: ignore[arg-type]
+        _files.save_to(path, format, lambda inner: _writing.save_points(
+            inner, self, color, self._with_arrays(values, arrays), ascii))

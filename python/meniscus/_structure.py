@@ -382,19 +382,19 @@ class Structure:
         OSError
             If the file cannot be written.
         """
-        if _files.saved_elsewhere(path, format, lambda inner: self.save(inner, values)):
-            return
-        text = text_of_path(path)  # type: ignore[arg-type]
-        suffix = _files.suffix_of(text, None)
+        _files.save_to(path, format, lambda inner: self._write(inner, values))
+
+    def _write(self, path: str, values: ArrayLike | None) -> None:
+        suffix = _files.suffix_of(path, None)
         if suffix in (".xyzr", ".xyzrn"):
-            _core.write_spheres(text, self._core)
+            _core.write_spheres(path, self._core)
         elif suffix == ".csv":
-            _core.write_atom_table(text, self._core)
+            _core.write_atom_table(path, self._core)
         elif suffix in (".pdb", ".cif"):
             column = self.b_factor if values is None else one_per("values", values, len(self))
-            _core.write_structure_copy(text, self._core, column)
+            _core.write_structure_copy(path, self._core, column)
         else:
-            raise UsageError(f"{text}: unknown suffix; choose one of .xyzr .xyzrn .csv .pdb .cif")
+            raise UsageError(f"{path}: unknown suffix; choose one of .xyzr .xyzrn .csv .pdb .cif")
 
 
 def columns_of(given: dict[str, Any], count: int) -> dict[str, Any]:

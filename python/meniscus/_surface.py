@@ -10,7 +10,6 @@ import numpy.typing as npt
 from . import _core, _files, _options, _writing
 from ._arrays import ArrayLike, Floats, Indices, arrays_of, positions
 from ._choices import Field, Maps, SurfaceFormat
-from ._errors import text_of_path
 from ._files import Target
 from ._component import Component
 from ._measures import Measures
@@ -413,11 +412,8 @@ class Surface(OnSurface):
                    "eps": eps, "ion_radius": ion_radius, "maps": maps}
         part = {"show": show, "cavity_file": cavity}
 
-        def save(inner: str) -> None:
-            _writing.save_surface(inner, self, color, self._with_arrays(values, arrays), ascii, part, drawing)
-
-        if not _files.saved_elsewhere(path, format, save):
-            save(text_of_path(path))  # type: ignore[arg-type]
+        _files.save_to(path, format, lambda inner: _writing.save_surface(
+            inner, self, color, self._with_arrays(values, arrays), ascii, part, drawing))
 
     def write(self, file: _files.Writable, format: SurfaceFormat, color: _writing.Color = "auto", **options: Any) -> None:
         """Writes the surface to an open file: :meth:`save` for those who have a stream.
