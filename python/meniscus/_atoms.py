@@ -14,7 +14,7 @@ from ._arrays import ArrayLike
 from ._errors import UsageError
 from ._files import Path, Source
 from ._nouns import of_kind
-from ._reading import DEFAULTS, ReadOptions, read_as_asked
+from ._reading import READ_DEFAULTS, ReadOptions, read_as_asked
 from ._structure import Structure
 
 Atoms = Union[Structure, Source, ArrayLike, "_foreign.ForeignObject"]
@@ -24,7 +24,7 @@ Radii = Union[ArrayLike, Path]
 def check_reading(reading: Mapping[str, object], options: ReadOptions | None, has_source: bool) -> None:
     """Refuses what is no keyword of read(), and all of them where there is nothing to read."""
     for name in reading:
-        if name not in DEFAULTS and name != "frame":
+        if name not in READ_DEFAULTS and name != "frame":
             raise TypeError(f"unexpected keyword argument {name!r}")
         if not has_source:
             raise TypeError(f"{name} is an argument of read(); it applies where the path of a structure is given")

@@ -13,19 +13,16 @@ from . import _core, _options
 from ._arrays import ArrayLike, Floats, Indices, positions
 from ._atoms import Atoms, Radii, as_structure
 from ._errors import CheckWarning, UsageError, warn
-from ._keywords import DEFAULTS, Meshing, Method, SurfaceKind, SurfaceOptions
+from ._keywords import MESHING_DEFAULTS, SURFACE_DEFAULTS, Meshing, Method, SurfaceKind, SurfaceOptions
 from ._measures import Measures, checked
 from ._meshing import given, with_keywords, with_run
-from ._nouns import NOT_GIVEN, Progress, RunOptions, of_kind
+from ._nouns import NOT_GIVEN, RUN_DEFAULTS, Progress, RunOptions, of_kind
 from ._reading import Reading, ReadOptions
 from ._structure import Structure
 from ._surface import Surface
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
-
-SURFACE_DEFAULTS: dict[str, Any] = {field.name: field.default for field in dataclasses.fields(SurfaceOptions)}
-RUN_DEFAULTS: dict[str, Any] = {field.name: field.default for field in dataclasses.fields(RunOptions)}
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -276,7 +273,7 @@ class ExactSurface:
         other._core = self._core.of_same_atoms(other._exact_options())
         return other
 
-    @with_keywords({**SURFACE_DEFAULTS, **RUN_DEFAULTS, **DEFAULTS}, but=("probe", "surface", "threads"))
+    @with_keywords({**SURFACE_DEFAULTS, **RUN_DEFAULTS}, but=("probe", "surface", "threads"))
     def mesh(
         self,
         spacing: float | None = NOT_GIVEN,
@@ -349,7 +346,7 @@ class ExactSurface:
 def meshing_of(options: SurfaceOptions | None, named: dict[str, Any], keywords: Any) -> SurfaceOptions:
     """Options, of which keywords replace some; those that are None do not."""
     for name in keywords:
-        if name not in DEFAULTS:
+        if name not in MESHING_DEFAULTS:
             raise TypeError(f"unexpected keyword argument {name!r}")
     changes = {name: value for name, value in {**named, **keywords}.items() if value is not None or name == "probe"}
     return of_kind("options", options, SurfaceOptions).replace(**changes)

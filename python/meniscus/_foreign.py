@@ -11,7 +11,7 @@ from ._arrays import positions
 from ._foreign_atoms import Found
 from ._meshing import with_keywords
 from ._nouns import of_kind
-from ._reading import DEFAULTS, ReadingOfFile, ReadOptions, warn_of
+from ._reading import READ_DEFAULTS, ReadingOfFile, ReadOptions, warn_of
 from ._structure import Structure, columns_of
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ _PACKAGES: dict[str, tuple[str, _Extract]] = {
 }
 # Options that say what of a file is read.
 _OF_FILES = ("model", "assembly")
-_KEYWORDS = {name: default for name, default in DEFAULTS.items() if name not in _OF_FILES}
+_KEYWORDS = {name: default for name, default in READ_DEFAULTS.items() if name not in _OF_FILES}
 
 
 def _package_of(value: object) -> str | None:
@@ -89,7 +89,7 @@ def structure_of(source: Any, frame: int | None, options: ReadOptions) -> Struct
 
 def _made(name: str, found: Found, options: ReadOptions) -> Structure:
     for option in _OF_FILES:
-        if getattr(options, option) != DEFAULTS[option]:
+        if getattr(options, option) != READ_DEFAULTS[option]:
             raise TypeError(f"{option}: says what of a file is read; of an object of {name}, frame=N is taken")
     centres = positions("positions", found.xyz)
     origin = {"source": name, "name": found.stem, "notes": found.notes}

@@ -14,7 +14,7 @@ from ._choices import Hetero, Hydrogens, RadiusSet, ReadFormat
 from ._errors import InputError, ReadWarning, text_of_path, unreadable, warn
 from ._files import Path, Source
 from ._meshing import with_keywords
-from ._nouns import Noun, of_kind
+from ._nouns import Noun, defaults_of, of_kind
 from ._structure import Structure, Texts
 
 if TYPE_CHECKING:
@@ -23,9 +23,8 @@ if TYPE_CHECKING:
 Made = TypeVar("Made")
 
 
-class Reading(TypedDict, total=False):
-    """The names of :class:`ReadOptions` beside radii as keywords, which every function takes that takes a structure's
-    path, and ``frame``, which goes with objects of other packages."""
+class _Choice(TypedDict, total=False):
+    """The names of :class:`ReadOptions` beside radii as keywords."""
 
     hydrogens: Hydrogens
     model: int | Literal["join"]
@@ -36,22 +35,19 @@ class Reading(TypedDict, total=False):
     hetero: Hetero | None
     waters: bool | None
     strict_radii: bool
+
+
+class Reading(_Choice, total=False):
+    """What every function takes that takes a structure's path: radii are an argument of their own there, and ``frame``
+    goes with objects of other packages."""
+
     frame: int | None
 
 
-class ReadingOfFile(TypedDict, total=False):
+class ReadingOfFile(_Choice, total=False):
     """The names of :class:`ReadOptions` as keywords."""
 
     radii: RadiusSet | Path
-    hydrogens: Hydrogens
-    model: int | Literal["join"]
-    assembly: str | int | None
-    altloc: str | None
-    chains: Texts | None
-    select: str | None
-    hetero: Hetero | None
-    waters: bool | None
-    strict_radii: bool
 
 
 @dataclasses.dataclass(frozen=True, repr=False)
@@ -154,11 +150,11 @@ def _word(name: str, value: Any) -> str:
     return _options.one_of(name, value, _core.words[name])
 
 
-DEFAULTS = {field.name: field.default for field in dataclasses.fields(ReadOptions)}
-_OF_MODELS = {name: default for name, default in DEFAULTS.items() if name != "model"}
+READ_DEFAULTS = defaults_of(ReadOptions)
+_OF_MODELS = {name: default for name, default in READ_DEFAULTS.items() if name != "model"}
 
 
-@with_keywords(DEFAULTS)
+@with_keywords(READ_DEFAULTS)
 def read(
     path: Source,
     *,
