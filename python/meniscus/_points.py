@@ -42,6 +42,9 @@ class OnSurface:
     """Arrays with one entry per point of the surface. They are read-only; most are views. ``numpy(copy=True)`` and the
     method ``copy()`` of every array give arrays that may be written to."""
 
+    _PLACES: tuple[str, ...]
+    """Names of the arrays that say where the points are."""
+
     def __init__(self, mesh: _core.Mesh, exact: ExactSurface, threads: int) -> None:
         self._mesh = mesh
         self._exact = exact
@@ -122,11 +125,53 @@ class OnSurface:
             raise UsageError(f"arrays: '{twice[0]}' is also the name of values; rename the values")
         return {**(values or {}), **{name: getattr(self, name) for name in names}} if names else values
 
-    def _frame(self, places: Floats, arrays: Arrays) -> pandas.DataFrame:
-        from ._export import frame
-        columns = {**dict(zip("xyz", places.T)), **dict(zip(("nx", "ny", "nz"), self.normals.T))}
+    def _arrays_but_normals(self, arrays: Arrays) -> dict[str, npt.NDArray[Any]]:
         names = [name for name in (*VERTEX_ARRAYS, *further(arrays)) if name != "normals"]
-        return frame({**columns, **{name: getattr(self, name) for name in names}})
+        return arrays_of(self, names, copy=False)
+
+    def numpy(self, copy: bool = False, arrays: Arrays = None) -> dict[str, npt.NDArray[Any]]:
+        """The arrays by their names: vertices and triangles of a surface, or points, and those with an entry for each.
+
+        Parameters
+        ----------
+        copy : bool, default False
+            Arrays of their own, which may be written to and which ``torch.from_numpy`` and ``from_dlpack`` take.
+        arrays : "depth" or sequence of it, optional
+            Depths, too, which have to be found first.
+
+        Returns
+        -------
+        dict of str to ndarray
+
+        Examples
+        --------
+        >>> arrays = meniscus.surface([[0, 0, 0]], [2.0]).numpy(copy=True)
+        >>> arrays["triangles"].dtype, arrays["triangles"].flags.writeable
+        (dtype('int32'), True)
+        """
+        return arrays_of(self, (*self._PLACES, *VERTEX_ARRAYS, *further(arrays)), copy)
+
+    def to_pandas(self, arrays: Arrays = None) -> pandas.DataFrame:
+        """The vertices or points as a table of pandas, one row each.
+
+        Parameters
+        ----------
+        arrays : "depth" or sequence of it, optional
+            Depths, too, which have to be found first.
+
+        Returns
+        -------
+        pandas.DataFrame
+            Columns x, y, z (Å), nx, ny, nz, and the arrays by their names.
+
+        Raises
+        ------
+        ImportError
+            If pandas is not installed.
+        """
+        from ._export import frame
+        places = {**dict(zip("xyz", self._mesh.vertices.T)), **dict(zip(("nx", "ny", "nz"), self.normals.T))}
+        return frame({**places, **self._arrays_but_normals(arrays)})
 
     def colors(self, color: _writing.Scheme = "auto", values: _writing.Values = None) -> npt.NDArray[np.uint8]:
         """The colours of a scheme.
@@ -211,6 +256,8 @@ class Points(OnSurface):
     Arrays have one entry per point and are read-only.
     """
 
+    _PLACES = ("points",)
+
     def __len__(self) -> int:
         return len(self.points)
 
@@ -221,42 +268,6 @@ class Points(OnSurface):
     def points(self) -> Floats:
         """(n, 3) float64, Å."""
         return self._mesh.vertices
-
-    def numpy(self, copy: bool = False, arrays: Arrays = None) -> dict[str, npt.NDArray[Any]]:
-        """The arrays by their names: points and those of every point.
-
-        Parameters
-        ----------
-        copy : bool, default False
-            Arrays of their own, which may be written to and which ``torch.from_numpy`` and ``from_dlpack`` take.
-        arrays : "depth" or sequence of it, optional
-            Depths, too, which have to be found first.
-
-        Returns
-        -------
-        dict of str to ndarray
-        """
-        return arrays_of(self, ("points", *VERTEX_ARRAYS, *further(arrays)), copy)
-
-    def to_pandas(self, arrays: Arrays = None) -> pandas.DataFrame:
-        """The points as a table of pandas, one row each.
-
-        Parameters
-        ----------
-        arrays : "depth" or sequence of it, optional
-            Depths, too, which have to be found first.
-
-        Returns
-        -------
-        pandas.DataFrame
-            Columns x, y, z (Å), nx, ny, nz, and the arrays by their names.
-
-        Raises
-        ------
-        ImportError
-            If pandas is not installed.
-        """
-        return self._frame(self.points, arrays)
 
     def save(self, path: Target, color: _writing.Color = "auto", *, values: _writing.Values = None,
              arrays: Arrays = None, ascii: bool = False, format: PointFormat | None = None) -> None:

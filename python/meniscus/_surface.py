@@ -5,18 +5,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-import numpy.typing as npt
-
 from . import _core, _files, _options, _writing
-from ._arrays import ArrayLike, Floats, Indices, arrays_of, positions
+from ._arrays import ArrayLike, Floats, Indices, positions
 from ._choices import Field, Maps, SurfaceFormat
 from ._files import Target
 from ._component import Component
 from ._measures import Measures
-from ._points import VERTEX_ARRAYS, Arrays, OnSurface, Points, further
+from ._points import Arrays, OnSurface, Points
 
 if TYPE_CHECKING:
-    import pandas  # type: ignore[import]
     import pyvista  # type: ignore[import]
     import trimesh  # type: ignore[import]
 
@@ -35,6 +32,8 @@ class Surface(OnSurface):
     >>> surface.vertices.shape, surface.triangles.shape, surface.passed
     ((23190, 3), (46384, 3), True)
     """
+
+    _PLACES = ("vertices", "triangles")
 
     def __init__(self, core: _core.Surface, exact: ExactSurface, options: dict[str, Any]) -> None:
         super().__init__(core.mesh, exact, options["threads"])
@@ -65,48 +64,6 @@ class Surface(OnSurface):
         """(m, 3) int32, counter-clockwise seen from the solvent."""
         return self._mesh.triangles
 
-    def numpy(self, copy: bool = False, arrays: Arrays = None) -> dict[str, npt.NDArray[Any]]:
-        """The arrays by their names: vertices, triangles, and those of every vertex.
-
-        Parameters
-        ----------
-        copy : bool, default False
-            Arrays of their own, which may be written to and which ``torch.from_numpy`` and ``from_dlpack`` take.
-        arrays : "depth" or sequence of it, optional
-            Depths, too, which have to be found first.
-
-        Returns
-        -------
-        dict of str to ndarray
-
-        Examples
-        --------
-        >>> arrays = meniscus.surface([[0, 0, 0]], [2.0]).numpy(copy=True)
-        >>> arrays["triangles"].dtype, arrays["triangles"].flags.writeable
-        (dtype('int32'), True)
-        """
-        return arrays_of(self, ("vertices", "triangles", *VERTEX_ARRAYS, *further(arrays)), copy)
-
-    def to_pandas(self, arrays: Arrays = None) -> pandas.DataFrame:
-        """The vertices as a table of pandas, one row each.
-
-        Parameters
-        ----------
-        arrays : "depth" or sequence of it, optional
-            Depths, too, which have to be found first.
-
-        Returns
-        -------
-        pandas.DataFrame
-            Columns x, y, z (Å), nx, ny, nz, and the arrays by their names.
-
-        Raises
-        ------
-        ImportError
-            If pandas is not installed.
-        """
-        return self._frame(self.vertices, arrays)
-
     def to_trimesh(self, color: _writing.Color = "auto", arrays: Arrays = None) -> trimesh.Trimesh:
         """The mesh as one of trimesh, with normals, colours and the vertex arrays.
 
@@ -130,7 +87,7 @@ class Surface(OnSurface):
             If trimesh is not installed.
         """
         from ._export import trimesh_of
-        return trimesh_of(self, color, further(arrays))
+        return trimesh_of(self, color, self._arrays_but_normals(arrays))
 
     def to_pyvista(self, color: _writing.Color | None = None, arrays: Arrays = None) -> pyvista.PolyData:
         """The mesh as one of PyVista, with normals and the vertex arrays.
@@ -156,7 +113,7 @@ class Surface(OnSurface):
             If PyVista is not installed.
         """
         from ._export import pyvista_of
-        return pyvista_of(self, color, further(arrays))
+        return pyvista_of(self, color, self._arrays_but_normals(arrays))
 
     @property
     def options(self) -> dict[str, Any]:

@@ -39,8 +39,6 @@ _VIEWS = {
     "bottom": ((0, -1, 0), (0, 0, 1)),
 }
 _TRANSPARENT = (255, 255, 255, 0)
-_POINT_ARRAYS = ("normals", "atom", "residue", "patch", "component", "area", "mean_curvature", "gaussian_curvature",
-                 "shape_index")
 
 
 def colour_options(color: Color) -> dict[str, Any]:
@@ -225,7 +223,7 @@ def _save_volume(path: str, surface: Surface, options: dict[str, Any], drawing: 
 
 
 def _save_point_arrays(path: str, points: Points, more: dict[str, npt.NDArray[Any]]) -> None:
-    arrays = {"points": points.points, **more, **{name: getattr(points, name) for name in _POINT_ARRAYS}}
+    arrays = {**more, **points.numpy()}
     try:
         if os.path.exists(path) and not os.path.isfile(path):  # a device or pipe is written to directly
             with open(path, "wb") as file:
