@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING, Any, Protocol, Union
 
 from . import _core, _foreign_atoms
 from ._arrays import positions
+from ._columns import columns_of
 from ._foreign_atoms import Found
 from ._meshing import Function, with_keywords
 from ._nouns import of_kind
 from ._reading import READ_DEFAULTS, ReadingOfFile, ReadOptions, warn_of
-from ._structure import Structure, columns_of
+from ._structure import Structure
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack

@@ -11,11 +11,12 @@ from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeVar, get_args
 
 from . import _core, _files, _options
 from ._choices import Hetero, Hydrogens, RadiusSet, ReadFormat
+from ._columns import Texts
 from ._errors import InputError, ReadWarning, text_of_path, unreadable, warn
 from ._files import Path, Source
 from ._meshing import with_keywords
 from ._nouns import Noun, defaults_of, of_kind
-from ._structure import Structure, Texts
+from ._structure import Structure
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
