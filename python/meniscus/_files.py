@@ -12,7 +12,8 @@ import tempfile
 from collections.abc import Callable, Iterator
 from typing import Any, BinaryIO, Protocol, Union
 
-from ._errors import InputError, UsageError, text_of_path
+from . import _core
+from ._errors import InputError, OutputError, UsageError, text_of_path
 
 Path = Union[str, "os.PathLike[str]"]
 
@@ -97,7 +98,19 @@ def _write_to(file: Any, data: bytes) -> None:
 
 
 def write_whole(path: str, write: Callable[[BinaryIO], Any]) -> None:
-    """Under another name first: the file appears whole or not at all."""
+    """The file appears whole or not at all; what cannot be written is an OutputError."""
+    try:
+        if os.path.exists(path) and not os.path.isfile(path):  # a device or pipe
+            with open(path, "wb") as file:
+                write(file)
+        else:
+            _write_and_rename(path, write)
+    except OSError as error:
+        raise OutputError(_core.missing_folder(path) or f"{path}: cannot be written: {error.strerror or error}"
+                          ) from error
+
+
+def _write_and_rename(path: str, write: Callable[[BinaryIO], Any]) -> None:
     temporary = f"{path}.{secrets.token_hex(4)}.tmp"
     try:
         with open(temporary, "xb") as file:

@@ -118,10 +118,7 @@ class Surface(OnSurface):
     @property
     def options(self) -> dict[str, Any]:
         """The options given to :func:`surface`, by the names of its arguments; those not given may be missing."""
-        options = {name: value for name, value in self._options.items() if name != "finer_grid"}
-        if "memory_mb" in options:
-            options["memory"] = options.pop("memory_mb")
-        return options
+        return dict(self._options)
 
     @property
     def mesh(self) -> dict[str, Any]:

@@ -15,7 +15,7 @@ import numpy.typing as npt
 from . import _core, _options
 from ._arrays import ArrayLike, as_array
 from ._choices import ColorScheme, ViewName
-from ._errors import OutputError, UsageError, opening
+from ._errors import UsageError, opening
 from ._files import write_whole
 
 if TYPE_CHECKING:
@@ -223,16 +223,7 @@ def _save_volume(path: str, surface: Surface, options: dict[str, Any], drawing: 
 
 
 def _save_point_arrays(path: str, points: Points, more: dict[str, npt.NDArray[Any]]) -> None:
-    arrays = {**more, **points.numpy()}
-    try:
-        if os.path.exists(path) and not os.path.isfile(path):  # a device or pipe is written to directly
-            with open(path, "wb") as file:
-                np.savez_compressed(file, **arrays)
-        else:
-            write_whole(path, lambda file: np.savez_compressed(file, **arrays))
-    except OSError as error:
-        raise OutputError(_core.missing_folder(path) or f"{path}: cannot be written: {error.strerror or error}"
-                          ) from error
+    write_whole(path, lambda file: np.savez_compressed(file, **{**more, **points.numpy()}))
 
 
 # A format is one line here, one in _choices.py and one in Surface.save's text.
