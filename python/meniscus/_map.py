@@ -12,15 +12,15 @@ import re
 import shutil
 import tempfile
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any, Literal, Protocol, Union
+from typing import Any, Protocol, Union, get_args
 
 from . import _options
+from ._choices import Command
 from ._errors import OutputError, UsageError, text_of_path
 from ._files import Path
 from ._records import collect
 from ._work import Children, Lines, Task, Work
 
-_COMMANDS = ("measure", "surface")
 _SUFFIX = re.compile(r"(?<=.)\.(pdb[0-9]{0,2}|ent|cif|mmcif|pdbqt|pqr|xyzr|xyzrn)(\.gz)?\Z", re.ASCII | re.DOTALL | re.IGNORECASE)
 
 # Options of `meniscus batch` that are of no use for one input, or parameters of map().
@@ -154,8 +154,7 @@ def _files(paths: Iterable[Path]) -> list[str]:
 
 
 def _endings(command: str, outputs: str | Sequence[str], out: str | None) -> tuple[str, ...]:
-    if command not in _COMMANDS:
-        raise UsageError(f"command: unknown value '{command}'; choose one of {', '.join(_COMMANDS)}")
+    _options.one_of("command", command, get_args(Command))
     endings = (outputs,) if isinstance(outputs, str) else tuple(outputs)
     if endings and out is None:
         raise UsageError("outputs: give a folder for them, out=")
@@ -185,7 +184,7 @@ def map(
     paths: Iterable[Path],
     client: Client | None = None,
     *,
-    command: Literal["measure", "surface"] = "measure",
+    command: Command = "measure",
     out: Path | None = None,
     outputs: Union[str, Sequence[str]] = (),
     base: Path | None = None,

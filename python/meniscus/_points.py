@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, Union, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -26,16 +26,12 @@ Arrays = Union[None, VertexArray, Sequence[VertexArray]]
 
 VERTEX_ARRAYS = ("normals", "atom", "residue", "patch", "component", "area", "mean_curvature", "gaussian_curvature",
                  "shape_index")
-_FURTHER_ARRAYS = ("depth",)
 
 
 def further(arrays: Arrays) -> list[str]:
     """Names of arrays that are found only when asked for."""
     names = [arrays] if isinstance(arrays, str) else list(arrays or [])
-    for name in names:
-        if name not in _FURTHER_ARRAYS:
-            raise UsageError(f"arrays: unknown value {name!r}; choose one of {', '.join(_FURTHER_ARRAYS)}")
-    return [str(name) for name in names]
+    return [_options.one_of("arrays", name, get_args(VertexArray)) for name in names]
 
 
 class OnSurface:

@@ -7,14 +7,14 @@ import os
 import pathlib
 import re
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Literal, Union
+from typing import TYPE_CHECKING, Any, Literal, Union, get_args
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core, _options
 from ._arrays import ArrayLike, as_array
-from ._choices import ColorScheme, ViewName
+from ._choices import ColorScheme, Maps, ViewName
 from ._errors import UsageError, opening
 from ._files import write_whole
 
@@ -209,8 +209,7 @@ def _save_volume(path: str, surface: Surface, options: dict[str, Any], drawing: 
     if maps is None:
         with opening(asked.get("grid_file", "")):
             return _core.write_volume(path, surface._core, asked)
-    if maps != "apbs":
-        raise UsageError(f"maps: unknown value '{maps}'; choose one of apbs")
+    _options.one_of("maps", maps, get_args(Maps))
     stem, suffix = os.path.splitext(path)
     if suffix != ".dx":
         raise UsageError(f"{path}: APBS reads its maps as .dx; name a file with that suffix")
