@@ -210,7 +210,8 @@ std::vector<BlockCoord> blocks_near_surface(const AccessibleSurface& surface, co
             }
         }
         if (blocks > max_blocks)
-            throw LimitError("the narrow band would not fit into memory; choose a larger spacing, or allow more memory");
+            throw LimitError(
+                "the narrow band would not fit into memory; choose a larger spacing, or allow more memory");
         frontier = std::move(next);
     }
     std::sort(found.begin(), found.end(), [](const MarkedCube& a, const MarkedCube& b) { return a.cube < b.cube; });
