@@ -191,7 +191,7 @@ class OnSurface:
             For an unknown scheme, and values of another shape.
         """
         options = {**_writing.colour_options(color), **_writing.value_options(values, len(self.normals))}
-        return _core.colors(self._mesh, self.structure._core, options)
+        return _core.colors(self._mesh, self.structure._core, self._exact._core, options)
 
     def map_values(self, path: Source, offset: float = 0.0, interpolation: Interpolation = "linear") -> Singles:
         """The values of a map at the points, as ``--sample`` on the command line.

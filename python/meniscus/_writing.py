@@ -279,7 +279,7 @@ def save_points(path: str, points: Points, color: Color, values: Values, ascii: 
     suffix = pathlib.PurePath(path).suffix
     if suffix == ".ply":
         options = {**colour_options(color), **value_options(values, len(points)), "ascii": bool(ascii)}
-        _core.write_points(path, points._mesh, points.structure._core, options)
+        _core.write_points(path, points._mesh, points.structure._core, points.exact._core, options)
     elif suffix == ".npz":
         _save_point_arrays(path, points, value_options(values, len(points)).get("values", {}))
     else:
