@@ -17,7 +17,7 @@ namespace meniscus {
 /// One of two surfaces to compare, with its own measures.
 struct ComparedSurface {
     Mesh mesh;                            ///< its triangles provide the points at which distances are measured
-    std::optional<ExactSurface> exact{};  ///< if present, points are moved onto this SES, and distances are to the SES
+    std::optional<ExactSurface> exact{};  ///< if present, points are moved onto this surface, and distances are to it
     double area = 0.0;                    ///< Å²; exact if `exact` is present, else the sum over triangles
     double volume = 0.0;                  ///< Å³; exact if `exact` is present, else the sum over triangles
     std::size_t outer_pieces = 0;         ///< connected pieces whose normals point outwards
@@ -43,6 +43,10 @@ struct StructureToCompare {
 /// The exact SES of atoms, with a mesh by Method::Direct.
 /// throws   as compute_surface()
 ComparedSurface structure_to_compare(const Atoms& atoms, const StructureToCompare& options = {});
+
+/// The same of an exact surface of any kind; options.probe does not matter.
+/// throws   as mesh()
+ComparedSurface exact_to_compare(ExactSurface exact, const StructureToCompare& options = {});
 
 /// Distances from points on one surface to another, Å: without sign except signed_mean. Means are weighted by area.
 struct OneWayDistance {

@@ -235,8 +235,9 @@ void describe_flow(const Surface& s, Visitor& visit) {
     visit({"mean_distance", "Å", "mean distance of the zero set from the exact SES"}, f.mean_distance);
     visit({"max_distance", "Å", "largest such distance"}, f.max_distance);
     visit({"solver_iterations", "", "iterations of the linear solver, over all steps"}, f.solver_iterations);
-    visit({"initial_area", "Å²", "area of the zero set of the Gaussian map, where flows that run in time start"},
-          f.initial_area);
+    visit({"initial_area", "Å²",
+           "area of the zero set of the Gaussian map, where flows that run in time start; `null` if not measured"},
+          s.options.initial_area ? std::optional(f.initial_area) : std::nullopt);
     visit({"reinitialisations", "", "number of reinitialisations"}, f.reinitialisations);
     visit({"end", "", "`converged`, `steps-used-up`, `stalled`, `vanished` or `left-band`"}, f.end, kFlowEndWords);
     visit(

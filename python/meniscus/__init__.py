@@ -28,16 +28,18 @@ from ._compare import Compared, Comparison, Distance, compare
 from ._component import Component
 from ._core import version as __version__
 from ._errors import CheckWarning, InputError, LimitError, OutputError, ReadWarning, UsageError
-from ._exact import ExactSurface, Nearest
+from ._exact import ExactSurface
 from ._foreign import from_biopython, from_biotite, from_gemmi, from_mdanalysis, from_mdtraj, from_openmm
 from ._interfaces import Interface
 from ._keywords import Meshing, SurfaceOptions
 from ._map import map
 from ._measures import Measures
+from ._nearest import Nearest
 from ._nouns import RunOptions
 from ._points import Points
+from ._radii import radii
 from ._reading import ReadOptions, read, read_models
-from ._structure import Structure, radii
+from ._structure import Structure
 from ._sums import Sum
 from ._surface import Surface
 

@@ -14,7 +14,7 @@ from ._arrays import ArrayLike
 from ._errors import UsageError
 from ._files import Path, Source
 from ._nouns import of_kind
-from ._reading import DEFAULTS, ReadOptions, read_for_caller
+from ._reading import READ_DEFAULTS, ReadOptions, read_as_asked
 from ._structure import Structure
 
 Atoms = Union[Structure, Source, ArrayLike, "_foreign.ForeignObject"]
@@ -24,7 +24,7 @@ Radii = Union[ArrayLike, Path]
 def check_reading(reading: Mapping[str, object], options: ReadOptions | None, has_source: bool) -> None:
     """Refuses what is no keyword of read(), and all of them where there is nothing to read."""
     for name in reading:
-        if name not in DEFAULTS and name != "frame":
+        if name not in READ_DEFAULTS and name != "frame":
             raise TypeError(f"unexpected keyword argument {name!r}")
         if not has_source:
             raise TypeError(f"{name} is an argument of read(); it applies where the path of a structure is given")
@@ -37,17 +37,17 @@ def is_source(atoms: object) -> bool:
     return isinstance(atoms, (str, os.PathLike)) or _files.is_file(atoms) or _foreign.is_foreign(atoms)
 
 
-def read_source(source: Any, reading: Mapping[str, Any], options: ReadOptions | None, stacklevel: int) -> Structure:
-    """The structure of what is_source() tells; for a function so many frames below the one that is called from outside."""
+def read_source(source: Any, reading: Mapping[str, Any], options: ReadOptions | None) -> Structure:
+    """The structure of what is_source() tells."""
     check_reading(reading, options, has_source=True)
     given = dict(reading)
     frame = given.pop("frame", None)
     asked = of_kind("reading", options, ReadOptions).replace(**given)
     if _foreign.is_foreign(source):
-        return _foreign.structure_of(source, frame, asked, stacklevel + 1)
+        return _foreign.structure_of(source, frame, asked)
     if frame is not None:
         raise TypeError("frame: goes with trajectories of other packages; of a file, model=N is read")
-    return read_for_caller(source, asked, stacklevel=stacklevel + 2)
+    return read_as_asked(source, asked)
 
 
 def _set_for_source(sizes: Radii | None) -> Mapping[str, object]:
@@ -73,7 +73,7 @@ def as_structure(atoms: Atoms, sizes: Radii | None, reading: Mapping[str, object
                  options: ReadOptions | None = None) -> Structure:
     """What the functions take as atoms, as a structure."""
     if is_source(atoms):
-        return read_source(atoms, {**_set_for_source(sizes), **reading}, options, stacklevel=4)
+        return read_source(atoms, {**_set_for_source(sizes), **reading}, options)
     check_reading(reading, options, has_source=False)
     if isinstance(atoms, Structure):
         if sizes is not None:

@@ -9,12 +9,12 @@ from . import _core, _options
 from ._arrays import ArrayLike, Floats
 from ._atoms import Atoms, Radii, as_structure
 from ._errors import UsageError
-from ._exact import RUN_DEFAULTS, SURFACE_DEFAULTS, ExactSurface, meshing_of
+from ._exact import ExactSurface, meshing_of
 from ._interfaces import Between, Pairs, pairs_of
-from ._keywords import DEFAULTS, Meshing, Method, SurfaceKind, SurfaceOptions
+from ._keywords import MESHING_DEFAULTS, SURFACE_DEFAULTS, Meshing, Method, SurfaceKind, SurfaceOptions
 from ._measures import Measures, checked
 from ._meshing import given, with_keywords, with_run
-from ._nouns import NOT_GIVEN, Progress, RunOptions
+from ._nouns import NOT_GIVEN, RUN_DEFAULTS, Progress, RunOptions
 from ._reading import Reading, ReadOptions
 from ._structure import Structure
 from ._surface import Surface
@@ -101,7 +101,7 @@ def measure(
     core = _core.measure(structure._core, options)
     found = None if between is None else _interfaces(structure, pairs, options)
     asked = {"surface": "ses", "probe": core.probe, "threads": options["threads"]}
-    return checked(Measures(core, structure, asked, found), stacklevel=3)
+    return checked(Measures(core, structure, asked, found))
 
 
 def _interfaces(structure: Structure, pairs: Pairs, options: dict[str, Any]) -> _core.Interfaces:
@@ -187,8 +187,8 @@ def surface(
     >>> round(float(numpy.median(ball.mean_curvature)), 2)
     0.5
     """
-    meshing = {name: value for name, value in keywords.items() if name in DEFAULTS}
-    to_read = {name: value for name, value in keywords.items() if name not in DEFAULTS}
+    meshing = {name: value for name, value in keywords.items() if name in MESHING_DEFAULTS}
+    to_read = {name: value for name, value in keywords.items() if name not in MESHING_DEFAULTS}
     structure = as_structure(atoms, radii, to_read, reading)
     named = given(probe=probe, surface=surface, spacing=spacing, method=method)
     asked = meshing_of(options, named, meshing)

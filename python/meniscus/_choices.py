@@ -8,6 +8,7 @@ from typing import Literal
 Hydrogens = Literal["auto", "keep", "drop"]
 Hetero = Literal["none", "ligands", "all"]
 RadiusSet = Literal["auto", "bondi", "united", "protor", "naccess", "parse"]
+Command = Literal["measure", "surface"]
 Per = Literal["residue", "atom", "chain", "cavity"]
 PerInterface = Literal["residue", "atom", "chain"]
 Interpolation = Literal["linear", "cubic"]

@@ -10,6 +10,7 @@ from . import _atoms, _core, _files, _foreign, _options
 from ._arrays import Floats, Indices, Singles
 from ._choices import MeshFormat
 from ._errors import UsageError, opening, text_of_path
+from ._exact import ExactSurface
 from ._files import Source, Target
 from ._reading import Reading, ReadOptions
 from ._structure import Structure
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 
 _WITH_VALUES = (".ply", ".glb", ".vtp", ".npz")
 
-Comparable = Union[Source, Surface, Structure, "_foreign.ForeignObject"]
+Comparable = Union[Source, Surface, ExactSurface, Structure, "_foreign.ForeignObject"]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -50,7 +51,7 @@ class Distance:
 
 @dataclasses.dataclass(frozen=True)
 class Compared:
-    """Measures of one of the two surfaces, exact for a structure; made by :func:`compare`.
+    """Measures of one of the two surfaces, exact for a structure or exact surface; made by :func:`compare`.
 
     Parameters
     ----------
@@ -97,10 +98,11 @@ class Comparison:
     """
 
     def __init__(self, a: _core.ComparedSurface, b: _core.ComparedSurface, options: dict[str, float | int],
-                 structure: Structure | None) -> None:
+                 exact: ExactSurface | None) -> None:
+        """exact: the surface that A is or approximates, where that is known."""
         self._mesh = a.mesh
-        self._structure = structure
-        self._probe = options["probe"]
+        self._structure = None if exact is None else exact.structure
+        self._probe: float | None = None if exact is None else exact._exact_options()["probe"]
         self.a = Compared(**a.measures)
         self.b = Compared(**b.measures)
         found = _core.compare(a, b, options)
@@ -150,22 +152,16 @@ class Comparison:
         OSError
             If the file cannot be written.
         """
-        if _files.saved_elsewhere(path, format, lambda inner: self.save(inner, range)):
-            return
-        target = text_of_path(path)  # type: ignore[arg-type]
-        if not target.endswith(_WITH_VALUES):
-            raise UsageError(f"{target}: this format cannot hold distances; choose {' '.join(_WITH_VALUES)}")
         reach = max(self.a_to_b.p99, 1e-3)
         low, high = (-reach, reach) if range is None else range
-        structure = self._structure
-        _core.write_compared(target, self._mesh, self.distances,
-                             (_options.number("range", low), _options.number("range", high)),
-                             None if structure is None else structure._core, None if structure is None else self._probe)
+        ends = _options.number("range", low), _options.number("range", high)
+        _files.save_to(path, format, lambda inner: self._write(inner, ends))
 
-
-def _mesh_of_file(path: str) -> _core.ComparedSurface:
-    with opening(path):
-        return _core.compared_file(path)
+    def _write(self, path: str, range: tuple[float, float]) -> None:
+        if not path.endswith(_WITH_VALUES):
+            raise UsageError(f"{path}: this format cannot hold distances; choose {' '.join(_WITH_VALUES)}")
+        _core.write_compared(path, self._mesh, self.distances, range,
+                             None if self._structure is None else self._structure._core, self._probe)
 
 
 def _is_mesh_file(value: Comparable) -> bool:
@@ -175,19 +171,22 @@ def _is_mesh_file(value: Comparable) -> bool:
 
 
 def _is_to_be_read(value: Comparable) -> bool:
-    return not isinstance(value, (Surface, Structure)) and not _is_mesh_file(value)
+    return not isinstance(value, (Surface, ExactSurface, Structure)) and not _is_mesh_file(value)
 
 
 def _side(value: Comparable, options: dict[str, float | int], reading: Reading, wanted: ReadOptions | None
-          ) -> tuple[_core.ComparedSurface, Structure | None]:
+          ) -> tuple[_core.ComparedSurface, ExactSurface | None]:
+    """The surface, and the exact one that it is or approximates, where that is known."""
     if isinstance(value, Surface):
-        return _core.compared_mesh(value._core.mesh), value.structure
-    if not isinstance(value, Structure):
+        return _core.compared_mesh(value._core.mesh), value.exact
+    if not isinstance(value, (Structure, ExactSurface)):
         if _is_mesh_file(value):
-            with _files.on_disk(value) as path:  # type: ignore[arg-type]
-                return _mesh_of_file(path), None
-        value = _atoms.read_source(value, reading, wanted, stacklevel=4)
-    return _core.compared_structure(value._core, options), value
+            with _files.on_disk(value) as path, opening(path):  # type: ignore[arg-type]
+                return _core.compared_file(path), None
+        value = _atoms.read_source(value, reading, wanted)
+    if isinstance(value, Structure):
+        value = ExactSurface(value, probe=options["probe"], threads=int(options["threads"]))
+    return _core.compared_exact(value._core, options), value
 
 
 def compare(
@@ -207,17 +206,17 @@ def compare(
 
     Parameters
     ----------
-    a : Surface, Structure, str, os.PathLike, file object or object of another package
-        A surface; a mesh (.ply .obj .stl .off .glb .vert .face, each also .gz; a file object needs a name with such a
-        suffix); or a structure, whose exact solvent-excluded surface is used.
-    b : Surface, Structure, str, os.PathLike, file object or object of another package
+    a : Surface, ExactSurface, Structure, str, os.PathLike, file object or object of another package
+        A mesh; a file of one (.ply .obj .stl .off .glb .vert .face, each also .gz; a file object needs a name with such a
+        suffix); an exact surface of any kind; or a structure, whose exact solvent-excluded surface is used.
+    b : Surface, ExactSurface, Structure, str, os.PathLike, file object or object of another package
         The other.
     probe : float, default 1.4
         Probe radius for structures, Å.
     points : float, default 10
         Minimum number of points per Å².
     spacing : float, default 0.5
-        Grid spacing of the mesh that is used to spread points over a structure's surface, Å.
+        Grid spacing of the mesh that is used to spread points over an exact surface, Å.
     threads : int, default 0
         0: all cores; results do not depend on it.
     reading : ReadOptions, optional
@@ -247,5 +246,5 @@ def compare(
     options = {"probe": _options.number("probe", probe), "points": _options.number("points", points),
                "spacing": _options.number("spacing", spacing), "threads": _options.count("threads", threads)}
     _atoms.check_reading(keywords, reading, has_source=_is_to_be_read(a) or _is_to_be_read(b))
-    (first, structure), (second, _) = _side(a, options, keywords, reading), _side(b, options, keywords, reading)
-    return Comparison(first, second, options, structure)
+    (first, exact), (second, _) = _side(a, options, keywords, reading), _side(b, options, keywords, reading)
+    return Comparison(first, second, options, exact)

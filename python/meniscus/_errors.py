@@ -6,6 +6,8 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import sys
+import warnings
 from collections.abc import Iterator
 
 
@@ -31,6 +33,14 @@ class ReadWarning(UserWarning):
 
 class CheckWarning(UserWarning):
     """A result that failed its own checks; the checks are in ``Surface.checks``."""
+
+
+def warn(message: str, category: type[Warning]) -> None:
+    """A warning that names the line from which this package was called."""
+    frame, level = sys._getframe(), 1
+    while frame.f_back is not None and frame.f_globals["__name__"].partition(".")[0] == __package__:
+        frame, level = frame.f_back, level + 1
+    warnings.warn(message, category, stacklevel=level)
 
 
 def unreadable(path: str, message: str) -> OSError | None:

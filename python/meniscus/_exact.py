@@ -3,73 +3,23 @@
 """The exact surface of atoms, and what is made of it and held against it."""
 from __future__ import annotations
 
-import dataclasses
-import warnings
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-import numpy.typing as npt
-
 from . import _core, _options
-from ._arrays import ArrayLike, Floats, Indices, positions
+from ._arrays import ArrayLike, Floats, positions
 from ._atoms import Atoms, Radii, as_structure
-from ._errors import CheckWarning, UsageError
-from ._keywords import DEFAULTS, Meshing, Method, SurfaceKind, SurfaceOptions
+from ._errors import CheckWarning, UsageError, warn
+from ._keywords import MESHING_DEFAULTS, SURFACE_DEFAULTS, Meshing, Method, SurfaceKind, SurfaceOptions
 from ._measures import Measures, checked
 from ._meshing import given, with_keywords, with_run
-from ._nouns import NOT_GIVEN, Progress, RunOptions, of_kind
+from ._nearest import Nearest
+from ._nouns import NOT_GIVEN, RUN_DEFAULTS, Progress, RunOptions, of_kind
 from ._reading import Reading, ReadOptions
 from ._structure import Structure
 from ._surface import Surface
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
-
-SURFACE_DEFAULTS: dict[str, Any] = {field.name: field.default for field in dataclasses.fields(SurfaceOptions)}
-RUN_DEFAULTS: dict[str, Any] = {field.name: field.default for field in dataclasses.fields(RunOptions)}
-
-
-@dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Nearest:
-    """What of an exact surface is nearest to each of m points; made by :meth:`ExactSurface.nearest`. Lengths in Å.
-
-    The nearest point of the surface itself is ``points - distance[:, None] * normal`` where the distance is exact: see
-    :meth:`ExactSurface.signed_distance`. The arrays are read-only.
-
-    Parameters
-    ----------
-    distance : ndarray of float64, shape (m,)
-        Signed distance from the surface, Å, negative inside.
-    atom : ndarray of int32, shape (m,)
-        Index of the nearest of the atoms that the patch touches.
-    patch : ndarray of uint8, shape (m,)
-        0 contact, 1 toroidal, 2 reentrant.
-    normal : ndarray of float64, shape (m, 3)
-        Gradient of the distance, a unit vector that points out of the molecule; 0 where undefined, as at the centre of the
-        atom whose patch is nearest.
-    mean_curvature : ndarray of float64, shape (m,)
-        Å⁻¹, positive on a sphere: of the parallel surface through the point, which for a point on the surface is the
-        surface; may be infinite at cusps.
-    gaussian_curvature : ndarray of float64, shape (m,)
-        Å⁻²: of the same surface.
-    foot : ndarray of float64, shape (m, 3)
-        Centre of the probe where it touches the surface there, Å, a point of the solvent-accessible surface; for sas and
-        vdw a point of the surface itself.
-    """
-
-    distance: Floats
-    atom: Indices
-    patch: npt.NDArray[np.uint8]
-    normal: Floats
-    mean_curvature: Floats
-    gaussian_curvature: Floats
-    foot: Floats
-
-    def __len__(self) -> int:
-        return len(self.distance)
-
-    def __repr__(self) -> str:
-        return f"<meniscus.Nearest: {len(self)} points>"
 
 
 class ExactSurface:
@@ -178,14 +128,9 @@ class ExactSurface:
         >>> numpy.allclose(ball.measures.ses_area, 4 * numpy.pi * 3.4**2)
         True
         """
-        return self._measured()
-
-    def _measured(self) -> Measures:
-        """For properties: a warning names whoever asked for the property."""
         if self._measures is None:
             asked = {**self._exact_options(), "threads": self._threads}
-            found = Measures(self._core.measures(self._threads), self._structure, asked)
-            self._measures = checked(found, stacklevel=4)
+            self._measures = checked(Measures(self._core.measures(self._threads), self._structure, asked))
         return self._measures
 
     def signed_distance(self, points: ArrayLike) -> Floats:
@@ -282,7 +227,7 @@ class ExactSurface:
         other._core = self._core.of_same_atoms(other._exact_options())
         return other
 
-    @with_keywords({**SURFACE_DEFAULTS, **RUN_DEFAULTS, **DEFAULTS}, but=("probe", "surface", "threads"))
+    @with_keywords({**SURFACE_DEFAULTS, **RUN_DEFAULTS}, but=("probe", "surface", "threads"))
     def mesh(
         self,
         spacing: float | None = NOT_GIVEN,
@@ -341,22 +286,21 @@ class ExactSurface:
         return self._meshed(asked, used.replace(threads=used.threads or self._threads))
 
     def _meshed(self, asked: SurfaceOptions, run: RunOptions) -> Surface:
-        """For functions that are called from outside: a warning names their caller."""
+        """With options that are put together."""
         options = {"method": asked.method, **asked._given(), **self._exact_options(), "threads": run.threads}
         if run.memory is not None:
             options["memory"] = _options.megabytes("memory", run.memory)
-        result = Surface(_core.mesh(self._core, options, run.progress), self, options)
-        if not result.passed:
-            failed = ", ".join(f"{c['name']} ({c['value']:g}, bound {c['bound']:g})" for c in result.checks
-                               if not c["passed"])
-            warnings.warn(f"the surface failed its own checks: {failed}", CheckWarning, stacklevel=3)
-        return result
+        core = _core.mesh(self._core, options, run.progress)
+        failed = [f"{c['name']} ({c['value']:g}, bound {c['bound']:g})" for c in core.mesh_checks if not c["passed"]]
+        if failed:
+            warn(f"the surface failed its own checks: {', '.join(failed)}", CheckWarning)
+        return Surface(core, self, options)
 
 
 def meshing_of(options: SurfaceOptions | None, named: dict[str, Any], keywords: Any) -> SurfaceOptions:
     """Options, of which keywords replace some; those that are None do not."""
     for name in keywords:
-        if name not in DEFAULTS:
+        if name not in MESHING_DEFAULTS:
             raise TypeError(f"unexpected keyword argument {name!r}")
     changes = {name: value for name, value in {**named, **keywords}.items() if value is not None or name == "probe"}
     return of_kind("options", options, SurfaceOptions).replace(**changes)

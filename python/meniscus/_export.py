@@ -4,12 +4,10 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-
-from ._points import VERTEX_ARRAYS
 
 if TYPE_CHECKING:
     from ._surface import Surface
@@ -29,28 +27,24 @@ def frame(columns: Mapping[str, Any]) -> Any:
     return package("pandas", "to_pandas", "pandas").DataFrame(dict(columns))
 
 
-def _arrays(surface: Surface, more: Sequence[str]) -> dict[str, Any]:
-    return {name: getattr(surface, name) for name in (*VERTEX_ARRAYS, *more) if name != "normals"}
-
-
 def _colours(surface: Surface, color: Any) -> Any:
     return surface.colors(color) if isinstance(color, str) else np.asarray(color)
 
 
-def trimesh_of(surface: Surface, color: Any, more: Sequence[str]) -> Any:
+def trimesh_of(surface: Surface, color: Any, arrays: dict[str, Any]) -> Any:
     """Without trimesh's own processing, which would merge and reorder vertices."""
     trimesh = package("trimesh", "to_trimesh", "trimesh")
     return trimesh.Trimesh(vertices=surface.vertices.copy(), faces=surface.triangles.copy(),
                            vertex_normals=surface.normals.copy(), vertex_colors=_colours(surface, color),
-                           vertex_attributes=_arrays(surface, more), process=False)
+                           vertex_attributes=arrays, process=False)
 
 
-def pyvista_of(surface: Surface, color: Any, more: Sequence[str]) -> Any:
+def pyvista_of(surface: Surface, color: Any, arrays: dict[str, Any]) -> Any:
     """Faces are given as VTK has them: 3, a, b, c."""
     pyvista = package("pyvista", "to_pyvista", "PyVista")
     faces = np.hstack([np.full((len(surface.triangles), 1), 3, np.int64), surface.triangles])
     mesh = pyvista.PolyData(surface.vertices.copy(), faces.ravel())
-    for name, values in {"Normals": surface.normals, **_arrays(surface, more)}.items():
+    for name, values in {"Normals": surface.normals, **arrays}.items():
         mesh.point_data[name] = values.copy()
     if color is not None:
         mesh.point_data["colors"] = _colours(surface, color)

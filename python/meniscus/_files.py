@@ -12,7 +12,8 @@ import tempfile
 from collections.abc import Callable, Iterator
 from typing import Any, BinaryIO, Protocol, Union
 
-from ._errors import InputError, UsageError, text_of_path
+from . import _core
+from ._errors import InputError, OutputError, UsageError, text_of_path
 
 Path = Union[str, "os.PathLike[str]"]
 
@@ -57,22 +58,21 @@ def suffix_of(path: str, format: str | None) -> str:
     return "." + format.lstrip(".") if format else pathlib.PurePath(path).suffix
 
 
-def saved_elsewhere(target: Target, format: str | None, save: Callable[[str], object]) -> bool:
-    """Writes to an open file, or to a path whose suffix is not that of the format.
+def save_to(target: Target, format: str | None, save: Callable[[str], object]) -> None:
+    """Saves to a path or an open file, also where the suffix is not that of the format.
 
     save     writes to a path with the right suffix
-    returns  False for a path that can be written to as it is
     """
     if not isinstance(target, (str, os.PathLike)) and hasattr(target, "write"):
         _write_to(target, _single_file(suffix_of(name_of(target), format), save))
-        return True
+        return
     path = text_of_path(target)  # type: ignore[arg-type]
     suffix = suffix_of(path, format)
     if suffix == pathlib.PurePath(path).suffix:
-        return False
-    data = _single_file(suffix, save)
-    write_whole(path, lambda file: file.write(data))
-    return True
+        save(path)
+    else:
+        data = _single_file(suffix, save)
+        write_whole(path, lambda file: file.write(data))
 
 
 def _single_file(suffix: str, save: Callable[[str], object]) -> bytes:
@@ -98,7 +98,19 @@ def _write_to(file: Any, data: bytes) -> None:
 
 
 def write_whole(path: str, write: Callable[[BinaryIO], Any]) -> None:
-    """Under another name first: the file appears whole or not at all."""
+    """The file appears whole or not at all; what cannot be written is an OutputError."""
+    try:
+        if os.path.exists(path) and not os.path.isfile(path):  # a device or pipe
+            with open(path, "wb") as file:
+                write(file)
+        else:
+            _write_and_rename(path, write)
+    except OSError as error:
+        raise OutputError(_core.missing_folder(path) or f"{path}: cannot be written: {error.strerror or error}"
+                          ) from error
+
+
+def _write_and_rename(path: str, write: Callable[[BinaryIO], Any]) -> None:
     temporary = f"{path}.{secrets.token_hex(4)}.tmp"
     try:
         with open(temporary, "xb") as file:

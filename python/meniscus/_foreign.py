@@ -3,16 +3,19 @@
 """Structures of objects of other packages, with the radii and the choice of atoms that their files would get."""
 from __future__ import annotations
 
+import inspect
+import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Protocol, Union
 
 from . import _core, _foreign_atoms
 from ._arrays import positions
+from ._columns import columns_of
 from ._foreign_atoms import Found
-from ._meshing import with_keywords
+from ._meshing import Function, with_keywords
 from ._nouns import of_kind
-from ._reading import DEFAULTS, ReadingOfFile, ReadOptions, warn_of
-from ._structure import Structure, columns_of
+from ._reading import READ_DEFAULTS, ReadingOfFile, ReadOptions, warn_of
+from ._structure import Structure
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -65,7 +68,7 @@ _PACKAGES: dict[str, tuple[str, _Extract]] = {
 }
 # Options that say what of a file is read.
 _OF_FILES = ("model", "assembly")
-_KEYWORDS = {name: default for name, default in DEFAULTS.items() if name not in _OF_FILES}
+_KEYWORDS = {name: default for name, default in READ_DEFAULTS.items() if name not in _OF_FILES}
 
 
 def _package_of(value: object) -> str | None:
@@ -81,30 +84,53 @@ def is_foreign(value: object) -> bool:
     return _package_of(value) is not None
 
 
-def structure_of(source: Any, frame: int | None, options: ReadOptions, stacklevel: int) -> Structure:
+def structure_of(source: Any, frame: int | None, options: ReadOptions) -> Structure:
     """The structure of what is_foreign() tells."""
     name, extract = _PACKAGES[_package_of(source) or ""]
-    return _made(name, extract(source, frame), options, stacklevel + 1)
+    return _made(name, extract(source, frame), options)
 
 
-def _made(name: str, found: Found, options: ReadOptions, stacklevel: int) -> Structure:
+def _made(name: str, found: Found, options: ReadOptions) -> Structure:
     for option in _OF_FILES:
-        if getattr(options, option) != DEFAULTS[option]:
+        if getattr(options, option) != READ_DEFAULTS[option]:
             raise TypeError(f"{option}: says what of a file is read; of an object of {name}, frame=N is taken")
     centres = positions("positions", found.xyz)
     origin = {"source": name, "name": found.stem, "notes": found.notes}
     columns = columns_of(found.columns, len(centres))
     core, chosen = _core.read_atoms(centres, columns, origin, options._for_core())
     structure = Structure(core, chosen if found.index is None else found.index[chosen], name)
-    warn_of(structure, stacklevel + 1)
+    warn_of([structure])
     return structure
 
 
 def _from(name: str, found: Found, options: ReadOptions | None, keywords: Any) -> Structure:
-    return _made(name, found, of_kind("options", options, ReadOptions).replace(**keywords), stacklevel=4)
+    return _made(name, found, of_kind("options", options, ReadOptions).replace(**keywords))
 
 
-@with_keywords(_KEYWORDS)
+_SHARED_PARAMETERS = """
+options : ReadOptions, optional
+    What to keep, and which radii; the defaults are those of files.
+**keywords
+    The members of :class:`ReadOptions` but model and assembly; they replace those of ``options``."""
+_SHARED_ERRORS = """Raises
+------
+TypeError
+    For an object of another kind.
+InputError
+    If no atoms are left.
+UsageError
+    For an option that makes no sense, and coordinates that are not finite."""
+
+
+def _reader(function: Function) -> Function:
+    """Adds what is the same for every package to a function's text, and makes help() show the keywords."""
+    if function.__doc__:  # not with python -OO
+        parameters, *rest = re.split(r"\n\n(?=Returns\n|Examples\n)", inspect.cleandoc(function.__doc__))
+        function.__doc__ = "\n\n".join([parameters + _SHARED_PARAMETERS, rest[0], _SHARED_ERRORS, *rest[1:]])
+    return with_keywords(_KEYWORDS)(function)
+
+
+@_reader
 def from_mdanalysis(
     atoms: Any,
     *,
@@ -121,24 +147,11 @@ def from_mdanalysis(
         them.
     frame : int, optional
         Another frame, from 0, or from the end if negative. Afterwards the trajectory is where it was.
-    options : ReadOptions, optional
-        What to keep, and which radii; the defaults are those of files.
-    **keywords
-        The members of :class:`ReadOptions` but model and assembly; they replace those of ``options``.
 
     Returns
     -------
     Structure
         Its ``index`` has the place of each atom in the universe, ``ix``.
-
-    Raises
-    ------
-    TypeError
-        For an object of another kind.
-    InputError
-        If no atoms are left.
-    UsageError
-        For an option that makes no sense, and coordinates that are not finite.
 
     Examples
     --------
@@ -150,7 +163,7 @@ def from_mdanalysis(
     return _from("MDAnalysis", _foreign_atoms.of_mdanalysis(atoms, frame), options, keywords)
 
 
-@with_keywords(_KEYWORDS)
+@_reader
 def from_mdtraj(
     trajectory: Any,
     *,
@@ -167,24 +180,11 @@ def from_mdtraj(
         before its version 1.9.8 no names of chains: these are then A, B, C ... in their order.
     frame : int, optional
         The frame, from 0, or from the end if negative; by default the first, with a note if there are more.
-    options : ReadOptions, optional
-        What to keep, and which radii; the defaults are those of files.
-    **keywords
-        The members of :class:`ReadOptions` but model and assembly; they replace those of ``options``.
 
     Returns
     -------
     Structure
         Its ``index`` has the place of each atom in the topology.
-
-    Raises
-    ------
-    TypeError
-        For an object of another kind.
-    InputError
-        If no atoms are left.
-    UsageError
-        For an option that makes no sense, and coordinates that are not finite.
 
     Examples
     --------
@@ -195,7 +195,7 @@ def from_mdtraj(
     return _from("MDTraj", _foreign_atoms.of_mdtraj(trajectory, frame), options, keywords)
 
 
-@with_keywords(_KEYWORDS)
+@_reader
 def from_biopython(
     entity: Any,
     *,
@@ -211,24 +211,11 @@ def from_biopython(
         The atoms.
     frame : int, optional
         Of a Structure, the model, from 0, or from the end if negative; by default the first, with a note if there are more.
-    options : ReadOptions, optional
-        What to keep, and which radii; the defaults are those of files.
-    **keywords
-        The members of :class:`ReadOptions` but model and assembly; they replace those of ``options``.
 
     Returns
     -------
     Structure
         Its ``index`` has the place of each atom in the order of iteration over chains, residues and, unpacked, atoms.
-
-    Raises
-    ------
-    TypeError
-        For an object of another kind.
-    InputError
-        If no atoms are left.
-    UsageError
-        For an option that makes no sense, and coordinates that are not finite.
 
     Examples
     --------
@@ -240,7 +227,7 @@ def from_biopython(
     return _from("Biopython", _foreign_atoms.of_biopython(entity, frame), options, keywords)
 
 
-@with_keywords(_KEYWORDS)
+@_reader
 def from_biotite(
     array: Any,
     *,
@@ -258,29 +245,16 @@ def from_biotite(
         The atoms, with b_factor, occupancy, charge, atom_id and altloc_id where they were loaded.
     frame : int, optional
         Of a stack, the model, from 0, or from the end if negative; by default the first, with a note if there are more.
-    options : ReadOptions, optional
-        What to keep, and which radii; the defaults are those of files.
-    **keywords
-        The members of :class:`ReadOptions` but model and assembly; they replace those of ``options``.
 
     Returns
     -------
     Structure
         Its ``index`` has the place of each atom in the array.
-
-    Raises
-    ------
-    TypeError
-        For an object of another kind.
-    InputError
-        If no atoms are left.
-    UsageError
-        For an option that makes no sense, and coordinates that are not finite.
     """
     return _from("Biotite", _foreign_atoms.of_biotite(array, frame), options, keywords)
 
 
-@with_keywords(_KEYWORDS)
+@_reader
 def from_gemmi(
     structure: Any,
     *,
@@ -296,24 +270,11 @@ def from_gemmi(
         The atoms.
     frame : int, optional
         Of a Structure, the model, from 0, or from the end if negative; by default the first, with a note if there are more.
-    options : ReadOptions, optional
-        What to keep, and which radii; the defaults are those of files.
-    **keywords
-        The members of :class:`ReadOptions` but model and assembly; they replace those of ``options``.
 
     Returns
     -------
     Structure
         Its ``index`` has the place of each atom in the order of iteration over chains, residues and atoms.
-
-    Raises
-    ------
-    TypeError
-        For an object of another kind.
-    InputError
-        If no atoms are left.
-    UsageError
-        For an option that makes no sense, and coordinates that are not finite.
 
     Examples
     --------
@@ -324,7 +285,7 @@ def from_gemmi(
     return _from("gemmi", _foreign_atoms.of_gemmi(structure, frame), options, keywords)
 
 
-@with_keywords(_KEYWORDS)
+@_reader
 def from_openmm(
     source: Any,
     positions: Any = None,
@@ -347,23 +308,10 @@ def from_openmm(
     frame : int, optional
         Of a file with several frames, the frame, from 0, or from the end if negative; by default the first, with a note if
         there are more.
-    options : ReadOptions, optional
-        What to keep, and which radii; the defaults are those of files.
-    **keywords
-        The members of :class:`ReadOptions` but model and assembly; they replace those of ``options``.
 
     Returns
     -------
     Structure
         Its ``index`` has the place of each atom in the topology.
-
-    Raises
-    ------
-    TypeError
-        For an object of another kind.
-    InputError
-        If no atoms are left.
-    UsageError
-        For an option that makes no sense, and coordinates that are not finite.
     """
     return _from("OpenMM", _foreign_atoms.of_openmm(source, frame, positions), options, keywords)

@@ -46,11 +46,12 @@ def _checked_frame(frame: int, count: int) -> int:
     return frame % count
 
 
-def _frame_and_notes(frame: int | None, count: int, what: str) -> tuple[int, list[str]]:
-    """The first frame unless another is asked for; that there are others is a note."""
-    chosen = 0 if frame is None else _checked_frame(frame, count)
+def _taken(frames: Any, frame: int | None, what: str) -> tuple[Any, list[str]]:
+    """The first of the frames unless another is asked for; that there are others is a note."""
+    count = len(frames)
     told = frame is None and count > 1
-    return chosen, [f"{what} 0 of {count} taken (choose another with frame=N)"] if told else []
+    return (frames[0 if frame is None else _checked_frame(frame, count)],
+            [f"{what} 0 of {count} taken (choose another with frame=N)"] if told else [])
 
 
 def _refuse_frame(frame: int | None, why: str) -> None:
@@ -85,10 +86,6 @@ def _chains_of_mdanalysis(atoms: Any) -> list[str] | None:
             for chain, segment in zip(chains, segments)]
 
 
-def _texts(values: Any) -> list[str] | None:
-    return None if values is None else [str(value) for value in values]
-
-
 def of_mdanalysis(source: Any, frame: int | None) -> Found:
     if not hasattr(getattr(source, "atoms", None), "positions"):
         raise _wrong("mdanalysis", "a Universe or a group of atoms, residues or segments", source)
@@ -100,12 +97,10 @@ def of_mdanalysis(source: Any, frame: int | None) -> Found:
 
 
 def _columns_of_mdanalysis(atoms: Any) -> dict[str, Any]:
-    known = {name: getattr(atoms, theirs, None) for name, theirs in (
+    columns = {name: getattr(atoms, theirs, None) for name, theirs in (
         ("element", "elements"), ("name", "names"), ("resname", "resnames"), ("resnum", "resids"), ("icode", "icodes"),
         ("altloc", "altLocs"), ("serial", "ids"), ("b_factor", "tempfactors"), ("occupancy", "occupancies"),
         ("radius", "radii"))}
-    columns = {name: _texts(values) if name in ("element", "name", "resname", "icode", "altloc") else values
-               for name, values in known.items()}
     charges, records = getattr(atoms, "charges", None), getattr(atoms, "record_types", None)
     columns.update(chain=_chains_of_mdanalysis(atoms),
                    charge=getattr(atoms, "formalcharges", None) if charges is None else charges,
@@ -128,7 +123,7 @@ def _symbol(element: Any) -> str:
 def of_mdtraj(source: Any, frame: int | None) -> Found:
     if not (hasattr(source, "topology") and getattr(getattr(source, "xyz", None), "ndim", 0) == 3):
         raise _wrong("mdtraj", "a Trajectory", source)
-    chosen, notes = _frame_and_notes(frame, len(source.xyz), "frame")
+    xyz, notes = _taken(source.xyz, frame, "frame")
     atoms = list(source.topology.atoms)
     chains = [getattr(atom.residue.chain, "chain_id", None) or _letters(atom.residue.chain.index) for atom in atoms]
     columns = {
@@ -139,7 +134,7 @@ def of_mdtraj(source: Any, frame: int | None) -> Found:
         "chain": chains,
         "serial": [i + 1 if atom.serial is None else atom.serial for i, atom in enumerate(atoms)],
     }
-    return Found(_PER_NANOMETRE * np.asarray(source.xyz[chosen], dtype=np.float64), columns, notes=notes)
+    return Found(_PER_NANOMETRE * np.asarray(xyz, dtype=np.float64), columns, notes=notes)
 
 
 # Biopython has entities within entities: structure, models, chains, residues, atoms. Its atoms hide their alternatives.
@@ -163,8 +158,7 @@ def _atoms_of_biopython(source: Any, frame: int | None) -> tuple[list[Any], list
         models = list(source)
         if not models:
             return [], notes
-        chosen, notes = _frame_and_notes(frame, len(models), "model")
-        source = models[chosen]
+        source, notes = _taken(models, frame, "model")
     else:
         _refuse_frame(frame, "goes with a whole Structure of Biopython")
     if level is None and isinstance(source, Iterable):  # atoms that the caller has chosen
@@ -216,8 +210,7 @@ def of_biotite(source: Any, frame: int | None) -> Found:
     xyz = source.coord
     notes: list[str] = []
     if np.ndim(xyz) == 3:
-        chosen, notes = _frame_and_notes(frame, len(xyz), "model")
-        xyz = xyz[chosen]
+        xyz, notes = _taken(xyz, frame, "model")
     else:
         _refuse_frame(frame, "goes with an AtomArrayStack of Biotite")
     known = set(source.get_annotation_categories())
@@ -249,8 +242,8 @@ def of_gemmi(source: Any, frame: int | None) -> Found:
     stem = ""
     notes: list[str] = []
     if type(source).__name__ == "Structure":
-        chosen, notes = _frame_and_notes(frame, len(source), "model")
-        stem, source = str(source.name), source[chosen]
+        stem = str(source.name)
+        source, notes = _taken(source, frame, "model")
     else:
         _refuse_frame(frame, "goes with a whole Structure of gemmi")
     rows = [(chain, residue, atom) for chain, residue in _residues_of_gemmi(source) for atom in residue]
@@ -292,7 +285,7 @@ def _positions_of_openmm(source: Any, frame: int | None) -> tuple[Any, list[str]
         _refuse_frame(frame, "a Simulation has only its current one")
         return source.context.getState(getPositions=True).getPositions(), []
     if hasattr(source, "getNumFrames"):
-        chosen, notes = _frame_and_notes(frame, source.getNumFrames(), "frame")
+        chosen, notes = _taken(range(source.getNumFrames()), frame, "frame")
         return source.getPositions(frame=chosen), notes
     _refuse_frame(frame, "goes with a file of OpenMM that has several")
     return source.positions, []

@@ -4,10 +4,10 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING, Any, Literal, TypedDict
+from typing import TYPE_CHECKING, Literal, TypedDict
 
 from . import _core, _options
-from ._nouns import Noun
+from ._nouns import Noun, defaults_of
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -226,5 +226,5 @@ class SurfaceOptions(Noun):
         return self._changed(changes)
 
 
-DEFAULTS: dict[str, Any] = {field.name: field.default for field in dataclasses.fields(SurfaceOptions)
-                            if field.name in Meshing.__annotations__}
+SURFACE_DEFAULTS = defaults_of(SurfaceOptions)
+MESHING_DEFAULTS = {name: SURFACE_DEFAULTS[name] for name in Meshing.__annotations__}

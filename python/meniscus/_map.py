@@ -7,29 +7,24 @@ import collections
 import concurrent.futures
 import dataclasses
 import errno
-import json
 import os
 import re
 import shutil
-import subprocess
 import tempfile
-import threading
 from collections.abc import Callable, Iterable, Sequence
-from typing import Any, Literal, Protocol, Union
+from typing import Any, Protocol, Union, get_args
 
 from . import _options
-from ._errors import InputError, LimitError, OutputError, UsageError, text_of_path
-from ._program import find as find_program
-from ._files import Path, write_whole
+from ._choices import Command
+from ._errors import OutputError, UsageError, text_of_path
+from ._files import Path
+from ._records import collect
+from ._work import Children, Lines, Task, Work
 
-_COMMANDS = ("measure", "surface")
 _SUFFIX = re.compile(r"(?<=.)\.(pdb[0-9]{0,2}|ent|cif|mmcif|pdbqt|pqr|xyzr|xyzrn)(\.gz)?\Z", re.ASCII | re.DOTALL | re.IGNORECASE)
 
 # Options of `meniscus batch` that are of no use for one input, or parameters of map().
 _OWN = ("collect", "help", "help_all", "list", "o", "progress", "quiet", "report", "resume", "shard")
-
-_ERRORS: dict[int, type[Exception]] = {2: UsageError, 3: InputError, 4: OutputError, 5: LimitError}
-_ERROR_MARK = "meniscus: error: "
 
 # Of a task that failed for what may pass: a full disk, a program that the system ended. Tasks of workers that are gone
 # run again anyway.
@@ -42,124 +37,6 @@ class Client(Protocol):
     def map(self, func: Callable[..., Any], *iterables: Any, key: str, pure: bool, retries: int) -> Any: ...
     def gather(self, futures: Any) -> Any: ...
     def cancel(self, futures: Any) -> Any: ...
-
-
-@dataclasses.dataclass(frozen=True)
-class _Task:
-    """One input."""
-
-    name: str
-    """its path below the base"""
-    path: str
-    size: int
-    """bytes; -1 where there is no such file"""
-    endings: tuple[str, ...]
-    """of its outputs, as the program is given them"""
-
-
-@dataclasses.dataclass(frozen=True)
-class _Lines:
-    """What the program wrote of one input, as it wrote it."""
-
-    result: bytes
-    times: bytes
-
-
-class _Children:
-    """Processes that can be ended from another thread."""
-
-    def __init__(self) -> None:
-        self._lock = threading.Lock()
-        self._running: set[subprocess.Popen[str]] = set()
-        self._ended = False
-
-    def run(self, words: Sequence[str], folder: str | None) -> tuple[int, str]:
-        """A program's exit code and what it wrote to standard error."""
-        with self._lock:
-            if self._ended:
-                raise concurrent.futures.CancelledError
-            process = subprocess.Popen(words, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                                       stderr=subprocess.PIPE, encoding="utf-8", errors="replace")
-            self._running.add(process)
-        try:
-            messages = process.communicate()[1]
-        finally:
-            with self._lock:
-                self._running.discard(process)
-        return process.returncode, messages
-
-    def end(self) -> None:
-        """Ends them all, and those that are still to be started."""
-        with self._lock:
-            self._ended = True
-            for process in self._running:
-                process.terminate()
-
-
-@dataclasses.dataclass(frozen=True)
-class _Work:
-    """What all inputs have in common; it goes to the workers."""
-
-    program: str | None
-    words: tuple[str, ...]
-    base: str
-    folder: str
-    """from where files named in options are looked for"""
-    out: str | None
-    scratch: str | None
-    """holds what is under way; None for the system's folder"""
-
-    def compute(self, task: _Task, children: _Children | None = None) -> _Lines:
-        """One input by one run of `meniscus batch`, whose record it is."""
-        program = self.program or find_program()
-        if program is None:
-            raise FileNotFoundError(errno.ENOENT, "the program is neither in this package nor on the PATH; install it "
-                                                  "(docs/install.md), or name it with program=", "meniscus")
-        with tempfile.TemporaryDirectory(prefix="meniscus-", dir=self.scratch) as scratch:
-            endings = [word for ending in task.endings for word in ("-o", ending)]
-            # A worker may be in a task of a Slurm array, of which a batch would take its part.
-            words = [program, "batch", *self.words, *endings, f"--base={self.base}", f"--out={scratch}", "--jobs=1",
-                     "--shard=0/1", "--quiet", "--progress=off", *_input_words(task, scratch)]
-            code, messages = (children or _Children()).run(words, self.folder if os.path.isdir(self.folder) else None)
-            if code not in (0, 6):
-                raise _error_of(program, code, messages)
-            lines = _Lines(_content(scratch, "results.jsonl"), _content(scratch, "times.jsonl"))
-            if self.out is not None:
-                _move(json.loads(lines.result)["outputs"], scratch, self.out)
-        return lines
-
-
-def _input_words(task: _Task, scratch: str) -> list[str]:
-    """A file that is missing stands in a list: then it is a line of the results, and does not end the batch."""
-    if task.size >= 0:
-        return ["--", task.path]
-    path = os.path.join(scratch, "list")
-    with open(path, "wb") as file:
-        file.write(os.fsencode(task.path))
-    return [f"--list={path}"]
-
-
-def _content(folder: str, name: str) -> bytes:
-    with open(os.path.join(folder, name), "rb") as file:
-        return file.read()
-
-
-def _error_of(program: str, code: int, messages: str) -> Exception:
-    told = [line[len(_ERROR_MARK):] for line in messages.splitlines() if line.startswith(_ERROR_MARK)]
-    if code in _ERRORS and told:
-        return _ERRORS[code](told[-1])
-    how = f"ended with exit code {code}" if code >= 0 else f"was ended by signal {-code}"
-    return RuntimeError(f"{program}: {how}: {messages.strip()}")
-
-
-def _move(outputs: Sequence[str], scratch: str, out: str) -> None:
-    for output in outputs:
-        target = os.path.join(out, output)
-        try:
-            os.makedirs(os.path.dirname(target), exist_ok=True)
-            os.replace(os.path.join(scratch, output), target)
-        except OSError as error:
-            raise OutputError(f"{target}: cannot be written: {error.strerror}") from error
 
 
 def _option_words(options: dict[str, Any]) -> list[str]:
@@ -199,7 +76,7 @@ def _size(path: str) -> int:
     return size
 
 
-def _tasks(paths: Iterable[str], base: str, endings: Sequence[str]) -> list[_Task]:
+def _tasks(paths: Iterable[str], base: str, endings: Sequence[str]) -> list[Task]:
     """A task for every file, largest first."""
     names = {path: _name(path, base) for path in paths}
     stems = {name: _SUFFIX.sub("", name) for name in names.values()}
@@ -208,14 +85,14 @@ def _tasks(paths: Iterable[str], base: str, endings: Sequence[str]) -> list[_Tas
     for path, name in names.items():
         # Names that differ only in their suffix keep it, so that their outputs differ.
         kept = name[len(stems[name]):] if uses[stems[name]] > 1 else ""
-        tasks.append(_Task(name, path, _size(path), tuple(kept + ending for ending in endings)))
+        tasks.append(Task(name, path, _size(path), tuple(kept + ending for ending in endings)))
     if tasks and all(task.size < 0 for task in tasks):
         raise FileNotFoundError(errno.ENOENT, "none of the files is there", tasks[0].path)
     return sorted(tasks, key=lambda task: -task.size)
 
 
-def _run_here(work: _Work, tasks: Sequence[_Task], jobs: int) -> list[_Lines]:
-    children = _Children()
+def _run_here(work: Work, tasks: Sequence[Task], jobs: int) -> list[Lines]:
+    children = Children()
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         futures = [pool.submit(work.compute, task, children) for task in tasks]
         try:
@@ -230,7 +107,7 @@ def _run_here(work: _Work, tasks: Sequence[_Task], jobs: int) -> list[_Lines]:
             raise
 
 
-def _run_on(client: Client, work: _Work, tasks: Sequence[_Task]) -> list[_Lines]:
+def _run_on(client: Client, work: Work, tasks: Sequence[Task]) -> list[Lines]:
     futures = client.map(work.compute, tasks, key=f"meniscus-{work.words[0]}", pure=False, retries=_RETRIES)
     try:
         return list(client.gather(futures))
@@ -239,7 +116,7 @@ def _run_on(client: Client, work: _Work, tasks: Sequence[_Task]) -> list[_Lines]
         raise
 
 
-def _run(client: Client | None, work: _Work, tasks: Sequence[_Task], jobs: int) -> list[_Lines]:
+def _run(client: Client | None, work: Work, tasks: Sequence[Task], jobs: int) -> list[Lines]:
     """In a folder for what is under way; it is among the outputs, so that these can be moved into place."""
     if work.out is None:
         return _run_here(work, tasks, jobs) if client is None else _run_on(client, work, tasks)
@@ -253,54 +130,6 @@ def _run(client: Client | None, work: _Work, tasks: Sequence[_Task], jobs: int) 
         return _run_here(work, tasks, jobs) if client is None else _run_on(client, work, tasks)
     finally:
         shutil.rmtree(scratch, ignore_errors=True)
-
-
-def _radii(record: dict[str, Any]) -> str:
-    report = record["report"]
-    one = report[0] if isinstance(report, list) and report else report
-    return str(one["input"]["radii"]) if one else ""
-
-
-def _refuse_mixed_radii(records: Iterable[dict[str, Any]]) -> None:
-    found: dict[str, str] = {}
-    for record in records:
-        found.setdefault(_radii(record), record["input"])
-    found.pop("", None)
-    if len(found) > 1:
-        (first, one), (second, other) = sorted(found.items())[:2]
-        raise UsageError(f"{one} has radii {first} and {other} has radii {second}: their results are not comparable; "
-                         "choose one set with radii=, or allow this with mixed_radii=True")
-
-
-def _refuse_shared_outputs(records: Iterable[dict[str, Any]]) -> None:
-    owners: dict[str, str] = {}
-    for record in records:
-        for output in record["outputs"]:
-            if owners.setdefault(output, record["input"]) != record["input"]:
-                raise OutputError(f"{output}: is also an output of {owners[output]}; give the inputs different names")
-
-
-def _write(path: str, text: bytes) -> None:
-    try:
-        write_whole(path, lambda file: file.write(text))
-    except OSError as error:
-        raise OutputError(f"{path}: cannot be written: {error.strerror or error}") from error
-
-
-def _collect(lines: dict[_Task, _Lines], out: str | None, may_mix_radii: bool) -> dict[str, dict[str, Any]]:
-    """Writes the files of results, by the bytes of names; a record for each path."""
-    tasks = sorted(lines, key=lambda task: os.fsencode(task.name))
-    records = {task.path: json.loads(lines[task].result) for task in tasks}
-    if not may_mix_radii:
-        _refuse_mixed_radii(records.values())
-    if out is None:
-        for record in records.values():
-            record["outputs"] = []
-        return records
-    _refuse_shared_outputs(records.values())
-    _write(os.path.join(out, "results.jsonl"), b"".join(lines[task].result for task in tasks))
-    _write(os.path.join(out, "times.jsonl"), b"".join(lines[task].times for task in tasks))
-    return records
 
 
 def _program(program: Path | None) -> str | None:
@@ -325,8 +154,7 @@ def _files(paths: Iterable[Path]) -> list[str]:
 
 
 def _endings(command: str, outputs: str | Sequence[str], out: str | None) -> tuple[str, ...]:
-    if command not in _COMMANDS:
-        raise UsageError(f"command: unknown value '{command}'; choose one of {', '.join(_COMMANDS)}")
+    _options.one_of("command", command, get_args(Command))
     endings = (outputs,) if isinstance(outputs, str) else tuple(outputs)
     if endings and out is None:
         raise UsageError("outputs: give a folder for them, out=")
@@ -356,7 +184,7 @@ def map(
     paths: Iterable[Path],
     client: Client | None = None,
     *,
-    command: Literal["measure", "surface"] = "measure",
+    command: Command = "measure",
     out: Path | None = None,
     outputs: Union[str, Sequence[str]] = (),
     base: Path | None = None,
@@ -431,8 +259,8 @@ def map(
     limits = {"time_limit": time_limit, "memory_limit": memory_limit, "mixed_radii": bool(mixed_radii)}
     words = _option_words({"threads": _threads(client, at_once), **options, **limits})
     tasks = _tasks(files, root, endings)
-    work = _Work(_program(program), (command, *words), root, os.getcwd(), place, None)
+    work = Work(_program(program), (command, *words), root, os.getcwd(), place, None)
     lines = dict(zip(tasks, _run(client, work, tasks, at_once)))
     may_mix = mixed_radii or options.get("radii", "auto") != "auto"
-    records = _collect(lines, place, may_mix)
+    records = collect(lines, place, may_mix)
     return [records[path] for path in files]

@@ -3,14 +3,13 @@
 """Exact areas, volumes and cavities, without a grid."""
 from __future__ import annotations
 
-import warnings
 from typing import TYPE_CHECKING, Any
 
 from . import _core, _files, _options
 from ._arrays import Floats
 from ._choices import Per, PerInterface, TableFormat
 from ._component import Component
-from ._errors import CheckWarning, UsageError, text_of_path
+from ._errors import CheckWarning, UsageError, warn
 from ._files import Target
 from ._interfaces import Interface
 from ._structure import Structure
@@ -243,9 +242,8 @@ class Measures:
         OSError
             If the file cannot be written.
         """
-        if not _files.saved_elsewhere(path, format, lambda inner: self.save_interfaces(inner, per)):
-            text = text_of_path(path)  # type: ignore[arg-type]
-            self._asked_interfaces().save(self._structure._core, text, _options.word("per", per))
+        _files.save_to(path, format, lambda inner: self._asked_interfaces().save(
+            self._structure._core, inner, _options.word("per", per)))
 
     def _asked_interfaces(self) -> _core.Interfaces:
         if self._interfaces is None:
@@ -343,14 +341,12 @@ class Measures:
         OSError
             If the file cannot be written.
         """
-        if not _files.saved_elsewhere(path, format, lambda inner: self.save(inner, per)):
-            text = text_of_path(path)  # type: ignore[arg-type]
-            self._core.save(self._structure._core, text, _options.word("per", per))
+        _files.save_to(path, format, lambda inner: self._core.save(
+            self._structure._core, inner, _options.word("per", per)))
 
 
-def checked(measures: Measures, stacklevel: int) -> Measures:
+def checked(measures: Measures) -> Measures:
     """Warns if two evaluations do not agree."""
     if not measures.agreed:
-        warnings.warn("exact measures: evaluations do not agree on " + ", ".join(measures.disputed), CheckWarning,
-                      stacklevel=stacklevel)
+        warn("exact measures: evaluations do not agree on " + ", ".join(measures.disputed), CheckWarning)
     return measures

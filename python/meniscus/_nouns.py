@@ -37,19 +37,23 @@ class Noun:
 
     def _given(self) -> dict[str, Any]:
         """Those that do not have their default values."""
-        defaults = {field.name: field.default for field in dataclasses.fields(self)}
+        defaults = defaults_of(type(self))
         return {name: value for name, value in self._values().items() if value != defaults[name]}
 
     def _changed(self: Options, changes: Mapping[str, Any]) -> Options:
-        names = {field.name for field in dataclasses.fields(self)}
         for name in changes:
-            if name not in names:
+            if name not in defaults_of(type(self)):
                 raise TypeError(f"unexpected keyword argument {name!r}")
         return dataclasses.replace(self, **changes)
 
     def __repr__(self) -> str:
         given = ", ".join(f"{name}={value!r}" for name, value in self._given().items())
         return f"{type(self).__name__}({given})"
+
+
+def defaults_of(kind: type[Noun]) -> dict[str, Any]:
+    """The default values of options by their names."""
+    return {field.name: field.default for field in dataclasses.fields(kind)}
 
 
 def of_kind(name: str, value: Options | None, kind: type[Options]) -> Options:
@@ -125,3 +129,6 @@ class RunOptions(Noun):
         RunOptions
         """
         return self._changed(changes)
+
+
+RUN_DEFAULTS = defaults_of(RunOptions)

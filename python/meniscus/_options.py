@@ -24,13 +24,17 @@ def number(name: str, value: Any) -> float:
         raise UsageError(f"{name}: the number is too large") from None
 
 
-def whole(name: str, value: Any) -> int:
+def _index(name: str, value: Any) -> int:
     try:
         if isinstance(value, bool):
             raise TypeError
-        result = operator.index(value)
+        return operator.index(value)
     except TypeError:
         raise TypeError(f"{name}: must be a whole number, not {value!r}") from None
+
+
+def whole(name: str, value: Any) -> int:
+    result = _index(name, value)
     if not -(2**31) <= result < 2**31:
         raise UsageError(f"{name}: {result} is too large")
     return result
@@ -45,10 +49,7 @@ def count(name: str, value: Any) -> int:
 
 
 def seed(value: Any) -> int:
-    try:
-        result = operator.index(value)
-    except TypeError:
-        raise TypeError(f"seed: must be a whole number, not {value!r}") from None
+    result = _index("seed", value)
     if not 0 <= result < 2**64:
         raise UsageError(f"seed {result}: must be from 0 to 2**64 - 1")
     return result

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, Union, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -13,7 +13,7 @@ import numpy.typing as npt
 from . import _core, _files, _options, _writing
 from ._arrays import Floats, Indices, Singles, arrays_of
 from ._choices import Interpolation, PointFormat, VertexArray
-from ._errors import UsageError, opening, text_of_path
+from ._errors import UsageError, opening
 from ._files import Source, Target
 from ._structure import Structure
 
@@ -26,21 +26,20 @@ Arrays = Union[None, VertexArray, Sequence[VertexArray]]
 
 VERTEX_ARRAYS = ("normals", "atom", "residue", "patch", "component", "area", "mean_curvature", "gaussian_curvature",
                  "shape_index")
-_FURTHER_ARRAYS = ("depth",)
 
 
 def further(arrays: Arrays) -> list[str]:
     """Names of arrays that are found only when asked for."""
     names = [arrays] if isinstance(arrays, str) else list(arrays or [])
-    for name in names:
-        if name not in _FURTHER_ARRAYS:
-            raise UsageError(f"arrays: unknown value {name!r}; choose one of {', '.join(_FURTHER_ARRAYS)}")
-    return [str(name) for name in names]
+    return [_options.one_of("arrays", name, get_args(VertexArray)) for name in names]
 
 
 class OnSurface:
     """Arrays with one entry per point of the surface. They are read-only; most are views. ``numpy(copy=True)`` and the
     method ``copy()`` of every array give arrays that may be written to."""
+
+    _PLACES: tuple[str, ...]
+    """Names of the arrays that say where the points are."""
 
     def __init__(self, mesh: _core.Mesh, exact: ExactSurface, threads: int) -> None:
         self._mesh = mesh
@@ -122,11 +121,53 @@ class OnSurface:
             raise UsageError(f"arrays: '{twice[0]}' is also the name of values; rename the values")
         return {**(values or {}), **{name: getattr(self, name) for name in names}} if names else values
 
-    def _frame(self, places: Floats, arrays: Arrays) -> pandas.DataFrame:
-        from ._export import frame
-        columns = {**dict(zip("xyz", places.T)), **dict(zip(("nx", "ny", "nz"), self.normals.T))}
+    def _arrays_but_normals(self, arrays: Arrays) -> dict[str, npt.NDArray[Any]]:
         names = [name for name in (*VERTEX_ARRAYS, *further(arrays)) if name != "normals"]
-        return frame({**columns, **{name: getattr(self, name) for name in names}})
+        return arrays_of(self, names, copy=False)
+
+    def numpy(self, copy: bool = False, arrays: Arrays = None) -> dict[str, npt.NDArray[Any]]:
+        """The arrays by their names: vertices and triangles of a surface, or points, and those with an entry for each.
+
+        Parameters
+        ----------
+        copy : bool, default False
+            Arrays of their own, which may be written to and which ``torch.from_numpy`` and ``from_dlpack`` take.
+        arrays : "depth" or sequence of it, optional
+            Depths, too, which have to be found first.
+
+        Returns
+        -------
+        dict of str to ndarray
+
+        Examples
+        --------
+        >>> arrays = meniscus.surface([[0, 0, 0]], [2.0]).numpy(copy=True)
+        >>> arrays["triangles"].dtype, arrays["triangles"].flags.writeable
+        (dtype('int32'), True)
+        """
+        return arrays_of(self, (*self._PLACES, *VERTEX_ARRAYS, *further(arrays)), copy)
+
+    def to_pandas(self, arrays: Arrays = None) -> pandas.DataFrame:
+        """The vertices or points as a table of pandas, one row each.
+
+        Parameters
+        ----------
+        arrays : "depth" or sequence of it, optional
+            Depths, too, which have to be found first.
+
+        Returns
+        -------
+        pandas.DataFrame
+            Columns x, y, z (Å), nx, ny, nz, and the arrays by their names.
+
+        Raises
+        ------
+        ImportError
+            If pandas is not installed.
+        """
+        from ._export import frame
+        places = {**dict(zip("xyz", self._mesh.vertices.T)), **dict(zip(("nx", "ny", "nz"), self.normals.T))}
+        return frame({**places, **self._arrays_but_normals(arrays)})
 
     def colors(self, color: _writing.Scheme = "auto", values: _writing.Values = None) -> npt.NDArray[np.uint8]:
         """The colours of a scheme.
@@ -150,7 +191,7 @@ class OnSurface:
             For an unknown scheme, and values of another shape.
         """
         options = {**_writing.colour_options(color), **_writing.value_options(values, len(self.normals))}
-        return _core.colors(self._mesh, self.structure._core, options)
+        return _core.colors(self._mesh, self.structure._core, self._exact._core, options)
 
     def map_values(self, path: Source, offset: float = 0.0, interpolation: Interpolation = "linear") -> Singles:
         """The values of a map at the points, as ``--sample`` on the command line.
@@ -211,6 +252,8 @@ class Points(OnSurface):
     Arrays have one entry per point and are read-only.
     """
 
+    _PLACES = ("points",)
+
     def __len__(self) -> int:
         return len(self.points)
 
@@ -221,42 +264,6 @@ class Points(OnSurface):
     def points(self) -> Floats:
         """(n, 3) float64, Å."""
         return self._mesh.vertices
-
-    def numpy(self, copy: bool = False, arrays: Arrays = None) -> dict[str, npt.NDArray[Any]]:
-        """The arrays by their names: points and those of every point.
-
-        Parameters
-        ----------
-        copy : bool, default False
-            Arrays of their own, which may be written to and which ``torch.from_numpy`` and ``from_dlpack`` take.
-        arrays : "depth" or sequence of it, optional
-            Depths, too, which have to be found first.
-
-        Returns
-        -------
-        dict of str to ndarray
-        """
-        return arrays_of(self, ("points", *VERTEX_ARRAYS, *further(arrays)), copy)
-
-    def to_pandas(self, arrays: Arrays = None) -> pandas.DataFrame:
-        """The points as a table of pandas, one row each.
-
-        Parameters
-        ----------
-        arrays : "depth" or sequence of it, optional
-            Depths, too, which have to be found first.
-
-        Returns
-        -------
-        pandas.DataFrame
-            Columns x, y, z (Å), nx, ny, nz, and the arrays by their names.
-
-        Raises
-        ------
-        ImportError
-            If pandas is not installed.
-        """
-        return self._frame(self.points, arrays)
 
     def save(self, path: Target, color: _writing.Color = "auto", *, values: _writing.Values = None,
              arrays: Arrays = None, ascii: bool = False, format: PointFormat | None = None) -> None:
@@ -284,8 +291,5 @@ class Points(OnSurface):
         OSError
             If the file cannot be written; no partial file is left behind.
         """
-        def save(inner: str) -> None:
-            _writing.save_points(inner, self, color, self._with_arrays(values, arrays), ascii)
-
-        if not _files.saved_elsewhere(path, format, save):
-            save(text_of_path(path))  # type: ignore[arg-type]
+        _files.save_to(path, format, lambda inner: _writing.save_points(
+            inner, self, color, self._with_arrays(values, arrays), ascii))

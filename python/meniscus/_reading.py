@@ -6,17 +6,17 @@ from __future__ import annotations
 import dataclasses
 import pathlib
 import sys
-import warnings
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeVar, get_args
 
 from . import _core, _files, _options
 from ._choices import Hetero, Hydrogens, RadiusSet, ReadFormat
-from ._errors import InputError, ReadWarning, text_of_path, unreadable
+from ._columns import Texts
+from ._errors import InputError, ReadWarning, text_of_path, unreadable, warn
 from ._files import Path, Source
 from ._meshing import with_keywords
-from ._nouns import Noun, of_kind
-from ._structure import Structure, Texts
+from ._nouns import Noun, defaults_of, of_kind
+from ._structure import Structure
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -24,9 +24,8 @@ if TYPE_CHECKING:
 Made = TypeVar("Made")
 
 
-class Reading(TypedDict, total=False):
-    """The names of :class:`ReadOptions` beside radii as keywords, which every function takes that takes a structure's
-    path, and ``frame``, which goes with objects of other packages."""
+class _Choice(TypedDict, total=False):
+    """The names of :class:`ReadOptions` beside radii as keywords."""
 
     hydrogens: Hydrogens
     model: int | Literal["join"]
@@ -37,22 +36,19 @@ class Reading(TypedDict, total=False):
     hetero: Hetero | None
     waters: bool | None
     strict_radii: bool
+
+
+class Reading(_Choice, total=False):
+    """What every function takes that takes a structure's path: radii are an argument of their own there, and ``frame``
+    goes with objects of other packages."""
+
     frame: int | None
 
 
-class ReadingOfFile(TypedDict, total=False):
+class ReadingOfFile(_Choice, total=False):
     """The names of :class:`ReadOptions` as keywords."""
 
     radii: RadiusSet | Path
-    hydrogens: Hydrogens
-    model: int | Literal["join"]
-    assembly: str | int | None
-    altloc: str | None
-    chains: Texts | None
-    select: str | None
-    hetero: Hetero | None
-    waters: bool | None
-    strict_radii: bool
 
 
 @dataclasses.dataclass(frozen=True, repr=False)
@@ -155,11 +151,11 @@ def _word(name: str, value: Any) -> str:
     return _options.one_of(name, value, _core.words[name])
 
 
-DEFAULTS = {field.name: field.default for field in dataclasses.fields(ReadOptions)}
-_OF_MODELS = {name: default for name, default in DEFAULTS.items() if name != "model"}
+READ_DEFAULTS = defaults_of(ReadOptions)
+_OF_MODELS = {name: default for name, default in READ_DEFAULTS.items() if name != "model"}
 
 
-@with_keywords(DEFAULTS)
+@with_keywords(READ_DEFAULTS)
 def read(
     path: Source,
     *,
@@ -211,7 +207,7 @@ def read(
     <meniscus.Structure 1ubq: 602 atoms, 76 residues, radii united>
     """
     asked = of_kind("options", options, ReadOptions).replace(**keywords)
-    return read_for_caller(path, asked, format, name, stacklevel=4)
+    return read_as_asked(path, asked, format, name)
 
 
 @with_keywords(_OF_MODELS)
@@ -265,20 +261,19 @@ def read_models(
     else:
         cores = _opened(path, lambda text: _core.read_models(text, asked))
     structures = [Structure(core) for core in cores]
-    _warn((line for structure in structures for line in structure.warnings), stacklevel=3)
+    warn_of(structures)
     return structures
 
 
-def read_for_caller(source: Source, options: ReadOptions, format: str | None = None, name: str | None = None,
-                    *, stacklevel: int) -> Structure:
-    """As read() does, for a function that is called from outside so many frames above this one."""
+def read_as_asked(source: Source, options: ReadOptions, format: str | None = None, name: str | None = None) -> Structure:
+    """As read() does, with options that are put together."""
     asked = options._for_core()
     if _is_in_memory(source, format, name):
         core = _core.read_bytes(*_content_and_name(source, format, name), asked)
     else:
         core = _opened(source, lambda text: _core.read(text, asked))
     structure = Structure(core)
-    warn_of(structure, stacklevel)
+    warn_of([structure])
     return structure
 
 
@@ -321,11 +316,7 @@ def _named(called: str, data: bytes, format: str | None, is_told: bool) -> str:
     return called + ".gz" if data.startswith(b"\x1f\x8b") else called
 
 
-def warn_of(structure: Structure, stacklevel: int) -> None:
-    """Warns of what may make a number of a structure wrong."""
-    _warn(structure.warnings, stacklevel + 1)
-
-
-def _warn(lines: Iterable[str], stacklevel: int) -> None:
-    for line in dict.fromkeys(lines):
-        warnings.warn(line, ReadWarning, stacklevel=stacklevel)
+def warn_of(structures: list[Structure]) -> None:
+    """Warns of what may make a number of structures wrong, of each only once."""
+    for line in dict.fromkeys(line for structure in structures for line in structure.warnings):
+        warn(line, ReadWarning)

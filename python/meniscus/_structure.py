@@ -3,26 +3,21 @@
 """Atoms with radii and names."""
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core, _files, _options
-from ._arrays import ArrayLike, Floats, Indices, arrays_of, one_per, positions, texts, whole_per
+from ._arrays import ArrayLike, Floats, Indices, arrays_of, one_per, positions
 from ._choices import AtomFormat, RadiusSet
-from ._errors import UsageError, text_of_path
-from ._files import Path, Target
+from ._columns import Strings, Texts, Whole, columns_of
+from ._errors import UsageError
+from ._files import Target
 
 if TYPE_CHECKING:
     import pandas  # type: ignore[import]
 
-Texts = Union[str, Iterable[str]]
-Strings = npt.NDArray[np.str_]
-Whole = Union[Sequence[int], ArrayLike]
-
-_TEXTS = ("element", "name", "resname", "icode", "chain", "altloc")
 _NUMBERS = ("xyz", "radii", "resnum", "residue", "serial", "b_factor", "occupancy", "charge")
 _COLUMNS = ("serial", "name", "element", "altloc", "resname", "resnum", "icode", "chain", "residue", "radii", "b_factor",
             "occupancy", "charge")
@@ -382,80 +377,16 @@ class Structure:
         OSError
             If the file cannot be written.
         """
-        if _files.saved_elsewhere(path, format, lambda inner: self.save(inner, values)):
-            return
-        text = text_of_path(path)  # type: ignore[arg-type]
-        suffix = _files.suffix_of(text, None)
+        _files.save_to(path, format, lambda inner: self._write(inner, values))
+
+    def _write(self, path: str, values: ArrayLike | None) -> None:
+        suffix = _files.suffix_of(path, None)
         if suffix in (".xyzr", ".xyzrn"):
-            _core.write_spheres(text, self._core)
+            _core.write_spheres(path, self._core)
         elif suffix == ".csv":
-            _core.write_atom_table(text, self._core)
+            _core.write_atom_table(path, self._core)
         elif suffix in (".pdb", ".cif"):
             column = self.b_factor if values is None else one_per("values", values, len(self))
-            _core.write_structure_copy(text, self._core, column)
+            _core.write_structure_copy(path, self._core, column)
         else:
-            raise UsageError(f"{text}: unknown suffix; choose one of .xyzr .xyzrn .csv .pdb .cif")
-
-
-def columns_of(given: dict[str, Any], count: int) -> dict[str, Any]:
-    """Names and numbers of atoms as the extension takes them, without those that are None."""
-    columns: dict[str, Any] = {}
-    for key, values in given.items():
-        if values is None:
-            continue
-        if key in _TEXTS:
-            columns[key] = texts(key, values, count)
-        elif key in ("resnum", "serial"):
-            columns[key] = whole_per(key, values, count)
-        elif key in ("hetero", "in_polymer"):
-            columns[key] = [bool(value) for value in values]
-        else:
-            columns[key] = one_per(key, values, count).tolist()
-    return columns
-
-
-def radii(
-    element: Texts,
-    name: Texts | None = None,
-    resname: Texts | None = None,
-    *,
-    set: RadiusSet | Path = "bondi",
-) -> Floats:
-    """Van der Waals radii of atoms.
-
-    Atoms that are not in the set get the radius of their element. Hydrogens get 0 from sets whose radii already include
-    them (united, protor, naccess): leave them out.
-
-    Parameters
-    ----------
-    element : str or sequence of str
-        Symbols, in any case; a single text is one atom.
-    name : str or sequence of str, optional
-        Names of the atoms; they and those of residues are required by every set except bondi.
-    resname : str or sequence of str, optional
-        Names of the residues.
-    set : {"bondi", "united", "protor", "naccess", "parse"} or path of a file of rules, default "bondi"
-        The radius set; ``docs/conventions.md`` says where they come from.
-
-    Returns
-    -------
-    ndarray of float64, shape (n,)
-        Å.
-
-    Raises
-    ------
-    UsageError
-        For an unknown set, and for an atom that is neither in the set nor of a known element.
-
-    Examples
-    --------
-    >>> meniscus.radii(["C", "N", "O"]).tolist()
-    [1.7, 1.55, 1.52]
-    >>> meniscus.radii(["C", "O", "H"], ["CA", "O", "HA"], "GLY", set="united").tolist()
-    [2.0, 1.4, 0.0]
-    """
-    elements = [element] if isinstance(element, str) else [str(symbol) for symbol in element]
-    n = len(elements)
-    names = texts("name", "" if name is None else name, n)
-    resnames = texts("resname", "" if resname is None else resname, n)
-    return _core.radii(elements, names, resnames, text_of_path(set))
+            raise UsageError(f"{path}: unknown suffix; choose one of .xyzr .xyzrn .csv .pdb .cif")

@@ -5,19 +5,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-import numpy.typing as npt
-
 from . import _core, _files, _options, _writing
-from ._arrays import ArrayLike, Floats, Indices, arrays_of, positions
+from ._arrays import ArrayLike, Floats, Indices, positions
 from ._choices import Field, Maps, SurfaceFormat
-from ._errors import text_of_path
 from ._files import Target
 from ._component import Component
 from ._measures import Measures
-from ._points import VERTEX_ARRAYS, Arrays, OnSurface, Points, further
+from ._points import Arrays, OnSurface, Points
 
 if TYPE_CHECKING:
-    import pandas  # type: ignore[import]
     import pyvista  # type: ignore[import]
     import trimesh  # type: ignore[import]
 
@@ -36,6 +32,8 @@ class Surface(OnSurface):
     >>> surface.vertices.shape, surface.triangles.shape, surface.passed
     ((23190, 3), (46384, 3), True)
     """
+
+    _PLACES = ("vertices", "triangles")
 
     def __init__(self, core: _core.Surface, exact: ExactSurface, options: dict[str, Any]) -> None:
         super().__init__(core.mesh, exact, options["threads"])
@@ -66,48 +64,6 @@ class Surface(OnSurface):
         """(m, 3) int32, counter-clockwise seen from the solvent."""
         return self._mesh.triangles
 
-    def numpy(self, copy: bool = False, arrays: Arrays = None) -> dict[str, npt.NDArray[Any]]:
-        """The arrays by their names: vertices, triangles, and those of every vertex.
-
-        Parameters
-        ----------
-        copy : bool, default False
-            Arrays of their own, which may be written to and which ``torch.from_numpy`` and ``from_dlpack`` take.
-        arrays : "depth" or sequence of it, optional
-            Depths, too, which have to be found first.
-
-        Returns
-        -------
-        dict of str to ndarray
-
-        Examples
-        --------
-        >>> arrays = meniscus.surface([[0, 0, 0]], [2.0]).numpy(copy=True)
-        >>> arrays["triangles"].dtype, arrays["triangles"].flags.writeable
-        (dtype('int32'), True)
-        """
-        return arrays_of(self, ("vertices", "triangles", *VERTEX_ARRAYS, *further(arrays)), copy)
-
-    def to_pandas(self, arrays: Arrays = None) -> pandas.DataFrame:
-        """The vertices as a table of pandas, one row each.
-
-        Parameters
-        ----------
-        arrays : "depth" or sequence of it, optional
-            Depths, too, which have to be found first.
-
-        Returns
-        -------
-        pandas.DataFrame
-            Columns x, y, z (Å), nx, ny, nz, and the arrays by their names.
-
-        Raises
-        ------
-        ImportError
-            If pandas is not installed.
-        """
-        return self._frame(self.vertices, arrays)
-
     def to_trimesh(self, color: _writing.Color = "auto", arrays: Arrays = None) -> trimesh.Trimesh:
         """The mesh as one of trimesh, with normals, colours and the vertex arrays.
 
@@ -131,7 +87,7 @@ class Surface(OnSurface):
             If trimesh is not installed.
         """
         from ._export import trimesh_of
-        return trimesh_of(self, color, further(arrays))
+        return trimesh_of(self, color, self._arrays_but_normals(arrays))
 
     def to_pyvista(self, color: _writing.Color | None = None, arrays: Arrays = None) -> pyvista.PolyData:
         """The mesh as one of PyVista, with normals and the vertex arrays.
@@ -157,15 +113,12 @@ class Surface(OnSurface):
             If PyVista is not installed.
         """
         from ._export import pyvista_of
-        return pyvista_of(self, color, further(arrays))
+        return pyvista_of(self, color, self._arrays_but_normals(arrays))
 
     @property
     def options(self) -> dict[str, Any]:
         """The options given to :func:`surface`, by the names of its arguments; those not given may be missing."""
-        options = {name: value for name, value in self._options.items() if name != "finer_grid"}
-        if "memory_mb" in options:
-            options["memory"] = options.pop("memory_mb")
-        return options
+        return dict(self._options)
 
     @property
     def mesh(self) -> dict[str, Any]:
@@ -190,13 +143,16 @@ class Surface(OnSurface):
 
     @property
     def checks(self) -> list[dict[str, Any]]:
-        """The self-checks of the surface: name, passed, value, bound."""
-        return self._core.checks
+        """The self-checks of the surface, as in the block ``checks`` of the report: name, passed, value, bound.
+
+        The last, exact_agreement, is of the exact measures, which are found on first use.
+        """
+        return [*self._core.mesh_checks, self._core.exact_check(self._threads)]
 
     @property
     def passed(self) -> bool:
         """Whether every check passed."""
-        return self._core.passed
+        return all(check["passed"] for check in self.checks)
 
     @property
     def measures(self) -> Measures:
@@ -210,7 +166,7 @@ class Surface(OnSurface):
         >>> abs(surface.mesh["corrected_area"] / surface.measures.ses_area - 1) < 0.01
         True
         """
-        return self._exact._measured()
+        return self._exact.measures
 
     @property
     def cavities(self) -> list[Component]:
@@ -410,11 +366,8 @@ class Surface(OnSurface):
                    "eps": eps, "ion_radius": ion_radius, "maps": maps}
         part = {"show": show, "cavity_file": cavity}
 
-        def save(inner: str) -> None:
-            _writing.save_surface(inner, self, color, self._with_arrays(values, arrays), ascii, part, drawing)
-
-        if not _files.saved_elsewhere(path, format, save):
-            save(text_of_path(path))  # type: ignore[arg-type]
+        _files.save_to(path, format, lambda inner: _writing.save_surface(
+            inner, self, color, self._with_arrays(values, arrays), ascii, part, drawing))
 
     def write(self, file: _files.Writable, format: SurfaceFormat, color: _writing.Color = "auto", **options: Any) -> None:
         """Writes the surface to an open file: :meth:`save` for those who have a stream.

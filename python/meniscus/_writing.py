@@ -7,15 +7,15 @@ import os
 import pathlib
 import re
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Literal, Union
+from typing import TYPE_CHECKING, Any, Literal, Union, get_args
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core, _options
 from ._arrays import ArrayLike, as_array
-from ._choices import ColorScheme, ViewName
-from ._errors import OutputError, UsageError, opening
+from ._choices import ColorScheme, Maps, ViewName
+from ._errors import UsageError, opening
 from ._files import write_whole
 
 if TYPE_CHECKING:
@@ -39,8 +39,6 @@ _VIEWS = {
     "bottom": ((0, -1, 0), (0, 0, 1)),
 }
 _TRANSPARENT = (255, 255, 255, 0)
-_POINT_ARRAYS = ("normals", "atom", "residue", "patch", "component", "area", "mean_curvature", "gaussian_curvature",
-                 "shape_index")
 
 
 def colour_options(color: Color) -> dict[str, Any]:
@@ -211,8 +209,7 @@ def _save_volume(path: str, surface: Surface, options: dict[str, Any], drawing: 
     if maps is None:
         with opening(asked.get("grid_file", "")):
             return _core.write_volume(path, surface._core, asked)
-    if maps != "apbs":
-        raise UsageError(f"maps: unknown value '{maps}'; choose one of apbs")
+    _options.one_of("maps", maps, get_args(Maps))
     stem, suffix = os.path.splitext(path)
     if suffix != ".dx":
         raise UsageError(f"{path}: APBS reads its maps as .dx; name a file with that suffix")
@@ -225,16 +222,7 @@ def _save_volume(path: str, surface: Surface, options: dict[str, Any], drawing: 
 
 
 def _save_point_arrays(path: str, points: Points, more: dict[str, npt.NDArray[Any]]) -> None:
-    arrays = {"points": points.points, **more, **{name: getattr(points, name) for name in _POINT_ARRAYS}}
-    try:
-        if os.path.exists(path) and not os.path.isfile(path):  # a device or pipe is written to directly
-            with open(path, "wb") as file:
-                np.savez_compressed(file, **arrays)
-        else:
-            write_whole(path, lambda file: np.savez_compressed(file, **arrays))
-    except OSError as error:
-        raise OutputError(_core.missing_folder(path) or f"{path}: cannot be written: {error.strerror or error}"
-                          ) from error
+    write_whole(path, lambda file: np.savez_compressed(file, **{**more, **points.numpy()}))
 
 
 # A format is one line here, one in _choices.py and one in Surface.save's text.
@@ -291,7 +279,7 @@ def save_points(path: str, points: Points, color: Color, values: Values, ascii: 
     suffix = pathlib.PurePath(path).suffix
     if suffix == ".ply":
         options = {**colour_options(color), **value_options(values, len(points)), "ascii": bool(ascii)}
-        _core.write_points(path, points._mesh, points.structure._core, options)
+        _core.write_points(path, points._mesh, points.structure._core, points.exact._core, options)
     elif suffix == ".npz":
         _save_point_arrays(path, points, value_options(values, len(points)).get("values", {}))
     else:

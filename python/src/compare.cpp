@@ -35,14 +35,13 @@ Held from_mesh(const Mesh& mesh) {
     return std::make_shared<ComparedSurface>(mesh_to_compare(mesh));
 }
 
-Held from_structure(const Structure& structure, const py::dict& given) {
+Held from_exact(const ExactSurface& exact, const py::dict& given) {
     const Options asked(given);
     StructureToCompare options;
-    asked.read("probe", options.probe);
     asked.read("spacing", options.spacing);
     asked.read("threads", options.threads);
     const py::gil_scoped_release release;
-    return std::make_shared<ComparedSurface>(structure_to_compare(structure.atoms, options));
+    return std::make_shared<ComparedSurface>(exact_to_compare(exact, options));
 }
 
 py::dict measures_of(const ComparedSurface& s) {
@@ -86,7 +85,7 @@ void bind_compare(py::module_& module) {
     module.def("is_mesh_file", &is_mesh_file, py::arg("path"));
     module.def("compared_file", &from_file, py::arg("path"));
     module.def("compared_mesh", &from_mesh, py::arg("mesh"));
-    module.def("compared_structure", &from_structure, py::arg("structure"), py::arg("options"));
+    module.def("compared_exact", &from_exact, py::arg("exact"), py::arg("options"));
     module.def("compare", &compare, py::arg("a"), py::arg("b"), py::arg("options"));
     module.def("write_compared", &save, py::arg("path"), py::arg("mesh"), py::arg("distances"), py::arg("range"),
                py::arg("structure"), py::arg("probe"));

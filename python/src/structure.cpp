@@ -23,9 +23,12 @@ std::string spell_as_keyword(std::string_view option, std::string_view value) {
     std::string name(option == "keep_waters" ? "waters" : option);
     if (value.empty()) return name;
     if (value == "true" || value == "false") return name + (value == "true" ? "=True" : "=False");
-    const bool is_chosen_by_user =
-        std::all_of(value.begin(), value.end(), [](unsigned char c) { return std::isupper(c) != 0; });
-    return name + "=" + (is_chosen_by_user ? std::string(value) : '"' + std::string(value) + '"');
+    const auto are_all = [value](auto is_kind) {
+        return std::all_of(value.begin(), value.end(), [&](unsigned char c) { return is_kind(c) != 0; });
+    };
+    const bool is_bare = are_all([](int c) { return std::isupper(c); }) ||  // stands for what the user chooses
+                         are_all([](int c) { return std::isdigit(c); });
+    return name + "=" + (is_bare ? std::string(value) : '"' + std::string(value) + '"');
 }
 
 namespace {

@@ -84,11 +84,15 @@ py::array depths(const Mesh& mesh, const ExactSurface& exact, int threads) {
     return owning(by_threads(threads, [&] { return depth_values(mesh, exact).values; }));
 }
 
-/// The block `mesh` of the report, with deviations from the exact measures, which are found once.
+/// Found once.
+std::shared_ptr<const Measures> exact_measures(const Surface& surface, int threads) {
+    return by_threads(threads, [&] { return surface.exact.shared_measures(); });
+}
+
+/// The block `mesh` of the report, with deviations from the exact measures.
 py::dict mesh_dict(const Surface& surface, int threads) {
-    const std::shared_ptr<const Measures> exact = by_threads(threads, [&] { return surface.exact.shared_measures(); });
     DictVisitor visit;
-    describe_mesh(surface, exact.get(), visit);
+    describe_mesh(surface, exact_measures(surface, threads).get(), visit);
     visit({"self_intersections", "", "also without the shapes of triangles"}, surface.self_intersections);
     return visit.dict();
 }
@@ -99,6 +103,11 @@ py::object flow_dict(const Surface& surface) {
     DictVisitor visit;
     describe_flow(surface, visit);
     return visit.dict();
+}
+
+/// The check of the report that is of the exact measures.
+py::dict exact_check(const Surface& surface, int threads) {
+    return dict_of(agreement_check(*exact_measures(surface, threads)));
 }
 
 /// Φ, or where there is no level set the exact signed distance.
@@ -155,8 +164,8 @@ void bind_surface(py::module_& module) {
     type.def("mesh_block", &mesh_dict, py::arg("threads"));
     type.def_property_readonly("area", [](const Surface& s) { return s.measures.area; });
     type.def_property_readonly("flow_block", &flow_dict);
-    type.def_property_readonly("checks", [](const Surface& s) { return dicts_of(s.checks); });
-    type.def_property_readonly("passed", &Surface::passed);
+    type.def_property_readonly("mesh_checks", [](const Surface& s) { return dicts_of(s.checks); });
+    type.def("exact_check", &exact_check, py::arg("threads"));
     type.def("values", &values, py::arg("points"), py::arg("threads"));
     type.def("gradients", &gradients, py::arg("points"), py::arg("threads"));
     type.def("sample", &sample, py::arg("density"), py::arg("seed"), py::arg("threads"));

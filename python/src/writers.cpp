@@ -100,12 +100,12 @@ private:
 };
 
 /// Four numbers per vertex.
-py::array colours(const Mesh& mesh, const Structure& structure, const py::dict& given) {
+py::array colours(const Mesh& mesh, const Structure& structure, const ExactSurface& exact, const py::dict& given) {
     const Colouring colouring(given);
     std::vector<Colour> result;
     {
         const py::gil_scoped_release release;
-        result = colouring.of(colouring.complete(mesh, structure, ExactSurface(structure.atoms)), structure);
+        result = colouring.of(colouring.complete(mesh, structure, exact), structure);
     }
     return given_away(std::move(result));
 }
@@ -120,11 +120,12 @@ WriteOptions write_options(const Structure& structure, const py::dict& given) {
     return options;
 }
 
-void save_points(const std::string& path, const Mesh& points, const Structure& structure, const py::dict& given) {
+void save_points(const std::string& path, const Mesh& points, const Structure& structure, const ExactSurface& exact,
+                 const py::dict& given) {
     const Colouring colouring(given);
     WriteOptions options = write_options(structure, given);
     const py::gil_scoped_release release;
-    const Mesh complete = colouring.complete(points, structure, ExactSurface(structure.atoms));
+    const Mesh complete = colouring.complete(points, structure, exact);
     const std::vector<Colour> colours = colouring.of(complete, structure);
     options.colours = colours;
     write_mesh(path, complete, options);
@@ -333,11 +334,11 @@ using WithoutGil = py::call_guard<py::gil_scoped_release>;
 
 void bind_writers(py::module_& module) {
     module.def("named_color", &named_colour, py::arg("text"));
-    module.def("colors", &colours, py::arg("mesh"), py::arg("structure"), py::arg("options"));
+    module.def("colors", &colours, py::arg("mesh"), py::arg("structure"), py::arg("exact"), py::arg("options"));
     module.def("map_values", &map_values, py::arg("mesh"), py::arg("path"), py::arg("options"));
     module.def("table_values", &table_values, py::arg("mesh"), py::arg("structure"), py::arg("path"));
     module.def("write_mesh", &save_mesh, py::arg("path"), py::arg("surface"), py::arg("structure"), py::arg("options"));
-    module.def("write_points", &save_points, py::arg("path"), py::arg("points"), py::arg("structure"),
+    module.def("write_points", &save_points, py::arg("path"), py::arg("points"), py::arg("structure"), py::arg("exact"),
                py::arg("options"));
     module.def("write_picture", &save_picture, py::arg("path"), py::arg("surface"), py::arg("structure"),
                py::arg("options"));

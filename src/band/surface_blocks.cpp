@@ -171,7 +171,7 @@ BlockCoord Lattice::block_of(const Vec3& point) const {
     const auto index = [&](double offset) {
         const double block = std::floor(offset / block_edge());
         if (!(std::abs(block) < (1 << 30)))
-            throw LimitError("the atoms are too far from the origin for this grid spacing; increase --spacing");
+            throw LimitError("the atoms are too far from the origin for this grid spacing; choose a larger one");
         return static_cast<std::int32_t>(block);
     };
     const Vec3 offset = point - origin;
@@ -210,7 +210,8 @@ std::vector<BlockCoord> blocks_near_surface(const AccessibleSurface& surface, co
             }
         }
         if (blocks > max_blocks)
-            throw LimitError("the narrow band would not fit into memory; increase --spacing or --memory");
+            throw LimitError(
+                "the narrow band would not fit into memory; choose a larger spacing, or allow more memory");
         frontier = std::move(next);
     }
     std::sort(found.begin(), found.end(), [](const MarkedCube& a, const MarkedCube& b) { return a.cube < b.cube; });

@@ -29,7 +29,7 @@ Box box_of(const Vec3& corner, double spacing) {
 // Adds to every block its neighbours up to `steps` away along one axis. Moving all blocks keeps their order.
 void widen(std::vector<BlockCoord>& blocks, int steps, std::size_t max_blocks, std::int32_t BlockCoord::*along) {
     if (blocks.size() * (2 * static_cast<std::size_t>(steps) + 1) > 64 * max_blocks)
-        throw LimitError("the density map would not fit into memory; increase --spacing or --memory");
+        throw LimitError("the density map would not fit into memory; choose a larger spacing, or allow more memory");
     const auto move = [along](std::vector<BlockCoord>& list, int by) {
         for (BlockCoord& block : list) block.*along += by;
     };
@@ -132,7 +132,7 @@ std::vector<BlockCoord> GaussianDensity::blocks_near_surface(const Lattice& latt
     for (std::size_t b = 0; b < blocks.size(); ++b)
         if (where[b] == Where::Near) near.push_back(blocks[b]);
     if (near.size() > max_blocks)
-        throw LimitError("the density map would not fit into memory; increase --spacing or --memory");
+        throw LimitError("the density map would not fit into memory; choose a larger spacing, or allow more memory");
     return near;
 }
 

@@ -136,7 +136,7 @@ public:
         const std::uint64_t total =
             kHeader + kChunkHeader + json.size() + (sections_.empty() ? 0 : kChunkHeader + binary);
         if (total > std::numeric_limits<std::uint32_t>::max())
-            throw LimitError("GLB cannot hold more than 4 GiB; choose a larger --spacing or write PLY");
+            throw LimitError("GLB cannot hold more than 4 GiB; choose a larger spacing or write PLY");
         file_.reserve(total);
         file_.write("glTF");
         word(2);

@@ -31,7 +31,7 @@ constexpr std::size_t kFacetSize = 50;  // bytes
 
 void write_binary(AtomicFile& file, const Mesh& mesh) {
     if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max())
-        throw LimitError("STL cannot hold more than 2^32 - 1 triangles; choose a larger --spacing or write PLY");
+        throw LimitError("STL cannot hold more than 2^32 - 1 triangles; choose a larger spacing or write PLY");
     std::array<char, 80> header{};  // must not begin with "solid"
     const std::string text = std::string("meniscus ") + kVersion + ", lengths in angstrom";
     std::copy(text.begin(), text.end(), header.begin());

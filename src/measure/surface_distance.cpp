@@ -35,8 +35,7 @@ std::vector<std::size_t> numbers_of_points(const Mesh& mesh, double density) {
         const auto n = static_cast<double>(divisions_of(area, density));
         total += n * n;
         if (!(total < most))
-            throw LimitError(
-                joined(in_short(density, 3), " points per Å² would not fit into memory; choose fewer (--points)"));
+            throw LimitError(joined(in_short(density, 3), " points per Å² would not fit into memory; choose fewer"));
         sums.push_back(static_cast<std::size_t>(total));
     }
     return sums;

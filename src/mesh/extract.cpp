@@ -230,7 +230,7 @@ Mesh extract(const BlockGrid& grid, std::span<const LayerBits> inside, const Roo
     const std::uint64_t triangles = 2 * totals.first_vertex + totals.first_vertex / 16;
     if (triangles > std::numeric_limits<std::uint32_t>::max())
         throw LimitError("the mesh would have " + std::to_string(totals.first_vertex) +
-                         " vertices, more than are possible with 2^32 - 1 triangles; choose a larger --spacing");
+                         " vertices, more than are possible with 2^32 - 1 triangles; choose a larger spacing");
     Mesh mesh;
     reserve_touched(mesh.vertices, with_spare(totals.first_vertex));
     // A sphere's triangles are likely, the others are seldom used; for more than these memory is found anew.

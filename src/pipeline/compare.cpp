@@ -104,9 +104,12 @@ ComparedSurface mesh_to_compare(Mesh mesh) {
 }
 
 ComparedSurface structure_to_compare(const Atoms& atoms, const StructureToCompare& options) {
-    const SurfaceOptions direct{
-        .method = Method::Direct, .probe = options.probe, .spacing = options.spacing, .exact = true};
-    Surface computed = compute_surface(atoms, direct, {.threads = options.threads});
+    return exact_to_compare(ExactSurface(atoms, {.probe = options.probe}), options);
+}
+
+ComparedSurface exact_to_compare(ExactSurface exact, const StructureToCompare& options) {
+    const SurfaceOptions direct{.method = Method::Direct, .spacing = options.spacing, .exact = true};
+    Surface computed = meniscus::mesh(std::move(exact), direct, {.threads = options.threads});
     const Measures& measures = *computed.measured;
     ComparedSurface surface{.mesh = std::move(computed.mesh), .exact = computed.exact};
     surface.area = measures.totals.ses_area;

@@ -256,7 +256,7 @@ std::string amount(double megabytes) {
     return megabytes < 1024.0 ? with_decimals(megabytes, 0) + " MB" : with_decimals(megabytes / 1024.0, 1) + " GB";
 }
 
-// Changes of the options with which the computation would fit.
+// Changes of the options with which the computation would fit, in words that every client's users know.
 class Advice {
 public:
     Advice(double atoms, double area, const SurfaceOptions& options, std::size_t memory_limit_mb)
@@ -264,18 +264,18 @@ public:
 
     std::string text() const {
         const bool even = options_.remesh.is_on();
-        std::string text = least("--spacing", options_.spacing, even ? kCoarsestForRemeshing : kWidest,
+        std::string text = least("a spacing", options_.spacing, even ? kCoarsestForRemeshing : kWidest,
                                  [](SurfaceOptions& options, double value) { options.spacing = value; });
         if (even)
-            text += least("--edge", options_.remesh.edge, kLongest,
+            text += least("edges", options_.remesh.edge, kLongest,
                           [](SurfaceOptions& options, double value) { options.remesh.edge = value; });
         SurfaceOptions direct = options_;
         direct.method = Method::Direct;
-        if (would_fit(direct)) text += joined("--method direct (", amount(cost(direct).memory_mb), "), ");
+        if (would_fit(direct)) text += joined("the method direct (", amount(cost(direct).memory_mb), "), ");
         SurfaceOptions inexact = options_;
         inexact.exact = false;
-        if (would_fit(inexact)) text += joined("--no-exact (", amount(cost(inexact).memory_mb), "), ");
-        if (memory_limit_mb_ > 0) text += "a larger --memory, ";
+        if (would_fit(inexact)) text += joined("no exact measures (", amount(cost(inexact).memory_mb), "), ");
+        if (memory_limit_mb_ > 0) text += "a larger memory limit, ";
         return text + "fewer or smaller atoms";
     }
 
@@ -292,7 +292,7 @@ private:
         SurfaceOptions other = options_;
         for (value = std::ceil(100.0 * value) / 100.0; value <= most; value += 0.01) {
             set(other, value);
-            if (would_fit(other)) return joined(name, " ", with_decimals(value, 2), " or more, ");
+            if (would_fit(other)) return joined(name, " of ", with_decimals(value, 2), " Å or more, ");
         }
         return "";
     }

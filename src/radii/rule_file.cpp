@@ -101,7 +101,7 @@ RadiusSet read_radius_rules(const std::string& path) {
     std::ostringstream text;
     text << stream.rdbuf();
     if (!stream || !text) {
-        throw InputError(path + ": cannot be read as a file of radius rules; --radii takes " + radius_set_names() +
+        throw InputError(path + ": cannot be read as a file of radius rules; choose " + radius_set_names() +
                          ", auto or a file");
     }
     return parse_radius_rules(text.str(), path);

@@ -11,7 +11,7 @@ namespace meniscus {
 namespace {
 
 [[noreturn]] void refuse_more() {
-    throw LimitError("meshes of more than 1.4e9 triangles cannot be remeshed; choose a larger --spacing or --edge");
+    throw LimitError("meshes of more than 1.4e9 triangles cannot be remeshed; choose a larger spacing or longer edges");
 }
 
 }  // namespace

@@ -141,7 +141,7 @@ public:
         const std::string types = list_of_counts(unknown_);
         if (options.strict_radii) {
             throw InputError(file + ": set " + set + " has no radius for " + types +
-                             "; give them in a file of rules or leave out --strict-radii");
+                             "; give them in a file of rules or leave out " + options.spelling("strict_radii", ""));
         }
         std::string line = "not in radius set " + file_name(set) + ", given the radii of their elements: " + types;
         if (without_element_ > 0) {
@@ -204,8 +204,8 @@ AssignedRadii radii_of_set(const RawModel& model, const ReadOptions& options, co
 AssignedRadii assign_radii(const RawModel& model, const ReadOptions& options, const std::string& file, Chosen& chosen) {
     const bool own = model.has_radii && options.radii == "auto";
     if (!own && !model.has_names) {
-        throw UsageError("--radii " + options.radii + ": " + file +
-                         " has radii but no atom names; use its own radii with --radii auto");
+        throw UsageError(options.spelling("radii", options.radii) + ": " + file +
+                         " has radii but no atom names; use its own radii with " + options.spelling("radii", "auto"));
     }
     AssignedRadii radii = own ? own_radii(model, options, chosen) : radii_of_set(model, options, file, chosen);
     drop_zero_radii(model, radii, chosen);

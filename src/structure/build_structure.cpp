@@ -33,7 +33,8 @@ public:
 
     void reserve(std::size_t count) {
         if (count > std::numeric_limits<std::uint32_t>::max()) {
-            throw LimitError(structure_.file + ": more than 4294967295 atoms; choose fewer with --chains or --select");
+            throw LimitError(structure_.file +
+                             ": more than 4294967295 atoms; choose some of the chains, or a selection");
         }
         structure_.atoms.centres.reserve(count);
         structure_.atoms.radii.reserve(count);
@@ -78,7 +79,7 @@ const RawAssembly& find_assembly(const RawModel& model, const std::string& name,
         names += " " + printable(assembly.name);
     }
     throw InputError(file + ": no assembly " + name + "; " +
-                     (names.empty() ? "the file has none, leave out --assembly" : "assemblies of the file:" + names));
+                     (names.empty() ? "the file has none, ask for no assembly" : "assemblies of the file:" + names));
 }
 
 bool is_in(const std::vector<std::string>& names, const std::string& name) {
@@ -123,7 +124,7 @@ void append_assembly(const RawModel& model, const Chosen& chosen, const RawAssem
     for (const RawGenerator& generator : assembly.generators) {
         if (generator.operators.empty()) {
             throw InputError(structure.file + ": assembly " + assembly.name +
-                             " has operators that cannot be read; leave out --assembly");
+                             " has operators that cannot be read; ask for no assembly");
         }
         copied.push_back(copied_residues(model, generator));
         count += generator.operators.size() * count_kept(model, chosen, copied.back());

@@ -66,11 +66,12 @@ void apply_chains(const RawModel& model, const std::vector<std::string>& chains,
 
 void apply_selection(const RawModel& model, const ReadOptions& options, Chosen& chosen) {
     if (options.select.empty()) return;
-    const std::string restated = restated_selection(model, options.select, "--select");
+    const std::string option = options.spelling("select", "");
+    const std::string restated = restated_selection(model, options.select, option);
     if (!restated.empty())
         chosen.notes.push_back(options.spelling("select", printable(options.select)) + ": understood as " +
                                printable(restated));
-    const std::vector<bool> selected = selected_atoms(model, options.select, options.model);
+    const std::vector<bool> selected = selected_atoms(model, options.select, options.model, option);
     chosen.drop("unselected", keep_if(chosen.atoms, [&](std::uint32_t i) { return selected[i]; }));
 }
 
@@ -221,7 +222,7 @@ Chosen choose_atoms(const RawModel& model, const ReadOptions& options, const std
 namespace meniscus {
 
 std::string spell_as_member(std::string_view option, std::string_view value) {
-    return std::string(option) + " = " + std::string(value);
+    return value.empty() ? std::string(option) : std::string(option) + " = " + std::string(value);
 }
 
 }  // namespace meniscus

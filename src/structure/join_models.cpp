@@ -52,7 +52,7 @@ std::vector<Vec3> places_of(const RawModel& model) {
 
 void append_model(RawModel& whole, RawModel part, const std::string& file) {
     if (whole.atoms.size() + part.atoms.size() > std::numeric_limits<std::uint32_t>::max())
-        throw LimitError(file + ": more than 4294967295 atoms in all models; choose one with --model");
+        throw LimitError(file + ": more than 4294967295 atoms in all models; choose one model");
     const auto shift = static_cast<std::uint32_t>(whole.residues.size());
     for (RawAtom& atom : part.atoms) atom.residue += shift;
     std::move(part.atoms.begin(), part.atoms.end(), std::back_inserter(whole.atoms));

@@ -17,7 +17,8 @@
 namespace meniscus::reading {
 namespace {
 
-[[noreturn]] void fail_empty(const std::string& path, const RawModel& model, const Chosen& chosen) {
+[[noreturn]] void fail_empty(const std::string& path, const RawModel& model, const Chosen& chosen,
+                             OptionSpelling spelling) {
     if (model.atoms.empty()) {
         throw InputError(path + ": no atoms in this file; check that it is the right one" +
                          (model.warnings.empty() ? "" : " (" + model.warnings.front() + ")"));
@@ -28,7 +29,8 @@ namespace {
     std::string reasons;
     for (const std::string& line : lines) reasons += (reasons.empty() ? "" : "; ") + line;
     throw InputError(path + ": no atoms left" +
-                     (reasons.empty() ? "; --chains or --select keep none" : ": " + reasons));
+                     (reasons.empty() ? "; " + spelling("chains", "") + " or " + spelling("select", "") + " keep none"
+                                      : ": " + reasons));
 }
 
 std::string why_guessed(const InputFile& file, const RawModel& model) {
@@ -45,10 +47,13 @@ void append(std::vector<std::string>& lines, const std::vector<std::string>& mor
 }
 
 void check_options(const ReadOptions& options) {
-    if (options.model < 1) throw UsageError("--model " + std::to_string(options.model) + ": models are counted from 1");
+    if (options.model < 1)
+        throw UsageError(options.spelling("model", std::to_string(options.model)) + ": models are counted from 1");
     if (options.join_models && !options.assembly.empty())
-        throw UsageError("--model join: the models of a file are not to be copied by --assembly; give one of the two");
-    if (options.altloc.size() > 1) throw UsageError("--altloc " + options.altloc + ": must be one character");
+        throw UsageError(options.spelling("model", "join") + ": the models of a file are not to be copied by " +
+                         options.spelling("assembly", "") + "; give one of the two");
+    if (options.altloc.size() > 1)
+        throw UsageError(options.spelling("altloc", options.altloc) + ": must be one character");
 }
 
 void complete_model(RawModel& model) {
@@ -60,7 +65,7 @@ void complete_model(RawModel& model) {
 MadeStructure make_structure(const InputFile& file, const RawModel& model, const ReadOptions& options) {
     Chosen chosen = choose_atoms(model, options, file.path);
     const AssignedRadii radii = assign_radii(model, options, file.path, chosen);
-    if (chosen.atoms.empty()) fail_empty(file.path, model, chosen);
+    if (chosen.atoms.empty()) fail_empty(file.path, model, chosen, options.spelling);
     tell_guessed_elements(model, why_guessed(file, model), chosen);
     Structure structure;
     structure.file = file.path;

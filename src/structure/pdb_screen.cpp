@@ -133,7 +133,7 @@ void check_operator(std::string_view line, std::size_t number, const std::string
         const std::string_view word = words.next();
         if (finite_number(word)) continue;
         fail_at(file, {number, 23 + words.column()},
-                "assembly operator: " + shown(word) + " is not a finite number; correct it or drop --assembly");
+                "assembly operator: " + shown(word) + " is not a finite number; correct it or ask for no assembly");
     }
 }
 

@@ -41,7 +41,7 @@ struct Refused {
 constexpr const char* kForms = "write for instance //A,B/10-50, //A/(HEM) or //A/10-50/CA";
 constexpr const char* kPolymerRemedy =
     "the polymer is kept without any selection; name its chains, as in //A,B, or write ;polymer";
-constexpr const char* kHydrogenRemedy = "leave hydrogens out with --hydrogens drop";
+constexpr const char* kHydrogenRemedy = "leave hydrogens out by the option 'hydrogens': drop";
 constexpr const char* kOneRange = "write one range, as in //A/10-50";
 
 constexpr auto kRefused = std::to_array<Refused>({
@@ -205,7 +205,7 @@ private:
         const bool may_be_copy = list.find('-') != std::string::npos;
         if (!is_plain || has_gap)
             refuse("'" + printable(list, kOfWord) + "' is not a list of names",
-                   may_be_copy ? "copies of chains are named by --chains, as in --chains A-2" : kForms);
+                   may_be_copy ? "copies of chains are named by the option 'chains', as in A-2" : kForms);
         return list;
     }
 

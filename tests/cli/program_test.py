@@ -293,7 +293,7 @@ class Report(ProgramTest):
 class Limits(ProgramTest):
     def test_what_does_not_fit_is_refused_with_the_option_to_change(self):
         refusal = self.refused(UBIQUITIN, "--spacing", "0.05", "--memory", "50M", code=5)
-        self.assertRegex(refusal, r"needs about [0-9.]+ [MG]B .* 50 MB are allowed; choose --spacing 0\.\d+ or more")
+        self.assertRegex(refusal, r"needs about [0-9.]+ [MG]B .* 50 MB are allowed; choose a spacing of 0\.\d+ Å or more")
 
     def test_what_it_will_take_is_told_before_and_in_the_report(self):
         report = self.report(UBIQUITIN)

@@ -103,6 +103,15 @@ TEST(Compare, AnExactSurfaceIsTheReferenceBothWays) {
     EXPECT_NEAR(two.b_to_a.max, 0.1, 1e-6);
 }
 
+TEST(Compare, AnExactSurfaceOfAnyKindIsTaken) {
+    const Atoms atom{{{}}, {3.0}};
+    const ComparedSurface traced = exact_to_compare(ExactSurface(atom, {SurfaceKind::Sas, 1.5}), {.probe = 9.0});
+    EXPECT_NEAR(traced.area, 4.0 * std::numbers::pi * 4.5 * 4.5, 1e-4);
+    const Comparison found = compare_surfaces(traced, structure_to_compare(atom));
+    EXPECT_NEAR(found.a_to_b.mean, 1.5, 1e-9);
+    EXPECT_NEAR(found.b_to_a.signed_mean, -1.5, 1e-9);
+}
+
 TEST(Compare, TrianglesWithCornersOfTheirOwnAreJoined) {
     const Mesh whole = projected_sphere({{}, 3.0}, 0.4);
     Mesh soup;

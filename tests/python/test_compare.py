@@ -6,6 +6,7 @@ import json
 import os
 import pathlib
 import pickle
+import re
 import subprocess
 import tempfile
 import unittest
@@ -17,6 +18,11 @@ import meniscus
 
 def ball(radius):
     return meniscus.Structure.from_arrays([[1, 2, 3]], radius)
+
+
+def probe_of(vtp):
+    """What is written of the probe into a file of VTK."""
+    return float(re.search(rb'Name="probe"[^>]*>([^<]*)<', vtp)[1])
 
 
 class Compare(unittest.TestCase):
@@ -37,6 +43,23 @@ class Compare(unittest.TestCase):
             self.assertTrue(found.a.closed)
         self.assertLess(meniscus.compare(surface, surface).hausdorff, 1e-9)
         self.assertIn("Hausdorff", repr(found))
+
+    def test_exact_surfaces_of_any_kind(self):
+        traced = meniscus.ExactSurface(ball(2.0), surface="sas", probe=1.0)
+        found = meniscus.compare(traced, meniscus.ExactSurface(ball(2.0)))
+        self.assertAlmostEqual(found.a.area, traced.measures.ses_area, delta=1e-9)
+        self.assertAlmostEqual(found.a_to_b.mean, 1.0, delta=1e-9)
+        self.assertAlmostEqual(found.b_to_a.signed_mean, -1.0, delta=1e-9)
+        self.assertEqual(meniscus.compare(meniscus.ExactSurface(ball(2.0)), ball(3.0)).a_to_b,
+                         meniscus.compare(ball(2.0), ball(3.0)).a_to_b)
+        with self.assertRaisesRegex(TypeError, "waters is an argument of read"):
+            meniscus.compare(traced, traced, waters=True)
+
+    def test_the_probe_that_is_written_is_that_of_the_surface(self):
+        meniscus.compare(meniscus.surface(ball(2.0), probe=1.0), ball(2.0)).save(self.folder / "a.vtp")
+        meniscus.surface(ball(2.0), probe=1.0).save(self.folder / "b.vtp")
+        probes = [probe_of((self.folder / name).read_bytes()) for name in ("a.vtp", "b.vtp")]
+        self.assertEqual(probes, [1.0, 1.0])
 
     def test_the_numbers_and_bytes_are_those_of_the_command_line(self):
         (self.folder / "b.xyzr").write_text("0 0 0 2\n1.5 0 0 1.5\n")

@@ -152,8 +152,11 @@ class Writing(InScratchFolder):
             self.surface.write(io.BytesIO(), format="gif")
         with self.assertRaises(TypeError):
             self.surface.save(3)
-        with self.assertRaises(OSError):
+        with self.assertRaisesRegex(meniscus.OutputError, r"\Anosuch/a.dat: there is no folder 'nosuch'; create it first"):
             self.surface.save("nosuch/a.dat", format="ply")
+        with self.assertRaisesRegex(meniscus.OutputError, r"\A\.: cannot be written"):
+            self.surface.save(".", format="ply")
+        self.surface.save("/dev/null", format="ply")
         self.assertEqual([path.name for path in pathlib.Path().iterdir()], [])
 
 

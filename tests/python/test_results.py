@@ -88,6 +88,7 @@ class Keys(InScratchFolder):
         self.compare_keys("mesh", report["mesh"], surface.mesh)
         self.compare_keys("flow", report["flow"], surface.flow)
         self.compare_keys("checks", report["checks"], surface.checks)
+        self.assertEqual([check["name"] for check in report["checks"]], [check["name"] for check in surface.checks])
         self.compare_keys("two_sided_distance", *(
             found["two_sided_distance"] for found in (
                 self.run_program("surface", COMPLEX, "--select", SELECTION, "--edge", "1", "-o", "even.ply")["mesh"],

@@ -171,6 +171,7 @@ class Options(unittest.TestCase):
                          "converged")
         self.assertGreater(len(surface(flow="parallel", history=True).flow["history"]), 1)
         self.assertGreater(surface(initial_area=True).flow["initial_area"], 0)
+        self.assertIsNone(surface().flow["initial_area"])
         self.assertIsNone(surface().mesh["quality"])
         self.assertEqual(len(surface(quality=True).mesh["quality"]["angle_histogram"]), 18)
         self.assertIn("to_exact", surface(two_sided_distance=True).mesh["two_sided_distance"])
@@ -228,7 +229,7 @@ class Options(unittest.TestCase):
 
     def test_what_would_not_fit_is_a_limit_error(self):
         for kind in (meniscus.LimitError, MemoryError, ValueError):
-            with self.assertRaisesRegex(kind, "needs about .* of memory"):
+            with self.assertRaisesRegex(kind, r"needs about .* of memory .* choose a spacing of [0-9.]+ Å or more"):
                 meniscus.surface(CENTRES, RADII, spacing=0.001, memory="100M")
 
     def test_a_surface_that_fails_its_checks_is_warned_of(self):

@@ -70,7 +70,7 @@ std::size_t count_selected(const std::string& expression) {
     model.residues[2].chain = "B";
     model.residues[2].kind = ResidueKind::Water;
     model.atoms[0].occupancy = 0.4;
-    const std::vector<bool> selected = selected_atoms(model, expression, 1);
+    const std::vector<bool> selected = selected_atoms(model, expression, 1, "select");
     return static_cast<std::size_t>(std::count(selected.begin(), selected.end(), true));
 }
 

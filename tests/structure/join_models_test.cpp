@@ -198,7 +198,7 @@ TEST(JoinModels, ModelsOfMmcif) {
 
 TEST(JoinModels, AnAssemblyIsSomethingElse) {
     expect_contains(error_of<UsageError>(kReceptor, "a.pdb", {.join_models = true, .assembly = "1"}),
-                    "--model join: the models of a file are not to be copied by --assembly");
+                    "model = join: the models of a file are not to be copied by assembly;");
 }
 
 }  // namespace

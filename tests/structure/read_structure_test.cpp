@@ -144,7 +144,7 @@ TEST(ReadStructure, ABadModelThatIsNotAskedForIsNoMatter) {
 TEST(ReadStructure, NothingLeftIsAnErrorThatSaysWhatWent) {
     expect_contains(error_of(kWater, "w.pdb"), "w.pdb: no atoms left: 1 water left out (keep it with keep_");
     expect_contains(error_of("", "e.pdb"), "e.pdb: no atoms in this file");
-    expect_contains(error_of(kGlycine, "g.pdb", {.select = "//Z"}), "--chains or --select keep none");
+    expect_contains(error_of(kGlycine, "g.pdb", {.select = "//Z"}), "; chains or select keep none");
     expect_contains(error_of("# none\n", "e.xyzr"), "no atoms in this file");
 }
 

@@ -86,7 +86,7 @@ TEST(SelectionWords, WhatIsNotExactIsRefusedWithTheRightForm) {
     for (const char* text : {"b < 1,0", "b > 10 20", "b >= 10", "b 10", "q = x"})
         expect_refused(text, "compared with one number");
     expect_refused("chain ''", "an empty name");
-    expect_refused("chain A-2", "--chains A-2");
+    expect_refused("chain A-2", "by the option 'chains', as in A-2");
     expect_refused("resi -2", "no negative residue numbers");
     expect_refused("resi 4294967298", "larger than a residue number may be");
     expect_refused("resi 2-4294967299", "larger than a residue number may be");

@@ -23,7 +23,7 @@ RawModel parse_pdb(CleanPdb clean, const std::string& file);
 /// option          named in messages
 /// throws          UsageError if the expression is not valid
 std::vector<bool> selected_atoms(const RawModel& model, const std::string& expression, int model_position,
-                                 const std::string& option = "--select");
+                                 const std::string& option);
 
 /// How a selection is understood that is not in gemmi's syntax: "//A" for "chain A", "(HEM)" for a bare name that no
 /// chain and no atom has; empty where it is taken as it stands. Parameters and what it throws as for selected_atoms().
