@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
+#include <cstdint>
+#include <limits>
 #include <new>
 
 #include "meniscus/errors.h"
@@ -16,6 +18,9 @@ thread_local std::string last_error;
 meniscus_status failed(meniscus_status status, const char* message) {
     try {
         last_error = message;
+        // Names of files and of options may hold anything; a message is one line.
+        for (char& c : last_error)
+            if (static_cast<unsigned char>(c) < ' ') c = '?';
     } catch (const std::bad_alloc&) {
         last_error.clear();
     }
@@ -35,6 +40,8 @@ meniscus_status status_of_exception() {
         return failed(MENISCUS_LIMIT, error.what());
     } catch (const std::bad_alloc&) {
         return failed(MENISCUS_LIMIT, "not enough memory; use a larger spacing or fewer atoms");
+    } catch (const std::length_error&) {
+        return failed(MENISCUS_LIMIT, "not enough memory; use a larger spacing or fewer atoms");
     } catch (const std::invalid_argument& error) {  // UsageError, and what the geometry says of atoms
         return failed(MENISCUS_USAGE, error.what());
     } catch (const std::exception& error) {
@@ -46,6 +53,11 @@ meniscus_status status_of_exception() {
 
 void need(const void* argument, const char* name) {
     if (argument == nullptr) throw UsageError(std::string(name) + ": must not be NULL");
+}
+
+void need_room(std::size_t items, const char* name) {
+    constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
+    if (items > kMost) throw LimitError(std::string(name) + ": at most " + std::to_string(kMost) + " are possible");
 }
 
 }  // namespace meniscus::c

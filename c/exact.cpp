@@ -17,14 +17,22 @@ meniscus_totals totals_of(const SurfaceTotals& t) {
 
 /// With the depths of atoms, which tables have.
 Measures with_depths(const ExactSurface& exact) {
-    Measures measures = exact.measures();
-    const std::vector<double> distances = exact.signed_distance(exact.atoms().centres);
+    Measures measures = ses_measures(exact);
+    const std::vector<double> distances =
+        exact.of_same_atoms({.kind = SurfaceKind::Ses, .probe = measures.options.probe})
+            .signed_distance(exact.atoms().centres);
     for (std::size_t i = 0; i < distances.size(); ++i) measures.atoms[i].depth = -distances[i];
     measures.options.depth = true;
     return measures;
 }
 
 }  // namespace
+
+const Measures& ses_measures(const ExactSurface& exact) {
+    const double probe = exact.options().kind == SurfaceKind::Vdw ? 0.0 : exact.options().probe;
+    return exact.of_same_atoms({.kind = SurfaceKind::Ses, .probe = probe}).measures();
+}
+
 }  // namespace meniscus::c
 
 using namespace meniscus::c;
@@ -35,7 +43,9 @@ meniscus_status meniscus_exact_new(const meniscus_structure* structure, const me
         need(structure, "structure");
         need(exact, "exact");
         const Options& options = options_of(given);
-        const meniscus::ExactOptions kind{.kind = options.surface.surface, .probe = options.surface.probe};
+        const bool is_vdw = options.surface.surface == meniscus::SurfaceKind::Vdw;
+        const meniscus::ExactOptions kind{.kind = options.surface.surface,
+                                          .probe = is_vdw ? 0.0 : options.surface.probe};
         *exact = new meniscus_exact{structure->structure, meniscus::ExactSurface(structure->structure->atoms, kind),
                                     options.run.threads};
     });
@@ -48,7 +58,7 @@ meniscus_status meniscus_measure(meniscus_exact* exact, meniscus_totals* totals,
         need(exact, "exact");
         need(totals, "totals");
         const meniscus::ThreadLimit limit(exact->threads);
-        const meniscus::Measures& measures = exact->exact.measures();
+        const meniscus::Measures& measures = ses_measures(exact->exact);
         *totals = totals_of(measures.totals);
         if (errors != nullptr) *errors = totals_of(measures.errors);
     });
@@ -58,7 +68,7 @@ meniscus_status meniscus_atom_areas(meniscus_exact* exact, double* sas, double* 
     return guarded([&] {
         need(exact, "exact");
         const meniscus::ThreadLimit limit(exact->threads);
-        for (const meniscus::AtomMeasure& atom : exact->exact.measures().atoms) {
+        for (const meniscus::AtomMeasure& atom : ses_measures(exact->exact).atoms) {
             if (sas != nullptr) *sas++ = atom.sas_area;
             if (ses != nullptr) *ses++ = atom.ses_area();
         }
@@ -70,6 +80,7 @@ meniscus_status meniscus_signed_distance(meniscus_exact* exact, size_t n, const 
         need(exact, "exact");
         need(points, "points");
         need(distances, "distances");
+        need_room(n, "n");
         const meniscus::ThreadLimit limit(exact->threads);
         std::vector<meniscus::Vec3> places(n);
         for (size_t i = 0; i < n; ++i) places[i] = {points[3 * i], points[3 * i + 1], points[3 * i + 2]};

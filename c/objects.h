@@ -7,10 +7,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "meniscus/colour.h"
 #include "meniscus/exact_surface.h"
 #include "meniscus/meniscus.h"
+#include "meniscus/option.h"
 #include "meniscus/structure.h"
 #include "meniscus/surface.h"
 
@@ -24,7 +26,8 @@ struct Options {
     SurfaceOptions surface{};
     RunOptions run{};
     ReadOptions read{.spelling = spell};
-    std::string between{};  ///< interfaces that reports have: "A,B:C" or "all"; empty: none
+    std::string between{};        ///< interfaces that reports have: "A,B:C" or "all"; empty: none
+    std::vector<Option> given{};  ///< options of the surface that do not have their default values
 };
 
 /// Notes an error for meniscus_last_error().
@@ -46,6 +49,12 @@ meniscus_status guarded(const Work& work) {
 
 /// throws   UsageError if an argument that is needed is NULL
 void need(const void* argument, const char* name);
+
+/// throws   LimitError for a number of items that no memory can hold
+void need_room(std::size_t items, const char* name);
+
+/// Areas and volumes of the SES, whichever surface of the atoms this is.
+const Measures& ses_measures(const ExactSurface& exact);
 
 /// Thrown where the caller's progress function asks to stop.
 struct Stopped {};

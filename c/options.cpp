@@ -33,28 +33,31 @@ struct OptionSetter {
     const std::string& name;
     const std::string& text;
     bool found = false;
+    std::vector<Option> changed{};
 
     void operator()(const Option& option, bool& target) {
-        if (is(option)) target = flag_from(name, text);
+        if (is(option)) set(option, target, flag_from(name, text));
     }
     void operator()(const Option& option, double& target) {
-        if (is(option)) target = parse_number(name, text, option.range);
+        if (is(option)) set(option, target, parse_number(name, text, option.range));
     }
     void operator()(const Option& option, int& target) {
-        if (is(option)) target = whole_from(option, text);
+        if (is(option)) set(option, target, whole_from(option, text));
     }
     void operator()(const Option& option, std::size_t& target) {
-        if (is(option)) target = parse_memory(name, text);
+        if (is(option)) set(option, target, parse_memory(name, text));
     }
     void operator()(const Option& option, double& target, double (*of)(double)) {
-        if (is(option)) target = of(parse_number(name, text, option.range));
+        if (is(option)) set(option, target, of(parse_number(name, text, option.range)));
     }
     void operator()(const Option& option, FlowOptions& flow, const Words<FlowName, 3>& words) {
-        if (is(option)) flow = flow_of(parse_word(name, text, words));
+        FlowName chosen = flow.name;
+        (*this)(option, chosen, words);
+        if (name == option.name) flow = flow_of(chosen);
     }
     template <class T, std::size_t N>
     void operator()(const Option& option, T& target, const Words<T, N>& words) {
-        if (is(option)) target = parse_word(name, text, words);
+        if (is(option)) set(option, target, parse_word(name, text, words));
     }
 
 private:
@@ -62,6 +65,11 @@ private:
         if (name != option.name) return false;
         found = true;
         return true;
+    }
+    template <class T>
+    void set(const Option& option, T& target, T value) {
+        if (target != value) changed.push_back(option);
+        target = value;
     }
 };
 
@@ -109,6 +117,7 @@ bool set_reading(ReadOptions& read, const std::string& name, const std::string& 
 void set(Options& options, const std::string& name, const std::string& text) {
     OptionSetter setter{name, text};
     describe(options.surface, setter);
+    options.given.insert(options.given.end(), setter.changed.begin(), setter.changed.end());
     describe(options.run, setter);
     if (setter.found || set_reading(options.read, name, text)) return;
     if (name == "exact")

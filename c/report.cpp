@@ -66,8 +66,9 @@ std::string report_of(const Structure& structure) { return text_of(input_block(s
 std::string report_of(const Structure& structure, const ExactSurface& exact, const Options& options) {
     ordered_json report{{"meniscus", kVersion}, {"schema", 1}};
     report["input"] = input_block(structure, exact.options().probe);
-    add_exact(report, &exact.measures());
-    report["cavities"] = cavities_block({}, structure, exact.measures().components);
+    const Measures& measures = ses_measures(exact);
+    add_exact(report, &measures);
+    report["cavities"] = cavities_block({}, structure, measures.components);
     if (!options.between.empty()) report["interfaces"] = described_one_by_one(interfaces_of(structure, options));
     return text_of(report);
 }
@@ -77,12 +78,14 @@ std::string report_of(const Structure& structure, const Surface& surface) {
     ordered_json report{{"meniscus", kVersion}, {"schema", 1}};
     report["input"] = input_block(structure, surface.options.probe);
     report["options"] = options_block(surface.options);
-    add_exact(report, measured);
+    add_exact(report, measured != nullptr ? &ses_measures(surface.exact) : nullptr);
     report["mesh"] = described_as_json([&](auto& visit) { describe_mesh(surface, measured, visit); });
     report["flow"] = surface.options.method == Method::Flow
                          ? described_as_json([&](auto& visit) { describe_flow(surface, visit); })
                          : ordered_json();
-    report["checks"] = described_one_by_one(surface.checks);
+    std::vector<Check> checks = surface.checks;
+    if (measured != nullptr) checks.push_back(agreement_check(*measured));
+    report["checks"] = described_one_by_one(checks);
     report["expected"] = described_as_json([&](auto& visit) { describe(surface.expected, visit); });
     const std::span<const SurfaceComponent> pieces = measured != nullptr
                                                          ? std::span<const SurfaceComponent>(measured->components)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <string_view>
 
+#include "meniscus/describe_options.h"
 #include "meniscus/write.h"
 #include "objects.h"
 
@@ -41,6 +42,8 @@ meniscus_status meniscus_surface_new(const meniscus_exact* exact, const meniscus
         need(exact, "exact");
         need(surface, "surface");
         const Options& options = options_of(given);
+        for (const meniscus::Option& option : options.given)
+            meniscus::refuse_without_effect(option, options.surface, spell);
         meniscus::RunOptions run = options.run;
         run.progress = progress_by(progress, user);
         *surface = new meniscus_surface{exact->structure, meniscus::mesh(exact->exact, options.surface, run)};
@@ -49,29 +52,36 @@ meniscus_status meniscus_surface_new(const meniscus_exact* exact, const meniscus
 
 void meniscus_surface_free(meniscus_surface* surface) { delete surface; }
 
-size_t meniscus_vertex_count(const meniscus_surface* surface) { return surface->surface.mesh.vertices.size(); }
+size_t meniscus_vertex_count(const meniscus_surface* surface) {
+    return surface != nullptr ? surface->surface.mesh.vertices.size() : 0;
+}
 
-size_t meniscus_triangle_count(const meniscus_surface* surface) { return surface->surface.mesh.triangles.size(); }
+size_t meniscus_triangle_count(const meniscus_surface* surface) {
+    return surface != nullptr ? surface->surface.mesh.triangles.size() : 0;
+}
 
 const double* meniscus_vertex_positions(const meniscus_surface* surface) {
-    return &surface->surface.mesh.vertices.data()->x;
+    return surface != nullptr ? &surface->surface.mesh.vertices.data()->x : nullptr;
 }
 
 const float* meniscus_vertex_normals(const meniscus_surface* surface) {
-    return &surface->surface.mesh.normals.data()->x;
+    return surface != nullptr ? &surface->surface.mesh.normals.data()->x : nullptr;
 }
 
-const uint32_t* meniscus_vertex_atoms(const meniscus_surface* surface) { return surface->surface.mesh.atoms.data(); }
+const uint32_t* meniscus_vertex_atoms(const meniscus_surface* surface) {
+    return surface != nullptr ? surface->surface.mesh.atoms.data() : nullptr;
+}
 
 const uint8_t* meniscus_vertex_patches(const meniscus_surface* surface) {
-    return reinterpret_cast<const uint8_t*>(surface->surface.mesh.patches.data());
+    return surface != nullptr ? reinterpret_cast<const uint8_t*>(surface->surface.mesh.patches.data()) : nullptr;
 }
 
 const uint32_t* meniscus_vertex_components(const meniscus_surface* surface) {
-    return surface->surface.mesh.components.data();
+    return surface != nullptr ? surface->surface.mesh.components.data() : nullptr;
 }
 
 const float* meniscus_vertex_values(const meniscus_surface* surface, const char* name) {
+    if (surface == nullptr || name == nullptr) return nullptr;
     const meniscus::Mesh& mesh = surface->surface.mesh;
     const std::string_view wanted = name;
     if (wanted == "mean_curvature") return data_or_null(mesh.mean_curvatures);
@@ -82,7 +92,7 @@ const float* meniscus_vertex_values(const meniscus_surface* surface, const char*
 }
 
 const uint32_t* meniscus_triangles(const meniscus_surface* surface) {
-    return surface->surface.mesh.triangles.data()->data();
+    return surface != nullptr ? surface->surface.mesh.triangles.data()->data() : nullptr;
 }
 
 meniscus_status meniscus_surface_report(meniscus_surface* surface, const char** json) {

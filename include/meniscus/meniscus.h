@@ -71,7 +71,7 @@ typedef struct meniscus_structure meniscus_structure;
 MENISCUS_API meniscus_status meniscus_read(const char* path, const meniscus_options* options,
                                            meniscus_structure** structure);
 
-// The same from the bytes of a file in memory; its name tells the format, "1abc.cif".
+// The same from the bytes of a file in memory; its name tells the format, "1abc.cif". NULL: the content tells it.
 MENISCUS_API meniscus_status meniscus_parse(const void* bytes, size_t size, const char* name,
                                             const meniscus_options* options, meniscus_structure** structure);
 
@@ -108,7 +108,8 @@ MENISCUS_API meniscus_status meniscus_structure_report(meniscus_structure* struc
 
 typedef struct meniscus_exact meniscus_exact;
 
-// The surface of a structure; options: probe, surface (ses, sas, vdw), threads. Computes nothing until it is asked.
+// The surface of a structure; options: probe, surface (ses, sas, vdw: distances and meshes are of that one), threads.
+// Computes nothing until it is asked.
 MENISCUS_API meniscus_status meniscus_exact_new(const meniscus_structure* structure, const meniscus_options* options,
                                                 meniscus_exact** exact);
 MENISCUS_API void meniscus_exact_free(meniscus_exact* exact);
@@ -124,7 +125,7 @@ typedef struct meniscus_totals {
     double reentrant_area;
 } meniscus_totals;
 
-// The totals, with an error estimate for each number; errors may be NULL.
+// The totals of SAS and SES of the atoms, with an error estimate for each number; errors may be NULL.
 MENISCUS_API meniscus_status meniscus_measure(meniscus_exact* exact, meniscus_totals* totals, meniscus_totals* errors);
 
 // SAS and SES areas of every atom, n numbers each; NULL for what is not wanted.

@@ -108,11 +108,10 @@ static void whoever_asks_to_stop_is_heard(void) {
 static void mistakes_have_a_status_and_a_line(void) {
     const char* line = "ATOM      1  N   MET A   1      27.340  24.430   2.x14  1.00  9.67           N\n";
     const double nowhere[3] = {0, 0, NAN};
-    const double radius = 1;
+    const double here[3] = {0, 0, 0};
+    const double radius = 1, nothing = 0;
     meniscus_options* options = meniscus_options_new();
     meniscus_structure* structure = NULL;
-    meniscus_exact* exact = NULL;
-    meniscus_totals totals;
     EXPECT(meniscus_options_set(options, "spacing", "-1") == MENISCUS_USAGE && error_begins("spacing: must be"));
     EXPECT(meniscus_options_set(options, "spacing", "wide") == MENISCUS_USAGE && error_begins("spacing: 'wide'"));
     EXPECT(meniscus_options_set(options, "threads", "1.5") == MENISCUS_USAGE && error_begins("threads: must be"));
@@ -122,12 +121,58 @@ static void mistakes_have_a_status_and_a_line(void) {
     EXPECT(meniscus_options_set(options, NULL, "1") == MENISCUS_USAGE && error_begins("name: must not be NULL"));
     EXPECT(meniscus_read("no such file.pdb", NULL, &structure) == MENISCUS_INPUT && structure == NULL);
     EXPECT(meniscus_parse(line, strlen(line), "x.pdb", NULL, &structure) == MENISCUS_INPUT && error_begins("x.pdb:1:47: "));
-    EXPECT(meniscus_from_spheres(1, nowhere, &radius, &structure) == MENISCUS_OK);
-    EXPECT(meniscus_exact_new(structure, NULL, &exact) == MENISCUS_OK);
-    EXPECT(meniscus_measure(exact, &totals, NULL) == MENISCUS_USAGE);
+    EXPECT(meniscus_read("no\nsuch file.pdb", NULL, &structure) == MENISCUS_INPUT);
+    EXPECT(strchr(meniscus_last_error(), '\n') == NULL);
+    EXPECT(meniscus_from_spheres(1, nowhere, &radius, &structure) == MENISCUS_USAGE && error_begins("centres: "));
+    EXPECT(meniscus_from_spheres(1, here, &nothing, &structure) == MENISCUS_USAGE && error_begins("radii: "));
+    EXPECT(meniscus_from_spheres(0, here, &radius, &structure) == MENISCUS_USAGE && error_begins("n: "));
+    EXPECT(meniscus_from_spheres((size_t)-1 / 8, here, &radius, &structure) == MENISCUS_LIMIT && error_begins("n: "));
+    EXPECT(meniscus_parse(line, (size_t)-1, "x.pdb", NULL, &structure) == MENISCUS_LIMIT && structure == NULL);
+    meniscus_options_free(options);
+}
+
+static void options_without_effect_are_refused(void) {
+    meniscus_options* options = meniscus_options_new();
+    meniscus_structure* structure = one_sphere(3);
+    meniscus_exact* exact = NULL;
+    meniscus_surface* surface = NULL;
+    EXPECT(meniscus_options_set(options, "keep_ridges", "true") == MENISCUS_OK);
+    EXPECT(meniscus_exact_new(structure, options, &exact) == MENISCUS_OK);
+    EXPECT(meniscus_surface_new(exact, options, NULL, NULL, &surface) == MENISCUS_USAGE && error_begins("keep_ridges "));
+    EXPECT(meniscus_options_set(options, "edge", "1") == MENISCUS_OK);
+    EXPECT(meniscus_surface_new(exact, options, NULL, NULL, &surface) == MENISCUS_OK);
+    meniscus_surface_free(surface);
     meniscus_exact_free(exact);
     meniscus_structure_free(structure);
     meniscus_options_free(options);
+}
+
+static void totals_are_of_both_surfaces_whichever_is_asked_for_distances(void) {
+    meniscus_options* options = meniscus_options_new();
+    meniscus_structure* structure = one_sphere(2);
+    meniscus_exact* exact = NULL;
+    meniscus_totals totals;
+    double distance = 0;
+    const double centre[3] = {1, 2, 3};
+    EXPECT(meniscus_options_set(options, "surface", "sas") == MENISCUS_OK);
+    EXPECT(meniscus_exact_new(structure, options, &exact) == MENISCUS_OK);
+    EXPECT(meniscus_measure(exact, &totals, NULL) == MENISCUS_OK);
+    EXPECT(fabs(totals.ses_area - 4 * kPi * 4) < 1e-6 && fabs(totals.sas_area - 4 * kPi * 3.4 * 3.4) < 1e-6);
+    EXPECT(meniscus_signed_distance(exact, 1, centre, &distance) == MENISCUS_OK && fabs(distance + 3.4) < 1e-9);
+    meniscus_exact_free(exact);
+    meniscus_structure_free(structure);
+    meniscus_options_free(options);
+}
+
+static void nothing_comes_of_nothing(void) {
+    const char* json = NULL;
+    EXPECT(meniscus_atom_count(NULL) == 0 && meniscus_vertex_count(NULL) == 0 && meniscus_triangle_count(NULL) == 0);
+    EXPECT(meniscus_atom_centres(NULL) == NULL && meniscus_atom_radii(NULL) == NULL);
+    EXPECT(meniscus_vertex_positions(NULL) == NULL && meniscus_vertex_normals(NULL) == NULL);
+    EXPECT(meniscus_vertex_atoms(NULL) == NULL && meniscus_vertex_patches(NULL) == NULL);
+    EXPECT(meniscus_vertex_components(NULL) == NULL && meniscus_triangles(NULL) == NULL);
+    EXPECT(meniscus_vertex_values(NULL, "area") == NULL);
+    EXPECT(meniscus_surface_report(NULL, &json) == MENISCUS_USAGE && json == NULL);
 }
 
 static void names_of_atoms_are_told(void) {
@@ -159,6 +204,9 @@ int main(void) {
     whoever_asks_to_stop_is_heard();
     mistakes_have_a_status_and_a_line();
     names_of_atoms_are_told();
+    options_without_effect_are_refused();
+    totals_are_of_both_surfaces_whichever_is_asked_for_distances();
+    nothing_comes_of_nothing();
     meniscus_structure_free(NULL);
     meniscus_exact_free(NULL);
     meniscus_surface_free(NULL);
