@@ -12,7 +12,10 @@ static void check(meniscus_status status) {
 }
 
 int main(int argc, char** argv) {
-    if (argc != 3) return MENISCUS_USAGE;
+    if (argc != 3) {
+        fprintf(stderr, "usage: areas STRUCTURE MESH.ply\n");
+        return MENISCUS_USAGE;
+    }
     meniscus_options* options = meniscus_options_new();
     check(meniscus_options_set(options, "method", "direct"));
 
