@@ -31,6 +31,7 @@ for (const kind of ["ply", "stl", "residues.csv"]) writeFileSync("ours." + kind,
 Object.assign(result, {report: s.report, vertices: s.positions.length / 3, names: s.atoms.name.length, stages: [...stages],
                        last: [s.atoms.chain.at(-1), s.atoms.number.at(-1)], page: (await s.page()).data.length});
 result.spheres = (await measure({positions: [0, 0, 0], radii: [2]})).report.exact.ses_area;
+result.estimates = [await engine.estimate(input, options), await engine.estimate(input, {...options, interfaces: false})];
 result.usage = await failed(engine.surface(input, {...options, spacing: -1}));
 result.input = await failed(measure("ATOM      1  N   MET A   1      27.340  24.430   2.x14  1.00  9.67           N\\n"));
 const running = failed(engine.surface(input, {...options, spacing: 0.2, method: "flow"}));
@@ -186,6 +187,13 @@ class Package(unittest.TestCase):
         self.assertEqual(self.ours["last"][0], "H")
         self.assertGreater(self.ours["page"], 10_000)
         self.assertAlmostEqual(self.ours["spheres"], 50.26548245743669, 6)
+
+    def test_estimates_are_of_what_is_asked_for(self):
+        estimate, without_interfaces = self.ours["estimates"]
+        self.assertEqual(estimate["atoms"], self.ours["names"])
+        self.assertLess(abs(estimate["vertices"] / self.ours["vertices"] - 1), 0.4)
+        self.assertGreater(estimate["seconds"], without_interfaces["seconds"])
+        self.assertEqual(estimate["megabytes"], without_interfaces["megabytes"])
 
     def test_progress_errors_and_stopping(self):
         self.assertLessEqual({"geometry", "mesh"}, set(self.ours["stages"]))

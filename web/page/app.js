@@ -10,8 +10,8 @@ const App = (() => {
                   exact: "Measuring exactly", interfaces: "Measuring between chains", band: "Laying out the grid",
                   flow: "Letting the surface flow", mesh: "Making the mesh", page: "Lighting the picture"};
 
-  // The estimate is of the program on one core; a browser takes so many times as long, with what it draws.
-  const slower = 8;
+  // What lights the picture and packs it for the viewer takes so long per vertex (docs/design/portable.md).
+  const secondsPerVertex = 7.5e-6;
 
   // What is asked about before it is begun, and what a browser cannot hold at all.
   const longWait = 60;          // seconds
@@ -84,12 +84,13 @@ const App = (() => {
     async agreed(item) {
       const options = Settings.read();
       const cost = await this.engine.estimate(await bytesOf(item), {...options, name: item.name});
-      cost.seconds *= slower;
+      cost.seconds += secondsPerVertex * cost.vertices;
       item.expected = cost.seconds >= 5 ? `, about ${duration(cost.seconds)} in all` : "";
       if (cost.seconds <= longWait && cost.megabytes <= muchMemory) return;
       const answer = await this.question(item, cost, options.spacing);
       if (answer === "no") throw Object.assign(new Error("left"), {name: "AbortError"});
       if (answer === "coarse") $("spacing").value = coarser(options.spacing);
+      for (const other of this.held) this.release(other);   // it may need their memory
     }
 
     /** The live surface of an item, computed again where the engine no longer holds it. */

@@ -120,9 +120,9 @@ class Engine {
   estimate(request) {
     const m = this.module;
     return this.opened(request, ({structure}, options) => {
-      const [seconds, megabytes] = this.written(Float64Array, 2, at =>
-        this.check(m._meniscus_web_estimate(structure, options, at, at + 8)));
-      return {atoms: m._meniscus_atom_count(structure), seconds, megabytes};
+      const [seconds, megabytes, vertices] = this.written(Float64Array, 3, at =>
+        this.check(m._meniscus_web_estimate(structure, options, at)));
+      return {atoms: m._meniscus_atom_count(structure), vertices, seconds, megabytes};
     });
   }
 

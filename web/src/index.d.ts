@@ -109,7 +109,9 @@ export interface Measures {
 
 export interface Estimate {
   atoms: number;
-  /** Processor time of the native program on the machine of docs/benchmarks.md. */
+  /** Of the mesh, mostly within a quarter; as are memory and time. */
+  vertices: number;
+  /** What surface() takes, without reading the file, on the machine of docs/benchmarks.md. */
   seconds: number;
   /** Memory of the worker, in units of 2^20 bytes; it has 4096 at most. */
   megabytes: number;
