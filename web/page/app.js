@@ -231,11 +231,11 @@ const App = (() => {
       const item = this.shown, name = item.name.replace(/\.gz$/i, "").replace(/\.[^.]*$/, "") || "surface";
       if (kind === "png") return this.page.save();
       try {
-        if (kind === "html") return Saving.download(await this.asPage(item), name + ".html", "text/html");
+        if (kind === "html") return Panel.download(new Blob([await this.asPage(item)], {type: "text/html"}), name + ".html");
         const before = this.run, surface = item.surface || await this.again(item);
         const bytes = await surface.file(kind);
         if (this.run === before) $("busy").hidden = !this.run;
-        Saving.download(bytes, kind === "report.json" ? name + ".json" : `${name}.${kind}`);
+        Panel.download(new Blob([bytes]), kind === "report.json" ? name + ".json" : `${name}.${kind}`);
       } catch (error) {
         if (!isAbort(error)) this.complain("Saving", error);
       }
