@@ -73,7 +73,7 @@ ONLY_IN = {
     "<sys/syscall.h>": ("src/platform/",),
     "<sys/auxv.h>": ("src/platform/",),
     "<sched.h>": ("src/core/threads/tbb.cpp", "tests/"),
-    "<malloc.h>": ("cli/heap.cpp",),
+    "<malloc.h>": ("cli/heap.cpp", "src/platform/memory.cpp"),
     "<iostream>": ("cli/", "src/structure/", "src/io/", "tests/", "bench/", "fuzz/"),
     "<fstream>": ("cli/", "src/platform/", "src/structure/", "src/radii/", "src/io/", "tests/", "bench/", "fuzz/"),
 }

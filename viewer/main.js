@@ -6,20 +6,13 @@
 (() => {
   const {$} = Panel;
 
-  /** three.js lies compressed in the page; its fingerprint is in the page's policy. */
-  async function loadThree() {
-    const script = document.createElement("script");
-    script.textContent = new TextDecoder().decode(await Decode.embedded("three"));
-    document.head.append(script);
-  }
-
   async function start() {
     const narrow = matchMedia("(max-width: 720px)").matches;
     if (narrow) document.body.classList.add("folded");
     if (!window.DecompressionStream) throw new Error("this browser is too old to decompress it");
     if (!$("view").getContext("webgl2", Page.context)) throw new Error("this browser has no WebGL 2");
     $("notice").textContent = "Loading …";
-    const [bytes] = await Promise.all([Decode.embedded("data"), loadThree()]);
+    const [bytes] = await Promise.all([Decode.embedded("data"), Page.loadThree()]);
     document.body.classList.replace("plain", "live");
     const page = new Page(Decode.decode(bytes), Page.renderer());
     page.drawNow();

@@ -288,13 +288,7 @@ const Page = (() => {
 
     save() {
       this.drawNow();
-      this.canvas.toBlob(blob => {
-        const link = document.createElement("a");
-        link.href = URL.createObjectURL(blob);
-        link.download = this.info.name + ".png";
-        link.click();
-        setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-      });
+      this.canvas.toBlob(blob => Panel.download(blob, this.info.name + ".png"));
     }
 
     /** The first view in another size, before nothing: a PNG, as a promise of a Blob. */
@@ -373,6 +367,13 @@ const Page = (() => {
 
   /** Of the canvas; a second getContext() with it answers with the same. */
   Page.context = {antialias: true, preserveDrawingBuffer: false};
+
+  /** three.js lies compressed in the page; its fingerprint is in the page's policy. */
+  Page.loadThree = async () => {
+    const script = document.createElement("script");
+    script.textContent = new TextDecoder().decode(await Decode.embedded("three"));
+    document.head.append(script);
+  };
 
   /** What draws; three.js must be there. */
   Page.renderer = () => {

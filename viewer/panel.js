@@ -118,6 +118,13 @@ const Panel = (() => {
     tip.style.top = Math.min(y - box.top + 16, box.height - tip.offsetHeight - 4) + "px";
   }
 
-  return {$, plain, short, residueOf, atomName, atomTitle, shapeWord, showLegend, showFacts, fillCavities, markCavity,
-          fillSchemes, showTip};
+  /** Hands a blob to the browser's downloads. */
+  function download(blob, name) {
+    const link = element("a", undefined, {href: URL.createObjectURL(blob), download: name});
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+  }
+
+  return {$, element, plain, short, residueOf, atomName, atomTitle, shapeWord, showLegend, showFacts, fillCavities, markCavity,
+          fillSchemes, showTip, download};
 })();

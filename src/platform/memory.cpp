@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "platform/memory.h"
 
+#ifdef __EMSCRIPTEN__
+#include <emscripten/heap.h>
+#include <malloc.h>
+#endif
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -12,8 +17,12 @@
 namespace meniscus {
 namespace {
 
-constexpr std::size_t kPlenty = std::numeric_limits<std::size_t>::max() / 2;
+constexpr std::size_t kPlenty = std::numeric_limits<std::size_t>::max();
 
+#ifdef __EMSCRIPTEN__
+// How far the module may still grow, with what it has freed: a browser does not tell what the machine has left.
+std::size_t free_in_machine() { return emscripten_get_heap_max() - static_cast<std::uint32_t>(mallinfo().uordblks); }
+#else
 // What the machine has left.
 std::size_t free_in_machine() {
     std::ifstream info("/proc/meminfo");
@@ -22,6 +31,7 @@ std::size_t free_in_machine() {
         if (key == "MemAvailable:" && info >> kilobytes) return kilobytes * 1024;
     return kPlenty;
 }
+#endif
 
 // What one control group (version 2) leaves of its own limit.
 std::size_t free_in_group(const std::string& folder) {

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Meniscus authors
 # SPDX-License-Identifier: Apache-2.0
 """The npm package in Node: its files and numbers are those of the program, errors have their code, what is asked to stop
-stops; and it is as small as it is said to be. Skipped where node or build/web is missing.
+stops and leaves nothing behind; and it is as small as it is said to be. Skipped where node or build/web is missing.
 
 usage: package_test.py PROGRAM PROJECT PACKAGE
 """
@@ -31,6 +31,7 @@ for (const kind of ["ply", "stl", "residues.csv"]) writeFileSync("ours." + kind,
 Object.assign(result, {report: s.report, vertices: s.positions.length / 3, names: s.atoms.name.length, stages: [...stages],
                        last: [s.atoms.chain.at(-1), s.atoms.number.at(-1)], page: (await s.page()).data.length});
 result.spheres = (await measure({positions: [0, 0, 0], radii: [2]})).report.exact.ses_area;
+result.estimates = [await engine.estimate(input, options), await engine.estimate(input, {...options, interfaces: false})];
 result.usage = await failed(engine.surface(input, {...options, spacing: -1}));
 result.input = await failed(measure("ATOM      1  N   MET A   1      27.340  24.430   2.x14  1.00  9.67           N\\n"));
 const running = failed(engine.surface(input, {...options, spacing: 0.2, method: "flow"}));
@@ -39,7 +40,100 @@ result.stopped = await running;
 result.closed = await failed(s.file("ply"));
 result.again = (await engine.surface(input, {name: "1a0q.pdb", method: "direct", spacing: 1})).positions.length > 0;
 console.log(JSON.stringify(result));
-process.exit(0);
+"""
+
+# What may come at a wrong time. Every promise must end, and the program with them.
+RACES = """
+import {readFileSync} from "node:fs";
+import {Meniscus, measure, surface} from "INDEX";
+const input = readFileSync("1a0q.pdb"), quick = {method: "direct", spacing: 1}, long = {method: "flow", spacing: 0.1};
+const said = promise => promise.then(({positions, report}) => positions ? "surface" : report ? "measures" : "more",
+                                     ({name, code, message}) => name === "AbortError" ? name : [code, message]);
+const all = (...promises) => Promise.all(promises.map(said));
+const signalled = (options, f) => {
+  const controller = new AbortController(), promise = engine.surface(input, {...options, signal: controller.signal});
+  f(() => controller.abort());
+  return promise;
+};
+const result = {};
+const engine = new Meniscus();
+
+const early = [engine.surface(input, quick), engine.measure(input)];
+engine.stop();
+engine.stop();
+result.stoppedWhileLoading = await all(...early, engine.surface(input, quick));
+
+const s = await engine.surface(input, quick), abort = [];
+result.abortedWhileWaiting = await all(engine.surface(input, quick), signalled(quick, f => f()), engine.measure(input));
+result.kept = await all(s.file("ply"), s.page());
+const running = signalled(long, f => setTimeout(f, 200));
+result.abortedWhileRunning = await all(running, engine.surface(input, quick), s.file("ply"));
+s.close();
+result.abortedBefore = await all(engine.surface(input, {...quick, signal: AbortSignal.abort()}));
+
+const closed = await engine.surface(input, quick);
+closed.close();
+closed.close();
+result.closed = await all(closed.page());
+
+const one = new Float64Array([0, 0, 0]), measured = engine.measure({positions: one, radii: [2]});
+one[0] = NaN;
+result.copied = (await measured).report.exact.ses_area;
+result.unsendable = await all(engine.surface(input, {probe: () => 1.4}), engine.measure(input));
+
+result.tooFine = await all(engine.surface(input, {...quick, spacing: 0.01}), engine.surface(input, quick));
+result.noMemory = await all(engine.surface(input, {spacing: 0.02, memory: 1000000}), engine.surface(input, quick));
+
+const wrong = new Meniscus({wasm: new TextEncoder().encode("<!DOCTYPE html>")});
+result.wrongModule = await all(wrong.surface(input), wrong.measure(input));
+const failing = new Meniscus({worker: "throw new Error('oops')"});
+result.failingWorker = await all(failing.surface(input), failing.measure(input));
+const script = "let n = 0; require('worker_threads').parentPort.on('message', m => { if (n++) throw new Error('later');" +
+               " require('worker_threads').parentPort.postMessage({}); })";
+const dying = new Meniscus({worker: script});
+result.dyingWorker = await all(dying.measure(input), dying.measure(input));
+result.shared = await all(surface(input, quick), measure(input));
+console.log(JSON.stringify(result));
+"""
+
+# The engine in this thread, so that its memory can be filled: addresses beyond 2 GB, and mistakes of the module itself.
+INSIDE = """
+const {readFileSync} = require("fs"), {runInThisContext} = require("vm");
+Object.assign(globalThis, {require, __filename: "WORKER", __dirname: "."});
+runInThisContext(readFileSync("WORKER", "utf8").replace(/^serve\\(.*$/m, "Object.assign(globalThis, {Engine, messageOf})"));
+(async () => {
+  const engine = await Engine.load(await WebAssembly.compile(readFileSync("WASM")), () => {}), m = engine.module;
+  const request = {input: new Uint8Array(readFileSync("1ubq.pdb")), name: "1ubq.pdb", options: {spacing: 1, between: "all"}};
+  const countHandles = m => {
+    const count = {made: 0, freed: 0};
+    for (const name of ["options_new", "parse", "exact_new", "web_surface"].map(n => "_meniscus_" + n)) {
+      const make = m[name];
+      m[name] = (...given) => { const status = make(...given); count.made += name.includes("options") || status === 0; return status; };
+    }
+    for (const name of ["options", "structure", "exact", "surface"].map(n => `_meniscus_${n}_free`)) {
+      const free = m[name];
+      m[name] = handle => { count.freed += handle !== 0; free(handle); };
+    }
+    return count;
+  };
+  const digest = () => {
+    const {number, report, ...arrays} = engine.surface(request), ply = engine.file({number, kind: "ply"});
+    const page = engine.page({number}).data, {sas} = engine.measure(request);
+    engine.close({number});
+    return [arrays.positions, arrays.normals, arrays.indices, arrays.values.area, arrays.atoms.radii, sas].map(a => a.join())
+      .join() + arrays.atoms.name.join() + arrays.atoms.chain.join() + report.input.atoms + ply.length + page.length;
+  };
+  const refused = options => { try { engine.surface({...request, options}); } catch (error) { return error; } };
+  const before = digest(), open = countHandles(m);
+  for (const options of [{probe: -1}, {nonsense: 1}, {select: "and"}, {spacing: 0.001}, {spacing: 1, between: "Q:R"}]) refused(options);
+  digest();
+  const made = {...open};
+  for (const size of [1e8, 1e6, 1e4, 100]) while (m._malloc(size) >>> 0 < 2 ** 31) continue;   // nothing is left below
+  console.log(JSON.stringify({
+    same: digest() === before, made, open: made.made - made.freed, message: refused({method: "x"}).message, code: refused({method: "x"}).code,
+    trap: messageOf(new WebAssembly.RuntimeError("unreachable")), usual: messageOf(refused({method: "x"})),
+  }));
+})();
 """
 
 
@@ -54,13 +148,25 @@ class Package(unittest.TestCase):
         cls.addClassCleanup(cls.scratch.cleanup)
         folder = cls.folder = pathlib.Path(cls.scratch.name)
         (folder / "1a0q.pdb.gz").write_bytes(gzip.compress(INPUT.read_bytes()))
-        (folder / "try.mjs").write_text(SCRIPT.replace("INDEX", str(PACKAGE / "dist" / "index.js")))
-        shown = subprocess.run(["node", "try.mjs"], check=True, capture_output=True, text=True, cwd=folder).stdout
-        cls.ours = json.loads(shown)
+        for name in ("1a0q.pdb", "1ubq.pdb"):
+            shutil.copy(PROJECT / "examples" / name, folder)
+        cls.ours, cls.races, cls.inside = (cls.node(*script) for script in (
+            ("try.mjs", SCRIPT), ("races.mjs", RACES), ("inside.cjs", INSIDE)))
         program("surface", "1a0q.pdb.gz", "--spacing", "0.8", "-o", "theirs.ply", "-o", "theirs.stl", "--report", "s.json",
                 folder=folder)
         program("measure", "1a0q.pdb.gz", "--between", "all", "--report", "m.json", folder=folder)
         program("measure", "1a0q.pdb.gz", "-o", "theirs.residues.csv", folder=folder)
+
+    @classmethod
+    def node(cls, name, script):
+        """What a script prints; it must end by itself."""
+        for word, file in (("INDEX", "index.js"), ("WORKER", "meniscus-worker.js"), ("WASM", "meniscus.wasm")):
+            script = script.replace(word, str(PACKAGE / "dist" / file))
+        (cls.folder / name).write_text(script, encoding="utf-8")
+        done = subprocess.run(["node", name], check=False, capture_output=True, text=True, cwd=cls.folder, timeout=500)
+        if done.returncode != 0:
+            raise AssertionError(f"{name}: {done.returncode}\n{done.stdout[-2000:]}\n{done.stderr[-3000:]}")
+        return json.loads(done.stdout)
 
     def read(self, name):
         return (self.folder / name).read_bytes()
@@ -82,6 +188,13 @@ class Package(unittest.TestCase):
         self.assertGreater(self.ours["page"], 10_000)
         self.assertAlmostEqual(self.ours["spheres"], 50.26548245743669, 6)
 
+    def test_estimates_are_of_what_is_asked_for(self):
+        estimate, without_interfaces = self.ours["estimates"]
+        self.assertEqual(estimate["atoms"], self.ours["names"])
+        self.assertLess(abs(estimate["vertices"] / self.ours["vertices"] - 1), 0.4)
+        self.assertGreater(estimate["seconds"], without_interfaces["seconds"])
+        self.assertEqual(estimate["megabytes"], without_interfaces["megabytes"])
+
     def test_progress_errors_and_stopping(self):
         self.assertLessEqual({"geometry", "mesh"}, set(self.ours["stages"]))
         self.assertEqual(self.ours["usage"]["code"], 2)
@@ -90,6 +203,47 @@ class Package(unittest.TestCase):
         for key in ("stopped", "closed"):
             self.assertEqual(self.ours[key]["name"], "AbortError")
         self.assertTrue(self.ours["again"])
+
+    def test_stopping_and_signals_reject_what_they_concern_and_nothing_else(self):
+        aborted = "AbortError"
+        self.assertEqual(self.races["stoppedWhileLoading"], [aborted, aborted, "surface"])
+        self.assertEqual(self.races["abortedWhileWaiting"], ["surface", aborted, "measures"])
+        self.assertEqual(self.races["kept"], ["more", "more"])
+        self.assertEqual(self.races["abortedWhileRunning"], [aborted, "surface", aborted])
+        self.assertEqual(self.races["abortedBefore"], [aborted])
+        self.assertEqual(self.races["closed"], [[2, "this surface has been closed"]])
+        self.assertEqual(self.races["shared"], ["surface", "measures"])
+
+    def test_input_may_change_after_the_call(self):
+        self.assertAlmostEqual(self.races["copied"], 50.26548245743669, 6)
+
+    def test_after_an_error_the_engine_goes_on(self):
+        self.assertEqual(self.races["unsendable"][1], "measures")
+        for key, words in (("tooFine", "GB are free"), ("noMemory", "not enough memory")):
+            (code, message), then = self.races[key]
+            self.assertEqual(code, 5)
+            self.assertIn(words, message)
+            self.assertEqual(then, "surface")
+
+    def test_an_engine_that_cannot_be_loaded_says_so_each_time(self):
+        for key, words in (("wrongModule", "beside index.js"), ("failingWorker", "oops"), ("dyingWorker", "later")):
+            self.assertEqual(len(self.races[key]), 2)
+            for _, message in self.races[key]:
+                self.assertIn(words, message)
+
+    def test_memory_beyond_2_gb_is_as_good_as_any(self):
+        self.assertTrue(self.inside["same"])
+        self.assertEqual(self.inside["code"], 2)
+        self.assertIn("method: unknown value 'x'", self.inside["message"])
+
+    def test_errors_leave_no_memory_behind(self):
+        self.assertGreater(self.inside["made"]["made"], 12)
+        self.assertEqual(self.inside["open"], 0)
+
+    def test_a_mistake_in_the_module_ends_its_worker(self):
+        self.assertTrue(self.inside["trap"]["broken"])
+        self.assertIn("please report it", self.inside["trap"]["error"]["message"])
+        self.assertNotIn("broken", self.inside["usual"])
 
     def test_is_small(self):
         packed = list(PACKAGE.parent.glob("meniscus-surface-*.tgz"))

@@ -19,40 +19,19 @@ import tempfile
 import time
 import unittest
 
-try:
-    from selenium import webdriver
-    from selenium.webdriver.chrome.options import Options
-    from selenium.webdriver.chrome.service import Service
-except ImportError:
-    webdriver = None
+from web_browser import browser_test
 
-SKIPPED = 77
-FLAGS = ("--headless=new --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --disable-quic "
-         "--no-first-run --disable-background-networking --disable-component-update --disable-sync").split()
 EXACT = ("ses_area", "ses_volume", "sas_area", "sas_volume", "contact_area", "toroidal_area", "reentrant_area")
 
 
 def missing():
-    if webdriver is None:
-        return "Python's selenium (python3-selenium)"
-    for program in ("chromium", "chromedriver"):
-        if shutil.which(program) is None:
-            return program
-    if not PAGE.exists():
-        return f"{PAGE.name} (./run web makes it)"
-    return None
+    return browser_test.missing() or (None if PAGE.exists() else f"{PAGE.name} (./run web makes it)")
 
 
 def start_browser(folder):
-    options = Options()
-    options.binary_location = shutil.which("chromium")
-    for flag in (*FLAGS, "--window-size=1280,800", f"--user-data-dir={folder / 'profile'}"):
-        options.add_argument(flag)
-    options.add_experimental_option("prefs", {"download.default_directory": str(folder / "saved"),
-                                              "profile.default_content_setting_values.automatic_downloads": 1})
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+    browser = browser_test.start_browser(folder / "profile", "--window-size=1280,800")
     browser.set_script_timeout(300)
+    browser.execute_cdp_cmd("Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(folder / "saved")})
     return browser
 
 
@@ -177,6 +156,8 @@ class MeniscusHtml(unittest.TestCase):
         self.assertEqual(self.js("return document.title"), "1ubq · Meniscus")
         severe = [entry for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"]
         self.assertEqual(severe, [])
+        self.assertEqual(self.js("return document.querySelector('#remark-list').textContent"),
+                         "58 waters left out (keep them with “waters, too”)")
 
     def test_nothing_is_fetched(self):
         self.click("#example")
@@ -246,6 +227,29 @@ class MeniscusHtml(unittest.TestCase):
         self.set("#spacing", "0.8")
         self.click("#compute")
         self.shown("1ubq.pdb")
+
+    def test_what_is_stopped_while_its_file_is_read_is_not_begun(self):
+        self.js("""
+            const bytes = await (await meniscus.example()).arrayBuffer();
+            let reads = 0;
+            meniscus.open([{name: "1ubq.pdb", arrayBuffer: async () => {
+              if (++reads === 2) meniscus.stop();   // the first time is for the estimate
+              return bytes;
+            }}]);
+            while (reads < 2) await new Promise(resolve => setTimeout(resolve, 20));
+            await meniscus.engine.measure(bytes);   // its answer comes after those of all that has been begun""")
+        self.assertEqual(self.text("#file-list li span:last-child"), "stopped")
+        self.assertFalse(self.js("return Boolean(meniscus.items[0].content)"))
+        self.assertTrue(self.js("return document.getElementById('busy').hidden"))
+
+    def test_an_option_that_makes_no_sense_is_said_where_files_are_switched(self):
+        self.drop(self.ubiquitin)
+        self.shown("1ubq.pdb")
+        self.js("document.querySelector('#settings').open = true")
+        self.set("#spacing", "")
+        self.click("#file-list li:nth-child(1) button")
+        self.wait("!document.getElementById('failure').hidden")
+        self.assertIn("Spacing", self.text("#failure"))
 
     def test_meshes_and_tables_that_are_saved_are_those_of_the_program(self):
         self.drop(self.ubiquitin)
@@ -336,11 +340,11 @@ class MeniscusHtml(unittest.TestCase):
         self.js("document.activeElement.blur()")
         reached = set()
         for _ in range(40):
-            webdriver.ActionChains(self.browser).send_keys("\ue004").perform()  # tabulator
+            browser_test.webdriver.ActionChains(self.browser).send_keys("\ue004").perform()  # tabulator
             reached.add(self.js("return document.activeElement.id"))
         self.assertLessEqual({"choose", "example", "theme", "probe", "spacing", "radii", "method", "waters"}, reached)
         self.js("document.getElementById('example').focus()")
-        webdriver.ActionChains(self.browser).send_keys("\ue007").perform()  # enter
+        browser_test.webdriver.ActionChains(self.browser).send_keys("\ue007").perform()  # enter
         self.shown("1ubq.pdb")
         self.assertIn("role=\"status\"", self.js("return document.getElementById('busy').innerHTML"))
 
@@ -368,5 +372,5 @@ if __name__ == "__main__":
     LACKING = missing()
     if LACKING:
         print(f"SKIPPED: meniscus.html is not tested in a browser: {LACKING} is missing (./test --full brings it)")
-        sys.exit(SKIPPED)
+        sys.exit(browser_test.SKIPPED)
     unittest.main(argv=sys.argv[:1], verbosity=2)

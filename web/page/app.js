@@ -10,8 +10,8 @@ const App = (() => {
                   exact: "Measuring exactly", interfaces: "Measuring between chains", band: "Laying out the grid",
                   flow: "Letting the surface flow", mesh: "Making the mesh", page: "Lighting the picture"};
 
-  // The estimate is of the program on one core; a browser takes so many times as long, with what it draws.
-  const slower = 8;
+  // What lights the picture and packs it for the viewer takes so long per vertex (docs/design/portable.md).
+  const secondsPerVertex = 7.5e-6;
 
   // What is asked about before it is begun, and what a browser cannot hold at all.
   const longWait = 60;          // seconds
@@ -49,19 +49,31 @@ const App = (() => {
       if (this.run && this.run.item === item) return;
       this.current = item;
       this.list();
-      if (item.content && item.asked === this.asked()) return this.show(item);
-      return this.compute(item);
+      return this.isUpToDate(item) ? this.show(item) : this.compute(item);
     }
 
     /** The options as text, to tell whether they have changed; throws as Settings.read(). */
     asked() { return JSON.stringify(Settings.read()); }
 
-    // Computing.
+    /** Whether an item has been computed with the options of the form. Options that make no sense are said when they are used. */
+    isUpToDate(item) {
+      try {
+        return Boolean(item.content) && item.asked === this.asked();
+      } catch {
+        return false;
+      }
+    }
+
+    // Computing. this.run is what is being computed: {item, stopped}; stopped: AbortController.
+
+    begin(item) {
+      this.stop();
+      return this.run = {item, stopped: new AbortController()};
+    }
 
     async compute(item) {
       this.closeNotices();
-      this.stop();
-      const run = this.run = {item};
+      const run = this.begin(item);
       this.progress({stage: "read", fraction: 0});
       Object.assign(item, {state: "running", text: "…"});
       this.list();
@@ -82,23 +94,24 @@ const App = (() => {
 
     /** Asks first where it would take long; rejects where that is declined, or what is asked for cannot be. */
     async agreed(item) {
-      const options = Settings.read();
-      const cost = await this.engine.estimate(await bytesOf(item), {...options, name: item.name});
-      cost.seconds *= slower;
+      const options = Settings.read(), {signal} = this.run.stopped;
+      const cost = await this.engine.estimate(await bytesOf(item), {...options, name: item.name, signal});
+      cost.seconds += secondsPerVertex * cost.vertices;
       item.expected = cost.seconds >= 5 ? `, about ${duration(cost.seconds)} in all` : "";
       if (cost.seconds <= longWait && cost.megabytes <= muchMemory) return;
       const answer = await this.question(item, cost, options.spacing);
       if (answer === "no") throw Object.assign(new Error("left"), {name: "AbortError"});
       if (answer === "coarse") $("spacing").value = coarser(options.spacing);
+      for (const other of this.held) this.release(other);   // it may need their memory
     }
 
     /** The live surface of an item, computed again where the engine no longer holds it. */
     async surfaceOf(item, options) {
-      const asked = JSON.stringify(options);
+      const asked = JSON.stringify(options), {signal} = this.run.stopped;
       if (item.surface && item.asked === asked) return item.surface;
       this.release(item);
       const surface = await this.engine.surface(await bytesOf(item), {
-        ...options, name: item.name, progress: p => this.progress(p)});
+        ...options, name: item.name, signal, progress: p => this.progress(p)});
       this.progress({stage: "page", fraction: 0});
       item.content = await surface.page({});
       Object.assign(item, {surface, asked, report: surface.report, notes: surface.notes, warnings: surface.warnings,
@@ -121,8 +134,9 @@ const App = (() => {
     /** Ends what is being computed; the engine forgets its surfaces, and pages stay what they are. */
     stop() {
       if (!this.run) return;
-      const {item} = this.run;
+      const {item, stopped} = this.run;
       this.run = null;
+      stopped.abort();   // also where a file is still being read
       this.engine.stop();
       for (const other of this.held) other.surface = null;
       this.held = [];
@@ -218,10 +232,8 @@ const App = (() => {
       const item = this.current;
       $("compute").hidden = !item || Boolean(this.run);
       if (!item) return;
-      let same = false;
-      try { same = item.asked === this.asked(); } catch { /* said when it is sent off */ }
       $("compute").textContent = item.content ? "Compute again" : "Compute";
-      $("compute").disabled = Boolean(same && item.content);
+      $("compute").disabled = this.isUpToDate(item);
     }
 
     // Saving.
@@ -230,11 +242,11 @@ const App = (() => {
       const item = this.shown, name = item.name.replace(/\.gz$/i, "").replace(/\.[^.]*$/, "") || "surface";
       if (kind === "png") return this.page.save();
       try {
-        if (kind === "html") return Saving.download(await this.asPage(item), name + ".html", "text/html");
+        if (kind === "html") return Panel.download(new Blob([await this.asPage(item)], {type: "text/html"}), name + ".html");
         const before = this.run, surface = item.surface || await this.again(item);
         const bytes = await surface.file(kind);
         if (this.run === before) $("busy").hidden = !this.run;
-        Saving.download(bytes, kind === "report.json" ? name + ".json" : `${name}.${kind}`);
+        Panel.download(new Blob([bytes]), kind === "report.json" ? name + ".json" : `${name}.${kind}`);
       } catch (error) {
         if (!isAbort(error)) this.complain("Saving", error);
       }
@@ -242,8 +254,7 @@ const App = (() => {
 
     /** A surface that the engine has forgotten, with the options that it had. */
     async again(item) {
-      this.stop();
-      const run = this.run = {item};
+      const run = this.begin(item);
       try {
         return await this.surfaceOf(item, JSON.parse(item.asked));
       } finally {

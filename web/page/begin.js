@@ -9,12 +9,6 @@
   /** The example: a structure file, deflated. */
   const example = async () => new File([await Decode.embedded("example-file")], Built.exampleName);
 
-  async function loadThree() {
-    const script = document.createElement("script");
-    script.textContent = new TextDecoder().decode(await Decode.embedded("three"));
-    document.head.append(script);
-  }
-
   function setTheme() {
     const dark = matchMedia("(prefers-color-scheme: dark)");
     const set = () => { document.documentElement.dataset.theme = dark.matches ? "dark" : "light"; };
@@ -41,7 +35,7 @@
     setTheme();
     offerNotices();
     if (!window.DecompressionStream || !window.WebAssembly) throw new Error("this browser is too old for it");
-    const [wasm] = await Promise.all([Decode.embedded("wasm"), loadThree()]);
+    const [wasm] = await Promise.all([Decode.embedded("wasm"), Page.loadThree()]);
     const engine = new Meniscus({wasm: await WebAssembly.compile(wasm), worker: $("worker").textContent});
     for (const id of ["wasm", "worker"]) $(id).remove();   // a megabyte of text
     window.meniscus = new App(engine, example);

@@ -1,18 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// Files to keep: what is saved goes to the browser's downloads; a page is put together here from the same parts as the
-// program's (src/page/html.cpp).
+// A page to keep, put together from the same parts as the program's (src/page/html.cpp).
 "use strict";
 
 const Saving = (() => {
-  function download(bytes, name, type = "application/octet-stream") {
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([bytes], {type}));
-    link.download = name;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-  }
-
   const escaped = text => text.replace(/[&<>"']/g, c => ({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;"})[c]);
 
   function tables(rows) {
@@ -58,5 +49,5 @@ const Saving = (() => {
     return Built.template.replace(/\{\{(.*?)\}\}/g, (_, key) => values[key]);
   }
 
-  return {download, page};
+  return {page};
 })();

@@ -21,7 +21,7 @@ const Settings = (() => {
       if ($(id).value.trim() !== "") options[id] = $(id).value.trim();
     const chains = $("chains").value.split(",").map(c => c.trim()).filter(Boolean);
     if (chains.length > 0) options.chains = chains;
-    if ($("waters").checked) options.keep_waters = true;
+    if ($("waters").checked) options.waters = true;
     return options;
   }
 

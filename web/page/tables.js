@@ -4,14 +4,7 @@
 "use strict";
 
 const Tables = (() => {
-  const {$, plain} = Panel;
-
-  function element(tag, text, attributes = {}) {
-    const e = document.createElement(tag);
-    if (text !== undefined) e.textContent = text;
-    for (const name in attributes) e.setAttribute(name, attributes[name]);
-    return e;
-  }
+  const {$, element, plain} = Panel;
 
   /** 3.5e-6 as "3.5·10⁻⁶" */
   function scientific(value) {
@@ -68,8 +61,8 @@ const Tables = (() => {
   }
 
   // The engine names options as its callers set them; here they are fields.
-  const fields = [[/keep_waters = true/, "“waters, too”"], [/hetero = "?ligands"?/, "“also ligands”"],
-                  [/hetero = "?all"?/, "“also ions and all else”"]];
+  const fields = [["waters = true", "“waters, too”"], ["hetero = ligands", "“also ligands”"],
+                  ["hetero = all", "“also ions and all else”"]];
   const inFields = text => fields.reduce((changed, [option, field]) => changed.replace(option, field), text);
 
   function remarks({notes = [], warnings = []}) {

@@ -1,20 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// The engine: the C interface (meniscus.h) as the worker calls it. Runs in a worker, behind the script that Emscripten has
-// made, which defines MeniscusModule().
+// The engine: the C interface (meniscus.h) as the worker (worker.js) calls it. tools/make-web puts both behind the script that
+// Emscripten has made, which defines MeniscusModule().
 "use strict";
 
 class Engine {
   /** wasm: WebAssembly.Module; told({stage, fraction}) while a surface is computed */
-  static async load(wasm, told) {
-    const module = await MeniscusModule({
-      progress: (stage, fraction) => { told({stage, fraction}); return 0; },
-      instantiateWasm: (imports, ready) => {
-        WebAssembly.instantiate(wasm, imports).then(instance => ready(instance, wasm));
-        return {};
-      },
+  static load(wasm, told) {
+    return new Promise((resolve, reject) => {
+      const module = MeniscusModule({
+        progress: (stage, fraction) => { told({stage, fraction}); return 0; },
+        instantiateWasm: (imports, ready) => {
+          WebAssembly.instantiate(wasm, imports).then(instance => ready(instance, wasm)).catch(reject);
+          return {};
+        },
+      });
+      module.then(made => resolve(new Engine(made)), reject);
     });
-    return new Engine(module);
   }
 
   constructor(module) {
@@ -23,14 +25,15 @@ class Engine {
     this.next = 1;
   }
 
-  // Memory of the module.
+  // Memory of the module. Its addresses, up to 4 GB, come out of it as signed numbers: `>>> 0` makes them what they are.
 
-  /** Calls f with the address of a text, of an array's copy, or of `size` zero bytes, which are freed afterwards. */
+  /** Calls f with the address of a text, which is freed afterwards. */
   withText(text, f) { return this.withBytes(new TextEncoder().encode(text + "\0"), f); }
 
+  /** Calls f with the address of a copy of an array, which is freed afterwards. */
   withBytes(bytes, f) {
-    const at = this.module._malloc(Math.max(bytes.byteLength, 1));
-    if (at === 0) throw failure(5, "not enough memory in the browser for this input");
+    const at = this.module._malloc(Math.max(bytes.byteLength, 1)) >>> 0;
+    if (at === 0) throw outOfMemory();
     try {
       this.module.HEAPU8.set(new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength), at);
       return f(at);
@@ -48,7 +51,11 @@ class Engine {
   }
 
   copy(Type, at, count) {
-    return at === 0 ? new Type(count) : new Type(this.module.HEAPU8.buffer, at, count).slice();
+    try {
+      return at === 0 ? new Type(count) : new Type(this.module.HEAPU8.buffer, at >>> 0, count).slice();
+    } catch {   // the module's memory has room for the array, that of JavaScript has none for the copy
+      throw outOfMemory();
+    }
   }
 
   text(at) { return this.module.UTF8ToString(at); }
@@ -69,7 +76,7 @@ class Engine {
     const handle = this.module._meniscus_options_new();
     try {
       for (const [name, value] of Object.entries(options))
-        if (value !== undefined && value !== null) this.set(handle, inC[name] || name, value);
+        if (value !== undefined && value !== null) this.set(handle, name, value);
       return f(handle);
     } finally {
       this.module._meniscus_options_free(handle);
@@ -81,7 +88,7 @@ class Engine {
     this.withText(name, n => this.withText(text, v => this.check(this.module._meniscus_options_set(handle, n, v))));
   }
 
-  /** input: bytes of a file, or {positions, radii} */
+  /** input: bytes of a file, or {positions, radii} as Float64Array */
   structure(input, name, options) {
     const m = this.module;
     if (input instanceof Uint8Array)
@@ -90,59 +97,58 @@ class Engine {
     const {positions, radii} = input;
     if (positions.length !== 3 * radii.length)
       throw failure(2, `positions: ${positions.length} numbers for ${radii.length} radii; give x, y, z of each atom`);
-    return this.withBytes(Float64Array.from(positions), p => this.withBytes(Float64Array.from(radii), r =>
+    return this.withBytes(positions, p => this.withBytes(radii, r =>
       this.made(at => m._meniscus_from_spheres(radii.length, p, r, at))));
   }
 
-  /** Calls f(structure, exact, options), and frees both afterwards unless f throws nothing and keeps them. */
-  opened(input, name, given, f) {
-    const m = this.module;
-    return this.withOptions(given, options => {
-      const structure = this.structure(input, name, options);
-      let exact = 0;
-      try {
-        exact = this.made(at => m._meniscus_exact_new(structure, options, at));
-        return f(structure, exact, options);
-      } catch (error) {
-        m._meniscus_exact_free(exact);
-        m._meniscus_structure_free(structure);
-        throw error;
-      }
-    });
+  /** What f({structure, exact, surface}, options) gives. Afterwards what these handles stand for is freed, unless it is held. */
+  opened({input, name, options: given}, f) {
+    const m = this.module, handles = {structure: 0, exact: 0, surface: 0, held: false};
+    try {
+      return this.withOptions(given, options => {
+        handles.structure = this.structure(input, name, options);
+        handles.exact = this.made(at => m._meniscus_exact_new(handles.structure, options, at));
+        return f(handles, options);
+      });
+    } finally {
+      if (!handles.held) this.free(handles);
+    }
   }
 
   // What the worker is asked for.
 
-  estimate({input, name, options}) {
-    return this.opened(input, name, options, (structure, exact, handle) => {
-      const [seconds, megabytes] = this.written(Float64Array, 2, at =>
-        this.check(this.module._meniscus_web_estimate(structure, handle, at, at + 8)));
-      const atoms = this.module._meniscus_atom_count(structure);
-      this.free({structure, exact, surface: 0});
-      return {atoms, seconds, megabytes};
+  estimate(request) {
+    const m = this.module;
+    return this.opened(request, ({structure}, options) => {
+      const [seconds, megabytes, vertices] = this.written(Float64Array, 3, at =>
+        this.check(m._meniscus_web_estimate(structure, options, at)));
+      return {atoms: m._meniscus_atom_count(structure), vertices, seconds, megabytes};
     });
   }
 
-  measure({input, name, options}) {
-    return this.opened(input, name, options, (structure, exact, handle) => {
-      const report = this.json(at => this.module._meniscus_measure_report(exact, handle, at));
-      const atoms = this.module._meniscus_atom_count(structure);
+  measure(request) {
+    const m = this.module;
+    return this.opened(request, ({structure, exact}, options) => {
+      const report = this.json(at => m._meniscus_measure_report(exact, options, at));
+      const atoms = m._meniscus_atom_count(structure);
       const areas = this.written(Float64Array, 2 * atoms, at =>
-        this.check(this.module._meniscus_atom_areas(exact, at, at + 8 * atoms)));
-      this.free({structure, exact, surface: 0});
+        this.check(m._meniscus_atom_areas(exact, at, at + 8 * atoms)));
       return {report, sas: areas.slice(0, atoms), ses: areas.slice(atoms)};
     });
   }
 
-  surface({input, name, options}) {
-    return this.opened(input, name, options, (structure, exact, handle) => {
-      const surface = this.made(at => this.module._meniscus_web_surface(exact, handle, at));
-      const number = this.next++;
-      this.held.set(number, {structure, exact, surface});
-      const report = this.json(at => this.module._meniscus_surface_report(surface, at));
-      if (options.between) report.interfaces = this.json(at =>
-        this.module._meniscus_measure_report(exact, handle, at)).interfaces;
-      return {number, report, ...this.arrays(surface), atoms: this.atoms(structure)};
+  surface(request) {
+    const m = this.module;
+    return this.opened(request, (handles, options) => {
+      const {structure, exact} = handles;
+      const surface = handles.surface = this.made(at => m._meniscus_web_surface(exact, options, at));
+      const report = this.json(at => m._meniscus_surface_report(surface, at));
+      if (request.options.between)
+        report.interfaces = this.json(at => m._meniscus_measure_report(exact, options, at)).interfaces;
+      const result = {number: this.next++, report, ...this.arrays(surface), atoms: this.atoms(structure)};
+      handles.held = true;
+      this.held.set(result.number, handles);
+      return result;
     });
   }
 
@@ -196,22 +202,24 @@ class Engine {
     const {surface} = this.of(number);
     const [at, size] = this.written(Uint32Array, 2, place =>
       this.check(this.withText(colour, c => this.module._meniscus_web_page(surface, c, place, place + 4))));
-    const data = this.copy(Uint8Array, at, size);
-    this.module._free(at);
-    return {data};
+    try {
+      return {data: this.copy(Uint8Array, at, size)};
+    } finally {
+      this.module._free(at);
+    }
   }
 
   /** A file as the program writes it: "ply", "glb" ..., "atoms.csv", "residues.json", "report.json". */
   file({number, kind}) {
     const {surface, exact} = this.of(number), m = this.module;
-    const table = /^(atom|residue|chain)s\.(csv|json)$|^(cavit)ies\.(csv|json)$/.exec(kind);
-    const path = "/" + (table ? "table." + (table[2] || table[4]) : "mesh." + kind);
-    const per = table && (table[1] || "cavity");
-    this.check(this.withText(path, p => table ? this.withText(per, w => m._meniscus_write_table(exact, w, p))
-                                              : m._meniscus_web_write_mesh(surface, p)));
-    const bytes = m.FS.readFile(path);
-    m.FS.unlink(path);
-    return bytes;
+    const [stem, suffix] = kind.split("."), per = tables[stem], path = "/" + (per ? "table." + suffix : "mesh." + kind);
+    this.check(this.withText(path, p => per ? this.withText(per, w => m._meniscus_write_table(exact, w, p))
+                                            : m._meniscus_web_write_mesh(surface, p)));
+    try {
+      return m.FS.readFile(path);
+    } finally {
+      m.FS.unlink(path);
+    }
   }
 
   close({number}) {
@@ -232,45 +240,11 @@ class Engine {
   }
 }
 
-// Names of options in JavaScript that differ from those of the C interface.
-const inC = {keep_waters: "waters"};
+// What a table has a row for, by the name of its file.
+const tables = {atoms: "atom", residues: "residue", chains: "chain", cavities: "cavity"};
 
-const atomBytes = 56;   // meniscus_atom: six words of four bytes, two letters, three doubles
+const atomBytes = 56;   // sizeof(meniscus_atom); exports.cpp checks it, and where its first members lie
 
 const failure = (code, message) => Object.assign(new Error(message), {code});
 
-/** The array buffers of an answer, which are handed over rather than copied. */
-function buffersOf(value, found = []) {
-  if (ArrayBuffer.isView(value)) found.push(value.buffer);
-  else if (value && typeof value === "object" && !Array.isArray(value))
-    for (const part of Object.values(value)) buffersOf(part, found);
-  return found;
-}
-
-/** Answers messages {call, what, ...} by {call, result} or {call, error}; the first brings the module. */
-function serve(port) {
-  let engine = null;
-  port.onmessage = async ({data}) => {
-    const {call, what} = data;
-    try {
-      if (what === "load") {
-        engine = await Engine.load(data.wasm, progress => port.postMessage({progress}));
-        return port.postMessage({call});
-      }
-      const result = engine[what](data);
-      port.postMessage({call, result}, buffersOf(result));
-    } catch (error) {
-      port.postMessage({call, error: {message: error.message, code: error.code ?? 1}});
-    }
-  };
-}
-
-serve(typeof self !== "undefined" ? self : nodePort());
-
-/** In Node a worker speaks through parentPort; the shape of messages is made that of browsers. */
-function nodePort() {
-  const {parentPort} = require("worker_threads");
-  const port = {postMessage: (message, transfer) => parentPort.postMessage(message, transfer)};
-  parentPort.on("message", data => port.onmessage({data}));
-  return port;
-}
+const outOfMemory = () => failure(5, "not enough memory in the browser; use a larger spacing or fewer atoms");

@@ -4,8 +4,11 @@
 /** The text of a structure file (PDB, mmCIF, GROMACS, PDBQT, PQR, xyzr), its bytes (also gzipped, also BinaryCIF), or
  *  spheres: x, y, z of each centre and radii, Å. */
 export type Input = string | Uint8Array | ArrayBuffer | Spheres;
+
 export interface Spheres {
+  /** 3 per sphere. */
   positions: ArrayLike<number>;
+  /** 1 per sphere, above 0. */
   radii: ArrayLike<number>;
 }
 
@@ -32,14 +35,16 @@ export interface Options extends ReadOptions {
   surface?: "ses" | "sas" | "vdw";
   /** flow: smooth (the default); direct: sharp ridges, faster; gaussian: the envelope of the Gaussian map. */
   method?: "flow" | "direct" | "gaussian";
-  /** Grid spacing, Å; 0.5. */
+  /** Grid spacing, Å; 0.5. Half of it makes 4 times as many triangles. */
   spacing?: number;
   /** Even triangles with edges of this length, Å. */
   edge?: number;
   keep_ridges?: boolean;
   adaptive?: boolean;
   components?: "all" | "outer" | "cavities";
+  /** Smaller cavities are left out, Å³. */
   min_cavity?: number;
+  /** Smaller cavities are filled, Å³. */
   fill_cavities?: number;
   /** Also find the exact areas, volumes and cavities, each with its error; false. */
   exact?: boolean;
@@ -48,9 +53,10 @@ export interface Options extends ReadOptions {
   interfaces?: boolean | string;
   /** Further options of the program by their names in its reports. */
   [option: string]: unknown;
-  /** Stops the computation. */
+  /** Stops the computation, which is rejected with the signal's reason (an error named "AbortError" unless it was given
+   *  another one). Others that wait go on; surfaces that the engine keeps are lost as by stop() if it was running. */
   signal?: AbortSignal;
-  /** Called while it runs: the stage, and the fraction of it that is done. */
+  /** Called while a surface is computed: the stage, and the fraction of it that is done, 0 to 1. */
   progress?: (at: {stage: string; fraction: number}) => void;
 }
 
@@ -71,19 +77,29 @@ export interface Cavity {
 /** The keys of the program's report (docs/reference/report.md). */
 export type Report = Record<string, any>;
 
+/** One entry per atom; texts are empty where the input has none. */
 export interface AtomColumns {
+  /** The number of atoms. */
   count: number;
+  /** x, y, z of each, Å. */
   positions: Float64Array;
+  /** Å */
   radii: Float64Array;
+  /** As in the file. */
   serial: Int32Array;
+  /** The author's number of the residue. */
   number: Int32Array;
+  /** "CA" */
   name: string[];
   element: string[];
+  /** The name of the residue, "ALA". */
   residue: string[];
+  /** The author's name of the chain. */
   chain: string[];
 }
 
 export interface Measures {
+  /** input, exact, components, cavities, and interfaces if asked for. */
   report: Report;
   /** SAS area of every kept atom, Å². */
   sas: Float64Array;
@@ -91,9 +107,23 @@ export interface Measures {
   ses: Float64Array;
 }
 
+export interface Estimate {
+  atoms: number;
+  /** Of the mesh, mostly within a quarter; as are memory and time. */
+  vertices: number;
+  /** What surface() takes, without reading the file, on the machine of docs/benchmarks.md. */
+  seconds: number;
+  /** Memory of the worker, in units of 2^20 bytes; it has 4096 at most. */
+  megabytes: number;
+}
+
+/** What viewer/ shows in the pages of the program. */
 export interface PageContent {
+  /** For Decode.decode() of viewer/decode.js. */
   data: Uint8Array;
+  /** Of the page. */
   title: string;
+  /** Section, label and value of each row of the table of numbers. */
   rows: [string, string, string][];
 }
 
@@ -122,28 +152,42 @@ export interface Surface {
   interfaces: Report[];
   notes: string[];
   warnings: string[];
-  /** What a page of the program shows, for its viewer. */
+  /** What a page of the program shows, for its viewer; colour: the scheme that it begins with, "element" or another one of
+   *  --color. Rejected with "AbortError" once the worker that computed the surface has been stopped. */
   page(options?: {colour?: string}): Promise<PageContent>;
-  /** A file as the program writes it. */
+  /** A file as the program writes it. Rejected as page(). */
   file(kind: FileKind): Promise<Uint8Array>;
-  /** Frees what the engine keeps for page() and file(). */
+  /** Frees what the engine keeps for page() and file(), which is as much memory as the mesh again; arrays and report stay. */
   close(): void;
 }
 
-/** Errors that are the caller's have `code`: 2 an option or argument, 3 the input, 5 memory. */
+/** What promises are rejected with: one line that says what is wrong and what to do. */
 export interface MeniscusError extends Error {
+  /** As the program's exit codes: 1 a mistake in the library, 2 an option or argument, 3 the input, 5 memory; none where the
+   *  files of the engine cannot be loaded. */
   code?: number;
 }
 
-/** An engine in a worker of its own. */
+/**
+ * An engine in a worker of its own, which the first call starts. Calls are answered one after the other. Input is copied. An
+ * engine that could not be loaded, or has failed, is started anew by the next call.
+ */
 export class Meniscus {
+  /** wasm: bytes or module of meniscus.wasm; worker: the text of meniscus-worker.js. Where they are left out, the files lie
+   *  beside index.js. */
   constructor(files?: {wasm?: BufferSource | WebAssembly.Module; worker?: string});
+  /** Exact areas and volumes with their errors, and the areas of atoms, without a mesh. */
   measure(input: Input, options?: Options): Promise<Measures>;
+  /** The surface as a mesh in typed arrays, with its report. */
   surface(input: Input, options?: Options): Promise<Surface>;
-  estimate(input: Input, options?: Options): Promise<{atoms: number; seconds: number; megabytes: number}>;
-  /** Ends what is running. */
+  /** What surface() would take; in a fraction of a second. */
+  estimate(input: Input, options?: Options): Promise<Estimate>;
+  /** Ends the worker: all calls that are not answered yet are rejected with "AbortError", surfaces keep their arrays and report,
+   *  and nothing else. The next call starts a new worker. */
   stop(): void;
 }
 
+/** measure() of one engine that all callers share. */
 export function measure(input: Input, options?: Options): Promise<Measures>;
+/** surface() of that engine. Call close() of the surface where only its arrays are needed. */
 export function surface(input: Input, options?: Options): Promise<Surface>;

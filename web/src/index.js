@@ -4,99 +4,140 @@
 
 const isNode = typeof process !== "undefined" && Boolean(process.versions?.node) && typeof Worker === "undefined";
 
-/** Runs the engine in one worker; calls are answered one after the other. */
+/** Computes in a worker; calls are answered one after the other. */
 export class Meniscus {
-  #wasm;
-  #script;
+  #files;
+  #module = null;   // promise of the compiled module, which every worker gets
   #worker = null;
-  #loaded = null;
-  #calls = new Map();
-  #next = 1;
+  #calls = [];      // the first is the one that runs; the worker knows of no other
 
-  /** wasm: the bytes or the module of meniscus.wasm; worker: the text of meniscus-worker.js; both may be left out where
-   *  these files lie beside this one */
   constructor({wasm, worker} = {}) {
-    this.#wasm = wasm;
-    this.#script = worker;
+    this.#files = {wasm, worker};
   }
 
-  /** Areas and volumes with their errors, and areas of atoms, without a mesh. */
   async measure(input, options = {}) {
-    return this.#ask({what: "measure", ...await request(input, options)}, options);
+    return this.#ask(callFor("measure", input, options));
   }
 
-  /** What a surface would take: {atoms, seconds, megabytes}. */
   async estimate(input, options = {}) {
-    return this.#ask({what: "estimate", ...await request(input, options)}, options);
+    return this.#ask(callFor("estimate", input, options));
   }
 
-  /** The surface as a mesh in typed arrays, with its report. */
   async surface(input, options = {}) {
-    const given = await request(input, options);
-    const answer = await this.#ask({what: "surface", ...given}, options);
-    return new Surface(answer, (what, more) => this.#ask({what, number: answer.number, ...more}, {}), this.#worker,
-                       () => this.#worker);
+    const call = callFor("surface", input, options), {number, ...parts} = await this.#ask(call);
+    return new Surface(parts, message => this.#ask({message: {...message, number}, worker: call.worker}));
   }
 
-  /** Ends what is running: its calls are rejected with the name "AbortError". Surfaces keep their arrays, and nothing
-   *  else. The next call starts a new worker. */
   stop() {
-    this.#worker?.terminate();
-    this.#forget(aborted());
+    this.#worker?.end(aborted());
+    for (const call of this.#calls.splice(0)) call.reject(aborted());
   }
 
-  async #ask(message, {signal, progress}) {
-    if (signal?.aborted) throw aborted();
-    await (this.#loaded ??= this.#load());
-    return this.#call(message, {signal, progress});
+  async #ask(call) {
+    const {signal} = call, abort = () => this.#abort(call);
+    if (signal?.aborted) throw signal.reason;
+    const answer = new Promise((resolve, reject) => Object.assign(call, {resolve, reject}));
+    signal?.addEventListener("abort", abort);
+    this.#calls.push(call);
+    if (this.#calls.length === 1) this.#run(call);
+    try {
+      return await answer;
+    } finally {
+      signal?.removeEventListener("abort", abort);
+    }
   }
 
-  #call(message, {signal, progress} = {}) {
-    const call = this.#next++;
+  async #run(call) {
+    try {
+      call.worker ??= this.#liveWorker();
+      call.resolve(await call.worker.ask(call));
+    } catch (error) {
+      call.reject(error);
+    }
+    this.#leave(call);
+  }
+
+  /** Makes room for the next call, unless this one has been aborted or stopped meanwhile. */
+  #leave(call) {
+    const place = this.#calls.indexOf(call);
+    if (place >= 0) this.#calls.splice(place, 1);
+    if (place === 0 && this.#calls.length > 0) this.#run(this.#calls[0]);
+  }
+
+  /** A computation cannot be interrupted: its worker is ended. Calls that wait are not concerned. */
+  #abort(call) {
+    if (this.#calls[0] === call) call.worker.end(aborted());
+    call.reject(call.signal.reason);
+    this.#leave(call);
+  }
+
+  #liveWorker() {
+    if (!this.#worker || this.#worker.ended) this.#worker = new EngineWorker(this.#compiled(), this.#files.worker);
+    return this.#worker;
+  }
+
+  #compiled() {
+    return this.#module ??= moduleOf(this.#files.wasm).catch(error => {
+      this.#module = null;   // the next call tries again
+      throw error;
+    });
+  }
+}
+
+/** A worker with the engine, from its start to its end. It is asked one thing at a time. */
+class EngineWorker {
+  ended = null;      // the error that has ended it
+  #port = null;
+  #loaded;
+  #pending = null;   // of what it is asked: {resolve, reject, progress}
+
+  /** module: promise of a WebAssembly.Module */
+  constructor(module, script) {
+    this.#loaded = Promise.all([module, this.#start(script)]).then(([wasm]) => this.#send({message: {what: "load", wasm}}));
+    this.#loaded.catch(error => this.end(error));
+  }
+
+  async ask(call) {
+    await this.#loaded;
+    return this.#send(call);
+  }
+
+  /** What it is asked is rejected with the error, now and from now on. */
+  end(error) {
+    this.ended ??= error;
+    this.#port?.terminate();
+    this.#pending?.reject(this.ended);
+  }
+
+  async #start(script) {
+    const port = this.#port = await startWorker(script);
+    port.onmessage = ({data}) => this.#hear(data);
+    port.onerror = ({message}) => this.end(new Error(message || `meniscus-worker.js cannot be loaded; ${whereFilesLie}`));
+    if (this.ended) port.terminate();
+  }
+
+  #send({message, buffers = [], progress}) {
+    if (this.ended) throw this.ended;
     return new Promise((resolve, reject) => {
-      const stop = () => this.stop();
-      signal?.addEventListener("abort", stop, {once: true});
-      const done = f => value => {
-        signal?.removeEventListener("abort", stop);
-        f(value);
-      };
-      this.#calls.set(call, {resolve: done(resolve), reject: done(reject), progress});
-      this.#worker.postMessage({...message, call});
+      this.#pending = {resolve, reject, progress};
+      this.#port.postMessage(message, buffers);
     });
   }
 
-  async #load() {
-    const [wasm, worker] = await Promise.all([moduleOf(this.#wasm), startWorker(this.#script)]);
-    this.#wasm = wasm;
-    this.#worker = worker;
-    worker.onmessage = ({data}) => this.#hear(data);
-    worker.onerror = event => this.#forget(new Error(event.message || "the worker has ended"));
-    await this.#call({what: "load", wasm});
-  }
-
-  #hear({call, result, error, progress}) {
-    if (progress) return this.#calls.values().next().value?.progress?.(progress);   // the first is the one that runs
-    const waiting = this.#calls.get(call);
-    this.#calls.delete(call);
-    if (error) waiting?.reject(Object.assign(new Error(error.message), {code: error.code}));
-    else waiting?.resolve(result);
-  }
-
-  #forget(error) {
-    const waiting = [...this.#calls.values()];
-    this.#calls.clear();
-    this.#worker = this.#loaded = null;
-    for (const {reject} of waiting) reject(error);
+  #hear({result, error, broken, progress}) {
+    if (progress) return this.#pending.progress?.(progress);
+    if (!error) return this.#pending.resolve(result);
+    const said = Object.assign(new Error(error.message), {code: error.code});
+    this.#pending.reject(said);
+    if (broken) this.end(said);
   }
 }
 
 /** A surface: arrays of its own, and the means to ask the engine for more until close(). */
 class Surface {
   #ask;
-  #home;
-  #now;
 
-  constructor({number, report, ...arrays}, ask, home, now) {
+  constructor({report, ...arrays}, ask) {
     Object.assign(this, arrays);
     this.report = report;
     this.notes = report.input.notes;
@@ -104,31 +145,21 @@ class Surface {
     this.cavities = report.cavities;
     this.interfaces = report.interfaces ?? [];
     this.#ask = ask;
-    this.#home = home;
-    this.#now = now;
   }
 
-  /** What a page shows: {data, title, rows}; data is what the viewer decodes. */
   async page({colour} = {}) {
-    const {data} = await this.#more("page", {colour});
+    const {data} = await this.#ask({what: "page", colour});
     const info = JSON.parse(new TextDecoder().decode(data.subarray(4, 4 + new DataView(data.buffer).getUint32(0, true))));
     return {data, title: info.name + " · Meniscus", rows: info.rows ?? []};
   }
 
-  /** A file as the program writes it, as bytes: "ply", "glb", "stl", "obj", "off", "vtp", "atoms.csv", "residues.csv",
-   *  "chains.csv", "cavities.csv", "report.json". */
   async file(kind) {
     if (kind === "report.json") return new TextEncoder().encode(JSON.stringify(this.report, null, 2) + "\n");
-    return this.#more("file", {kind});
+    return this.#ask({what: "file", kind});
   }
 
-  /** Frees what the engine keeps for page() and file(). */
   close() {
-    if (this.#now() === this.#home) this.#more("close", {}).catch(() => {});
-  }
-
-  #more(what, more) {
-    return this.#now() === this.#home ? this.#ask(what, more) : Promise.reject(aborted());
+    this.#ask({what: "close"}).catch(() => {});   // of a worker that has ended there is nothing to free
   }
 }
 
@@ -137,52 +168,47 @@ let shared = null;
 /** measure() of an engine that all callers share. */
 export const measure = (input, options) => (shared ??= new Meniscus()).measure(input, options);
 
-/** surface() of that engine. Its memory is freed at once where only the arrays are needed: call close(). */
+/** surface() of that engine. */
 export const surface = (input, options) => (shared ??= new Meniscus()).surface(input, options);
 
 const aborted = () => Object.assign(new Error("stopped"), {name: "AbortError"});
 
-/** What the worker is told of an input and options; the caller keeps its arrays. */
-async function request(input, {name, signal, progress, interfaces, ...options}) {
+/** What is asked of the engine. The input is copied: it is the caller's, who may change it while the call waits. */
+function callFor(what, input, {name, signal, progress, interfaces, ...options}) {
   if (interfaces) options.between = interfaces === true ? "all" : interfaces;
-  if (typeof input === "string") input = new TextEncoder().encode(input);
-  if (input instanceof ArrayBuffer) input = new Uint8Array(input);
-  if (input instanceof Uint8Array) {
-    const plain = await unzipped(input);
-    return {input: plain, name: (name ?? guessed(plain)).replace(/\.gz$/i, ""), options};
-  }
-  if (input?.positions && input?.radii) return {input, name: name ?? "spheres", options};
+  const copy = copyOf(input), buffers = copy instanceof Uint8Array ? [copy.buffer] : [copy.positions.buffer, copy.radii.buffer];
+  return {message: {what, input: copy, name, options}, buffers, signal, progress};
+}
+
+function copyOf(input) {
+  if (typeof input === "string") return new TextEncoder().encode(input);
+  if (input instanceof Uint8Array) return new Uint8Array(input);
+  if (input instanceof ArrayBuffer) return new Uint8Array(input.slice(0));
+  if (input?.positions && input?.radii)
+    return {positions: new Float64Array(input.positions), radii: new Float64Array(input.radii)};
   throw Object.assign(new Error("give the text or the bytes of a structure file, or {positions, radii}"), {code: 2});
 }
 
-/** The name of a file whose content tells its format. */
-function guessed(bytes) {
-  const head = new TextDecoder("latin1").decode(bytes.subarray(0, 4096));
-  if (/^\s*(#[^\n]*\n\s*)*data_/.test(head)) return "structure.cif";
-  return bytes[0] >= 0x80 ? "structure.bcif" : "structure.pdb";
-}
-
-async function unzipped(bytes) {
-  if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;
-  try {
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-    return new Uint8Array(await new Response(stream).arrayBuffer());
-  } catch {
-    throw Object.assign(new Error("the gzip data are damaged; fetch the file again"), {code: 3});
-  }
-}
+const whereFilesLie = "it has to lie beside index.js, or be given to new Meniscus()";
 
 async function moduleOf(wasm) {
   if (wasm instanceof WebAssembly.Module) return wasm;
-  return WebAssembly.compile(wasm ?? await fileBeside("meniscus.wasm"));
+  const bytes = wasm ?? await fileBeside("meniscus.wasm");
+  return WebAssembly.compile(bytes).catch(error => {
+    throw new Error(`meniscus.wasm cannot be used: ${error.message}; ${whereFilesLie}`);
+  });
 }
 
 async function fileBeside(name) {
   const url = new URL(name, import.meta.url);
-  if (isNode) return (await import("node:fs/promises")).readFile(url);
-  const answer = await fetch(url);
-  if (!answer.ok) throw new Error(`${url}: ${answer.status} ${answer.statusText}; it has to lie beside index.js`);
-  return answer.arrayBuffer();
+  try {
+    if (isNode) return await (await import("node:fs/promises")).readFile(url);
+    const answer = await fetch(url);
+    if (!answer.ok) throw new Error(`${answer.status} ${answer.statusText}`.trim());
+    return await answer.arrayBuffer();
+  } catch (error) {
+    throw new Error(`${url} cannot be loaded: ${error.message}; ${whereFilesLie}`);
+  }
 }
 
 async function startWorker(script) {
@@ -194,13 +220,22 @@ async function startWorker(script) {
   return worker;
 }
 
+/** With the members of a browser's Worker. It keeps the program from ending only while it is asked something. */
 async function nodeWorker(script) {
   const threads = await import("node:worker_threads");
   const worker = new threads.Worker(script, {eval: true});
-  worker.unref();
-  const port = {postMessage: (message, transfer) => worker.postMessage(message, transfer),
-                terminate: () => worker.terminate()};
-  worker.on("message", data => port.onmessage({data}));
+  const port = {
+    postMessage: (message, buffers) => {
+      worker.ref();
+      worker.postMessage(message, buffers);
+    },
+    terminate: () => worker.terminate(),
+  };
+  worker.on("message", data => {
+    if (!data.progress) worker.unref();
+    port.onmessage({data});
+  });
   worker.on("error", error => port.onerror({message: error.message}));
+  worker.unref();
   return port;
 }

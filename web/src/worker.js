@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// What the worker hears and answers; engine.js, which stands before it in the same script, computes.
+
+/** The bytes of a file, unzipped, and its name, which tells the format; where none is given, the content tells it. */
+async function fileOf({input, name}) {
+  if (!(input instanceof Uint8Array)) return {input, name};
+  const bytes = await unzipped(input);
+  return {input: bytes, name: (name ?? nameFor(bytes)).replace(/\.gz$/i, "")};
+}
+
+async function unzipped(bytes) {
+  if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;
+  try {
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+    return new Uint8Array(await new Response(stream).arrayBuffer());
+  } catch {
+    throw failure(3, "the gzip data are damaged; fetch the file again");
+  }
+}
+
+function nameFor(bytes) {
+  const head = new TextDecoder("latin1").decode(bytes.subarray(0, 4096));
+  if (/^\s*(#[^\n]*\n\s*)*data_/.test(head)) return "structure.cif";
+  return bytes[0] >= 0x80 ? "structure.bcif" : "structure.pdb";
+}
+
+/** The array buffers of an answer, which are handed over rather than copied. */
+function buffersOf(value, found = []) {
+  if (ArrayBuffer.isView(value)) found.push(value.buffer);
+  else if (value && typeof value === "object" && !Array.isArray(value))
+    for (const part of Object.values(value)) buffersOf(part, found);
+  return found;
+}
+
+/** An error as a message. What has no code is a mistake in the module, whose memory cannot be trusted any more. */
+function messageOf({message, code}) {
+  if (code !== undefined) return {error: {message, code}};
+  return {error: {message: `the engine has failed: ${message || "an unknown exception"}; please report it`, code: 1}, broken: true};
+}
+
+/** Answers messages {what, ...} by {result} or {error}, and by {progress} before; the first, "load", brings the module. */
+function serve(port) {
+  let engine = null;
+  const answer = async request => {
+    if (request.what !== "load") return engine[request.what]({...request, ...await fileOf(request)});
+    engine = await Engine.load(request.wasm, progress => port.postMessage({progress}));
+  };
+  port.onmessage = async ({data}) => {
+    try {
+      const result = await answer(data);
+      port.postMessage({result}, buffersOf(result));
+    } catch (error) {
+      port.postMessage(messageOf(error));
+    }
+  };
+}
+
+serve(typeof self !== "undefined" ? self : nodePort());
+
+/** In Node a worker speaks through parentPort; the shape of messages is made that of browsers. */
+function nodePort() {
+  const {parentPort} = require("worker_threads");
+  const port = {postMessage: (message, transfer) => parentPort.postMessage(message, transfer)};
+  parentPort.on("message", data => port.onmessage({data}));
+  return port;
+}
