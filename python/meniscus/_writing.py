@@ -3,6 +3,7 @@
 """Files of surfaces, each format chosen by the suffix."""
 from __future__ import annotations
 
+import io
 import os
 import pathlib
 import re
@@ -222,7 +223,9 @@ def _save_volume(path: str, surface: Surface, options: dict[str, Any], drawing: 
 
 
 def _save_point_arrays(path: str, points: Points, more: dict[str, npt.NDArray[Any]]) -> None:
-    write_whole(path, lambda file: np.savez_compressed(file, **{**more, **points.numpy()}))
+    packed = io.BytesIO()
+    np.savez_compressed(packed, **{**more, **points.numpy()})
+    write_whole(path, packed.getvalue())
 
 
 # A format is one line here, one in _choices.py and one in Surface.save's text.
