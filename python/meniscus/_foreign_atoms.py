@@ -30,6 +30,8 @@ class Found:
     index: npt.NDArray[np.int32] | None = None
     """place of each atom in the object; None for 0, 1, 2 ..."""
     stem: str = ""
+    universe: Any = None
+    """of MDAnalysis, whose atoms index counts"""
     notes: list[str] = dataclasses.field(default_factory=list)
 
 
@@ -92,11 +94,11 @@ def of_mdanalysis(source: Any, frame: int | None) -> Found:
     file = getattr(source.universe, "filename", None)
     with _at_frame(source.universe.trajectory, frame):
         atoms = source.atoms  # of groups that are updated, those of this frame
-        return Found(atoms.positions.copy(), _columns_of_mdanalysis(atoms), np.array(atoms.ix, dtype=np.int32),
-                     pathlib.PurePath(file).stem if isinstance(file, str) else "")
+        return Found(atoms.positions.copy(), columns_of_mdanalysis(atoms), np.array(atoms.ix, dtype=np.int32),
+                     pathlib.PurePath(file).stem if isinstance(file, str) else "", source.universe)
 
 
-def _columns_of_mdanalysis(atoms: Any) -> dict[str, Any]:
+def columns_of_mdanalysis(atoms: Any) -> dict[str, Any]:
     columns = {name: getattr(atoms, theirs, None) for name, theirs in (
         ("element", "elements"), ("name", "names"), ("resname", "resnames"), ("resnum", "resids"), ("icode", "icodes"),
         ("altloc", "altLocs"), ("serial", "ids"), ("b_factor", "tempfactors"), ("occupancy", "occupancies"),
