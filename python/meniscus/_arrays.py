@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._errors import UsageError
+from ._options import flag
 
 Floats = npt.NDArray[np.float64]
 Singles = npt.NDArray[np.float32]
@@ -112,4 +113,4 @@ def texts(name: str, values: Any, count: int) -> list[str]:
 def arrays_of(owner: object, names: Iterable[str], copy: bool) -> dict[str, npt.NDArray[Any]]:
     """Attributes that are arrays, by name; copied, they may be written to."""
     arrays = {name: getattr(owner, name) for name in names}
-    return {name: np.array(array, copy=True) for name, array in arrays.items()} if copy else arrays
+    return {name: np.array(array, copy=True) for name, array in arrays.items()} if flag("copy", copy) else arrays

@@ -11,7 +11,7 @@ import tempfile
 from collections.abc import Callable, Iterator
 from typing import Any, Protocol, Union
 
-from . import _core
+from . import _core, _options
 from ._errors import InputError, OutputError, UsageError, text_of_path
 
 Path = Union[str, "os.PathLike[str]"]
@@ -56,7 +56,12 @@ def content_of(file: Any) -> bytes:
 
 def suffix_of(path: str, format: str | None) -> str:
     """The suffix that says how to write: of the format, else of the path."""
-    return "." + format.lstrip(".") if format else pathlib.PurePath(path).suffix
+    if format is None:
+        return pathlib.PurePath(path).suffix
+    letters = _options.some("format", format).lstrip(".")
+    if not letters.isalnum():
+        raise UsageError(f"format: unknown value {format!r}; write for instance format=\"ply\"")
+    return "." + letters
 
 
 def save_to(target: Target, format: str | None, save: Callable[[str], object]) -> None:
