@@ -318,7 +318,7 @@ def _named(called: str, data: bytes, format: str | None, is_told: bool) -> str:
     """What bytes are called; in angle brackets where their name does not tell the format."""
     if called.lower().endswith(".gz"):
         called = called[:-3]
-    if format:
+    if format is not None:
         suffix = "." + _options.one_of("format", format, get_args(ReadFormat))
         called = called if called.lower().endswith(suffix) else (called or "data") + suffix
     elif not (is_told or called.lower().rstrip("0123456789").endswith(_SUFFIXES)):
