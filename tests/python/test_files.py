@@ -248,23 +248,6 @@ class Writing(InScratchFolder):
             with self.assertRaisesRegex(meniscus.OutputError, f"the file: took only 0 of {len(whole.taken)} bytes"):
                 self.surface.write(full, format="ply")
 
-    def test_an_unbuffered_pipe_gets_every_byte(self):
-        wanted = io.BytesIO()
-        self.surface.write(wanted, format="ply")
-        source, sink = os.pipe()
-        received = []
-
-        def receive():
-            with open(source, "rb") as file:
-                received.append(file.read())
-
-        reader = threading.Thread(target=receive, daemon=True)
-        reader.start()
-        with open(sink, "wb", buffering=0) as file:
-            self.surface.write(file, format="ply")
-        reader.join(30)
-        self.assertEqual(received, [wanted.getvalue()])
-
 
 if __name__ == "__main__":
     unittest.main()
