@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._errors import UsageError
+from ._options import flag
 
 Floats = npt.NDArray[np.float64]
 Singles = npt.NDArray[np.float32]
@@ -32,6 +33,8 @@ ArrayLike = Union[npt.ArrayLike, SupportsDLPack]
 
 def as_array(name: str, values: Any) -> npt.NDArray[Any]:
     """Anything that numpy takes, or that speaks DLPack in memory of the CPU."""
+    if isinstance(values, np.ma.MaskedArray) and np.any(values.mask):
+        raise UsageError(f"{name}: some entries are masked; leave them out")
     if hasattr(values, "__dlpack_device__") and not isinstance(values, np.ndarray):
         if int(values.__dlpack_device__()[0]) not in (_CPU, _PINNED):
             raise UsageError(f"{name}: lies in the memory of another device; copy it to the CPU first")
@@ -46,8 +49,6 @@ def as_array(name: str, values: Any) -> npt.NDArray[Any]:
 
 
 def _numbers(name: str, values: Any) -> npt.NDArray[Any]:
-    if isinstance(values, np.ma.MaskedArray) and np.any(values.mask):
-        raise UsageError(f"{name}: some entries are masked; leave them out")
     array = as_array(name, values)
     if array.dtype.kind not in "fiu" and array.size > 0:
         raise UsageError(f"{name}: numbers are needed, not {array.dtype}")
@@ -94,8 +95,8 @@ def whole_per(name: str, values: Any, count: int) -> list[int]:
 def _text(name: str, value: Any) -> str:
     if isinstance(value, bytes):
         return value.decode("utf-8", "replace")
-    if value is None:
-        raise UsageError(f"{name}: None is not text; write ''")
+    if value is None or value is np.ma.masked:
+        raise UsageError(f"{name}: {'None' if value is None else 'a masked entry'} is not text; write ''")
     return str(value)
 
 
@@ -112,4 +113,4 @@ def texts(name: str, values: Any, count: int) -> list[str]:
 def arrays_of(owner: object, names: Iterable[str], copy: bool) -> dict[str, npt.NDArray[Any]]:
     """Attributes that are arrays, by name; copied, they may be written to."""
     arrays = {name: getattr(owner, name) for name in names}
-    return {name: np.array(array, copy=True) for name, array in arrays.items()} if copy else arrays
+    return {name: np.array(array, copy=True) for name, array in arrays.items()} if flag("copy", copy) else arrays

@@ -95,8 +95,8 @@ def measure(
     62.3
     """
     structure = as_structure(atoms, radii, keywords, reading)
-    options = {"probe": _options.number("probe", probe), "cavities": bool(cavities), "depth": bool(depth),
-               "threads": with_run(run, threads=threads).threads}
+    options = {"probe": _options.number("probe", probe), "cavities": _options.flag("cavities", cavities),
+               "depth": _options.flag("depth", depth), "threads": with_run(run, threads=threads).threads}
     pairs = pairs_of(between)
     core = _core.measure(structure._core, options)
     found = None if between is None else _interfaces(structure, pairs, options)

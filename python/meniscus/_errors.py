@@ -67,4 +67,6 @@ def text_of_path(path: str | os.PathLike[str]) -> str:
     text = os.fspath(path)
     if not isinstance(text, str):
         raise TypeError(f"a path must be text, not {type(text).__name__}")
+    if "\0" in text:
+        raise UsageError(f"{text!r}: a path has no null characters")
     return text

@@ -7,12 +7,11 @@ import contextlib
 import io
 import os
 import pathlib
-import secrets
 import tempfile
 from collections.abc import Callable, Iterator
-from typing import Any, BinaryIO, Protocol, Union
+from typing import Any, Protocol, Union
 
-from . import _core
+from . import _core, _options
 from ._errors import InputError, OutputError, UsageError, text_of_path
 
 Path = Union[str, "os.PathLike[str]"]
@@ -50,12 +49,19 @@ def content_of(file: Any) -> bytes:
     data = file.read()
     if isinstance(data, str):
         return data.encode("utf-8", "surrogateescape")
+    if not isinstance(data, (bytes, bytearray, memoryview)):
+        raise TypeError(f"read() of the file must give bytes or text, not {type(data).__name__}")
     return bytes(data)
 
 
 def suffix_of(path: str, format: str | None) -> str:
     """The suffix that says how to write: of the format, else of the path."""
-    return "." + format.lstrip(".") if format else pathlib.PurePath(path).suffix
+    if format is None:
+        return pathlib.PurePath(path).suffix
+    letters = _options.some("format", format).lstrip(".")
+    if not letters.isalnum():
+        raise UsageError(f"format: unknown value {format!r}; write for instance format=\"ply\"")
+    return "." + letters
 
 
 def save_to(target: Target, format: str | None, save: Callable[[str], object]) -> None:
@@ -71,8 +77,7 @@ def save_to(target: Target, format: str | None, save: Callable[[str], object]) -
     if suffix == pathlib.PurePath(path).suffix:
         save(path)
     else:
-        data = _single_file(suffix, save)
-        write_whole(path, lambda file: file.write(data))
+        write_whole(path, _single_file(suffix, save))
 
 
 def _single_file(suffix: str, save: Callable[[str], object]) -> bytes:
@@ -83,13 +88,13 @@ def _single_file(suffix: str, save: Callable[[str], object]) -> bytes:
             save(os.path.join(folder, "output" + suffix))
         files = list(pathlib.Path(folder).iterdir())
         if len(files) != 1:
-            raise UsageError(f"format {suffix[1:]}: makes several files; give a path instead of an open file")
+            raise UsageError(f"format {suffix[1:]}: makes several files; give a path ending in {suffix}")
         return files[0].read_bytes()
 
 
 def _write_to(file: Any, data: bytes) -> None:
     if not isinstance(file, io.TextIOBase):
-        file.write(data)
+        _write_all(file, data)
         return
     try:
         file.write(data.decode("utf-8"))
@@ -97,29 +102,19 @@ def _write_to(file: Any, data: bytes) -> None:
         raise UsageError("the file was opened as text, but this format is binary; open it with mode 'wb'") from None
 
 
-def write_whole(path: str, write: Callable[[BinaryIO], Any]) -> None:
-    """The file appears whole or not at all; what cannot be written is an OutputError."""
-    try:
-        if os.path.exists(path) and not os.path.isfile(path):  # a device or pipe
-            with open(path, "wb") as file:
-                write(file)
-        else:
-            _write_and_rename(path, write)
-    except OSError as error:
-        raise OutputError(_core.missing_folder(path) or f"{path}: cannot be written: {error.strerror or error}"
-                          ) from error
+def _write_all(file: Any, data: bytes) -> None:
+    """Unbuffered files may take a part only, and tell how much; what tells nothing has taken all."""
+    rest: bytes | memoryview = data
+    while len(rest) > 0:
+        taken = file.write(rest)
+        if isinstance(taken, int) and taken <= 0 or taken is None and isinstance(file, io.RawIOBase):
+            raise OutputError(f"{name_of(file) or 'the file'}: took only {len(data) - len(rest)} of {len(data)} bytes")
+        rest = memoryview(rest)[taken if isinstance(taken, int) else len(rest):]
 
 
-def _write_and_rename(path: str, write: Callable[[BinaryIO], Any]) -> None:
-    temporary = f"{path}.{secrets.token_hex(4)}.tmp"
-    try:
-        with open(temporary, "xb") as file:
-            write(file)
-        os.replace(temporary, path)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            os.unlink(temporary)
-        raise
+def write_whole(path: str, data: bytes) -> None:
+    """A file appears whole or not at all, links are followed, and a pipe or device gets the bytes, as from every writer."""
+    _core.write_bytes(os.fsencode(path), data)
 
 
 @contextlib.contextmanager

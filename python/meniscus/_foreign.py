@@ -16,6 +16,7 @@ from ._meshing import Function, with_keywords
 from ._nouns import of_kind
 from ._reading import READ_DEFAULTS, ReadingOfFile, ReadOptions, warn_of
 from ._structure import Structure
+from ._universe import Origin
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -98,7 +99,8 @@ def _made(name: str, found: Found, options: ReadOptions) -> Structure:
     origin = {"source": name, "name": found.stem, "notes": found.notes}
     columns = columns_of(found.columns, len(centres))
     core, chosen = _core.read_atoms(centres, columns, origin, options._for_core())
-    structure = Structure(core, chosen if found.index is None else found.index[chosen], name)
+    universe = None if found.universe is None else Origin(found.universe)
+    structure = Structure(core, chosen if found.index is None else found.index[chosen], name, universe)
     warn_of([structure])
     return structure
 

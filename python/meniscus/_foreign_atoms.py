@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ._errors import UsageError
+from ._errors import InputError, UsageError
 
 _PER_NANOMETRE = 10.0  # Å
 
@@ -30,6 +30,8 @@ class Found:
     index: npt.NDArray[np.int32] | None = None
     """place of each atom in the object; None for 0, 1, 2 ..."""
     stem: str = ""
+    universe: Any = None
+    """of MDAnalysis, whose atoms index counts"""
     notes: list[str] = dataclasses.field(default_factory=list)
 
 
@@ -46,9 +48,11 @@ def _checked_frame(frame: int, count: int) -> int:
     return frame % count
 
 
-def _taken(frames: Any, frame: int | None, what: str) -> tuple[Any, list[str]]:
+def _taken(frames: Any, frame: int | None, what: str, package: str) -> tuple[Any, list[str]]:
     """The first of the frames unless another is asked for; that there are others is a note."""
     count = len(frames)
+    if count == 0:
+        raise InputError(f"{package}: no {what}s, and so no atoms; check where they were read or chosen")
     told = frame is None and count > 1
     return (frames[0 if frame is None else _checked_frame(frame, count)],
             [f"{what} 0 of {count} taken (choose another with frame=N)"] if told else [])
@@ -88,15 +92,17 @@ def _chains_of_mdanalysis(atoms: Any) -> list[str] | None:
 
 def of_mdanalysis(source: Any, frame: int | None) -> Found:
     if not hasattr(getattr(source, "atoms", None), "positions"):
+        if hasattr(source, "universe") and hasattr(source, "atoms"):
+            raise InputError("MDAnalysis: the universe has no coordinates; load a trajectory into it (load_new)")
         raise _wrong("mdanalysis", "a Universe or a group of atoms, residues or segments", source)
     file = getattr(source.universe, "filename", None)
     with _at_frame(source.universe.trajectory, frame):
         atoms = source.atoms  # of groups that are updated, those of this frame
-        return Found(atoms.positions.copy(), _columns_of_mdanalysis(atoms), np.array(atoms.ix, dtype=np.int32),
-                     pathlib.PurePath(file).stem if isinstance(file, str) else "")
+        return Found(atoms.positions.copy(), columns_of_mdanalysis(atoms), np.array(atoms.ix, dtype=np.int32),
+                     pathlib.PurePath(file).stem if isinstance(file, str) else "", source.universe)
 
 
-def _columns_of_mdanalysis(atoms: Any) -> dict[str, Any]:
+def columns_of_mdanalysis(atoms: Any) -> dict[str, Any]:
     columns = {name: getattr(atoms, theirs, None) for name, theirs in (
         ("element", "elements"), ("name", "names"), ("resname", "resnames"), ("resnum", "resids"), ("icode", "icodes"),
         ("altloc", "altLocs"), ("serial", "ids"), ("b_factor", "tempfactors"), ("occupancy", "occupancies"),
@@ -123,7 +129,7 @@ def _symbol(element: Any) -> str:
 def of_mdtraj(source: Any, frame: int | None) -> Found:
     if not (hasattr(source, "topology") and getattr(getattr(source, "xyz", None), "ndim", 0) == 3):
         raise _wrong("mdtraj", "a Trajectory", source)
-    xyz, notes = _taken(source.xyz, frame, "frame")
+    xyz, notes = _taken(source.xyz, frame, "frame", "MDTraj")
     atoms = list(source.topology.atoms)
     chains = [getattr(atom.residue.chain, "chain_id", None) or _letters(atom.residue.chain.index) for atom in atoms]
     columns = {
@@ -155,21 +161,31 @@ def _atoms_of_biopython(source: Any, frame: int | None) -> tuple[list[Any], list
     level = getattr(source, "level", None)
     notes: list[str] = []
     if level == "S":
-        models = list(source)
-        if not models:
-            return [], notes
-        source, notes = _taken(models, frame, "model")
+        source, notes = _taken(list(source), frame, "model", "Biopython")
     else:
         _refuse_frame(frame, "goes with a whole Structure of Biopython")
-    if level is None and isinstance(source, Iterable):  # atoms that the caller has chosen
-        return list(source), notes
+    if level is None and isinstance(source, Iterable):
+        return _chosen_of_biopython(list(source)), notes
     if level not in ("S", "M", "C", "R"):
         raise _wrong("biopython", "a Structure, Model, Chain, Residue or a list of atoms", source)
     return [atom for residue in _residues_of_biopython(source) for atom in residue.get_unpacked_list()], notes
 
 
+def _chosen_of_biopython(atoms: list[Any]) -> list[Any]:
+    """Atoms that the caller has listed."""
+    for atom in atoms:
+        if not hasattr(atom, "get_parent") or not hasattr(atom, "coord"):
+            raise TypeError(f"from_biopython: a list of atoms is needed, not one with {type(atom).__name__}")
+        if atom.get_parent() is None:
+            raise InputError(f"Biopython: atom {atom.name} belongs to no residue, which tells its kind; add it to one")
+    return atoms
+
+
 def of_biopython(source: Any, frame: int | None) -> Found:
     atoms, notes = _atoms_of_biopython(source, frame)
+    bare = next((atom for atom in atoms if atom.coord is None), None)
+    if bare is not None:
+        raise InputError(f"Biopython: atom {bare.name} has no coordinates; set them, or leave it out")
     residues = [atom.get_parent() for atom in atoms]
     radii = [getattr(atom, "radius", None) for atom in atoms]
     columns = {
@@ -210,7 +226,7 @@ def of_biotite(source: Any, frame: int | None) -> Found:
     xyz = source.coord
     notes: list[str] = []
     if np.ndim(xyz) == 3:
-        xyz, notes = _taken(xyz, frame, "model")
+        xyz, notes = _taken(xyz, frame, "model", "Biotite")
     else:
         _refuse_frame(frame, "goes with an AtomArrayStack of Biotite")
     known = set(source.get_annotation_categories())
@@ -243,7 +259,7 @@ def of_gemmi(source: Any, frame: int | None) -> Found:
     notes: list[str] = []
     if type(source).__name__ == "Structure":
         stem = str(source.name)
-        source, notes = _taken(source, frame, "model")
+        source, notes = _taken(source, frame, "model", "gemmi")
     else:
         _refuse_frame(frame, "goes with a whole Structure of gemmi")
     rows = [(chain, residue, atom) for chain, residue in _residues_of_gemmi(source) for atom in residue]
@@ -285,7 +301,7 @@ def _positions_of_openmm(source: Any, frame: int | None) -> tuple[Any, list[str]
         _refuse_frame(frame, "a Simulation has only its current one")
         return source.context.getState(getPositions=True).getPositions(), []
     if hasattr(source, "getNumFrames"):
-        chosen, notes = _taken(range(source.getNumFrames()), frame, "frame")
+        chosen, notes = _taken(range(source.getNumFrames()), frame, "frame", "OpenMM")
         return source.getPositions(frame=chosen), notes
     _refuse_frame(frame, "goes with a file of OpenMM that has several")
     return source.positions, []

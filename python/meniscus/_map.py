@@ -256,7 +256,8 @@ def map(
     files = _files(paths)
     root = _folder("base", base) or _common_folder(files)
     at_once = _jobs(client, jobs)
-    limits = {"time_limit": time_limit, "memory_limit": memory_limit, "mixed_radii": bool(mixed_radii)}
+    limits = {"time_limit": time_limit, "memory_limit": memory_limit,
+              "mixed_radii": _options.flag("mixed_radii", mixed_radii)}
     words = _option_words({"threads": _threads(client, at_once), **options, **limits})
     tasks = _tasks(files, root, endings)
     work = Work(_program(program), (command, *words), root, os.getcwd(), place, None)

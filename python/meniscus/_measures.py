@@ -259,7 +259,8 @@ class Measures:
         ----------
         selection : str, array_like of bool, shape (n,), array_like of int, or MDAnalysis.AtomGroup
             Which atoms: in words, as :meth:`Structure.select` takes them; a mask; indices, each of which counts once; or
-            atoms of the universe that the structure was made of, of which those that were left out count nothing.
+            atoms of the universe that the structure was made of, or of one with the same names, of which those that were
+            left out count nothing.
 
         Returns
         -------
@@ -269,7 +270,8 @@ class Measures:
         Raises
         ------
         UsageError
-            For an expression that is not valid or selects nothing, a mask of another length and an index out of range.
+            For an expression that is not valid or selects nothing, a mask of another length, an index out of range and atoms
+            of another universe.
 
         Examples
         --------

@@ -10,6 +10,8 @@ import re
 from collections.abc import Iterable
 from typing import Any
 
+import numpy as np
+
 from ._errors import UsageError
 
 _UNITS = {"": 1, "M": 1, "MB": 1, "MiB": 1, "G": 1024, "GB": 1024, "GiB": 1024, "T": 1024**2, "TB": 1024**2}
@@ -55,10 +57,36 @@ def seed(value: Any) -> int:
     return result
 
 
+def from_one(name: str, value: Any) -> int:
+    result = whole(name, value)
+    if result < 1:
+        raise UsageError(f"{name}: must be a whole number of at least 1, not {result}")
+    return result
+
+
+def flag(name: str, value: Any) -> bool:
+    """Python's and numpy's True and False, and 1 and 0."""
+    if isinstance(value, (bool, np.bool_)) or isinstance(value, int) and value in (0, 1):
+        return bool(value)
+    raise TypeError(f"{name}: must be True or False, not {value!r}")
+
+
 def word(name: str, value: Any) -> str:
     if not isinstance(value, str):
         raise TypeError(f"{name}: must be text, not {value!r}")
     return value
+
+
+def some(name: str, value: Any) -> str:
+    if not word(name, value):
+        raise UsageError(f"{name}: empty; leave it out, or give it a value")
+    return str(value)
+
+
+def character(name: str, value: Any) -> str:
+    if len(word(name, value).encode("utf-8", "surrogateescape")) != 1:
+        raise UsageError(f"{name}: must be one character, not {value!r}")
+    return str(value)
 
 
 def one_of(name: str, value: Any, words: Iterable[str]) -> str:
@@ -91,7 +119,9 @@ def megabytes(name: str, value: Any) -> int:
 
 
 def chains(value: Any) -> list[str]:
-    names = value.split(",") if isinstance(value, str) else [str(name) for name in value]
+    if not isinstance(value, Iterable) or isinstance(value, bytes):
+        raise TypeError(f"chains: must be text or a list of texts, not {value!r}")
+    names = value.split(",") if isinstance(value, str) else [word("chains", name) for name in value]
     if not names or "" in names:
         raise UsageError(f"chains: empty name in {value!r}; write 'A,B' or ['A', 'B']")
     return names

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeVar, get_args
 from . import _core, _files, _options
 from ._choices import Hetero, Hydrogens, RadiusSet, ReadFormat
 from ._columns import Texts
-from ._errors import InputError, ReadWarning, text_of_path, unreadable, warn
+from ._errors import InputError, ReadWarning, UsageError, text_of_path, unreadable, warn
 from ._files import Path, Source
 from ._meshing import with_keywords
 from ._nouns import Noun, defaults_of, of_kind
@@ -87,7 +87,7 @@ class ReadOptions(Noun):
     TypeError
         For a value of another type.
     UsageError
-        For an empty name of a chain.
+        For a value out of range, an unknown word, and for what makes no sense together.
 
     Examples
     --------
@@ -110,6 +110,7 @@ class ReadOptions(Noun):
     strict_radii: bool = False
 
     def __post_init__(self) -> None:
+        self._set_defaults()
         if self.chains is not None and not isinstance(self.chains, str):
             object.__setattr__(self, "chains", tuple(_options.chains(self.chains)))
         self._for_core()
@@ -133,22 +134,32 @@ class ReadOptions(Noun):
         if isinstance(self.model, str) and not joins:
             raise TypeError(f"model: must be a whole number or \"join\", not {self.model!r}; read_models() reads every "
                             "model")
-        options: dict[str, Any] = {"radii": text_of_path(self.radii), "hydrogens": _word("hydrogens", self.hydrogens),
-                                   "join_models": joins, "strict_radii": bool(self.strict_radii)}
-        if not joins:
-            options["model"] = _options.whole("model", self.model)
-        if self.hetero is not None:
-            options["hetero"] = _word("hetero", self.hetero)
-        if self.waters is not None:
-            options["waters"] = bool(self.waters)
-        if self.chains is not None:
-            options["chains"] = _options.chains(self.chains)
-        given = {name: getattr(self, name) for name in ("assembly", "altloc", "select")}
-        return {**options, **{name: str(value) for name, value in given.items() if value is not None}}
+        if joins and self.assembly is not None:
+            raise UsageError('model="join": the models of a file are not to be copied by assembly; give one of the two')
+        options = {"radii": text_of_path(self.radii), "join_models": joins,
+                   **({} if joins else {"model": _options.from_one("model", self.model)})}
+        given = {name: getattr(self, name) for name in _CHECKS}
+        return {**options, **{name: _CHECKS[name](name, value) for name, value in given.items() if value is not None}}
 
 
 def _word(name: str, value: Any) -> str:
     return _options.one_of(name, value, _core.words[name])
+
+
+def _name_or_number(name: str, value: Any) -> str:
+    return _options.some(name, value if isinstance(value, str) else str(_options.whole(name, value)))
+
+
+_CHECKS: dict[str, Callable[[str, Any], Any]] = {
+    "hydrogens": _word,
+    "strict_radii": _options.flag,
+    "assembly": _name_or_number,
+    "altloc": _options.character,
+    "chains": lambda name, value: _options.chains(value),
+    "select": _options.some,
+    "hetero": _word,
+    "waters": _options.flag,
+}
 
 
 READ_DEFAULTS = defaults_of(ReadOptions)
@@ -295,11 +306,11 @@ def _is_in_memory(source: Source, format: str | None, name: str | None) -> bool:
 
 def _content_and_name(source: Any, format: str | None, name: str | None) -> tuple[bytes, str]:
     if _files.is_file(source):
-        data, called = _files.content_of(source), name or _files.name_of(source)
+        data, called = _files.content_of(source), _options.word("name", name or _files.name_of(source))
     else:
         path = text_of_path(source)
         data = sys.stdin.buffer.read() if path == "-" else pathlib.Path(path).read_bytes()
-        called = name or ("" if path == "-" else path)
+        called = _options.word("name", name or ("" if path == "-" else path))
     return data, _named(called, data, format, is_told=bool(name))
 
 
@@ -307,7 +318,7 @@ def _named(called: str, data: bytes, format: str | None, is_told: bool) -> str:
     """What bytes are called; in angle brackets where their name does not tell the format."""
     if called.lower().endswith(".gz"):
         called = called[:-3]
-    if format:
+    if format is not None:
         suffix = "." + _options.one_of("format", format, get_args(ReadFormat))
         called = called if called.lower().endswith(suffix) else (called or "data") + suffix
     elif not (is_told or called.lower().rstrip("0123456789").endswith(_SUFFIXES)):

@@ -49,6 +49,6 @@ def collect(lines: dict[Task, Lines], out: str | None, may_mix_radii: bool) -> d
             record["outputs"] = []
         return records
     _refuse_shared_outputs(records.values())
-    write_whole(os.path.join(out, "results.jsonl"), lambda file: file.writelines(lines[task].result for task in tasks))
-    write_whole(os.path.join(out, "times.jsonl"), lambda file: file.writelines(lines[task].times for task in tasks))
+    write_whole(os.path.join(out, "results.jsonl"), b"".join(lines[task].result for task in tasks))
+    write_whole(os.path.join(out, "times.jsonl"), b"".join(lines[task].times for task in tasks))
     return records

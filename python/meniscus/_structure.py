@@ -18,6 +18,8 @@ from ._files import Target
 if TYPE_CHECKING:
     import pandas  # type: ignore[import]
 
+    from ._universe import Origin
+
 _NUMBERS = ("xyz", "radii", "resnum", "residue", "serial", "b_factor", "occupancy", "charge")
 _COLUMNS = ("serial", "name", "element", "altloc", "resname", "resnum", "icode", "chain", "residue", "radii", "b_factor",
             "occupancy", "charge")
@@ -37,10 +39,12 @@ class Structure:
     ((602, 3), ['N', 'CA', 'C'], 'MET')
     """
 
-    def __init__(self, core: _core.Structure, index: Indices | None = None, origin: str = "arrays") -> None:
+    def __init__(self, core: _core.Structure, index: Indices | None = None, origin: str = "arrays",
+                 universe: Origin | None = None) -> None:
         self._core = core
         self._index = index
         self._origin = origin
+        self._universe = universe
         self._residues: dict[str, Any] | None = None
 
     def __getstate__(self) -> dict[str, Any]:
@@ -352,7 +356,7 @@ class Structure:
         ['A']
         """
         chains, index = self.chain, self.index
-        return [Structure(core, index[chains == core.residues["chain"][0]], self._origin)
+        return [Structure(core, index[chains == core.residues["chain"][0]], self._origin, self._universe)
                 for core in _core.split_chains(self._core)]
 
     def save(self, path: Target, values: ArrayLike | None = None, *, format: AtomFormat | None = None) -> None:

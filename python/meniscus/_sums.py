@@ -97,22 +97,24 @@ def atoms_of(structure: Structure, selection: Any) -> Indices:
     """Indices of the selected atoms, ascending, each once."""
     if isinstance(selection, str):
         return structure.select(selection)
-    if hasattr(selection, "atoms"):  # those of residues are numbered otherwise than the residues
-        return _of_places(structure, selection.atoms.ix)
+    if hasattr(selection, "universe"):
+        return _of_universe(structure, selection)
     array = as_array("selection", selection)
     if array.ndim == 1 and array.dtype == np.bool_:
         return _of_mask(structure, array)
     if array.ndim != 1 or array.dtype.kind not in "iu" and array.size > 0:
+        given = f"{array.dtype} of shape {array.shape}" if array.dtype != np.object_ else type(selection).__name__
         raise UsageError("selection: must be an expression, a mask of shape (n,), indices or atoms of MDAnalysis, not "
-                         f"{array.dtype} of shape {array.shape}")
+                         + given)
     return _of_indices(structure, array)
 
 
-def _of_places(structure: Structure, places: Any) -> Indices:
+def _of_universe(structure: Structure, selection: Any) -> Indices:
     """Of atoms by their places in the universe; those that were left out have no area."""
-    if structure._origin != "MDAnalysis":
+    if structure._universe is None or not structure._universe.is_of(selection.universe, structure):
         raise UsageError("selection: atoms of MDAnalysis go with a structure made of atoms of the same universe")
-    return np.flatnonzero(np.isin(structure.index, places)).astype(np.int32)
+    atoms = getattr(selection, "atoms", selection)  # those of residues are numbered otherwise than the residues
+    return np.flatnonzero(np.isin(structure.index, atoms.ix)).astype(np.int32)
 
 
 def _of_mask(structure: Structure, mask: npt.NDArray[Any]) -> Indices:

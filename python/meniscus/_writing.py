@@ -3,6 +3,7 @@
 """Files of surfaces, each format chosen by the suffix."""
 from __future__ import annotations
 
+import io
 import os
 import pathlib
 import re
@@ -102,7 +103,7 @@ def _directions(view: View) -> tuple[Sequence[float], Sequence[float]] | None:
 
 
 def _background(background: str) -> tuple[int, ...]:
-    colour = _TRANSPARENT if background == "transparent" else _core.named_color(background)
+    colour = _TRANSPARENT if background == "transparent" else _core.named_color(_options.word("background", background))
     if colour is None:
         raise UsageError(f"background: '{background}' is not a colour; choose white, black, transparent or, "
                          "for instance, navy or #ffcc00")
@@ -144,9 +145,9 @@ def _picture_options(drawing: dict[str, Any]) -> dict[str, Any]:
         "width": _options.whole("size", width),
         "height": _options.whole("size", height),
         "background": _background(drawing["background"]),
-        "outline": bool(drawing["outline"]),
+        "outline": _options.flag("outline", drawing["outline"]),
         "depth_cue": _options.number("depth_cue", drawing["depth_cue"]),
-        "legend": bool(drawing["legend"]),
+        "legend": _options.flag("legend", drawing["legend"]),
         **_view_options(drawing),
     }
     cut = _cut(drawing["cut"])
@@ -158,7 +159,7 @@ def _picture_options(drawing: dict[str, Any]) -> dict[str, Any]:
 def _view_options(drawing: dict[str, Any]) -> dict[str, Any]:
     """What pages heed, too."""
     directions = _directions(drawing["view"])
-    options: dict[str, Any] = {"perspective": bool(drawing["perspective"])}
+    options: dict[str, Any] = {"perspective": _options.flag("perspective", drawing["perspective"])}
     return options if directions is None else {**options, "view": directions}
 
 
@@ -222,7 +223,9 @@ def _save_volume(path: str, surface: Surface, options: dict[str, Any], drawing: 
 
 
 def _save_point_arrays(path: str, points: Points, more: dict[str, npt.NDArray[Any]]) -> None:
-    write_whole(path, lambda file: np.savez_compressed(file, **{**more, **points.numpy()}))
+    packed = io.BytesIO()
+    np.savez_compressed(packed, **{**more, **points.numpy()})
+    write_whole(path, packed.getvalue())
 
 
 # A format is one line here, one in _choices.py and one in Surface.save's text.
@@ -270,7 +273,7 @@ def save_surface(path: str, surface: Surface, color: Color, values: Values, asci
     for check in (_picture_options, _volume_options):  # of every format: one set of options may go to several files
         check(drawing)
     options = {**colour_options(color), **value_options(values, len(surface.normals)),
-               **_part_options(path, writer, part), "ascii": bool(ascii),
+               **_part_options(path, writer, part), "ascii": _options.flag("ascii", ascii),
                "threads": surface.options["threads"]}
     writer(path, surface, options, drawing)
 
@@ -278,7 +281,8 @@ def save_surface(path: str, surface: Surface, color: Color, values: Values, asci
 def save_points(path: str, points: Points, color: Color, values: Values, ascii: bool) -> None:
     suffix = pathlib.PurePath(path).suffix
     if suffix == ".ply":
-        options = {**colour_options(color), **value_options(values, len(points)), "ascii": bool(ascii)}
+        options = {**colour_options(color), **value_options(values, len(points)),
+                   "ascii": _options.flag("ascii", ascii)}
         _core.write_points(path, points._mesh, points.structure._core, points.exact._core, options)
     elif suffix == ".npz":
         _save_point_arrays(path, points, value_options(values, len(points)).get("values", {}))

@@ -15,7 +15,10 @@ namespace {
 
 void raise(const char* name, const char* message) {
     const py::object type = py::module_::import("meniscus._errors").attr(name);
-    PyErr_SetString(type.ptr(), message);
+    // Paths need not be text.
+    const auto size = static_cast<Py_ssize_t>(std::string_view(message).size());
+    const auto text = py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(message, size, "surrogateescape"));
+    if (text) PyErr_SetObject(type.ptr(), text.ptr());
 }
 
 }  // namespace

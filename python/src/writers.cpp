@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 #include <tuple>
 
 #include "arrays.h"
@@ -321,6 +322,16 @@ py::dict table_values(const Mesh& mesh, const Structure& structure, const std::s
     return arrays;
 }
 
+/// A path is bytes of the system's own encoding; a pipe may make this wait for its reader.
+void save_bytes(const std::string& path, const py::bytes& data) {
+    const auto content = data.cast<std::string_view>();
+    const py::gil_scoped_release release;
+    AtomicFile file(path);
+    file.reserve(content.size());
+    file.write(content);
+    file.commit();
+}
+
 /// Red, green, blue and alpha of a name of CSS or of "#rrggbb"; None for any other text.
 py::object named_colour(const std::string& text) {
     const std::optional<Colour> colour = colour_of_text(text);
@@ -344,7 +355,7 @@ void bind_writers(py::module_& module) {
                py::arg("options"));
     module.def("write_page", &save_page, py::arg("path"), py::arg("surface"), py::arg("structure"), py::arg("measures"),
                py::arg("options"));
-    module.def("missing_folder", &missing_folder, py::arg("path"));
+    module.def("write_bytes", &save_bytes, py::arg("path"), py::arg("data"));
     module.def("write_level_set", &save_level_set, py::arg("path"), py::arg("surface"));
     module.def("write_volume", &save_volume, py::arg("path"), py::arg("surface"), py::arg("options"));
     module.def("write_spheres", &write_spheres, py::arg("path"), py::arg("structure"), WithoutGil());

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Arrays of other libraries, tables of pandas, meshes of trimesh and PyVista, sums over selections."""
 import importlib.util
+import pickle
 import sys
 import types
 import unittest
@@ -238,6 +239,39 @@ class Sums(unittest.TestCase):
         self.assertAlmostEqual(exact.sum(charged.residues).sas_area, wanted, 3)
         with self.assertRaisesRegex(meniscus.UsageError, "atoms of MDAnalysis go with a structure made of"):
             self.exact.sum(charged)
+
+    @unittest.skipUnless(importlib.util.find_spec("MDAnalysis"), "MDAnalysis is not installed")
+    def test_of_atoms_of_another_universe(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            import MDAnalysis
+            first, same = MDAnalysis.Universe(UBIQUITIN), MDAnalysis.Universe(UBIQUITIN)
+            other = MDAnalysis.Merge(first.atoms[::-1])
+            larger = MDAnalysis.Merge(first.atoms, first.atoms[:1])
+        exact = meniscus.measure(first.select_atoms("protein"), cavities=False)
+        again = pickle.loads(pickle.dumps(exact))
+        for universe in (first, same, first.copy()):
+            for measures in (exact, again):
+                self.assertEqual(measures.sum(universe.select_atoms("resname LYS")).sas_area, exact.sum("resn LYS").sas_area)
+        self.assertEqual(len(exact.sum(first.atoms[0])), 1)
+        for universe in (other, larger):
+            for measures in (exact, again):
+                with self.assertRaisesRegex(meniscus.UsageError, "a structure made of atoms of the same universe"):
+                    measures.sum(universe.atoms[:5])
+        first.atoms.names = ["X"] * len(first.atoms)
+        self.assertEqual(len(exact.sum(first.atoms[:5])), 5, "the same universe, whatever its names")
+        bare = MDAnalysis.Universe.empty(len(first.atoms), trajectory=True)
+        with self.assertRaisesRegex(meniscus.UsageError, "the same universe"):
+            exact.sum(bare.atoms[:5])
+
+    def test_of_nothing_that_selects(self):
+        for selection, kind in ((self.protein, "Structure"), (types.SimpleNamespace(atoms=3), "SimpleNamespace"), ({1}, "set")):
+            with self.assertRaisesRegex(meniscus.UsageError, f"or atoms of MDAnalysis, not {kind}"):
+                self.exact.sum(selection)
+        for masked in (np.ma.array([1, 2], mask=[0, 1]), np.ma.array(np.ones(602, bool), mask=self.protein.residue == 0)):
+            with self.assertRaisesRegex(meniscus.UsageError, "selection: some entries are masked"):
+                self.exact.sum(masked)
+        self.assertEqual(len(self.exact.sum(np.ma.array([1, 2]))), 2)
 
 
 if __name__ == "__main__":

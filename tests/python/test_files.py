@@ -3,7 +3,11 @@
 """Open files and paths are read and written alike."""
 import gzip
 import io
+import os
 import pathlib
+import subprocess
+import sys
+import threading
 import unittest
 
 from support import CENTRES, RADII, UBIQUITIN, InScratchFolder, read
@@ -67,6 +71,19 @@ class Reading(InScratchFolder):
             meniscus.read(io.BytesIO(b"hello"))
         with open("w.pdb", "wb") as file, self.assertRaises(OSError):
             meniscus.read(file)
+
+    def test_a_file_that_gives_neither_bytes_nor_text(self):
+        class Odd:
+            def __init__(self, data):
+                self.data = data
+
+            def read(self):
+                return self.data
+
+        for data in (5, None, [1, 2]):
+            with self.assertRaisesRegex(TypeError, rf"must give bytes or text, not {type(data).__name__}\Z"):
+                meniscus.read(Odd(data))
+        self.assertEqual(len(read(Odd(bytearray(b"0 0 0 1.5\n")))), 1)
 
     def test_wherever_a_path_is_read(self):
         def spheres():
@@ -156,8 +173,80 @@ class Writing(InScratchFolder):
             self.surface.save("nosuch/a.dat", format="ply")
         with self.assertRaisesRegex(meniscus.OutputError, r"\A\.: cannot be written"):
             self.surface.save(".", format="ply")
-        self.surface.save("/dev/null", format="ply")
         self.assertEqual([path.name for path in pathlib.Path().iterdir()], [])
+
+    def test_a_given_format_follows_links_and_keeps_permissions(self):
+        points = self.surface.sample()
+        for save, start in ((lambda path: self.surface.save(path, format="ply"), b"ply"), (points.save, b"PK")):
+            target, link = pathlib.Path("target.npz"), pathlib.Path("link.npz")
+            target.write_text("old")
+            target.chmod(0o640)
+            link.symlink_to(target)
+            save("link.npz")
+            self.assertTrue(link.is_symlink())
+            self.assertEqual(target.stat().st_mode & 0o777, 0o640)
+            self.assertTrue(target.read_bytes().startswith(start))
+            link.unlink()
+        self.assertEqual([path.name for path in pathlib.Path().iterdir()], ["target.npz"])
+
+    def test_a_given_format_goes_to_pipes(self):
+        self.surface.save("wanted.ply")
+        wanted = pathlib.Path("wanted.ply").read_bytes()
+        os.mkfifo("pipe")
+        received = []
+        reader = threading.Thread(target=lambda: received.append(pathlib.Path("pipe").read_bytes()), daemon=True)
+        reader.start()
+        self.surface.save("pipe", format="ply")
+        reader.join(30)
+        self.assertEqual(received, [wanted])
+        self.assertTrue(pathlib.Path("pipe").is_fifo())
+        code = ("import meniscus; meniscus.surface([[0, 0, 0]], [2.0], spacing=1.0)"
+                ".save('/dev/stdout', format='off')")
+        written = subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, check=True).stdout
+        self.assertEqual(written[:3], b"OFF")
+
+    def test_paths_that_are_not_text(self):
+        name = os.fsdecode(b"\xff.bin")
+        self.surface.save(name, format="off")
+        self.assertEqual(pathlib.Path(name).read_bytes()[:3], b"OFF")
+        with self.assertRaises(meniscus.OutputError) as caught:
+            self.surface.save(f"nosuch/{name}", format="off")
+        self.assertEqual(str(caught.exception), f"nosuch/{name}: there is no folder 'nosuch'; create it first")
+        for path in ("a\0b.ply", pathlib.Path("a\0b")):
+            with self.assertRaisesRegex(meniscus.UsageError, "null"):
+                self.surface.save(path, format="ply")
+
+    def test_files_that_take_a_part_at_a_time(self):
+        wanted = io.BytesIO()
+        self.surface.write(wanted, format="ply")
+
+        class Raw(io.RawIOBase):
+            def __init__(self):
+                self.taken = b""
+
+            def writable(self):
+                return True
+
+            def write(self, data):
+                self.taken += bytes(data[:1000])
+                return len(data[:1000])
+
+        whole = Raw()
+        self.surface.write(whole, format="ply")
+        self.assertEqual(whole.taken, wanted.getvalue())
+
+        class Silent:
+            def write(self, data):
+                self.taken = data
+
+        silent = Silent()
+        self.surface.write(silent, format="ply")
+        self.assertEqual(silent.taken, wanted.getvalue())
+        for answer in (0, None):
+            full = Raw()
+            full.write = lambda data, answer=answer: answer
+            with self.assertRaisesRegex(meniscus.OutputError, f"the file: took only 0 of {len(whole.taken)} bytes"):
+                self.surface.write(full, format="ply")
 
 
 if __name__ == "__main__":

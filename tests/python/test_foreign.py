@@ -177,6 +177,29 @@ class Everywhere(InScratchFolder):
         with self.assertRaisesRegex(TypeError, "from_mdtraj: a Trajectory is needed, not Structure"):
             meniscus.from_mdtraj(read(UBIQUITIN))
 
+    def test_objects_without_atoms(self):
+        stack = foreign.AtomArrayStack(read(UBIQUITIN), np.zeros((0, 602, 3)))
+        cases = [(meniscus.from_biotite, stack, "Biotite: no models, and so no atoms")]
+        if importlib.util.find_spec("gemmi"):
+            import gemmi
+            cases += [(meniscus.from_gemmi, gemmi.Structure(), "gemmi: no models, and so no atoms"),
+                      (meniscus.from_gemmi, gemmi.Model("1"), "gemmi: no atoms")]
+        if importlib.util.find_spec("mdtraj"):
+            cases += [(meniscus.from_mdtraj, of_mdtraj(UBIQUITIN)[:0], "MDTraj: no frames, and so no atoms")]
+        if importlib.util.find_spec("Bio"):
+            from Bio.PDB.Structure import Structure
+            cases += [(meniscus.from_biopython, Structure("x"), "Biopython: no models, and so no atoms"),
+                      (meniscus.from_biopython, [], "Biopython: no atoms")]
+        if importlib.util.find_spec("MDAnalysis"):
+            import MDAnalysis
+            cases += [(meniscus.from_mdanalysis, MDAnalysis.Universe.empty(3), "MDAnalysis: the universe has no coordinates"),
+                      (meniscus.from_mdanalysis, MDAnalysis.Universe.empty(3).atoms, "MDAnalysis: the universe has no coord"),
+                      (meniscus.from_mdanalysis, MDAnalysis.Universe.empty(0, trajectory=True), "MDAnalysis: no atoms")]
+        for convert, source, message in cases:
+            for options in ({}, {"frame": 0}) if "and so" in message else ({},):
+                with self.subTest(message=message, options=options), self.assertRaisesRegex(meniscus.InputError, message):
+                    convert(source, **options)
+
     def test_warnings_name_the_line_of_the_caller(self):
         atoms = read(UBIQUITIN, select="//A/1-2")
         twice = foreign.AtomArray(atoms, np.zeros((len(atoms), 3)))
@@ -271,6 +294,21 @@ class OfBiopython(InScratchFolder):
         self.assertEqual((len(first), first.notes[0]), (1, "model 0 of 2 taken (choose another with frame=N)"))
         with self.assertRaisesRegex(meniscus.UsageError, "frame: goes with a whole Structure"):
             meniscus.from_biopython(chain, frame=0)
+
+    @has("Bio")
+    def test_lists_of_what_cannot_be_used(self):
+        from Bio.PDB.Atom import Atom
+        whole = of_biopython(UBIQUITIN)
+        atoms = list(whole.get_atoms())[:3]
+        for source, kind in (([*atoms, 5], "int"), ("abc", "str"), (list(whole.get_residues()), "Residue"), ([None], "NoneType")):
+            with self.assertRaisesRegex(TypeError, f"a list of atoms is needed, not one with {kind}"):
+                meniscus.from_biopython(source)
+        with self.assertRaisesRegex(meniscus.InputError, "Biopython: atom CB belongs to no residue"):
+            meniscus.from_biopython([*atoms, Atom("CB", np.zeros(3), 0, 1, " ", " CB ", 1, "C")])
+        atoms[1].coord = None
+        for source in (atoms, whole):
+            with self.assertRaisesRegex(meniscus.InputError, "Biopython: atom CA has no coordinates"):
+                meniscus.from_biopython(source)
 
     @has("gemmi")
     def test_parts_of_gemmi(self):

@@ -8,6 +8,7 @@ import pickle
 import typing
 import unittest
 
+import numpy as np
 from support import CENTRES, RADII, UBIQUITIN, read
 
 import meniscus
@@ -54,12 +55,54 @@ class Objects(unittest.TestCase):
                 (lambda: meniscus.SurfaceOptions().replace(edgy=1.0), TypeError, "edgy"),
                 (lambda: meniscus.ReadOptions(hetero="some"), meniscus.UsageError, "choose one of none, ligands, all"),
                 (lambda: meniscus.ReadOptions(model=1.5), TypeError, "model: must be a whole number"),
+                (lambda: meniscus.ReadOptions(model=0), meniscus.UsageError, "model: must be a whole number of at least 1, not 0"),
+                (lambda: meniscus.ReadOptions(model=-1), meniscus.UsageError, "of at least 1, not -1"),
+                (lambda: meniscus.ReadOptions(model="join", assembly=1), meniscus.UsageError, "by assembly; give one of"),
+                (lambda: meniscus.ReadOptions(waters="no"), TypeError, "waters: must be True or False, not 'no'"),
+                (lambda: meniscus.ReadOptions(strict_radii="no"), TypeError, "strict_radii: must be True or False, not 'no'"),
+                (lambda: meniscus.ReadOptions(strict_radii=2), TypeError, "must be True or False, not 2"),
+                (lambda: meniscus.ReadOptions(select=5), TypeError, "select: must be text, not 5"),
+                (lambda: meniscus.ReadOptions(select=""), meniscus.UsageError, "select: empty"),
+                (lambda: meniscus.ReadOptions(altloc="AB"), meniscus.UsageError, "altloc: must be one character, not 'AB'"),
+                (lambda: meniscus.ReadOptions(altloc=""), meniscus.UsageError, "altloc: must be one character, not ''"),
+                (lambda: meniscus.ReadOptions(altloc=1), TypeError, "altloc: must be text, not 1"),
+                (lambda: meniscus.ReadOptions(assembly=1.0), TypeError, "assembly: must be a whole number, not 1.0"),
+                (lambda: meniscus.ReadOptions(assembly=""), meniscus.UsageError, "assembly: empty"),
+                (lambda: meniscus.ReadOptions(chains=5), TypeError, "chains: must be text or a list of texts, not 5"),
+                (lambda: meniscus.ReadOptions(chains=["A", 5]), TypeError, "chains: must be text, not 5"),
+                (lambda: meniscus.ReadOptions(radii=5), TypeError, "int"),
                 (lambda: meniscus.RunOptions(threads=-1), meniscus.UsageError, "threads -1"),
                 (lambda: meniscus.RunOptions(memory="much"), meniscus.UsageError, "memory: must be an amount"),
                 (lambda: meniscus.RunOptions(progress=3), TypeError, "progress: must be a function")):
             with self.assertRaisesRegex(error, message):
                 make()
 
+
+    def test_flags_and_words_of_every_call(self):
+        ball = meniscus.surface([[0, 0, 0]], [2.0], spacing=1.0)
+        for call, name in ((lambda: meniscus.measure(CENTRES, RADII, cavities="no"), "cavities"),
+                           (lambda: meniscus.measure(CENTRES, RADII, depth="no"), "depth"),
+                           (lambda: ball.save("x.ply", ascii="no"), "ascii"),
+                           (lambda: ball.sample().save("x.ply", ascii="no"), "ascii"),
+                           (lambda: ball.save("x.png", outline="no"), "outline"),
+                           (lambda: ball.save("x.png", legend="no"), "legend"),
+                           (lambda: ball.save("x.html", perspective="no"), "perspective"),
+                           (lambda: ball.numpy(copy="no"), "copy")):
+            with self.assertRaisesRegex(TypeError, f"{name}: must be True or False, not 'no'"):
+                call()
+        for call, name in ((lambda: ball.save("x.png", background=5), "background"), (lambda: ball.save("x", format=5), "format"),
+                           (lambda: meniscus.read(UBIQUITIN, name=5), "name"), (lambda: meniscus.read(UBIQUITIN, format=5), "format")):
+            with self.assertRaisesRegex(TypeError, f"{name}: must be text, not 5"):
+                call()
+        for format in ("", "/../x.ply", "a/b", "\0"):
+            with self.assertRaisesRegex(meniscus.UsageError, "format: (empty|unknown value)"):
+                ball.save("x", format=format)
+
+    def test_numpy_flags_are_flags(self):
+        for true in (True, 1, np.True_):
+            self.assertEqual(len(read(UBIQUITIN, waters=true)), 660)
+        for false in (False, 0, np.False_):
+            self.assertEqual(len(read(UBIQUITIN, waters=false, strict_radii=false)), 602)
 
     def test_of_another_kind_are_refused(self):
         reading, run = meniscus.ReadOptions(), meniscus.RunOptions()

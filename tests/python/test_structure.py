@@ -98,9 +98,9 @@ class Reading(InScratchFolder):
         for options, message in (({"hetero": "some"}, "hetero: unknown value 'some'; choose one of none, ligands, all"),
                                  ({"hydrogens": "add"}, "hydrogens: unknown value 'add'; choose one of auto, keep, drop"),
                                  ({"chains": "A,"}, "chains: empty name"),
-                                 ({"model": 0}, "model=0: models are counted from 1"),
+                                 ({"model": 0}, "model: must be a whole number of at least 1, not 0"),
                                  ({"model": "join", "assembly": 1}, 'model="join": the models of a file are not to be '),
-                                 ({"altloc": "AB"}, "altloc=AB: must be one character"),
+                                 ({"altloc": "AB"}, "altloc: must be one character, not 'AB'"),
                                  ({"select": "hydro"}, "select 'hydro': 'hydro' has no exact counterpart in gemmi's syntax"),
                                  ({"select": "//Z"}, "; chains or select keep none"),
                                  ({"radii": "nosuch"}, "radii=\"nosuch\": neither a radius set nor a file")):
