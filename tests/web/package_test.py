@@ -112,7 +112,7 @@ const options = {
 };
 const inputs = {
   "input: ": undefined, "input:": null, "input:  ": 7, "input:   ": {}, "input:    ": [ball], "input:     ": Promise.resolve(text),
-  "input:      ": "1ubq.pdb", "positions: ": {radii: [2]}, "radii: ": {positions: [0, 0, 0]}, "positions:": {positions: [0, 0], radii: [2]},
+  "input:      ": "1ubq.pdb", "input:       ": new Blob([text]), "positions: ": {radii: [2]}, "radii: ": {positions: [0, 0, 0]}, "positions:": {positions: [0, 0], radii: [2]},
   "positions:  ": {positions: [0, 0, 0], radii: [2, 3]}, "positions:   ": {positions: [[0, 0, 0]], radii: [2]},
   "positions:    ": {positions: [0, NaN, 0], radii: [2]}, "positions:     ": {positions: ["0", "0", "0"], radii: [2]},
   "positions:      ": {positions: 3, radii: [2]}, "radii:": {positions: [0, 0, 0], radii: [NaN]}, "radii:  ": {positions: [0, 0, 0], radii: [-2]},
@@ -121,6 +121,8 @@ const inputs = {
 const result = {refused: []};
 for (const [begin, given] of Object.entries(options))
   for (const what of ["measure", "surface", "estimate"]) result.refused.push([begin.trim(), ...await said(() => engine[what](text, given))]);
+for (const what of ["measure", "surface"])
+  result.refused.push(["interfaces:", ...await said(() => engine[what](text, {interfaces: "AB", method: "direct", spacing: 1}))]);
 for (const [begin, given] of Object.entries(inputs)) result.refused.push([begin.trim(), ...await said(() => measure(given))]);
 const s = await engine.surface(ball, {method: "direct"});
 for (const kind of ["pdb", "constructor.csv", "../x", undefined, 5]) result.refused.push(["kind:", ...await said(() => s.file(kind))]);
@@ -141,6 +143,7 @@ for (const [format, input] of Object.entries(formats)) {
   const {report} = await measure(input);
   result.formats[format] = [report.input.file, report.input.atoms, report.exact.ses_area];
 }
+result.hints = [await said(() => measure(new Blob([text]))), await said(() => measure(Promise.resolve(text)))];
 result.noFormat = await said(() => measure("a letter to a friend"));
 result.wrongLine = await said(() => measure("ATOM      1  N   MET A   1      27.340  24.430   2.x14  1.00  9.67           N\n"));
 console.log(JSON.stringify(result));
@@ -287,6 +290,10 @@ class Package(unittest.TestCase):
                 self.assertIn(begin, message[0])
                 self.assertTrue(message[0].startswith(begin) or begin.startswith("'"))
                 self.assertNotIn("\n", message[0])
+
+    def test_bytes_that_are_still_to_come_are_told_how_to_get(self):
+        for (_, message), hint in zip(self.wrong["hints"], ("a Blob; await its arrayBuffer()", "a Promise; await it"), strict=True):
+            self.assertTrue(message.endswith(hint), message)
 
     def test_what_progress_throws_rejects_the_call_alone(self):
         self.assertEqual(self.wrong["thrown"], [["RangeError", "mine"], ["RangeError", "later"]])

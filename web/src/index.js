@@ -204,7 +204,8 @@ function copyOf(input) {
   if (type === "Uint8Array") return new Uint8Array(input);
   if (type === "ArrayBuffer") return new Uint8Array(input.slice(0));
   if (type === "Object" && ("positions" in input || "radii" in input)) return copyOfSpheres(input);
-  throw usage(`input: must be the text or the bytes of a structure file, or {positions, radii}, not ${said(input)}`);
+  const hint = type === "Promise" ? "; await it" : typeof input?.arrayBuffer === "function" ? "; await its arrayBuffer()" : "";
+  throw usage(`input: must be the text or the bytes of a structure file, or {positions, radii}, not ${said(input)}${hint}`);
 }
 
 function copyOfSpheres(input) {

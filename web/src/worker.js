@@ -29,7 +29,7 @@ function buffersOf(value, found = []) {
 
 /** An error as a message. What has no code is a mistake in the module, whose memory cannot be trusted any more. */
 function messageOf({message, code}) {
-  if (code !== undefined) return {error: {message, code}};
+  if (code !== undefined) return {error: {message: message.replace(/^between: /, "interfaces: "), code}};   // the package's name of it
   return {error: {message: `the engine has failed: ${message || "an unknown exception"}; please report it`, code: 1}, broken: true};
 }
 
