@@ -102,42 +102,48 @@ WRONG = r"""
 import {readFileSync} from "node:fs";
 import {Meniscus, measure} from "INDEX";
 const text = readFileSync("1ubq.pdb", "utf8"), ball = {positions: [0, 0, 0], radii: [2]}, engine = new Meniscus();
-const said = async f => { try { await f(); return "no error"; } catch (error) { return [error.code ?? error.name, error.message]; } };
-const options = {
-  "name: ": {name: 5}, "name:": {name: ""}, "options: ": null, "options:": [], "options:  ": "x", "options:   ": new Map(),
-  "options:    ": {__proto__: {spacing: 1}}, "signal: ": {signal: {}}, "progress: ": {progress: "x"}, "interfaces: ": {interfaces: 5},
-  "'constructor'": {constructor: 1}, "'__proto__'": JSON.parse('{"__proto__": 1}'), "'hasOwnProperty'": {hasOwnProperty: "1"},
-  "probe: ": {probe: () => 1.4}, "probe:": {probe: {}}, "spacing: ": {spacing: NaN}, "spacing:": {spacing: "fine"}, "exact: ": {exact: 2},
-  "chains: ": {chains: []}, "select: ": {select: Symbol("x")},
+const said = async f => {
+  try { await f(); return ["no error"]; } catch (error) { return [error.code ?? error.name, error.message]; }
 };
-const inputs = {
-  "input: ": undefined, "input:": null, "input:  ": 7, "input:   ": {}, "input:    ": [ball], "input:     ": Promise.resolve(text),
-  "input:      ": "1ubq.pdb", "input:       ": new Blob([text]), "positions: ": {radii: [2]}, "radii: ": {positions: [0, 0, 0]}, "positions:": {positions: [0, 0], radii: [2]},
-  "positions:  ": {positions: [0, 0, 0], radii: [2, 3]}, "positions:   ": {positions: [[0, 0, 0]], radii: [2]},
-  "positions:    ": {positions: [0, NaN, 0], radii: [2]}, "positions:     ": {positions: ["0", "0", "0"], radii: [2]},
-  "positions:      ": {positions: 3, radii: [2]}, "radii:": {positions: [0, 0, 0], radii: [NaN]}, "radii:  ": {positions: [0, 0, 0], radii: [-2]},
-  "radii:   ": {positions: [0, 0, 0], radii: [0]}, "radii:    ": {positions: [], radii: []}, "radii:     ": {positions: [0, 0, 0], radii: [Infinity]},
-};
-const result = {refused: []};
-for (const [begin, given] of Object.entries(options))
-  for (const what of ["measure", "surface", "estimate"]) result.refused.push([begin.trim(), ...await said(() => engine[what](text, given))]);
+const options = [
+  ["name:", {name: 5}], ["name:", {name: ""}], ["signal:", {signal: {}}], ["progress:", {progress: "x"}],
+  ["interfaces:", {interfaces: 5}], ["options:", null], ["options:", []], ["options:", "x"], ["options:", new Map()],
+  ["options:", {__proto__: {spacing: 1}}], ["'__proto__'", JSON.parse('{"__proto__": 1}')], ["'constructor'", {constructor: 1}],
+  ["'hasOwnProperty'", {hasOwnProperty: "1"}], ["probe:", {probe: () => 1.4}], ["probe:", {probe: {}}],
+  ["spacing:", {spacing: NaN}], ["spacing:", {spacing: "fine"}], ["exact:", {exact: 2}], ["chains:", {chains: []}],
+  ["select:", {select: Symbol("x")}],
+];
+const at = [0, 0, 0], inputs = [
+  ["input:", undefined], ["input:", null], ["input:", 7], ["input:", {}], ["input:", [ball]], ["input:", new Int8Array(3)],
+  ["input:", "1ubq.pdb"], ["positions:", {radii: [2]}], ["positions:", {positions: [0, 0], radii: [2]}],
+  ["positions:", {positions: at, radii: [2, 3]}], ["positions:", {positions: [at], radii: [2]}],
+  ["positions:", {positions: [0, NaN, 0], radii: [2]}], ["positions:", {positions: ["0", "0", "0"], radii: [2]}],
+  ["positions:", {positions: 3, radii: [2]}], ["radii:", {positions: at}], ["radii:", {positions: at, radii: [NaN]}],
+  ["radii:", {positions: at, radii: [-2]}], ["radii:", {positions: at, radii: [0]}], ["radii:", {positions: [], radii: []}],
+  ["radii:", {positions: at, radii: [Infinity]}],
+];
+const closed = "this surface has been closed", kinds = ["pdb", "constructor.csv", "../x", undefined, 5];
+const colours = [["colour:", {colour: 5}], ["colour:", {colour: "x"}], ["'color'", {color: "chain"}], ["options:", null]];
+const result = {refused: []}, refused = async (begin, f) => result.refused.push([begin, ...await said(f)]);
+for (const what of ["measure", "surface", "estimate"])
+  for (const [begin, given] of options) await refused(begin, () => engine[what](text, given));
 for (const what of ["measure", "surface"])
-  result.refused.push(["interfaces:", ...await said(() => engine[what](text, {interfaces: "AB", method: "direct", spacing: 1}))]);
-for (const [begin, given] of Object.entries(inputs)) result.refused.push([begin.trim(), ...await said(() => measure(given))]);
+  await refused("interfaces:", () => engine[what](text, {interfaces: "AB", method: "direct", spacing: 1}));
+for (const [begin, given] of inputs) await refused(begin, () => measure(given));
 const s = await engine.surface(ball, {method: "direct"});
-for (const kind of ["pdb", "constructor.csv", "../x", undefined, 5]) result.refused.push(["kind:", ...await said(() => s.file(kind))]);
-for (const [begin, given] of [["colour:", {colour: 5}], ["colour:", {colour: "x"}], ["'color'", {color: "chain"}], ["options:", null]])
-  result.refused.push([begin, ...await said(() => s.page(given))]);
+for (const kind of kinds) await refused("kind:", () => s.file(kind));
+for (const [begin, given] of colours) await refused(begin, () => s.page(given));
 s.close();
-for (const kind of ["ply", "report.json"]) result.refused.push(["this surface has been closed", ...await said(() => s.file(kind))]);
-result.refused.push(["the files of the engine:", ...await said(() => new Meniscus(null))]);
+for (const kind of ["ply", "report.json"]) await refused(closed, () => s.file(kind));
+await refused("the files of the engine:", () => new Meniscus(null));
 
 const throwing = progress => said(() => engine.surface(text, {method: "direct", spacing: 1, progress}));
-result.thrown = [await throwing(() => { throw new RangeError("mine"); }), await throwing(async () => { throw new RangeError("later"); })];
+result.thrown = [await throwing(() => { throw new RangeError("mine"); }),
+                 await throwing(async () => { throw new RangeError("later"); })];
 result.after = (await engine.surface(text, {method: "direct", spacing: 1, name: null, signal: undefined})).positions.length > 0;
 
-const formats = {pdb: text, bom: "\uFEFF" + text, pqr: readFileSync("one.pqr", "utf8"), cif: "\uFEFF" + readFileSync("1ubq.cif", "utf8"),
-                 gro: readFileSync("1ubq.gro"), xyzr: "\uFEFF0 0 0 2\n"};
+const bom = "\uFEFF", [pqr, cif] = ["one.pqr", "1ubq.cif"].map(name => readFileSync(name, "utf8"));
+const formats = {pdb: text, bom: bom + text, pqr, cif: bom + cif, gro: readFileSync("1ubq.gro"), xyzr: bom + "0 0 0 2\n"};
 result.formats = {};
 for (const [format, input] of Object.entries(formats)) {
   const {report} = await measure(input);
@@ -219,7 +225,8 @@ class Package(unittest.TestCase):
         rows = [f"{int(line[22:26]):5}{line[17:20]:5}{line[12:16].strip():>5}{int(line[6:11]):5}" +
                 "".join(f"{float(line[k:k + 8]) / 10:8.3f}" for k in (30, 38, 46)) for line in lines]
         (folder / "1ubq.gro").write_text("\n".join(["Ubiquitin", str(len(rows)), *rows, "   1.0 1.0 1.0\n"]), encoding="ascii")
-        (folder / "one.pqr").write_text("ATOM      1  CA  ALA A   1       1.000   2.000   3.000  0.5000 1.9080\n", encoding="ascii")
+        atom = "ATOM      1  CA  ALA A   1       1.000   2.000   3.000  0.5000 1.9080\n"
+        (folder / "one.pqr").write_text(atom, encoding="ascii")
 
     @classmethod
     def node(cls, name, script):
@@ -292,7 +299,8 @@ class Package(unittest.TestCase):
                 self.assertNotIn("\n", message[0])
 
     def test_bytes_that_are_still_to_come_are_told_how_to_get(self):
-        for (_, message), hint in zip(self.wrong["hints"], ("a Blob; await its arrayBuffer()", "a Promise; await it"), strict=True):
+        hints = ("a Blob; await its arrayBuffer()", "a Promise; await it")
+        for (_, message), hint in zip(self.wrong["hints"], hints, strict=True):
             self.assertTrue(message.endswith(hint), message)
 
     def test_what_progress_throws_rejects_the_call_alone(self):

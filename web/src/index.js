@@ -173,7 +173,7 @@ class Surface {
   }
 
   #checkOpen() {
-    if (this.#closed) throw usage("this surface has been closed; ask it for pages and files before close(), or compute it again");
+    if (this.#closed) throw usage("this surface has been closed; ask for pages and files before close(), or compute it again");
   }
 }
 
@@ -210,10 +210,11 @@ function copyOf(input) {
 
 function copyOfSpheres(input) {
   const radii = numbersOf("radii", input.radii, radius => radius > 0, "a finite number above 0");
-  const positions = numbersOf("positions", input.positions, () => true, "a finite number; x, y, z of each sphere follow each other");
-  if (radii.length === 0) throw usage("radii: must be those of at least one sphere");
-  if (positions.length !== 3 * radii.length)
-    throw usage(`positions: must have x, y, z for each of ${radii.length} radii, ${3 * radii.length} numbers, not ${positions.length}`);
+  const positions = numbersOf("positions", input.positions, () => true, "a finite number; write x, y, z of each sphere in a row");
+  const count = radii.length;
+  if (count === 0) throw usage("radii: must be those of at least one sphere");
+  if (positions.length !== 3 * count)
+    throw usage(`positions: must have x, y, z for each of ${count} radii, ${3 * count} numbers, not ${positions.length}`);
   return {positions, radii};
 }
 
@@ -252,11 +253,13 @@ const optionRules = {
   progress: [value => typeof value === "function", "a function"],
   interfaces: [value => ["boolean", "string"].includes(typeof value), 'true or the names of chains such as "A,B:C"'],
 };
-const otherRule = [value => ["string", "number", "boolean"].includes(typeof value) || Array.isArray(value), "a text, a number, true or false"];
+const otherRule = [value => ["string", "number", "boolean"].includes(typeof value) || Array.isArray(value),
+                   "a text, a number, true or false"];
 
 /** A copy of options without those that are undefined or null. */
 function checkedOptions(given) {
-  const options = Object.entries(plain("options", given, "{spacing: 0.5}")).filter(([, value]) => value !== undefined && value !== null);
+  const all = Object.entries(plain("options", given, "{spacing: 0.5}"));
+  const options = all.filter(([, value]) => value !== undefined && value !== null);
   for (const [name, value] of options) {
     const [isRight, rule] = Object.hasOwn(optionRules, name) ? optionRules[name] : otherRule;
     if (!isRight(value)) throw usage(`${name}: must be ${rule}, not ${said(value)}`);

@@ -29,7 +29,8 @@ function buffersOf(value, found = []) {
 
 /** An error as a message. What has no code is a mistake in the module, whose memory cannot be trusted any more. */
 function messageOf({message, code}) {
-  if (code !== undefined) return {error: {message: message.replace(/^between: /, "interfaces: "), code}};   // the package's name of it
+  const inOurWords = message.replace(/^between: /, "interfaces: ");   // which is what the package calls this option
+  if (code !== undefined) return {error: {message: inOurWords, code}};
   return {error: {message: `the engine has failed: ${message || "an unknown exception"}; please report it`, code: 1}, broken: true};
 }
 
