@@ -36,9 +36,9 @@
     offerNotices();
     if (!window.DecompressionStream || !window.WebAssembly) throw new Error("this browser is too old for it");
     const [wasm] = await Promise.all([Decode.embedded("wasm"), Page.loadThree()]);
-    const engine = new Meniscus({wasm: await WebAssembly.compile(wasm), worker: $("worker").textContent});
+    const files = {wasm: await WebAssembly.compile(wasm), worker: $("worker").textContent};
     for (const id of ["wasm", "worker"]) $(id).remove();   // a megabyte of text
-    window.meniscus = new App(engine, example);
+    window.meniscus = new App(() => new Meniscus(files), example);
   }
 
   start().catch(error => {
