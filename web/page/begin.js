@@ -31,7 +31,7 @@
   }
 
   async function start() {
-    if (matchMedia("(max-width: 720px)").matches) document.body.classList.add("folded");
+    if (matchMedia("(max-width: 45rem)").matches) document.body.classList.add("folded");
     setTheme();
     offerNotices();
     if (!window.DecompressionStream || !window.WebAssembly) throw new Error("this browser is too old for it");
