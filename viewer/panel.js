@@ -58,10 +58,14 @@ const Panel = (() => {
     return strip;
   }
 
-  /** Ends and middle of a scale, to a hundredth of its length or better. */
+  /** Ends and middle of a scale to a hundredth of its length, all with the same decimals, and no more than they need. */
   function ticks({min, max}) {
-    const digits = max > min ? Math.min(100, Math.max(0, 2 - Math.floor(Math.log10(max - min)))) : 4;
-    return [min, (min + max) / 2, max].map(value => String(+(+value).toFixed(digits)).replace("-", "−"));
+    const values = [min, (min + max) / 2, max].map(Number);
+    const most = max > min ? Math.min(20, Math.max(0, 2 - Math.floor(Math.log10(max - min)))) : 4;
+    const inDigits = digits => values.map(value => value.toFixed(digits));
+    let digits = most;
+    while (digits > 0 && inDigits(digits).every(text => text.endsWith("0"))) --digits;
+    return inDigits(digits).map(text => text.replace("-", "−"));
   }
 
   function showLegend(legend) {

@@ -267,8 +267,9 @@ class MeniscusHtml(unittest.TestCase):
         self.assertEqual(self.js("return meniscus.items.length"), 1)
 
     def test_scales_have_digits_that_are_read(self):
-        for low, high, expected in ((2.0713, 36.1378, ["2.1", "19.1", "36.1"]), (-5, 5, ["−5", "0", "5"]),
-                                    (0, 0.123456, ["0", "0.062", "0.123"]), (10, 10, ["10", "10", "10"])):
+        for low, high, expected in ((2.0713, 36.1378, ["2.1", "19.1", "36.1"]), (2, 72.06, ["2.0", "37.0", "72.1"]),
+                                    (-5, 5, ["−5", "0", "5"]),
+                                    (0, 0.123456, ["0.000", "0.062", "0.123"]), (10, 10, ["10", "10", "10"])):
             self.js("Panel.showLegend({title: '', ramp: ['#000000', '#ffffff'], min: arguments[0], max: arguments[1],"
                     " entries: []})", low, high)
             self.assertEqual(self.js("return [...document.querySelectorAll('#legend .ends span')].map(e => e.textContent)"),

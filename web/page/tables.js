@@ -40,8 +40,8 @@ const Tables = (() => {
   /** What most want to know, beneath the name. */
   function keyNumbers({exact, mesh}, cavities) {
     const [area, volume] = exact ? [exact.ses_area, exact.ses_volume] : [mesh.area, mesh.volume];
-    const numbers = [[exact ? "area" : "area of the mesh", grouped(area, 1) + " Å²"],
-                     [exact ? "volume" : "its volume", grouped(volume, 1) + " Å³"]];
+    const numbers = [[exact ? "SES area" : "area of the mesh", grouped(area, 1) + " Å²"],
+                     [exact ? "SES volume" : "its volume", grouped(volume, 1) + " Å³"]];
     numbers.push(["cavities", String(cavities)]);
     $("key-numbers").replaceChildren(...numbers.map(([label, value]) => {
       const pair = element("div");
