@@ -328,6 +328,7 @@ class MeniscusHtml(unittest.TestCase):
         self.set("#spacing", "0.12")
         self.click("#file-list li:nth-child(2) button")
         self.wait("meniscus.run && document.getElementById('progress').value > 0")
+        self.assertIn("zipped.pdb.gz: ", self.text("#busy-text"))
         self.assertEqual(self.save("stl", "1ubq.stl"), expected)
         self.assertTrue(self.js("return Boolean(meniscus.run)"), "the other one is still being computed")
         self.begin_to_save("stl", "atoms.csv")
@@ -513,6 +514,8 @@ class MeniscusHtml(unittest.TestCase):
         self.js("document.body.classList.remove('folded');"
                 "document.querySelector('#settings').open = document.querySelector('#more').open = true")
         self.expect_all_within("#panel, #tools")
+        self.slow_computation()
+        self.expect_all_within("#busy, #panel")
 
     def expect_all_within(self, selector):
         self.assertEqual(self.js("""

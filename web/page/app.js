@@ -74,7 +74,7 @@ const App = (() => {
     // leaves all other engines alone, so that what is shown stays whole and can be saved. this.run, if there is one, will be
     // shown; other runs of this.runs are for files to save.
 
-    begin(item, title = "") {
+    begin(item, title) {
       const run = {item, title, engine: this.newEngine(), stopped: new AbortController()};
       this.runs.push(run);
       this.progress(run, {stage: "read", fraction: 0});
@@ -83,7 +83,7 @@ const App = (() => {
 
     async compute(item) {
       this.stop(this.run);
-      const run = this.run = this.begin(item);
+      const run = this.run = this.begin(item, this.shown && item !== this.shown ? item.name + ": " : "");
       item.failed = null;
       this.list();
       try {
