@@ -513,6 +513,9 @@ class MeniscusHtml(unittest.TestCase):
         self.shown("1ubq.pdb")
         self.js("document.body.classList.remove('folded');"
                 "document.querySelector('#settings').open = document.querySelector('#more').open = true")
+        self.js("""
+            Tables.interfaces([{a: "A", b: "B", interface_area: 12345.6, buried_ses: 12345.6}]);
+            Panel.fillCavities([{volume: 1234.5, area: 1234.5}], "", () => {})""")
         self.expect_all_within("#panel, #tools")
         self.slow_computation()
         self.expect_all_within("#busy, #panel")
@@ -521,7 +524,8 @@ class MeniscusHtml(unittest.TestCase):
         self.assertEqual(self.js("""
             return [...document.querySelectorAll(arguments[0])].flatMap(box => [...box.querySelectorAll("*")])
                 .filter(e => e.getClientRects().length && getComputedStyle(e).position !== "absolute")
-                .filter(e => e.getBoundingClientRect().right > innerWidth || e.getBoundingClientRect().left < 0)
+                .filter(e => e.getBoundingClientRect().right > innerWidth || e.getBoundingClientRect().left < 0
+                             || (e.id.endsWith("-box") && e.scrollWidth > e.clientWidth))
                 .map(e => e.outerHTML.slice(0, 80))""", selector), [])
 
 
