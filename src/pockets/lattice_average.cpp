@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kEdge = kBlockEdge;
 constexpr std::size_t kLines = kEdge * kEdge;  // of a block along an axis
-constexpr std::size_t kBlocksPerTask = 32;
+constexpr std::size_t kAverageBlocks = 32;
 
 // Blocks with values; those that are missing are full of zeros.
 struct BlockValues {
@@ -128,7 +128,7 @@ BlockValues averaged(const BlockValues& from, const Axis& axis, std::span<const 
     BlockValues result{std::move(blocks), {}};
     result.values.resize(result.blocks.size() * kBlockNodes);
     parallel_chunks_with(
-        result.blocks.size(), kBlocksPerTask, [&] { return std::make_unique<Lines>(from, axis, weights); },
+        result.blocks.size(), kAverageBlocks, [&] { return std::make_unique<Lines>(from, axis, weights); },
         [&](std::size_t begin, std::size_t end, Lines& lines) {
             for (std::size_t b = begin; b < end; ++b)
                 lines.average(result.blocks[b], result.values.data() + b * kBlockNodes);

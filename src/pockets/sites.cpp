@@ -9,6 +9,7 @@
 
 #include "core/parallel.h"
 #include "meniscus/measures.h"
+#include "pockets/voxel_neighbours.h"
 
 namespace meniscus {
 namespace {
@@ -78,23 +79,6 @@ double density_at(const Vec3& point, const WeightedPlaces& places) {
     return sum;
 }
 
-// The voxels around one, in the order of BlockGrid's neighbours.
-template <class Visit>
-void for_each_neighbour(const PocketSpace& space, VoxelId voxel, const Visit& visit) {
-    const BlockId block = space.nodes[voxel] / kBlockNodes;
-    const int node = static_cast<int>(space.nodes[voxel] % kBlockNodes);
-    const int x = node % kBlockEdge;
-    const int y = node / kBlockEdge % kBlockEdge;
-    const int z = node / (kBlockEdge * kBlockEdge);
-    for (int dz = -1; dz <= 1; ++dz)
-        for (int dy = -1; dy <= 1; ++dy)
-            for (int dx = -1; dx <= 1; ++dx) {
-                if (dx == 0 && dy == 0 && dz == 0) continue;
-                const VoxelId other = space.voxel_near(block, x + dx, y + dy, z + dz);
-                if (other != kNoVoxel) visit(other);
-            }
-}
-
 // For each voxel the site whose basin begins there, or kNone.
 std::vector<std::uint32_t> seeds(const PocketSpace& space, std::span<const double> densities,
                                  std::span<const Site> sites, std::span<const std::uint8_t> left_out) {
@@ -161,7 +145,7 @@ std::vector<Site> find_sites(const PocketSpace& space, const WeightedPoints& poi
             moment += places.weights[i] * places.positions[i];
         }
         if (sum <= 0.0) break;
-        sites.push_back({scores[best], (1.0 / sum) * moment});
+        sites.push_back({scores[best], (1.0 / sum) * moment, points.voxels[best]});
         WeightedPlaces removed;
         for (std::size_t i = 0; i < scores.size(); ++i) {
             if (squared_norm(places.positions[i] - sites.back().centre) > kSeparation * kSeparation) continue;

@@ -24,6 +24,7 @@ WeightedPoints weighted_points(std::span<const VoxelId> voxels, std::span<const 
 struct Site {
     double score = 0.0;
     Vec3 centre;  ///< Å
+    VoxelId densest = kNoVoxel;
 };
 
 /// The densest place first; the points near it are taken away before the next one is looked for.
