@@ -115,7 +115,7 @@ private:
             } else if (std::none_of(drafts_.begin(), drafts_.end(), [&](const Draft& d) { return d.cavity == cavity; }))
                 drafts_.push_back({site, cavity});
         }
-        const std::vector<std::uint32_t> found = regions(space_, densities(space_, points_), open, closed);
+        const std::vector<std::uint32_t> found = regions(space_, open, closed);
         add_cavities_without_sites();
         std::vector<std::uint32_t> of_site;
         std::vector<std::uint32_t> of_cavity(small_.measures().components.size(), kNone);
@@ -201,7 +201,7 @@ private:
             Pocket& pocket = pockets_.pockets[d];
             pocket.wall = std::move(wall[d]);
             pocket.mouths = std::move(mouth[d]);
-            pocket.openings = std::move(opening[d]);
+            if (!pocket.cavity) pocket.openings = std::move(opening[d]);
             for (const WallAtom& atom : pocket.wall) pocket.wall_area += atom.area;
         }
     }

@@ -3,9 +3,8 @@
 #include "pockets/sites.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <numeric>
+#include <utility>
 
 #include "core/parallel.h"
 #include "meniscus/measures.h"
@@ -17,8 +16,7 @@ namespace {
 constexpr double kLeast = 0.05;      // of the largest probability: of points that count
 constexpr double kKernel = 8.0;      // Å: how far points add to a density
 constexpr double kSeparation = 8.0;  // Å around a site's centre: points that are taken away
-constexpr double kSeed = 4.0;        // Å around a site's centre: where its basin begins
-constexpr double kBody = 0.5;        // of the largest density of a basin: the least one of a region
+constexpr double kBody = 0.5;        // of a site's largest density: the least one of its region
 
 // What a point adds to the density at a squared distance from it.
 double kernel(double squared_distance) { return std::max(0.0, 1.0 - squared_distance / (kKernel * kKernel)); }
@@ -42,8 +40,16 @@ public:
         begins_.push_back(points.voxels.size());
     }
 
-    /// Of the points in blocks within the kernel's reach of a block, in ascending order.
-    WeightedPlaces near(const BlockCoord& block) const {
+    std::size_t size() const { return blocks_.size(); }
+
+    template <class Visit>
+    void for_each_point(std::size_t number, const Visit& visit) const {
+        for (std::size_t i = begins_[number]; i < begins_[number + 1]; ++i) visit(i);
+    }
+
+    /// The points in blocks within the kernel's reach of a block, in ascending order.
+    WeightedPlaces near(std::size_t number) const {
+        const BlockCoord& block = blocks_[number];
         const double edge = kBlockEdge * space_.grid.spacing();
         const auto reach = static_cast<std::int32_t>(kKernel / edge) + 1;
         WeightedPlaces result;
@@ -79,20 +85,42 @@ double density_at(const Vec3& point, const WeightedPlaces& places) {
     return sum;
 }
 
-// For each voxel the site whose basin begins there, or kNone.
-std::vector<std::uint32_t> seeds(const PocketSpace& space, std::span<const double> densities,
-                                 std::span<const Site> sites, std::span<const std::uint8_t> left_out) {
-    std::vector<std::uint32_t> result(space.size(), kNone);
-    for (std::uint32_t s = 0; s < sites.size(); ++s) {
-        VoxelId best = kNoVoxel;
-        for (VoxelId v = 0; v < space.size(); ++v) {
-            if (left_out[v] != 0 || result[v] != kNone) continue;
-            if (squared_norm(space.position(v) - sites[s].centre) > kSeed * kSeed) continue;
-            if (best == kNoVoxel || densities[v] > densities[best]) best = v;
-        }
-        if (best != kNoVoxel) result[best] = s;
-    }
+WeightedPlaces places_of(const PocketSpace& space, const WeightedPoints& points) {
+    WeightedPlaces places{{}, points.weights};
+    for (const VoxelId v : points.voxels) places.positions.push_back(space.position(v));
+    return places;
+}
+
+std::vector<double> densities(const PocketSpace& space, const WeightedPoints& points) {
+    std::vector<double> result(points.voxels.size());
+    const PointBlocks blocks(space, points);
+    parallel_for(blocks.size(), 1, [&](std::size_t b) {
+        const WeightedPlaces near = blocks.near(b);
+        blocks.for_each_point(b, [&](std::size_t i) { result[i] = density_at(space.position(points.voxels[i]), near); });
+    });
     return result;
+}
+
+// Takes their label from voxels that do not hang together with the densest one of their site.
+void keep_connected(const PocketSpace& space, std::span<const VoxelId> tops, std::vector<std::uint32_t>& labels) {
+    std::vector<std::uint8_t> reached(space.size());
+    std::vector<VoxelId> open;
+    for (const VoxelId top : tops) {
+        if (top == kNoVoxel) continue;
+        reached[top] = 1;
+        open.push_back(top);
+    }
+    while (!open.empty()) {
+        const VoxelId voxel = open.back();
+        open.pop_back();
+        for_each_neighbour(space, voxel, [&](VoxelId other) {
+            if (reached[other] != 0 || labels[other] != labels[voxel]) return;
+            reached[other] = 1;
+            open.push_back(other);
+        });
+    }
+    for (VoxelId v = 0; v < space.size(); ++v)
+        if (reached[v] == 0) labels[v] = kNone;
 }
 
 }  // namespace
@@ -109,27 +137,9 @@ WeightedPoints weighted_points(std::span<const VoxelId> voxels, std::span<const 
     return points;
 }
 
-std::vector<double> densities(const PocketSpace& space, const WeightedPoints& points) {
-    std::vector<double> result(space.size());
-    const PointBlocks blocks(space, points);
-    std::vector<VoxelId> begins;
-    for (VoxelId v = 0; v < space.size(); ++v)
-        if (v == 0 || space.nodes[v] / kBlockNodes != space.nodes[v - 1] / kBlockNodes) begins.push_back(v);
-    const auto count = static_cast<VoxelId>(space.size());
-    parallel_for(begins.size(), 1, [&](std::size_t b) {
-        const WeightedPlaces near = blocks.near(space.grid.coord(space.nodes[begins[b]] / kBlockNodes));
-        const VoxelId end = b + 1 < begins.size() ? begins[b + 1] : count;
-        for (VoxelId v = begins[b]; v < end; ++v) result[v] = density_at(space.position(v), near);
-    });
-    return result;
-}
-
 std::vector<Site> find_sites(const PocketSpace& space, const WeightedPoints& points, std::size_t most) {
-    WeightedPlaces places{{}, points.weights};
-    for (const VoxelId v : points.voxels) places.positions.push_back(space.position(v));
-    const std::vector<double> everywhere = densities(space, points);
-    std::vector<double> scores;
-    for (const VoxelId v : points.voxels) scores.push_back(everywhere[v]);
+    WeightedPlaces places = places_of(space, points);
+    std::vector<double> scores = densities(space, points);
     std::vector<std::uint8_t> candidate(scores.size(), 1);
     std::vector<Site> sites;
     while (sites.size() < most) {
@@ -145,48 +155,50 @@ std::vector<Site> find_sites(const PocketSpace& space, const WeightedPoints& poi
             moment += places.weights[i] * places.positions[i];
         }
         if (sum <= 0.0) break;
-        sites.push_back({scores[best], (1.0 / sum) * moment, points.voxels[best]});
-        WeightedPlaces removed;
+        Site site{scores[best], (1.0 / sum) * moment, points.voxels[best], {}};
+        candidate[best] = 0;
         for (std::size_t i = 0; i < scores.size(); ++i) {
-            if (squared_norm(places.positions[i] - sites.back().centre) > kSeparation * kSeparation) continue;
+            if (squared_norm(places.positions[i] - site.centre) > kSeparation * kSeparation) continue;
             candidate[i] = 0;
             if (places.weights[i] == 0.0) continue;
-            removed.positions.push_back(places.positions[i]);
-            removed.weights.push_back(places.weights[i]);
-            places.weights[i] = 0.0;
+            site.points.voxels.push_back(points.voxels[i]);
+            site.points.weights.push_back(std::exchange(places.weights[i], 0.0));
         }
-        candidate[best] = 0;
+        const WeightedPlaces removed = places_of(space, site.points);
         parallel_for(scores.size(), 256, [&](std::size_t i) {
             constexpr double kReach = kSeparation + kKernel;
-            if (squared_norm(places.positions[i] - sites.back().centre) > kReach * kReach) return;
-            scores[i] -= density_at(places.positions[i], removed);
+            if (squared_norm(places.positions[i] - site.centre) <= kReach * kReach)
+                scores[i] -= density_at(places.positions[i], removed);
         });
+        sites.push_back(std::move(site));
     }
     return sites;
 }
 
-std::vector<std::uint32_t> regions(const PocketSpace& space, std::span<const double> densities,
-                                   std::span<const Site> sites, std::span<const std::uint8_t> left_out) {
-    std::vector<std::uint32_t> basins = seeds(space, densities, sites, left_out);
-    std::vector<VoxelId> order(space.size());
-    std::iota(order.begin(), order.end(), VoxelId{0});
-    std::stable_sort(order.begin(), order.end(), [&](VoxelId a, VoxelId b) { return densities[a] > densities[b]; });
-    std::vector<double> highest(sites.size());
-    for (const VoxelId v : order) {
-        if (left_out[v] != 0 || densities[v] <= 0.0) continue;
-        if (basins[v] == kNone) {
-            VoxelId best = kNoVoxel;
-            for_each_neighbour(space, v, [&](VoxelId other) {
-                if (basins[other] == kNone || densities[other] < densities[v]) return;
-                if (best == kNoVoxel || densities[other] > densities[best]) best = other;
-            });
-            if (best != kNoVoxel) basins[v] = basins[best];
-        }
-        if (basins[v] != kNone) highest[basins[v]] = std::max(highest[basins[v]], densities[v]);
+std::vector<std::uint32_t> regions(const PocketSpace& space, std::span<const Site> sites,
+                                   std::span<const std::uint8_t> left_out) {
+    constexpr double kReach = kSeparation + kKernel;
+    std::vector<std::uint32_t> labels(space.size(), kNone);
+    std::vector<double> highest(space.size());
+    std::vector<VoxelId> tops(sites.size(), kNoVoxel);  // where each site is densest
+    for (std::uint32_t s = 0; s < sites.size(); ++s) {
+        const WeightedPlaces places = places_of(space, sites[s].points);
+        parallel_for(space.size(), 1024, [&](std::size_t v) {
+            const Vec3 point = space.position(static_cast<VoxelId>(v));
+            if (left_out[v] != 0 || squared_norm(point - sites[s].centre) > kReach * kReach) return;
+            const double density = density_at(point, places);
+            if (density <= highest[v]) return;
+            highest[v] = density;
+            labels[v] = s;
+        });
     }
     for (VoxelId v = 0; v < space.size(); ++v)
-        if (basins[v] != kNone && densities[v] < kBody * highest[basins[v]]) basins[v] = kNone;
-    return basins;
+        if (labels[v] != kNone && (tops[labels[v]] == kNoVoxel || highest[v] > highest[tops[labels[v]]]))
+            tops[labels[v]] = v;
+    for (VoxelId v = 0; v < space.size(); ++v)
+        if (labels[v] != kNone && highest[v] < kBody * highest[tops[labels[v]]]) labels[v] = kNone;
+    keep_connected(space, tops, labels);
+    return labels;
 }
 
 }  // namespace meniscus

@@ -22,22 +22,20 @@ WeightedPoints weighted_points(std::span<const VoxelId> voxels, std::span<const 
 
 /// A place where such points are dense.
 struct Site {
-    double score = 0.0;
-    Vec3 centre;  ///< Å
+    double score = 0.0;  ///< how dense
+    Vec3 centre;         ///< Å
     VoxelId densest = kNoVoxel;
+    WeightedPoints points;  ///< those within 8 Å of the centre that belong to no site before
 };
 
-/// The densest place first; the points near it are taken away before the next one is looked for.
+/// The densest place first; its points are taken away before the next one is looked for.
 std::vector<Site> find_sites(const PocketSpace& space, const WeightedPoints& points, std::size_t most);
 
-/// How dense such points are around every voxel, before any is taken away.
-std::vector<double> densities(const PocketSpace& space, const WeightedPoints& points);
-
-/// For each voxel the number of its site, or kNone: the watershed of the densities from the sites on, and of each basin
-/// what is at least half as dense as its densest voxel.
+/// For each voxel the number of its site, or kNone. A voxel goes to the site whose points are densest around it, if
+/// they are at least half as dense there as where they are densest.
 ///
 /// left_out   voxels that no site gets
-std::vector<std::uint32_t> regions(const PocketSpace& space, std::span<const double> densities,
-                                   std::span<const Site> sites, std::span<const std::uint8_t> left_out);
+std::vector<std::uint32_t> regions(const PocketSpace& space, std::span<const Site> sites,
+                                   std::span<const std::uint8_t> left_out);
 
 }  // namespace meniscus
