@@ -31,6 +31,7 @@ void check(const ExactSurface& exact, std::span<const AtomClass> classes, const 
             options.large_probe, "larger than the probe");
     require(options.spacing > 0.0 && options.spacing <= kMostSpacing, "spacing", options.spacing,
             "above 0 and at most 2 Å for pockets");
+    require(options.count >= 1, "count", options.count, "at least 1");
     if (!classes.empty() && classes.size() != exact.atoms().size())
         throw UsageError("classes: there must be one per atom");
 }
@@ -107,7 +108,7 @@ private:
         std::vector<std::uint8_t> closed(space_.size());
         for (VoxelId v = 0; v < space_.size(); ++v) closed[v] = static_cast<std::uint8_t>(cavities_[v] != kNone);
         std::vector<Site> open;
-        for (const Site& site : find_sites(space_, points_, pockets_.options.count)) {
+        for (const Site& site : find_sites(space_, points_, static_cast<std::size_t>(pockets_.options.count))) {
             const std::uint32_t cavity = cavities_[site.densest];
             if (cavity == kNone) {
                 drafts_.push_back({site, kNone});
@@ -181,7 +182,11 @@ private:
             all += space_.shares[v];
             (labels_[v] == kNone ? rest : shares[labels_[v]]) += space_.shares[v];
         }
-        pockets_.scale = all > 0.0 ? (pockets_.volume - cavities) / (all * cube) : 1.0;
+        if (all == 0.0) {  // a grid too coarse for the little that there is
+            pockets_.rest_volume = pockets_.volume - cavities;
+            return;
+        }
+        pockets_.scale = (pockets_.volume - cavities) / (all * cube);
         for (std::size_t d = 0; d < drafts_.size(); ++d)
             if (drafts_[d].cavity == kNone) pockets_.pockets[d].volume = pockets_.scale * shares[d] * cube;
         pockets_.rest_volume = pockets_.scale * rest * cube;
@@ -270,6 +275,19 @@ private:
 };
 
 }  // namespace
+
+std::vector<Check> pocket_checks(const Pockets& pockets) {
+    constexpr double kMostOff = 0.02;
+    constexpr double kFewCubes = 5.0;  // Å³: what a grid cannot tell of small molecules
+    constexpr double kRounding = 1e-6;
+    double sum = pockets.rest_volume;
+    for (const Pocket& pocket : pockets.pockets) sum += pocket.volume;
+    const double whole = std::max(pockets.volume, 1e-9);
+    const double scale_bound = std::max(kMostOff, kFewCubes / whole);
+    const double off = std::abs(pockets.scale - 1.0);
+    const double sum_off = std::abs(sum - pockets.volume) / whole;
+    return {{"scale", off <= scale_bound, off, scale_bound}, {"pocket_volumes", sum_off <= kRounding, sum_off, kRounding}};
+}
 
 Pockets find_pockets(const ExactSurface& exact, std::span<const AtomClass> classes, const PocketOptions& options,
                      const RunOptions& run) {
