@@ -6,6 +6,7 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include "meniscus/describe_pockets.h"
@@ -38,6 +39,11 @@ std::string row_of(const DescribedPocket& described) {
                        p.probability, p.volume, p.wall_area, p.depth, p.cavity ? "cavity" : "", residues_of(described));
 }
 
+bool is_nucleotide(const Residue& residue) {
+    constexpr std::array kNames{"A", "C", "G", "U", "DA", "DC", "DG", "DT"};
+    return std::find(kNames.begin(), kNames.end(), residue.name) != kNames.end();
+}
+
 class PocketsRun : public StructureRun {
 public:
     explicit PocketsRun(const PocketsRequest& request) : StructureRun(request, request.run.threads), request_(request) {}
@@ -63,9 +69,10 @@ private:
     void say_what_the_ranking_was_not_fitted_to(const Structure& structure) {
         std::string what;
         if (structure.radii_set != "united") what = fmt::format("{} radii", structure.radii_set);
-        if (request_.read.hetero != HeteroPolicy::None)
-            what += fmt::format("{}hetero atoms", what.empty() ? "" : " and ");
-        if (request_.pockets.spacing != 1.0) what += fmt::format("{}another spacing", what.empty() ? "" : " and ");
+        const auto add = [&](const char* more) { what.append(what.empty() ? "" : " and ").append(more); };
+        if (request_.read.hetero != HeteroPolicy::None) add("hetero atoms");
+        if (request_.pockets.spacing != 1.0) add("another spacing");
+        if (std::any_of(structure.residues.begin(), structure.residues.end(), is_nucleotide)) add("nucleic acids");
         if (!what.empty())
             note(fmt::format("the ranking was fitted to heavy atoms of proteins with united radii at 1 Å; with {} its "
                              "scores are less sure, volumes and areas are not concerned",
