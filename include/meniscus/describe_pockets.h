@@ -46,7 +46,8 @@ void describe(Options& o, Visitor&& visit) {
                  .brief = "Number of pockets looked for",
                  .meaning = "Number of pockets looked for; closed cavities come in addition",
                  .example = "--count 3",
-                 .symbol = "N"},
+                 .symbol = "N",
+                 .standard = "10"},
           o.count);
     visit(Option{.name = "rank",
                  .brief = "What pockets are sorted by",
