@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Pockets: where a molecule leaves room for a ligand, with volumes and areas that add up to exact ones.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "meniscus/exact_surface.h"
+#include "meniscus/surface.h"
+#include "meniscus/vec3.h"
+#include "meniscus/volume.h"
+
+namespace meniscus {
+
+/// What an atom of a protein offers to a ligand, as the ranking of pockets tells atoms apart.
+enum class AtomClass : std::uint8_t {
+    BackboneCarbon,
+    AliphaticCarbon,
+    AromaticCarbon,
+    PolarCarbon,  ///< a side chain's carbon that is bound to its polar atoms
+    BackboneNitrogen,
+    AmideNitrogen,     ///< and every other side chain's nitrogen not named below
+    CationicNitrogen,  ///< of arginine and lysine
+    HistidineNitrogen,
+    BackboneOxygen,
+    AmideOxygen,    ///< and every other side chain's oxygen not named below
+    HydroxylOxygen,
+    AnionicOxygen,  ///< of aspartate and glutamate
+    Sulfur,         ///< and selenium
+    Other,
+};
+inline constexpr std::size_t kAtomClasses = 13;  ///< without Other
+
+/// By what pockets are sorted.
+enum class PocketRank {
+    Score,   ///< how much room there is that resembles the places of ligands
+    Volume,
+    Depth,
+};
+
+/// Which pockets are looked for, and how. Lengths in Å.
+struct PocketOptions {
+    double probe = 1.4;         ///< radius of the probe that reaches into pockets
+    double large_probe = 10.0;  ///< radius of the probe that does not; larger than `probe`
+    double spacing = 1.0;       ///< of the grid; the ranking was fitted at 1.0
+    int count = 10;             ///< pockets looked for, beside closed cavities
+    PocketRank rank = PocketRank::Score;
+};
+
+/// Where a pocket is open.
+struct PocketMouth {
+    double area = 0.0;    ///< Å²
+    double radius = 0.0;  ///< of a disc of that area, Å
+    Vec3 centre;          ///< Å
+};
+
+/// An atom of a pocket's wall.
+struct WallAtom {
+    std::uint32_t atom = 0;  ///< the caller's index
+    double area = 0.0;       ///< of its share of the SES that lines the pocket, Å²
+};
+
+/// A pocket: a place between the molecule and a large probe that rolls over it.
+struct Pocket {
+    std::size_t rank = 0;      ///< from 1
+    double score = 0.0;        ///< an amount of ligand-like space, without a unit; not a probability
+    double probability = 0.0;  ///< the largest probability of a point, from 0 to 1; not calibrated
+    /// Ranks of pockets whose scores differ so little from this one's that another orientation may swap them.
+    std::vector<std::size_t> tied_with;
+    bool cavity = false;     ///< a closed cavity, whose volume is exact
+    double volume = 0.0;     ///< Å³
+    double wall_area = 0.0;  ///< Å², the sum over `wall`
+    double depth = 0.0;      ///< the largest depth below the surface of the large probe, Å
+    Vec3 centre;             ///< of the ligand-like space, Å
+    Vec3 deepest;            ///< the grid point at that depth, Å
+    std::vector<PocketMouth> mouths;    ///< where it meets the bulk, largest first
+    std::vector<PocketMouth> openings;  ///< where it goes on in other pocket space, largest first
+    std::vector<WallAtom> wall;         ///< by atom
+    std::vector<std::uint32_t> voxels;  ///< indices into Pockets::voxels
+};
+
+/// A point of the grid whose cube lies in pocket space, at least in part.
+struct PocketVoxel {
+    Vec3 position;             ///< Å
+    float share = 0.0F;        ///< of its cube, 0 to 1
+    float depth = 0.0F;        ///< below the surface of the large probe, Å
+    float probability = 0.0F;  ///< of a ligand's atom, not calibrated; 0 where an atom is closer than 1 Å
+    std::uint32_t pocket = kNone;  ///< index into Pockets::pockets
+};
+
+/// The pocket space of a molecule: what lies inside the SES of the large probe and outside that of the small one.
+struct Pockets {
+    PocketOptions options;
+    double volume = 0.0;       ///< of all pocket space, exact, Å³
+    double rest_volume = 0.0;  ///< of pocket space in no pocket, Å³: with the volumes of pockets it adds up to `volume`
+    double scale = 1.0;        ///< what volumes from the grid were multiplied by for that
+    double wall_area = 0.0;    ///< of the SES of the small probe, exact, Å²
+    double mouth_area = 0.0;   ///< of the free part of the SES of the large probe (not in contact with atoms), exact, Å²
+    std::vector<Pocket> pockets;      ///< by rank; closed cavities that resemble no ligand's place at the end
+    std::vector<PocketVoxel> voxels;  ///< in an order that does not depend on the atoms' order
+};
+
+/// Finds pockets, ranks them, and measures them.
+///
+/// exact     the SES of the small probe; that of the large one is made from its atoms
+/// classes   one per atom, for the ranking; empty: all are AtomClass::Other, and only shapes are ranked
+/// returns   no pockets where there is no pocket space
+/// throws    UsageError for options out of range; LimitError where the grid would not fit into memory; as accessible()
+/// cost      some 0.1 ms per atom at a spacing of 1 Å
+/// source    docs/design/pockets.md
+Pockets find_pockets(const ExactSurface& exact, std::span<const AtomClass> classes, const PocketOptions& options = {},
+                     const RunOptions& run = {});
+
+/// Self-checks: "scale" (the volume from the grid is within 2 % or 5 Å³ of the exact one) and "pocket_volumes" (those of
+/// all pockets and of the rest add up to `volume`).
+std::vector<Check> pocket_checks(const Pockets& pockets);
+
+/// Pockets as values on a grid that holds them all.
+///
+/// content   VolumeContent::Probability or VolumeContent::Pockets
+Volume pocket_volume(const Pockets& pockets, VolumeContent content);
+
+}  // namespace meniscus

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "meniscus/describe_pockets.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace meniscus {
+namespace {
+
+struct Parent {
+    std::string_view name;
+    std::string_view parent;
+};
+constexpr std::array kParents{
+    Parent{"MSE", "MET"}, Parent{"HID", "HIS"}, Parent{"HIE", "HIS"}, Parent{"HIP", "HIS"}, Parent{"HSD", "HIS"},
+    Parent{"HSE", "HIS"}, Parent{"HSP", "HIS"}, Parent{"CYX", "CYS"}, Parent{"CYM", "CYS"}, Parent{"CSO", "CYS"},
+    Parent{"CME", "CYS"}, Parent{"OCS", "CYS"}, Parent{"CAS", "CYS"}, Parent{"ASH", "ASP"}, Parent{"GLH", "GLU"},
+    Parent{"LYN", "LYS"}, Parent{"LLP", "LYS"}, Parent{"KCX", "LYS"}, Parent{"MLY", "LYS"}, Parent{"TPO", "THR"},
+    Parent{"SEP", "SER"}, Parent{"PTR", "TYR"},
+};
+
+std::string_view parent_of(std::string_view residue) {
+    const auto* found =
+        std::find_if(kParents.begin(), kParents.end(), [&](const Parent& p) { return p.name == residue; });
+    return found == kParents.end() ? residue : found->parent;
+}
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool is_aromatic_carbon(std::string_view residue, std::string_view atom) {
+    if (residue == "PHE" || residue == "TYR") return is_one_of(atom, {"CG", "CD1", "CD2", "CE1", "CE2", "CZ"});
+    if (residue == "TRP") return is_one_of(atom, {"CG", "CD1", "CD2", "CE2", "CE3", "CZ2", "CZ3", "CH2"});
+    return residue == "HIS" && is_one_of(atom, {"CG", "CD2", "CE1"});
+}
+
+bool is_polar_carbon(std::string_view residue, std::string_view atom) {
+    if (residue == "ARG") return is_one_of(atom, {"CZ", "CD"});
+    if (residue == "ASN" || residue == "ASP") return atom == "CG";
+    if (residue == "GLN" || residue == "GLU") return atom == "CD";
+    if (residue == "SER" || residue == "THR") return atom == "CB";
+    return residue == "LYS" && atom == "CE";
+}
+
+AtomClass carbon(std::string_view residue, std::string_view atom) {
+    if (atom == "C" || atom == "CA") return AtomClass::BackboneCarbon;
+    if (is_aromatic_carbon(residue, atom)) return AtomClass::AromaticCarbon;
+    return is_polar_carbon(residue, atom) ? AtomClass::PolarCarbon : AtomClass::AliphaticCarbon;
+}
+
+AtomClass nitrogen(std::string_view residue, std::string_view atom) {
+    if (atom == "N") return AtomClass::BackboneNitrogen;
+    if (residue == "ARG" || residue == "LYS") return AtomClass::CationicNitrogen;
+    return residue == "HIS" ? AtomClass::HistidineNitrogen : AtomClass::AmideNitrogen;
+}
+
+AtomClass oxygen(std::string_view residue, std::string_view atom) {
+    if (is_one_of(atom, {"O", "OXT", "OT1", "OT2"})) return AtomClass::BackboneOxygen;
+    if (residue == "ASP" || residue == "GLU") return AtomClass::AnionicOxygen;
+    return is_one_of(residue, {"SER", "THR", "TYR"}) ? AtomClass::HydroxylOxygen : AtomClass::AmideOxygen;
+}
+
+AtomClass class_of(std::string_view residue, const AtomLabel& atom) {
+    if (atom.element == "C") return carbon(residue, atom.name);
+    if (atom.element == "N") return nitrogen(residue, atom.name);
+    if (atom.element == "O") return oxygen(residue, atom.name);
+    return is_one_of(atom.element, {"S", "SE", "Se"}) ? AtomClass::Sulfur : AtomClass::Other;
+}
+
+struct Hydropathy {
+    std::string_view residue;
+    double value = 0.0;
+};
+constexpr std::array kHydropathies{
+    Hydropathy{"ILE", 4.5},  Hydropathy{"VAL", 4.2},  Hydropathy{"LEU", 3.8},  Hydropathy{"PHE", 2.8},
+    Hydropathy{"CYS", 2.5},  Hydropathy{"MET", 1.9},  Hydropathy{"ALA", 1.8},  Hydropathy{"GLY", -0.4},
+    Hydropathy{"THR", -0.7}, Hydropathy{"SER", -0.8}, Hydropathy{"TRP", -0.9}, Hydropathy{"TYR", -1.3},
+    Hydropathy{"PRO", -1.6}, Hydropathy{"HIS", -3.2}, Hydropathy{"GLU", -3.5}, Hydropathy{"GLN", -3.5},
+    Hydropathy{"ASP", -3.5}, Hydropathy{"ASN", -3.5}, Hydropathy{"LYS", -3.9}, Hydropathy{"ARG", -4.5},
+};
+
+double hydropathy(std::string_view residue) {
+    const auto* found = std::find_if(kHydropathies.begin(), kHydropathies.end(),
+                                     [&](const Hydropathy& h) { return h.residue == residue; });
+    return found == kHydropathies.end() ? 0.0 : found->value;
+}
+
+bool is_donor(std::string_view residue, AtomClass kind) {
+    switch (kind) {
+        case AtomClass::BackboneNitrogen:
+            return residue != "PRO";
+        case AtomClass::AmideNitrogen:
+        case AtomClass::CationicNitrogen:
+        case AtomClass::HistidineNitrogen:
+        case AtomClass::HydroxylOxygen:
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool is_acceptor(AtomClass kind) {
+    switch (kind) {
+        case AtomClass::BackboneOxygen:
+        case AtomClass::AmideOxygen:
+        case AtomClass::HydroxylOxygen:
+        case AtomClass::AnionicOxygen:
+        case AtomClass::HistidineNitrogen:
+            return true;
+        default:
+            return false;
+    }
+}
+
+// "A:SER 195", as reports have it.
+std::string spaced_label(const Residue& residue) {
+    std::string label = residue.chain + ":" + residue.name + " " + std::to_string(residue.number);
+    if (residue.insertion_code != ' ') label += residue.insertion_code;
+    return label;
+}
+
+}  // namespace
+
+std::vector<AtomClass> atom_classes(const Structure& structure) {
+    std::vector<AtomClass> classes;
+    classes.reserve(structure.labels.size());
+    for (const AtomLabel& atom : structure.labels)
+        classes.push_back(class_of(parent_of(structure.residues[atom.residue].name), atom));
+    return classes;
+}
+
+PocketChemistry describe_pocket(const Pocket& pocket, const Structure& structure) {
+    PocketChemistry result;
+    double area = 0.0;
+    for (const WallAtom& wall : pocket.wall) {
+        const AtomLabel& atom = structure.labels[wall.atom];
+        const std::string_view residue = parent_of(structure.residues[atom.residue].name);
+        area += wall.area;
+        result.hydrophobicity += wall.area * hydropathy(residue);
+        if (wall.area <= kLiningArea) continue;
+        const AtomClass kind = class_of(residue, atom);
+        result.atoms.push_back(wall.atom);
+        result.residues.push_back(atom.residue);
+        result.donors += static_cast<std::size_t>(is_donor(residue, kind));
+        result.acceptors += static_cast<std::size_t>(is_acceptor(kind));
+    }
+    if (area > 0.0) result.hydrophobicity /= area;
+    std::sort(result.residues.begin(), result.residues.end());
+    result.residues.erase(std::unique(result.residues.begin(), result.residues.end()), result.residues.end());
+    for (const std::uint32_t residue : result.residues) {
+        const std::string_view name = parent_of(structure.residues[residue].name);
+        result.charge += static_cast<int>(name == "ARG" || name == "LYS") - static_cast<int>(name == "ASP" || name == "GLU");
+    }
+    return result;
+}
+
+std::vector<DescribedPocket> describe_pockets(const Pockets& pockets, const Structure& structure) {
+    std::vector<DescribedPocket> result;
+    for (const Pocket& pocket : pockets.pockets) {
+        DescribedPocket described{pocket, describe_pocket(pocket, structure), {}};
+        for (const std::uint32_t residue : described.chemistry.residues)
+            described.residues.push_back(spaced_label(structure.residues[residue]));
+        result.push_back(std::move(described));
+    }
+    return result;
+}
+
+}  // namespace meniscus
