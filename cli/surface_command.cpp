@@ -36,6 +36,13 @@ bool has_encoding(const Output& output) {
     return suffix == ".ply" || suffix == ".stl";
 }
 
+/// Whether an output has room for ligands beside the surface.
+bool draws_ligands(const std::vector<Output>& outputs) {
+    return std::any_of(outputs.begin(), outputs.end(), [](const Output& o) {
+        return o.kind == OutputKind::Picture || o.kind == OutputKind::Page || suffix_of(o.path) == ".glb";
+    });
+}
+
 const Output* first_mesh(const std::vector<Output>& outputs) {
     const auto found = std::find_if(outputs.begin(), outputs.end(),
                                     [](const Output& output) { return output.kind == OutputKind::Mesh; });
@@ -68,6 +75,9 @@ void check_together(const SurfaceRequest& request, const std::vector<Output>& ou
         throw UsageError("--ascii applies to PLY and STL; ask for one with -o FILE.ply or FILE.stl");
     if (!request.picture.drawn_by.empty() && !has_picture)
         throw UsageError(request.picture.drawn_by + " applies to pictures; ask for one with -o FILE.png");
+    if (!request.picture.shown_by.empty() && !draws_ligands(outputs))
+        throw UsageError(request.picture.shown_by +
+                         " applies to pictures, pages and GLB; ask for one with -o FILE.png, FILE.html or FILE.glb");
     if (!request.picture.viewed_by.empty() && !has_picture && !has_page)
         throw UsageError(request.picture.viewed_by +
                          " applies to pictures and pages; ask for one with -o FILE.png or FILE.html");
@@ -291,6 +301,7 @@ private:
                                      {.picture = options,
                                       .scheme = request_.picture.colours,
                                       .legend = request_.picture.legend,
+                                      .ligands = request_.picture.ligands,
                                       .whole = &surface_.mesh});
         show("picture", 1.0);
     }
