@@ -13,7 +13,7 @@
 namespace meniscus {
 
 /// Å. Bonds are half a stick in the colour of each of their atoms.
-inline constexpr double kStickRadius = 0.17;
+inline constexpr double kStickRadius = 0.22;
 
 /// Å; smaller for hydrogens, larger for metals.
 double ball_radius(const AtomLabel& atom);

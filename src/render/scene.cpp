@@ -16,6 +16,9 @@ namespace {
 /// Of a section through the molecule: a light, warm grey that no palette has.
 constexpr Colour kSection{222, 217, 208, 255};
 
+/// Least share of the sky for bodies beside the surface: what lies in a deep pocket is to be seen in its colours.
+constexpr double kLeastSkyOfBodies = 0.6;
+
 /// A quantity of the corners at a point of the triangle.
 template <class T, class Get>
 T interpolated(const Triangle& t, const RayHit& hit, const Get& get) {
@@ -97,7 +100,8 @@ Light Scene::light_from(const Sight& sight) const {
     Vec3 normal = normalised(interpolated<Vec3>(t, hit, [&mesh](VertexId v) { return mesh.normals[v]; }));
     if (sight.from_inside) normal = -normal;
     const SkyLight& seen_sky = sight.of_body ? beside_->sky : sight.from_inside ? sky_from_inside_ : sky_;
-    const auto sky = interpolated<double>(t, hit, [&seen_sky](VertexId v) { return double{seen_sky.at(v)}; });
+    auto sky = interpolated<double>(t, hit, [&seen_sky](VertexId v) { return double{seen_sky.at(v)}; });
+    if (sight.of_body) sky = kLeastSkyOfBodies + (1.0 - kLeastSkyOfBodies) * sky;
     return lamps_.shade(sight.albedo, normal, -sight.ray.direction, static_cast<float>(sky));
 }
 

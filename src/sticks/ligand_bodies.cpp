@@ -14,9 +14,9 @@
 namespace meniscus {
 namespace {
 
-constexpr double kBallRadius = 0.36;
-constexpr double kHydrogenRadius = 0.22;
-constexpr double kMetalRadius = 0.55;
+constexpr double kBallRadius = 0.42;
+constexpr double kHydrogenRadius = 0.27;
+constexpr double kMetalRadius = 0.65;
 
 /// Sides of sticks and how often the triangles of an icosahedron are divided for balls: round at any size of pictures.
 constexpr VertexId kSides = 16;

@@ -12,7 +12,7 @@ namespace meniscus {
 namespace {
 
 /// Of carbon: green, orchid, amber, slate. None is the colour of another element that is common in ligands.
-constexpr std::array kCarbons{rgb(0x2E9E3F), rgb(0xC2569B), rgb(0xD08C1E), rgb(0x4D5561)};
+constexpr std::array kCarbons{rgb(0x35B54A), rgb(0xC2569B), rgb(0xD99A1C), rgb(0x4D5561)};
 
 /// From all colours of the surface, on a scale on which black and white are 441 apart.
 constexpr int kFar = 90;
