@@ -268,6 +268,7 @@ private:
                                          {.colours = request_.picture.colours,
                                           .viewpoint = picture.viewpoint,
                                           .projection = picture.projection,
+                                          .ligands = request_.picture.ligands,
                                           .rows = rows_of_page(structure),
                                           .components = exact_pieces(),
                                           .exact = surface_.exact,
