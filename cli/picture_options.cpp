@@ -257,6 +257,7 @@ ordered_json report_picture(const PictureRequest& request, const Structure& stru
     }
     for (const char* name : {"view", "size", "background", "cut", "perspective", "outline", "depth_cue", "legend"})
         options[name] = nullptr;
+    options["draw"] = word_for(kDrawWords, request.ligands);
     if (!drawn) return options;
     const PictureOptions& picture = request.picture;
     options["view"] = request.view;

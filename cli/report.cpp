@@ -192,6 +192,11 @@ void describe(const Report& report, Visitor& visit) {
     if (surface != nullptr)
         visit.list({"values", "", "list of arrays put on the vertices; absent from reports of `measure`"}, facts.values,
                    [](auto& inner, const ArrayNumbers& values) { describe_values(values, inner); });
+    if (surface != nullptr)
+        visit({"drawn", "",
+               "number of ligands that a picture, a page or GLB shows as sticks and balls, by residue name; absent from "
+               "reports of `measure`"},
+              facts.drawn);
 }
 
 ordered_json to_json(const Report& report) {

@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "interrupt.h"
 #include "meniscus/draw_surface.h"
 #include "meniscus/errors.h"
+#include "meniscus/ligand_bodies.h"
 #include "meniscus/measures.h"
 #include "meniscus/mesh_part.h"
 #include "meniscus/page.h"
@@ -163,6 +165,8 @@ private:
         add_values();
         Stopwatch watch;
         colours_ = colour_vertices(surface_.mesh, job.structure, request_.picture.colours);
+        drawn_ = request_.picture.ligands && draws_ligands(job.outputs) ? count_ligands(job.structure.ligands)
+                                                                         : std::map<std::string, std::size_t>();
         if (!selected.empty()) show_part(part_of_atoms(surface_.mesh, selected));
         if (request_.cavity_files) plan_cavities(job);
         if (has(job.outputs, OutputKind::Picture)) draw(job.structure);
@@ -244,6 +248,9 @@ private:
         WriteOptions options = mesh_writing(structure, surface_.options, written_colours());
         options.shortest_edge = part_ ? 0.0 : surface_.measures.shortest_edge;
         options.open = part_ && part_->shown.open;
+        const bool has_ligands = suffix_of(path) == ".glb" && request_.picture.ligands;
+        const Bodies ligands = has_ligands ? ligand_bodies(structure.ligands, written_colours()) : Bodies{};
+        options.beside = &ligands;
         write_mesh(path, written_mesh(), options);
     }
 
@@ -346,6 +353,7 @@ private:
         if (part_) facts.shown = part_->shown;
         facts.values = values_.numbers(surface_.mesh);
         facts.excluded = excluded_;
+        facts.drawn = drawn_;
         if (surface_.measured) facts.checks.push_back(agreement_check(*surface_.measured));
         return facts;
     }
@@ -368,6 +376,7 @@ private:
     std::shared_ptr<const Measures> excluded_;
     Surface surface_;
     std::vector<Colour> colours_;  // of the mesh's vertices
+    std::map<std::string, std::size_t> drawn_;  // ligands, by name
     std::optional<WrittenPart> part_;
     Products made_;
     RunSeconds seconds_;
