@@ -165,9 +165,8 @@ private:
         add_values();
         Stopwatch watch;
         colours_ = colour_vertices(surface_.mesh, job.structure, request_.picture.colours);
-        drawn_ = request_.picture.ligands && draws_ligands(job.outputs) ? count_ligands(job.structure.ligands)
-                                                                         : std::map<std::string, std::size_t>();
         if (!selected.empty()) show_part(part_of_atoms(surface_.mesh, selected));
+        count_drawn(job);
         if (request_.cavity_files) plan_cavities(job);
         if (has(job.outputs, OutputKind::Picture)) draw(job.structure);
         seconds_.picture = watch.lap();
@@ -175,6 +174,14 @@ private:
         seconds_.volume = watch.lap();
         if (has(job.outputs, OutputKind::Page)) make_page(job.structure);
         seconds_.page = watch.lap();
+    }
+
+    /// Pages alone show ligands that belong to the surface: the reader may make it translucent.
+    void count_drawn(const Job& job) {
+        const Ligands& ligands = job.structure.ligands;
+        const bool shown = ligands.in_surface ? has(job.outputs, OutputKind::Page) : draws_ligands(job.outputs);
+        drawn_.clear();
+        if (request_.picture.ligands && shown) drawn_ = count_ligands(ligands_near(ligands, written_mesh()));
     }
 
     VolumeGrid choose_grid(const Job& job, const ExactSurface& exact, double spacing, const Cost& expected) const {
@@ -249,7 +256,7 @@ private:
         options.shortest_edge = part_ ? 0.0 : surface_.measures.shortest_edge;
         options.open = part_ && part_->shown.open;
         const bool has_ligands = suffix_of(path) == ".glb" && request_.picture.ligands;
-        const Bodies ligands = has_ligands ? ligand_bodies(structure.ligands, written_colours()) : Bodies{};
+        const Bodies ligands = has_ligands ? ligand_bodies(structure.ligands, written_mesh(), written_colours()) : Bodies{};
         options.beside = &ligands;
         write_mesh(path, written_mesh(), options);
     }

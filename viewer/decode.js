@@ -107,7 +107,7 @@ const Decode = (() => {
       sky: has("sky") ? byteSums(stream("sky")) : null,
       values: info.values.map((_, i) => sums(stream("value-" + i), n, Int32Array)),   // in steps, -1: none
     };
-    // Atoms of their own, with what `info` is to those of the surface; null where there are none.
+    // Atoms of their own, with what `info` is to those of the surface; undefined where there are none.
     const ligands = info.ligands && {
       info: {...info.ligands, low: info.low},
       atoms: atoms("ligand-", info.ligands.atoms),

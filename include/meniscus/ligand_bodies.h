@@ -24,8 +24,14 @@ double ball_radius(const AtomLabel& atom);
 /// surface   colours of the surface's vertices
 std::vector<Colour> ligand_colours(const Ligands& ligands, std::span<const Colour> surface);
 
-/// Ligands as triangles, whose `components` are the numbers of residues; nothing for those that belong to the surface,
-/// which hides them.
-Bodies ligand_bodies(const Ligands& ligands, std::span<const Colour> surface);
+/// The ligands with an atom at most 6 Å from a vertex of the mesh, which may be a part of a surface.
+/// cost   O(vertices), and a comparison for every atom within some 10 Å of a vertex
+Ligands ligands_near(const Ligands& ligands, const Mesh& mesh);
+
+/// The ligands near the mesh as triangles, whose `components` are the numbers of residues; nothing for those that belong
+/// to the surface, which hides them.
+///
+/// colours   of the mesh's vertices
+Bodies ligand_bodies(const Ligands& ligands, const Mesh& mesh, std::span<const Colour> colours);
 
 }  // namespace meniscus

@@ -186,9 +186,10 @@ void save_mesh(const std::string& path, const Surface& surface, const Structure&
     if (part) colours = picked(colours, part->vertices);
     options.open = part && !measure_mesh(part->mesh).closed;
     options.colours = colours;
-    const Bodies ligands = draws_ligands ? ligand_bodies(structure.ligands, colours) : Bodies{};
+    const Mesh& written = part ? part->mesh : complete;
+    const Bodies ligands = draws_ligands ? ligand_bodies(structure.ligands, written, colours) : Bodies{};
     options.beside = &ligands;
-    write_mesh(path, part ? part->mesh : complete, options);
+    write_mesh(path, written, options);
 }
 
 Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }

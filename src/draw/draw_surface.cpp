@@ -25,7 +25,7 @@ Picture draw_surface(const Surface& surface, const Structure& structure, const C
     const Picture legend = legend_of(drawn.mesh, structure, options);
     PictureOptions picture = options.picture;
     picture.width -= legend.width;
-    const Bodies ligands = options.ligands ? ligand_bodies(structure.ligands, drawn.colours) : Bodies{};
+    const Bodies ligands = options.ligands ? ligand_bodies(structure.ligands, drawn.mesh, drawn.colours) : Bodies{};
     const auto draw = [&](const ColourField& field) {
         return side_by_side(draw_picture(drawn.mesh, drawn.colours, picture, field, ligands), legend);
     };

@@ -120,8 +120,8 @@ std::string pairs(const std::vector<std::array<std::uint32_t, 2>>& bonds) {
 
 /// Ligands as atoms of their own with the radii of their balls; nothing where none are shown.
 ordered_json add_ligands(Streams& streams, const Mesh& mesh, const Structure& structure, const PageOptions& options) {
-    const Ligands& ligands = structure.ligands;
-    if (!options.ligands || ligands.centres.empty()) return {};
+    const Ligands ligands = options.ligands ? ligands_near(structure.ligands, mesh) : Ligands{};
+    if (ligands.centres.empty()) return {};
     std::vector<double> radii;
     for (const AtomLabel& label : ligands.labels) radii.push_back(ball_radius(label));
     ordered_json atoms = add_atoms(streams, "ligand-", {ligands.centres, radii, ligands.labels});
@@ -212,7 +212,8 @@ std::string page_data(const Mesh& mesh, const Structure& structure, const PageOp
                       {"vertices", order_of_use(mesh).vertices.size()}};
     data["atoms"] = add_atoms(streams, "atom-", {structure.atoms.centres, structure.atoms.radii, structure.labels});
     data["residues"] = residues_json(structure.residues);
-    data["ligands"] = add_ligands(streams, mesh, structure, options);
+    if (ordered_json ligands = add_ligands(streams, mesh, structure, options); !ligands.is_null())
+        data["ligands"] = std::move(ligands);
     data["schemes"] = schemes_json(mesh, structure, options, streams);
     data["values"] = values_json(mesh);
     data["scheme"] = id_of_first(mesh, structure, options.colours);

@@ -135,12 +135,13 @@ double ball_radius(const AtomLabel& atom) {
     return metal ? kMetalRadius : kBallRadius;
 }
 
-Bodies ligand_bodies(const Ligands& ligands, std::span<const Colour> surface) {
-    if (ligands.in_surface || ligands.centres.empty()) return {};
-    const std::vector<Colour> colours = ligand_colours(ligands, surface);
-    Builder builder(ligands, colours);
-    for (std::uint32_t atom = 0; atom < ligands.centres.size(); ++atom) builder.add_ball(atom);
-    for (const auto& [a, b] : ligands.bonds) {
+Bodies ligand_bodies(const Ligands& ligands, const Mesh& mesh, std::span<const Colour> colours) {
+    if (ligands.in_surface) return {};
+    const Ligands near = ligands_near(ligands, mesh);
+    const std::vector<Colour> colours_of_atoms = ligand_colours(near, colours);
+    Builder builder(near, colours_of_atoms);
+    for (std::uint32_t atom = 0; atom < near.centres.size(); ++atom) builder.add_ball(atom);
+    for (const auto& [a, b] : near.bonds) {
         builder.add_half_stick(a, b);
         builder.add_half_stick(b, a);
     }

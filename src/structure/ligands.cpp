@@ -63,12 +63,12 @@ std::vector<std::array<std::uint32_t, 2>> find_bonds(const Ligands& ligands) {
     return bonds;
 }
 
-Ligands ligands_of_chain(const Ligands& ligands, const std::string& chain) {
+Ligands part_of_ligands(const Ligands& ligands, const std::vector<bool>& wanted) {
     constexpr std::uint32_t kNone = ~0U;
     Ligands part;
     std::vector<std::uint32_t> residues(ligands.residues.size(), kNone);
     for (std::size_t r = 0; r < residues.size(); ++r) {
-        if (ligands.residues[r].chain != chain) continue;
+        if (!wanted[r]) continue;
         residues[r] = static_cast<std::uint32_t>(part.residues.size());
         part.residues.push_back(ligands.residues[r]);
     }
@@ -85,6 +85,12 @@ Ligands ligands_of_chain(const Ligands& ligands, const std::string& chain) {
         if (atoms[a] != kNone && atoms[b] != kNone) part.bonds.push_back({atoms[a], atoms[b]});
     part.in_surface = ligands.in_surface && !part.centres.empty();
     return part;
+}
+
+Ligands ligands_of_chain(const Ligands& ligands, const std::string& chain) {
+    std::vector<bool> wanted;
+    for (const Residue& residue : ligands.residues) wanted.push_back(residue.chain == chain);
+    return part_of_ligands(ligands, wanted);
 }
 
 }  // namespace reading

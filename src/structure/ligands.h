@@ -19,6 +19,9 @@ namespace meniscus::reading {
 /// cost     O(n log n), and a comparison for every pair of atoms whose x differs by less than the longest bond
 std::vector<std::array<std::uint32_t, 2>> find_bonds(const Ligands& ligands);
 
+/// The residues that are wanted alone, with their bonds.
+Ligands part_of_ligands(const Ligands& ligands, const std::vector<bool>& wanted);
+
 /// Those of a chain alone, with their bonds.
 Ligands ligands_of_chain(const Ligands& ligands, const std::string& chain);
 
