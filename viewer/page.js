@@ -42,6 +42,7 @@ const Page = (() => {
       const shared = {...this.shared, cut: {value: false}};
       this.ligands = new Atoms(ligands, shared, this.data.stream("ligand-colours"), ligands.info.stick);
       this.ligands.show("both");
+      this.surface.setBeside(true);
       this.scene.add(this.ligands.group);
     }
 
@@ -165,6 +166,7 @@ const Page = (() => {
 
     showLigands(shown) {
       this.ligands.show(shown ? "both" : "none");
+      this.surface.setBeside(shown);
       this.draw();
     }
 
@@ -244,7 +246,8 @@ const Page = (() => {
       const at = distance => ray.origin.clone().addScaledVector(ray.direction, distance);
       const cavities = {from: this.surface.outer.count, plane};
       const hit = this.pick.surface(ray, this.surface.opacity > 0 ? {plane} : cavities);
-      const solid = this.surface.opacity === 1 ? hit : this.pick.surface(ray, cavities);
+      const isSolid = this.surface.opacity === 1;
+      const solid = isSolid ? hit : this.surface.cavityOpacity === 1 ? this.pick.surface(ray, cavities) : null;
       const ball = this.lookAtAtoms(ray);
       if (ball && (!solid || ball.distance < solid.distance))
         return {of: ball.of, atom: ball.atom, point: at(ball.distance), hit: null};

@@ -259,8 +259,9 @@ private:
     }
 
     void add_corners(const std::vector<Triangle>& triangles) {
-        Section& section = add_section<Triangle>({{"componentType", kUnsignedInt}, {"type", "SCALAR"}},
-                                                 triangles.size(), [&triangles](std::size_t t) { return triangles[t]; });
+        Section& section =
+            add_section<Triangle>({{"componentType", kUnsignedInt}, {"type", "SCALAR"}}, triangles.size(),
+                                  [&triangles](std::size_t t) { return triangles[t]; });
         section.accessor["count"] = 3 * triangles.size();
         section.target = kElementArrayBuffer;
     }

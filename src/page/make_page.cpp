@@ -33,8 +33,9 @@ std::string picture_by(const page::VertexExtras& extras, const Mesh& mesh, const
                        const PageOptions& options) {
     if (!pictures_supported()) return {};
     const std::vector<Colour> colours = colour_vertices(mesh, structure, options.colours);
-    const Bodies ligands = options.ligands ? ligand_bodies(structure.ligands, mesh, page::colours_shown(mesh, structure, options.colours))
-                                            : Bodies{};
+    const Bodies ligands =
+        options.ligands ? ligand_bodies(structure.ligands, mesh, page::colours_shown(mesh, structure, options.colours))
+                        : Bodies{};
     return encode_png(draw_picture_by(extras.sky, mesh, colours, still_picture(options), ligands));
 }
 

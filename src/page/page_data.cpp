@@ -127,12 +127,9 @@ ordered_json add_ligands(Streams& streams, const Mesh& mesh, const Structure& st
     ordered_json atoms = add_atoms(streams, "ligand-", {ligands.centres, radii, ligands.labels});
     streams.add("ligand-bonds", pairs(ligands.bonds));
     streams.add("ligand-colours", planes_of(ligand_colours(ligands, colours_shown(mesh, structure, options.colours))));
-    return {{"atoms", std::move(atoms)},
-            {"residues", residues_json(ligands.residues)},
-            {"bonds", ligands.bonds.size()},
-            {"stick", kStickRadius},
-            {"inSurface", ligands.in_surface},
-            {"text", list_of_counts(count_ligands(ligands))}};
+    return {{"atoms", std::move(atoms)},       {"residues", residues_json(ligands.residues)},
+            {"bonds", ligands.bonds.size()},   {"stick", kStickRadius},
+            {"inSurface", ligands.in_surface}, {"text", list_of_counts(count_ligands(ligands))}};
 }
 
 ordered_json cavities_json(const Mesh& mesh, const Structure& structure, const PageOptions& options) {

@@ -63,9 +63,8 @@ Scene::Scene(const Painted& surface, const RayScene& rays, const PictureOptions&
       options_(options),
       exact_(exact),
       camera_(camera_of(surface.mesh, beside.mesh, options)),
-      kept_(options.cut
-                ? std::optional(find_cut(surface.mesh, *options.cut, Camera(surface.mesh.vertices, options)))
-                : std::nullopt),
+      kept_(options.cut ? std::optional(find_cut(surface.mesh, *options.cut, Camera(surface.mesh.vertices, options)))
+                        : std::nullopt),
       has_section_(kept_ && is_body(surface.mesh)),
       rays_(kept_ ? rays.cut(*kept_) : rays),
       sky_({rays_, surface.mesh, reach_of_sky(camera_)}),
@@ -74,8 +73,7 @@ Scene::Scene(const Painted& surface, const RayScene& rays, const PictureOptions&
       background_(to_light(options.background)),
       front_(nearest_kept()) {
     Mesh shown = kept_ ? kept_bodies(beside.mesh, *kept_) : beside.mesh;
-    if (!shown.triangles.empty())
-        beside_ = std::make_unique<Beside>(std::move(shown), rays_, reach_of_sky(camera_));
+    if (!shown.triangles.empty()) beside_ = std::make_unique<Beside>(std::move(shown), rays_, reach_of_sky(camera_));
 }
 
 double Scene::nearest_kept() const {

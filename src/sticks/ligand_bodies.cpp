@@ -50,8 +50,7 @@ Ball divided(const Ball& ball) {
     Ball finer{ball.places, {}};
     std::map<std::pair<VertexId, VertexId>, VertexId> middles;
     const auto middle = [&](VertexId a, VertexId b) {
-        const auto [found, is_new] =
-            middles.try_emplace(std::minmax(a, b), static_cast<VertexId>(finer.places.size()));
+        const auto [found, is_new] = middles.try_emplace(std::minmax(a, b), static_cast<VertexId>(finer.places.size()));
         if (is_new) finer.places.push_back(normalised(finer.places[a] + finer.places[b]));
         return found->second;
     };
@@ -129,9 +128,9 @@ bool is_one_of(const std::string& element, std::initializer_list<const char*> sy
 
 double ball_radius(const AtomLabel& atom) {
     if (is_one_of(atom.element, {"H", "D"})) return kHydrogenRadius;
-    const bool metal = is_one_of(
-        atom.element, {"LI", "NA", "MG", "K", "CA", "V", "CR", "MN", "FE", "CO", "NI", "CU", "ZN", "MO", "RU", "RH",
-                       "PD", "AG", "CD", "W", "RE", "OS", "IR", "PT", "AU", "HG"});
+    const bool metal =
+        is_one_of(atom.element, {"LI", "NA", "MG", "K",  "CA", "V",  "CR", "MN", "FE", "CO", "NI", "CU", "ZN",
+                                 "MO", "RU", "RH", "PD", "AG", "CD", "W",  "RE", "OS", "IR", "PT", "AU", "HG"});
     return metal ? kMetalRadius : kBallRadius;
 }
 

@@ -24,9 +24,9 @@ struct ElementColour {
 
 /// Jmol's, with fluorine less green than carbon may be. source   jmol.sourceforge.net/jscolors
 constexpr auto kElements = std::to_array<ElementColour>({
-    {"H", rgb(0xFFFFFF)}, {"D", rgb(0xFFFFFF)},  {"N", rgb(0x3050F8)},  {"O", rgb(0xFF0D0D)},  {"F", rgb(0x8CE6E6)},
-    {"P", rgb(0xFF8000)}, {"S", rgb(0xFFE030)},  {"CL", rgb(0x1FF01F)}, {"BR", rgb(0xA62929)}, {"I", rgb(0x940094)},
-    {"B", rgb(0xFFB5B5)}, {"SE", rgb(0xFFA100)}, {"FE", rgb(0xE06633)}, {"ZN", rgb(0x7D80B0)}, {"MG", rgb(0x8AFF00)},
+    {"H", rgb(0xFFFFFF)},  {"D", rgb(0xFFFFFF)},  {"N", rgb(0x3050F8)},  {"O", rgb(0xFF0D0D)},  {"F", rgb(0x8CE6E6)},
+    {"P", rgb(0xFF8000)},  {"S", rgb(0xFFE030)},  {"CL", rgb(0x1FF01F)}, {"BR", rgb(0xA62929)}, {"I", rgb(0x940094)},
+    {"B", rgb(0xFFB5B5)},  {"SE", rgb(0xFFA100)}, {"FE", rgb(0xE06633)}, {"ZN", rgb(0x7D80B0)}, {"MG", rgb(0x8AFF00)},
     {"CO", rgb(0xF090A0)}, {"NI", rgb(0x50D050)}, {"CU", rgb(0xC88033)}, {"MN", rgb(0x9C7AC7)}, {"MO", rgb(0x54B5B5)},
 });
 

@@ -13,29 +13,51 @@ constexpr auto kSalts = std::to_array<std::string_view>({
     "FMT", "CIT", "FLC", "TLA", "TAR", "SRT", "MLI", "MLA", "MLT", "SIN", "OXL", "CAC", "VO4", "BO4",
 });
 constexpr auto kBuffers = std::to_array<std::string_view>({
-    "TRS", "EPE", "MES", "NHE", "CXS", "B3P", "BTB", "MPO", "PIN", "IMD", "BCN", "TAM", "HAI",
+    "TRS",
+    "EPE",
+    "MES",
+    "NHE",
+    "CXS",
+    "B3P",
+    "BTB",
+    "MPO",
+    "PIN",
+    "IMD",
+    "BCN",
+    "TAM",
+    "HAI",
 });
 /// And what helps nucleic acids to crystallise.
 constexpr auto kPrecipitants = std::to_array<std::string_view>({
-    "PEG", "PGE", "PG4", "PG0", "PG5", "PG6", "PG8", "1PE", "2PE", "PE3", "PE4", "PE5", "PE8", "P6G", "P33",
-    "P3G", "P4G", "P4C", "12P", "15P", "16P", "XPE", "7PE", "7PG", "1PG", "6PE", "9PE", "AE3", "AE4", "PEU",
-    "TOE", "ME2", "M2M", "SPD", "SPM", "JEF", "NEX",
+    "PEG", "PGE", "PG4", "PG0", "PG5", "PG6", "PG8", "1PE", "2PE", "PE3", "PE4", "PE5", "PE8",
+    "P6G", "P33", "P3G", "P4G", "P4C", "12P", "15P", "16P", "XPE", "7PE", "7PG", "1PG", "6PE",
+    "9PE", "AE3", "AE4", "PEU", "TOE", "ME2", "M2M", "SPD", "SPM", "JEF", "NEX",
 });
 constexpr auto kCryoprotectants = std::to_array<std::string_view>({
-    "GOL", "EDO", "PGO", "PGR", "MPD", "MRD", "BU1", "BU2", "BU3", "HEZ", "CRY",
+    "GOL",
+    "EDO",
+    "PGO",
+    "PGR",
+    "MPD",
+    "MRD",
+    "BU1",
+    "BU2",
+    "BU3",
+    "HEZ",
+    "CRY",
 });
 constexpr auto kSolvents = std::to_array<std::string_view>({
-    "DMS", "DMF", "EOH", "MOH", "IPA", "IOH", "POL", "TBU", "CCN", "ACN", "DIO", "ETX", "BME", "DTT", "DTU",
-    "DTV", "DTD", "TCE", "URE", "GAI", "MBN", "BNZ", "MTN", "DOD",
+    "DMS", "DMF", "EOH", "MOH", "IPA", "IOH", "POL", "TBU", "CCN", "ACN", "DIO", "ETX",
+    "BME", "DTT", "DTU", "DTV", "DTD", "TCE", "URE", "GAI", "MBN", "BNZ", "MTN", "DOD",
 });
 constexpr auto kDetergents = std::to_array<std::string_view>({
     "LMT", "LMU", "DMU", "UMQ", "BOG", "BGL", "BNG", "HTG", "HTO", "LDA", "C8E", "C10", "CE1", "CE9", "CXE",
     "CPS", "OLC", "OLB", "MPG", "SDS", "DDQ", "D10", "D12", "OCT", "HEX", "UND", "DD9", "R16", "TWT", "SOG",
 });
 constexpr auto kMembranes = std::to_array<std::string_view>({
-    "POPC", "POPE", "POPG", "POPS", "POPA", "POPI", "DPPC", "DPPE", "DPPG", "DPPS", "DMPC", "DMPE", "DMPG", "DMPS",
-    "DOPC", "DOPE", "DOPG", "DOPS", "DLPC", "DLPE", "DLPG", "DSPC", "DSPE", "DSPG", "SOPC", "SDPC", "SAPI", "PSM",
-    "SSM",  "CHL1", "CHOL",
+    "POPC", "POPE", "POPG", "POPS", "POPA", "POPI", "DPPC", "DPPE", "DPPG", "DPPS", "DMPC",
+    "DMPE", "DMPG", "DMPS", "DOPC", "DOPE", "DOPG", "DOPS", "DLPC", "DLPE", "DLPG", "DSPC",
+    "DSPE", "DSPG", "SOPC", "SDPC", "SAPI", "PSM",  "SSM",  "CHL1", "CHOL",
 });
 
 template <class Table>

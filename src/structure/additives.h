@@ -11,8 +11,8 @@ namespace meniscus::reading {
 /// crystallisation, or of a lipid of a simulated membrane. Any of them may be a true ligand somewhere.
 ///
 /// source   those of the artefacts of crystallisation in BioLiP (Yang, Roy & Zhang, Nucleic Acids Res. 41, 2013,
-///          D1096) that are hardly ever a ligand; lipids as CHARMM-GUI names them (Wu et al., J. Comput. Chem. 35, 2014,
-///          1997)
+///          D1096) that are hardly ever a ligand; lipids as CHARMM-GUI names them (Wu et al., J. Comput. Chem. 35,
+///          2014, 1997)
 bool is_additive(std::string_view residue);
 
 }  // namespace meniscus::reading

@@ -66,10 +66,12 @@ TEST(Scene, TheDepthCueBeginsAtACut) {
     const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.3);
     PictureOptions options = kOptions;
     options.cut = Cut{};
-    const Light clear = look(Scene({ball.mesh, ball.colours}, RayScene(ball.mesh), options, kNone, kNoBodies), 50, 50).light;
+    const Light clear =
+        look(Scene({ball.mesh, ball.colours}, RayScene(ball.mesh), options, kNone, kNoBodies), 50, 50).light;
     options.depth_cue = 1.0;
-    EXPECT_NEAR(look(Scene({ball.mesh, ball.colours}, RayScene(ball.mesh), options, kNone, kNoBodies), 50, 50).light.red, clear.red,
-                0.03);
+    EXPECT_NEAR(
+        look(Scene({ball.mesh, ball.colours}, RayScene(ball.mesh), options, kNone, kNoBodies), 50, 50).light.red,
+        clear.red, 0.03);
 }
 
 TEST(Scene, TheDepthCueFadesWhatIsFar) {
@@ -82,6 +84,36 @@ TEST(Scene, TheDepthCueFadesWhatIsFar) {
     const Scene hazy({balls.mesh, balls.colours}, RayScene(balls.mesh), hazy_options, kNone, kNoBodies);
     EXPECT_NEAR(look(hazy, 16, 50).light.red, look(clear, 16, 50).light.red, 0.01);
     EXPECT_GT(look(hazy, 84, 50).light.red, 0.8F);
+}
+
+/// A red ball on the axis of view, its middle at this height.
+Bodies red_ball(double z) {
+    Bodies ball{.mesh = testing::projected_sphere({.centre = {0, 0, z}, .radius = 0.5}, 0.1), .colours = {}};
+    ball.mesh.components.assign(ball.mesh.vertices.size(), 0);
+    ball.colours.assign(ball.mesh.vertices.size(), Colour{255, 0, 0, 255});
+    return ball;
+}
+
+TEST(Scene, BodiesAreSeenBeforeTheSurfaceNotBehindIt) {
+    const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.3);
+    const RayScene rays(ball.mesh);
+    for (const double z : {3.0, 0.0, -3.0}) {
+        const Bodies red = red_ball(z);
+        const Scene scene({ball.mesh, ball.colours}, rays, kOptions, kNone, red);
+        EXPECT_EQ(look(scene, 50, 50).kind, z > 2.0 ? Glimpse::Kind::Body : Glimpse::Kind::Surface) << z;
+        EXPECT_EQ(look(scene, 50, 50).light.red > look(scene, 50, 50).light.blue, z > 2.0) << z;
+    }
+}
+
+TEST(Scene, ACutLeavesBodiesWholeOrOut) {
+    const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.3);
+    PictureOptions options = kOptions;
+    options.cut = Cut{.point = Vec3{0, 0, 0}, .normal = Vec3{0, 0, 1}};
+    for (const double z : {0.3, 1.0}) {
+        const Bodies red = red_ball(z);
+        const Scene scene({ball.mesh, ball.colours}, RayScene(ball.mesh), options, kNone, red);
+        EXPECT_EQ(look(scene, 50, 50).kind, z < 0.5 ? Glimpse::Kind::Body : Glimpse::Kind::Section) << z;
+    }
 }
 
 TEST(Scene, TheInsideOfAnOpenMeshIsLit) {
@@ -97,9 +129,12 @@ TEST(Scene, TheWallOfACavityAloneLooksLikeABall) {
     ColouredMesh wall = ball;
     wall.mesh = testing::turned_inside_out(ball.mesh);
     for (SmallVec3& normal : wall.mesh.normals) normal = -normal;
-    const Light seen = look(Scene({wall.mesh, wall.colours}, RayScene(wall.mesh), kOptions, kNone, kNoBodies), 50, 50).light;
-    EXPECT_NEAR(seen.blue,
-                look(Scene({ball.mesh, ball.colours}, RayScene(ball.mesh), kOptions, kNone, kNoBodies), 50, 50).light.blue, 1e-3);
+    const Light seen =
+        look(Scene({wall.mesh, wall.colours}, RayScene(wall.mesh), kOptions, kNone, kNoBodies), 50, 50).light;
+    EXPECT_NEAR(
+        seen.blue,
+        look(Scene({ball.mesh, ball.colours}, RayScene(ball.mesh), kOptions, kNone, kNoBodies), 50, 50).light.blue,
+        1e-3);
 }
 
 }  // namespace
