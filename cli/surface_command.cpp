@@ -256,7 +256,8 @@ private:
         options.shortest_edge = part_ ? 0.0 : surface_.measures.shortest_edge;
         options.open = part_ && part_->shown.open;
         const bool has_ligands = suffix_of(path) == ".glb" && request_.picture.ligands;
-        const Bodies ligands = has_ligands ? ligand_bodies(structure.ligands, written_mesh(), written_colours()) : Bodies{};
+        const Bodies ligands =
+            has_ligands ? ligand_bodies(structure.ligands, written_mesh(), written_colours()) : Bodies{};
         options.beside = &ligands;
         write_mesh(path, written_mesh(), options);
     }
@@ -382,7 +383,7 @@ private:
     // Of the SES, where the mesh is of another surface and the report has both.
     std::shared_ptr<const Measures> excluded_;
     Surface surface_;
-    std::vector<Colour> colours_;  // of the mesh's vertices
+    std::vector<Colour> colours_;               // of the mesh's vertices
     std::map<std::string, std::size_t> drawn_;  // ligands, by name
     std::optional<WrittenPart> part_;
     Products made_;

@@ -28,8 +28,8 @@ std::vector<Colour> ligand_colours(const Ligands& ligands, std::span<const Colou
 /// cost   O(vertices), and a comparison for every atom within some 10 Å of a vertex
 Ligands ligands_near(const Ligands& ligands, const Mesh& mesh);
 
-/// The ligands near the mesh as triangles, whose `components` are the numbers of residues; nothing for those that belong
-/// to the surface, which hides them.
+/// The ligands near the mesh as triangles, whose `components` are the numbers of residues; nothing for those that
+/// belong to the surface, which hides them.
 ///
 /// colours   of the mesh's vertices
 Bodies ligand_bodies(const Ligands& ligands, const Mesh& mesh, std::span<const Colour> colours);

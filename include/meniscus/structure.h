@@ -75,11 +75,11 @@ struct AtomLabel {
 /// Groups beside the polymer that pictures and pages show as sticks and balls: cofactors, inhibitors, sugars, lipids;
 /// neither waters nor ions nor what crystals are grown from (docs/conventions.md).
 struct Ligands {
-    std::vector<Vec3> centres;                         ///< Å
-    std::vector<AtomLabel> labels;                     ///< of the same size; their residues are those below
-    std::vector<Residue> residues;                     ///< in the order of their first atoms
-    std::vector<std::array<std::uint32_t, 2>> bonds;   ///< pairs of atoms, the smaller index first, sorted
-    bool in_surface = false;                           ///< the same atoms are among Structure::atoms
+    std::vector<Vec3> centres;                        ///< Å
+    std::vector<AtomLabel> labels;                    ///< of the same size; their residues are those below
+    std::vector<Residue> residues;                    ///< in the order of their first atoms
+    std::vector<std::array<std::uint32_t, 2>> bonds;  ///< pairs of atoms, the smaller index first, sorted
+    bool in_surface = false;                          ///< the same atoms are among Structure::atoms
 };
 
 /// How many of the ligands have each name.
