@@ -281,7 +281,7 @@ class PageTest(unittest.TestCase):
         name = "return document.getElementById('picked-name').textContent"
         self.click_ligand()
         self.assertNotIn("LIG", self.js(name))
-        self.choose("#opacity", "0.4", "input")
+        self.choose("#opacity", "40", "input")
         self.click_ligand()
         self.assertIn("LIG", self.js(name))
         self.assertIn("beside the surface", self.js("return document.getElementById('picked').textContent"))
@@ -289,7 +289,7 @@ class PageTest(unittest.TestCase):
         self.click_ligand()
         self.assertNotIn("LIG", self.js(name))
         self.load("ligand")  # in a cavity
-        self.choose("#opacity", "0.4", "input")
+        self.choose("#opacity", "40", "input")
         self.click_ligand()
         self.assertIn("LIG", self.js(name))
 
