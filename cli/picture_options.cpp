@@ -238,7 +238,7 @@ void add_picture_options(CLI::App& command, PictureRequest& request) {
                 {"--draw",
                  rarely("Draw ligands beside the surface: ligands, none\n, as sticks and balls in pictures, pages and "
                         "GLB: hetero groups but for waters, ions and what crystals are grown from"),
-                 "WHAT", kDrawWords.front().first},
+                 "ligands|none", kDrawWords.front().first},
                 [&](const std::string& text) { request.ligands = parse_word("--draw", text, kDrawWords); });
     add_drawing_flag(command, request, {"--legend", "Add a legend of the colours"}, [&] { request.legend = true; });
 }

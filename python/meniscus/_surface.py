@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _core, _files, _options, _writing
 from ._arrays import ArrayLike, Floats, Indices, positions
-from ._choices import Field, Maps, SurfaceFormat
+from ._choices import Drawn, Field, Maps, SurfaceFormat
 from ._files import Target
 from ._component import Component
 from ._measures import Measures
@@ -366,8 +366,8 @@ class Surface(OnSurface):
         meniscus.UsageError: ball.gif: unknown suffix; choose one of .ply .obj .stl .off .glb .vtp .vert .npz .png .html .dx .mrc .vdb .mls
         """
         drawing = {"size": size, "view": view, "background": background, "perspective": perspective,
-                   "outline": outline, "depth_cue": depth_cue, "cut": cut, "legend": legend, "draw": draw, "grid": grid, "field": field,
-                   "eps": eps, "ion_radius": ion_radius, "maps": maps}
+                   "outline": outline, "depth_cue": depth_cue, "cut": cut, "legend": legend, "draw": draw, "grid": grid,
+                   "field": field, "eps": eps, "ion_radius": ion_radius, "maps": maps}
         part = {"show": show, "cavity_file": cavity}
 
         _files.save_to(path, format, lambda inner: _writing.save_surface(
