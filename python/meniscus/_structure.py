@@ -173,8 +173,8 @@ class Structure:
 
         Examples
         --------
-        >>> meniscus.read("1a0q.pdb").ligands
-        {'HEP': 1}
+        >>> meniscus.read("1ubq.pdb").ligands
+        {}
         """
         return self._core.ligands
 
