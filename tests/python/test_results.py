@@ -25,6 +25,7 @@ ONLY_IN_REPORT = {
     "report": {
         "meniscus": "meniscus.__version__", "schema": "of the report", "input": "attributes of Structure",
         "options": "Surface.options", "interfaces": "only of measure", "expected": "cost of the run",
+        "drawn": "of what is saved; Structure.ligands",
         "time_s": "cost of the run", "peak_memory_mb": "cost of the run", "values": "arrays are the caller's own"},
 }
 ARRAYS_OF_ATOMS = "an array by atom, which the report has no room for; tables have it"
