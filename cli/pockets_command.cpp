@@ -93,7 +93,7 @@ public:
     explicit PocketsRun(const PocketsRequest& request) : StructureRun(request, request.run.threads), request_(request) {
         if (!request.over_models.empty() && !request.all_models)
             throw UsageError("--over-models: compares models; add --model all");
-        if (!request.over_models.empty()) measure_kind_of(request.over_models);
+        if (!request.over_models.empty()) plan_table("--over-models", request.over_models, "");
     }
 
 private:

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pockets_request.h"
 
+#include <algorithm>
+
 #include "meniscus/describe_pockets.h"
 #include "option_words.h"
 
@@ -34,9 +36,15 @@ void add_pockets_options(CLI::App& command, PocketsRequest& request) {
     command.option_defaults()->group("Pockets");
     describe(request.pockets, OptionAdder{command});
     command
-        .add_option("--at", request.at,
-                    "Pocket at a place, instead of those that are found\n: a ligand, as (HEM); residues, as //A/57,102; "
-                    "a point, as X,Y,Z; repeatable")
+        .add_option_function<std::vector<std::string>>(
+            "--at",
+            [&request](const std::vector<std::string>& places) {
+                if (std::find(places.begin(), places.end(), "") != places.end())
+                    throw UsageError("--at: empty; write for instance (HEM), //A/57 or X,Y,Z");
+                request.at = places;
+            },
+            "Pocket at a place, instead of those that are found\n: a ligand, as (HEM); residues, as //A/57 or "
+            "'//A/57 + //A/102'; a point, as X,Y,Z; repeatable")
         ->type_name("PLACE")
         ->allow_extra_args(false);
     add_word(command,
