@@ -91,6 +91,12 @@ std::string spread_text(const Spread& spread) { return fmt::format("{:.1f} ± {:
 class PocketsRun : public StructureRun {
 public:
     explicit PocketsRun(const PocketsRequest& request) : StructureRun(request, request.run.threads), request_(request) {
+        if (request.pockets.large_probe <= request.pockets.probe)
+            throw UsageError(fmt::format("--large-probe {}: must be larger than the probe, {} Å",
+                                         request.pockets.large_probe, request.pockets.probe));
+        if (request.pockets.spacing > kMostPocketSpacing)
+            throw UsageError(fmt::format("--spacing {}: must be at most {} Å for pockets", request.pockets.spacing,
+                                         kMostPocketSpacing));
         if (!request.over_models.empty() && !request.all_models)
             throw UsageError("--over-models: compares models; add --model all");
         if (!request.over_models.empty()) plan_table("--over-models", request.over_models, "");

@@ -47,6 +47,9 @@ struct PocketPlace {
     double reach = 4.0;        ///< the pocket is pocket space that is no farther from one of the points, Å
 };
 
+/// The coarsest grid that shows pockets, Å.
+inline constexpr double kMostPocketSpacing = 2.0;
+
 /// Which pockets are looked for, and how. Lengths in Å.
 struct PocketOptions {
     double probe = 1.4;         ///< radius of the probe that reaches into pockets

@@ -24,7 +24,6 @@ namespace meniscus {
 namespace {
 
 constexpr double kTie = 0.1;         // of a score: how much another orientation may change it
-constexpr double kMostSpacing = 2.0;  // Å
 constexpr double kMeshSpacing = 1.0;  // Å: of the meshes that divide exact areas
 constexpr double kAtSite = 4.0;       // Å: from a site's centre to what it is said to have found
 
@@ -32,7 +31,7 @@ void check(const ExactSurface& exact, std::span<const AtomClass> classes, const 
     require_positive("probe", options.probe);
     require(std::isfinite(options.large_probe) && options.large_probe > options.probe, "large_probe",
             options.large_probe, "larger than the probe");
-    require(options.spacing > 0.0 && options.spacing <= kMostSpacing, "spacing", options.spacing,
+    require(options.spacing > 0.0 && options.spacing <= kMostPocketSpacing, "spacing", options.spacing,
             "above 0 and at most 2 Å for pockets");
     require(options.count >= 1, "count", options.count, "at least 1");
     for (const PocketPlace& place : options.places) {
@@ -371,9 +370,13 @@ std::vector<Check> pocket_checks(const Pockets& pockets) {
     constexpr double kFewCubes = 5.0;  // Å³: what a grid cannot tell of small molecules
     constexpr double kRounding = 1e-6;
     double sum = pockets.rest_volume;
-    for (const Pocket& pocket : pockets.pockets) sum += pocket.volume;
+    double open = pockets.volume;  // what is scaled
+    for (const Pocket& pocket : pockets.pockets) {
+        sum += pocket.volume;
+        if (pocket.cavity) open -= pocket.volume;
+    }
     const double whole = std::max(pockets.volume, 1e-9);
-    const double scale_bound = std::max(kMostOff, kFewCubes / whole);
+    const double scale_bound = std::max(kMostOff, kFewCubes / std::max(open, 1e-9));
     const double off = std::abs(pockets.scale - 1.0);
     const double sum_off = std::abs(sum - pockets.volume) / whole;
     return {{"scale", off <= scale_bound, off, scale_bound}, {"pocket_volumes", sum_off <= kRounding, sum_off, kRounding}};
