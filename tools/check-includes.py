@@ -25,6 +25,7 @@ ROOMS = {
     "cavities": ("project", "remesh", "mesh", "space", "platform"),
     "pipeline": ("cavities", "project", "remesh", "measure", "mesh", "flow", "band", "grid", "exact", "nearest", "geometry",
                  "space", "platform"),
+    "tunnels": ("pipeline", "exact", "space"),
     "reading": ("platform",),
     "radii": ("reading",),
     "structure": ("reading", "radii", "platform"),
@@ -49,7 +50,7 @@ PUBLIC = {
     "interfaces": "exact", "legend": "colours",
     "level_set": "grid", "level_set_file": "io", "measures": "exact", "mesh_part": "mesh", "mesh_quality": "measure",
     "named_atoms": "structure", "page": "page", "picture": "render", "radii": "radii", "read_mesh": "mesh_io", "remesh": "remesh",
-    "sample": "pipeline", "structure": "structure", "surface": "pipeline", "tables": "tables", "vertex_values": "values",
+    "sample": "pipeline", "structure": "structure", "surface": "pipeline", "tables": "tables", "tunnels": "tunnels", "vertex_values": "values",
     "volume_file": "volume", "words": "pipeline", "write": "io",
 }
 # What clients may use beside the public headers: how to write a file of their own whole or not at all, how foreign
