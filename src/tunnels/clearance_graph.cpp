@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/disjoint_sets.h"
+#include "core/odd_direction.h"
 #include "core/parallel.h"
 #include "tunnels/ascent.h"
 
@@ -23,6 +24,7 @@ namespace {
 
 constexpr double kFirstStep = 0.25;      // Å: away from a saddle, where there is no slope
 constexpr double kLeastFirstStep = 1e-8;  // Å
+constexpr double kNudge = 1e-6;          // Å
 constexpr std::size_t kWaysPerTask = 32;
 
 // The first point of a way up from a saddle, which no atom blocks; the saddle itself where a fourth atom touches the
@@ -138,7 +140,12 @@ std::vector<Vec3> ClearanceGraph::way_up(const Vec3& start) const {
     Ascent ascent(clearance_);
     std::vector<Vec3> points{start};
     climb(ascent, place_, start, points);
-    return points;
+    if (norm(points.back() - start) > kNudge || place_(start) != Place::Inside) return points;
+    // A maximum, or a saddle, as the middle of a ring: a place beside it tells.
+    const Vec3 beside = start + kNudge * kOddDirection;
+    std::vector<Vec3> others{start, beside};
+    climb(ascent, place_, beside, others);
+    return clearance_.at(others.back()) > clearance_.at(points.back()) + kNudge ? others : points;
 }
 
 std::vector<Vec3> ClearanceGraph::leg(const Saddle& saddle, std::size_t side) const {

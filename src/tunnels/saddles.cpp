@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/parallel_list.h"
 #include "meniscus/errors.h"
+#include "tunnels/ascent.h"
 
 namespace meniscus {
 namespace {
@@ -15,6 +17,7 @@ constexpr double kTolerance = 1e-9;        // Å: of touching; what is accepted 
 constexpr std::size_t kFewAtoms = 7;       // 35 triples, less than what eight smaller cubes take
 constexpr double kSmallestCube = 0.2;      // Å
 constexpr std::size_t kCubesPerTask = 16;
+constexpr int kTurns = 6;
 constexpr double kMostCubes = 1e9;
 
 struct Cube {
@@ -23,17 +26,22 @@ struct Cube {
     double reach() const { return std::sqrt(3.0) * half; }
 };
 
-// Roots of a x² + 2 b x + c = 0, without cancellation.
-std::vector<double> roots(double a, double b, double c) {
+struct Roots {
+    std::array<double, 2> values{};
+    std::size_t count = 0;
+};
+
+// Of a x² + 2 b x + c = 0, without cancellation.
+Roots roots(double a, double b, double c) {
     if (std::abs(a) < 1e-12 * std::max(1.0, std::abs(b))) {
         if (b == 0.0) return {};
-        return {-c / (2.0 * b)};
+        return {{-c / (2.0 * b)}, 1};
     }
     const double discriminant = b * b - a * c;
     if (discriminant < 0.0) return {};
     const double q = -(b + std::copysign(std::sqrt(discriminant), b));
-    if (q == 0.0) return {0.0};
-    return {q / a, c / q};
+    if (q == 0.0) return {{0.0}, 1};
+    return {{q / a, c / q}, 2};
 }
 
 // Appends to `found` the saddles of three atoms.
@@ -58,7 +66,9 @@ void solve_triple(const std::array<Vec3, 3>& p, const std::array<double, 3>& r, 
     const Vec3 u = combine(h1, h2);
     const Vec3 v = combine(k1, k2);
     // |u - R v|² = (R + r0)²
-    for (const double radius : roots(dot(v, v) - 1.0, -(dot(u, v) + r[0]), dot(u, u) - r[0] * r[0])) {
+    const Roots both = roots(dot(v, v) - 1.0, -(dot(u, v) + r[0]), dot(u, u) - r[0] * r[0]);
+    for (std::size_t i = 0; i < both.count; ++i) {
+        const double radius = both.values[i];
         if (!(radius + std::min({r[0], r[1], r[2]}) > 0.0)) continue;
         const Vec3 x = u - radius * v;
         const double a = dot(x, e1);
@@ -90,20 +100,35 @@ private:
         return levels_[depth];
     }
 
-    // Whether there is a direction in which all atoms fall back, wherever in the cube one is.
-    bool is_slope(const Cube& cube, const std::vector<std::uint32_t>& atoms) const {
-        Vec3 sum;
+    // Whether there is a direction in which all atoms fall back, wherever in the cube one is: then no ball there is held
+    // between them. Looked for as a perceptron does, by turning towards the atom that falls back least.
+    bool is_slope(const Cube& cube, const std::vector<std::uint32_t>& atoms) {
+        views_.clear();
+        Vec3 direction;
         for (const std::uint32_t atom : atoms) {
             const Vec3 from = cube.middle - clearance_.atoms().centres[atom];
             const double distance = norm(from);
-            if (distance > 0.0) sum += (1.0 / distance) * from;
+            if (!(distance > cube.reach())) return false;
+            // Of the directions from the centre to points of the cube, the one that turns most has this cosine less.
+            views_.push_back({(1.0 / distance) * from, cube.reach() / distance});
+            direction += views_.back().away;
         }
-        const double length = norm(sum);
-        if (!(length > 0.0)) return false;
-        const double least = cube.reach() * length;
-        return std::all_of(atoms.begin(), atoms.end(), [&](std::uint32_t atom) {
-            return dot(sum, cube.middle - clearance_.atoms().centres[atom]) > least;
-        });
+        for (int turn = 0; turn < kTurns; ++turn) {
+            const double length = norm(direction);
+            if (!(length > 0.0)) return false;
+            direction = (1.0 / length) * direction;
+            double least = std::numeric_limits<double>::infinity();
+            const AtomView* blocking = nullptr;
+            for (const AtomView& view : views_) {
+                const double now = dot(direction, view.away) - view.clearance;
+                if (now >= least) continue;
+                least = now;
+                blocking = &view;
+            }
+            if (least > 0.0) return true;
+            direction += (blocking->clearance - least) * blocking->away;
+        }
+        return false;
     }
 
     void divide(const Cube& cube, std::size_t depth) {
@@ -163,6 +188,7 @@ private:
     std::vector<Saddle>& found_;
     std::vector<std::vector<std::uint32_t>> levels_;  // the atoms of the cube that is being divided, by depth
     std::vector<double> values_;
+    std::vector<AtomView> views_;
 };
 
 std::vector<Saddle> saddles_of_cubes(const Clearance& clearance, const SaddleSearch& search) {
