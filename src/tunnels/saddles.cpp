@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kTolerance = 1e-9;        // Å: of touching; what is accepted too much is still a place on a path
 constexpr std::size_t kFewAtoms = 7;       // 35 triples, less than what eight smaller cubes take
-constexpr double kSmallestCube = 0.2;      // Å
+constexpr double kSmallestCube = 0.02;     // Å
 constexpr std::size_t kCubesPerTask = 16;
 constexpr int kTurns = 6;
 constexpr double kMostCubes = 1e9;

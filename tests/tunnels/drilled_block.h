@@ -13,6 +13,8 @@
 
 namespace meniscus::testing {
 
+constexpr double kExact = 1e-9;  // Å
+
 inline void add_bead(Atoms& atoms, const Vec3& centre, double radius) {
     atoms.centres.push_back(centre);
     atoms.radii.push_back(radius);

@@ -14,7 +14,6 @@
 namespace meniscus {
 namespace {
 
-constexpr double kExact = 1e-9;
 
 std::vector<Tunnel> tunnels_of(const Atoms& atoms, const Vec3& start, const TunnelOptions& options = {}, int threads = 0) {
     return find_tunnels(ExactSurface(atoms), std::span(&start, 1), options, {.threads = threads});
@@ -37,9 +36,9 @@ TEST(Tunnels, PassARingByItsFreeRadius) {
     const std::vector<Tunnel> found = tunnels_of(atoms, {0.5, 0.3, 0.0});
     ASSERT_FALSE(found.empty());
     const Bottleneck& bottleneck = found[0].path.bottleneck;
-    EXPECT_NEAR(bottleneck.radius, 2.2, kExact);
-    EXPECT_NEAR(norm(bottleneck.position - Vec3{0.2, -0.1, 7.0}), 0.0, kExact);
-    EXPECT_NEAR(found[0].path.certified_radius, 2.2, kExact);
+    EXPECT_NEAR(bottleneck.radius, 2.2, testing::kExact);
+    EXPECT_NEAR(norm(bottleneck.position - Vec3{0.2, -0.1, 7.0}), 0.0, testing::kExact);
+    EXPECT_NEAR(found[0].path.certified_radius, 2.2, testing::kExact);
     EXPECT_FALSE(bottleneck.at_end);
     EXPECT_EQ(found[0].path.points[bottleneck.point].position, bottleneck.position);
 }
@@ -49,9 +48,9 @@ TEST(Tunnels, HaveTheNarrowestRingOfAFunnelAsBottleneck) {
     for (int i = 0; i < 4; ++i) testing::add_ring(atoms, {0.0, 0.0, 5.5 + i}, 1.3 + 0.4 * i);
     const std::vector<Tunnel> found = tunnels_of(atoms, {0.5, 0.3, 0.0});
     ASSERT_FALSE(found.empty());
-    EXPECT_NEAR(found[0].path.bottleneck.radius, 1.3, kExact);
-    EXPECT_NEAR(found[0].path.bottleneck.position.z, 5.5, kExact);
-    EXPECT_NEAR(found[0].path.certified_radius, 1.3, kExact);
+    EXPECT_NEAR(found[0].path.bottleneck.radius, 1.3, testing::kExact);
+    EXPECT_NEAR(found[0].path.bottleneck.position.z, 5.5, testing::kExact);
+    EXPECT_NEAR(found[0].path.certified_radius, 1.3, testing::kExact);
 }
 
 TEST(Tunnels, ThroughACylinderOfRingsAreStraight) {
@@ -59,8 +58,8 @@ TEST(Tunnels, ThroughACylinderOfRingsAreStraight) {
     for (int i = 0; i < 6; ++i) testing::add_ring(atoms, {0.0, 0.0, 5.0 + i}, 1.8);
     const std::vector<Tunnel> found = tunnels_of(atoms, {0.0, 0.0, 0.0});
     ASSERT_FALSE(found.empty());
-    EXPECT_NEAR(found[0].path.bottleneck.radius, 1.8, kExact);
-    EXPECT_NEAR(found[0].path.certified_radius, 1.8, kExact);
+    EXPECT_NEAR(found[0].path.bottleneck.radius, 1.8, testing::kExact);
+    EXPECT_NEAR(found[0].path.certified_radius, 1.8, testing::kExact);
     EXPECT_LT(found[0].path.curvature, 1.05);
     for (const PathPoint& point : found[0].path.points) {
         if (point.position.z < 5.5 || point.position.z > 9.5) continue;
@@ -74,8 +73,8 @@ TEST(Tunnels, OfTwoHolesComeWiderFirst) {
     testing::add_ring(atoms, {6.0, 0.0, 7.0}, 1.9);
     const std::vector<Tunnel> found = tunnels_of(atoms, {0.0, 0.0, -1.0}, {.count = 5});
     ASSERT_EQ(found.size(), 2U);
-    EXPECT_NEAR(found[0].path.bottleneck.radius, 1.9, kExact);
-    EXPECT_NEAR(found[1].path.bottleneck.radius, 1.5, kExact);
+    EXPECT_NEAR(found[0].path.bottleneck.radius, 1.9, testing::kExact);
+    EXPECT_NEAR(found[1].path.bottleneck.radius, 1.5, testing::kExact);
     EXPECT_EQ(found[0].rank, 1U);
     EXPECT_EQ(found[1].rank, 2U);
     EXPECT_GT(found[0].path.points.back().position.x, 0.0);
@@ -97,8 +96,8 @@ TEST(Tunnels, PassBeadsOfDifferentRadiiByTheirTangentBall) {
     }
     const std::vector<Tunnel> found = tunnels_of(atoms, {0.5, 0.3, 0.0});
     ASSERT_FALSE(found.empty());
-    EXPECT_NEAR(found[0].path.bottleneck.radius, kGap, kExact);
-    EXPECT_NEAR(norm(found[0].path.bottleneck.position - gap), 0.0, kExact);
+    EXPECT_NEAR(found[0].path.bottleneck.radius, kGap, testing::kExact);
+    EXPECT_NEAR(norm(found[0].path.bottleneck.position - gap), 0.0, testing::kExact);
     EXPECT_EQ(found[0].path.bottleneck.atoms, (std::array<std::uint32_t, 3>{large[0], large[1], large[2]}));
 }
 
@@ -170,44 +169,37 @@ Vec3 turned(const Vec3& p) {
 
 Atoms protein() { return testing::read_spheres(*testing::test_data() / "reference/xyzr/1fss.xyzr"); }
 
-// The deepest place of the first thousand atoms' surroundings would do as well: any void inside does.
-const Vec3 kInside{0.0, 0.0, 0.0};
-
-Vec3 start_inside(const Atoms& atoms) {
-    const Clearance clearance(atoms);
-    return clearance.box_of_centres().middle() + kInside;
-}
+// Between the rings of tryptophan 84 and phenylalanine 330, at the bottom of the gorge of acetylcholinesterase.
+constexpr Vec3 kGorge{13.7, 31.0, 15.5};
 
 TEST(Tunnels, TurnWithTheMolecule) {
     MENISCUS_NEED_TEST_DATA();
     const Atoms atoms = protein();
-    const Vec3 start = start_inside(atoms);
     Atoms other = atoms;
     for (Vec3& centre : other.centres) centre = turned(centre);
-    const std::vector<Tunnel> a = tunnels_of(atoms, start);
-    const std::vector<Tunnel> b = tunnels_of(other, turned(start));
+    const std::vector<Tunnel> a = tunnels_of(atoms, kGorge);
+    const std::vector<Tunnel> b = tunnels_of(other, turned(kGorge));
     ASSERT_FALSE(a.empty());
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t i = 0; i < a.size(); ++i) {
-        EXPECT_NEAR(a[i].path.bottleneck.radius, b[i].path.bottleneck.radius, kExact);
+        EXPECT_NEAR(a[i].path.bottleneck.radius, b[i].path.bottleneck.radius, testing::kExact);
         EXPECT_NEAR(norm(turned(a[i].path.bottleneck.position) - b[i].path.bottleneck.position), 0.0, 1e-7);
         EXPECT_EQ(a[i].path.bottleneck.atoms, b[i].path.bottleneck.atoms);
         EXPECT_NEAR(a[i].path.length, b[i].path.length, 0.05);
-        EXPECT_NEAR(a[i].path.certified_radius, a[i].path.bottleneck.radius, kExact);
+        EXPECT_NEAR(a[i].path.certified_radius, a[i].path.bottleneck.radius, testing::kExact);
     }
 }
 
 TEST(Tunnels, HaveTheSameBitsForAnyThreadsAndOrder) {
     MENISCUS_NEED_TEST_DATA();
     const Atoms atoms = protein();
-    const Vec3 start = start_inside(atoms);
     const auto n = static_cast<std::uint32_t>(atoms.size());
     Atoms reversed = atoms;
     std::reverse(reversed.centres.begin(), reversed.centres.end());
     std::reverse(reversed.radii.begin(), reversed.radii.end());
-    const std::vector<Tunnel> one = tunnels_of(atoms, start, {}, 1);
-    const std::vector<Tunnel> more = tunnels_of(atoms, start, {}, 3);
-    const std::vector<Tunnel> other = tunnels_of(reversed, start, {}, 1);
+    const std::vector<Tunnel> one = tunnels_of(atoms, kGorge, {}, 1);
+    const std::vector<Tunnel> more = tunnels_of(atoms, kGorge, {}, 3);
+    const std::vector<Tunnel> other = tunnels_of(reversed, kGorge, {}, 1);
     ASSERT_FALSE(one.empty());
     ASSERT_EQ(one.size(), more.size());
     ASSERT_EQ(one.size(), other.size());
