@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "meniscus/describe_options.h"
+#include "meniscus/describe_pockets.h"
 
 namespace meniscus::cli {
 
@@ -85,6 +86,10 @@ ordered_json described_options() {
                  const RunOptions run;
                  describe(run, lister);
                  describe_checks(options, lister);
+             })},
+            {"Pockets", listed([](auto& lister) {
+                 const PocketOptions pockets;
+                 describe(pockets, lister);
              })}};
 }
 

@@ -47,6 +47,12 @@ constexpr std::array kMeasureSuffixes{
     Suffix{".cif", OutputKind::StructureCopy},
 };
 
+constexpr std::array kPocketsSuffixes{
+    Suffix{".csv", OutputKind::Table},         Suffix{".json", OutputKind::Table}, Suffix{".pdb", OutputKind::StructureCopy},
+    Suffix{".cif", OutputKind::StructureCopy}, Suffix{".dx", OutputKind::Volume},  Suffix{".mrc", OutputKind::Volume},
+    Suffix{".vdb", OutputKind::Volume},
+};
+
 constexpr std::array kHistorySuffixes{
     Suffix{".csv", OutputKind::History},
     Suffix{".json", OutputKind::History},
@@ -129,6 +135,14 @@ std::vector<Output> plan_measure_outputs(const std::vector<std::string>& asked, 
     std::vector<Output> plan;
     plan.reserve(asked.size());
     for (const std::string& path : asked) plan.push_back({with_mark(path, mark), measure_kind_of(path)});
+    return plan;
+}
+
+std::vector<Output> plan_pockets_outputs(const std::vector<std::string>& asked, const std::string& mark) {
+    std::vector<Output> plan;
+    plan.reserve(asked.size());
+    for (const std::string& path : asked)
+        plan.push_back({with_mark(path, mark), find_kind(kPocketsSuffixes, path)});
     return plan;
 }
 

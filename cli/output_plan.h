@@ -50,6 +50,9 @@ std::vector<Output> plan_outputs(const std::vector<std::string>& asked, const st
 /// All files of one structure that `measure` writes: those of -o.
 std::vector<Output> plan_measure_outputs(const std::vector<std::string>& asked, const std::string& mark);
 
+/// All files of one structure that `pockets` writes: those of -o.
+std::vector<Output> plan_pockets_outputs(const std::vector<std::string>& asked, const std::string& mark);
+
 /// Where the record of a flow goes.
 /// throws   UsageError for a suffix other than .csv and .json
 Output plan_history(const std::string& asked, const std::string& mark);

@@ -21,6 +21,7 @@
 #include "measure_command.h"
 #include "meniscus/errors.h"
 #include "meniscus/version.h"
+#include "pockets_command.h"
 #include "report.h"
 #include "surface_command.h"
 #include "unknown_words.h"
@@ -34,6 +35,7 @@ constexpr const char* kFooter =
     "  meniscus surface 1abc.pdb -o 1abc.ply     the surface as a mesh\n"
     "  meniscus surface 1abc.pdb -o 1abc.png     as a picture\n"
     "  meniscus measure 1abc.pdb                 areas, volumes and cavities\n"
+    "  meniscus pockets 1abc.pdb                 pockets, best first\n"
     "  meniscus compare other.obj 1abc.pdb       a mesh and the exact surface\n"
     "  meniscus batch measure structures --out results   every file of a folder\n"
     "Help of a subcommand: meniscus help surface; of every option: --help-all.\n\n"
@@ -49,6 +51,7 @@ struct Subcommand {
 
 constexpr std::array kSubcommands{Subcommand{"surface", add_surface_command},
                                   Subcommand{"measure", add_measure_command},
+                                  Subcommand{"pockets", add_pockets_command},
                                   Subcommand{"compare", add_compare_command}, Subcommand{"batch", add_batch_command}};
 
 void add_subcommands(CLI::App& program, const std::string& first_word, Outcome& outcome) {
@@ -69,7 +72,7 @@ std::vector<std::string> names_of_subcommands() {
 std::string description_of(const std::string& what) {
     if (what == "options") return described_options().dump() + "\n";
     if (what != "results") throw UsageError("--describe: unknown value '" + what + "'; choose one of options, results");
-    return ordered_json{{"report", report_schema()}, {"compare", compare_schema()}}.dump() + "\n";
+    return ordered_json{{"report", report_schema()}, {"compare", compare_schema()}, {"pockets", pockets_schema()}}.dump() + "\n";
 }
 
 bool is_truth(const std::string& value) { return value == "true" || value == "false"; }

@@ -100,15 +100,13 @@ struct Report {
 using ModelPosition = std::variant<int, const char*>;
 
 template <class Visitor>
-void describe_input(const Report& report, Visitor& visit) {
-    const Structure& s = report.structure;
-    const RunFacts& facts = report.facts;
+void describe_input(const Structure& s, double probe, const RunFacts& facts, Visitor& visit) {
     describe_file(s, visit);
     visit({"model", "", "position of the model in the file, from 1; the word `join` if all were put together"},
           facts.model == kJoinedModels ? ModelPosition("join") : ModelPosition(facts.model));
     visit({"chain", "", "the chain, with `--per-chain`; `null` without it"},
           facts.chain.empty() ? std::optional<std::string>() : facts.chain);
-    describe_kept(s, report.probe, visit);
+    describe_kept(s, probe, visit);
 }
 
 template <class Visitor>
@@ -155,7 +153,7 @@ void describe(const Report& report, Visitor& visit) {
     const bool has_flow = surface != nullptr && surface->options.method == Method::Flow;
     visit({"meniscus", "", "version of the program"}, kVersion);
     visit({"schema", "", "version of this form, 1"}, 1);
-    visit.block({"input", "", "what was read"}, [&](auto& inner) { describe_input(report, inner); });
+    visit.block({"input", "", "what was read"}, [&](auto& inner) { describe_input(report.structure, report.probe, facts, inner); });
     visit({"options", "", "the options in force"}, report.options);
     visit.optional_block({"exact", "",
                           "analytic areas and volumes; cavities count negative in the volumes; `null` with "
@@ -194,6 +192,45 @@ void describe(const Report& report, Visitor& visit) {
                    [](auto& inner, const ArrayNumbers& values) { describe_values(values, inner); });
 }
 
+/// What a report of pockets is made of.
+struct PocketsReport {
+    const Structure& structure;
+    const FoundPockets& found;
+    ordered_json options{};
+    const RunFacts& facts;
+};
+
+template <class Visitor>
+void describe(const PocketsReport& report, Visitor& visit) {
+    const RunFacts& facts = report.facts;
+    const Pockets& pockets = report.found.pockets;
+    visit({"meniscus", "", "version of the program"}, kVersion);
+    visit({"schema", "", "version of this form, 1"}, 1);
+    visit.block({"input", "", "what was read, as in reports of `surface`"},
+                [&](auto& inner) { describe_input(report.structure, pockets.options.probe, facts, inner); });
+    visit({"options", "", "the options in force"}, report.options);
+    visit.block({"total", "", "pocket space as a whole"}, [&](auto& inner) { describe(pockets, inner); });
+    visit.list({"pockets", "", "list of pockets by rank, closed cavities among them"}, report.found.described,
+               [](auto& inner, const DescribedPocket& pocket) { describe(pocket, inner); });
+    visit.list({"checks", "", "list of checks that the result passed or failed"}, facts.checks,
+               [](auto& inner, const Check& check) { describe(check, inner); });
+    visit.block({"time_s", "", "wall-clock seconds"}, [&](auto& inner) {
+        inner({"total", "s", "from the start of the program"}, facts.seconds.total);
+        inner({"read", "s", "the start of the program and reading; with `--model all` counted with the first model"},
+              facts.seconds.read);
+        inner({"pockets", "s", "finding and measuring pockets"}, facts.seconds.exact);
+        inner({"write", "s", "writing files"}, facts.seconds.write);
+    });
+    visit({"peak_memory_mb", "MB", "peak memory of the process so far"}, facts.peak_memory_mb);
+}
+
+ordered_json pockets_options_block(const PocketsRequest& request, const RunFacts& facts) {
+    OptionsAsJson options{SurfaceOptions{}};
+    describe(request.pockets, options);
+    options.block["threads"] = facts.threads;
+    return options.block;
+}
+
 ordered_json to_json(const Report& report) {
     ordered_json json = described_as_json([&](auto& visit) { describe(report, visit); });
     if (report.facts.shown && report.facts.shown->open) json["mesh"]["closed"] = false;
@@ -227,6 +264,28 @@ ordered_json make_report(const MeasureRequest& request, const Structure& structu
                     .options = with_reading(measure_options_block(request, facts), request),
                     .exact = &exact,
                     .facts = facts});
+}
+
+ordered_json make_report(const PocketsRequest& request, const Structure& structure, const FoundPockets& found,
+                         const RunFacts& facts) {
+    const PocketsReport report{structure, found, with_reading(pockets_options_block(request, facts), request), facts};
+    return described_as_json([&](auto& visit) { describe(report, visit); });
+}
+
+ordered_json pockets_schema() {
+    const Structure structure;
+    const Pockets pockets;
+    const std::vector<DescribedPocket> described;
+    const RunFacts facts;
+    SchemaVisitor visit;
+    describe(PocketsReport{structure, {pockets, described}, {}, facts}, visit);
+    ordered_json schema = schema_document("Report of meniscus pockets, schema 1",
+                                          "What --report writes. Lengths are in Å, areas in Å², volumes in Å³. Fields "
+                                          "may be added without a new schema number; none is renamed or removed.");
+    const ordered_json one{{"$ref", "#/$defs/report"}};
+    schema["anyOf"] = ordered_json::array({one, ordered_json{{"type", "array"}, {"items", one}}});
+    schema["$defs"]["report"] = visit.rules();
+    return schema;
 }
 
 ordered_json report_schema() {

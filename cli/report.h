@@ -10,10 +10,12 @@
 #include <vector>
 
 #include "measure_request.h"
+#include "meniscus/describe_pockets.h"
 #include "meniscus/measures.h"
 #include "meniscus/structure.h"
 #include "meniscus/surface.h"
 #include "meniscus/tables.h"
+#include "pockets_request.h"
 #include "surface_request.h"
 #include "value_options.h"
 
@@ -64,6 +66,17 @@ nlohmann::ordered_json make_report(const SurfaceRequest& request, const Structur
 /// The report of exact measures alone.
 nlohmann::ordered_json make_report(const MeasureRequest& request, const Structure& structure, const Measures& exact,
                                    const RunFacts& facts);
+
+/// What `pockets` finds.
+struct FoundPockets {
+    const Pockets& pockets;
+    const std::vector<DescribedPocket>& described;
+};
+
+/// The report of pockets, and its JSON schema.
+nlohmann::ordered_json make_report(const PocketsRequest& request, const Structure& structure, const FoundPockets& found,
+                                   const RunFacts& facts);
+nlohmann::ordered_json pockets_schema();
 
 /// The JSON schema of both, without `$defs/options`.
 nlohmann::ordered_json report_schema();

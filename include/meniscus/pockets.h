@@ -11,6 +11,7 @@
 #include "meniscus/exact_surface.h"
 #include "meniscus/surface.h"
 #include "meniscus/vec3.h"
+#include "meniscus/volume.h"
 
 namespace meniscus {
 
@@ -45,7 +46,7 @@ struct PocketOptions {
     double probe = 1.4;         ///< radius of the probe that reaches into pockets
     double large_probe = 10.0;  ///< radius of the probe that does not; larger than `probe`
     double spacing = 1.0;       ///< of the grid; the ranking was fitted at 1.0
-    std::size_t count = 10;     ///< pockets looked for, beside closed cavities
+    int count = 10;             ///< pockets looked for, beside closed cavities
     PocketRank rank = PocketRank::Score;
 };
 
@@ -112,5 +113,14 @@ struct Pockets {
 /// source    docs/design/pockets.md
 Pockets find_pockets(const ExactSurface& exact, std::span<const AtomClass> classes, const PocketOptions& options = {},
                      const RunOptions& run = {});
+
+/// Self-checks: "scale" (the volume from the grid is within 2 % or 5 Å³ of the exact one) and "pocket_volumes" (those of
+/// all pockets and of the rest add up to `volume`).
+std::vector<Check> pocket_checks(const Pockets& pockets);
+
+/// Pockets as values on a grid that holds them all.
+///
+/// content   VolumeContent::Probability or VolumeContent::Pockets
+Volume pocket_volume(const Pockets& pockets, VolumeContent content);
 
 }  // namespace meniscus

@@ -43,6 +43,8 @@ enum class VolumeContent {
     Mask,        ///< 1 inside, 0 outside
     Dielectric,  ///< relative permittivity
     Ions,        ///< accessibility for ions, 0 or 1
+    Probability,  ///< of a ligand's atom in pocket space, 0 to 1, not calibrated
+    Pockets,      ///< rank of the pocket, 0 where there is none
 };
 
 /// How values between the nodes are found.

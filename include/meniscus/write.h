@@ -13,6 +13,7 @@
 #include "meniscus/colour.h"
 #include "meniscus/mesh.h"
 #include "meniscus/picture.h"
+#include "meniscus/pockets.h"
 #include "meniscus/structure.h"
 #include "meniscus/surface.h"
 #include "meniscus/tables.h"
@@ -112,5 +113,13 @@ void write_table(const std::string& path, const Table& table);
 ///          a chain name of more than one letter, an atom name of more than four, a residue name of more than three,
 ///          more than 87,440,031 atoms, a coordinate, residue number or value too large (the message suggests .cif)
 void write_structure_copy(const std::string& path, const Structure& structure, std::span<const double> values);
+
+/// Writes the kept atoms and pockets as PDB (.pdb) or mmCIF (.cif).
+///
+/// The B factor of an atom is the rank of the pocket whose wall has most of it, 0 for none. The grid points of each
+/// pocket are atoms APOL of a residue STP, as fpocket calls them, whose number is the pocket's rank.
+///
+/// throws   as write_structure_copy()
+void write_pocket_atoms(const std::string& path, const Structure& structure, const Pockets& pockets);
 
 }  // namespace meniscus

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -31,6 +32,7 @@ void check(const ExactSurface& exact, std::span<const AtomClass> classes, const 
             options.large_probe, "larger than the probe");
     require(options.spacing > 0.0 && options.spacing <= kMostSpacing, "spacing", options.spacing,
             "above 0 and at most 2 Å for pockets");
+    require(options.count >= 1, "count", options.count, "at least 1");
     if (!classes.empty() && classes.size() != exact.atoms().size())
         throw UsageError("classes: there must be one per atom");
 }
@@ -107,31 +109,50 @@ private:
         std::vector<std::uint8_t> closed(space_.size());
         for (VoxelId v = 0; v < space_.size(); ++v) closed[v] = static_cast<std::uint8_t>(cavities_[v] != kNone);
         std::vector<Site> open;
-        for (const Site& site : find_sites(space_, points_, pockets_.options.count)) {
+        std::vector<Draft> found;
+        for (const Site& site : find_sites(space_, points_, static_cast<std::size_t>(pockets_.options.count))) {
             const std::uint32_t cavity = cavities_[site.densest];
             if (cavity == kNone) {
-                drafts_.push_back({site, kNone});
+                found.push_back({site, kNone});
                 open.push_back(site);
-            } else if (std::none_of(drafts_.begin(), drafts_.end(), [&](const Draft& d) { return d.cavity == cavity; }))
-                drafts_.push_back({site, cavity});
+            } else if (std::none_of(found.begin(), found.end(), [&](const Draft& d) { return d.cavity == cavity; }))
+                found.push_back({site, cavity});
         }
-        const std::vector<std::uint32_t> found = regions(space_, open, closed);
+        const std::vector<std::uint32_t> region = regions(space_, open, closed);
+        const std::vector<double> volumes = rough_volumes(region, open.size());
+        std::vector<std::uint32_t> draft_of_site(open.size(), kNone);
+        std::uint32_t number = 0;
+        for (const Draft& draft : found) {
+            const bool is_open = draft.cavity == kNone;
+            if (is_open && volumes[number++] < volume_of_probe()) continue;
+            if (is_open) draft_of_site[number - 1] = static_cast<std::uint32_t>(drafts_.size());
+            drafts_.push_back(draft);
+        }
         add_cavities_without_sites();
-        std::vector<std::uint32_t> of_site;
         std::vector<std::uint32_t> of_cavity(small_.measures().components.size(), kNone);
-        for (std::uint32_t d = 0; d < drafts_.size(); ++d) {
-            if (drafts_[d].cavity == kNone)
-                of_site.push_back(d);
-            else
-                of_cavity[drafts_[d].cavity] = d;
-        }
+        for (std::uint32_t d = 0; d < drafts_.size(); ++d)
+            if (drafts_[d].cavity != kNone) of_cavity[drafts_[d].cavity] = d;
         labels_.assign(space_.size(), kNone);
         for (VoxelId v = 0; v < space_.size(); ++v) {
             if (cavities_[v] != kNone)
                 labels_[v] = of_cavity[cavities_[v]];
-            else if (found[v] != kNone)
-                labels_[v] = of_site[found[v]];
+            else if (region[v] != kNone)
+                labels_[v] = draft_of_site[region[v]];
         }
+    }
+
+    double cube() const { return space_.grid.spacing() * space_.grid.spacing() * space_.grid.spacing(); }
+
+    // A place that does not hold a probe is not a pocket.
+    double volume_of_probe() const {
+        return 4.0 / 3.0 * std::numbers::pi * pockets_.options.probe * pockets_.options.probe * pockets_.options.probe;
+    }
+
+    std::vector<double> rough_volumes(std::span<const std::uint32_t> region, std::size_t count) const {
+        std::vector<double> volumes(count);
+        for (VoxelId v = 0; v < space_.size(); ++v)
+            if (region[v] != kNone) volumes[region[v]] += space_.shares[v] * cube();
+        return volumes;
     }
 
     // By falling volume, as the components are.
@@ -172,7 +193,6 @@ private:
             pocket.volume = volume_of_cavity(small_.measures(), large_.measures(), drafts_[d].cavity, of_large);
             cavities += pocket.volume;
         }
-        const double cube = space_.grid.spacing() * space_.grid.spacing() * space_.grid.spacing();
         std::vector<double> shares(drafts_.size());
         double rest = 0.0;
         double all = 0.0;
@@ -181,10 +201,14 @@ private:
             all += space_.shares[v];
             (labels_[v] == kNone ? rest : shares[labels_[v]]) += space_.shares[v];
         }
-        pockets_.scale = all > 0.0 ? (pockets_.volume - cavities) / (all * cube) : 1.0;
+        if (all == 0.0) {  // a grid too coarse for the little that there is
+            pockets_.rest_volume = pockets_.volume - cavities;
+            return;
+        }
+        pockets_.scale = (pockets_.volume - cavities) / (all * cube());
         for (std::size_t d = 0; d < drafts_.size(); ++d)
-            if (drafts_[d].cavity == kNone) pockets_.pockets[d].volume = pockets_.scale * shares[d] * cube;
-        pockets_.rest_volume = pockets_.scale * rest * cube;
+            if (drafts_[d].cavity == kNone) pockets_.pockets[d].volume = pockets_.scale * shares[d] * cube();
+        pockets_.rest_volume = pockets_.scale * rest * cube();
     }
 
     void measure_borders() {
@@ -270,6 +294,19 @@ private:
 };
 
 }  // namespace
+
+std::vector<Check> pocket_checks(const Pockets& pockets) {
+    constexpr double kMostOff = 0.02;
+    constexpr double kFewCubes = 5.0;  // Å³: what a grid cannot tell of small molecules
+    constexpr double kRounding = 1e-6;
+    double sum = pockets.rest_volume;
+    for (const Pocket& pocket : pockets.pockets) sum += pocket.volume;
+    const double whole = std::max(pockets.volume, 1e-9);
+    const double scale_bound = std::max(kMostOff, kFewCubes / whole);
+    const double off = std::abs(pockets.scale - 1.0);
+    const double sum_off = std::abs(sum - pockets.volume) / whole;
+    return {{"scale", off <= scale_bound, off, scale_bound}, {"pocket_volumes", sum_off <= kRounding, sum_off, kRounding}};
+}
 
 Pockets find_pockets(const ExactSurface& exact, std::span<const AtomClass> classes, const PocketOptions& options,
                      const RunOptions& run) {

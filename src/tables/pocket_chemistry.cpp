@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-#include "meniscus/pocket_chemistry.h"
+#include "meniscus/describe_pockets.h"
 
 #include <algorithm>
 #include <array>
@@ -117,6 +117,13 @@ bool is_acceptor(AtomClass kind) {
     }
 }
 
+// "A:SER 195", as reports have it.
+std::string spaced_label(const Residue& residue) {
+    std::string label = residue.chain + ":" + residue.name + " " + std::to_string(residue.number);
+    if (residue.insertion_code != ' ') label += residue.insertion_code;
+    return label;
+}
+
 }  // namespace
 
 std::vector<AtomClass> atom_classes(const Structure& structure) {
@@ -148,6 +155,17 @@ PocketChemistry describe_pocket(const Pocket& pocket, const Structure& structure
     for (const std::uint32_t residue : result.residues) {
         const std::string_view name = parent_of(structure.residues[residue].name);
         result.charge += static_cast<int>(name == "ARG" || name == "LYS") - static_cast<int>(name == "ASP" || name == "GLU");
+    }
+    return result;
+}
+
+std::vector<DescribedPocket> describe_pockets(const Pockets& pockets, const Structure& structure) {
+    std::vector<DescribedPocket> result;
+    for (const Pocket& pocket : pockets.pockets) {
+        DescribedPocket described{pocket, describe_pocket(pocket, structure), {}};
+        for (const std::uint32_t residue : described.chemistry.residues)
+            described.residues.push_back(spaced_label(structure.residues[residue]));
+        result.push_back(std::move(described));
     }
     return result;
 }

@@ -33,6 +33,8 @@ float outside_value(const VdbRequest& request) {
     const std::vector<float>& values = request.volume.values;
     switch (request.content) {
         case VolumeContent::Mask:
+        case VolumeContent::Probability:
+        case VolumeContent::Pockets:
             return 0.0F;
         case VolumeContent::Ions:
             return 1.0F;
@@ -51,6 +53,10 @@ const char* name_of(VolumeContent content) {
             return "ions";
         case VolumeContent::Dielectric:
             return "dielectric";
+        case VolumeContent::Probability:
+            return "probability";
+        case VolumeContent::Pockets:
+            return "pockets";
         default:
             return "surface";
     }

@@ -30,6 +30,10 @@ const char* meaning(VolumeContent content) {
             return "Relative dielectric constant";
         case VolumeContent::Ions:
             return "Ion accessibility: 1 outside the enlarged atoms, 0 inside";
+        case VolumeContent::Probability:
+            return "Probability of a ligand's atom in pocket space, not calibrated";
+        case VolumeContent::Pockets:
+            return "Rank of the pocket, 0 where there is none";
         default:
             return "Signed distance to the surface, Angstrom, inside positive";
     }

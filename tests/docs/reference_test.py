@@ -50,29 +50,32 @@ def options_of_page():
     for heading, cells in markdown.tables(REFERENCE / "options.md"):
         for code in CODE.findall(cells[0]):
             name, _, value = code.partition(" ")
-            found[name] = (value, cells[1].strip("`"), CODE.findall(cells[3])[0], heading)
+            entry = (value, cells[1].strip("`"), CODE.findall(cells[3])[0], heading)
+            found[(heading, name) if heading == "Pockets" and name in found else name] = entry
     return found
 
 
 class Options(unittest.TestCase):
     def setUp(self):
         self.page = options_of_page()
-        self.help = {command: options_of_help(command) for command in ("surface", "measure", "compare")}
+        self.help = {command: options_of_help(command) for command in ("surface", "measure", "pockets", "compare")}
         for command in ("surface", "measure"):  # a batch has these, too, and its own
             self.help[f"batch {command}"] = {name: rest for name, rest in options_of_help("batch", command).items()
                                              if name not in self.help[command]}
 
     def test_the_page_has_every_option_and_no_other(self):
         known = set().union(*self.help.values()) | {"-h", "--help", "--help-all", "-q", "-V", "--version"}
-        self.assertEqual(set(self.page), known)
+        self.assertEqual({name for name in self.page if isinstance(name, str)}, known)
         self.assertGreater(len(known), 40)
 
     def test_values_and_defaults_are_those_of_the_program(self):
-        for options in self.help.values():
+        of_pockets = {"--radii": "united", "--hetero": "none"}  # as the text above their table says
+        for command, options in self.help.items():
             for name, (value, default) in options.items():
-                self.assertEqual(self.page[name][0], value, name)
-                if default:
-                    self.assertEqual(self.page[name][1], default, name)
+                entry = self.page.get(("Pockets", name), self.page[name]) if command == "pockets" else self.page[name]
+                self.assertEqual(entry[0], value, name)
+                if default and not (command == "pockets" and of_pockets.get(name) == default):
+                    self.assertEqual(entry[1], default, name)
 
     def test_every_example_works(self):
         with tempfile.TemporaryDirectory(prefix="meniscus-docs-") as folder:
@@ -84,20 +87,21 @@ class Options(unittest.TestCase):
                 if name == "--memory-limit" and is_sanitized(PROGRAM):
                     continue  # it limits the address space
                 if heading != "The program":
-                    command = {"Measures": "measure", "Comparing": "compare", "A batch": "batch"}.get(heading, "surface")
+                    command = {"Measures": "measure", "Pockets": "pockets", "Comparing": "compare", "A batch": "batch"}.get(heading, "surface")
                     self.try_example(folder, command, name, example)
 
     def try_example(self, folder, command, name, example):
         words = [command, "in.pdb", *(["in.pdb"] if command == "compare" else []), *example.split()]
         if command == "batch":
             words = ["batch", "measure", *words[1:], *([] if "--out" in example else ["--out", f"out{name}"])]
-        if self.page[name][3] == "Colours and pictures":
+        heading = self.page[name][3]
+        if heading == "Colours and pictures":
             words += ["-o", "a.png"] + ([] if "--size" in example else ["--size", "20x15"])
         elif command == "surface" and "-o" not in words:
             words += ["-o", "a.ply"]
         result = subprocess.run([PROGRAM, *words], cwd=folder, capture_output=True, encoding="utf-8", check=False)
         # A flow made of pieces of another need not converge.
-        self.assertIn(result.returncode, (0, 6) if self.page[name][3] == "Flow" else (0,), f"{words} {result.stderr}")
+        self.assertIn(result.returncode, (0, 6) if heading == "Flow" else (0,), f"{words} {result.stderr}")
 
     @staticmethod
     def write_sample(path):
@@ -120,7 +124,7 @@ class Options(unittest.TestCase):
 class Formats(unittest.TestCase):
     def test_the_page_has_every_suffix_that_the_program_knows(self):
         text = (REFERENCE / "formats.md").read_text(encoding="utf-8")
-        for command in ("surface", "measure"):
+        for command in ("surface", "measure", "pockets"):
             result = subprocess.run([PROGRAM, command, "in.pdb", "-o", "a.unknown"], capture_output=True,
                                     encoding="utf-8", check=False)
             suffixes = re.findall(r"\.\w+", result.stderr.partition("choose one of")[2])

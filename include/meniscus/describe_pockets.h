@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// The options and the results of pockets, described as describe_options.h and describe_results.h describe the others.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "meniscus/describe_options.h"
+#include "meniscus/describe_results.h"
+#include "meniscus/pocket_chemistry.h"
+#include "meniscus/pockets.h"
+#include "meniscus/structure.h"
+#include "meniscus/tables.h"
+
+namespace meniscus {
+
+inline constexpr Words<PocketRank, 3> kPocketRankWords{
+    {{"score", PocketRank::Score}, {"volume", PocketRank::Volume}, {"depth", PocketRank::Depth}}};
+
+/// All options of pockets.
+template <MaybeConst<PocketOptions> Options, class Visitor>
+void describe(Options& o, Visitor&& visit) {
+    visit(Option{.name = "probe",
+                 .brief = "Radius of the probe that reaches into pockets, Å",
+                 .meaning = "Radius of the probe that reaches into pockets, Å",
+                 .example = "--probe 1.5",
+                 .symbol = "R",
+                 .range = NumberRange::Positive},
+          o.probe);
+    visit(Option{.name = "large_probe",
+                 .brief = "Radius of the probe that does not, Å",
+                 .meaning = "Radius of the probe that closes pockets off from the bulk, Å; larger than `--probe`",
+                 .example = "--large-probe 8",
+                 .symbol = "R",
+                 .range = NumberRange::Positive},
+          o.large_probe);
+    visit(Option{.name = "spacing",
+                 .brief = "Grid spacing, Å",
+                 .meaning = "Grid spacing, Å, at most 2; the ranking was fitted at 1",
+                 .example = "--spacing 0.5",
+                 .symbol = "H",
+                 .range = NumberRange::Positive},
+          o.spacing);
+    visit(Option{.name = "count",
+                 .brief = "Number of pockets looked for",
+                 .meaning = "Number of pockets looked for; closed cavities come in addition",
+                 .example = "--count 3",
+                 .symbol = "N",
+                 .standard = "10"},
+          o.count);
+    visit(Option{.name = "rank",
+                 .brief = "What pockets are sorted by",
+                 .meaning = "What pockets are sorted by: how much room there is that resembles the places of ligands, "
+                            "volume, or depth",
+                 .example = "--rank volume"},
+          o.rank, kPocketRankWords);
+}
+
+template <class Visitor>
+void describe(const PocketMouth& m, Visitor& visit) {
+    visit({"area", "Å²", "area"}, m.area);
+    visit({"radius", "Å", "radius of a disc of that area"}, m.radius);
+    visit({"centre", "Å", "centroid, `[x, y, z]`"}, m.centre);
+}
+
+/// A pocket with what lines it.
+struct DescribedPocket {
+    Pocket pocket;
+    PocketChemistry chemistry;
+    std::vector<std::string> residues;  ///< labels of the lining residues, "A:SER 195"
+};
+
+template <class Visitor>
+void describe(const DescribedPocket& d, Visitor& visit) {
+    const Pocket& p = d.pocket;
+    visit({"rank", "", "place in this list, from 1"}, p.rank);
+    visit({"score", "", "amount of space that resembles the places of ligands; not a probability"}, p.score);
+    visit({"probability", "", "largest probability of a point in it to be one of a ligand's, 0 to 1; not calibrated"},
+          p.probability);
+    visit({"tied_with", "", "ranks of pockets whose scores are within 10 %"}, p.tied_with);
+    visit({"cavity", "", "whether it is a closed cavity, whose volume is exact"}, p.cavity);
+    visit({"volume", "Å³", "volume of its region"}, p.volume);
+    visit({"wall_area", "Å²", "area of the SES that lines it"}, p.wall_area);
+    visit({"depth", "Å", "largest depth below the surface of the large probe"}, p.depth);
+    visit({"centre", "Å", "centre of the space that resembles the places of ligands, `[x, y, z]`"}, p.centre);
+    visit.list({"mouths", "", "where it meets the bulk, largest first"}, p.mouths,
+               [](auto& inner, const PocketMouth& mouth) { describe(mouth, inner); });
+    visit.list({"openings", "", "where it goes on in other pocket space, largest first"}, p.openings,
+               [](auto& inner, const PocketMouth& mouth) { describe(mouth, inner); });
+    visit({"hydrophobicity", "", "mean of Kyte and Doolittle's scale over its wall, -4.5 to 4.5"},
+          d.chemistry.hydrophobicity);
+    visit({"charge", "e", "lining ARG and LYS less lining ASP and GLU"}, d.chemistry.charge);
+    visit({"donors", "", "number of lining atoms that give hydrogen bonds"}, d.chemistry.donors);
+    visit({"acceptors", "", "number of lining atoms that take hydrogen bonds"}, d.chemistry.acceptors);
+    visit({"residues", "", "residues that line it with more than 1 Å² of an atom, as `A:SER 195`"}, d.residues);
+    visit({"atoms", "", "atoms that line it with more than 1 Å², as indices of kept atoms"}, d.chemistry.atoms);
+}
+
+/// The totals of pocket space.
+template <class Visitor>
+void describe(const Pockets& p, Visitor& visit) {
+    visit({"volume", "Å³", "exact volume of pocket space: inside the SES of the large probe, outside that of the small one"},
+          p.volume);
+    visit({"large_probe", "Å", "radius of the large probe"}, p.options.large_probe);
+    visit({"rest_volume", "Å³", "volume of pocket space in no pocket; with all volumes below it adds up to `volume`"},
+          p.rest_volume);
+    visit({"scale", "", "factor by which volumes from the grid were multiplied for that; near 1"}, p.scale);
+    visit({"wall_area", "Å²", "exact area of the SES of the small probe"}, p.wall_area);
+    visit({"mouth_area", "Å²", "exact area of the SES of the large probe where it touches no atom"}, p.mouth_area);
+}
+
+/// Every pocket with what lines it.
+std::vector<DescribedPocket> describe_pockets(const Pockets& pockets, const Structure& structure);
+
+/// A row per pocket; the columns are the keys of a described pocket, with sums over its mouths and openings.
+Table pockets_table(const std::vector<DescribedPocket>& pockets);
+
+}  // namespace meniscus
