@@ -80,6 +80,12 @@ void solve_triple(const std::array<Vec3, 3>& p, const std::array<double, 3>& r, 
     }
 }
 
+bool is_same_gate(const Saddle& a, const Saddle& b) {
+    constexpr double kSamePlace = 1e-7;     // Å
+    constexpr double kSameDirection = 1e-6;
+    return norm(a.position - b.position) < kSamePlace && norm(cross(a.normal, b.normal)) < kSameDirection;
+}
+
 // Looks for saddles in one cube and what it is divided into.
 class CubeSearch {
 public:
@@ -162,6 +168,7 @@ private:
     }
 
     void try_triples(const Cube& cube, const std::vector<std::uint32_t>& atoms) {
+        first_of_cube_ = found_.size();
         for (std::size_t i = 0; i < atoms.size(); ++i)
             for (std::size_t j = i + 1; j < atoms.size(); ++j)
                 for (std::size_t k = j + 1; k < atoms.size(); ++k) try_triple(cube, atoms, {atoms[i], atoms[j], atoms[k]});
@@ -179,13 +186,18 @@ private:
             if (std::abs(d.x) > most || std::abs(d.y) > most || std::abs(d.z) > most) return;
             for (const std::uint32_t atom : atoms)
                 if (clearance_.of_atom(atom, x) < radius - kTolerance) return;
-            found_.push_back({triple, x, normalised(cross(p[1] - p[0], p[2] - p[0])), radius});
+            const Saddle saddle{triple, x, normalised(cross(p[1] - p[0], p[2] - p[0])), radius};
+            // A ring of n atoms has n³/6 triples, of which the first stands for all.
+            const auto begin = found_.begin() + static_cast<std::ptrdiff_t>(first_of_cube_);
+            if (std::none_of(begin, found_.end(), [&](const Saddle& s) { return is_same_gate(s, saddle); }))
+                found_.push_back(saddle);
         });
     }
 
     const Clearance& clearance_;
     double min_radius_;
     std::vector<Saddle>& found_;
+    std::size_t first_of_cube_ = 0;  // in `found_`
     std::vector<std::vector<std::uint32_t>> levels_;  // the atoms of the cube that is being divided, by depth
     std::vector<double> values_;
     std::vector<AtomView> views_;
@@ -208,12 +220,6 @@ std::vector<Saddle> saddles_of_cubes(const Clearance& clearance, const SaddleSea
                                          cubes.search({search.box.low + search.cube * place, 0.5 * search.cube});
                                      }
                                  });
-}
-
-bool is_same_gate(const Saddle& a, const Saddle& b) {
-    constexpr double kSamePlace = 1e-7;     // Å
-    constexpr double kSameDirection = 1e-6;
-    return norm(a.position - b.position) < kSamePlace && norm(cross(a.normal, b.normal)) < kSameDirection;
 }
 
 }  // namespace
