@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "meniscus/exact_surface.h"
+#include "meniscus/mesh.h"
 #include "meniscus/surface.h"
 #include "meniscus/vec3.h"
 
@@ -59,7 +60,7 @@ struct Tunnel {
 struct TunnelOptions {
     double min_radius = 0.9;      ///< of bottlenecks
     double large_probe = 10.0;    ///< tunnels end where its SES ends, outside of which is the bulk
-    std::size_t count = 3;        ///< tunnels per start
+    int count = 3;                ///< tunnels per start
     double start_radius = 3.0;    ///< how far a start may be moved to a place of larger clearance
     double separation = 3.0;      ///< a further tunnel passes no three atoms that are as near to an earlier bottleneck
 };
@@ -101,5 +102,14 @@ PoreEnds ends_along(const ExactSurface& exact, const Vec3& point, const Vec3& di
 /// throws   UsageError for options out of range and ends that are the same; as find_tunnels()
 std::optional<TunnelPath> find_pore(const ExactSurface& exact, const PoreEnds& ends, const PoreOptions& options = {},
                                     const RunOptions& run = {});
+
+/// A tube round a way, as wide as its balls, with a half ball at both ends: one closed piece with vertices, normals and
+/// triangles. It is for looking at: way and radii are averaged over 1 Å, and where a wide tube turns sharply its rings may
+/// pass through each other.
+///
+/// edge     length of the triangles' edges, about, Å
+/// throws   UsageError for an edge that is not positive, and for a path without points or with radii that are not positive
+/// cost     O(length radius / edge²)
+Mesh tube_of(const TunnelPath& path, double edge = 0.5);
 
 }  // namespace meniscus

@@ -25,6 +25,7 @@ void check(std::span<const Vec3> starts, const TunnelOptions& options) {
     require_positive("large_probe", options.large_probe);
     require_not_negative("start_radius", options.start_radius);
     require_not_negative("separation", options.separation);
+    if (options.count < 1) throw UsageError("count must be at least 1");
     for (std::size_t i = 0; i < starts.size(); ++i)
         if (!is_finite(starts[i])) throw UsageError("start " + std::to_string(i) + ": a coordinate is not finite");
 }
@@ -40,7 +41,7 @@ public:
         const std::vector<Vec3> up = moved(graph_.way_up(point), options_.start_radius);
         closed_.assign(graph_.passes().size(), false);
         std::vector<Tunnel> tunnels;
-        while (tunnels.size() < options_.count) {
+        while (tunnels.size() < static_cast<std::size_t>(options_.count)) {
             const ClearanceGraph::Route route = graph_.widest(graph_.node_of_start(start), kSecondEnd, closed_);
             if (!route.found) break;
             const TunnelPath path = cut_off(way_of(up, route));
