@@ -16,6 +16,7 @@ constexpr const char* kPocketsExamples =
     "  meniscus pockets 1abc.pdb                       the pockets, best first\n"
     "  meniscus pockets 1abc.pdb -o pockets.csv        as a table\n"
     "  meniscus pockets 1abc.pdb -o pockets.pdb        as atoms for a viewer\n"
+    "  meniscus pockets 1abc.pdb --tunnels             with the ways out of them\n"
     "  meniscus pockets 1abc.pdb --hetero ligands      with ligands as a part of the wall";
 
 constexpr Words<VolumeContent, 2> kPocketFieldWords{
@@ -32,10 +33,14 @@ void add_pockets_options(CLI::App& command, PocketsRequest& request) {
     add_atom_options(command, request);
     command.option_defaults()->group("Pockets");
     describe(request.pockets, OptionAdder{command});
+    command.option_defaults()->group("Tunnels");
+    add_tunnel_options(command, request.tunnels);
     command.option_defaults()->group("Output");
     add_output_options(command, request);
     add_choice(command, {"--field", "What maps hold: ranks of pockets, or the probability of a ligand's atom"},
                request.field, kPocketFieldWords);
+    command.add_option("--tunnel-table", request.tunnels.table, "Radii along tunnels and pore, .csv or .json")
+        ->type_name("FILE");
     command.option_defaults()->group("Running");
     OptionAdder{command}(kThreadsOption, request.run.threads);
     add_progress(command, request.progress);

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include "tables/spaced_label.h"
+
 namespace meniscus {
 namespace {
 
@@ -115,13 +117,6 @@ bool is_acceptor(AtomClass kind) {
         default:
             return false;
     }
-}
-
-// "A:SER 195", as reports have it.
-std::string spaced_label(const Residue& residue) {
-    std::string label = residue.chain + ":" + residue.name + " " + std::to_string(residue.number);
-    if (residue.insertion_code != ' ') label += residue.insertion_code;
-    return label;
 }
 
 }  // namespace
