@@ -43,6 +43,9 @@ public:
         return point;
     }
 
+    /// Within visit(): the clearance of the point before.
+    double clearance_before() const { return here_; }
+
 private:
     static constexpr int kMostSteps = 100000;
 

@@ -38,34 +38,35 @@ Vec3 leave(const Clearance& clearance, const Saddle& saddle, std::size_t side) {
     return saddle.position;
 }
 
-// Appends the points of a way up without its first; the last may be not inside.
-void climb(Ascent& ascent, const PlaceOf& place, const Vec3& from, std::vector<Vec3>& points) {
-    if (place(from) != Place::Inside) return;
-    ascent.climb(from, [&](const Vec3& point) {
+// The points of a way up, and the integral of 1/clearance² along it; each step counts with the clearance where it begins.
+struct WayUp {
+    std::vector<Vec3> points;
+    double cost = 0.0;
+
+    void add(const Vec3& point, double clearance_before) {
+        cost += norm(point - points.back()) / (clearance_before * clearance_before);
         points.push_back(point);
+    }
+};
+
+// Continues a way from its last point on; the new last one may be not inside.
+void climb(Ascent& ascent, const PlaceOf& place, WayUp& way) {
+    if (place(way.points.back()) != Place::Inside) return;
+    ascent.climb(way.points.back(), [&](const Vec3& point) {
+        way.add(point, ascent.clearance_before());
         return place(point) == Place::Inside;
     });
 }
 
-// Those of a side of a saddle, with the saddle.
-std::vector<Vec3> points_of_side(const Clearance& clearance, Ascent& ascent, const PlaceOf& place,
-                                 const Saddle& saddle, std::size_t side) {
-    std::vector<Vec3> points{saddle.position};
+// That of a side of a saddle, from the saddle on.
+WayUp way_of_side(const Clearance& clearance, Ascent& ascent, const PlaceOf& place, const Saddle& saddle,
+                  std::size_t side) {
+    WayUp way{{saddle.position}};
     const Vec3 next = leave(clearance, saddle, side);
-    if (next != saddle.position) {
-        points.push_back(next);
-        climb(ascent, place, next, points);
-    }
-    return points;
-}
-
-double cost_of(const Clearance& clearance, const std::vector<Vec3>& points) {
-    double sum = 0.0;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        const double radius = clearance.at(0.5 * (points[i - 1] + points[i]));
-        sum += norm(points[i] - points[i - 1]) / (radius * radius);
-    }
-    return sum;
+    if (next == saddle.position) return way;
+    way.add(next, saddle.radius);
+    climb(ascent, place, way);
+    return way;
 }
 
 }  // namespace
@@ -78,9 +79,9 @@ ClearanceGraph::ClearanceGraph(const Clearance& clearance, PlaceOf place, std::v
         Ascent ascent(clearance_);
         for (std::size_t i = begin; i < end; ++i)
             for (std::size_t side = 0; side < 2; ++side) {
-                const std::vector<Vec3> points = points_of_side(clearance_, ascent, place_, saddles[i], side);
-                feet[2 * i + side] = {points.back(), clearance_.at(points.back()), place_(points.back()),
-                                      cost_of(clearance_, points)};
+                const WayUp way = way_of_side(clearance_, ascent, place_, saddles[i], side);
+                const Vec3& top = way.points.back();
+                feet[2 * i + side] = {top, clearance_.at(top), place_(top), way.cost};
             }
     });
     for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -138,19 +139,18 @@ void ClearanceGraph::name_nodes(const std::vector<Foot>& feet) {
 
 std::vector<Vec3> ClearanceGraph::way_up(const Vec3& start) const {
     Ascent ascent(clearance_);
-    std::vector<Vec3> points{start};
-    climb(ascent, place_, start, points);
-    if (norm(points.back() - start) > kNudge || place_(start) != Place::Inside) return points;
+    WayUp way{{start}};
+    climb(ascent, place_, way);
+    if (norm(way.points.back() - start) > kNudge || place_(start) != Place::Inside) return way.points;
     // A maximum, or a saddle, as the middle of a ring: a place beside it tells.
-    const Vec3 beside = start + kNudge * kOddDirection;
-    std::vector<Vec3> others{start, beside};
-    climb(ascent, place_, beside, others);
-    return clearance_.at(others.back()) > clearance_.at(points.back()) + kNudge ? others : points;
+    WayUp other{{start, start + kNudge * kOddDirection}};
+    climb(ascent, place_, other);
+    return clearance_.at(other.points.back()) > clearance_.at(way.points.back()) + kNudge ? other.points : way.points;
 }
 
 std::vector<Vec3> ClearanceGraph::leg(const Saddle& saddle, std::size_t side) const {
     Ascent ascent(clearance_);
-    return points_of_side(clearance_, ascent, place_, saddle, side);
+    return way_of_side(clearance_, ascent, place_, saddle, side).points;
 }
 
 std::vector<Vec3> ClearanceGraph::way_through(const Step& step) const {
