@@ -37,8 +37,8 @@ double Clearance::at(const Vec3& point) const {
     return best;
 }
 
-double Clearance::along(const Vec3& begin, const Vec3& end) const {
-    double least = std::min(at(begin), at(end));
+double Clearance::along(const Vec3& begin, const Vec3& end, double of_ends) const {
+    double least = of_ends;
     Box box;
     box.include(begin);
     box.include(end);

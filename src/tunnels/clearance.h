@@ -3,6 +3,7 @@
 // Clearance: how large a ball may be whose centre is at a point, before it touches an atom.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -30,7 +31,9 @@ public:
     }
     double at(const Vec3& point) const;
     /// The least clearance of a segment's points: the distances of a segment from atoms are known in closed form.
-    double along(const Vec3& begin, const Vec3& end) const;
+    double along(const Vec3& begin, const Vec3& end) const { return along(begin, end, std::min(at(begin), at(end))); }
+    /// The same where the least clearance of both ends is known.
+    double along(const Vec3& begin, const Vec3& end, double of_ends) const;
 
     /// Puts the atoms whose own clearance at a point is at most `most` into a list, in the order of their numbers.
     void list_atoms(const Vec3& point, double most, std::vector<std::uint32_t>& list) const;

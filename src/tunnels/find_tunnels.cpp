@@ -65,7 +65,7 @@ private:
 
     // Where the way leaves the SES of the large probe behind its bottleneck.
     TunnelPath cut_off(Way way) const {
-        const std::size_t narrowest = measured(clearance_, way).bottleneck.point;
+        const std::size_t narrowest = bottleneck_of(clearance_, way).point;
         const std::vector<double> distances = bulk_.signed_distance(way.points);
         std::size_t end = narrowest;
         while (end + 1 < way.points.size() && distances[end] < 0.0) ++end;

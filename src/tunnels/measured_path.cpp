@@ -81,33 +81,40 @@ Way resampled(const Clearance& clearance, const Way& way) {
     return result;
 }
 
-TunnelPath measured(const Clearance& clearance, const Way& way) {
-    TunnelPath path;
-    double distance = 0.0;
-    for (std::size_t i = 0; i < way.points.size(); ++i) {
-        if (i > 0) distance += norm(way.points[i] - way.points[i - 1]);
-        path.points.push_back({way.points[i], distance, clearance.at(way.points[i])});
-    }
-    path.length = distance;
-    const double straight = norm(way.points.back() - way.points.front());
-    path.curvature = straight > 0.0 ? distance / straight : 1.0;
-
-    Bottleneck& narrowest = path.bottleneck;
-    const std::size_t end = path.points.front().radius <= path.points.back().radius ? 0 : path.points.size() - 1;
-    narrowest = {path.points[end].radius, path.points[end].position, end, {}, true};
+Bottleneck bottleneck_of(const Clearance& clearance, const Way& way) {
+    const double first = clearance.at(way.points.front());
+    const double last = clearance.at(way.points.back());
+    const std::size_t end = first <= last ? 0 : way.points.size() - 1;
+    Bottleneck narrowest{std::min(first, last), way.points[end], end, {}, true};
     for (std::size_t i = 0; i < way.saddles.size(); ++i) {
         const Saddle& saddle = way.saddles[i];
-        if (saddle.radius > narrowest.radius) continue;
-        if (!narrowest.at_end && saddle.radius == narrowest.radius) continue;
+        if (saddle.radius > narrowest.radius || (!narrowest.at_end && saddle.radius == narrowest.radius)) continue;
         narrowest = {saddle.radius, saddle.position, way.saddle_points[i], {}, false};
         for (std::size_t k = 0; k < 3; ++k) narrowest.atoms[k] = clearance.atoms().original[saddle.atoms[k]];
         std::sort(narrowest.atoms.begin(), narrowest.atoms.end());
     }
     if (narrowest.at_end) narrowest.atoms = nearest_atoms(clearance, narrowest.position);
+    return narrowest;
+}
 
-    path.certified_radius = path.points.front().radius;
-    for (std::size_t i = 1; i < way.points.size(); ++i)
-        path.certified_radius = std::min(path.certified_radius, clearance.along(way.points[i - 1], way.points[i]));
+TunnelPath measured(const Clearance& clearance, const Way& way) {
+    TunnelPath path;
+    path.bottleneck = bottleneck_of(clearance, way);
+    for (const Vec3& point : way.points) {
+        const double radius = clearance.at(point);
+        if (path.points.empty()) {
+            path.certified_radius = radius;
+        } else {
+            const PathPoint& before = path.points.back();
+            path.length += norm(point - before.position);
+            path.certified_radius =
+                std::min(path.certified_radius,
+                         clearance.along(before.position, point, std::min(before.radius, radius)));
+        }
+        path.points.push_back({point, path.length, radius});
+    }
+    const double straight = norm(way.points.back() - way.points.front());
+    path.curvature = straight > 0.0 ? path.length / straight : 1.0;
     return path;
 }
 

@@ -29,6 +29,8 @@ struct Way {
 /// The same way by fewer points where they lie close, and by more where they lie far apart, with no less clearance.
 Way resampled(const Clearance& clearance, const Way& way);
 
+Bottleneck bottleneck_of(const Clearance& clearance, const Way& way);
+
 /// Its profile and bottleneck, and the proof of it.
 TunnelPath measured(const Clearance& clearance, const Way& way);
 
