@@ -129,6 +129,7 @@ void add_tunnel_options(CLI::App& command, TunnelRequest& request) {
             "--tunnels-from",
             [&request](const std::vector<std::string>& texts) {
                 for (const std::string& text : texts) {
+                    if (text.empty()) throw UsageError("--tunnels-from: needs a point X,Y,Z or a selection");
                     if (is_point(text)) numbers_of("--tunnels-from", parts_of(text));
                     request.from.push_back(text);
                 }
@@ -180,8 +181,8 @@ std::string describe_tunnels(const TunnelRequest& request, const FoundTunnels& f
     std::string text;
     const bool has_rows = (found.tunnels && !found.tunnels->empty()) || found.pore;
     if (has_rows)
-        text += fmt::format("  {:>8} {:>5} {:>8} {:>9} {:>9}  {}\n", "from", "rank", "radius/Å", "length/Å", "curvature",
-                            "narrowest between");
+        text += fmt::format("  {:>8} {:>5} {:>8} {:>9} {:>9}  {}\n", "from", "rank", "radius/Å", "length/Å",
+                            "curvature", "narrowest between");
     if (found.tunnels) {
         std::size_t rows = 0;
         for (const DescribedTunnel& tunnel : *found.tunnels)
@@ -192,7 +193,8 @@ std::string describe_tunnels(const TunnelRequest& request, const FoundTunnels& f
             text += fmt::format("           and {} more tunnels; list all with --report FILE\n", rows - kMostRows);
         if (rows == 0) text += summary_line("tunnels", fmt::format("none of {} Å", request.options.min_radius));
     }
-    if (found.pore) text += row_of("pore " + (request.pore->text.size() == 1 ? request.pore->text : ""), "", *found.pore);
+    if (found.pore)
+        text += row_of("pore " + (request.pore->text.size() == 1 ? request.pore->text : ""), "", *found.pore);
     if (request.pore && !found.pore)
         text += summary_line("pore", fmt::format("none: no ball of {} Å passes", PoreOptions{}.min_radius));
     return text;

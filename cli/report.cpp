@@ -293,6 +293,7 @@ ordered_json pockets_schema() {
     const ordered_json one{{"$ref", "#/$defs/report"}};
     schema["anyOf"] = ordered_json::array({one, ordered_json{{"type", "array"}, {"items", one}}});
     schema["$defs"]["report"] = visit.rules();
+    schema["$defs"]["options"] = {{"type", "object"}};
     return schema;
 }
 

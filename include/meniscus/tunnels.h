@@ -29,9 +29,9 @@ struct PathPoint {
 
 /// The narrowest place of a way.
 struct Bottleneck {
-    double radius = 0.0;         ///< Å
-    Vec3 position;               ///< Å
-    std::size_t point = 0;       ///< index into TunnelPath::points
+    double radius = 0.0;    ///< Å
+    Vec3 position;          ///< Å
+    std::size_t point = 0;  ///< index into TunnelPath::points
     /// The caller's indices of the three atoms that a ball of that radius touches there, in rising order: its centre
     /// lies in the plane of theirs. Where the narrowest place is an end, the nearest atoms; kNone where there are less.
     std::array<std::uint32_t, 3> atoms{};
@@ -58,11 +58,11 @@ struct Tunnel {
 
 /// Which tunnels are looked for. Lengths in Å.
 struct TunnelOptions {
-    double min_radius = 0.9;      ///< of bottlenecks
-    double large_probe = 10.0;    ///< tunnels end where its SES ends, outside of which is the bulk
-    int count = 3;                ///< tunnels per start
-    double start_radius = 3.0;    ///< how far a start may be moved to a place of larger clearance
-    double separation = 3.0;      ///< a further tunnel passes no three atoms that are as near to an earlier bottleneck
+    double min_radius = 0.9;    ///< of bottlenecks
+    double large_probe = 10.0;  ///< tunnels end where its SES ends, outside of which is the bulk
+    int count = 3;              ///< tunnels per start
+    double start_radius = 3.0;  ///< how far a start may be moved to a place of larger clearance
+    double separation = 3.0;    ///< a further tunnel passes no three atoms that are as near to an earlier bottleneck
 };
 
 /// For every start, the way to the bulk with the widest bottleneck; of those, the one along which the integral of
@@ -104,12 +104,12 @@ std::optional<TunnelPath> find_pore(const ExactSurface& exact, const PoreEnds& e
                                     const RunOptions& run = {});
 
 /// A tube round a way, as wide as its balls, with a half ball at both ends: one closed piece with vertices, normals and
-/// triangles. It is for looking at: way and radii are averaged over 1 Å, and where a wide tube turns sharply its rings may
-/// pass through each other.
+/// triangles. It is for looking at: way and radii are averaged over 1 Å, and where a wide tube turns sharply its rings
+/// may pass through each other.
 ///
 /// edge     length of the triangles' edges, about, Å
-/// throws   UsageError for an edge that is not positive, and for a path without points or with radii that are not positive
-/// cost     O(length radius / edge²)
+/// throws   UsageError for an edge that is not positive, and for a path without points or with radii that are not
+/// positive cost     O(length radius / edge²)
 Mesh tube_of(const TunnelPath& path, double edge = 0.5);
 
 }  // namespace meniscus

@@ -10,11 +10,11 @@
 namespace meniscus {
 namespace {
 
-constexpr double kLongestStep = 0.5;   // Å
-constexpr double kReach = 8.0;         // Å: a slope of one sixteenth is climbed by the longest steps
-constexpr double kBand = 2.0;          // Å beyond the clearance: atoms that are listed at once
+constexpr double kLongestStep = 0.5;     // Å
+constexpr double kReach = 8.0;           // Å: a slope of one sixteenth is climbed by the longest steps
+constexpr double kBand = 2.0;            // Å beyond the clearance: atoms that are listed at once
 constexpr double kShortestStep = 1e-12;  // Å
-constexpr std::size_t kMostHeld = 12;  // more than the four atoms of a general maximum: atoms of a symmetric one
+constexpr std::size_t kMostHeld = 12;    // more than the four atoms of a general maximum: atoms of a symmetric one
 // Added to the diagonal: atoms on a circle round the point have vectors that depend on each other.
 constexpr double kRidge = 1e-10;
 

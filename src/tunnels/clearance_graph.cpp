@@ -22,9 +22,9 @@ struct ClearanceGraph::Foot {
 
 namespace {
 
-constexpr double kFirstStep = 0.25;      // Å: away from a saddle, where there is no slope
+constexpr double kFirstStep = 0.25;       // Å: away from a saddle, where there is no slope
 constexpr double kLeastFirstStep = 1e-8;  // Å
-constexpr double kNudge = 1e-6;          // Å
+constexpr double kNudge = 1e-6;           // Å
 constexpr std::size_t kWaysPerTask = 32;
 
 // The first point of a way up from a saddle, which no atom blocks; the saddle itself where a fourth atom touches the
@@ -38,7 +38,8 @@ Vec3 leave(const Clearance& clearance, const Saddle& saddle, std::size_t side) {
     return saddle.position;
 }
 
-// The points of a way up, and the integral of 1/clearance² along it; each step counts with the clearance where it begins.
+// The points of a way up, and the integral of 1/clearance² along it; each step counts with the clearance where it
+// begins.
 struct WayUp {
     std::vector<Vec3> points;
     double cost = 0.0;

@@ -52,8 +52,7 @@ public:
     // The part of a box that may hold points inside.
     Box box(const Box& all) const {
         Box round;
-        for (const double height : {slab_.low, slab_.high})
-            round.include(from_ + (height - dot(from_, axis_)) * axis_);
+        for (const double height : {slab_.low, slab_.high}) round.include(from_ + (height - dot(from_, axis_)) * axis_);
         round = round.grown(reach_);
         const auto larger = [](const Vec3& a, const Vec3& b) {
             return Vec3{std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
@@ -110,13 +109,13 @@ std::optional<TunnelPath> find_pore(const ExactSurface& exact, const PoreEnds& e
     const Clearance clearance(exact.atoms());
     const Cylinder cylinder(exact.atoms(), ends, options.reach);
     if (run.progress) run.progress("saddles", 0.0);
-    std::vector<Saddle> saddles = find_saddles(
-        clearance, {.box = cylinder.box(clearance.box_of_centres()), .min_radius = options.min_radius});
+    std::vector<Saddle> saddles =
+        find_saddles(clearance, {.box = cylinder.box(clearance.box_of_centres()), .min_radius = options.min_radius});
     std::erase_if(saddles, [&](const Saddle& s) { return cylinder.place(s.position) != Place::Inside; });
     if (run.progress) run.progress("maxima", 0.0);
     const std::array<Vec3, 2> starts{ends.from, ends.to};
-    const ClearanceGraph graph(clearance, [&](const Vec3& p) { return cylinder.place(p); }, std::move(saddles),
-                               starts);
+    const ClearanceGraph graph(
+        clearance, [&](const Vec3& p) { return cylinder.place(p); }, std::move(saddles), starts);
     if (run.progress) run.progress("pore", 0.0);
     const ClearanceGraph::Route route =
         graph.widest(graph.node_of_start(0), graph.node_of_start(1), std::vector<bool>(graph.passes().size()));

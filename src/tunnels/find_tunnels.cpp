@@ -121,9 +121,7 @@ std::vector<Tunnel> find_tunnels(const ExactSurface& exact, std::span<const Vec3
     const Clearance clearance(exact.atoms());
     // Outside the box of the centres all atoms are on one side, so that every way up leads on out.
     const Box box = clearance.box_of_centres();
-    const auto place = [&](const Vec3& p) {
-        return box.squared_distance(p) > 0.0 ? Place::Second : Place::Inside;
-    };
+    const auto place = [&](const Vec3& p) { return box.squared_distance(p) > 0.0 ? Place::Second : Place::Inside; };
     if (run.progress) run.progress("saddles", 0.0);
     std::vector<Saddle> saddles = find_saddles(clearance, {.box = box, .min_radius = options.min_radius});
     if (run.progress) run.progress("maxima", 0.0);

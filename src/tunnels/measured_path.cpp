@@ -71,7 +71,8 @@ Way resampled(const Clearance& clearance, const Way& way) {
         // Also past a maximum to which the way climbs only to come back.
         for (std::size_t j = last; j > next; --j) {
             if (norm(way.points[j] - from) > kLongestSegment) continue;
-            if (clearance.along(from, way.points[j]) >= std::min(here, clearance.at(way.points[j])) - kClearanceRounding)
+            if (clearance.along(from, way.points[j]) >=
+                std::min(here, clearance.at(way.points[j])) - kClearanceRounding)
                 next = j;
         }
         const Vec3 along = way.points[next] - from;
@@ -107,9 +108,8 @@ TunnelPath measured(const Clearance& clearance, const Way& way) {
         } else {
             const PathPoint& before = path.points.back();
             path.length += norm(point - before.position);
-            path.certified_radius =
-                std::min(path.certified_radius,
-                         clearance.along(before.position, point, std::min(before.radius, radius)));
+            path.certified_radius = std::min(path.certified_radius,
+                                             clearance.along(before.position, point, std::min(before.radius, radius)));
         }
         path.points.push_back({point, path.length, radius});
     }

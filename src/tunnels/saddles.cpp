@@ -13,9 +13,9 @@
 namespace meniscus {
 namespace {
 
-constexpr double kTolerance = 1e-9;        // Å: of touching; what is accepted too much is still a place on a path
-constexpr std::size_t kFewAtoms = 7;       // 35 triples, less than what eight smaller cubes take
-constexpr double kSmallestCube = 0.02;     // Å
+constexpr double kTolerance = 1e-9;     // Å: of touching; what is accepted too much is still a place on a path
+constexpr std::size_t kFewAtoms = 7;    // 35 triples, less than what eight smaller cubes take
+constexpr double kSmallestCube = 0.02;  // Å
 constexpr std::size_t kCubesPerTask = 16;
 constexpr int kTurns = 6;
 constexpr double kMostCubes = 1e9;
@@ -81,7 +81,7 @@ void solve_triple(const std::array<Vec3, 3>& p, const std::array<double, 3>& r, 
 }
 
 bool is_same_gate(const Saddle& a, const Saddle& b) {
-    constexpr double kSamePlace = 1e-7;     // Å
+    constexpr double kSamePlace = 1e-7;  // Å
     constexpr double kSameDirection = 1e-6;
     return norm(a.position - b.position) < kSamePlace && norm(cross(a.normal, b.normal)) < kSameDirection;
 }
@@ -106,8 +106,8 @@ private:
         return levels_[depth];
     }
 
-    // Whether there is a direction in which all atoms fall back, wherever in the cube one is: then no ball there is held
-    // between them. Looked for as a perceptron does, by turning towards the atom that falls back least.
+    // Whether there is a direction in which all atoms fall back, wherever in the cube one is: then no ball there is
+    // held between them. Looked for as a perceptron does, by turning towards the atom that falls back least.
     bool is_slope(const Cube& cube, const std::vector<std::uint32_t>& atoms) {
         views_.clear();
         Vec3 direction;
@@ -171,7 +171,8 @@ private:
         first_of_cube_ = found_.size();
         for (std::size_t i = 0; i < atoms.size(); ++i)
             for (std::size_t j = i + 1; j < atoms.size(); ++j)
-                for (std::size_t k = j + 1; k < atoms.size(); ++k) try_triple(cube, atoms, {atoms[i], atoms[j], atoms[k]});
+                for (std::size_t k = j + 1; k < atoms.size(); ++k)
+                    try_triple(cube, atoms, {atoms[i], atoms[j], atoms[k]});
     }
 
     void try_triple(const Cube& cube, const std::vector<std::uint32_t>& atoms,
@@ -197,7 +198,7 @@ private:
     const Clearance& clearance_;
     double min_radius_;
     std::vector<Saddle>& found_;
-    std::size_t first_of_cube_ = 0;  // in `found_`
+    std::size_t first_of_cube_ = 0;                   // in `found_`
     std::vector<std::vector<std::uint32_t>> levels_;  // the atoms of the cube that is being divided, by depth
     std::vector<double> values_;
     std::vector<AtomView> views_;

@@ -152,7 +152,8 @@ Mesh tube_of(const TunnelPath& path, double edge) {
     };
     TubeMesh tube(static_cast<std::size_t>(corners));
     const auto add_cap_ring = [&](const Disc& disc, const Vec3& axis, double lean) {
-        tube.add_ring({disc.centre + disc.radius * lean * axis, disc.radius * std::sqrt(1.0 - lean * lean)}, axis, lean);
+        tube.add_ring({disc.centre + disc.radius * lean * axis, disc.radius * std::sqrt(1.0 - lean * lean)}, axis,
+                      lean);
     };
     const auto lean_of = [&](int step) { return std::cos(0.5 * std::numbers::pi * step / steps); };
 

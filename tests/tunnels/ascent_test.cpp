@@ -19,7 +19,8 @@ TEST(StepUp, LeadsStraightAwayFromASingleAtom) {
 }
 
 TEST(StepUp, IsTheBestOfManySteps) {
-    const std::vector<AtomView> atoms{{{1, 0, 0}, 1.0}, {{-0.6, 0.8, 0}, 1.1}, {{0, 0, 1}, 0.9}, {{0.36, -0.48, 0.8}, 1.0}};
+    const std::vector<AtomView> atoms{
+        {{1, 0, 0}, 1.0}, {{-0.6, 0.8, 0}, 1.1}, {{0, 0, 1}, 0.9}, {{0.36, -0.48, 0.8}, 1.0}};
     const auto value = [&](const Vec3& d) {
         double least = 1e300;
         for (const AtomView& a : atoms) least = std::min(least, a.clearance + dot(a.away, d));

@@ -14,8 +14,8 @@ namespace meniscus {
 namespace {
 
 // Of the points of a lattice round a box: the largest clearance at which the lattice's node next to a point is joined
-// with the lattice's border, where nodes count as open whose clearance plus `slack` is as large. With half a diagonal of
-// its cubes as slack no true way is missed, with as much less none is too much.
+// with the lattice's border, where nodes count as open whose clearance plus `slack` is as large. With half a diagonal
+// of its cubes as slack no true way is missed, with as much less none is too much.
 double width_on_lattice(const Clearance& clearance, const Vec3& start, double spacing, double slack) {
     const Box box = clearance.box_of_centres().grown(3.0);
     const auto count = [&](double length) { return static_cast<int>(std::ceil(length / spacing)) + 1; };

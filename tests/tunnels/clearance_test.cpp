@@ -13,7 +13,8 @@ namespace {
 
 double brute_force(const Atoms& atoms, const Vec3& point) {
     double best = 1e300;
-    for (std::size_t i = 0; i < atoms.size(); ++i) best = std::min(best, norm(point - atoms.centres[i]) - atoms.radii[i]);
+    for (std::size_t i = 0; i < atoms.size(); ++i)
+        best = std::min(best, norm(point - atoms.centres[i]) - atoms.radii[i]);
     return best;
 }
 

@@ -12,7 +12,6 @@
 namespace meniscus {
 namespace {
 
-
 std::optional<TunnelPath> pore_of(const Atoms& atoms, const Vec3& point, const Vec3& direction,
                                   const PoreOptions& options = {}) {
     const ExactSurface exact(atoms);
@@ -65,9 +64,8 @@ TEST(Pore, MayBeWiderThanTheLargeProbe) {
 
 TEST(Pore, DoesNotLeadRoundTheMolecule) {
     // Closed in the middle: the only way from end to end is outside.
-    const Atoms atoms = testing::block({9.0, 9.0, 9.0}, [](const Vec3& p) {
-        return std::hypot(p.x, p.y) > 4.0 || std::abs(p.z) < 2.0;
-    });
+    const Atoms atoms = testing::block({9.0, 9.0, 9.0},
+                                       [](const Vec3& p) { return std::hypot(p.x, p.y) > 4.0 || std::abs(p.z) < 2.0; });
     EXPECT_FALSE(pore_of(atoms, {}, {0, 0, 1}, {.reach = 8.0}));
 }
 
@@ -76,8 +74,7 @@ TEST(Pore, JoinsPointsInside) {
     testing::add_ring(atoms, {0.0, 0.0, 8.0}, 1.2);  // beyond the second end
     testing::add_ring(atoms, {0.0, 0.0, 0.0}, 1.9);
     const ExactSurface exact(atoms);
-    const std::optional<TunnelPath> pore =
-        find_pore(exact, {{0.5, 0.0, -4.0}, {0.0, 0.4, 4.0}}, {.start_radius = 0.0});
+    const std::optional<TunnelPath> pore = find_pore(exact, {{0.5, 0.0, -4.0}, {0.0, 0.4, 4.0}}, {.start_radius = 0.0});
     ASSERT_TRUE(pore);
     EXPECT_NEAR(pore->bottleneck.radius, 1.9, testing::kExact);
     EXPECT_EQ(pore->points.front().position, (Vec3{0.5, 0.0, -4.0}));

@@ -14,8 +14,8 @@
 namespace meniscus {
 namespace {
 
-
-std::vector<Tunnel> tunnels_of(const Atoms& atoms, const Vec3& start, const TunnelOptions& options = {}, int threads = 0) {
+std::vector<Tunnel> tunnels_of(const Atoms& atoms, const Vec3& start, const TunnelOptions& options = {},
+                               int threads = 0) {
     return find_tunnels(ExactSurface(atoms), std::span(&start, 1), options, {.threads = threads});
 }
 

@@ -25,8 +25,11 @@ TunnelPath path_of(const Place& place, const Radius& radius, int parts = 80) {
 }
 
 TunnelPath straight(double radius) {
-    return path_of([](double t) { return Vec3{1.0 + 6.0 * t, 2.0 - 12.0 * t, 3.0 + 12.0 * t}; },
-                   [=](double /*t*/) { return radius; });
+    return path_of(
+        [](double t) {
+            return Vec3{1.0 + 6.0 * t, 2.0 - 12.0 * t, 3.0 + 12.0 * t};
+        },
+        [=](double /*t*/) { return radius; });
 }
 
 TEST(Tube, OfAStraightPathIsACylinderWithHalfBalls) {
@@ -50,9 +53,11 @@ TEST(Tube, OfAStraightPathIsACylinderWithHalfBalls) {
 }
 
 TEST(Tube, OfABentAndWideningPathIsOneClosedPieceThatFollowsIt) {
-    const TunnelPath path =
-        path_of([](double t) { return Vec3{8.0 * std::cos(3.0 * t), 8.0 * std::sin(3.0 * t), 10.0 * t}; },
-                [](double t) { return 1.0 + t; }, 160);
+    const TunnelPath path = path_of(
+        [](double t) {
+            return Vec3{8.0 * std::cos(3.0 * t), 8.0 * std::sin(3.0 * t), 10.0 * t};
+        },
+        [](double t) { return 1.0 + t; }, 160);
     const Mesh tube = tube_of(path, 0.3);
     const MeshMeasures measures = measure_mesh(tube);
     EXPECT_TRUE(measures.closed);
@@ -70,8 +75,8 @@ TEST(Tube, OfABentAndWideningPathIsOneClosedPieceThatFollowsIt) {
 TEST(Tube, HasNormalsThatAreThoseOfItsTriangles) {
     const Mesh tube = tube_of(straight(1.5), 0.2);
     for (const Triangle& t : tube.triangles) {
-        const Vec3 flat = normalised(cross(tube.vertices[t[1]] - tube.vertices[t[0]],
-                                           tube.vertices[t[2]] - tube.vertices[t[0]]));
+        const Vec3 flat =
+            normalised(cross(tube.vertices[t[1]] - tube.vertices[t[0]], tube.vertices[t[2]] - tube.vertices[t[0]]));
         for (const VertexId v : t) {
             const SmallVec3& n = tube.normals[v];
             EXPECT_GT(flat.x * n.x + flat.y * n.y + flat.z * n.z, 0.97);
