@@ -50,13 +50,28 @@ struct WayUp {
     }
 };
 
-// Continues a way from its last point on; the new last one may be not inside.
-void climb(Ascent& ascent, const PlaceOf& place, WayUp& way) {
-    if (place(way.points.back()) != Place::Inside) return;
+void climb_on(Ascent& ascent, const PlaceOf& place, WayUp& way) {
     ascent.climb(way.points.back(), [&](const Vec3& point) {
         way.add(point, ascent.clearance_before());
         return place(point) == Place::Inside;
     });
+}
+
+// Continues a way from its last point to a maximum; the new last one may be not inside. In symmetric arrangements ways
+// may lead up to a saddle: a place beside it tells.
+void climb(const Clearance& clearance, Ascent& ascent, const PlaceOf& place, WayUp& way) {
+    while (place(way.points.back()) == Place::Inside) {
+        climb_on(ascent, place, way);
+        const Vec3 top = way.points.back();
+        if (place(top) != Place::Inside) return;
+        const double here = clearance.at(top);
+        WayUp beside{{top}};
+        beside.add(top + kNudge * kOddDirection, here);
+        climb_on(ascent, place, beside);
+        if (!(clearance.at(beside.points.back()) > here + kNudge)) return;
+        way.points.insert(way.points.end(), beside.points.begin() + 1, beside.points.end());
+        way.cost += beside.cost;
+    }
 }
 
 // That of a side of a saddle, from the saddle on.
@@ -66,7 +81,7 @@ WayUp way_of_side(const Clearance& clearance, Ascent& ascent, const PlaceOf& pla
     const Vec3 next = leave(clearance, saddle, side);
     if (next == saddle.position) return way;
     way.add(next, saddle.radius);
-    climb(ascent, place, way);
+    climb(clearance, ascent, place, way);
     return way;
 }
 
@@ -141,12 +156,8 @@ void ClearanceGraph::name_nodes(const std::vector<Foot>& feet) {
 std::vector<Vec3> ClearanceGraph::way_up(const Vec3& start) const {
     Ascent ascent(clearance_);
     WayUp way{{start}};
-    climb(ascent, place_, way);
-    if (norm(way.points.back() - start) > kNudge || place_(start) != Place::Inside) return way.points;
-    // A maximum, or a saddle, as the middle of a ring: a place beside it tells.
-    WayUp other{{start, start + kNudge * kOddDirection}};
-    climb(ascent, place_, other);
-    return clearance_.at(other.points.back()) > clearance_.at(way.points.back()) + kNudge ? other.points : way.points;
+    climb(clearance_, ascent, place_, way);
+    return way.points;
 }
 
 std::vector<Vec3> ClearanceGraph::leg(const Saddle& saddle, std::size_t side) const {

@@ -67,6 +67,17 @@ TEST(Tunnels, ThroughACylinderOfRingsAreStraight) {
     }
 }
 
+// From the plane of a ring, ways up lead to its middle, which is a saddle.
+TEST(Tunnels, LeaveThePlaneOfARing) {
+    Atoms atoms = chamber({{0, 0, 0}});
+    testing::add_ring(atoms, {0.0, 0.0, 7.0}, 2.2);
+    testing::add_ring(atoms, {0.0, 0.0, 4.0}, 2.6);
+    const std::vector<Tunnel> found = tunnels_of(atoms, {0.4, 0.3, 4.0});
+    ASSERT_FALSE(found.empty());
+    EXPECT_NEAR(found[0].path.bottleneck.radius, 2.2, testing::kExact);
+    EXPECT_NEAR(found[0].path.certified_radius, 2.2, testing::kExact);
+}
+
 TEST(Tunnels, OfTwoHolesComeWiderFirst) {
     Atoms atoms = chamber({{-6, 0, 0}, {6, 0, 0}});
     testing::add_ring(atoms, {-6.0, 0.0, 7.0}, 1.5);
