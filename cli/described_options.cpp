@@ -6,6 +6,7 @@
 
 #include "meniscus/describe_options.h"
 #include "meniscus/describe_pockets.h"
+#include "meniscus/describe_tunnels.h"
 
 namespace meniscus::cli {
 
@@ -90,6 +91,8 @@ ordered_json described_options() {
             {"Pockets", listed([](auto& lister) {
                  const PocketOptions pockets;
                  describe(pockets, lister);
+                 const TunnelOptions tunnels;
+                 describe(tunnels, lister);
              })}};
 }
 

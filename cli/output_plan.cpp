@@ -53,6 +53,11 @@ constexpr std::array kPocketsSuffixes{
     Suffix{".vdb", OutputKind::Volume},
 };
 
+constexpr std::array kTunnelSuffixes{
+    Suffix{".csv", OutputKind::TunnelTable},
+    Suffix{".json", OutputKind::TunnelTable},
+};
+
 constexpr std::array kHistorySuffixes{
     Suffix{".csv", OutputKind::History},
     Suffix{".json", OutputKind::History},
@@ -144,6 +149,10 @@ std::vector<Output> plan_pockets_outputs(const std::vector<std::string>& asked, 
     for (const std::string& path : asked)
         plan.push_back({with_mark(path, mark), find_kind(kPocketsSuffixes, path)});
     return plan;
+}
+
+Output plan_tunnel_table(const std::string& asked, const std::string& mark) {
+    return {with_mark(asked, mark), find_kind(kTunnelSuffixes, asked, "--tunnel-table")};
 }
 
 Output plan_history(const std::string& asked, const std::string& mark) {

@@ -18,6 +18,7 @@ enum class OutputKind {
     AtomTable,      ///< NAME.atoms.csv beside a mesh
     History,        ///< of a flow
     Table,          ///< of measures
+    TunnelTable,    ///< radii along tunnels and pore
     StructureCopy,  ///< with measures in the B-factor column
 };
 
@@ -52,6 +53,10 @@ std::vector<Output> plan_measure_outputs(const std::vector<std::string>& asked, 
 
 /// All files of one structure that `pockets` writes: those of -o.
 std::vector<Output> plan_pockets_outputs(const std::vector<std::string>& asked, const std::string& mark);
+
+/// Where the radii along tunnels and pore go.
+/// throws   UsageError for a suffix other than .csv and .json
+Output plan_tunnel_table(const std::string& asked, const std::string& mark);
 
 /// Where the record of a flow goes.
 /// throws   UsageError for a suffix other than .csv and .json

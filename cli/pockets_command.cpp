@@ -104,7 +104,9 @@ public:
 
 private:
     std::vector<Output> plan(const std::string& /*name*/, const std::string& mark) const override {
-        return plan_pockets_outputs(request_.outputs, mark);
+        std::vector<Output> outputs = plan_pockets_outputs(request_.outputs, mark);
+        if (!request_.tunnels.table.empty()) outputs.push_back(plan_tunnel_table(request_.tunnels.table, mark));
+        return outputs;
     }
 
     void compute(const Job& job) override {
@@ -124,6 +126,8 @@ private:
         say_which_places_are_empty(job);
         if (request_.all_models) follow(job.structure);
         seconds_ = watch.lap();
+        ways_ = find_asked_tunnels(request_.tunnels, exact, pockets_, job.structure, run);
+        tunnel_seconds_ = watch.lap();
     }
 
     void say_which_places_are_empty(const Job& job) {
@@ -198,14 +202,15 @@ private:
     }
 
     void write(const Output& output, const Job& job) const override {
-        if (output.kind == OutputKind::StructureCopy) return write_pocket_atoms(output.path, job.structure, pockets_);
+        if (output.kind == OutputKind::StructureCopy) return write_pocket_atoms(output.path, job.structure, pockets_, paths_of(ways_));
         if (output.kind == OutputKind::Volume)
             return write_volume(output.path, pocket_volume(pockets_, request_.field), request_.field);
+        if (output.kind == OutputKind::TunnelTable) return write_table(output.path, profile_of(ways_));
         write_table(output.path, pockets_table(described_));
     }
 
     RunFacts facts() const override {
-        RunFacts facts{.seconds = {.exact = seconds_}, .checks = pocket_checks(pockets_)};
+        RunFacts facts{.seconds = {.exact = seconds_, .tunnels = tunnel_seconds_}, .checks = pocket_checks(pockets_)};
         facts.checks.insert(facts.checks.begin(), {"exact_agreement", agreed_, agreed_ ? 1.0 : 0.0, 1.0});
         return facts;
     }
@@ -219,7 +224,7 @@ private:
     }
 
     ordered_json report(const Job& job, const RunFacts& facts) const override {
-        return make_report(request_, job.structure, {pockets_, described_}, facts);
+        return make_report(request_, job.structure, {pockets_, described_, ways_}, facts);
     }
 
     std::string summary(const Job& job, const RunFacts& facts) const override {
@@ -239,6 +244,7 @@ private:
         }
         if (cavities > kMostUnranked)
             text += fmt::format("        and {} smaller cavities; list all with -o FILE.csv\n", cavities - kMostUnranked);
+        text += describe_tunnels(request_.tunnels, ways_);
         text += describe_checks(facts.checks);
         return text + describe_run(facts) + describe_files(job.outputs);
     }
@@ -248,9 +254,11 @@ private:
     std::vector<DescribedPocket> described_;
     PocketTracks tracks_;
     AtomNumbers numbers_;
+    FoundTunnels ways_;
     bool agreed_ = true;
     std::vector<std::string> disputed_;
     double seconds_ = 0.0;
+    double tunnel_seconds_ = 0.0;
 };
 
 }  // namespace
@@ -261,6 +269,7 @@ void add_pockets_command(CLI::App& program, Outcome& outcome) {
     add_pockets_options(*command, *request);
     command->callback([request, &outcome] {
         resolve_standard_output(*request);
+        check_tunnels(request->tunnels);
         outcome = run_pockets(*request);
     });
 }

@@ -19,6 +19,7 @@ constexpr const char* kPocketsExamples =
     "  meniscus pockets 1abc.pdb -o pockets.csv        as a table\n"
     "  meniscus pockets 1abc.pdb -o pockets.pdb        as atoms for a viewer\n"
     "  meniscus pockets 1abc.pdb --at '(LIG)'          the pocket of a ligand\n"
+    "  meniscus pockets 1abc.pdb --tunnels             with the ways out of them\n"
     "  meniscus pockets 1abc.pdb --hetero ligands      ligands belong to the wall";
 
 constexpr Words<VolumeContent, 2> kPocketFieldWords{
@@ -52,6 +53,8 @@ void add_pockets_options(CLI::App& command, PocketsRequest& request) {
              [&request](const std::string& text) {
                  request.at_reach = parse_number("--at-reach", text, NumberRange::Positive);
              });
+    command.option_defaults()->group("Tunnels");
+    add_tunnel_options(command, request.tunnels);
     command.option_defaults()->group("Output");
     add_output_options(command, request);
     add_choice(command, {"--field", "What maps hold: ranks of pockets, or the probability of a ligand's atom"},
@@ -62,6 +65,8 @@ void add_pockets_options(CLI::App& command, PocketsRequest& request) {
               "its volume; .csv or .json",
               "FILE"},
              [&request](const std::string& path) { request.over_models = path; });
+    command.add_option("--tunnel-table", request.tunnels.table, "Radii along tunnels and pore, .csv or .json")
+        ->type_name("FILE");
     command.option_defaults()->group("Running");
     OptionAdder{command}(kThreadsOption, request.run.threads);
     add_progress(command, request.progress);

@@ -10,12 +10,14 @@
 #include "common_request.h"
 #include "meniscus/pockets.h"
 #include "meniscus/volume.h"
+#include "pockets_tunnels.h"
 
 namespace meniscus::cli {
 
 /// Without -o nothing is written beside the report.
 struct PocketsRequest : CommonRequest {
     PocketOptions pockets;
+    TunnelRequest tunnels;
     RunOptions run;
     std::vector<std::string> at;      ///< --at, in order
     std::optional<double> at_reach;   ///< --at-reach, Å

@@ -219,6 +219,11 @@ void describe(const PocketsReport& report, Visitor& visit) {
     visit.block({"total", "", "pocket space as a whole"}, [&](auto& inner) { describe(pockets, inner); });
     visit.list({"pockets", "", "list of pockets by rank, closed cavities among them"}, report.found.described,
                [](auto& inner, const DescribedPocket& pocket) { describe(pocket, inner); });
+    visit.optional_list({"tunnels", "", "list of tunnels by start, then by rank; `null` unless asked for"},
+                        report.found.ways.tunnels,
+                        [](auto& inner, const DescribedTunnel& tunnel) { describe(tunnel, inner); });
+    visit.optional_block({"pore", "", "the pore; `null` unless asked for, and where no ball passes"},
+                         report.found.ways.pore, [](auto& inner, const DescribedWay& way) { describe(way, inner); });
     visit.list({"checks", "", "list of checks that the result passed or failed"}, facts.checks,
                [](auto& inner, const Check& check) { describe(check, inner); });
     visit.block({"time_s", "", "wall-clock seconds"}, [&](auto& inner) {
@@ -226,6 +231,7 @@ void describe(const PocketsReport& report, Visitor& visit) {
         inner({"read", "s", "the start of the program and reading; with `--model all` counted with the first model"},
               facts.seconds.read);
         inner({"pockets", "s", "finding and measuring pockets"}, facts.seconds.exact);
+        inner({"tunnels", "s", "finding tunnels and the pore"}, facts.seconds.tunnels);
         inner({"write", "s", "writing files"}, facts.seconds.write);
     });
     visit({"peak_memory_mb", "MB", "peak memory of the process so far"}, facts.peak_memory_mb);
@@ -234,6 +240,7 @@ void describe(const PocketsReport& report, Visitor& visit) {
 ordered_json pockets_options_block(const PocketsRequest& request, const RunFacts& facts) {
     OptionsAsJson options{SurfaceOptions{}};
     describe(request.pockets, options);
+    report_tunnel_options(request.tunnels, options.block);
     options.block["threads"] = facts.threads;
     return options.block;
 }
@@ -283,15 +290,17 @@ ordered_json pockets_schema() {
     const Structure structure;
     const Pockets pockets;
     const std::vector<DescribedPocket> described;
+    const FoundTunnels ways;
     const RunFacts facts;
     SchemaVisitor visit;
-    describe(PocketsReport{structure, {pockets, described}, {}, facts}, visit);
+    describe(PocketsReport{structure, {pockets, described, ways}, {}, facts}, visit);
     ordered_json schema = schema_document("Report of meniscus pockets, schema 1",
                                           "What --report writes. Lengths are in Å, areas in Å², volumes in Å³. Fields "
                                           "may be added without a new schema number; none is renamed or removed.");
     const ordered_json one{{"$ref", "#/$defs/report"}};
     schema["anyOf"] = ordered_json::array({one, ordered_json{{"type", "array"}, {"items", one}}});
     schema["$defs"]["report"] = visit.rules();
+    schema["$defs"]["options"] = {{"type", "object"}};
     return schema;
 }
 

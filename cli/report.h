@@ -38,6 +38,7 @@ inline constexpr int kJoinedModels = 0;
 struct RunSeconds {
     double read = 0.0;     ///< with the start of the program; with all models: counted with the first
     double exact = 0.0;    ///< exact measures beside those that the surface counts
+    double tunnels = 0.0;  ///< tunnels and the pore
     double picture = 0.0;  ///< colours and pictures, without writing them
     double page = 0.0;     ///< pages, without writing them
     double volume = 0.0;   ///< volumes, without writing them
@@ -73,6 +74,7 @@ nlohmann::ordered_json make_report(const MeasureRequest& request, const Structur
 struct FoundPockets {
     const Pockets& pockets;
     const std::vector<DescribedPocket>& described;
+    const FoundTunnels& ways;
 };
 
 /// The report of pockets, and its JSON schema.

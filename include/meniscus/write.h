@@ -17,6 +17,7 @@
 #include "meniscus/structure.h"
 #include "meniscus/surface.h"
 #include "meniscus/tables.h"
+#include "meniscus/tunnels.h"
 
 namespace meniscus {
 
@@ -115,12 +116,21 @@ void write_table(const std::string& path, const Table& table);
 ///          more than 87,440,031 atoms, a coordinate, residue number or value too large (the message suggests .cif)
 void write_structure_copy(const std::string& path, const Structure& structure, std::span<const double> values);
 
+/// The ways that are written beside pockets.
+struct PathsOfPockets {
+    std::vector<TunnelPath> tunnels;
+    std::optional<TunnelPath> pore;
+};
+
 /// Writes the kept atoms and pockets as PDB (.pdb) or mmCIF (.cif).
 ///
 /// The B factor of an atom is the rank of the pocket whose wall has most of it, 0 for none. The grid points of each
 /// pocket are atoms APOL of a residue STP, as fpocket calls them, whose number is the pocket's rank.
+/// The points of tunnels are atoms PATH of residues TUN, numbered from 1, those of the pore of a residue POR; their B
+/// factors are radii, Å.
 ///
 /// throws   as write_structure_copy()
-void write_pocket_atoms(const std::string& path, const Structure& structure, const Pockets& pockets);
+void write_pocket_atoms(const std::string& path, const Structure& structure, const Pockets& pockets,
+                        const PathsOfPockets& paths = {});
 
 }  // namespace meniscus

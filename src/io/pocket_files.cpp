@@ -32,27 +32,38 @@ std::vector<double> ranks_of_atoms(const Structure& structure, const Pockets& po
 
 }  // namespace
 
-void write_pocket_atoms(const std::string& path, const Structure& structure, const Pockets& pockets) {
+void write_pocket_atoms(const std::string& path, const Structure& structure, const Pockets& pockets,
+                        const PathsOfPockets& paths) {
     constexpr float kMostOfCube = 0.5F;
-    std::vector<double> ranks = ranks_of_atoms(structure, pockets);
+    std::vector<double> values = ranks_of_atoms(structure, pockets);
     Structure with_points = structure;
     const std::string chain = chain_of_points(structure);
+    const auto add_residue = [&](const char* name, std::size_t number) {
+        with_points.residues.push_back({chain, name, static_cast<int>(number), ' '});
+    };
+    const auto add_point = [&](const char* name, const Vec3& position, double value) {
+        AtomLabel label;
+        label.residue = static_cast<std::uint32_t>(with_points.residues.size() - 1);
+        label.name = name;
+        with_points.labels.push_back(label);
+        with_points.atoms.centres.push_back(position);
+        with_points.atoms.radii.push_back(1.0);
+        values.push_back(value);
+    };
     for (const Pocket& pocket : pockets.pockets) {
-        const auto residue = static_cast<std::uint32_t>(with_points.residues.size());
-        with_points.residues.push_back({chain, "STP", static_cast<int>(pocket.rank), ' '});
+        add_residue("STP", pocket.rank);
         for (const std::uint32_t v : pocket.voxels) {
             const PocketVoxel& voxel = pockets.voxels[v];
-            if (voxel.share < kMostOfCube) continue;
-            AtomLabel label;
-            label.residue = residue;
-            label.name = "APOL";
-            with_points.labels.push_back(label);
-            with_points.atoms.centres.push_back(voxel.position);
-            with_points.atoms.radii.push_back(1.0);
-            ranks.push_back(static_cast<double>(pocket.rank));
+            if (voxel.share >= kMostOfCube) add_point("APOL", voxel.position, static_cast<double>(pocket.rank));
         }
     }
-    write_structure_copy(path, with_points, ranks);
+    const auto add_path = [&](const char* residue, std::size_t number, const TunnelPath& way) {
+        add_residue(residue, number);
+        for (const PathPoint& point : way.points) add_point("PATH", point.position, point.radius);
+    };
+    for (std::size_t i = 0; i < paths.tunnels.size(); ++i) add_path("TUN", i + 1, paths.tunnels[i]);
+    if (paths.pore) add_path("POR", 1, *paths.pore);
+    write_structure_copy(path, with_points, values);
 }
 
 }  // namespace meniscus
