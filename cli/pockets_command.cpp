@@ -124,9 +124,9 @@ private:
         disputed_ = exact.measures().disputed;
         described_ = describe_pockets(pockets_, job.structure, at.places);
         say_which_places_are_empty(job);
-        if (request_.all_models) follow(job.structure);
         seconds_ = watch.lap();
         ways_ = find_asked_tunnels(request_.tunnels, exact, pockets_, job.structure, run);
+        if (request_.all_models) follow(job.structure);
         tunnel_seconds_ = watch.lap();
     }
 
@@ -138,7 +138,14 @@ private:
     }
 
     void follow(const Structure& structure) {
-        const std::vector<std::size_t> tracks = tracks_.add(pockets_, numbers_.of(structure));
+        std::vector<double> bottlenecks(pockets_.pockets.size());
+        if (ways_.tunnels)
+            for (const DescribedTunnel& tunnel : *ways_.tunnels)
+                if (tunnel.pocket) {
+                    double& widest = bottlenecks[*tunnel.pocket - 1];
+                    widest = std::max(widest, tunnel.way.path.bottleneck.radius);
+                }
+        const std::vector<std::size_t> tracks = tracks_.add(pockets_, numbers_.of(structure), bottlenecks);
         for (std::size_t i = 0; i < tracks.size(); ++i) described_[i].track = tracks[i] + 1;
     }
 
@@ -172,16 +179,17 @@ private:
 
     std::string summary_of_all() const override {
         if (!request_.all_models) return "";
+        const bool has_ways = request_.tunnels.wants_tunnels();
         std::string text = fmt::format("over {}:\n  {:>5} {:>7} {:>5} {:>14} {:>16} {:>14}  lined by\n",
                                        counted(tracks_.models(), "model", "models"), "track", "models", "open", "score",
-                                       "volume/Å³", "mouth/Å");
+                                       "volume/Å³", has_ways ? "bottleneck/Å" : "mouth/Å");
         std::size_t rows = 0;
         const std::vector<DescribedTrack> tracks = described_tracks();
         for (const DescribedTrack& d : tracks) {
             if (rows++ == kMostTracks) break;
             text += fmt::format("  {:>5} {:>7} {:>5} {:>14} {:>16} {:>14}  {}\n", d.number, d.track.models, d.track.open,
                                 spread_text(d.track.score), spread_text(d.track.volume),
-                                spread_text(d.track.mouth_radius), first_residues(d.residues));
+                                spread_text(has_ways ? d.track.bottleneck : d.track.mouth_radius), first_residues(d.residues));
         }
         if (tracks.size() > kMostTracks)
             text += fmt::format("        and {} more; list all with --over-models FILE.csv\n", tracks.size() - kMostTracks);

@@ -27,6 +27,8 @@ struct PocketTrack {
     Spread volume{};               ///< Å³
     Spread depth{};                ///< Å
     Spread mouth_radius{};         ///< of the largest mouth or opening, Å; 0 for a closed cavity
+    std::size_t ways = 0;        ///< models in which a bottleneck was given
+    Spread bottleneck{};         ///< over these, Å
     std::vector<WallAtom> wall{};  ///< mean areas over these models, by atom
 };
 
@@ -35,9 +37,12 @@ struct PocketTrack {
 /// like, at least by a quarter. Tracks are numbered as they appear.
 class PocketTracks {
 public:
-    /// ids      for each atom of the model a number that is the same in all models; empty: its index
-    /// returns  for each pocket the number of its track, from 0
-    std::vector<std::size_t> add(const Pockets& pockets, std::span<const std::uint32_t> ids = {});
+    /// ids           for each atom of the model a number that is the same in all models; empty: its index
+    /// bottlenecks   for each pocket the radius of the bottleneck of its widest tunnel, Å, 0 where it has none; empty:
+    ///               none has
+    /// returns       for each pocket the number of its track, from 0
+    std::vector<std::size_t> add(const Pockets& pockets, std::span<const std::uint32_t> ids = {},
+                                 std::span<const double> bottlenecks = {});
 
     /// All tracks so far.
     std::vector<PocketTrack> tracks() const;
@@ -51,6 +56,7 @@ private:
         std::vector<double> volumes{};
         std::vector<double> depths{};
         std::vector<double> mouths{};
+        std::vector<double> bottlenecks{};
     };
 
     std::vector<Record> records_;

@@ -76,7 +76,8 @@ struct Match {
 
 }  // namespace
 
-std::vector<std::size_t> PocketTracks::add(const Pockets& pockets, std::span<const std::uint32_t> ids) {
+std::vector<std::size_t> PocketTracks::add(const Pockets& pockets, std::span<const std::uint32_t> ids,
+                                           std::span<const double> bottlenecks) {
     ++models_;
     std::vector<std::vector<WallAtom>> walls;
     std::vector<Match> matches;
@@ -112,6 +113,7 @@ std::vector<std::size_t> PocketTracks::add(const Pockets& pockets, std::span<con
         record.volumes.push_back(pocket.volume);
         record.depths.push_back(pocket.depth);
         record.mouths.push_back(widest(pocket));
+        if (!bottlenecks.empty() && bottlenecks[p] > 0.0) record.bottlenecks.push_back(bottlenecks[p]);
     }
     return track_of;
 }
@@ -124,6 +126,8 @@ std::vector<PocketTrack> PocketTracks::tracks() const {
         track.volume = spread_of(record.volumes);
         track.depth = spread_of(record.depths);
         track.mouth_radius = spread_of(record.mouths);
+        track.ways = record.bottlenecks.size();
+        track.bottleneck = spread_of(record.bottlenecks);
         for (WallAtom& atom : track.wall) atom.area /= static_cast<double>(track.models);
         result.push_back(std::move(track));
     }

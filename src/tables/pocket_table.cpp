@@ -59,7 +59,7 @@ Table pockets_table(const std::vector<DescribedPocket>& pockets) {
 
 Table tracks_table(const std::vector<DescribedTrack>& tracks, std::size_t models) {
     Table table{{"track", "models", "of", "open", "best_rank", "score", "score_sd", "volume", "volume_sd", "depth",
-                 "depth_sd", "mouth_radius", "mouth_radius_sd", "residues"},
+                 "depth_sd", "mouth_radius", "mouth_radius_sd", "ways", "bottleneck", "bottleneck_sd", "residues"},
                 {}};
     for (const DescribedTrack& described : tracks) {
         const PocketTrack& t = described.track;
@@ -67,7 +67,8 @@ Table tracks_table(const std::vector<DescribedTrack>& tracks, std::size_t models
                               static_cast<std::int64_t>(models), static_cast<std::int64_t>(t.open),
                               static_cast<std::int64_t>(t.best_rank), t.score.mean, t.score.deviation, t.volume.mean,
                               t.volume.deviation, t.depth.mean, t.depth.deviation, t.mouth_radius.mean,
-                              t.mouth_radius.deviation, joined(described.residues)});
+                              t.mouth_radius.deviation, static_cast<std::int64_t>(t.ways), t.bottleneck.mean,
+                              t.bottleneck.deviation, joined(described.residues)});
     }
     return table;
 }
