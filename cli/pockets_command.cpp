@@ -156,7 +156,7 @@ private:
             std::vector<std::string> residues;
             for (const WallAtom& atom : track.wall) {
                 if (atom.area <= kLiningArea) continue;
-                const std::string label = residue_label(numbers_.residue(atom.atom));
+                const std::string label = spaced_label(numbers_.residue(atom.atom));
                 if (std::find(residues.begin(), residues.end(), label) == residues.end()) residues.push_back(label);
             }
             tracks.push_back({std::move(track), tracks.size() + 1, std::move(residues)});

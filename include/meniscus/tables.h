@@ -141,6 +141,9 @@ Table history_table(std::span<const FlowStep> history);
 /// Chain, name, number and insertion code of a residue: "A:LEU12"; empty for a residue without a name.
 std::string residue_label(const Residue& residue);
 
+/// The same as reports of pockets have it: "A:LEU 12".
+std::string spaced_label(const Residue& residue);
+
 /// The residues that line a component: ascending indices of those with an atom that touches the component.
 std::vector<std::uint32_t> lining_residues(const Structure& structure, const SurfaceComponent& component);
 

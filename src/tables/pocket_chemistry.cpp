@@ -8,7 +8,6 @@
 #include <string_view>
 #include <utility>
 
-#include "tables/spaced_label.h"
 
 namespace meniscus {
 namespace {

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "meniscus/interfaces.h"
-#include "tables/spaced_label.h"
 
 namespace meniscus {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "meniscus/describe_tunnels.h"
 #include "meniscus/measures.h"
-#include "tables/spaced_label.h"
 
 namespace meniscus {
 namespace {

@@ -145,6 +145,60 @@ TEST(Pockets, OfMoleculesFarApartAreThoseOfEach) {
     EXPECT_EQ(pockets.pockets[0].tied_with, std::vector<std::size_t>{2});
 }
 
+PocketOptions at(const Vec3& point, double reach) {
+    PocketOptions options;
+    options.places = {{{point}, reach}};
+    return options;
+}
+
+TEST(PocketPlaces, TheMiddleOfABowlIsItsPocket) {
+    const Pockets pockets = find(bowl(8.0), at({}, 4.0));
+    ASSERT_EQ(pockets.pockets.size(), 1u);
+    const Pocket& pocket = pockets.pockets[0];
+    const double ball = 4.0 / 3.0 * std::numbers::pi * 64.0;
+    EXPECT_NEAR(pocket.volume, ball, 0.05 * ball);
+    EXPECT_EQ(pocket.points_inside, 1u);
+    EXPECT_NEAR(sum_of_volumes(pockets), pockets.volume, 1e-6 * pockets.volume);
+    EXPECT_LT(pocket.volume, find(bowl(8.0), at({}, 5.0)).pockets[0].volume);
+}
+
+TEST(PocketPlaces, ACavityIsThereAsAWhole) {
+    const Atoms atoms = shell(7.0);
+    const Pockets pockets = find(atoms, at({0.5, 0.0, 0.0}, 1.5));
+    ASSERT_EQ(pockets.pockets.size(), 1u);
+    EXPECT_TRUE(pockets.pockets[0].cavity);
+    EXPECT_EQ(pockets.pockets[0].volume, ExactSurface(atoms).measures().components[1].ses_volume);
+}
+
+TEST(PocketPlaces, ACavityThatNoPlaceNamesIsInTheRest) {
+    const Atoms atoms = shell(7.0);
+    const Pockets pockets = find(atoms, at({100.0, 0.0, 0.0}, 4.0));
+    ASSERT_EQ(pockets.pockets.size(), 1u);
+    EXPECT_EQ(pockets.pockets[0].volume, 0.0);
+    EXPECT_EQ(pockets.pockets[0].points_inside, 0u);
+    EXPECT_NEAR(pockets.rest_volume, pockets.volume, 1e-9 * pockets.volume);
+}
+
+TEST(PocketPlaces, SpaceGoesToTheNearestPlace) {
+    PocketOptions options;
+    options.places = {{{{-1.5, 0.0, 0.0}}, 4.0}, {{{1.5, 0.0, 0.0}}, 4.0}};
+    const Pockets pockets = find(bowl(8.0), options);
+    ASSERT_EQ(pockets.pockets.size(), 2u);
+    for (const PocketVoxel& voxel : pockets.voxels) {
+        if (voxel.pocket == 0) EXPECT_LE(voxel.position.x, 1e-9);
+        if (voxel.pocket == 1) EXPECT_GE(voxel.position.x, -1e-9);
+    }
+    EXPECT_NEAR(sum_of_volumes(pockets), pockets.volume, 1e-6 * pockets.volume);
+}
+
+TEST(PocketPlaces, RefusesPlacesThatMakeNoSense) {
+    PocketOptions options;
+    options.places = {{}};
+    EXPECT_THROW(find(bowl(8.0), options), UsageError);
+    EXPECT_THROW(find(bowl(8.0), at({}, 0.0)), UsageError);
+    EXPECT_THROW(find(bowl(8.0), at({std::nan(""), 0.0, 0.0}, 4.0)), UsageError);
+}
+
 TEST(Pockets, ASingleAtomHasNone) {
     const Pockets pockets = find({{{1.0, 2.0, 3.0}}, {1.5}});
     EXPECT_TRUE(pockets.pockets.empty());
