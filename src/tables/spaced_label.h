@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// The label of a residue as reports of pockets have it.
+// Residues in lists.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace meniscus {
 
-/// "A:SER 195".
+/// "A:SER 195", as reports have it.
 inline std::string spaced_label(const Residue& residue) {
     std::string label = residue.chain + ":" + residue.name + " " + std::to_string(residue.number);
     if (residue.insertion_code != ' ') label += residue.insertion_code;
