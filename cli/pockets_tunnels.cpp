@@ -78,6 +78,7 @@ std::vector<DescribedTunnel> find_from_starts(const TunnelRequest& request, cons
     }
     for (const Pocket& pocket : pockets.pockets) {
         if (!request.from_pockets) break;
+        if (pocket.voxels.empty() && !pocket.cavity) continue;  // a place of --at without pocket space
         starts.push_back(pocket.deepest);
         ranks.emplace_back(pocket.rank);
     }
