@@ -19,6 +19,7 @@ enum class OutputKind {
     History,        ///< of a flow
     Table,          ///< of measures
     StructureCopy,  ///< with measures in the B-factor column
+    Arrays,         ///< of pockets
 };
 
 struct Output {

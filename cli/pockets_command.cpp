@@ -83,6 +83,7 @@ private:
         if (output.kind == OutputKind::StructureCopy) return write_pocket_atoms(output.path, job.structure, pockets_);
         if (output.kind == OutputKind::Volume)
             return write_volume(output.path, pocket_volume(pockets_, request_.field), request_.field);
+        if (output.kind == OutputKind::Arrays) return write_pocket_arrays(output.path, pockets_);
         write_table(output.path, pockets_table(described_));
     }
 

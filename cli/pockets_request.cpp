@@ -11,7 +11,8 @@ namespace {
 
 constexpr const char* kPocketsExamples =
     "Pockets are ranked by how much they resemble the places of ligands. -o writes a\n"
-    "table (.csv .json), atoms and grid points (.pdb .cif), or a map (.dx .mrc).\n"
+    "table (.csv .json), atoms and grid points (.pdb .cif), a map (.dx .mrc) or arrays\n"
+    "(.npz).\n"
     "Examples:\n"
     "  meniscus pockets 1abc.pdb                       the pockets, best first\n"
     "  meniscus pockets 1abc.pdb -o pockets.csv        as a table\n"
