@@ -7,7 +7,7 @@
   const {$} = Panel;
 
   async function start() {
-    const narrow = matchMedia("(max-width: 720px)").matches;
+    const narrow = matchMedia("(max-width: 45rem)").matches;
     if (narrow) document.body.classList.add("folded");
     if (!window.DecompressionStream) throw new Error("this browser is too old to decompress it");
     if (!$("view").getContext("webgl2", Page.context)) throw new Error("this browser has no WebGL 2");

@@ -59,8 +59,8 @@ const Page = (() => {
     fill() {
       Panel.fillSchemes(this.info.schemes, this.info.scheme);
       Panel.fillCavities(this.info.cavities, this.info.ligandsLeftOut, i => this.flyToCavity(i));
-      const atoms = this.info.atoms.count.toLocaleString("en"), triangles = this.info.triangles.toLocaleString("en");
-      $("subtitle").textContent = `${atoms} atoms · ${triangles} triangles`;
+      const {grouped} = Panel;
+      $("subtitle").textContent = `${grouped(this.info.atoms.count)} atoms · ${grouped(this.info.triangles)} triangles`;
       $("perspective").checked = this.controls.inPerspective;
     }
 
@@ -175,8 +175,8 @@ const Page = (() => {
       this.surface.markComponent(cavity.component);
       this.marker.visible = false;
       Panel.markCavity(i);
-      Panel.showFacts("Cavity " + (i + 1), [["volume", Panel.plain(cavity.volume, 1) + " Å³"],
-                                            ["area", Panel.plain(cavity.area, 1) + " Å²"], ["lined by", cavity.lining]]);
+      Panel.showFacts("Cavity " + (i + 1), [["volume", Panel.grouped(cavity.volume, 1) + " Å³"],
+                                            ["area", Panel.grouped(cavity.area, 1) + " Å²"], ["lined by", cavity.lining]]);
       this.controls.lookAt(point, Math.max(4, 3 * cavity.radius));
     }
 

@@ -14,6 +14,8 @@ const Panel = (() => {
   }
 
   const plain = (value, digits) => (+value).toFixed(digits).replace("-", "−");
+  /** With its thousands apart, as the tables have it. */
+  const grouped = (value, digits = 0) => plain(value, digits).replace(/\d+/, n => n.replace(/\B(?=(\d{3})+$)/g, ","));
   const short = value => String(+(+value).toPrecision(4)).replace("-", "−");
 
   /** "LEU 43" and "A" of an atom's residue. */
@@ -56,6 +58,16 @@ const Panel = (() => {
     return strip;
   }
 
+  /** Ends and middle of a scale to a hundredth of its length, all with the same decimals, and no more than they need. */
+  function ticks({min, max}) {
+    const values = [min, (min + max) / 2, max].map(Number);
+    const most = max > min ? Math.min(20, Math.max(0, 2 - Math.floor(Math.log10(max - min)))) : 4;
+    const inDigits = digits => values.map(value => value.toFixed(digits));
+    let digits = most;
+    while (digits > 0 && inDigits(digits).every(text => text.endsWith("0"))) --digits;
+    return inDigits(digits).map(text => text.replace("-", "−"));
+  }
+
   function showLegend(legend) {
     const box = $("legend");
     box.replaceChildren();
@@ -63,8 +75,7 @@ const Panel = (() => {
     if (legend.title) box.append(element("h2", legend.title));
     if (legend.ramp.length > 0) {
       const ends = element("div", undefined, {class: "ends"});
-      ends.append(element("span", short(legend.min)), element("span", short((legend.min + legend.max) / 2)),
-                  element("span", short(legend.max)));
+      ends.append(...ticks(legend).map(tick => element("span", tick)));
       box.append(rampStrip(legend.ramp), ends);
     }
     const list = element("ul", undefined, {class: legend.entries.length > 8 ? "many" : ""});
@@ -93,7 +104,7 @@ const Panel = (() => {
       const row = element("tr"), first = element("td"), button = element("button", String(i + 1), {type: "button"});
       button.setAttribute("aria-label", "Go to cavity " + (i + 1));
       first.append(button);
-      row.append(first, element("td", plain(cavity.volume, 1)), element("td", plain(cavity.area, 1)));
+      row.append(first, element("td", grouped(cavity.volume, 1)), element("td", grouped(cavity.area, 1)));
       row.addEventListener("click", () => chosen(i));
       $("cavity-list").append(row);
     });
@@ -125,6 +136,6 @@ const Panel = (() => {
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
   }
 
-  return {$, element, plain, short, residueOf, atomName, atomTitle, shapeWord, showLegend, showFacts, fillCavities, markCavity,
+  return {$, element, plain, grouped, short, residueOf, atomName, atomTitle, shapeWord, showLegend, showFacts, fillCavities, markCavity,
           fillSchemes, showTip, download};
 })();

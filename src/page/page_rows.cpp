@@ -14,8 +14,16 @@ namespace {
 
 using Rows = std::vector<PageRow>;
 
-std::string area(double value) { return fmt::format("{:.1f} Å²", value); }
-std::string volume(double value) { return fmt::format("{:.1f} Å³", value); }
+/// With commas between thousands, as the viewer writes them beside the table.
+std::string grouped(std::string number) {
+    const std::size_t first = number.front() == '-' ? 1 : 0;
+    for (std::size_t at = std::min(number.find('.'), number.size()); at > first + 3;) number.insert(at -= 3, ",");
+    return number;
+}
+
+std::string area(double value) { return grouped(fmt::format("{:.1f}", value)) + " Å²"; }
+std::string volume(double value) { return grouped(fmt::format("{:.1f}", value)) + " Å³"; }
+std::string counted(std::size_t value) { return grouped(std::to_string(value)); }
 std::string length(double value) { return fmt::format("{:.4f} Å", value); }
 
 /// Without its folders, on one line.
@@ -47,8 +55,8 @@ void add_exact(Rows& rows, const Measures& exact, SurfaceKind kind) {
         rows.push_back({excluded, "toroidal", area(t.toroidal_area)});
         rows.push_back({excluded, "reentrant", area(t.reentrant_area)});
     }
-    rows.push_back({excluded, "outer pieces", fmt::format("{}", count(exact, ComponentKind::Outer))});
-    rows.push_back({excluded, "cavities", fmt::format("{}", count(exact, ComponentKind::Cavity))});
+    rows.push_back({excluded, "outer pieces", counted(count(exact, ComponentKind::Outer))});
+    rows.push_back({excluded, "cavities", counted(count(exact, ComponentKind::Cavity))});
     if (kind != SurfaceKind::Ses) return;  // that is the same surface
     const char* accessible = "Solvent-accessible surface, exact";
     rows.push_back({accessible, "area", area(t.sas_area)});
@@ -60,8 +68,8 @@ void add_mesh(Rows& rows, const Surface& surface) {
     const char* section = "This mesh";
     rows.push_back({section, "area", area(surface.corrected_area)});
     rows.push_back({section, "volume", volume(surface.corrected_volume)});
-    rows.push_back({section, "vertices", fmt::format("{}", surface.mesh.vertices.size())});
-    rows.push_back({section, "triangles", fmt::format("{}", surface.mesh.triangles.size())});
+    rows.push_back({section, "vertices", counted(surface.mesh.vertices.size())});
+    rows.push_back({section, "triangles", counted(surface.mesh.triangles.size())});
     rows.push_back(
         {section, "closed, manifold", fmt::format("{}, {}", m.closed ? "yes" : "no", m.manifold ? "yes" : "no")});
     const char* distance = "Distance of this mesh from the exact surface";
@@ -74,10 +82,10 @@ void add_input(Rows& rows, const Structure& structure, const Surface& surface) {
     const char* section = "How it was made";
     if (!structure.file.empty())
         rows.push_back({section, "file", structure.file == "-" ? "standard input" : name_of_file(structure.file)});
-    rows.push_back({section, "atoms", fmt::format("{}", structure.atoms.size())});
-    rows.push_back({section, "residues", fmt::format("{}", structure.residues.size())});
+    rows.push_back({section, "atoms", counted(structure.atoms.size())});
+    rows.push_back({section, "residues", counted(structure.residues.size())});
     for (const auto& [reason, number] : structure.dropped)
-        if (number > 0) rows.push_back({section, "left out: " + reason, fmt::format("{}", number)});
+        if (number > 0) rows.push_back({section, "left out: " + reason, counted(number)});
     rows.push_back({section, "radii", name_of_file(structure.radii_set)});
     rows.push_back({section, "probe", fmt::format("{} Å", surface.options.probe)});
     rows.push_back({section, "method", word_for(kMethodWords, surface.options.method)});

@@ -36,6 +36,18 @@ TEST(PageRows, HoldAreasAndCountsOfPieces) {
     EXPECT_EQ(value_of(rows, "atoms"), "2");
 }
 
+TEST(PageRows, HaveCommasBetweenThousands) {
+    SmallRun run;
+    run.exact.totals.ses_area = 1234567.89;
+    run.exact.totals.ses_volume = 999.9;
+    run.exact.totals.sas_area = 1000;
+    run.surface.mesh.vertices.resize(12345);
+    EXPECT_EQ(value_of(run.rows(), "area", "Solvent-excluded surface, exact"), "1,234,567.9 Å²");
+    EXPECT_EQ(value_of(run.rows(), "volume", "Solvent-excluded surface, exact"), "999.9 Å³");
+    EXPECT_EQ(value_of(run.rows(), "area", "Solvent-accessible surface, exact"), "1,000.0 Å²");
+    EXPECT_EQ(value_of(run.rows(), "vertices"), "12,345");
+}
+
 TEST(PageRows, CanDoWithoutExactNumbers) {
     SmallRun run;
     run.surface.corrected_area = 123.456;

@@ -16,12 +16,8 @@ import web_browser
 
 PAGE = """<!DOCTYPE html>
 <link rel="icon" href="data:,">
-<script src="/node_modules/{name}/{script}"></script>
-<script type="importmap">
-{{"imports": {{"meniscus-surface": "/node_modules/meniscus-surface/dist/index.js",
-              "meniscus-surface/adapters/{name}": "/node_modules/meniscus-surface/adapters/{name}.js"}}}}
-</script>
-<div id="view" style="position: relative; width: 400px; height: 300px"></div>
+<script src="node_modules/{name}/{script}"></script>
+{map}<div id="view" style="position: relative; width: 400px; height: 300px"></div>
 <script type="module">
 {code}
 globalThis.vertices = shown.surface.positions.length / 3;
@@ -32,13 +28,21 @@ globalThis.vertices = shown.surface.positions.length / 3;
 class HowTo(web_browser.BrowserTest):
     def test_what_is_shown_runs(self):
         shutil.copy(self.root / "examples" / "1ubq.pdb", self.folder)
-        blocks = [block for block in markdown.read(self.root / "docs" / "howto" / "web-viewers.md")[0] if block.kind == "js"]
+        installed = self.folder / "node_modules"
+        installed.mkdir()
+        for name, folder in (("meniscus-surface", self.package), *((name, self.viewers / "node_modules" / name)
+                                                                   for name in web_browser.VIEWERS)):
+            (installed / name).symlink_to(folder)
+        every = markdown.read(self.root / "docs" / "howto" / "web-viewers.md")[0]
+        import_map, = (block.text for block in every if block.kind == "html")
+        blocks = [block for block in every if block.kind == "js"]
         for_all = "".join(block.text for block in blocks if block.info == ["js"])
         self.assertEqual([block.info[1] for block in blocks if len(block.info) > 1], list(web_browser.VIEWERS))
         for name, script in web_browser.VIEWERS.items():
             with self.subTest(name):
                 code = next(block.text for block in blocks if block.info == ["js", name]) + for_all
-                (self.folder / f"{name}.html").write_text(PAGE.format(name=name, script=script, code=code), encoding="utf-8")
+                page = PAGE.format(name=name, script=script, map=import_map, code=code)
+                (self.folder / f"{name}.html").write_text(page, encoding="utf-8")
                 self.open(f"made/{name}.html")
                 self.assertGreater(self.wait("globalThis.vertices"), 10000)
                 self.assertEqual(self.browser.errors(), [])

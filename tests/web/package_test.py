@@ -7,6 +7,7 @@ usage: package_test.py PROGRAM PROJECT PACKAGE
 """
 import gzip
 import json
+import math
 import pathlib
 import shutil
 import subprocess
@@ -96,6 +97,64 @@ result.shared = await all(surface(input, quick), measure(input));
 console.log(JSON.stringify(result));
 """
 
+# What JavaScript lets callers give. Each must be refused in one line, and the engine answer the next.
+WRONG = r"""
+import {readFileSync} from "node:fs";
+import {Meniscus, measure} from "INDEX";
+const text = readFileSync("1ubq.pdb", "utf8"), ball = {positions: [0, 0, 0], radii: [2]}, engine = new Meniscus();
+const said = async f => {
+  try { await f(); return ["no error"]; } catch (error) { return [error.code ?? error.name, error.message]; }
+};
+const options = [
+  ["name:", {name: 5}], ["name:", {name: ""}], ["signal:", {signal: {}}], ["progress:", {progress: "x"}],
+  ["interfaces:", {interfaces: 5}], ["options:", null], ["options:", []], ["options:", "x"], ["options:", new Map()],
+  ["options:", {__proto__: {spacing: 1}}], ["'__proto__'", JSON.parse('{"__proto__": 1}')], ["'constructor'", {constructor: 1}],
+  ["'hasOwnProperty'", {hasOwnProperty: "1"}], ["probe:", {probe: () => 1.4}], ["probe:", {probe: {}}],
+  ["spacing:", {spacing: NaN}], ["spacing:", {spacing: "fine"}], ["exact:", {exact: 2}], ["chains:", {chains: []}],
+  ["select:", {select: Symbol("x")}],
+];
+const at = [0, 0, 0], inputs = [
+  ["input:", undefined], ["input:", null], ["input:", 7], ["input:", {}], ["input:", [ball]], ["input:", new Int8Array(3)],
+  ["input:", "1ubq.pdb"], ["positions:", {radii: [2]}], ["positions:", {positions: [0, 0], radii: [2]}],
+  ["positions:", {positions: at, radii: [2, 3]}], ["positions:", {positions: [at], radii: [2]}],
+  ["positions:", {positions: [0, NaN, 0], radii: [2]}], ["positions:", {positions: ["0", "0", "0"], radii: [2]}],
+  ["positions:", {positions: 3, radii: [2]}], ["radii:", {positions: at}], ["radii:", {positions: at, radii: [NaN]}],
+  ["radii:", {positions: at, radii: [-2]}], ["radii:", {positions: at, radii: [0]}], ["radii:", {positions: [], radii: []}],
+  ["radii:", {positions: at, radii: [Infinity]}],
+];
+const closed = "this surface has been closed", kinds = ["pdb", "constructor.csv", "../x", undefined, 5];
+const colours = [["colour:", {colour: 5}], ["colour:", {colour: "x"}], ["'color'", {color: "chain"}], ["options:", null]];
+const result = {refused: []}, refused = async (begin, f) => result.refused.push([begin, ...await said(f)]);
+for (const what of ["measure", "surface", "estimate"])
+  for (const [begin, given] of options) await refused(begin, () => engine[what](text, given));
+for (const what of ["measure", "surface"])
+  await refused("interfaces:", () => engine[what](text, {interfaces: "AB", method: "direct", spacing: 1}));
+for (const [begin, given] of inputs) await refused(begin, () => measure(given));
+const s = await engine.surface(ball, {method: "direct"});
+for (const kind of kinds) await refused("kind:", () => s.file(kind));
+for (const [begin, given] of colours) await refused(begin, () => s.page(given));
+s.close();
+for (const kind of ["ply", "report.json"]) await refused(closed, () => s.file(kind));
+await refused("the files of the engine:", () => new Meniscus(null));
+
+const throwing = progress => said(() => engine.surface(text, {method: "direct", spacing: 1, progress}));
+result.thrown = [await throwing(() => { throw new RangeError("mine"); }),
+                 await throwing(async () => { throw new RangeError("later"); })];
+result.after = (await engine.surface(text, {method: "direct", spacing: 1, name: null, signal: undefined})).positions.length > 0;
+
+const bom = "\uFEFF", [pqr, cif] = ["one.pqr", "1ubq.cif"].map(name => readFileSync(name, "utf8"));
+const formats = {pdb: text, bom: bom + text, pqr, cif: bom + cif, gro: readFileSync("1ubq.gro"), xyzr: bom + "0 0 0 2\n"};
+result.formats = {};
+for (const [format, input] of Object.entries(formats)) {
+  const {report} = await measure(input);
+  result.formats[format] = [report.input.file, report.input.atoms, report.exact.ses_area];
+}
+result.hints = [await said(() => measure(new Blob([text]))), await said(() => measure(Promise.resolve(text)))];
+result.noFormat = await said(() => measure("a letter to a friend"));
+result.wrongLine = await said(() => measure("ATOM      1  N   MET A   1      27.340  24.430   2.x14  1.00  9.67           N\n"));
+console.log(JSON.stringify(result));
+"""
+
 # The engine in this thread, so that its memory can be filled: addresses beyond 2 GB, and mistakes of the module itself.
 INSIDE = """
 const {readFileSync} = require("fs"), {runInThisContext} = require("vm");
@@ -150,12 +209,24 @@ class Package(unittest.TestCase):
         (folder / "1a0q.pdb.gz").write_bytes(gzip.compress(INPUT.read_bytes()))
         for name in ("1a0q.pdb", "1ubq.pdb"):
             shutil.copy(PROJECT / "examples" / name, folder)
-        cls.ours, cls.races, cls.inside = (cls.node(*script) for script in (
-            ("try.mjs", SCRIPT), ("races.mjs", RACES), ("inside.cjs", INSIDE)))
+        cls.write_other_formats(folder)
+        cls.ours, cls.races, cls.wrong, cls.inside = (cls.node(*script) for script in (
+            ("try.mjs", SCRIPT), ("races.mjs", RACES), ("wrong.mjs", WRONG), ("inside.cjs", INSIDE)))
         program("surface", "1a0q.pdb.gz", "--spacing", "0.8", "-o", "theirs.ply", "-o", "theirs.stl", "--report", "s.json",
                 folder=folder)
         program("measure", "1a0q.pdb.gz", "--between", "all", "--report", "m.json", folder=folder)
         program("measure", "1a0q.pdb.gz", "-o", "theirs.residues.csv", folder=folder)
+
+    @staticmethod
+    def write_other_formats(folder):
+        """1ubq.cif, 1ubq.gro with fewer digits, and an atom of known radius as one.pqr."""
+        program("measure", "1ubq.pdb", "-o", "1ubq.cif", folder=folder)
+        lines = [line for line in (folder / "1ubq.pdb").read_text(encoding="ascii").splitlines() if line.startswith("ATOM")]
+        rows = [f"{int(line[22:26]):5}{line[17:20]:5}{line[12:16].strip():>5}{int(line[6:11]):5}" +
+                "".join(f"{float(line[k:k + 8]) / 10:8.3f}" for k in (30, 38, 46)) for line in lines]
+        (folder / "1ubq.gro").write_text("\n".join(["Ubiquitin", str(len(rows)), *rows, "   1.0 1.0 1.0\n"]), encoding="ascii")
+        atom = "ATOM      1  CA  ALA A   1       1.000   2.000   3.000  0.5000 1.9080\n"
+        (folder / "one.pqr").write_text(atom, encoding="ascii")
 
     @classmethod
     def node(cls, name, script):
@@ -211,11 +282,45 @@ class Package(unittest.TestCase):
         self.assertEqual(self.races["kept"], ["more", "more"])
         self.assertEqual(self.races["abortedWhileRunning"], [aborted, "surface", aborted])
         self.assertEqual(self.races["abortedBefore"], [aborted])
-        self.assertEqual(self.races["closed"], [[2, "this surface has been closed"]])
+        (code, message), = self.races["closed"]
+        self.assertEqual(code, 2)
+        self.assertIn("this surface has been closed; ", message)
         self.assertEqual(self.races["shared"], ["surface", "measures"])
 
     def test_input_may_change_after_the_call(self):
         self.assertAlmostEqual(self.races["copied"], 50.26548245743669, 6)
+
+    def test_what_has_the_wrong_type_is_refused_in_a_line_that_names_it(self):
+        for begin, code, *message in self.wrong["refused"]:
+            with self.subTest(begin, message=message):
+                self.assertEqual(code, 2)
+                self.assertIn(begin, message[0])
+                self.assertTrue(message[0].startswith(begin) or begin.startswith("'"))
+                self.assertNotIn("\n", message[0])
+
+    def test_bytes_that_are_still_to_come_are_told_how_to_get(self):
+        hints = ("a Blob; await its arrayBuffer()", "a Promise; await it")
+        for (_, message), hint in zip(self.wrong["hints"], hints, strict=True):
+            self.assertTrue(message.endswith(hint), message)
+
+    def test_what_progress_throws_rejects_the_call_alone(self):
+        self.assertEqual(self.wrong["thrown"], [["RangeError", "mine"], ["RangeError", "later"]])
+        self.assertTrue(self.wrong["after"])
+
+    def test_content_tells_the_format_of_what_has_no_name(self):
+        for key, (file, atoms, _) in self.wrong["formats"].items():
+            self.assertEqual(file, "<data>", key)
+            self.assertEqual(atoms, {"pqr": 1, "xyzr": 1}.get(key, 602), key)
+        areas = {key: area for key, (_, _, area) in self.wrong["formats"].items()}
+        self.assertAlmostEqual(areas["xyzr"], 50.26548245743669, 6)
+        self.assertAlmostEqual(areas["pqr"], 4 * math.pi * 1.908 ** 2, 6)
+        self.assertEqual(areas["pdb"], areas["bom"])
+        self.assertAlmostEqual(areas["pdb"], areas["cif"], 6)
+        for key, words in (("noFormat", "neither PDB nor mmCIF"), ("wrongLine", ":1:47: ")):
+            code, message = self.wrong[key]
+            self.assertEqual(code, 3)
+            self.assertTrue(message.startswith("<data>"), message)
+            self.assertIn(words, message)
 
     def test_after_an_error_the_engine_goes_on(self):
         self.assertEqual(self.races["unsendable"][1], "measures")

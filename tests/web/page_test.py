@@ -12,6 +12,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -123,9 +124,16 @@ class MeniscusHtml(unittest.TestCase):
 
     def save(self, what, name):
         """The bytes that a button saves."""
+        self.begin_to_save(what)
+        return self.saved_file(name)
+
+    def begin_to_save(self, *what):
         for old in self.saved.iterdir():
             old.unlink()
-        self.js("document.querySelector(arguments[0]).click()", f'[data-save="{what}"]')
+        for word in what:
+            self.js("document.querySelector(arguments[0]).click()", f'[data-save="{word}"]')
+
+    def saved_file(self, name):
         end = time.monotonic() + 120
         while not (self.saved / name).exists() or list(self.saved.glob("*.crdownload")):
             if time.monotonic() > end:
@@ -139,13 +147,14 @@ class MeniscusHtml(unittest.TestCase):
         done = program("measure", source, *options, "--report", report, "--quiet")
         self.assertEqual(done.returncode, 0, done.stderr)
         expected = json.loads(report.read_text(encoding="utf-8"))["exact"]
-        actual = self.js("return meniscus.shown.report.exact")
+        actual = self.js("return meniscus.shown.result.report.exact")
         for key in EXACT:
             self.assertTrue(math.isclose(actual[key], expected[key], rel_tol=1e-9), f"{key}: {actual[key]} {expected[key]}")
         numbers = self.numbers()
-        self.assertEqual(numbers["Solvent-excluded surface, exact", "area"], f"{expected['ses_area']:.1f} Å²")
-        self.assertEqual(numbers["Solvent-excluded surface, exact", "volume"], f"{expected['ses_volume']:.1f} Å³")
-        self.assertEqual(numbers["Solvent-accessible surface, exact", "area"], f"{expected['sas_area']:.1f} Å²")
+        self.assertEqual(numbers["Solvent-excluded surface, exact", "area"], f"{expected['ses_area']:,.1f} Å²")
+        self.assertEqual(numbers["Solvent-excluded surface, exact", "volume"], f"{expected['ses_volume']:,.1f} Å³")
+        self.assertEqual(numbers["Solvent-accessible surface, exact", "area"], f"{expected['sas_area']:,.1f} Å²")
+        self.assertIn(f"{expected['ses_area']:,.1f} Å²", self.text("#key-numbers"), "as in the table")
         self.assertIn("±", self.text("#tables"))
 
     def test_the_example_is_one_click_away_and_has_the_numbers_of_the_program(self):
@@ -157,7 +166,7 @@ class MeniscusHtml(unittest.TestCase):
         severe = [entry for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"]
         self.assertEqual(severe, [])
         self.assertEqual(self.js("return document.querySelector('#remark-list').textContent"),
-                         "58 waters left out (keep them with “waters, too”)")
+                         "58 waters left out (keep them with “Waters: keep”)")
 
     def test_nothing_is_fetched(self):
         self.click("#example")
@@ -173,10 +182,10 @@ class MeniscusHtml(unittest.TestCase):
         self.drop(self.ubiquitin, self.folder / "zipped.pdb.gz", ROOT / "fuzz" / "seeds" / "bcif" / "small.bcif")
         self.shown("1ubq.pdb")
         self.assertEqual(self.js("return document.querySelectorAll('#file-list li').length"), 3)
-        plain = self.js("return meniscus.shown.report.exact.ses_area")
+        plain = self.js("return meniscus.shown.result.report.exact.ses_area")
         self.click("#file-list li:nth-child(2) button")
         self.shown("zipped.pdb.gz")
-        self.assertEqual(self.js("return meniscus.shown.report.exact.ses_area"), plain)
+        self.assertEqual(self.js("return meniscus.shown.result.report.exact.ses_area"), plain)
         self.click("#file-list li:nth-child(3) button")
         self.shown("small.bcif")
         self.click("#file-list li:nth-child(1) button")
@@ -185,18 +194,18 @@ class MeniscusHtml(unittest.TestCase):
 
     def test_options_are_heeded(self):
         self.set("#probe", "1.2")
-        self.js("document.querySelector('#waters').click()")
+        self.set("#waters", "true")
         self.set("#radii", "bondi")
         self.set("#spacing", "0.8")
         self.drop(self.ubiquitin)
         self.shown("1ubq.pdb")
         self.expect_exact(self.ubiquitin, "--probe", "1.2", "--waters", "--radii", "bondi")
-        self.assertEqual(self.js("return meniscus.shown.report.options.spacing"), 0.8)
+        self.assertEqual(self.js("return meniscus.shown.result.report.options.spacing"), 0.8)
         self.js("document.querySelector('#settings').open = true")
         self.assertTrue(self.js("return document.querySelector('#compute').disabled"))
         self.set("#probe", "1.4")
         self.click("#compute")
-        self.wait("meniscus.shown.report.input.probe === 1.4 && !meniscus.run")
+        self.wait("meniscus.shown.result.report.input.probe === 1.4 && !meniscus.run")
 
     def test_an_option_that_makes_no_sense_is_said(self):
         self.drop(self.ubiquitin)
@@ -206,6 +215,69 @@ class MeniscusHtml(unittest.TestCase):
         self.js("document.querySelector('#options').requestSubmit()")
         self.wait("!document.getElementById('failure').hidden")
         self.assertIn("chain A and and", self.text("#failure"))
+
+    def test_fields_take_the_numbers_that_the_engine_takes(self):
+        for name, value in (("probe", "1.45"), ("probe", "0"), ("probe", "25"), ("spacing", "0.33"), ("spacing", "3.5")):
+            self.set("#" + name, value)
+            self.assertEqual(self.js("return [document.querySelector('#options').checkValidity(), Settings.read()[arguments[0]]]",
+                                     name), [True, float(value)])
+
+    def test_options_that_notes_name_are_fields(self):
+        one = "MODEL {0:8d}\nATOM      1  CA  GLY A   1      {0:6.3f}   0.000   0.000  1.00 10.00           C\nENDMDL\n"
+        (self.folder / "models.pdb").write_text("".join(one.format(i) for i in range(1, 4)), encoding="ascii")
+        self.drop(self.folder / "models.pdb")
+        self.shown("models.pdb")
+        self.assertIn("choose another with “Model”", self.text("#remark-list"))
+        self.js("document.querySelector('#settings').open = document.querySelector('#more').open = true")
+        self.set("#model", "2")
+        self.click("#compute")
+        self.wait("meniscus.shown.result.report.input.notes.some(n => n.includes('model 2 of 3'))")
+        self.js("document.querySelector('#settings').open = document.querySelector('#more').open = true")
+        self.click("#join")
+        self.click("#compute")
+        self.wait("meniscus.shown.result.report.input.atoms === 3 && !meniscus.run")
+        for said, shown in (
+                ("take all with model = join", "take all with “Model: all together”"),
+                ("choose one with altloc = ID)", "choose one with “Altloc”)"),
+                ("leave them out with waters = false, or keep them without this warning with waters = true)",
+                 "leave them out with “Waters: leave out always”, or keep them without this warning with “Waters: keep”)"),
+                ("keep them with radii = bondi)", "keep them with “Radii: bondi (1964)”)"),
+                ("leave them out with select = (!NA,CL))", "leave them out with “Select: (!NA,CL)”)"),
+                ("select = chain A and resi 3: understood as //A/3", "“Select: chain A and resi 3”: understood as //A/3"),
+                ("1 X; give others with radii = FILE", "1 X")):
+            self.assertEqual(self.js("return Settings.inFields(arguments[0])", said), shown)
+
+    def test_every_option_that_the_library_names_is_a_field(self):
+        named = {name for path in (ROOT / "src" / "structure").rglob("*.cpp")
+                 for name in re.findall(r'spelling\("(\w+)"', path.read_text(encoding="utf-8"))}
+        self.assertIn("altloc", named)
+        fields = set(self.js("return [...document.querySelectorAll('#options [id]')].map(e => e.id)")) | {"keep_waters"}
+        self.assertEqual(named - fields - {"strict_radii"}, set(), "strict radii are never asked for here")
+
+    def test_a_folder_is_refused_and_files_beside_it_are_taken(self):
+        folder = self.folder / "structures"
+        folder.mkdir(exist_ok=True)
+        self.drop(folder)
+        self.wait("!document.getElementById('failure').hidden")
+        self.assertIn("drop the files in it", self.text("#failure"))
+        self.assertEqual(self.js("return meniscus.items.length"), 0)
+        self.drop(folder, self.ubiquitin)
+        self.wait("document.body.dataset.shown === '1ubq.pdb'")
+        self.assertIn("structures", self.text("#failure"))
+        self.assertEqual(self.js("return meniscus.items.length"), 1)
+
+    def test_scales_have_digits_that_are_read(self):
+        for low, high, expected in ((2.0713, 36.1378, ["2.1", "19.1", "36.1"]), (2, 72.06, ["2.0", "37.0", "72.1"]),
+                                    (-5, 5, ["−5", "0", "5"]),
+                                    (0, 0.123456, ["0.000", "0.062", "0.123"]), (10, 10, ["10", "10", "10"])):
+            self.js("Panel.showLegend({title: '', ramp: ['#000000', '#ffffff'], min: arguments[0], max: arguments[1],"
+                    " entries: []})", low, high)
+            self.assertEqual(self.js("return [...document.querySelectorAll('#legend .ends span')].map(e => e.textContent)"),
+                             expected)
+
+    def test_the_start_names_every_format(self):
+        for name in ("PDB", "mmCIF", "BinaryCIF", "PDBQT", "PQR", "GROMACS", "xyzr", "xyzrn"):
+            self.assertIn(name, self.text("#drop").replace(",", " ").split(), name)
 
     def test_a_broken_file_gets_the_program_s_message(self):
         self.drop(self.folder / "broken.pdb")
@@ -228,18 +300,71 @@ class MeniscusHtml(unittest.TestCase):
         self.click("#compute")
         self.shown("1ubq.pdb")
 
+    def test_after_a_stop_the_result_that_was_there_is_whole(self):
+        self.drop(self.ubiquitin)
+        self.shown("1ubq.pdb")
+        before = self.text("#panel header") + self.text("#tables") + self.text("#file-list")
+        self.slow_computation()
+        self.assertIn("…", self.text("#file-list"))
+        self.click("#stop")
+        self.wait("document.getElementById('busy').hidden")
+        self.assertEqual(self.text("#panel header") + self.text("#tables") + self.text("#file-list"), before)
+        self.assertFalse(self.js("return document.getElementById('compute').disabled"), "the options are others still")
+
+    def slow_computation(self):
+        self.js("document.querySelector('#settings').open = true")
+        self.set("#spacing", "0.12")
+        self.click("#compute")
+        self.wait("meniscus.run && document.getElementById('progress').value > 0")
+
+    def test_what_is_shown_is_saved_whatever_else_is_computed_and_stopped(self):
+        self.drop(self.ubiquitin, self.folder / "zipped.pdb.gz")
+        self.shown("1ubq.pdb")
+        expected = self.save("stl", "1ubq.stl")
+        self.begin_to_save("stl", "obj")  # quickly, one after the other
+        self.assertEqual(self.saved_file("1ubq.stl"), expected)
+        self.assertGreater(len(self.saved_file("1ubq.obj")), 1000)
+        self.js("document.querySelector('#settings').open = true")
+        self.set("#spacing", "0.12")
+        self.click("#file-list li:nth-child(2) button")
+        self.wait("meniscus.run && document.getElementById('progress').value > 0")
+        self.assertIn("zipped.pdb.gz: ", self.text("#busy-text"))
+        self.assertEqual(self.save("stl", "1ubq.stl"), expected)
+        self.assertTrue(self.js("return Boolean(meniscus.run)"), "the other one is still being computed")
+        self.begin_to_save("stl", "atoms.csv")
+        self.click("#stop")
+        self.wait("document.getElementById('busy').hidden")
+        self.assertEqual(self.saved_file("1ubq.stl"), expected)
+        self.saved_file("1ubq.atoms.csv")
+        self.assertEqual(self.save("stl", "1ubq.stl"), expected)
+        self.assertTrue(self.js("return document.getElementById('failure').hidden"))
+        self.assertEqual(self.text("#compute"), "Compute zipped.pdb.gz")
+
+    def test_what_is_shown_is_saved_where_its_engine_has_made_room(self):
+        self.drop(self.ubiquitin)
+        self.shown("1ubq.pdb")
+        expected = self.save("stl", "1ubq.stl")
+        self.js("meniscus.release(meniscus.shown.result)")
+        self.begin_to_save("stl", "obj")
+        self.wait("!document.getElementById('busy').hidden")
+        self.assertIn("1ubq.pdb", self.text("#busy-text"))
+        self.assertEqual(self.saved_file("1ubq.stl"), expected)
+        self.saved_file("1ubq.obj")
+        self.wait("!meniscus.runs.length && document.getElementById('busy').hidden")
+        self.assertEqual(self.js("return meniscus.held.length"), 1, "computed once")
+
     def test_what_is_stopped_while_its_file_is_read_is_not_begun(self):
         self.js("""
             const bytes = await (await meniscus.example()).arrayBuffer();
             let reads = 0;
             meniscus.open([{name: "1ubq.pdb", arrayBuffer: async () => {
-              if (++reads === 2) meniscus.stop();   // the first time is for the estimate
+              if (++reads === 2) meniscus.stop(meniscus.run);   // the first time is for the estimate
               return bytes;
             }}]);
             while (reads < 2) await new Promise(resolve => setTimeout(resolve, 20));
-            await meniscus.engine.measure(bytes);   // its answer comes after those of all that has been begun""")
+            await meniscus.newEngine().measure(bytes);   // takes as long as what must not have been begun""")
         self.assertEqual(self.text("#file-list li span:last-child"), "stopped")
-        self.assertFalse(self.js("return Boolean(meniscus.items[0].content)"))
+        self.assertFalse(self.js("return Boolean(meniscus.items[0].result)"))
         self.assertTrue(self.js("return document.getElementById('busy').hidden"))
 
     def test_an_option_that_makes_no_sense_is_said_where_files_are_switched(self):
@@ -282,11 +407,11 @@ class MeniscusHtml(unittest.TestCase):
         self.shown("1ubq.pdb")
         self.assertEqual(self.save("png", "1ubq.png")[:8], b"\x89PNG\r\n\x1a\n")
         (self.folder / "page.html").write_bytes(self.save("html", "1ubq.html"))
-        report = self.js("return meniscus.shown.report")
+        report = self.js("return meniscus.shown.result.report")
         self.browser.get((self.folder / "page.html").as_uri())
         self.wait("document.body.dataset.ready === 'true'")
         self.assertEqual(self.js("return meniscus.data.mesh.corners.length / 3"), report["mesh"]["triangles"])
-        self.assertIn(f"{report['exact']['ses_area']:.1f} Å²", self.text("#numbers"))
+        self.assertIn(f"{report['exact']['ses_area']:,.1f} Å²", self.text("#numbers"))
         severe = [entry for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"]
         self.assertEqual(severe, [], "the policy of the page knows its scripts")
 
@@ -301,8 +426,8 @@ class MeniscusHtml(unittest.TestCase):
         report = self.folder / "interfaces.json"
         program("measure", source, "--between", "all", "--report", report, "--quiet")
         expected = json.loads(report.read_text(encoding="utf-8"))["interfaces"]
-        self.assertIn(f"{expected[0]['interface_area']:.1f}", self.text("#interface-list"))
-        cavities = [c for c in self.js("return meniscus.shown.report.components") if c["kind"] == "cavity"]
+        self.assertIn(f"{expected[0]['interface_area']:,.1f}", self.text("#interface-list"))
+        cavities = [c for c in self.js("return meniscus.shown.result.report.components") if c["kind"] == "cavity"]
         self.assertEqual(self.js("return document.querySelectorAll('#cavity-list tr').length"), len(cavities))
         if "MENISCUS_SCREENSHOTS" in os.environ:
             self.photograph(pathlib.Path(os.environ["MENISCUS_SCREENSHOTS"]))
@@ -331,6 +456,19 @@ class MeniscusHtml(unittest.TestCase):
         self.assertRegex(self.text("#question-text"), r"64,000 atoms.*\d+ (s|minutes).*\d GB")
         self.click("#question-no")
         self.wait("!meniscus.run && document.getElementById('question').hidden")
+        self.set("#spacing", "0.07")
+        self.click("#compute")
+        self.wait("!document.getElementById('question').hidden")
+        self.assertIn("Too large", self.text("#question"))
+        offered = self.text("#question-coarse").split()[1]
+        self.click("#question-coarse")
+        self.wait("document.getElementById('progress').value > 0 || !document.getElementById('failure').hidden")
+        self.assertTrue(self.js("return document.getElementById('failure').hidden && document.getElementById('question').hidden"),
+                        self.text("#failure"))
+        self.assertEqual(self.js("return document.querySelector('#spacing').value"), offered)
+        self.assertTrue(self.js("return document.querySelector('#options').checkValidity()"))
+        self.click("#stop")
+        self.wait("!meniscus.run")
 
     def test_everything_has_a_name_and_is_reached_by_keys(self):
         unnamed = """return [...document.querySelectorAll("input, select, button, progress, [role=img], canvas")].filter(e =>
@@ -364,6 +502,31 @@ class MeniscusHtml(unittest.TestCase):
             self.assertGreaterEqual(box[0], 0)
             self.assertLessEqual(box[1], width)
         self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+    def test_large_text_in_a_narrow_window_is_not_cut_off(self):
+        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": 320, "height": 640, "deviceScaleFactor": 1, "mobile": True})
+        self.addCleanup(self.browser.execute_cdp_cmd, "Emulation.clearDeviceMetricsOverride", {})
+        self.js("document.documentElement.style.fontSize = '200%'")
+        self.expect_all_within("#welcome, #tools")
+        self.drop(self.ubiquitin, self.folder / "zipped.pdb.gz")
+        self.shown("1ubq.pdb")
+        self.js("document.body.classList.remove('folded');"
+                "document.querySelector('#settings').open = document.querySelector('#more').open = true")
+        self.js("""
+            Tables.interfaces([{a: "A", b: "B", interface_area: 12345.6, buried_ses: 12345.6}]);
+            Panel.fillCavities([{volume: 1234.5, area: 1234.5}], "", () => {})""")
+        self.expect_all_within("#panel, #tools")
+        self.slow_computation()
+        self.expect_all_within("#busy, #panel")
+
+    def expect_all_within(self, selector):
+        self.assertEqual(self.js("""
+            return [...document.querySelectorAll(arguments[0])].flatMap(box => [...box.querySelectorAll("*")])
+                .filter(e => e.getClientRects().length && getComputedStyle(e).position !== "absolute")
+                .filter(e => e.getBoundingClientRect().right > innerWidth || e.getBoundingClientRect().left < 0
+                             || (e.id.endsWith("-box") && e.scrollWidth > e.clientWidth))
+                .map(e => e.outerHTML.slice(0, 80))""", selector), [])
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@
 "use strict";
 
 const App = (() => {
-  const {$, plain} = Panel;
+  const {$, plain, grouped} = Panel;
 
   const stages = {read: "Reading the file", estimate: "Estimating", geometry: "Rolling the probe over the atoms",
                   exact: "Measuring exactly", interfaces: "Measuring between chains", band: "Laying out the grid",
@@ -17,19 +17,24 @@ const App = (() => {
   const longWait = 60;          // seconds
   const muchMemory = 1500;      // MB
   const mostMemory = 3500;      // MB: WebAssembly addresses 4 GB
-  const kept = 3;               // surfaces that the engine holds for saving, the last ones shown
+  const heldMemory = 1500;      // MB: of surfaces that are kept for saving, beside the one that is shown
+  const leastMemory = 50;       // MB: of an engine with a small surface
 
   const isAbort = error => error.name === "AbortError";
 
+  const aborted = () => Object.assign(new Error("left"), {name: "AbortError"});
+
   class App {
-    /** engine: Meniscus; example: () => File */
-    constructor(engine, example) {
-      this.engine = engine;
+    /** newEngine: () => Meniscus, with a worker of its own; example: () => File */
+    constructor(newEngine, example) {
+      this.newEngine = newEngine;
       this.example = example;
-      this.items = [];
-      this.current = null;
+      this.items = [];       // files: {file, name, failed, result}
+      this.current = null;   // the item that was chosen last
+      this.shown = null;     // the item whose result is in the window
       this.page = null;
-      this.held = [];
+      this.runs = [];
+      this.held = [];        // results whose surfaces are in the memory of their engines, the last one used at the end
       this.listen();
       this.list();
       document.body.dataset.ready = "true";
@@ -39,7 +44,7 @@ const App = (() => {
 
     /** Takes files in and shows the first of them. */
     open(files) {
-      const items = [...files].map(file => ({file, name: file.name, state: "waiting", text: ""}));
+      const items = [...files].map(file => ({file, name: file.name}));
       if (items.length === 0) return;
       this.items.push(...items);
       this.choose(items[0]);
@@ -47,6 +52,7 @@ const App = (() => {
 
     choose(item) {
       if (this.run && this.run.item === item) return;
+      this.closeNotices();
       this.current = item;
       this.list();
       return this.isUpToDate(item) ? this.show(item) : this.compute(item);
@@ -56,110 +62,115 @@ const App = (() => {
     asked() { return JSON.stringify(Settings.read()); }
 
     /** Whether an item has been computed with the options of the form. Options that make no sense are said when they are used. */
-    isUpToDate(item) {
+    isUpToDate({result}) {
       try {
-        return Boolean(item.content) && item.asked === this.asked();
+        return Boolean(result) && result.asked === this.asked();
       } catch {
         return false;
       }
     }
 
-    // Computing. this.run is what is being computed: {item, stopped}; stopped: AbortController.
+    // Computing. A run is {item, engine, stopped, ...}: an engine of its own computes the surface of an item. Stopping it
+    // leaves all other engines alone, so that what is shown stays whole and can be saved. this.run, if there is one, will be
+    // shown; other runs of this.runs are for files to save.
 
-    begin(item) {
-      this.stop();
-      return this.run = {item, stopped: new AbortController()};
+    begin(item, title) {
+      const run = {item, title, engine: this.newEngine(), stopped: new AbortController()};
+      this.runs.push(run);
+      this.progress(run, {stage: "read", fraction: 0});
+      return run;
     }
 
     async compute(item) {
-      this.closeNotices();
-      const run = this.begin(item);
-      this.progress({stage: "read", fraction: 0});
-      Object.assign(item, {state: "running", text: "…"});
+      this.stop(this.run);
+      const run = this.run = this.begin(item, this.shown && item !== this.shown ? item.name + ": " : "");
+      item.failed = null;
       this.list();
       try {
-        await this.agreed(item);
-        if (this.run !== run) return;
-        await this.surfaceOf(item, Settings.read());
-        if (this.run !== run) return;
-        this.finish(item);
+        const result = await this.computed(run, await this.agreed(run));
+        if (item.result) this.release(item.result);
+        item.result = result;
+        this.hold(result);
+        if (item === this.current) this.show(item);
       } catch (error) {
-        if (this.run === run) this.fail(item, error);
-      } finally {
-        if (this.run === run) this.run = null;
-        if (!this.run) $("busy").hidden = true;
-        this.list();
+        const stopped = isAbort(error) || run.stopped.signal.aborted;
+        item.failed = stopped ? "stopped" : "failed";
+        if (!stopped) this.complain(item.name, error);
+      }
+      this.end(run);
+    }
+
+    /** The options, after a question where it would take long; rejects where that is declined, or what is asked for cannot be. */
+    async agreed(run) {
+      const {item, engine, stopped: {signal}} = run;
+      for (let answer = null; ;) {
+        const options = Settings.read();
+        const cost = await engine.estimate(await bytesOf(item), {...options, name: item.name, signal});
+        cost.seconds += secondsPerVertex * cost.vertices;
+        run.megabytes = cost.megabytes;
+        run.expected = cost.seconds >= 5 ? `, about ${duration(cost.seconds)} in all` : "";
+        if (cost.seconds <= longWait && cost.megabytes <= muchMemory) return options;
+        if (answer === null || cost.megabytes > mostMemory) answer = await this.question(item, cost, options.spacing);
+        else answer = "go";   // to a coarser mesh, as the answer was
+        if (answer === "no") throw aborted();
+        if (answer === "go") {
+          for (const other of this.held) this.release(other);   // it may need their memory
+          return options;
+        }
+        $("spacing").value = coarser(options.spacing, cost.megabytes);
       }
     }
 
-    /** Asks first where it would take long; rejects where that is declined, or what is asked for cannot be. */
-    async agreed(item) {
-      const options = Settings.read(), {signal} = this.run.stopped;
-      const cost = await this.engine.estimate(await bytesOf(item), {...options, name: item.name, signal});
-      cost.seconds += secondsPerVertex * cost.vertices;
-      item.expected = cost.seconds >= 5 ? `, about ${duration(cost.seconds)} in all` : "";
-      if (cost.seconds <= longWait && cost.megabytes <= muchMemory) return;
-      const answer = await this.question(item, cost, options.spacing);
-      if (answer === "no") throw Object.assign(new Error("left"), {name: "AbortError"});
-      if (answer === "coarse") $("spacing").value = coarser(options.spacing);
-      for (const other of this.held) this.release(other);   // it may need their memory
+    /** What is shown of a surface, and the means to ask for more of it; hold() it. */
+    async computed(run, options) {
+      const {item, engine, megabytes, stopped: {signal}} = run;
+      const surface = await engine.surface(await bytesOf(item), {
+        ...options, name: item.name, signal, progress: p => this.progress(run, p)});
+      this.progress(run, {stage: "page", fraction: 0});
+      const {report, notes, warnings, interfaces} = surface, content = await surface.page({});
+      signal.throwIfAborted();
+      return {item, asked: JSON.stringify(options), content, report, notes, warnings, interfaces, megabytes, engine, surface};
     }
 
-    /** The live surface of an item, computed again where the engine no longer holds it. */
-    async surfaceOf(item, options) {
-      const asked = JSON.stringify(options), {signal} = this.run.stopped;
-      if (item.surface && item.asked === asked) return item.surface;
-      this.release(item);
-      const surface = await this.engine.surface(await bytesOf(item), {
-        ...options, name: item.name, signal, progress: p => this.progress(p)});
-      this.progress({stage: "page", fraction: 0});
-      item.content = await surface.page({});
-      Object.assign(item, {surface, asked, report: surface.report, notes: surface.notes, warnings: surface.warnings,
-                           interfaces: surface.interfaces});
-      this.hold(item);
-      return surface;
+    /** Keeps the surface of a result for saving; others, of what is not shown, make room. */
+    hold(result) {
+      this.held.push(result);
+      let room = heldMemory;
+      for (const other of [...this.held].reverse()) {
+        room -= Math.max(other.megabytes, leastMemory);
+        if (room < 0 && other !== result && !(this.shown && other === this.shown.result)) this.release(other);
+      }
     }
 
-    hold(item) {
-      this.held.push(item);
-      while (this.held.length > kept) this.release(this.held[0]);
+    /** Ends the engine of a result, after what is being saved. */
+    release(result) {
+      const {engine, answered} = result;
+      if (!engine) return;
+      Promise.resolve(answered).catch(() => {}).then(() => engine.stop());
+      result.engine = result.surface = null;
+      this.held = this.held.filter(other => other !== result);
     }
 
-    release(item) {
-      if (item.surface) item.surface.close();
-      item.surface = null;
-      this.held = this.held.filter(other => other !== item);
+    /** Stops a run, if there is one, also while its file is read. */
+    stop(run) {
+      if (!run) return;
+      run.stopped.abort();
+      run.engine.stop();
+      this.end(run);
     }
 
-    /** Ends what is being computed; the engine forgets its surfaces, and pages stay what they are. */
-    stop() {
-      if (!this.run) return;
-      const {item, stopped} = this.run;
-      this.run = null;
-      stopped.abort();   // also where a file is still being read
-      this.engine.stop();
-      for (const other of this.held) other.surface = null;
-      this.held = [];
-      if (!item.content) Object.assign(item, {state: "stopped", text: "stopped"});
-      $("busy").hidden = true;
+    end(run) {
+      this.runs = this.runs.filter(other => other !== run);
+      if (this.run === run) this.run = null;
+      if (!this.held.some(({engine}) => engine === run.engine)) run.engine.stop();
+      this.drawProgress();
       this.list();
-    }
-
-    finish(item) {
-      Object.assign(item, {state: "ready", text: item.report.input.atoms.toLocaleString("en") + " atoms"});
-      if (item === this.current) this.show(item);
-    }
-
-    fail(item, error) {
-      if (isAbort(error)) return Object.assign(item, {state: "stopped", text: "stopped"});
-      Object.assign(item, {state: "failed", text: "failed"});
-      this.complain(item.name, error);
     }
 
     complain(title, error) {
       console.warn(error);
       $("failure-title").textContent = title;
-      $("failure-text").textContent = error.message;
+      $("failure-text").textContent = Settings.inFields(error.message);
       $("failure").hidden = false;
     }
 
@@ -170,50 +181,57 @@ const App = (() => {
 
     question(item, {atoms, seconds, megabytes}, spacing) {
       const possible = megabytes <= mostMemory, gigabytes = plain(megabytes / 1024, 1);
-      $("busy").hidden = true;
       $("question-title").textContent = possible ? "This one takes a while" : "Too large for a browser at this spacing";
       $("question-text").textContent =
-        `${item.name} has ${atoms.toLocaleString("en")} atoms. At a spacing of ${spacing} Å they take about ` +
+        `${item.name} has ${grouped(atoms)} atoms. At a spacing of ${spacing} Å they take about ` +
         `${duration(seconds)} and ${gigabytes} GB of memory` +
         (possible ? "." : "; a page has 4 GB at most. A coarser mesh needs less, and the exact numbers stay the same.");
       $("question-go").hidden = !possible;
-      $("question-coarse").textContent = `Use ${coarser(spacing)} Å`;
+      $("question-coarse").textContent = `Use ${coarser(spacing, megabytes)} Å`;
       $("question").hidden = false;
       $(possible ? "question-go" : "question-coarse").focus();
       return new Promise(resolve => {
         this.answer = answer => {
           this.answer = null;
           $("question").hidden = true;
-          $("busy").hidden = false;
+          this.drawProgress();
           resolve(answer);
         };
+        this.drawProgress();
       });
     }
 
-    progress({stage, fraction}) {
-      const text = (stages[stage] || stage) + (this.run && this.run.item.expected || "");
-      $("busy").hidden = false;
-      if ($("busy-text").textContent !== text) $("busy-text").textContent = text;   // read aloud once
-      $("progress").value = fraction;
+    progress(run, {stage, fraction}) {
+      Object.assign(run, {text: run.title + (stages[stage] || stage) + (run.expected || ""), fraction});
+      this.drawProgress();
+    }
+
+    /** Of the run that has begun last. */
+    drawProgress() {
+      const run = this.runs.at(-1);
+      $("busy").hidden = !run || Boolean(this.answer);
+      if (!run) return;
+      if ($("busy-text").textContent !== run.text) $("busy-text").textContent = run.text;   // read aloud once
+      $("progress").value = run.fraction;
     }
 
     // Showing.
 
     show(item) {
-      this.closeNotices();
-      const data = Decode.decode(item.content.data), theme = document.documentElement.dataset.theme;
+      const {content, report, interfaces} = item.result;
+      const data = Decode.decode(content.data), theme = document.documentElement.dataset.theme;
       if (this.page) this.page.dispose();
       document.body.classList.remove("empty");
       this.renderer = this.renderer || Page.renderer();
       this.page = new Page(data, this.renderer);
       if (theme) this.page.setTheme(theme);
-      document.title = item.content.title;
+      document.title = content.title;
       $("name").textContent = data.info.name;
       $("view").setAttribute("aria-label", `The surface of ${data.info.name}. Drag or use the arrow keys to rotate it.`);
-      Tables.numbers(data.info.rows, item.report.exact ? item.report.exact.errors : {});
-      Tables.keyNumbers(item.report, data.info.cavities.length);
-      Tables.interfaces(item.interfaces);
-      Tables.remarks(item);
+      Tables.numbers(data.info.rows, report.exact ? report.exact.errors : {});
+      Tables.keyNumbers(report, data.info.cavities.length);
+      Tables.interfaces(interfaces);
+      Tables.remarks(item.result);
       $("settings").open = false;
       this.shown = item;
       this.list();
@@ -222,9 +240,18 @@ const App = (() => {
       document.body.dataset.shown = item.name;
     }
 
+    /** Marks the file that is shown, or is being computed to be shown. */
     list() {
-      Tables.files(this.items, this.current, item => this.choose(item));
+      const chosen = this.run && this.run.item === this.current ? this.current : this.shown || this.current;
+      Tables.files(this.items.map(item => ({name: item.name, ...this.stateOf(item)})), this.items.indexOf(chosen),
+                   i => this.choose(this.items[i]));
       this.offer();
+    }
+
+    stateOf(item) {
+      if (this.run && this.run.item === item) return {state: "running", text: "…"};
+      if (item.result) return {state: "ready", text: grouped(item.result.report.input.atoms) + " atoms"};
+      return {state: item.failed || "waiting", text: item.failed || "not computed yet"};
     }
 
     /** Offers to compute again where the options are others than those of what is shown. */
@@ -232,40 +259,39 @@ const App = (() => {
       const item = this.current;
       $("compute").hidden = !item || Boolean(this.run);
       if (!item) return;
-      $("compute").textContent = item.content ? "Compute again" : "Compute";
+      $("compute").textContent = item === this.shown ? "Compute again" : this.shown ? `Compute ${item.name}` : "Compute";
       $("compute").disabled = this.isUpToDate(item);
     }
 
-    // Saving.
+    // Saving: what is shown, whatever else is being computed.
 
     async save(kind) {
-      const item = this.shown, name = item.name.replace(/\.gz$/i, "").replace(/\.[^.]*$/, "") || "surface";
+      const {result} = this.shown, name = this.shown.name.replace(/\.gz$/i, "").replace(/\.[^.]*$/, "") || "surface";
       if (kind === "png") return this.page.save();
       try {
-        if (kind === "html") return Panel.download(new Blob([await this.asPage(item)], {type: "text/html"}), name + ".html");
-        const before = this.run, surface = item.surface || await this.again(item);
-        const bytes = await surface.file(kind);
-        if (this.run === before) $("busy").hidden = !this.run;
+        if (kind === "html") return Panel.download(new Blob([await this.asPage(result)], {type: "text/html"}), name + ".html");
+        if (!result.surface) await (result.again ||= this.again(result));
+        const bytes = await (result.answered = result.surface.file(kind));   // surfaces answer in the order of questions
         Panel.download(new Blob([bytes]), kind === "report.json" ? name + ".json" : `${name}.${kind}`);
       } catch (error) {
         if (!isAbort(error)) this.complain("Saving", error);
       }
     }
 
-    /** A surface that the engine has forgotten, with the options that it had. */
-    async again(item) {
-      const run = this.begin(item);
+    /** Computes a surface anew that has been let go, with the options that it had. */
+    async again(result) {
+      const run = this.begin(result.item, `To save ${result.item.name}: `);
       try {
-        return await this.surfaceOf(item, JSON.parse(item.asked));
+        const {engine, surface} = await this.computed(run, JSON.parse(result.asked));
+        this.hold(Object.assign(result, {engine, surface}));
       } finally {
-        if (this.run === run) this.run = null;
-        $("busy").hidden = true;
-        this.list();
+        result.again = null;
+        this.end(run);
       }
     }
 
-    async asPage(item) {
-      const {title, data} = item.content, {info} = this.page;
+    async asPage({content: {title, data}}) {
+      const {info} = this.page;
       return Saving.page({title, data, name: info.name, rows: info.rows, picture: await this.page.still(640, 480)});
     }
 
@@ -280,7 +306,7 @@ const App = (() => {
         input.value = "";
       });
       on("example", "click", async () => this.open([await this.example()]));
-      on("stop", "click", () => this.stop());
+      on("stop", "click", () => this.stop(this.runs.at(-1)));
       on("failure-close", "click", () => this.closeNotices());
       for (const answer of ["go", "coarse", "no"]) on("question-" + answer, "click", () => this.answer && this.answer(answer));
       for (const button of document.querySelectorAll("[data-save]"))
@@ -293,12 +319,21 @@ const App = (() => {
     }
 
     recompute() {
+      this.closeNotices();
       try {
         this.asked();
       } catch (error) {
         return this.complain("Options", error);
       }
       if (this.current) this.compute(this.current);
+    }
+
+    /** Takes what is dropped. A page that has been opened from a file may not look into folders. */
+    take({items, files}) {
+      const folders = [...items].filter(i => i.kind === "file").map(i => i.webkitGetAsEntry())
+                                .filter(e => e && e.isDirectory).map(e => e.name);
+      this.open([...files].filter(({name}) => !folders.includes(name)));
+      if (folders.length > 0) this.complain(folders.join(", "), new Error("A folder cannot be read: drop the files in it."));
     }
 
     listenToDrops() {
@@ -316,15 +351,24 @@ const App = (() => {
       on("dragover", e => { e.dataTransfer.dropEffect = "copy"; });
       on("drop", e => {
         depth = 0;
-        this.open(e.dataTransfer.files);
+        this.take(e.dataTransfer);
       });
     }
   }
 
-  const bytesOf = async item => new Uint8Array(await item.file.arrayBuffer());
+  async function bytesOf({file}) {
+    try {
+      return new Uint8Array(await file.arrayBuffer());
+    } catch {
+      throw new Error("the browser cannot read it any more: it has been moved, changed or removed; open it again");
+    }
+  }
 
-  /** The next spacing, Å, that needs much less. */
-  const coarser = spacing => spacing < 0.8 ? 0.8 : +(spacing * 1.5).toFixed(2);
+  /** The next spacing, Å, that needs much less, and fits into a browser: memory goes by its square. */
+  function coarser(spacing, megabytes) {
+    const fitting = Math.ceil(20 * spacing * Math.sqrt(megabytes / (0.9 * mostMemory))) / 20;
+    return Math.max(fitting, spacing < 0.8 ? 0.8 : +(spacing * 1.5).toFixed(2));
+  }
 
   const duration = seconds => seconds < 90 ? `${Math.ceil(seconds)} s` : `${Math.ceil(seconds / 60)} minutes`;
 

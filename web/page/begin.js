@@ -31,14 +31,14 @@
   }
 
   async function start() {
-    if (matchMedia("(max-width: 720px)").matches) document.body.classList.add("folded");
+    if (matchMedia("(max-width: 45rem)").matches) document.body.classList.add("folded");
     setTheme();
     offerNotices();
     if (!window.DecompressionStream || !window.WebAssembly) throw new Error("this browser is too old for it");
     const [wasm] = await Promise.all([Decode.embedded("wasm"), Page.loadThree()]);
-    const engine = new Meniscus({wasm: await WebAssembly.compile(wasm), worker: $("worker").textContent});
+    const files = {wasm: await WebAssembly.compile(wasm), worker: $("worker").textContent};
     for (const id of ["wasm", "worker"]) $(id).remove();   // a megabyte of text
-    window.meniscus = new App(engine, example);
+    window.meniscus = new App(() => new Meniscus(files), example);
   }
 
   start().catch(error => {

@@ -4,7 +4,7 @@
 "use strict";
 
 const Tables = (() => {
-  const {$, element, plain} = Panel;
+  const {$, element, grouped} = Panel;
 
   /** 3.5e-6 as "3.5·10⁻⁶" */
   function scientific(value) {
@@ -39,9 +39,9 @@ const Tables = (() => {
 
   /** What most want to know, beneath the name. */
   function keyNumbers({exact, mesh}, cavities) {
-    const grouped = value => Number(plain(value, 1)).toLocaleString("en", {minimumFractionDigits: 1});
-    const numbers = exact ? [["area", grouped(exact.ses_area) + " Å²"], ["volume", grouped(exact.ses_volume) + " Å³"]]
-                          : [["area of the mesh", grouped(mesh.area) + " Å²"], ["its volume", grouped(mesh.volume) + " Å³"]];
+    const [area, volume] = exact ? [exact.ses_area, exact.ses_volume] : [mesh.area, mesh.volume];
+    const numbers = [[exact ? "SES area" : "area of the mesh", grouped(area, 1) + " Å²"],
+                     [exact ? "SES volume" : "its volume", grouped(volume, 1) + " Å³"]];
     numbers.push(["cavities", String(cavities)]);
     $("key-numbers").replaceChildren(...numbers.map(([label, value]) => {
       const pair = element("div");
@@ -54,31 +54,26 @@ const Tables = (() => {
     $("interfaces").hidden = list.length === 0;
     $("interface-list").replaceChildren(...list.map(pair => {
       const row = element("tr");
-      row.append(element("td", `${pair.a} – ${pair.b}`), element("td", plain(pair.interface_area, 1)),
-                 element("td", plain(pair.buried_ses, 1)));
+      row.append(element("td", `${pair.a} – ${pair.b}`), element("td", grouped(pair.interface_area, 1)),
+                 element("td", grouped(pair.buried_ses, 1)));
       return row;
     }));
   }
 
-  // The engine names options as its callers set them; here they are fields.
-  const fields = [["waters = true", "“waters, too”"], ["hetero = ligands", "“also ligands”"],
-                  ["hetero = all", "“also ions and all else”"]];
-  const inFields = text => fields.reduce((changed, [option, field]) => changed.replace(option, field), text);
-
-  function remarks({notes = [], warnings = []}) {
+  function remarks({notes, warnings}) {
     $("remarks").hidden = notes.length + warnings.length === 0;
-    $("remark-list").replaceChildren(...warnings.map(text => element("li", inFields(text), {class: "warning"})),
-                                     ...notes.map(text => element("li", inFields(text))));
+    const entry = (text, attributes) => element("li", Settings.inFields(text), attributes);
+    $("remark-list").replaceChildren(...warnings.map(text => entry(text, {class: "warning"})), ...notes.map(text => entry(text)));
   }
 
-  /** items: {name, state, text}; chosen(i) when one is picked */
-  function files(items, current, chosen) {
+  /** items: {name, state, text}; marked: number of one; chosen(i) when one is picked */
+  function files(items, marked, chosen) {
     $("files").hidden = items.length === 0;
     $("file-list").replaceChildren(...items.map((item, i) => {
       const entry = element("li"), button = element("button", undefined, {type: "button", class: item.state});
       button.append(element("span", item.name), element("span", item.text));
-      if (item === current) button.setAttribute("aria-current", "true");
-      button.addEventListener("click", () => chosen(items[i]));
+      if (i === marked) button.setAttribute("aria-current", "true");
+      button.addEventListener("click", () => chosen(i));
       entry.append(button);
       return entry;
     }));

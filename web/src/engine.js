@@ -27,8 +27,8 @@ class Engine {
 
   // Memory of the module. Its addresses, up to 4 GB, come out of it as signed numbers: `>>> 0` makes them what they are.
 
-  /** Calls f with the address of a text, which is freed afterwards. */
-  withText(text, f) { return this.withBytes(new TextEncoder().encode(text + "\0"), f); }
+  /** Calls f with the address of a text, which is freed afterwards; with 0 for a text that is not given. */
+  withText(text, f) { return text === undefined ? f(0) : this.withBytes(new TextEncoder().encode(text + "\0"), f); }
 
   /** Calls f with the address of a copy of an array, which is freed afterwards. */
   withBytes(bytes, f) {
@@ -88,15 +88,13 @@ class Engine {
     this.withText(name, n => this.withText(text, v => this.check(this.module._meniscus_options_set(handle, n, v))));
   }
 
-  /** input: bytes of a file, or {positions, radii} as Float64Array */
+  /** input: bytes of a file, whose content tells its format if it has no name, or {positions, radii} as Float64Array */
   structure(input, name, options) {
     const m = this.module;
     if (input instanceof Uint8Array)
       return this.withBytes(input, bytes => this.withText(name, n =>
         this.made(at => m._meniscus_parse(bytes, input.byteLength, n, options, at))));
     const {positions, radii} = input;
-    if (positions.length !== 3 * radii.length)
-      throw failure(2, `positions: ${positions.length} numbers for ${radii.length} radii; give x, y, z of each atom`);
     return this.withBytes(positions, p => this.withBytes(radii, r =>
       this.made(at => m._meniscus_from_spheres(radii.length, p, r, at))));
   }
@@ -199,7 +197,7 @@ class Engine {
   }
 
   page({number, colour = ""}) {
-    const {surface} = this.of(number);
+    const {surface} = this.held.get(number);
     const [at, size] = this.written(Uint32Array, 2, place =>
       this.check(this.withText(colour, c => this.module._meniscus_web_page(surface, c, place, place + 4))));
     try {
@@ -211,7 +209,7 @@ class Engine {
 
   /** A file as the program writes it: "ply", "glb" ..., "atoms.csv", "residues.json", "report.json". */
   file({number, kind}) {
-    const {surface, exact} = this.of(number), m = this.module;
+    const {surface, exact} = this.held.get(number), m = this.module;
     const [stem, suffix] = kind.split("."), per = tables[stem], path = "/" + (per ? "table." + suffix : "mesh." + kind);
     this.check(this.withText(path, p => per ? this.withText(per, w => m._meniscus_write_table(exact, w, p))
                                             : m._meniscus_web_write_mesh(surface, p)));
@@ -223,14 +221,8 @@ class Engine {
   }
 
   close({number}) {
-    this.free(this.of(number));
+    this.free(this.held.get(number));
     this.held.delete(number);
-  }
-
-  of(number) {
-    const held = this.held.get(number);
-    if (!held) throw failure(2, "this surface has been closed");
-    return held;
   }
 
   free({structure, exact, surface}) {

@@ -14,7 +14,7 @@ export interface Spheres {
 
 /** Which atoms are read, and with which radii; as the options of the program. */
 export interface ReadOptions {
-  /** Name of the file, which tells its format; else its content does. */
+  /** Name of the file, which tells its format and stands in messages; without it the content tells the format. */
   name?: string;
   radii?: "auto" | "bondi" | "united" | "protor" | "naccess" | "parse";
   hydrogens?: "auto" | "keep" | "drop";
@@ -24,39 +24,105 @@ export interface ReadOptions {
   model?: number | "join";
   assembly?: string;
   altloc?: string;
-  chains?: string[];
+  /** Chains to keep. */
+  chains?: string | string[];
+  /** Atoms to keep, in gemmi's syntax: "//A/10-50". */
   select?: string;
   strict_radii?: boolean;
 }
 
-export interface Options extends ReadOptions {
-  /** Probe radius, Å; 1.4. */
+// made by tools/make-reference
+/** Options of a surface by their names in the program's report. */
+export interface SurfaceOptions {
+  /** Probe radius, Å; 0 gives the van der Waals surface. Default: 1.4. */
   probe?: number;
-  surface?: "ses" | "sas" | "vdw";
-  /** flow: smooth (the default); direct: sharp ridges, faster; gaussian: the envelope of the Gaussian map. */
+  /** flow: a smooth surface, the steady state of the anchored flow, found in one solve; twice differentiable, with ridges
+   *  rounded at the scale of the grid. direct: the exact distance, with sharp ridges. gaussian: only the envelope of the
+   *  Gaussian map, which is not the solvent-excluded surface. Default: flow. */
   method?: "flow" | "direct" | "gaussian";
-  /** Grid spacing, Å; 0.5. Half of it makes 4 times as many triangles. */
+  /** Which surface: solvent-excluded, solvent-accessible (traced by the centre of the probe), or van der Waals (the same as
+   *  probe 0). With method="flow" or direct. Default: ses. */
+  surface?: "ses" | "sas" | "vdw";
+  /** Grid spacing, Å; time and memory grow as 1/H². With edge and without spacing, small surfaces whose corrected area would
+   *  be more than 0.5 % off are computed at 0.25 or 0.125 Å, unless their flow does not converge; summary and report say so.
+   *  Default: 0.5. */
   spacing?: number;
-  /** Even triangles with edges of this length, Å. */
-  edge?: number;
-  keep_ridges?: boolean;
-  adaptive?: boolean;
+  /** Which closed pieces the mesh keeps. Default: all. */
   components?: "all" | "outer" | "cavities";
-  /** Smaller cavities are left out, Å³. */
+  /** Drop cavities that enclose less than V Å³ and what lies in them; outer pieces stay. Default: 0. */
   min_cavity?: number;
-  /** Smaller cavities are filled, Å³. */
+  /** Drop cavities that enclose less than V Å³, and count their space as inside in volumes. Default: 0. */
   fill_cavities?: number;
+  /** Constant of the Gaussian map, Å⁻², negative; for method="gaussian", and for flows that start from the map (flow="paper",
+   *  flow="parallel" or a finite time_step). Default: -0.5. */
+  density?: number;
+  /** Which flow; the options below modify it. Only anchored ends at the solvent-excluded surface; paper is the flow of Pan
+   *  and Tai. Default: anchored. */
+  flow?: "anchored" | "parallel" | "paper";
+  /** The curvature field: parallel, or paper for flow="paper". */
+  curvature?: "parallel" | "sharp" | "paper" | "paper-literal";
+  /** Strength of the anchor in units of 1/H²: 16 for anchored, else 0 (none). */
+  anchor?: number;
+  /** What makes the level set a signed distance again before each step: none for anchored, closest-point for parallel, paper
+   *  for paper. */
+  reinitialise?: "none" | "closest-point" | "paper" | "paper-literal" | "godunov";
+  /** Solver of the linear systems: richardson, or gmres for flow="paper". */
+  solver?: "richardson" | "cg" | "gmres";
+  /** The factor |∇Φ| of the curvature: unit, or computed for flow="paper". */
+  slope?: "unit" | "computed";
+  /** Time step in units of H²: inf (one solve) for anchored, else 1. */
+  time_step?: number | "inf";
+  /** Half-width of the band: unknowns are the nodes within K spacings of the surface; 3, or 4 for flow="paper". */
+  half_width?: number;
+  /** Maximum number of steps: 30 for anchored, else 100. */
+  max_steps?: number;
+  /** Stop when E spacings are left to go (anchored, 10⁻⁴), or when the speed is down to E (else, 10⁻² Å⁻¹). */
+  tolerance?: number;
+  /** Even triangles with edges near L Å, instead of those of the grid, whose spacing is at most 0.5 Å then; at least 97 % of
+   *  the edges are between 0.6 and 1.5 L. The topology stays that of the grid's mesh. A surface with folds narrower than L
+   *  all over (van der Waals surfaces with 2 Å, envelopes of gaussian) is refused: choose a smaller L. */
+  edge?: number;
+  /** The same as edge, given as vertices per Å²; use only one of the two. */
+  vertex_density?: number;
+  /** With edge: shorter edges where the surface bends more. */
+  adaptive?: boolean;
+  /** With edge: edges run along the creases of the surface. */
+  keep_ridges?: boolean;
+  /** With edge: where vertices lie. near: as near to the surface as keeps the triangles within 0.03 L² Å of it on average
+   *  (with 1 Å on molecules, vertices are 0.01 Å off on average), or balanced where nothing else is near enough. on-surface:
+   *  on the surface, wherever the triangles then are (0.037 Å off with 1 Å); with keep_ridges or method="gaussian", near
+   *  means this. balanced: so that the triangles lie on both sides of the surface (0.019 Å off; vertices 0.03 Å off).
+   *  Default: near. */
+  corners?: "near" | "on-surface" | "balanced";
+  /** With edge: cut handles, close tunnels and drop pieces narrower than an edge. */
+  simplify_topology?: boolean;
+  /** Keep a record of every step of the flow. */
+  history?: boolean;
+  /** Measure the area of the Gaussian map, too, where the flow can do without it. */
+  initial_area?: boolean;
+  /** Also find the angles, edges and aspect ratios of the triangles. */
+  quality?: boolean;
+  /** Measure how far mesh and exact surface are from each other between vertices, too. */
+  two_sided_distance?: boolean;
+  /** Refuse, before it starts, a run that would need more (exit code 5), in M or G; by default, the limit is the free memory
+   *  of the machine. */
+  memory?: number | string;
+  /** Also make the expensive self-checks: the mesh nowhere passes through itself, 20,000 points are on the correct side, the
+   *  exact measures are evaluated twice; exit code 6 if one fails. */
+  verify?: boolean;
+}
+// end
+
+export interface Options extends ReadOptions, SurfaceOptions {
   /** Also find the exact areas, volumes and cavities, each with its error; false. */
   exact?: boolean;
-  verify?: boolean;
   /** Also measure interfaces: true for all chains that touch, or "A,B:C". */
   interfaces?: boolean | string;
-  /** Further options of the program by their names in its reports. */
-  [option: string]: unknown;
   /** Stops the computation, which is rejected with the signal's reason (an error named "AbortError" unless it was given
    *  another one). Others that wait go on; surfaces that the engine keeps are lost as by stop() if it was running. */
-  signal?: AbortSignal;
-  /** Called while a surface is computed: the stage, and the fraction of it that is done, 0 to 1. */
+  signal?: AbortSignal | null;
+  /** Called while a surface is computed: the stage, and the fraction of it that is done, 0 to 1. What it throws stops the
+   *  computation as a signal does, and is what the call is rejected with. */
   progress?: (at: {stage: string; fraction: number}) => void;
 }
 
@@ -155,7 +221,7 @@ export interface Surface {
   /** What a page of the program shows, for its viewer; colour: the scheme that it begins with, "element" or another one of
    *  --color. Rejected with "AbortError" once the worker that computed the surface has been stopped. */
   page(options?: {colour?: string}): Promise<PageContent>;
-  /** A file as the program writes it. Rejected as page(). */
+  /** A file as the program writes it. Rejected as page(); both also after close(). */
   file(kind: FileKind): Promise<Uint8Array>;
   /** Frees what the engine keeps for page() and file(), which is as much memory as the mesh again; arrays and report stay. */
   close(): void;

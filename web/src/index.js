@@ -11,8 +11,8 @@ export class Meniscus {
   #worker = null;
   #calls = [];      // the first is the one that runs; the worker knows of no other
 
-  constructor({wasm, worker} = {}) {
-    this.#files = {wasm, worker};
+  constructor(given = {}) {
+    this.#files = plain("the files of the engine", given, "{wasm, worker}");
   }
 
   async measure(input, options = {}) {
@@ -34,9 +34,10 @@ export class Meniscus {
   }
 
   async #ask(call) {
-    const {signal} = call, abort = () => this.#abort(call);
+    const {signal, progress} = call, abort = () => this.#abort(call, signal.reason);
     if (signal?.aborted) throw signal.reason;
     const answer = new Promise((resolve, reject) => Object.assign(call, {resolve, reject}));
+    if (progress) call.progress = at => new Promise(done => done(progress(at))).catch(error => this.#abort(call, error));
     signal?.addEventListener("abort", abort);
     this.#calls.push(call);
     if (this.#calls.length === 1) this.#run(call);
@@ -65,9 +66,9 @@ export class Meniscus {
   }
 
   /** A computation cannot be interrupted: its worker is ended. Calls that wait are not concerned. */
-  #abort(call) {
+  #abort(call, reason) {
     if (this.#calls[0] === call) call.worker.end(aborted());
-    call.reject(call.signal.reason);
+    call.reject(reason);
     this.#leave(call);
   }
 
@@ -136,6 +137,7 @@ class EngineWorker {
 /** A surface: arrays of its own, and the means to ask the engine for more until close(). */
 class Surface {
   #ask;
+  #closed = false;
 
   constructor({report, ...arrays}, ask) {
     Object.assign(this, arrays);
@@ -147,19 +149,31 @@ class Surface {
     this.#ask = ask;
   }
 
-  async page({colour} = {}) {
+  async page(options = {}) {
+    const {colour = "", ...others} = plain("options", options, '{colour: "element"}'), [other] = Object.keys(others);
+    this.#checkOpen();
+    if (other !== undefined) throw usage(`there is no option '${other}' of a page; give {colour}`);
+    if (typeof colour !== "string") throw usage(`colour: must be the name of a scheme such as "element", not ${said(colour)}`);
     const {data} = await this.#ask({what: "page", colour});
     const info = JSON.parse(new TextDecoder().decode(data.subarray(4, 4 + new DataView(data.buffer).getUint32(0, true))));
     return {data, title: info.name + " · Meniscus", rows: info.rows ?? []};
   }
 
   async file(kind) {
+    this.#checkOpen();
+    if (!fileKinds.includes(kind)) throw usage(`kind: there is no file ${said(kind)}; choose one of ${fileKinds.join(", ")}`);
     if (kind === "report.json") return new TextEncoder().encode(JSON.stringify(this.report, null, 2) + "\n");
     return this.#ask({what: "file", kind});
   }
 
   close() {
+    if (this.#closed) return;
+    this.#closed = true;
     this.#ask({what: "close"}).catch(() => {});   // of a worker that has ended there is nothing to free
+  }
+
+  #checkOpen() {
+    if (this.#closed) throw usage("this surface has been closed; ask for pages and files before close(), or compute it again");
   }
 }
 
@@ -171,49 +185,129 @@ export const measure = (input, options) => (shared ??= new Meniscus()).measure(i
 /** surface() of that engine. */
 export const surface = (input, options) => (shared ??= new Meniscus()).surface(input, options);
 
+const fileKinds = ["ply", "obj", "stl", "off", "glb", "vtp", "report.json",
+                   ...["atoms", "residues", "chains", "cavities"].flatMap(table => [table + ".csv", table + ".json"])];
+
 const aborted = () => Object.assign(new Error("stopped"), {name: "AbortError"});
 
 /** What is asked of the engine. The input is copied: it is the caller's, who may change it while the call waits. */
-function callFor(what, input, {name, signal, progress, interfaces, ...options}) {
+function callFor(what, input, given) {
+  const {name, signal, progress, interfaces, ...options} = checkedOptions(given);
   if (interfaces) options.between = interfaces === true ? "all" : interfaces;
   const copy = copyOf(input), buffers = copy instanceof Uint8Array ? [copy.buffer] : [copy.positions.buffer, copy.radii.buffer];
   return {message: {what, input: copy, name, options}, buffers, signal, progress};
 }
 
 function copyOf(input) {
-  if (typeof input === "string") return new TextEncoder().encode(input);
-  if (input instanceof Uint8Array) return new Uint8Array(input);
-  if (input instanceof ArrayBuffer) return new Uint8Array(input.slice(0));
-  if (input?.positions && input?.radii)
-    return {positions: new Float64Array(input.positions), radii: new Float64Array(input.radii)};
-  throw Object.assign(new Error("give the text or the bytes of a structure file, or {positions, radii}"), {code: 2});
+  const type = typeOf(input);
+  if (type === "String") return new TextEncoder().encode(checkedText(input));
+  if (type === "Uint8Array") return new Uint8Array(input);
+  if (type === "ArrayBuffer") return new Uint8Array(input.slice(0));
+  if (type === "Object" && ("positions" in input || "radii" in input)) return copyOfSpheres(input);
+  const hint = type === "Promise" ? "; await it" : typeof input?.arrayBuffer === "function" ? "; await its arrayBuffer()" : "";
+  throw usage(`input: must be the text or the bytes of a structure file, or {positions, radii}, not ${said(input)}${hint}`);
 }
 
-const whereFilesLie = "it has to lie beside index.js, or be given to new Meniscus()";
+function copyOfSpheres(input) {
+  const radii = numbersOf("radii", input.radii, radius => radius > 0, "a finite number above 0");
+  const positions = numbersOf("positions", input.positions, () => true, "a finite number; write x, y, z of each sphere in a row");
+  const count = radii.length;
+  if (count === 0) throw usage("radii: must be those of at least one sphere");
+  if (positions.length !== 3 * count)
+    throw usage(`positions: must have x, y, z for each of ${count} radii, ${3 * count} numbers, not ${positions.length}`);
+  return {positions, radii};
+}
+
+function numbersOf(name, given, isRight, rule) {
+  if (typeof given !== "object" || !(given?.length >= 0)) throw usage(`${name}: must be an array of numbers, not ${said(given)}`);
+  return Float64Array.from(given, (value, i) => {
+    if (!Number.isFinite(value) || !isRight(value)) throw usage(`${name}: item ${i} is ${said(value)}; it must be ${rule}`);
+    return value;
+  });
+}
+
+// What callers may give. Errors say what they have given instead.
+
+const usage = message => Object.assign(new Error(message), {code: 2});
+
+/** "String", "Object", "Promise" ..., also of another page's or context's values. */
+const typeOf = value => Object.prototype.toString.call(value).slice(8, -1);
+
+function said(value) {
+  if (typeof value === "string") return JSON.stringify(value.length > 40 ? value.slice(0, 40) + "…" : value);
+  if (value === null || !["object", "function"].includes(typeof value)) return String(value);
+  return (/^[AEIO]/.test(typeOf(value)) ? "an " : "a ") + typeOf(value);
+}
+
+function plain(name, value, example) {
+  if (typeOf(value) !== "Object") throw usage(`${name}: must be an object such as ${example}, not ${said(value)}`);
+  const above = Object.getPrototypeOf(value);
+  if (above !== null && Object.getPrototypeOf(above) !== null)
+    throw usage(`${name}: must be a plain object such as ${example}; what it inherits would be overlooked`);
+  return value;
+}
+
+const optionRules = {
+  name: [value => typeof value === "string" && value !== "", 'the name of a file such as "1ubq.pdb"'],
+  signal: [value => typeof value.aborted === "boolean" && typeof value.addEventListener === "function", "an AbortSignal"],
+  progress: [value => typeof value === "function", "a function"],
+  interfaces: [value => ["boolean", "string"].includes(typeof value), 'true or the names of chains such as "A,B:C"'],
+};
+const otherRule = [value => ["string", "number", "boolean"].includes(typeof value) || Array.isArray(value),
+                   "a text, a number, true or false"];
+
+/** A copy of options without those that are undefined or null. */
+function checkedOptions(given) {
+  const all = Object.entries(plain("options", given, "{spacing: 0.5}"));
+  const options = all.filter(([, value]) => value !== undefined && value !== null);
+  for (const [name, value] of options) {
+    const [isRight, rule] = Object.hasOwn(optionRules, name) ? optionRules[name] : otherRule;
+    if (!isRight(value)) throw usage(`${name}: must be ${rule}, not ${said(value)}`);
+  }
+  return Object.fromEntries(options);
+}
+
+/** A text is what a file holds; beginners give its name. */
+function checkedText(text) {
+  if (text === "" || /\s/.test(text)) return text;
+  throw usage(`input: ${said(text)} is not the text of a structure file; read or fetch the file first, and give what it holds`);
+}
+
+// Bundlers know these expressions, as they stand here, and take the files along. The worker's is not within new Worker():
+// there they would build it anew as a module of theirs, which it is not.
+const files = {
+  "meniscus.wasm": () => new URL("./meniscus.wasm", import.meta.url),
+  "meniscus-worker.js": () => new URL("./meniscus-worker.js", import.meta.url),
+};
+const whereFilesLie = "it has to lie beside index.js or the bundle that holds it, or be given to new Meniscus()";
+
+/** A module of Node; its name is no literal, lest bundlers for browsers look for it. */
+const nodeModule = name => import(/* webpackIgnore: true */ /* @vite-ignore */ "node:" + name);
 
 async function moduleOf(wasm) {
   if (wasm instanceof WebAssembly.Module) return wasm;
-  const bytes = wasm ?? await fileBeside("meniscus.wasm");
+  const bytes = wasm ?? await loadedFile("meniscus.wasm");
   return WebAssembly.compile(bytes).catch(error => {
     throw new Error(`meniscus.wasm cannot be used: ${error.message}; ${whereFilesLie}`);
   });
 }
 
-async function fileBeside(name) {
-  const url = new URL(name, import.meta.url);
+async function loadedFile(name) {
+  let place = name;
   try {
-    if (isNode) return await (await import("node:fs/promises")).readFile(url);
+    const url = place = files[name]();
+    if (isNode) return await (await nodeModule("fs/promises")).readFile(url);
     const answer = await fetch(url);
     if (!answer.ok) throw new Error(`${answer.status} ${answer.statusText}`.trim());
     return await answer.arrayBuffer();
   } catch (error) {
-    throw new Error(`${url} cannot be loaded: ${error.message}; ${whereFilesLie}`);
+    throw new Error(`${place} cannot be loaded: ${error.message}; ${whereFilesLie}`);
   }
 }
 
 async function startWorker(script) {
-  if (isNode) return nodeWorker(script ?? String(await fileBeside("meniscus-worker.js")));
-  if (script === undefined) return new Worker(new URL("./meniscus-worker.js", import.meta.url));
+  if (isNode) return nodeWorker(script ?? String(await loadedFile("meniscus-worker.js")));
+  if (script === undefined) return new Worker(files["meniscus-worker.js"]());
   const url = URL.createObjectURL(new Blob([script], {type: "text/javascript"}));
   const worker = new Worker(url);
   URL.revokeObjectURL(url);
@@ -222,7 +316,7 @@ async function startWorker(script) {
 
 /** With the members of a browser's Worker. It keeps the program from ending only while it is asked something. */
 async function nodeWorker(script) {
-  const threads = await import("node:worker_threads");
+  const threads = await nodeModule("worker_threads");
   const worker = new threads.Worker(script, {eval: true});
   const port = {
     postMessage: (message, buffers) => {

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the worker hears and answers; engine.js, which stands before it in the same script, computes.
 
-/** The bytes of a file, unzipped, and its name, which tells the format; where none is given, the content tells it. */
+/** The bytes of a file, unzipped, and its name, if it has one. */
 async function fileOf({input, name}) {
   if (!(input instanceof Uint8Array)) return {input, name};
   const bytes = await unzipped(input);
-  return {input: bytes, name: (name ?? nameFor(bytes)).replace(/\.gz$/i, "")};
+  return {input: bytes, name: name?.replace(/\.gz$/i, "")};
 }
 
 async function unzipped(bytes) {
@@ -19,12 +19,6 @@ async function unzipped(bytes) {
   }
 }
 
-function nameFor(bytes) {
-  const head = new TextDecoder("latin1").decode(bytes.subarray(0, 4096));
-  if (/^\s*(#[^\n]*\n\s*)*data_/.test(head)) return "structure.cif";
-  return bytes[0] >= 0x80 ? "structure.bcif" : "structure.pdb";
-}
-
 /** The array buffers of an answer, which are handed over rather than copied. */
 function buffersOf(value, found = []) {
   if (ArrayBuffer.isView(value)) found.push(value.buffer);
@@ -35,7 +29,8 @@ function buffersOf(value, found = []) {
 
 /** An error as a message. What has no code is a mistake in the module, whose memory cannot be trusted any more. */
 function messageOf({message, code}) {
-  if (code !== undefined) return {error: {message, code}};
+  const inOurWords = message.replace(/^between: /, "interfaces: ");   // which is what the package calls this option
+  if (code !== undefined) return {error: {message: inOurWords, code}};
   return {error: {message: `the engine has failed: ${message || "an unknown exception"}; please report it`, code: 1}, broken: true};
 }
 
