@@ -122,12 +122,9 @@ void write_structure_copy(const std::string& path, const Structure& structure, s
 /// throws   as write_structure_copy()
 void write_pocket_atoms(const std::string& path, const Structure& structure, const Pockets& pockets);
 
-/// Writes the voxels of pockets, and what the ranking knows of its points, as arrays for numpy.load (.npz).
+/// Writes pockets, their voxels, and what the ranking knows of its points, as arrays for numpy.load (.npz).
 ///
-/// voxel_xyz (n, 3) float64; voxel_depth, voxel_probability, voxel_share float32; voxel_pocket int32, the index of the
-/// pocket, -1 for none; point_voxel (m,) int32, the indices of the voxels that have a place in the ranking; of these
-/// point_xyz, point_depth, point_probability and point_features (m, 43) float32; feature_names (43,) text; layout, the
-/// number 1.
+/// Their names and types are in docs/reference/pockets.md; indices are int32, -1 for none.
 /// throws   UsageError in a build without zlib; OutputError as write_mesh()
 void write_pocket_arrays(const std::string& path, const Pockets& pockets);
 

@@ -208,20 +208,32 @@ private:
     const Structure& structure_;
 };
 
-template <class T>
-void add_voxel_member(NpzWriter& npz, const std::string& name, const std::vector<PocketVoxel>& voxels,
-                      T PocketVoxel::*member) {
+template <class Row, class T>
+void add_member(NpzWriter& npz, const std::string& name, const std::vector<Row>& rows, T Row::*member) {
     std::vector<T> values;
-    values.reserve(voxels.size());
-    for (const PocketVoxel& voxel : voxels) values.push_back(voxel.*member);
+    values.reserve(rows.size());
+    for (const Row& row : rows) values.push_back(row.*member);
     npz.add(name, values);
 }
 
 // What voxels and points both have.
 void add_voxels(NpzWriter& npz, const std::string& prefix, const std::vector<PocketVoxel>& voxels) {
-    add_voxel_member(npz, prefix + "xyz", voxels, &PocketVoxel::position);
-    add_voxel_member(npz, prefix + "depth", voxels, &PocketVoxel::depth);
-    add_voxel_member(npz, prefix + "probability", voxels, &PocketVoxel::probability);
+    add_member(npz, prefix + "xyz", voxels, &PocketVoxel::position);
+    add_member(npz, prefix + "depth", voxels, &PocketVoxel::depth);
+    add_member(npz, prefix + "probability", voxels, &PocketVoxel::probability);
+}
+
+void add_pockets(NpzWriter& npz, const std::vector<Pocket>& pockets) {
+    add_member(npz, "pocket_score", pockets, &Pocket::score);
+    add_member(npz, "pocket_probability", pockets, &Pocket::probability);
+    add_member(npz, "pocket_volume", pockets, &Pocket::volume);
+    add_member(npz, "pocket_wall_area", pockets, &Pocket::wall_area);
+    add_member(npz, "pocket_depth", pockets, &Pocket::depth);
+    add_member(npz, "pocket_centre", pockets, &Pocket::centre);
+    add_member(npz, "pocket_deepest", pockets, &Pocket::deepest);
+    std::vector<std::uint32_t> cavity;
+    for (const Pocket& pocket : pockets) cavity.push_back(pocket.cavity ? 1 : 0);
+    npz.add("pocket_cavity", cavity);
 }
 
 }  // namespace
@@ -242,9 +254,10 @@ void write_npz(AtomicFile& file, const Mesh& mesh, const WriteOptions& options) 
 void write_pocket_arrays(const std::string& path, const Pockets& pockets) {
     AtomicFile file(path);
     NpzWriter npz(file);
+    add_pockets(npz, pockets.pockets);
     add_voxels(npz, "voxel_", pockets.voxels);
-    add_voxel_member(npz, "voxel_share", pockets.voxels, &PocketVoxel::share);
-    add_voxel_member(npz, "voxel_pocket", pockets.voxels, &PocketVoxel::pocket);
+    add_member(npz, "voxel_share", pockets.voxels, &PocketVoxel::share);
+    add_member(npz, "voxel_pocket", pockets.voxels, &PocketVoxel::pocket);
     std::vector<PocketVoxel> points;
     for (const std::uint32_t v : pockets.points) points.push_back(pockets.voxels[v]);
     npz.add("point_voxel", pockets.points);
