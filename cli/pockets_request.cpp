@@ -19,9 +19,6 @@ constexpr const char* kPocketsExamples =
     "  meniscus pockets 1abc.pdb -o pockets.pdb        as atoms for a viewer\n"
     "  meniscus pockets 1abc.pdb --hetero ligands      with ligands as a part of the wall";
 
-constexpr Words<VolumeContent, 2> kPocketFieldWords{
-    {{"pockets", VolumeContent::Pockets}, {"probability", VolumeContent::Probability}}};
-
 }  // namespace
 
 void add_pockets_options(CLI::App& command, PocketsRequest& request) {

@@ -175,7 +175,8 @@ class Words(unittest.TestCase):
     def test_types_have_the_words_of_the_library(self):
         for name, kind in (("hydrogens", _choices.Hydrogens), ("hetero", _choices.Hetero), ("per", _choices.Per),
                            ("field", _choices.Field), ("interpolation", _choices.Interpolation),
-                           ("color", _choices.ColorScheme)):
+                           ("color", _choices.ColorScheme), ("rank", _choices.PocketRank),
+                           ("pocket_field", _choices.PocketField)):
             self.assertEqual(typing.get_args(kind), _core.words[name], name)
 
     def told(self, call, *arguments, **options):
