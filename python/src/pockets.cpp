@@ -51,7 +51,7 @@ std::shared_ptr<FoundPockets> pockets_of(const Structure& structure, const py::d
 }
 
 template <class Row, class T>
-py::array column(const std::vector<Row>& rows, T Row::*member) {
+py::array column_of(const std::vector<Row>& rows, T Row::*member) {
     std::vector<T> values;
     values.reserve(rows.size());
     for (const Row& row : rows) values.push_back(row.*member);
@@ -59,48 +59,48 @@ py::array column(const std::vector<Row>& rows, T Row::*member) {
 }
 
 /// As the report has them, with what is too long for it.
-py::list descriptions(const FoundPockets& found, const Structure& structure) {
+py::list described_pockets(const FoundPockets& found, const Structure& structure) {
     py::list list = dicts_of(describe_pockets(found.pockets, structure));
     for (std::size_t i = 0; i < list.size(); ++i) {
         const Pocket& pocket = found.pockets.pockets[i];
         list[i]["deepest"] = object_of(pocket.deepest);
-        list[i]["wall_atoms"] = column(pocket.wall, &WallAtom::atom);
-        list[i]["wall_atom_areas"] = column(pocket.wall, &WallAtom::area);
+        list[i]["wall_atoms"] = column_of(pocket.wall, &WallAtom::atom);
+        list[i]["wall_atom_areas"] = column_of(pocket.wall, &WallAtom::area);
         list[i]["voxels"] = object_of(pocket.voxels);
     }
     return list;
 }
 
-py::dict voxels(const FoundPockets& found) {
+py::dict voxel_arrays(const FoundPockets& found) {
     using namespace py::literals;
     const std::vector<PocketVoxel>& all = found.pockets.voxels;
-    return py::dict("xyz"_a = column(all, &PocketVoxel::position), "share"_a = column(all, &PocketVoxel::share),
-                    "depth"_a = column(all, &PocketVoxel::depth),
-                    "probability"_a = column(all, &PocketVoxel::probability),
-                    "pocket"_a = column(all, &PocketVoxel::pocket));
+    return py::dict("xyz"_a = column_of(all, &PocketVoxel::position), "share"_a = column_of(all, &PocketVoxel::share),
+                    "depth"_a = column_of(all, &PocketVoxel::depth),
+                    "probability"_a = column_of(all, &PocketVoxel::probability),
+                    "pocket"_a = column_of(all, &PocketVoxel::pocket));
 }
 
-Table table_of(const FoundPockets& found, const Structure& structure) {
+Table table_of_pockets(const FoundPockets& found, const Structure& structure) {
     return pockets_table(describe_pockets(found.pockets, structure));
 }
 
-void save_atoms(const FoundPockets& found, const Structure& structure, const std::string& path) {
+void save_pocket_atoms(const FoundPockets& found, const Structure& structure, const std::string& path) {
     const py::gil_scoped_release release;
     write_pocket_atoms(path, structure, found.pockets);
 }
 
-void save_table(const FoundPockets& found, const Structure& structure, const std::string& path) {
+void save_pocket_table(const FoundPockets& found, const Structure& structure, const std::string& path) {
     const py::gil_scoped_release release;
-    write_table(path, table_of(found, structure));
+    write_table(path, table_of_pockets(found, structure));
 }
 
-void save_volume(const FoundPockets& found, const std::string& path, const std::string& field) {
+void save_pocket_volume(const FoundPockets& found, const std::string& path, const std::string& field) {
     const VolumeContent content = parse_word("field", field, kPocketFieldWords);
     const py::gil_scoped_release release;
     write_volume(path, pocket_volume(found.pockets, content), content);
 }
 
-void save_arrays(const FoundPockets& found, const std::string& path) {
+void save_pocket_arrays(const FoundPockets& found, const std::string& path) {
     const py::gil_scoped_release release;
     write_pocket_arrays(path, found.pockets);
 }
@@ -111,16 +111,18 @@ void bind_pockets(py::module_& module) {
     py::class_<FoundPockets, std::shared_ptr<FoundPockets>> type(module, "Pockets");
     type.def_property_readonly("totals", [](const FoundPockets& found) { return dict_of(found.pockets); });
     type.def_property_readonly("checks", [](const FoundPockets& found) { return dicts_of(found.checks); });
-    type.def_property_readonly("voxels", &voxels);
-    type.def("descriptions", &descriptions, py::arg("structure"));
+    type.def_property_readonly("voxels", &voxel_arrays);
+    type.def("descriptions", &described_pockets, py::arg("structure"));
     type.def(
         "table",
-        [](const FoundPockets& found, const Structure& structure) { return table_columns(table_of(found, structure)); },
+        [](const FoundPockets& found, const Structure& structure) {
+            return table_columns(table_of_pockets(found, structure));
+        },
         py::arg("structure"));
-    type.def("save_atoms", &save_atoms, py::arg("structure"), py::arg("path"));
-    type.def("save_table", &save_table, py::arg("structure"), py::arg("path"));
-    type.def("save_volume", &save_volume, py::arg("path"), py::arg("field"));
-    type.def("save_arrays", &save_arrays, py::arg("path"));
+    type.def("save_atoms", &save_pocket_atoms, py::arg("structure"), py::arg("path"));
+    type.def("save_table", &save_pocket_table, py::arg("structure"), py::arg("path"));
+    type.def("save_volume", &save_pocket_volume, py::arg("path"), py::arg("field"));
+    type.def("save_arrays", &save_pocket_arrays, py::arg("path"));
     def_pickle<FoundPockets>(type);
     module.def("pockets", &pockets_of, py::arg("structure"), py::arg("options"), py::arg("threads"));
 }

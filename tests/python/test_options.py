@@ -193,7 +193,8 @@ class Words(unittest.TestCase):
     def test_formats(self):
         ball = meniscus.surface([[0, 0, 0]], [2.0])
         for call, kind, more in ((ball.save, _choices.SurfaceFormat, ["vert"]), (ball.sample().save, _choices.PointFormat, []),
-                                 (ball.structure.save, _choices.AtomFormat, [])):
+                                 (ball.structure.save, _choices.AtomFormat, []),
+                                 (meniscus.pockets([[0, 0, 0]], [2.0]).save, _choices.PocketFormat, [])):
             suffixes = self.told(call, "a.gif").split()
             self.assertEqual(sorted(suffixes), sorted("." + word for word in [*typing.get_args(kind), *more]))
 
