@@ -392,7 +392,7 @@ def pockets(
     --------
     >>> best = meniscus.pockets("1ubq.pdb", count=3).pockets[0]
     >>> best.rank, best.cavity, best.residues[0]
-    (1, False, 'A:ARG 42')
+    (1, False, 'A:THR 7')
     """
     sizes, to_read = _as_the_ranking_was_fitted(atoms, radii, reading, dict(keywords))
     structure = as_structure(atoms, sizes, to_read, reading)
