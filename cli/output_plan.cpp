@@ -150,6 +150,11 @@ Output plan_history(const std::string& asked, const std::string& mark) {
     return {with_mark(asked, mark), find_kind(kHistorySuffixes, asked, "--history")};
 }
 
+Output plan_table(const char* option, const std::string& asked, const std::string& mark) {
+    find_kind(kHistorySuffixes, asked, option);
+    return {with_mark(asked, mark), OutputKind::Table};
+}
+
 std::string snapshot_path(const std::string& mesh, int step) {
     return with_mark(mesh, fmt::format("_step{:03}", step));
 }

@@ -58,6 +58,10 @@ std::vector<Output> plan_pockets_outputs(const std::vector<std::string>& asked, 
 /// throws   UsageError for a suffix other than .csv and .json
 Output plan_history(const std::string& asked, const std::string& mark);
 
+/// A table that an option of its own names.
+/// throws   UsageError for a suffix other than .csv and .json
+Output plan_table(const char* option, const std::string& asked, const std::string& mark);
+
 /// The mesh of a step beside the final one: "a.ply" -> "a_step007.ply".
 std::string snapshot_path(const std::string& mesh, int step);
 

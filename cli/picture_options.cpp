@@ -27,6 +27,9 @@ constexpr std::array kViews{
     NamedView{"left", {{-1, 0, 0}, {0, 1, 0}}}, NamedView{"right", {{1, 0, 0}, {0, 1, 0}}},
     NamedView{"top", {{0, 1, 0}, {0, 0, -1}}},  NamedView{"bottom", {{0, -1, 0}, {0, 0, 1}}},
 };
+/// What is drawn beside the surface: whether ligands are.
+constexpr Words<bool, 2> kDrawWords{{{"ligands", true}, {"none", false}}};
+
 /// Width and height, pixels; in half of it every legend has room.
 constexpr std::array kSmallestWithLegend{320, 240};
 
@@ -148,6 +151,10 @@ std::string describe(const Colour& c) {
 /// Notes that an option was given which pictures heed, some also pages.
 void note_given(PictureRequest& request, std::string_view name) {
     const bool of_pages = name == "--view" || name == "--perspective";
+    if (name == "--draw") {
+        request.shown_by = name;
+        return;
+    }
     (of_pages ? request.viewed_by : request.drawn_by) = name;
 }
 
@@ -227,6 +234,12 @@ void add_picture_options(CLI::App& command, PictureRequest& request) {
                      [&] { picture.projection = Projection::Perspective; });
     add_drawing_flag(command, request, {"--outline", rarely("Draw outlines where the surface ends")},
                      [&] { picture.outline = true; });
+    add_drawing(command, request,
+                {"--draw",
+                 rarely("Draw ligands beside the surface: ligands, none\n, as sticks and balls in pictures, pages and "
+                        "GLB: hetero groups but for waters, ions and what crystals are grown from"),
+                 "ligands|none", kDrawWords.front().first},
+                [&](const std::string& text) { request.ligands = parse_word("--draw", text, kDrawWords); });
     add_drawing_flag(command, request, {"--legend", "Add a legend of the colours"}, [&] { request.legend = true; });
 }
 
@@ -244,6 +257,7 @@ ordered_json report_picture(const PictureRequest& request, const Structure& stru
     }
     for (const char* name : {"view", "size", "background", "cut", "perspective", "outline", "depth_cue", "legend"})
         options[name] = nullptr;
+    options["draw"] = word_for(kDrawWords, request.ligands);
     if (!drawn) return options;
     const PictureOptions& picture = request.picture;
     options["view"] = request.view;

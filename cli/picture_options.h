@@ -19,10 +19,12 @@ struct PictureRequest {
     ColourOptions colours{};  ///< of meshes too
     PictureOptions picture;   ///< threads are those of the run
     bool legend = false;
+    bool ligands = true;        ///< --draw; of GLB, too
     std::string view = "auto";  ///< as asked for
     std::string cut{};          ///< as asked for
     std::string drawn_by{};     ///< an option that was given and that only pictures heed; empty if there is none
     std::string viewed_by{};    ///< one that pictures and pages heed
+    std::string shown_by{};     ///< one that pictures, pages and GLB heed
 };
 
 /// --color, --view, --size, --background, --cut, --perspective, --outline, --depth-cue, --legend. `request` must

@@ -8,11 +8,14 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <unordered_map>
+#include <utility>
 
 #include "meniscus/describe_pockets.h"
 #include "meniscus/volume_file.h"
 #include "meniscus/write.h"
 #include "messages.h"
+#include "pockets_places.h"
 #include "standard_output.h"
 #include "summary_text.h"
 
@@ -24,19 +27,35 @@ namespace {
 
 constexpr std::size_t kMostLining = 6;
 constexpr std::size_t kMostUnranked = 10;  // without a place in the ranking
+constexpr std::size_t kMostTracks = 10;
 
-std::string residues_of(const DescribedPocket& pocket) {
+std::string first_residues(const std::vector<std::string>& residues) {
     std::string text;
-    for (std::size_t i = 0; i < std::min(pocket.residues.size(), kMostLining); ++i)
-        text.append(text.empty() ? "" : ", ").append(one_line(pocket.residues[i]));
-    if (pocket.residues.size() > kMostLining) text += fmt::format(" + {}", pocket.residues.size() - kMostLining);
+    for (std::size_t i = 0; i < std::min(residues.size(), kMostLining); ++i)
+        text.append(text.empty() ? "" : ", ").append(one_line(residues[i]));
+    if (residues.size() > kMostLining) text += fmt::format(" + {}", residues.size() - kMostLining);
     return text;
+}
+
+// What only a given place has.
+std::string place_lines(const DescribedPocket& described) {
+    if (described.at.empty()) return "";
+    const Pocket& p = described.pocket;
+    std::string text = fmt::format("        at {}", one_line(described.at));
+    text += p.site == 0 ? ", which no site of the ranking is near" : fmt::format(", near site {} of the ranking", p.site);
+    if (described.ligand) {
+        const LigandFit& ligand = *described.ligand;
+        text += fmt::format("; {} of {} atoms inside, {:.0f} % of {:.1f} Å² buried", ligand.inside, ligand.atoms,
+                            100.0 * ligand.buried_area / std::max(ligand.area, 1e-9), ligand.area);
+    }
+    return text + "\n";
 }
 
 std::string row_of(const DescribedPocket& described) {
     const Pocket& p = described.pocket;
     return fmt::format("  {:>5} {:>8.2f} {:>6.2f} {:>10.1f} {:>9.1f} {:>8.1f} {:>7}  {}\n", p.rank, p.score,
-                       p.probability, p.volume, p.wall_area, p.depth, p.cavity ? "cavity" : "", residues_of(described));
+                       p.probability, p.volume, p.wall_area, p.depth, p.cavity ? "cavity" : "", first_residues(described.residues)) +
+           place_lines(described);
 }
 
 bool is_nucleotide(const Residue& residue) {
@@ -44,9 +63,38 @@ bool is_nucleotide(const Residue& residue) {
     return std::find(kNames.begin(), kNames.end(), residue.name) != kNames.end();
 }
 
+// Numbers for atoms that are the same in all models, by their names.
+class AtomNumbers {
+public:
+    std::vector<std::uint32_t> of(const Structure& structure) {
+        std::vector<std::uint32_t> numbers;
+        numbers.reserve(structure.labels.size());
+        for (const AtomLabel& atom : structure.labels) {
+            const std::string key = residue_label(structure.residues[atom.residue]) + " " + atom.name;
+            const auto next = static_cast<std::uint32_t>(residues_.size());
+            const auto [found, is_new] = numbers_.try_emplace(key, next);
+            if (is_new) residues_.push_back(structure.residues[atom.residue]);
+            numbers.push_back(found->second);
+        }
+        return numbers;
+    }
+
+    const Residue& residue(std::uint32_t number) const { return residues_[number]; }
+
+private:
+    std::unordered_map<std::string, std::uint32_t> numbers_;
+    std::vector<Residue> residues_;  // of each number
+};
+
+std::string spread_text(const Spread& spread) { return fmt::format("{:.1f} ± {:.1f}", spread.mean, spread.deviation); }
+
 class PocketsRun : public StructureRun {
 public:
-    explicit PocketsRun(const PocketsRequest& request) : StructureRun(request, request.run.threads), request_(request) {}
+    explicit PocketsRun(const PocketsRequest& request) : StructureRun(request, request.run.threads), request_(request) {
+        if (!request.over_models.empty() && !request.all_models)
+            throw UsageError("--over-models: compares models; add --model all");
+        if (!request.over_models.empty()) plan_table("--over-models", request.over_models, "");
+    }
 
 private:
     std::vector<Output> plan(const std::string& /*name*/, const std::string& mark) const override {
@@ -58,12 +106,76 @@ private:
         Stopwatch watch;
         RunOptions run = request_.run;
         run.progress = [this](std::string_view stage, double fraction) { show(stage, fraction); };
-        const ExactSurface exact(job.structure.atoms, {SurfaceKind::Ses, request_.pockets.probe});
-        pockets_ = find_pockets(exact, atom_classes(job.structure), request_.pockets, run);
+        const PlacesOfRun at = read_places(request_, job.structure, job.model);
+        for (const std::string& line : at.warnings) warn(input_label(job.structure.file) + ": --at: " + line);
+        PocketOptions options = request_.pockets;
+        for (const NamedPlace& place : at.places) options.places.push_back(place.place);
+        const ExactSurface exact(job.structure.atoms, {SurfaceKind::Ses, options.probe});
+        pockets_ = find_pockets(exact, atom_classes(job.structure), options, run);
         agreed_ = exact.measures().agreed;
         disputed_ = exact.measures().disputed;
-        described_ = describe_pockets(pockets_, job.structure);
+        described_ = describe_pockets(pockets_, job.structure, at.places);
+        say_which_places_are_empty(job);
+        if (request_.all_models) follow(job.structure);
         seconds_ = watch.lap();
+    }
+
+    void say_which_places_are_empty(const Job& job) {
+        for (const DescribedPocket& pocket : described_)
+            if (!pocket.at.empty() && pocket.pocket.voxels.empty())
+                note(fmt::format("{}: --at: there is no pocket space at {}", input_label(job.structure.file),
+                                 one_line(pocket.at)));
+    }
+
+    void follow(const Structure& structure) {
+        const std::vector<std::size_t> tracks = tracks_.add(pockets_, numbers_.of(structure));
+        for (std::size_t i = 0; i < tracks.size(); ++i) described_[i].track = tracks[i] + 1;
+    }
+
+    // Those in most models first, of these the ones that look most like the places of ligands.
+    std::vector<DescribedTrack> described_tracks() const {
+        std::vector<DescribedTrack> tracks;
+        for (PocketTrack& track : tracks_.tracks()) {
+            std::vector<std::string> residues;
+            for (const WallAtom& atom : track.wall) {
+                if (atom.area <= kLiningArea) continue;
+                const std::string label = residue_label(numbers_.residue(atom.atom));
+                if (std::find(residues.begin(), residues.end(), label) == residues.end()) residues.push_back(label);
+            }
+            tracks.push_back({std::move(track), tracks.size() + 1, std::move(residues)});
+        }
+        std::stable_sort(tracks.begin(), tracks.end(), [](const DescribedTrack& a, const DescribedTrack& b) {
+            const auto key = [](const DescribedTrack& t) {
+                return t.track.score.mean * static_cast<double>(t.track.models);
+            };
+            return key(a) != key(b) ? key(a) > key(b) : a.track.models > b.track.models;
+        });
+        return tracks;
+    }
+
+    std::string file_of_all() const override { return request_.over_models; }
+
+    void write_of_all() const override {
+        if (!request_.over_models.empty())
+            write_table(request_.over_models, tracks_table(described_tracks(), tracks_.models()));
+    }
+
+    std::string summary_of_all() const override {
+        if (!request_.all_models) return "";
+        std::string text = fmt::format("over {}:\n  {:>5} {:>7} {:>5} {:>14} {:>16} {:>14}  lined by\n",
+                                       counted(tracks_.models(), "model", "models"), "track", "models", "open", "score",
+                                       "volume/Å³", "mouth/Å");
+        std::size_t rows = 0;
+        const std::vector<DescribedTrack> tracks = described_tracks();
+        for (const DescribedTrack& d : tracks) {
+            if (rows++ == kMostTracks) break;
+            text += fmt::format("  {:>5} {:>7} {:>5} {:>14} {:>16} {:>14}  {}\n", d.number, d.track.models, d.track.open,
+                                spread_text(d.track.score), spread_text(d.track.volume),
+                                spread_text(d.track.mouth_radius), first_residues(d.residues));
+        }
+        if (tracks.size() > kMostTracks)
+            text += fmt::format("        and {} more; list all with --over-models FILE.csv\n", tracks.size() - kMostTracks);
+        return text;
     }
 
     void say_what_the_ranking_was_not_fitted_to(const Structure& structure) {
@@ -117,7 +229,7 @@ private:
                                                  "score", "prob.", "volume/Å³", "wall/Å²", "depth/Å", "");
         std::size_t cavities = 0;
         for (const DescribedPocket& pocket : described_) {
-            const bool ranked = pocket.pocket.score > 0.0;
+            const bool ranked = pocket.pocket.score > 0.0 || !pocket.at.empty();
             if (ranked || cavities++ < kMostUnranked) text += row_of(pocket);
         }
         if (cavities > kMostUnranked)
@@ -129,6 +241,8 @@ private:
     const PocketsRequest& request_;
     Pockets pockets_;
     std::vector<DescribedPocket> described_;
+    PocketTracks tracks_;
+    AtomNumbers numbers_;
     bool agreed_ = true;
     std::vector<std::string> disputed_;
     double seconds_ = 0.0;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pockets_request.h"
 
+#include <algorithm>
+
 #include "meniscus/describe_pockets.h"
 #include "option_words.h"
 
@@ -17,7 +19,8 @@ constexpr const char* kPocketsExamples =
     "  meniscus pockets 1abc.pdb                       the pockets, best first\n"
     "  meniscus pockets 1abc.pdb -o pockets.csv        as a table\n"
     "  meniscus pockets 1abc.pdb -o pockets.pdb        as atoms for a viewer\n"
-    "  meniscus pockets 1abc.pdb --hetero ligands      with ligands as a part of the wall";
+    "  meniscus pockets 1abc.pdb --at '(LIG)'          the pocket of a ligand\n"
+    "  meniscus pockets 1abc.pdb --hetero ligands      ligands belong to the wall";
 
 }  // namespace
 
@@ -30,10 +33,33 @@ void add_pockets_options(CLI::App& command, PocketsRequest& request) {
     add_atom_options(command, request);
     command.option_defaults()->group("Pockets");
     describe(request.pockets, OptionAdder{command});
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--at",
+            [&request](const std::vector<std::string>& places) {
+                if (std::find(places.begin(), places.end(), "") != places.end())
+                    throw UsageError("--at: empty; write for instance (HEM), //A/57 or X,Y,Z");
+                request.at = places;
+            },
+            "Pocket at a place, instead of those that are found\n: a ligand, as (HEM); residues, as //A/57 or "
+            "'//A/57 + //A/102'; a point, as X,Y,Z; repeatable")
+        ->type_name("PLACE")
+        ->allow_extra_args(false);
+    add_word(command,
+             {"--at-reach", rarely("How far pockets of --at reach, Å; from atoms 4, from a point 8 unless given"), "R"},
+             [&request](const std::string& text) {
+                 request.at_reach = parse_number("--at-reach", text, NumberRange::Positive);
+             });
     command.option_defaults()->group("Output");
     add_output_options(command, request);
     add_choice(command, {"--field", "What maps hold: ranks of pockets, or the probability of a ligand's atom"},
                request.field, kPocketFieldWords);
+    add_word(command,
+             {"--over-models",
+              "With --model all, table of pockets over all models\n: in how many each is open, mean and deviation of "
+              "its volume; .csv or .json",
+              "FILE"},
+             [&request](const std::string& path) { request.over_models = path; });
     command.option_defaults()->group("Running");
     OptionAdder{command}(kThreadsOption, request.run.threads);
     add_progress(command, request.progress);

@@ -3,6 +3,10 @@
 // What `meniscus pockets` is asked to do, and the options that ask it.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "common_request.h"
 #include "meniscus/pockets.h"
 #include "meniscus/volume.h"
@@ -13,6 +17,9 @@ namespace meniscus::cli {
 struct PocketsRequest : CommonRequest {
     PocketOptions pockets;
     RunOptions run;
+    std::vector<std::string> at;      ///< --at, in order
+    std::optional<double> at_reach;   ///< --at-reach, Å
+    std::string over_models;          ///< --over-models: path, empty for none
     VolumeContent field = VolumeContent::Pockets;  ///< --field, of volumes
 };
 

@@ -153,7 +153,8 @@ void describe(const Report& report, Visitor& visit) {
     const bool has_flow = surface != nullptr && surface->options.method == Method::Flow;
     visit({"meniscus", "", "version of the program"}, kVersion);
     visit({"schema", "", "version of this form, 1"}, 1);
-    visit.block({"input", "", "what was read"}, [&](auto& inner) { describe_input(report.structure, report.probe, facts, inner); });
+    visit.block({"input", "", "what was read"},
+                [&](auto& inner) { describe_input(report.structure, report.probe, facts, inner); });
     visit({"options", "", "the options in force"}, report.options);
     visit.optional_block({"exact", "",
                           "analytic areas and volumes; cavities count negative in the volumes; `null` with "
@@ -190,6 +191,12 @@ void describe(const Report& report, Visitor& visit) {
     if (surface != nullptr)
         visit.list({"values", "", "list of arrays put on the vertices; absent from reports of `measure`"}, facts.values,
                    [](auto& inner, const ArrayNumbers& values) { describe_values(values, inner); });
+    if (surface != nullptr)
+        visit(
+            {"drawn", "",
+             "number of ligands that a picture, a page or GLB shows as sticks and balls, by residue name; absent from "
+             "reports of `measure`"},
+            facts.drawn);
 }
 
 /// What a report of pockets is made of.

@@ -3,6 +3,7 @@
 // The report: everything a program may want to know about a run, as JSON (docs/report.schema.json).
 #pragma once
 
+#include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -55,6 +56,7 @@ struct RunFacts {
     std::vector<Check> checks{};                              ///< all that the result was held against
     std::vector<ArrayNumbers> values{};                       ///< at the vertices
     std::shared_ptr<const Measures> excluded{};               ///< of the SES, where the surface is another
+    std::map<std::string, std::size_t> drawn{};               ///< ligands beside or within the surface, by name
     std::optional<std::vector<ChainInterface>> interfaces{};  ///< with --between
 };
 

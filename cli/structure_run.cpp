@@ -91,6 +91,7 @@ void StructureRun::note(const std::string& line) {
 /// Whether all these and the report can be written.
 void StructureRun::check(std::vector<std::string> paths) const {
     if (!request_.report.empty()) paths.push_back(request_.report);
+    if (const std::string file = file_of_all(); !file.empty()) paths.push_back(file);
     std::vector<ReadFile> read = files_read();
     for (ReadFile& file : files_of_structure(request_.input, request_.read)) read.push_back(std::move(file));
     check_paths(paths, read);
@@ -185,6 +186,11 @@ void StructureRun::record(const Job& job, RunFacts facts) {
 }
 
 void StructureRun::finish() {
+    {
+        const WritingSection section;
+        write_of_all();
+    }
+    throw_if_interrupted();
     if (!request_.report.empty()) {
         {
             const WritingSection section;
@@ -192,7 +198,7 @@ void StructureRun::finish() {
         }
         throw_if_interrupted();
     }
-    print_summary(request_, summary_);
+    print_summary(request_, summary_ + summary_of_all());
 }
 
 }  // namespace meniscus::cli

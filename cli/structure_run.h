@@ -73,6 +73,10 @@ protected:
     virtual std::vector<ReadFile> files_read() const { return {}; }
     virtual void compute(const Job& job) = 0;
     virtual void write(const Output& output, const Job& job) const = 0;
+    /// The file that tells of all structures together, written after the last; empty for none.
+    virtual std::string file_of_all() const { return ""; }
+    virtual void write_of_all() const {}
+    virtual std::string summary_of_all() const { return ""; }
     /// What only the subcommand knows of the run.
     virtual RunFacts facts() const { return {}; }
     /// Which checks the result failed; empty if it passed them all.

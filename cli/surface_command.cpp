@@ -5,6 +5,7 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "interrupt.h"
 #include "meniscus/draw_surface.h"
 #include "meniscus/errors.h"
+#include "meniscus/ligand_bodies.h"
 #include "meniscus/measures.h"
 #include "meniscus/mesh_part.h"
 #include "meniscus/page.h"
@@ -34,6 +36,13 @@ bool has(const std::vector<Output>& outputs, OutputKind kind) {
 bool has_encoding(const Output& output) {
     const std::string suffix = suffix_of(output.path);
     return suffix == ".ply" || suffix == ".stl";
+}
+
+/// Whether an output has room for ligands beside the surface.
+bool draws_ligands(const std::vector<Output>& outputs) {
+    return std::any_of(outputs.begin(), outputs.end(), [](const Output& o) {
+        return o.kind == OutputKind::Picture || o.kind == OutputKind::Page || suffix_of(o.path) == ".glb";
+    });
 }
 
 const Output* first_mesh(const std::vector<Output>& outputs) {
@@ -68,6 +77,9 @@ void check_together(const SurfaceRequest& request, const std::vector<Output>& ou
         throw UsageError("--ascii applies to PLY and STL; ask for one with -o FILE.ply or FILE.stl");
     if (!request.picture.drawn_by.empty() && !has_picture)
         throw UsageError(request.picture.drawn_by + " applies to pictures; ask for one with -o FILE.png");
+    if (!request.picture.shown_by.empty() && !draws_ligands(outputs))
+        throw UsageError(request.picture.shown_by +
+                         " applies to pictures, pages and GLB; ask for one with -o FILE.png, FILE.html or FILE.glb");
     if (!request.picture.viewed_by.empty() && !has_picture && !has_page)
         throw UsageError(request.picture.viewed_by +
                          " applies to pictures and pages; ask for one with -o FILE.png or FILE.html");
@@ -154,6 +166,7 @@ private:
         Stopwatch watch;
         colours_ = colour_vertices(surface_.mesh, job.structure, request_.picture.colours);
         if (!selected.empty()) show_part(part_of_atoms(surface_.mesh, selected));
+        count_drawn(job);
         if (request_.cavity_files) plan_cavities(job);
         if (has(job.outputs, OutputKind::Picture)) draw(job.structure);
         seconds_.picture = watch.lap();
@@ -161,6 +174,14 @@ private:
         seconds_.volume = watch.lap();
         if (has(job.outputs, OutputKind::Page)) make_page(job.structure);
         seconds_.page = watch.lap();
+    }
+
+    /// Pages alone show ligands that belong to the surface: the reader may make it translucent.
+    void count_drawn(const Job& job) {
+        const Ligands& ligands = job.structure.ligands;
+        const bool shown = ligands.in_surface ? has(job.outputs, OutputKind::Page) : draws_ligands(job.outputs);
+        drawn_.clear();
+        if (request_.picture.ligands && shown) drawn_ = count_ligands(ligands_near(ligands, written_mesh()));
     }
 
     VolumeGrid choose_grid(const Job& job, const ExactSurface& exact, double spacing, const Cost& expected) const {
@@ -234,6 +255,10 @@ private:
         WriteOptions options = mesh_writing(structure, surface_.options, written_colours());
         options.shortest_edge = part_ ? 0.0 : surface_.measures.shortest_edge;
         options.open = part_ && part_->shown.open;
+        const bool has_ligands = suffix_of(path) == ".glb" && request_.picture.ligands;
+        const Bodies ligands =
+            has_ligands ? ligand_bodies(structure.ligands, written_mesh(), written_colours()) : Bodies{};
+        options.beside = &ligands;
         write_mesh(path, written_mesh(), options);
     }
 
@@ -258,6 +283,7 @@ private:
                                          {.colours = request_.picture.colours,
                                           .viewpoint = picture.viewpoint,
                                           .projection = picture.projection,
+                                          .ligands = request_.picture.ligands,
                                           .rows = rows_of_page(structure),
                                           .components = exact_pieces(),
                                           .exact = surface_.exact,
@@ -291,6 +317,7 @@ private:
                                      {.picture = options,
                                       .scheme = request_.picture.colours,
                                       .legend = request_.picture.legend,
+                                      .ligands = request_.picture.ligands,
                                       .whole = &surface_.mesh});
         show("picture", 1.0);
     }
@@ -334,6 +361,7 @@ private:
         if (part_) facts.shown = part_->shown;
         facts.values = values_.numbers(surface_.mesh);
         facts.excluded = excluded_;
+        facts.drawn = drawn_;
         if (surface_.measured) facts.checks.push_back(agreement_check(*surface_.measured));
         return facts;
     }
@@ -355,7 +383,8 @@ private:
     // Of the SES, where the mesh is of another surface and the report has both.
     std::shared_ptr<const Measures> excluded_;
     Surface surface_;
-    std::vector<Colour> colours_;  // of the mesh's vertices
+    std::vector<Colour> colours_;               // of the mesh's vertices
+    std::map<std::string, std::size_t> drawn_;  // ligands, by name
     std::optional<WrittenPart> part_;
     Products made_;
     RunSeconds seconds_;

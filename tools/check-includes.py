@@ -39,8 +39,9 @@ ROOMS = {
     "io": ("reading", "structure", "tables", "render", "pipeline", "pockets", "describe_results", "grid", "platform"),
     "colours": ("reading", "structure", "radii", "tables", "values", "exact", "grid", "platform"),
     "render": ("colours", "platform"),
-    "page": ("colours", "render", "io", "tables", "structure", "exact", "pipeline", "platform"),
-    "draw": ("colours", "render", "structure", "pipeline"),
+    "sticks": ("colours", "render", "structure"),
+    "page": ("colours", "render", "sticks", "io", "tables", "structure", "exact", "pipeline", "platform"),
+    "draw": ("colours", "render", "sticks", "structure", "pipeline"),
 }
 # Whose a public header is. The others hold the library's vocabulary (vectors, atoms, meshes, values on grids, errors), which
 # everybody may use.
@@ -48,7 +49,7 @@ PUBLIC = {
     "cavities": "cavities", "colours": "colours", "compare": "pipeline", "cost": "pipeline",
     "describe_options": "pipeline", "describe_pockets": "describe_pockets", "describe_results": "describe_results", "draw_surface": "draw",
     "exact_surface": "exact", "field": "pipeline", "file_words": "file_words", "flow": "flow",
-    "interfaces": "exact", "legend": "colours",
+    "interfaces": "exact", "legend": "colours", "ligand_bodies": "sticks",
     "level_set": "grid", "level_set_file": "io", "measures": "exact", "mesh_part": "mesh", "mesh_quality": "measure",
     "named_atoms": "structure", "page": "page", "pockets": "pockets", "pocket_chemistry": "tables", "picture": "render", "radii": "radii", "read_mesh": "mesh_io", "remesh": "remesh",
     "sample": "pipeline", "structure": "structure", "surface": "pipeline", "tables": "tables", "vertex_values": "values",

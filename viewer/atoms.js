@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// The atoms beneath the surface, as spheres or sticks, made when they are first shown.
+// Atoms beneath or beside the surface, as spheres, sticks, or sticks and balls, made when they are first shown.
 "use strict";
 
 const Atoms = (() => {
@@ -32,11 +32,19 @@ const Atoms = (() => {
     return found;
   }
 
+  const pairsOf = ends => Array.from({length: ends.length / 2}, (_, b) => [ends[2 * b], ends[2 * b + 1]]);
+
   const perInstance = (array, size) => new THREE.InstancedBufferAttribute(array, size);
 
   class Atoms {
-    /** shared: uniforms that all materials have (the cut, the projection); colours: three planes of bytes */
-    constructor(data, shared, planes) {
+    /**
+     * data    {atoms, info}, and perhaps bonds: the ends of each; without them, near atoms are bonded
+     * shared  uniforms that all materials have (the cut, the projection)
+     * planes  of bytes, three: the colours
+     * stick   radius of sticks, Å
+     */
+    constructor(data, shared, planes, stick = Atoms.thickness) {
+      this.stick = stick;
       this.data = data;
       this.shared = shared;
       this.group = new THREE.Group();
@@ -74,7 +82,9 @@ const Atoms = (() => {
     }
 
     makeSticks() {
-      const pairs = bonds(this.data), {points: p} = this.data.atoms, n = 2 * pairs.length;
+      const pairs = this.data.bonds ? pairsOf(this.data.bonds) : bonds(this.data);
+      const {points: p} = this.data.atoms, n = 2 * pairs.length;
+      this.pairs = pairs;
       const cylinder = new THREE.InstancedBufferGeometry();
       const shape = new THREE.CylinderBufferGeometry(1, 1, 1, 14, 1, true);
       cylinder.setIndex(shape.index);
@@ -94,19 +104,34 @@ const Atoms = (() => {
       cylinder.setAttribute("colour", perInstance(colour, 3));
       cylinder.maxInstancedCount = n;
       this.sticks = this.add(cylinder, this.material(Shaders.stickVertex, Shaders.stickFragment,
-                                                     {thickness: {value: Atoms.thickness}}));
+                                                     {thickness: {value: this.stick}}));
     }
 
-    /** how: none, sticks or spheres */
+    /** how: none, sticks, spheres, or both: sticks and balls of the atoms' radii */
     show(how) {
       this.shown = how;
+      const withSticks = how === "sticks" || how === "both";
       if (how !== "none" && !this.balls) this.makeBalls();
-      if (how === "sticks" && !this.sticks) this.makeSticks();
+      if (withSticks && !this.sticks) this.makeSticks();
       if (this.balls) {
         this.balls.visible = how !== "none";
-        this.sizes.fixedSize.value = how === "sticks" ? Atoms.thickness : 0;
+        this.sizes.size.value = how === "both" ? 1 : Atoms.scale;
+        this.sizes.fixedSize.value = how === "sticks" ? this.stick : 0;
       }
-      if (this.sticks) this.sticks.visible = how === "sticks";
+      if (this.sticks) this.sticks.visible = withSticks;
+    }
+
+    /** Makes those atoms vanish for which isThere(i) is false; balls and sticks must have been made. */
+    restrict(isThere) {
+      const {points: p, radius, count} = this.data.atoms, {ball} = this.balls.geometry.attributes;
+      const {end} = this.sticks.geometry.attributes;
+      for (let i = 0; i < count; ++i) ball.array[4 * i + 3] = isThere(i) ? radius[i] : 0;
+      this.pairs.forEach((pair, b) => pair.forEach((i, half) => {
+        const share = isThere(i) ? 0.5 : 1e-6, j = pair[1 - half];
+        for (let k = 0; k < 3; ++k)
+          end.array[3 * (2 * b + half) + k] = p[3 * i + k] + share * (p[3 * j + k] - p[3 * i + k]);
+      }));
+      ball.needsUpdate = end.needsUpdate = true;
     }
   }
 

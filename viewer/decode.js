@@ -80,8 +80,20 @@ const Decode = (() => {
       const [offset, size] = info.streams[name];
       return bytes.subarray(4 + length + offset, 4 + length + offset + size);
     };
-    const n = info.vertices, atoms = info.atoms.count, q = info.quantum;
+    const n = info.vertices, q = info.quantum;
     const axis = (name, count, shift) => sums(stream(name), count, Float32Array, q, shift);
+    /** kind: how the names of the streams begin */
+    const atoms = (kind, {count, low, valueStep}) => {
+      const shift = [0, 1, 2].map(k => low[k] - info.low[k]);
+      const of = (name, Type = Uint32Array, factor = 1) => sums(stream(kind + name), count, Type, factor);
+      return {
+        count,
+        points: interleaved(...["x", "y", "z"].map((name, k) => axis(kind + name, count, shift[k]))),
+        radius: of("radius", Float32Array, q),
+        name: of("name"), element: of("element"), residue: of("residue"),
+        serial: of("serial", Int32Array), bFactor: of("bfactor", Float64Array, valueStep),
+      };
+    };
     const mesh = {
       corners: corners(stream("triangles"), info.triangles),
       points: interleaved(axis("x", n), axis("y", n), axis("z", n)),
@@ -95,19 +107,13 @@ const Decode = (() => {
       sky: has("sky") ? byteSums(stream("sky")) : null,
       values: info.values.map((_, i) => sums(stream("value-" + i), n, Int32Array)),   // in steps, -1: none
     };
-    const shift = [0, 1, 2].map(k => info.atoms.low[k] - info.low[k]);
-    const ofAtom = (name, Type = Uint32Array, factor = 1) => sums(stream("atom-" + name), atoms, Type, factor);
-    return {
-      info, mesh, stream,
-      atoms: {
-        count: atoms,
-        points: interleaved(axis("atom-x", atoms, shift[0]), axis("atom-y", atoms, shift[1]),
-                            axis("atom-z", atoms, shift[2])),
-        radius: ofAtom("radius", Float32Array, q),
-        name: ofAtom("name"), element: ofAtom("element"), residue: ofAtom("residue"),
-        serial: ofAtom("serial", Int32Array), bFactor: ofAtom("bfactor", Float64Array, info.atoms.valueStep),
-      },
+    // Atoms of their own, with what `info` is to those of the surface; undefined where there are none.
+    const ligands = info.ligands && {
+      info: {...info.ligands, low: info.low},
+      atoms: atoms("ligand-", info.ligands.atoms),
+      bonds: sums(stream("ligand-bonds"), 2 * info.ligands.bonds, Uint32Array),
     };
+    return {info, mesh, stream, atoms: atoms("atom-", info.atoms), ligands};
   }
 
   return {decode, embedded};

@@ -26,6 +26,7 @@ const Page = (() => {
       this.shared = {inPerspective, cut, planeInView};
       this.atoms = new Atoms(data, this.shared, data.stream("colours-" + this.paletteOfAtoms()));
       this.scene.add(this.surface.group, this.atoms.group);
+      this.addLigands(data.ligands);
       this.marker = this.makeMarker();
       this.controls = new Controls(this.canvas, this.extent(), this.info.view, () => this.draw(), this.left.signal);
       this.plane = null;
@@ -35,10 +36,25 @@ const Page = (() => {
       this.listen();
     }
 
-    /** What the first view shows: the surface, or the atoms if there is none. */
+    /** Ligands are whole or not there, whatever is cut. */
+    addLigands(ligands) {
+      if (!ligands) return;
+      const shared = {...this.shared, cut: {value: false}};
+      this.ligands = new Atoms(ligands, shared, this.data.stream("ligand-colours"), ligands.info.stick);
+      this.ligands.show("both");
+      this.surface.setBeside(true);
+      this.scene.add(this.ligands.group);
+    }
+
+    /** What the first view shows: the surface and the ligands, or the atoms if there is no surface. */
     extent() {
-      const {mesh, atoms} = this.data;
-      return mesh.points.length > 0 ? {points: mesh.points, margin: 0} : {points: atoms.points, margin: 2};
+      const {mesh, atoms, ligands} = this.data;
+      if (mesh.points.length === 0) return {points: atoms.points, margin: 2};
+      if (!ligands) return {points: mesh.points, margin: 0};
+      const points = new Float32Array(mesh.points.length + ligands.atoms.points.length);
+      points.set(mesh.points);
+      points.set(ligands.atoms.points, mesh.points.length);
+      return {points, margin: 0};
     }
 
     /** Elements where they are told apart, else what the page shows first. */
@@ -62,6 +78,9 @@ const Page = (() => {
       const {grouped} = Panel;
       $("subtitle").textContent = `${grouped(this.info.atoms.count)} atoms · ${grouped(this.info.triangles)} triangles`;
       $("perspective").checked = this.controls.inPerspective;
+      $("ligand-row").hidden = !this.ligands;
+      $("ligand-names").textContent = this.ligands ? this.data.ligands.info.text : "";
+      $("ligands").checked = true;
     }
 
     // Drawing: once per frame, and only if something has changed.
@@ -145,6 +164,23 @@ const Page = (() => {
       this.draw();
     }
 
+    showLigands(shown) {
+      this.ligands.show(shown ? "both" : "none");
+      this.surface.setBeside(shown);
+      this.draw();
+    }
+
+    /** Leaves out the ligands of which the cut keeps no atom. */
+    cutLigands() {
+      if (!this.ligands) return;
+      const {points: p, residue, count} = this.data.ligands.atoms, kept = new Set(), {plane} = this;
+      for (let i = 0; i < count; ++i)
+        if (!plane || plane.normal.dot(new THREE.Vector3(p[3 * i], p[3 * i + 1], p[3 * i + 2])) + plane.constant <= 0)
+          kept.add(residue[i]);
+      this.isThere = i => kept.has(residue[i]);
+      this.ligands.restrict(this.isThere);
+    }
+
     /** 0 is no cut; 1 cuts everything away. Across the view at the time it was begun. */
     setCut(share) {
       $("clip").value = Math.round(1000 * share);
@@ -157,6 +193,7 @@ const Page = (() => {
         this.plane = {normal: this.cutAxis, constant: -(high - share * (high - low))};
       }
       this.surface.setPlane(this.plane);
+      this.cutLigands();
       this.draw();
     }
 
@@ -187,42 +224,58 @@ const Page = (() => {
 
     // Asking what a point is.
 
-    /** What is seen at a point of the window: {atom, point, hit}, or null. */
+    /** The first atom that is shown on a ray: {of, atom, distance}, or null. */
+    lookAtAtoms(ray) {
+      const {data, plane, isThere} = this, how = this.atoms.shown, found = [];
+      const look = (of, options) => {
+        const ball = this.pick.atom(ray, of.atoms, options);
+        if (ball) found.push({of, ...ball});
+      };
+      if (how && how !== "none")
+        look(data, {scale: Atoms.scale, fixed: how === "sticks" ? 1.5 * Atoms.thickness : 0, plane});
+      if (this.ligands && this.ligands.shown !== "none") look(data.ligands, {scale: 1.2, isThere});
+      return found.reduce((first, ball) => !first || ball.distance < first.distance ? ball : first, null);
+    }
+
+    /**
+     * What is seen at a point of the window: {of, atom, point, hit}, or null. of: what has the atom, the page's data or
+     * its ligands. Atoms are preferred to a surface through which they are seen.
+     */
     look(x, y) {
-      const ray = this.controls.ray(x, y), plane = this.plane;
+      const ray = this.controls.ray(x, y), {plane, data} = this;
       const at = distance => ray.origin.clone().addScaledVector(ray.direction, distance);
-      const outer = this.surface.outer.count;
-      const range = this.surface.opacity > 0 ? {plane} : {from: outer, plane};
-      const hit = this.pick.surface(ray, range);
-      const how = this.atoms.shown;
-      const ball = how && how !== "none" && (this.surface.opacity < 0.15 || (hit && !hit.front))
-        ? this.pick.atom(ray, {scale: Atoms.scale, fixed: how === "sticks" ? 1.5 * Atoms.thickness : 0, plane}) : null;
-      if (ball && (!hit || this.surface.opacity < 0.15 || ball.distance < hit.distance))
-        return {atom: ball.atom, point: at(ball.distance), hit: null};
+      const cavities = {from: this.surface.outer.count, plane};
+      const hit = this.pick.surface(ray, this.surface.opacity > 0 ? {plane} : cavities);
+      const isSolid = this.surface.opacity === 1;
+      const solid = isSolid ? hit : this.surface.cavityOpacity === 1 ? this.pick.surface(ray, cavities) : null;
+      const ball = this.lookAtAtoms(ray);
+      if (ball && (!solid || ball.distance < solid.distance))
+        return {of: ball.of, atom: ball.atom, point: at(ball.distance), hit: null};
       if (!hit || (plane && !hit.front)) return null;
       const point = at(hit.distance);
-      return {atom: this.pick.atomAt(hit, point), point, hit};
+      return {of: data, atom: this.pick.atomAt(hit, point), point, hit};
     }
 
     ask(x, y) {
       const seen = this.look(x, y);
       if (!seen) return this.forget();
-      const {data} = this, {residue} = data.atoms;
+      const {data} = this, {residue} = data.atoms, isLigand = seen.of !== data;
       Panel.markCavity(-1);
       this.surface.markComponent(null);
-      Panel.showFacts(Panel.atomTitle(data, seen.atom), this.facts(seen));
+      Panel.showFacts(Panel.atomTitle(seen.of, seen.atom), this.facts(seen));
       this.marker.position.copy(seen.point);
       this.marker.visible = true;
-      this.surface.mark(i => residue[i] === residue[seen.atom]);
+      this.surface.mark(isLigand ? null : i => residue[i] === residue[seen.atom]);
       this.draw();
     }
 
-    facts({atom, hit, point}) {
-      const {atoms, mesh, info} = this.data, {name, chain} = Panel.residueOf(this.data, atom);
+    facts({of, atom, hit, point}) {
+      const {atoms} = of, {mesh, info} = this.data, {name, chain} = Panel.residueOf(of, atom);
       const facts = [
-        ["atom", Panel.atomName(this.data, atom) + " (" + (info.atoms.elements[atoms.element[atom]] || "?") + ")"],
+        ["atom", Panel.atomName(of, atom) + " (" + (of.info.atoms.elements[atoms.element[atom]] || "?") + ")"],
         ["residue", name], ["chain", chain], ["serial", String(atoms.serial[atom])],
-        ["radius", Panel.plain(atoms.radius[atom], 2) + " Å"],
+        of === this.data ? ["radius", Panel.plain(atoms.radius[atom], 2) + " Å"]
+                         : ["ligand", of.info.inSurface ? "part of the surface" : "beside the surface"],
       ];
       if (hit) {
         const v = this.pick.corner(hit), component = mesh.component[v];
@@ -264,7 +317,7 @@ const Page = (() => {
       this.hovering = requestAnimationFrame(() => {
         this.hovering = 0;
         const seen = this.look(e.clientX, e.clientY);
-        Panel.showTip(seen ? Panel.atomTitle(this.data, seen.atom) : "", e.clientX, e.clientY);
+        Panel.showTip(seen ? Panel.atomTitle(seen.of, seen.atom) : "", e.clientX, e.clientY);
       });
     }
 
@@ -313,6 +366,7 @@ const Page = (() => {
       on("scheme", "change", () => this.chooseScheme($("scheme").value));
       on("opacity", "input", () => this.setOpacity(+$("opacity").value));
       for (const how of ["none", "sticks", "spheres"]) on("atoms-" + how, "change", () => this.setAtoms(how));
+      on("ligands", "change", () => this.showLigands($("ligands").checked));
       on("clip", "input", () => this.setCut($("clip").value / 1000));
       on("align", "click", () => this.alignCut());
       on("perspective", "change", () => {

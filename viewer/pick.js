@@ -106,15 +106,19 @@ const Pick = (() => {
       return best;
     }
 
-    /** The first atom that is hit by a ray: {atom, distance}, or null. scale, fixed: how large atoms are shown */
-    atom({origin, direction}, {scale = 1, fixed = 0, plane = null} = {}) {
-      const {points: p, radius, count} = this.data.atoms;
+    /**
+     * The first of some atoms that is hit by a ray: {atom, distance}, or null.
+     * scale, fixed  how large atoms are shown
+     * isThere       whether atom i is shown at all
+     */
+    atom({origin, direction}, atoms, {scale = 1, fixed = 0, plane = null, isThere = () => true} = {}) {
+      const {points: p, radius, count} = atoms;
       let best = null;
       for (let i = 0; i < count; ++i) {
         const x = p[3 * i] - origin.x, y = p[3 * i + 1] - origin.y, z = p[3 * i + 2] - origin.z;
         const along = x * direction.x + y * direction.y + z * direction.z;
         const r = fixed || scale * radius[i], left = r * r - (x * x + y * y + z * z - along * along);
-        if (left < 0 || along < 0) continue;
+        if (left < 0 || along < 0 || !isThere(i)) continue;
         const n = plane && plane.normal;
         if (n && n.x * p[3 * i] + n.y * p[3 * i + 1] + n.z * p[3 * i + 2] + plane.constant > 0) continue;
         const distance = along - Math.sqrt(left);

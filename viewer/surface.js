@@ -211,6 +211,12 @@ const Surface = (() => {
       return {first, second, count};
     }
 
+    /** beside: whether ligands are shown, which the walls of cavities do not hide */
+    setBeside(beside) {
+      this.beside = beside;
+      this.setOpacity(this.opacity);
+    }
+
     setOpacity(opacity) {
       this.opacity = opacity;
       const set = ({first, second, count}, value, order) => {
@@ -224,7 +230,9 @@ const Surface = (() => {
         second.renderOrder = order + 1;
       };
       set(this.outer, opacity, 10);
-      set(this.cavities, 1, 0);   // always solid: they are what one looks for in there
+      // Solid, as what one looks for in there, unless that may be a ligand in one of them.
+      this.cavityOpacity = this.beside ? Math.max(0.4, opacity) : 1;
+      set(this.cavities, this.cavityOpacity, 0);
     }
 
     /** Colours by a scheme of the page; nothing is computed again. */

@@ -3,12 +3,16 @@
 // The options and the results of pockets, described as describe_options.h and describe_results.h describe the others.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "meniscus/describe_options.h"
 #include "meniscus/describe_results.h"
 #include "meniscus/pocket_chemistry.h"
+#include "meniscus/pocket_places.h"
+#include "meniscus/pocket_tracks.h"
 #include "meniscus/pockets.h"
 #include "meniscus/structure.h"
 #include "meniscus/tables.h"
@@ -72,17 +76,35 @@ void describe(const PocketMouth& m, Visitor& visit) {
 struct DescribedPocket {
     Pocket pocket;
     PocketChemistry chemistry;
-    std::vector<std::string> residues;  ///< labels of the lining residues, "A:SER 195"
+    std::vector<std::string> residues{};  ///< labels of the lining residues, "A:SER 195"
+    std::string at{};                     ///< the name of its place, where places are given
+    std::optional<LigandFit> ligand{};    ///< the one that lies at its place
+    std::size_t track = 0;              ///< where models are compared: its number, from 1
 };
+
+template <class Visitor>
+void describe(const LigandFit& l, Visitor& visit) {
+    visit({"atoms", "", "number of its atoms"}, l.atoms);
+    visit({"inside", "", "number of those whose centres lie inside the SES of the large probe"}, l.inside);
+    visit({"sas_area", "Å²", "exact SAS of the ligand alone"}, l.area);
+    visit({"buried_area", "Å²", "the part of it that the molecule's atoms bury"}, l.buried_area);
+}
 
 template <class Visitor>
 void describe(const DescribedPocket& d, Visitor& visit) {
     const Pocket& p = d.pocket;
     visit({"rank", "", "place in this list, from 1"}, p.rank);
+    visit({"at", "", "place that was asked for; empty for pockets that were found"}, d.at);
     visit({"score", "", "amount of space that resembles the places of ligands; not a probability"}, p.score);
     visit({"probability", "", "largest probability of a point in it to be one of a ligand's, 0 to 1; not calibrated"},
           p.probability);
     visit({"tied_with", "", "ranks of pockets whose scores are within 10 %"}, p.tied_with);
+    visit({"site", "", "at a place: rank that the pocket would have among those found, judged by the first site whose "
+                       "centre is within 4 Å of the place; 0 for none"},
+          p.site);
+    visit({"track", "", "with `--model all`: number of the pocket over all models; 0 otherwise"}, d.track);
+    visit.optional_block({"ligand", "", "ligand that lies at the place; null where there is none"}, d.ligand,
+                         [](auto& inner, const LigandFit& ligand) { describe(ligand, inner); });
     visit({"cavity", "", "whether it is a closed cavity, whose volume is exact"}, p.cavity);
     visit({"volume", "Å³", "volume of its region"}, p.volume);
     visit({"wall_area", "Å²", "area of the SES that lines it"}, p.wall_area);
@@ -115,9 +137,24 @@ void describe(const Pockets& p, Visitor& visit) {
 }
 
 /// Every pocket with what lines it.
-std::vector<DescribedPocket> describe_pockets(const Pockets& pockets, const Structure& structure);
+///
+/// places   those of PocketOptions::places, if there are any
+std::vector<DescribedPocket> describe_pockets(const Pockets& pockets, const Structure& structure,
+                                              std::span<const NamedPlace> places = {});
 
 /// A row per pocket; the columns are the keys of a described pocket, with sums over its mouths and openings.
 Table pockets_table(const std::vector<DescribedPocket>& pockets);
+
+/// A pocket over all models, and the residues that line it in them.
+struct DescribedTrack {
+    PocketTrack track;
+    std::size_t number = 0;  ///< from 1, DescribedPocket::track
+    std::vector<std::string> residues;
+};
+
+/// A row per pocket over all models.
+///
+/// models   how many there are
+Table tracks_table(const std::vector<DescribedTrack>& tracks, std::size_t models);
 
 }  // namespace meniscus

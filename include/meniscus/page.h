@@ -38,6 +38,7 @@ struct PageOptions {
     ColourOptions colours{};               ///< the scheme shown first; its range holds for that scheme throughout
     std::optional<Viewpoint> viewpoint{};  ///< shown first; nothing: that of PictureOptions
     Projection projection = Projection::Orthographic;
+    bool ligands = true;  ///< show Structure::ligands, as sticks and balls, and those of the surface where it is clear
     std::vector<PageRow> rows{};  ///< the numbers beside the surface, in the order shown
     /// Exact pieces of the same surface, for the list of cavities with their areas and volumes. Empty: the pieces of
     /// the mesh, with plain sums over the triangles.

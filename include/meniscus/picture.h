@@ -52,6 +52,13 @@ struct Cut {
     bool operator==(const Cut&) const = default;
 };
 
+/// What is seen beside a surface without belonging to it: closed bodies, with one colour per vertex. A cut leaves them
+/// whole, or out where it keeps nothing of them.
+struct Bodies {
+    Mesh mesh;  ///< with normals; `components` number the bodies
+    std::vector<Colour> colours;
+};
+
 inline constexpr Colour kWhite{255, 255, 255, 255};
 inline constexpr Colour kTransparent{255, 255, 255, 0};
 
@@ -78,7 +85,7 @@ struct PictureOptions {
 /// writes a picture throws UsageError.
 bool pictures_supported();
 
-/// Draws a mesh, as large as fits into the picture.
+/// Draws a mesh, and bodies beside it, as large as fits into the picture.
 ///
 /// Normals and colours are interpolated between vertices. Light comes from two lamps beside the viewer and from the
 /// sky, as far as the surface does not hide it (ambient occlusion). Parts that a cut leaves out cast no shadow. The
@@ -86,13 +93,14 @@ bool pictures_supported();
 ///
 /// mesh     needs normals, and `components` for a cut through cavities; an empty mesh gives only background
 /// colours  one per vertex; alpha is not used
+/// beside   seen from the viewpoint that the mesh alone has
 /// exact    if given, colours triangles whose corners differ in colour, so that borders are sharp
 /// throws   UsageError for arrays whose sizes do not match, a size that is not 1 to kLargestPicture, a viewpoint whose
 ///          vectors are zero, parallel or not finite, a depth cue outside 0 to 1, a cut through a cavity that the mesh
 ///          does not have or with numbers that are not finite
 /// cost     O(pixels), and 100 rays per visible vertex
 Picture draw_picture(const Mesh& mesh, std::span<const Colour> colours, const PictureOptions& options = {},
-                     const ColourField& exact = {});
+                     const ColourField& exact = {}, const Bodies& beside = {});
 
 /// Size and background of a drawn legend.
 struct LegendStyle {

@@ -43,6 +43,12 @@ enum class PocketRank {
     Depth,
 };
 
+/// A place at which a pocket is asked for, whatever it resembles: where a ligand lies, beside residues, at a point.
+struct PocketPlace {
+    std::vector<Vec3> points;  ///< centres of atoms, or one point, Å
+    double reach = 4.0;        ///< the pocket is pocket space that is no farther from one of the points, Å
+};
+
 /// Which pockets are looked for, and how. Lengths in Å.
 struct PocketOptions {
     double probe = 1.4;         ///< radius of the probe that reaches into pockets
@@ -50,6 +56,9 @@ struct PocketOptions {
     double spacing = 1.0;       ///< of the grid; the ranking was fitted at 1.0
     int count = 10;             ///< pockets looked for, beside closed cavities
     PocketRank rank = PocketRank::Score;
+    /// If there are any, the pockets are those at these places, one for each, in this order. A place without pocket
+    /// space has a pocket with a volume of 0. One in a closed cavity has the whole cavity.
+    std::vector<PocketPlace> places{};
 };
 
 /// Where a pocket is open.
@@ -72,6 +81,10 @@ struct Pocket {
     double probability = 0.0;  ///< the largest probability of a point, from 0 to 1; not calibrated
     /// Ranks of pockets whose scores differ so little from this one's that another orientation may swap them.
     std::vector<std::size_t> tied_with;
+    /// At a given place: the rank of the first site found without places whose centre is within 4 Å of one of the
+    /// place's points; 0 for none, and where no places are given.
+    std::size_t site = 0;
+    std::size_t points_inside = 0;  ///< of the place's points, those inside the SES of the large probe
     bool cavity = false;     ///< a closed cavity, whose volume is exact
     double volume = 0.0;     ///< Å³
     double wall_area = 0.0;  ///< Å², the sum over `wall`

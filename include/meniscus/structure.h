@@ -3,6 +3,7 @@
 // Reads structure files into atoms with radii, with a full account of what was kept, dropped and assumed.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -71,6 +72,19 @@ struct AtomLabel {
     double charge = 0.0;        ///< e; from PQR or PDBQT, else the formal charge
 };
 
+/// Groups beside the polymer that pictures and pages show as sticks and balls: cofactors, inhibitors, sugars, lipids;
+/// neither waters nor ions nor what crystals are grown from (docs/conventions.md).
+struct Ligands {
+    std::vector<Vec3> centres;                        ///< Å
+    std::vector<AtomLabel> labels;                    ///< of the same size; their residues are those below
+    std::vector<Residue> residues;                    ///< in the order of their first atoms
+    std::vector<std::array<std::uint32_t, 2>> bonds;  ///< pairs of atoms, the smaller index first, sorted
+    bool in_surface = false;                          ///< the same atoms are among Structure::atoms
+};
+
+/// How many of the ligands have each name.
+std::map<std::string, std::size_t> count_ligands(const Ligands& ligands);
+
 /// A structure ready for the surface. `atoms` and `labels` have the same size, in file order for each copy or model.
 struct Structure {
     std::string file;       ///< as given; "-" for standard input
@@ -85,6 +99,7 @@ struct Structure {
     std::map<std::string, std::size_t> dropped;
     /// Numbers of ligands left out, by residue name. A cavity may be the place of one of these ligands.
     std::map<std::string, std::size_t> left_out_ligands;
+    Ligands ligands;  ///< of the chosen chains, atoms and alternatives; none without a polymer beside them
     std::vector<std::string> notes;     ///< expected findings, such as waters left out: a line per kind
     std::vector<std::string> warnings;  ///< assumptions that may make a number wrong: a line per kind
 };

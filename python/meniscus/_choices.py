@@ -16,6 +16,7 @@ Field = Literal["distance", "mask", "dielectric", "ions"]
 ColorScheme = Literal["auto", "single", "patch", "element", "chain", "residue", "residue-patch", "hydrophobicity",
                       "curvature", "component", "depth", "bfactor", "plddt"]
 ViewName = Literal["auto", "front", "back", "left", "right", "top", "bottom"]
+Drawn = Literal["ligands", "none"]
 VertexArray = Literal["depth"]
 Maps = Literal["apbs"]
 ReadFormat = Literal["pdb", "ent", "cif", "mmcif", "bcif", "gro", "pdbqt", "pqr", "xyzr", "xyzrn"]

@@ -168,6 +168,17 @@ class Structure:
         return self._core.dropped
 
     @property
+    def ligands(self) -> dict[str, int]:
+        """How many ligands pictures, pages and .glb may show, by residue name, whether they belong to the surface or not.
+
+        Examples
+        --------
+        >>> meniscus.read("1ubq.pdb").ligands
+        {}
+        """
+        return self._core.ligands
+
+    @property
     def notes(self) -> list[str]:
         """What was done as with every ordinary file, such as waters left out: one line per kind.
 

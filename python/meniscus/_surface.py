@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _core, _files, _options, _writing
 from ._arrays import ArrayLike, Floats, Indices, positions
-from ._choices import Field, Maps, SurfaceFormat
+from ._choices import Drawn, Field, Maps, SurfaceFormat
 from ._files import Target
 from ._component import Component
 from ._measures import Measures
@@ -279,6 +279,7 @@ class Surface(OnSurface):
         depth_cue: float = 0.0,
         cut: _writing.Cut = None,
         legend: bool = False,
+        draw: Drawn = "ligands",
         grid: _writing.Grid = None,
         field: Field = "distance",
         eps: tuple[float, float] = (2.0, 78.54),
@@ -332,6 +333,9 @@ class Surface(OnSurface):
             side that is left out.
         legend : bool, default False
             Of pictures: what the colours mean.
+        draw : {"ligands", "none"}, default "ligands"
+            Of pictures, pages and .glb: draw the ligands of the structure as sticks and balls beside the surface
+            (:attr:`Structure.ligands`); those that belong to it are seen in pages, where it is translucent.
         grid : str, os.PathLike or array_like, shape (7,), optional
             Of volumes: a .dx, .mrc, .map or .ccp4 file with the grid, or seven numbers: nodes along x, y and z, spacing,
             Å, centre, Å; by default nodes at the surface's spacing around all atoms.
@@ -362,8 +366,8 @@ class Surface(OnSurface):
         meniscus.UsageError: ball.gif: unknown suffix; choose one of .ply .obj .stl .off .glb .vtp .vert .npz .png .html .dx .mrc .vdb .mls
         """
         drawing = {"size": size, "view": view, "background": background, "perspective": perspective,
-                   "outline": outline, "depth_cue": depth_cue, "cut": cut, "legend": legend, "grid": grid, "field": field,
-                   "eps": eps, "ion_radius": ion_radius, "maps": maps}
+                   "outline": outline, "depth_cue": depth_cue, "cut": cut, "legend": legend, "draw": draw, "grid": grid,
+                   "field": field, "eps": eps, "ion_radius": ion_radius, "maps": maps}
         part = {"show": show, "cavity_file": cavity}
 
         _files.save_to(path, format, lambda inner: _writing.save_surface(

@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from . import _core, _options
 from ._arrays import ArrayLike, as_array
-from ._choices import ColorScheme, Maps, ViewName
+from ._choices import ColorScheme, Drawn, Maps, ViewName
 from ._errors import UsageError, opening
 from ._files import write_whole
 
@@ -156,15 +156,21 @@ def _picture_options(drawing: dict[str, Any]) -> dict[str, Any]:
     return options
 
 
+def _ligands(drawing: dict[str, Any]) -> bool:
+    """Whether ligands are drawn."""
+    return _options.one_of("draw", drawing["draw"], get_args(Drawn)) == "ligands"
+
+
 def _view_options(drawing: dict[str, Any]) -> dict[str, Any]:
     """What pages heed, too."""
     directions = _directions(drawing["view"])
-    options: dict[str, Any] = {"perspective": _options.flag("perspective", drawing["perspective"])}
+    options: dict[str, Any] = {"perspective": _options.flag("perspective", drawing["perspective"]),
+                               "ligands": _ligands(drawing)}
     return options if directions is None else {**options, "view": directions}
 
 
 def _save_mesh(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:
-    _core.write_mesh(path, surface._core, surface.structure._core, options)
+    _core.write_mesh(path, surface._core, surface.structure._core, {**options, "ligands": _ligands(drawing)})
 
 
 def _save_picture(path: str, surface: Surface, options: dict[str, Any], drawing: dict[str, Any]) -> None:

@@ -31,9 +31,17 @@ void fields(Archive& archive, Residue& s) {
 }
 
 template <class Archive>
+void fields(Archive& archive, Ligands& s) {
+    auto& [centres, labels, residues, bonds, in_surface] = s;
+    archive(centres, labels, residues, bonds, in_surface);
+}
+
+template <class Archive>
 void fields(Archive& archive, Structure& s) {
-    auto& [file, name, sha256, radii_set, atoms, labels, residues, dropped, left_out_ligands, notes, warnings] = s;
-    archive(file, name, sha256, radii_set, atoms, labels, residues, dropped, left_out_ligands, notes, warnings);
+    auto& [file, name, sha256, radii_set, atoms, labels, residues, dropped, left_out_ligands, ligands, notes,
+           warnings] = s;
+    archive(file, name, sha256, radii_set, atoms, labels, residues, dropped, left_out_ligands, ligands, notes,
+            warnings);
 }
 
 template <class Archive>

@@ -217,6 +217,7 @@ void bind_structure(py::module_& module) {
     type.def_readonly("sha256", &Structure::sha256);
     type.def_readonly("radii_set", &Structure::radii_set);
     type.def_readonly("dropped", &Structure::dropped);
+    type.def_property_readonly("ligands", [](const Structure& s) { return count_ligands(s.ligands); });
     type.def_readonly("notes", &Structure::notes);
     type.def_readonly("warnings", &Structure::warnings);
     bind_columns(type);

@@ -15,6 +15,7 @@
 #include "meniscus/field.h"
 #include "meniscus/file_words.h"
 #include "meniscus/level_set_file.h"
+#include "meniscus/ligand_bodies.h"
 #include "meniscus/mesh_part.h"
 #include "meniscus/page.h"
 #include "meniscus/picture.h"
@@ -165,12 +166,19 @@ std::vector<Colour> picked(const std::vector<Colour>& colours, const std::vector
     return result;
 }
 
+bool with_ligands(const py::dict& given) {
+    bool ligands = true;
+    Options(given).read("ligands", ligands);
+    return ligands;
+}
+
 void save_mesh(const std::string& path, const Surface& surface, const Structure& structure, const py::dict& given) {
     const Colouring colouring(given);
     const Shown shown(given);
     WriteOptions options = write_options(structure, given);
     options.computed_with = &surface.options;
     options.probe = surface.options.probe;
+    const bool draws_ligands = with_ligands(given) && path.ends_with(".glb");
     const py::gil_scoped_release release;
     const Mesh complete = colouring.complete(surface.mesh, structure, surface.exact);
     std::vector<Colour> colours = colouring.of(complete, structure);
@@ -178,7 +186,10 @@ void save_mesh(const std::string& path, const Surface& surface, const Structure&
     if (part) colours = picked(colours, part->vertices);
     options.open = part && !measure_mesh(part->mesh).closed;
     options.colours = colours;
-    write_mesh(path, part ? part->mesh : complete, options);
+    const Mesh& written = part ? part->mesh : complete;
+    const Bodies ligands = draws_ligands ? ligand_bodies(structure.ligands, written, colours) : Bodies{};
+    options.beside = &ligands;
+    write_mesh(path, written, options);
 }
 
 Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
@@ -236,6 +247,7 @@ void save_picture(const std::string& path, const Surface& surface, const Structu
     DrawOptions options{.picture = picture_options(given)};
     if (colouring.given.empty()) options.scheme = colouring.options;
     Options(given).read("legend", options.legend);
+    options.ligands = with_ligands(given);
     const py::gil_scoped_release release;
     const Mesh mesh = colouring.complete(surface.mesh, structure, surface.exact);
     const std::vector<Colour> colours = colouring.of(mesh, structure);
@@ -249,6 +261,7 @@ void save_page(const std::string& path, const Surface& surface, const Structure&
     PageOptions options{.colours = colouring.options,
                         .viewpoint = viewpoint_of(given),
                         .projection = projection_of(given),
+                        .ligands = with_ligands(given),
                         .rows = page_rows(structure, surface, exact),
                         .components = exact.components,
                         .exact = surface.exact};

@@ -4,6 +4,7 @@
 
 #include "meniscus/errors.h"
 #include "meniscus/legend.h"
+#include "meniscus/ligand_bodies.h"
 
 namespace meniscus {
 namespace {
@@ -24,8 +25,9 @@ Picture draw_surface(const Surface& surface, const Structure& structure, const C
     const Picture legend = legend_of(drawn.mesh, structure, options);
     PictureOptions picture = options.picture;
     picture.width -= legend.width;
+    const Bodies ligands = options.ligands ? ligand_bodies(structure.ligands, drawn.mesh, drawn.colours) : Bodies{};
     const auto draw = [&](const ColourField& field) {
-        return side_by_side(draw_picture(drawn.mesh, drawn.colours, picture, field), legend);
+        return side_by_side(draw_picture(drawn.mesh, drawn.colours, picture, field, ligands), legend);
     };
     if (!options.scheme) return draw({});
     if (surface.level_set)

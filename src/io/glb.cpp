@@ -126,6 +126,7 @@ public:
         for (const VertexArray& array : options.extra)
             std::visit([&](auto values) { add_values(array.name, values); }, array.values);
         add_triangles();
+        if (options.beside != nullptr && !options.beside->mesh.triangles.empty()) add_ligands(*options.beside);
     }
 
     void write() {
@@ -176,29 +177,52 @@ private:
     template <class Vector>
     Section& add_vectors(const std::string& name, const std::vector<Vector>& vectors) {
         check_vectors(name, vectors);
-        return add_attribute<FloatVector>(name, {{"componentType", kFloat}, {"type", "VEC3"}},
+        return add_attribute<FloatVector>(name, vectors_accessor(),
                                           [&vectors](std::size_t v) { return single(vectors[v]); });
     }
 
-    void add_positions() {
-        Section& section = add_vectors("POSITION", mesh_.vertices);
-        FloatVector low = single(mesh_.vertices.front());
+    static ordered_json vectors_accessor() { return {{"componentType", kFloat}, {"type", "VEC3"}}; }
+    static ordered_json colours_accessor() {
+        return {{"componentType", kUnsignedShort}, {"normalized", true}, {"type", "VEC4"}};
+    }
+
+    static void set_extent(const std::vector<Vec3>& positions, ordered_json& accessor) {
+        FloatVector low = single(positions.front());
         FloatVector high = low;
-        for (const Vec3& vertex : mesh_.vertices) {
-            const FloatVector p = single(vertex);
+        for (const Vec3& position : positions) {
+            const FloatVector p = single(position);
             for (std::size_t i = 0; i < p.size(); ++i) {
                 low[i] = std::min(low[i], p[i]);
                 high[i] = std::max(high[i], p[i]);
             }
         }
-        section.accessor["min"] = low;
-        section.accessor["max"] = high;
+        accessor["min"] = low;
+        accessor["max"] = high;
     }
 
+    void add_positions() { set_extent(mesh_.vertices, add_vectors("POSITION", mesh_.vertices).accessor); }
+
     void add_colours() {
-        add_attribute<LinearColour>("COLOR_0",
-                                    {{"componentType", kUnsignedShort}, {"normalized", true}, {"type", "VEC4"}},
+        add_attribute<LinearColour>("COLOR_0", colours_accessor(),
                                     [colours = options_.colours](std::size_t v) { return to_linear(colours[v]); });
+    }
+
+    /// What is beside the surface, as a primitive of its own.
+    void add_ligands(const Bodies& bodies) {
+        const Mesh& mesh = bodies.mesh;
+        check_vectors("places of ligands", mesh.vertices);
+        const std::size_t n = mesh.vertices.size();
+        const std::size_t first = sections_.size();
+        set_extent(mesh.vertices, add_section<FloatVector>(vectors_accessor(), n, [&mesh](std::size_t v) {
+                                      return single(mesh.vertices[v]);
+                                  }).accessor);
+        add_section<FloatVector>(vectors_accessor(), n, [&mesh](std::size_t v) { return single(mesh.normals[v]); });
+        add_section<LinearColour>(colours_accessor(), n,
+                                  [&bodies](std::size_t v) { return to_linear(bodies.colours[v]); });
+        add_corners(mesh.triangles);
+        ligands_ = {{"attributes", {{"POSITION", first}, {"NORMAL", first + 1}, {"COLOR_0", first + 2}}},
+                    {"indices", first + 3},
+                    {"material", 1}};
     }
 
     template <class T>
@@ -230,10 +254,15 @@ private:
     }
 
     void add_triangles() {
+        corners_ = sections_.size();
+        add_corners(mesh_.triangles);
+    }
+
+    void add_corners(const std::vector<Triangle>& triangles) {
         Section& section =
-            add_section<Triangle>({{"componentType", kUnsignedInt}, {"type", "SCALAR"}}, mesh_.triangles.size(),
-                                  [this](std::size_t t) { return mesh_.triangles[t]; });
-        section.accessor["count"] = 3 * mesh_.triangles.size();
+            add_section<Triangle>({{"componentType", kUnsignedInt}, {"type", "SCALAR"}}, triangles.size(),
+                                  [&triangles](std::size_t t) { return triangles[t]; });
+        section.accessor["count"] = 3 * triangles.size();
         section.target = kElementArrayBuffer;
     }
 
@@ -252,13 +281,18 @@ private:
     }
 
     void describe_mesh(ordered_json& json) const {
-        const ordered_json primitive{{"attributes", attributes_}, {"indices", sections_.size() - 1}, {"material", 0}};
+        const ordered_json primitive{{"attributes", attributes_}, {"indices", corners_}, {"material", 0}};
         const ordered_json look{{"metallicFactor", 0.0}, {"roughnessFactor", kRoughness}};
         json["scenes"] = list_of({{"nodes", list_of(0)}});
         json["nodes"] = list_of({{"mesh", 0}, {"name", "surface"}});
         json["meshes"] = list_of({{"name", "surface"}, {"primitives", list_of(primitive)}});
         json["materials"] =
             list_of({{"name", "surface"}, {"doubleSided", options_.open}, {"pbrMetallicRoughness", look}});
+        if (ligands_.is_null()) return;
+        json["scenes"][0]["nodes"].push_back(1);
+        json["nodes"].push_back({{"mesh", 1}, {"name", "ligands"}});
+        json["meshes"].push_back({{"name", "ligands"}, {"primitives", list_of(ligands_)}});
+        json["materials"].push_back({{"name", "ligands"}, {"pbrMetallicRoughness", look}});
     }
 
     void describe_buffer(ordered_json& json) const {
@@ -290,7 +324,9 @@ private:
     const Mesh& mesh_;
     const WriteOptions& options_;
     std::vector<Section> sections_;
+    std::size_t corners_ = 0;  // the section of the surface's triangles
     ordered_json attributes_;
+    ordered_json ligands_;  // a primitive; nothing without ligands
     ordered_json missing_;  // by attribute, the number that stands for none
 };
 

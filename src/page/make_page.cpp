@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "io/png.h"
+#include "meniscus/ligand_bodies.h"
 #include "meniscus/page.h"
 #include "page/html.h"
 #include "page/page_content.h"
@@ -31,8 +32,11 @@ PictureOptions still_picture(const PageOptions& options) {
 std::string picture_by(const page::VertexExtras& extras, const Mesh& mesh, const Structure& structure,
                        const PageOptions& options) {
     if (!pictures_supported()) return {};
-    return encode_png(
-        draw_picture_by(extras.sky, mesh, colour_vertices(mesh, structure, options.colours), still_picture(options)));
+    const std::vector<Colour> colours = colour_vertices(mesh, structure, options.colours);
+    const Bodies ligands =
+        options.ligands ? ligand_bodies(structure.ligands, mesh, page::colours_shown(mesh, structure, options.colours))
+                        : Bodies{};
+    return encode_png(draw_picture_by(extras.sky, mesh, colours, still_picture(options), ligands));
 }
 
 }  // namespace

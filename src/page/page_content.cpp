@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "colours/depths.h"
+#include "colours/palettes.h"
 #include "meniscus/errors.h"
+#include "meniscus/legend.h"
 #include "meniscus/threads.h"
 #include "page/page_data.h"
 #include "render/openness.h"
@@ -54,6 +56,14 @@ VertexExtras checked_extras(const Mesh& mesh, const Structure& structure, const 
     const ThreadLimit limit(options.threads);
     const ExactSurface exact = options.exact.atoms().empty() ? ExactSurface(structure.atoms) : options.exact;
     return {.sky = light(mesh), .depth = depths(mesh, exact)};
+}
+
+std::vector<Colour> colours_shown(const Mesh& mesh, const Structure& structure, const ColourOptions& options) {
+    const Legend legend = make_legend(mesh, structure, options);
+    std::vector<Colour> colours = legend.ramp;
+    for (const LegendEntry& entry : legend.entries) colours.push_back(entry.colour);
+    if (colours.empty()) colours.push_back(options.colour.value_or(kPlain));
+    return colours;
 }
 
 PageContent content_by(const VertexExtras& extras, const Mesh& mesh, const Structure& structure,

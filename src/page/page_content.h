@@ -12,6 +12,9 @@ namespace meniscus::page {
 /// throws   as page_content()
 VertexExtras checked_extras(const Mesh& mesh, const Structure& structure, const PageOptions& options);
 
+/// The colours of a scheme, each once: those of its legend.
+std::vector<Colour> colours_shown(const Mesh& mesh, const Structure& structure, const ColourOptions& options);
+
 /// The content by light and depth that are known.
 PageContent content_by(const VertexExtras& extras, const Mesh& mesh, const Structure& structure,
                        const PageOptions& options);

@@ -8,9 +8,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "meniscus/ligand_bodies.h"
 #include "meniscus/list_of_counts.h"
 #include "meniscus/tables.h"
 #include "meniscus/version.h"
+#include "page/page_content.h"
 #include "page/schemes.h"
 #include "render/camera.h"
 
@@ -49,48 +51,85 @@ Vec3 lowest(std::span<const Vec3> points) {
 }
 
 template <class Get>
-std::string per_label(const Structure& structure, const Get& get) {
+std::string per_label(const std::vector<AtomLabel>& labels, const Get& get) {
     std::vector<std::int64_t> values;
-    values.reserve(structure.labels.size());
-    for (const AtomLabel& label : structure.labels) values.push_back(get(label));
+    values.reserve(labels.size());
+    for (const AtomLabel& label : labels) values.push_back(get(label));
     return differences(values);
 }
 
-std::string radii(const Atoms& atoms) {
+std::string radii(std::span<const double> radii) {
     std::vector<std::int64_t> values;
-    for (const double radius : atoms.radii) values.push_back(std::llround(radius / kQuantum));
+    for (const double radius : radii) values.push_back(std::llround(radius / kQuantum));
     return differences(values);
 }
 
-ordered_json add_atoms(Streams& streams, const Structure& structure) {
-    const Vec3 low = lowest(structure.atoms.centres);
-    streams.add("atom-x", differences(quantised(structure.atoms.centres, &Vec3::x, low.x)));
-    streams.add("atom-y", differences(quantised(structure.atoms.centres, &Vec3::y, low.y)));
-    streams.add("atom-z", differences(quantised(structure.atoms.centres, &Vec3::z, low.z)));
-    streams.add("atom-radius", radii(structure.atoms));
+/// Atoms as they are shown, and what is known of them.
+struct ShownAtoms {
+    std::span<const Vec3> centres;
+    std::span<const double> radii;
+    const std::vector<AtomLabel>& labels;
+};
+
+/// kind   how the names of the streams begin: "atom-"
+ordered_json add_atoms(Streams& streams, const std::string& kind, const ShownAtoms& atoms) {
+    const Vec3 low = lowest(atoms.centres);
+    streams.add(kind + "x", differences(quantised(atoms.centres, &Vec3::x, low.x)));
+    streams.add(kind + "y", differences(quantised(atoms.centres, &Vec3::y, low.y)));
+    streams.add(kind + "z", differences(quantised(atoms.centres, &Vec3::z, low.z)));
+    streams.add(kind + "radius", radii(atoms.radii));
     Words names;
     Words elements;
-    streams.add("atom-name", per_label(structure, [&](const AtomLabel& l) { return names.number(l.name); }));
-    streams.add("atom-element", per_label(structure, [&](const AtomLabel& l) { return elements.number(l.element); }));
-    streams.add("atom-residue", per_label(structure, [](const AtomLabel& l) { return l.residue; }));
-    streams.add("atom-serial", per_label(structure, [](const AtomLabel& l) { return l.serial; }));
-    streams.add("atom-bfactor",
-                per_label(structure, [](const AtomLabel& l) { return std::llround(l.b_factor / kValueStep); }));
-    return {{"count", structure.atoms.size()},
+    const std::vector<AtomLabel>& labels = atoms.labels;
+    streams.add(kind + "name", per_label(labels, [&](const AtomLabel& l) { return names.number(l.name); }));
+    streams.add(kind + "element", per_label(labels, [&](const AtomLabel& l) { return elements.number(l.element); }));
+    streams.add(kind + "residue", per_label(labels, [](const AtomLabel& l) { return l.residue; }));
+    streams.add(kind + "serial", per_label(labels, [](const AtomLabel& l) { return l.serial; }));
+    streams.add(kind + "bfactor",
+                per_label(labels, [](const AtomLabel& l) { return std::llround(l.b_factor / kValueStep); }));
+    return {{"count", atoms.centres.size()},
             {"low", point_json(low)},
             {"valueStep", kValueStep},
             {"names", names.list()},
             {"elements", elements.list()}};
 }
 
-ordered_json residues_json(const Structure& structure) {
+ordered_json residues_json(const std::vector<Residue>& residues) {
     Words chains;
     Words names;
     ordered_json list = ordered_json::array();
-    for (const Residue& r : structure.residues)
+    for (const Residue& r : residues)
         list.push_back({chains.number(r.chain), names.number(r.name), r.number,
                         r.insertion_code == ' ' ? "" : std::string(1, r.insertion_code)});
     return {{"chains", chains.list()}, {"names", names.list()}, {"list", list}};
+}
+
+/// Three planes of bytes.
+std::string planes_of(const std::vector<Colour>& colours) {
+    std::string planes;
+    for (const auto channel : {&Colour::red, &Colour::green, &Colour::blue})
+        for (const Colour& colour : colours) planes.push_back(static_cast<char>(colour.*channel));
+    return planes;
+}
+
+std::string pairs(const std::vector<std::array<std::uint32_t, 2>>& bonds) {
+    std::vector<std::int64_t> ends;
+    for (const auto& [a, b] : bonds) ends.insert(ends.end(), {a, b});
+    return differences(ends);
+}
+
+/// Ligands as atoms of their own with the radii of their balls; nothing where none are shown.
+ordered_json add_ligands(Streams& streams, const Mesh& mesh, const Structure& structure, const PageOptions& options) {
+    const Ligands ligands = options.ligands ? ligands_near(structure.ligands, mesh) : Ligands{};
+    if (ligands.centres.empty()) return {};
+    std::vector<double> radii;
+    for (const AtomLabel& label : ligands.labels) radii.push_back(ball_radius(label));
+    ordered_json atoms = add_atoms(streams, "ligand-", {ligands.centres, radii, ligands.labels});
+    streams.add("ligand-bonds", pairs(ligands.bonds));
+    streams.add("ligand-colours", planes_of(ligand_colours(ligands, colours_shown(mesh, structure, options.colours))));
+    return {{"atoms", std::move(atoms)},       {"residues", residues_json(ligands.residues)},
+            {"bonds", ligands.bonds.size()},   {"stick", kStickRadius},
+            {"inSurface", ligands.in_surface}, {"text", list_of_counts(count_ligands(ligands))}};
 }
 
 ordered_json cavities_json(const Mesh& mesh, const Structure& structure, const PageOptions& options) {
@@ -168,8 +207,10 @@ std::string page_data(const Mesh& mesh, const Structure& structure, const PageOp
                       {"low", point_json(low)},
                       {"triangles", mesh.triangles.size()},
                       {"vertices", order_of_use(mesh).vertices.size()}};
-    data["atoms"] = add_atoms(streams, structure);
-    data["residues"] = residues_json(structure);
+    data["atoms"] = add_atoms(streams, "atom-", {structure.atoms.centres, structure.atoms.radii, structure.labels});
+    data["residues"] = residues_json(structure.residues);
+    if (ordered_json ligands = add_ligands(streams, mesh, structure, options); !ligands.is_null())
+        data["ligands"] = std::move(ligands);
     data["schemes"] = schemes_json(mesh, structure, options, streams);
     data["values"] = values_json(mesh);
     data["scheme"] = id_of_first(mesh, structure, options.colours);

@@ -16,6 +16,7 @@
 #include "pockets/pocket_borders.h"
 #include "pockets/pocket_model.h"
 #include "pockets/pocket_space.h"
+#include "pockets/place_regions.h"
 #include "pockets/point_features.h"
 #include "pockets/sites.h"
 
@@ -25,6 +26,7 @@ namespace {
 constexpr double kTie = 0.1;         // of a score: how much another orientation may change it
 constexpr double kMostSpacing = 2.0;  // Å
 constexpr double kMeshSpacing = 1.0;  // Å: of the meshes that divide exact areas
+constexpr double kAtSite = 4.0;       // Å: from a site's centre to what it is said to have found
 
 void check(const ExactSurface& exact, std::span<const AtomClass> classes, const PocketOptions& options) {
     require_positive("probe", options.probe);
@@ -33,11 +35,18 @@ void check(const ExactSurface& exact, std::span<const AtomClass> classes, const 
     require(options.spacing > 0.0 && options.spacing <= kMostSpacing, "spacing", options.spacing,
             "above 0 and at most 2 Å for pockets");
     require(options.count >= 1, "count", options.count, "at least 1");
+    for (const PocketPlace& place : options.places) {
+        if (place.points.empty()) throw UsageError("places: one has no points");
+        require_positive("reach", place.reach);
+        for (const Vec3& point : place.points)
+            if (!std::isfinite(point.x + point.y + point.z)) throw UsageError("places: a point is not finite");
+    }
     if (!classes.empty() && classes.size() != exact.atoms().size())
         throw UsageError("classes: there must be one per atom");
 }
 
-// A pocket in the making: a site with its region, or a cavity, which may have a site.
+// A pocket in the making: a site with its region, or a cavity, which may have a site, or a given place, which may be a
+// cavity.
 struct Draft {
     std::optional<Site> site;
     std::uint32_t cavity = kNone;  // index among the components
@@ -108,11 +117,23 @@ private:
 
     void label_voxels() {
         cavities_ = cavity_voxels(space_, small_);
+        labels_.assign(space_.size(), kNone);
+        if (pockets_.options.places.empty())
+            label_sites();
+        else
+            label_places();
+    }
+
+    std::vector<Site> sites() const {
+        return find_sites(space_, points_, static_cast<std::size_t>(pockets_.options.count));
+    }
+
+    void label_sites() {
         std::vector<std::uint8_t> closed(space_.size());
         for (VoxelId v = 0; v < space_.size(); ++v) closed[v] = static_cast<std::uint8_t>(cavities_[v] != kNone);
         std::vector<Site> open;
         std::vector<Draft> found;
-        for (const Site& site : find_sites(space_, points_, static_cast<std::size_t>(pockets_.options.count))) {
+        for (const Site& site : sites()) {
             const std::uint32_t cavity = cavities_[site.densest];
             if (cavity == kNone) {
                 found.push_back({site, kNone});
@@ -131,16 +152,30 @@ private:
             drafts_.push_back(draft);
         }
         add_cavities_without_sites();
+        for (VoxelId v = 0; v < space_.size(); ++v)
+            if (region[v] != kNone) labels_[v] = draft_of_site[region[v]];
+        label_cavities();
+    }
+
+    void label_places() {
+        labels_ = place_regions(space_, pockets_.options.places, cavities_);
+        drafts_.resize(pockets_.options.places.size());
+        for (VoxelId v = 0; v < space_.size(); ++v) {
+            const std::uint32_t cavity = cavities_[v];
+            if (labels_[v] == kNone || cavity == kNone) continue;
+            if (std::none_of(drafts_.begin(), drafts_.end(), [&](const Draft& d) { return d.cavity == cavity; }))
+                drafts_[labels_[v]].cavity = cavity;
+        }
+        label_cavities();
+    }
+
+    // A cavity is one pocket, or none.
+    void label_cavities() {
         std::vector<std::uint32_t> of_cavity(small_.measures().components.size(), kNone);
         for (std::uint32_t d = 0; d < drafts_.size(); ++d)
             if (drafts_[d].cavity != kNone) of_cavity[drafts_[d].cavity] = d;
-        labels_.assign(space_.size(), kNone);
-        for (VoxelId v = 0; v < space_.size(); ++v) {
-            if (cavities_[v] != kNone)
-                labels_[v] = of_cavity[cavities_[v]];
-            else if (region[v] != kNone)
-                labels_[v] = draft_of_site[region[v]];
-        }
+        for (VoxelId v = 0; v < space_.size(); ++v)
+            if (cavities_[v] != kNone) labels_[v] = of_cavity[cavities_[v]];
     }
 
     double cube() const { return space_.grid.spacing() * space_.grid.spacing() * space_.grid.spacing(); }
@@ -187,13 +222,21 @@ private:
     void measure_volumes() {
         pockets_.pockets.resize(drafts_.size());
         double cavities = 0.0;
+        double in_none = 0.0;  // of the cavities' volume
         const std::vector<std::uint32_t> of_large = cavities_of_large();
-        for (std::size_t d = 0; d < drafts_.size(); ++d) {
-            if (drafts_[d].cavity == kNone) continue;
-            Pocket& pocket = pockets_.pockets[d];
+        for (std::uint32_t i = 0; i < small_.measures().components.size(); ++i) {
+            if (small_.measures().components[i].kind != ComponentKind::Cavity) continue;
+            const double volume = volume_of_cavity(small_.measures(), large_.measures(), i, of_large);
+            cavities += volume;
+            const auto draft =
+                std::find_if(drafts_.begin(), drafts_.end(), [&](const Draft& d) { return d.cavity == i; });
+            if (draft == drafts_.end()) {
+                in_none += volume;
+                continue;
+            }
+            Pocket& pocket = pockets_.pockets[static_cast<std::size_t>(draft - drafts_.begin())];
             pocket.cavity = true;
-            pocket.volume = volume_of_cavity(small_.measures(), large_.measures(), drafts_[d].cavity, of_large);
-            cavities += pocket.volume;
+            pocket.volume = volume;
         }
         std::vector<double> shares(drafts_.size());
         double rest = 0.0;
@@ -204,13 +247,13 @@ private:
             (labels_[v] == kNone ? rest : shares[labels_[v]]) += space_.shares[v];
         }
         if (all == 0.0) {  // a grid too coarse for the little that there is
-            pockets_.rest_volume = pockets_.volume - cavities;
+            pockets_.rest_volume = pockets_.volume - cavities + in_none;
             return;
         }
         pockets_.scale = (pockets_.volume - cavities) / (all * cube());
         for (std::size_t d = 0; d < drafts_.size(); ++d)
             if (drafts_[d].cavity == kNone) pockets_.pockets[d].volume = pockets_.scale * shares[d] * cube();
-        pockets_.rest_volume = pockets_.scale * rest * cube();
+        pockets_.rest_volume = pockets_.scale * rest * cube() + in_none;
     }
 
     void measure_borders() {
@@ -239,8 +282,10 @@ private:
                 pocket.score = drafts_[d].site->score;
                 pocket.centre = drafts_[d].site->centre;
                 pocket.probability = probabilities_[drafts_[d].site->densest];
-            } else
+            } else if (drafts_[d].cavity != kNone)
                 pocket.centre = small_.measures().components[drafts_[d].cavity].inscribed_centre;
+            else
+                pocket.centre = centre_of(pockets_.options.places[d].points);
             pocket.deepest = pocket.centre;
         }
         for (VoxelId v = 0; v < space_.size(); ++v) {
@@ -255,18 +300,44 @@ private:
             pocket.depth = -space_.outer[v];
             pocket.deepest = space_.position(v);
         }
+        if (!pockets_.options.places.empty()) compare_with_sites();
     }
 
+    // How a pocket that was not found, but given, would have been found.
+    void compare_with_sites() {
+        const std::vector<Site> found = sites();
+        for (std::size_t d = 0; d < drafts_.size(); ++d) {
+            Pocket& pocket = pockets_.pockets[d];
+            pocket.score = largest_density(space_, points_, pocket.voxels);
+            const std::vector<Vec3>& points = pockets_.options.places[d].points;
+            const std::vector<double> distances = large_.signed_distance(points);
+            pocket.points_inside = static_cast<std::size_t>(
+                std::count_if(distances.begin(), distances.end(), [](double distance) { return distance < 0.0; }));
+            for (std::size_t s = 0; s < found.size() && pocket.site == 0; ++s)
+                if (std::any_of(points.begin(), points.end(),
+                                [&](const Vec3& point) { return norm(point - found[s].centre) <= kAtSite; }))
+                    pocket.site = s + 1;
+        }
+    }
+
+    static Vec3 centre_of(std::span<const Vec3> points) {
+        Vec3 sum;
+        for (const Vec3& point : points) sum += point;
+        return (1.0 / static_cast<double>(points.size())) * sum;
+    }
+
+    // Given ones keep their order.
     void sort() {
         std::vector<Pocket>& list = pockets_.pockets;
+        const bool are_given = !pockets_.options.places.empty();
         std::vector<std::uint32_t> order(list.size());
         for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
         const auto by = [&](double Pocket::*value) {
             std::stable_sort(order.begin(), order.end(),
                              [&](std::uint32_t a, std::uint32_t b) { return list[a].*value > list[b].*value; });
         };
-        if (pockets_.options.rank == PocketRank::Volume) by(&Pocket::volume);
-        if (pockets_.options.rank == PocketRank::Depth) by(&Pocket::depth);
+        if (pockets_.options.rank == PocketRank::Volume && !are_given) by(&Pocket::volume);
+        if (pockets_.options.rank == PocketRank::Depth && !are_given) by(&Pocket::depth);
         std::vector<Pocket> sorted;
         std::vector<std::uint32_t> place(list.size());
         for (const std::uint32_t from : order) {
@@ -279,7 +350,7 @@ private:
             if (voxel.pocket != kNone) voxel.pocket = place[voxel.pocket];
         for (Pocket& pocket : list)
             for (const Pocket& other : list)
-                if (&pocket != &other && pocket.score > 0.0 &&
+                if (&pocket != &other && !are_given && pocket.score > 0.0 &&
                     std::abs(pocket.score - other.score) <= kTie * std::max(pocket.score, other.score))
                     pocket.tied_with.push_back(other.rank);
     }

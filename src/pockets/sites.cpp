@@ -175,6 +175,13 @@ std::vector<Site> find_sites(const PocketSpace& space, const WeightedPoints& poi
     return sites;
 }
 
+double largest_density(const PocketSpace& space, const WeightedPoints& points, std::span<const VoxelId> voxels) {
+    const WeightedPlaces places = places_of(space, points);
+    std::vector<double> found(voxels.size());
+    parallel_for(voxels.size(), 64, [&](std::size_t i) { found[i] = density_at(space.position(voxels[i]), places); });
+    return found.empty() ? 0.0 : *std::max_element(found.begin(), found.end());
+}
+
 std::vector<std::uint32_t> regions(const PocketSpace& space, std::span<const Site> sites,
                                    std::span<const std::uint8_t> left_out) {
     constexpr double kReach = kSeparation + kKernel;

@@ -31,6 +31,9 @@ struct Site {
 /// The densest place first; its points are taken away before the next one is looked for.
 std::vector<Site> find_sites(const PocketSpace& space, const WeightedPoints& points, std::size_t most);
 
+/// The largest density of the points at one of some voxels: the score of a site there.
+double largest_density(const PocketSpace& space, const WeightedPoints& points, std::span<const VoxelId> voxels);
+
 /// For each voxel the number of its site, or kNone. A voxel goes to the site whose points are densest around it, if
 /// they are at least half as dense there as where they are densest.
 ///

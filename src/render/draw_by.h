@@ -13,6 +13,6 @@ namespace meniscus {
 /// sky      one share per vertex
 /// throws   as draw_picture()
 Picture draw_picture_by(std::span<const float> sky, const Mesh& mesh, std::span<const Colour> colours,
-                        const PictureOptions& options);
+                        const PictureOptions& options, const Bodies& beside = {});
 
 }  // namespace meniscus

@@ -69,20 +69,21 @@ Picture draw(const Scene& scene, const PictureOptions& options) {
 bool pictures_supported() { return true; }
 
 Picture draw_picture(const Mesh& mesh, std::span<const Colour> colours, const PictureOptions& options,
-                     const ColourField& exact) {
+                     const ColourField& exact, const Bodies& beside) {
     check(mesh, colours, options);
+    check_mesh(beside.mesh, beside.colours);
     const ThreadLimit limit(options.threads);
     if (mesh.triangles.empty()) return blank(options);
-    return draw(Scene(mesh, RayScene(mesh), colours, options, exact), options);
+    return draw(Scene({mesh, colours}, RayScene(mesh), options, exact, beside), options);
 }
 
 Picture draw_picture_by(std::span<const float> sky, const Mesh& mesh, std::span<const Colour> colours,
-                        const PictureOptions& options) {
+                        const PictureOptions& options, const Bodies& beside) {
     check(mesh, colours, options);
     const ThreadLimit limit(options.threads);
     if (mesh.triangles.empty()) return blank(options);
     const ColourField none;
-    Scene scene(mesh, RayScene(mesh), colours, options, none);
+    Scene scene({mesh, colours}, RayScene(mesh), options, none, beside);
     scene.take_sky(sky);
     return draw(scene, options);
 }

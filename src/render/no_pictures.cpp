@@ -18,12 +18,12 @@ namespace {
 bool pictures_supported() { return false; }
 
 Picture draw_picture(const Mesh& /*mesh*/, std::span<const Colour> /*colours*/, const PictureOptions& /*options*/,
-                     const ColourField& /*exact*/) {
+                     const ColourField& /*exact*/, const Bodies& /*beside*/) {
     refuse();
 }
 
 Picture draw_picture_by(std::span<const float> /*sky*/, const Mesh& /*mesh*/, std::span<const Colour> /*colours*/,
-                        const PictureOptions& /*options*/) {
+                        const PictureOptions& /*options*/, const Bodies& /*beside*/) {
     refuse();
 }
 

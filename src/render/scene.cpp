@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "render/cut_plane.h"
 #include "render/sky_reach.h"
@@ -14,6 +15,9 @@ namespace {
 
 /// Of a section through the molecule: a light, warm grey that no palette has.
 constexpr Colour kSection{222, 217, 208, 255};
+
+/// Least share of the sky for bodies beside the surface: what lies in a deep pocket is to be seen in its colours.
+constexpr double kLeastSkyOfBodies = 0.6;
 
 /// A quantity of the corners at a point of the triangle.
 template <class T, class Get>
@@ -27,45 +31,75 @@ Light interpolated_light(const Triangle& t, const RayHit& hit, std::span<const C
     return (1.0F - u - v) * to_light(colours[t[0]]) + u * to_light(colours[t[1]]) + v * to_light(colours[t[2]]);
 }
 
+/// The camera that looks at a surface and has the bodies beside it in its picture, too: they do not turn it.
+Camera camera_of(const Mesh& surface, const Mesh& bodies, const PictureOptions& options) {
+    if (bodies.vertices.empty()) return {surface.vertices, options};
+    PictureOptions same_view = options;
+    if (!same_view.viewpoint) {
+        const ViewFrame frame = principal_frame(surface.vertices);
+        same_view.viewpoint = Viewpoint{frame.towards, frame.up};
+    }
+    std::vector<Vec3> all = surface.vertices;
+    all.insert(all.end(), bodies.vertices.begin(), bodies.vertices.end());
+    return {all, same_view};
+}
+
+/// Without the bodies of which a cut keeps nothing.
+Mesh kept_bodies(const Mesh& bodies, const HalfSpace& kept) {
+    std::set<std::uint32_t> shown;
+    for (std::size_t v = 0; v < bodies.vertices.size(); ++v)
+        if (kept.contains(bodies.vertices[v])) shown.insert(bodies.components[v]);
+    Mesh rest = bodies;
+    std::erase_if(rest.triangles, [&](const Triangle& t) { return !shown.contains(bodies.components[t[0]]); });
+    return rest;
+}
+
 }  // namespace
 
-Scene::Scene(const Mesh& mesh, const RayScene& rays, std::span<const Colour> colours, const PictureOptions& options,
-             const ColourField& exact)
-    : mesh_(mesh),
-      colours_(colours),
+Scene::Scene(const Painted& surface, const RayScene& rays, const PictureOptions& options, const ColourField& exact,
+             const Bodies& beside)
+    : surface_(surface),
+      colours_of_bodies_(beside.colours),
       options_(options),
       exact_(exact),
-      camera_(mesh.vertices, options),
-      kept_(options.cut ? std::optional(find_cut(mesh, *options.cut, camera_)) : std::nullopt),
-      has_section_(kept_ && is_body(mesh)),
+      camera_(camera_of(surface.mesh, beside.mesh, options)),
+      kept_(options.cut ? std::optional(find_cut(surface.mesh, *options.cut, Camera(surface.mesh.vertices, options)))
+                        : std::nullopt),
+      has_section_(kept_ && is_body(surface.mesh)),
       rays_(kept_ ? rays.cut(*kept_) : rays),
-      sky_({rays_, mesh, reach_of_sky(camera_)}),
-      sky_from_inside_({rays_, mesh, reach_of_sky(camera_), SkyRays::Side::Molecule}),
+      sky_({rays_, surface.mesh, reach_of_sky(camera_)}),
+      sky_from_inside_({rays_, surface.mesh, reach_of_sky(camera_), SkyRays::Side::Molecule}),
       lamps_(camera_.frame()),
       background_(to_light(options.background)),
-      front_(nearest_kept()) {}
+      front_(nearest_kept()) {
+    Mesh shown = kept_ ? kept_bodies(beside.mesh, *kept_) : beside.mesh;
+    if (!shown.triangles.empty()) beside_ = std::make_unique<Beside>(std::move(shown), rays_, reach_of_sky(camera_));
+}
 
 double Scene::nearest_kept() const {
     if (!kept_) return 0.0;
     double nearest = camera_.depth_range();
-    for (const Vec3& vertex : mesh_.vertices)
+    for (const Vec3& vertex : surface_.mesh.vertices)
         if (kept_->contains(vertex)) nearest = std::min(nearest, camera_.depth(vertex));
     return nearest;
 }
 
 /// True where a ray meets the side of the molecule: walls of cavities shown alone, meshes that are not closed.
 bool Scene::faces_away(const Triangle& t, const Vec3& direction) const {
-    const Vec3& corner = mesh_.vertices[t[0]];
-    return dot(cross(mesh_.vertices[t[1]] - corner, mesh_.vertices[t[2]] - corner), direction) > 0.0;
+    const std::vector<Vec3>& corners = surface_.mesh.vertices;
+    const Vec3& corner = corners[t[0]];
+    return dot(cross(corners[t[1]] - corner, corners[t[2]] - corner), direction) > 0.0;
 }
 
 Light Scene::light_from(const Sight& sight) const {
     const RayHit& hit = *sight.hit;
-    const Triangle& t = mesh_.triangles[hit.triangle];
-    Vec3 normal = normalised(interpolated<Vec3>(t, hit, [this](VertexId v) { return mesh_.normals[v]; }));
+    const Mesh& mesh = mesh_of(sight);
+    const Triangle& t = mesh.triangles[hit.triangle];
+    Vec3 normal = normalised(interpolated<Vec3>(t, hit, [&mesh](VertexId v) { return mesh.normals[v]; }));
     if (sight.from_inside) normal = -normal;
-    const SkyLight& seen_sky = sight.from_inside ? sky_from_inside_ : sky_;
-    const auto sky = interpolated<double>(t, hit, [&seen_sky](VertexId v) { return double{seen_sky.at(v)}; });
+    const SkyLight& seen_sky = sight.of_body ? beside_->sky : sight.from_inside ? sky_from_inside_ : sky_;
+    auto sky = interpolated<double>(t, hit, [&seen_sky](VertexId v) { return double{seen_sky.at(v)}; });
+    if (sight.of_body) sky = kLeastSkyOfBodies + (1.0 - kLeastSkyOfBodies) * sky;
     return lamps_.shade(sight.albedo, normal, -sight.ray.direction, static_cast<float>(sky));
 }
 
@@ -87,11 +121,30 @@ std::vector<Scene::Sight> Scene::sights_at(std::span<const Spot> spots) const {
                        [this](const Spot& spot) { return camera_.ray(spot.x, spot.y); });
         rays_.first_hits(std::span(rays).first(few.size()), std::numeric_limits<double>::infinity(), hits);
         for (std::size_t i = 0; i < few.size(); ++i) {
-            const bool inside = hits[i] && faces_away(mesh_.triangles[hits[i]->triangle], rays[i].direction);
+            const bool inside = hits[i] && faces_away(surface_.mesh.triangles[hits[i]->triangle], rays[i].direction);
             sights.push_back({.ray = rays[i], .hit = hits[i], .from_inside = inside});
         }
+        if (beside_) see_bodies(std::span(sights).last(few.size()));
     }
     return sights;
+}
+
+/// Where along its ray something of the surface is seen, Å: a section before what is hit behind it.
+double Scene::seen_at(const Sight& sight) const {
+    if (!sight.hit) return std::numeric_limits<double>::infinity();
+    if (shows_section(sight)) return kept_->part_of_ray(sight.ray.origin, sight.ray.direction).begin;
+    return sight.hit->distance;
+}
+
+/// Puts bodies before what they hide, in up to RayScene::kTogether sights.
+void Scene::see_bodies(std::span<Sight> sights) const {
+    std::array<Ray, RayScene::kTogether> rays;
+    std::array<std::optional<RayHit>, RayScene::kTogether> hits;
+    std::transform(sights.begin(), sights.end(), rays.begin(), [](const Sight& sight) { return sight.ray; });
+    beside_->rays.first_hits(std::span(rays).first(sights.size()), std::numeric_limits<double>::infinity(), hits);
+    for (std::size_t i = 0; i < sights.size(); ++i)
+        if (hits[i] && hits[i]->distance < seen_at(sights[i]))
+            sights[i] = {.ray = rays[i], .hit = hits[i], .of_body = true};
 }
 
 /// Where the corners of triangles differ the exact colours are asked for, all at once.
@@ -100,10 +153,11 @@ void Scene::find_albedos(std::span<Sight> sights) const {
     std::vector<Vec3> points;
     for (std::size_t i = 0; i < sights.size(); ++i) {
         if (!sights[i].hit || shows_section(sights[i])) continue;
-        const Triangle& t = mesh_.triangles[sights[i].hit->triangle];
-        const bool uniform = colours_[t[0]] == colours_[t[1]] && colours_[t[1]] == colours_[t[2]];
-        if (uniform || !exact_) {
-            sights[i].albedo = uniform ? to_light(colours_[t[0]]) : interpolated_light(t, *sights[i].hit, colours_);
+        const Triangle& t = mesh_of(sights[i]).triangles[sights[i].hit->triangle];
+        const std::span<const Colour> colours = sights[i].of_body ? colours_of_bodies_ : surface_.colours;
+        const bool uniform = colours[t[0]] == colours[t[1]] && colours[t[1]] == colours[t[2]];
+        if (uniform || !exact_ || sights[i].of_body) {
+            sights[i].albedo = uniform ? to_light(colours[t[0]]) : interpolated_light(t, *sights[i].hit, colours);
             continue;
         }
         asked.push_back(i);
@@ -121,7 +175,7 @@ Glimpse Scene::glimpse_of(const Sight& sight) const {
     if (shows_section(sight))
         return glimpse(Glimpse::Kind::Section, to_light(kSection),
                        ray.origin + kept_->part_of_ray(ray.origin, ray.direction).begin * ray.direction);
-    return glimpse(Glimpse::Kind::Surface, light_from(sight), sight.point());
+    return glimpse(sight.of_body ? Glimpse::Kind::Body : Glimpse::Kind::Surface, light_from(sight), sight.point());
 }
 
 std::vector<Glimpse> Scene::look(std::span<const Spot> spots) const {

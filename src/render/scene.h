@@ -4,8 +4,10 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "meniscus/picture.h"
@@ -18,7 +20,7 @@ namespace meniscus {
 
 /// What one ray sees.
 struct Glimpse {
-    enum class Kind { Background, Surface, Section };
+    enum class Kind { Background, Surface, Section, Body };
 
     Light light{};
     float depth =
@@ -35,13 +37,19 @@ struct Spot {
     double y = 0.0;
 };
 
+/// Triangles and one colour per vertex.
+struct Painted {
+    const Mesh& mesh;
+    std::span<const Colour> colours;
+};
+
 class Scene {
 public:
     /// All arguments but the rays must outlive the scene. Precondition: they have passed the checks of draw_picture(),
     /// and the mesh has a triangle.
     /// rays   of the mesh as it is, without a cut
-    Scene(const Mesh& mesh, const RayScene& rays, std::span<const Colour> colours, const PictureOptions& options,
-          const ColourField& exact);
+    Scene(const Painted& surface, const RayScene& rays, const PictureOptions& options, const ColourField& exact,
+          const Bodies& beside);
 
     /// Light of the sky that is known already, one share per vertex.
     void take_sky(std::span<const float> shares) { sky_.take(shares); }
@@ -57,12 +65,25 @@ private:
         Ray ray;
         std::optional<RayHit> hit{};
         bool from_inside = false;  // it meets the side of the molecule
+        bool of_body = false;      // it meets something beside the surface
         Light albedo{};
 
         Vec3 point() const { return ray.origin + hit->distance * ray.direction; }
     };
 
+    /// What of the bodies is drawn, prepared for rays; their sky is what the surface leaves open.
+    struct Beside {
+        Beside(Mesh shown, const RayScene& surface, double reach)
+            : mesh(std::move(shown)), rays(mesh), sky({surface, mesh, reach}) {}
+        Mesh mesh;
+        RayScene rays;
+        SkyLight sky;
+    };
+
+    const Mesh& mesh_of(const Sight& sight) const { return sight.of_body ? beside_->mesh : surface_.mesh; }
     std::vector<Sight> sights_at(std::span<const Spot> spots) const;
+    void see_bodies(std::span<Sight> sights) const;
+    double seen_at(const Sight& sight) const;
     void find_albedos(std::span<Sight> sights) const;
     Glimpse glimpse_of(const Sight& sight) const;
     bool faces_away(const Triangle& t, const Vec3& direction) const;
@@ -72,8 +93,8 @@ private:
     Glimpse glimpse(Glimpse::Kind kind, const Light& light, const Vec3& point) const;
     double nearest_kept() const;
 
-    const Mesh& mesh_;
-    std::span<const Colour> colours_;
+    Painted surface_;
+    std::span<const Colour> colours_of_bodies_;
     const PictureOptions& options_;
     const ColourField& exact_;
     Camera camera_;
@@ -82,6 +103,7 @@ private:
     RayScene rays_;
     SkyLight sky_;
     SkyLight sky_from_inside_;
+    std::unique_ptr<Beside> beside_;  // nothing where no body is drawn
     Lamps lamps_;
     Light background_;
     double front_;  // depth where the depth cue begins, Å

@@ -41,29 +41,35 @@ public:
         structure_.labels.reserve(count);
     }
 
-    // Copies the kept atoms whose residues are wanted.
+    // Copies the kept atoms and the ligands whose residues are wanted.
     template <class Wanted, class ChainName>
     void append(const RawOperator& op, bool moves, Wanted wanted, ChainName chain_name) {
-        // Atoms of a residue may stand in several places of the file.
-        constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-        std::vector<std::uint32_t> copies(model_.residues.size(), kNone);
-        for (std::size_t k = 0; k < chosen_.atoms.size(); ++k) {
-            const RawAtom& atom = model_.atoms[chosen_.atoms[k]];
-            if (!wanted(atom.residue)) continue;
-            std::uint32_t& copy = copies[atom.residue];
-            if (copy == kNone) copy = add_residue(model_.residues[atom.residue], chain_name);
-            structure_.atoms.centres.push_back(moves ? op.apply(atom.centre) : atom.centre);
+        const auto copy = [&](const std::vector<std::uint32_t>& atoms, auto& to, const auto& take) {
+            // Atoms of a residue may stand in several places of the file.
+            constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+            std::vector<std::uint32_t> copies(atoms.empty() ? 0 : model_.residues.size(), kNone);
+            for (std::size_t k = 0; k < atoms.size(); ++k) {
+                const RawAtom& atom = model_.atoms[atoms[k]];
+                if (!wanted(atom.residue)) continue;
+                std::uint32_t& number = copies[atom.residue];
+                if (number == kNone) number = add_residue(model_.residues[atom.residue], chain_name, to.residues);
+                to.labels.push_back(to_label(atom, number));
+                take(k, moves ? op.apply(atom.centre) : atom.centre);
+            }
+        };
+        copy(chosen_.atoms, structure_, [&](std::size_t k, const Vec3& centre) {
+            structure_.atoms.centres.push_back(centre);
             structure_.atoms.radii.push_back(radii_.values[k]);
-            structure_.labels.push_back(to_label(atom, copy));
-        }
+        });
+        copy(chosen_.ligands_drawn, structure_.ligands,
+             [&](std::size_t /*k*/, const Vec3& centre) { structure_.ligands.centres.push_back(centre); });
     }
 
 private:
     template <class ChainName>
-    std::uint32_t add_residue(const RawResidue& residue, ChainName chain_name) {
-        structure_.residues.push_back(
-            {chain_name(residue.chain), residue.name, residue.number, residue.insertion_code});
-        return static_cast<std::uint32_t>(structure_.residues.size() - 1);
+    static std::uint32_t add_residue(const RawResidue& residue, ChainName chain_name, std::vector<Residue>& residues) {
+        residues.push_back({chain_name(residue.chain), residue.name, residue.number, residue.insertion_code});
+        return static_cast<std::uint32_t>(residues.size() - 1);
     }
 
     const RawModel& model_;

@@ -12,8 +12,9 @@
 
 namespace meniscus::reading {
 
-/// Fills atoms, labels and residues of `structure`: as deposited, or, if `assembly` is not empty, every chain copied
-/// as the assembly says. The copies of chain A are A, A-2, A-3 ...; atoms are in the order of the copies.
+/// Fills atoms, labels, residues and ligands without bonds of `structure`: as deposited, or, if `assembly` is not
+/// empty, every chain copied as the assembly says. The copies of chain A are A, A-2, A-3 ...; atoms are in the order of
+/// the copies.
 ///
 /// throws   InputError if the file has no such assembly or does not say how to build it; LimitError if there would be
 ///          more atoms than an index can count

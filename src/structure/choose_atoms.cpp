@@ -10,6 +10,7 @@
 #include "meniscus/errors.h"
 #include "meniscus/list_of_counts.h"
 #include "reading/text.h"
+#include "structure/additives.h"
 #include "structure/altlocs.h"
 #include "structure/element.h"
 #include "structure/gemmi/gemmi_reader.h"
@@ -150,12 +151,24 @@ void apply_waters(const RawModel& model, const ReadOptions& options, Chosen& cho
         chosen.notes.push_back(counted(count, "water") + left_out(count, options.spelling("keep_waters", "true")));
 }
 
+bool has_polymer(const RawModel& model) {
+    return std::any_of(model.residues.begin(), model.residues.end(),
+                       [](const RawResidue& residue) { return residue.kind == ResidueKind::Polymer; });
+}
+
+// What is drawn as sticks and balls, before it may be left out.
+void note_ligands(const RawModel& model, Chosen& chosen) {
+    if (!has_polymer(model)) return;
+    for (const std::uint32_t i : chosen.atoms) {
+        const RawResidue& residue = model.residue_of(model.atoms[i]);
+        if (residue.kind == ResidueKind::Ligand && !is_additive(residue.name)) chosen.ligands_drawn.push_back(i);
+    }
+}
+
 // A small molecule, a lipid bilayer or a crystal of sugar is what its file is about, not something beside a polymer.
 HeteroPolicy policy_for(const RawModel& model, const ReadOptions& options) {
     if (options.hetero) return *options.hetero;
-    const auto is_polymer = [](const RawResidue& residue) { return residue.kind == ResidueKind::Polymer; };
-    const bool has_polymer = std::any_of(model.residues.begin(), model.residues.end(), is_polymer);
-    return has_polymer ? HeteroPolicy::None : HeteroPolicy::All;
+    return has_polymer(model) ? HeteroPolicy::None : HeteroPolicy::All;
 }
 
 void tell_kept_hetero(const RawModel& model, Chosen& chosen) {
@@ -170,6 +183,8 @@ void tell_kept_hetero(const RawModel& model, Chosen& chosen) {
 }
 
 void apply_hetero(const RawModel& model, const ReadOptions& options, Chosen& chosen) {
+    note_ligands(model, chosen);
+    chosen.ligands_stay = true;
     if (model.has_radii && !options.hetero) return;
     const auto apply = [&](ResidueKind kind, const char* remedy) {
         auto names = drop_kind(model, kind, "hetero", chosen);
@@ -179,6 +194,7 @@ void apply_hetero(const RawModel& model, const ReadOptions& options, Chosen& cho
     };
     const HeteroPolicy policy = policy_for(model, options);
     if (policy == HeteroPolicy::None) chosen.ligands = apply(ResidueKind::Ligand, "ligands");
+    chosen.ligands_stay = policy != HeteroPolicy::None;
     if (policy != HeteroPolicy::All) apply(ResidueKind::Ion, "all");
     if (!options.hetero && policy == HeteroPolicy::All) tell_kept_hetero(model, chosen);
 }

@@ -16,6 +16,8 @@ namespace meniscus::reading {
 /// Atoms of a model that stay, and what became of the others.
 struct Chosen {
     std::vector<std::uint32_t> atoms;            ///< indices into RawModel::atoms, in file order
+    std::vector<std::uint32_t> ligands_drawn;    ///< atoms of Structure::ligands, in file order, left out or not
+    bool ligands_stay = false;                   ///< they are among `atoms`
     std::map<std::string, std::size_t> dropped;  ///< atoms left out, by reason
     std::map<std::string, std::size_t> ligands;  ///< residues of ligands left out, by name
     std::vector<std::string> notes;              ///< see Structure::notes, one line per kind

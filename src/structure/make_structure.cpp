@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "structure/make_structure.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "meniscus/errors.h"
@@ -11,7 +12,9 @@
 #include "structure/choose_atoms.h"
 #include "structure/coincident.h"
 #include "structure/guessed_elements.h"
+#include "structure/hydrogens.h"
 #include "structure/join_residues.h"
+#include "structure/ligands.h"
 #include "structure/residue_kinds.h"
 
 namespace meniscus::reading {
@@ -40,6 +43,12 @@ std::string why_guessed(const InputFile& file, const RawModel& model) {
     return is_cif ? "_atom_site.type_symbol is not given" : "columns 77-78 are blank";
 }
 
+// Ligands show hydrogens where the surface has some.
+void match_hydrogens(const RawModel& model, Chosen& chosen) {
+    const auto is_one = [&](std::uint32_t i) { return is_hydrogen(model.atoms[i]); };
+    if (std::none_of(chosen.atoms.begin(), chosen.atoms.end(), is_one)) std::erase_if(chosen.ligands_drawn, is_one);
+}
+
 }  // namespace
 
 void append(std::vector<std::string>& lines, const std::vector<std::string>& more) {
@@ -66,6 +75,7 @@ MadeStructure make_structure(const InputFile& file, const RawModel& model, const
     Chosen chosen = choose_atoms(model, options, file.path);
     const AssignedRadii radii = assign_radii(model, options, file.path, chosen);
     if (chosen.atoms.empty()) fail_empty(file.path, model, chosen, options.spelling);
+    match_hydrogens(model, chosen);
     tell_guessed_elements(model, why_guessed(file, model), chosen);
     Structure structure;
     structure.file = file.path;
@@ -79,6 +89,8 @@ MadeStructure make_structure(const InputFile& file, const RawModel& model, const
     structure.warnings = model.warnings;
     append(structure.warnings, chosen.warnings);
     build_structure(model, chosen, radii, options.assembly, structure);
+    structure.ligands.bonds = find_bonds(structure.ligands);
+    structure.ligands.in_surface = chosen.ligands_stay && !structure.ligands.centres.empty();
     if (structure.atoms.empty()) throw InputError(file.path + ": assembly " + options.assembly + " has no kept atoms");
     if (const std::size_t count = count_coincident(structure.atoms.centres); count > 0) {
         structure.warnings.push_back(counted(count, "atom") + " at exactly the position of another atom");

@@ -8,6 +8,7 @@
 #include "meniscus/structure.h"
 #include "reading/text.h"
 #include "structure/gemmi/gemmi_reader.h"
+#include "structure/ligands.h"
 
 namespace meniscus {
 namespace {
@@ -86,6 +87,8 @@ std::vector<Structure> split_chains(const Structure& structure) {
         part.atoms.centres.push_back(structure.atoms.centres[i]);
         part.atoms.radii.push_back(structure.atoms.radii[i]);
     }
+    for (const auto& [chain, number] : number_of_chain)
+        chains[number].ligands = reading::ligands_of_chain(structure.ligands, chain);
     for (Structure& part : chains)
         if (part.atoms.size() < structure.atoms.size())
             part.dropped["chains"] += structure.atoms.size() - part.atoms.size();

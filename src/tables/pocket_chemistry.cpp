@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include "tables/spaced_label.h"
+
 namespace meniscus {
 namespace {
 
@@ -117,13 +119,6 @@ bool is_acceptor(AtomClass kind) {
     }
 }
 
-// "A:SER 195", as reports have it.
-std::string spaced_label(const Residue& residue) {
-    std::string label = residue.chain + ":" + residue.name + " " + std::to_string(residue.number);
-    if (residue.insertion_code != ' ') label += residue.insertion_code;
-    return label;
-}
-
 }  // namespace
 
 std::vector<AtomClass> atom_classes(const Structure& structure) {
@@ -159,10 +154,17 @@ PocketChemistry describe_pocket(const Pocket& pocket, const Structure& structure
     return result;
 }
 
-std::vector<DescribedPocket> describe_pockets(const Pockets& pockets, const Structure& structure) {
+std::vector<DescribedPocket> describe_pockets(const Pockets& pockets, const Structure& structure,
+                                              std::span<const NamedPlace> places) {
     std::vector<DescribedPocket> result;
     for (const Pocket& pocket : pockets.pockets) {
-        DescribedPocket described{pocket, describe_pocket(pocket, structure), {}};
+        DescribedPocket described{.pocket = pocket, .chemistry = describe_pocket(pocket, structure)};
+        if (!places.empty()) {
+            const NamedPlace& place = places[result.size()];
+            described.at = place.name;
+            if (place.ligand.size() > 0)
+                described.ligand = fit_ligand(structure.atoms, place.ligand, pocket, pockets.options.probe);
+        }
         for (const std::uint32_t residue : described.chemistry.residues)
             described.residues.push_back(spaced_label(structure.residues[residue]));
         result.push_back(std::move(described));

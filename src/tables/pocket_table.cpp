@@ -34,7 +34,7 @@ std::string joined(const std::vector<T>& words) {
 Table pockets_table(const std::vector<DescribedPocket>& pockets) {
     Table table{{"rank", "score", "probability", "tied_with", "cavity", "volume", "wall_area", "depth", "x", "y", "z",
                  "mouths", "mouth_area", "openings", "opening_area", "hydrophobicity", "charge", "donors", "acceptors",
-                 "residues"},
+                 "residues", "at", "site", "ligand_atoms", "ligand_inside", "ligand_area", "ligand_buried_area", "track"},
                 {}};
     for (const DescribedPocket& described : pockets) {
         const Pocket& p = described.pocket;
@@ -44,6 +44,30 @@ Table pockets_table(const std::vector<DescribedPocket>& pockets) {
                               static_cast<std::int64_t>(p.openings.size()), area_of(p.openings), c.hydrophobicity,
                               static_cast<std::int64_t>(c.charge), static_cast<std::int64_t>(c.donors),
                               static_cast<std::int64_t>(c.acceptors), joined(described.residues)});
+        std::vector<Cell>& row = table.rows.back();
+        row.emplace_back(described.at);
+        row.emplace_back(static_cast<std::int64_t>(p.site));
+        const LigandFit ligand = described.ligand.value_or(LigandFit{});
+        row.emplace_back(static_cast<std::int64_t>(ligand.atoms));
+        row.emplace_back(static_cast<std::int64_t>(ligand.inside));
+        row.emplace_back(ligand.area);
+        row.emplace_back(ligand.buried_area);
+        row.emplace_back(static_cast<std::int64_t>(described.track));
+    }
+    return table;
+}
+
+Table tracks_table(const std::vector<DescribedTrack>& tracks, std::size_t models) {
+    Table table{{"track", "models", "of", "open", "best_rank", "score", "score_sd", "volume", "volume_sd", "depth",
+                 "depth_sd", "mouth_radius", "mouth_radius_sd", "residues"},
+                {}};
+    for (const DescribedTrack& described : tracks) {
+        const PocketTrack& t = described.track;
+        table.rows.push_back({static_cast<std::int64_t>(described.number), static_cast<std::int64_t>(t.models),
+                              static_cast<std::int64_t>(models), static_cast<std::int64_t>(t.open),
+                              static_cast<std::int64_t>(t.best_rank), t.score.mean, t.score.deviation, t.volume.mean,
+                              t.volume.deviation, t.depth.mean, t.depth.deviation, t.mouth_radius.mean,
+                              t.mouth_radius.deviation, joined(described.residues)});
     }
     return table;
 }

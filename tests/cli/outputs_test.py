@@ -54,6 +54,37 @@ class Outputs(ProgramTest):
         content = (self.folder / "a.png").read_bytes()
         self.assertEqual((int.from_bytes(content[16:20], "big"), int.from_bytes(content[20:24], "big")), (320, 240))
 
+    def ligand_beside_glycine(self):
+        """Ethanal, glycerol (which crystals are grown from), a zinc ion and a water."""
+        atom = "HETATM{:5}  {:<3} {:>3} A{:4}    {:8.3f}{:8.3f}{:8.3f}  1.00 10.00          {:>2}\n"
+        rows = [("C1", "LIG", 2, 1.0, 0, 4.0, "C"), ("C2", "LIG", 2, 2.5, 0, 4.0, "C"), ("O1", "LIG", 2, 3.1, 1.0, 4.0, "O"),
+                ("C1", "GOL", 3, 1.0, 0, -4.0, "C"), ("O1", "GOL", 3, 2.4, 0, -4.0, "O"), ("ZN", "ZN", 4, -4, 0, 0, "ZN"),
+                ("O", "HOH", 5, 6.5, 0, 0, "O")]
+        (self.folder / "gly.pdb").write_text(
+            glycine() + "".join(atom.format(i + 10, *row) for i, row in enumerate(rows)), encoding="ascii")
+
+    def test_ligands_are_drawn_beside_the_surface(self):
+        self.ligand_beside_glycine()
+        names = ("a.png", "a.glb", "a.html", "a.ply", "a.obj")
+        content = {}
+        for how in ("ligands", "none"):
+            report = self.report("gly.pdb", "--size", "64x48", "--draw", how, *[w for n in names for w in ("-o", n)])
+            self.assertEqual(report["drawn"], {"LIG": 1} if how == "ligands" else {})
+            content[how] = [(self.folder / name).read_bytes() for name in names]
+        for name, with_ligands, without in zip(names, *content.values()):
+            self.assertEqual(with_ligands != without, name in ("a.png", "a.glb", "a.html"), name)
+        glb = content["ligands"][1]
+        nodes = json.loads(glb[20:20 + int.from_bytes(glb[12:16], "little")])["nodes"]
+        self.assertEqual([node["name"] for node in nodes], ["surface", "ligands"])
+
+    def test_ligands_of_the_surface_are_seen_in_pages_alone(self):
+        self.ligand_beside_glycine()
+        for output, drawn in (("a.png", {}), ("a.html", {"LIG": 1})):
+            self.assertEqual(self.report("gly.pdb", "--hetero", "ligands", "-o", output)["drawn"], drawn)
+
+    def test_draw_needs_something_to_draw_in(self):
+        self.assertIn("--draw applies to pictures, pages and GLB", self.refused("three.xyzr", "-o", "a.ply", "--draw", "none"))
+
     def test_a_page_alone(self):
         report = self.report("three.xyzr", "-o", "a.html", "--view", "top", "--perspective", "--color", "patch")
         self.assertEqual(self.files(), ["a.html", "three.xyzr"])

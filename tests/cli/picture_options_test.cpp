@@ -51,6 +51,17 @@ TEST(PictureOptions, TakesValuesOfAllKinds) {
     EXPECT_EQ(parse_picture({"--background", "navy"}).picture.background, (Colour{0, 0, 128}));
 }
 
+TEST(PictureOptions, LigandsAreDrawnOrNot) {
+    EXPECT_TRUE(parse_picture({}).ligands);
+    EXPECT_TRUE(parse_picture({"--draw", "ligands"}).ligands);
+    const PictureRequest none = parse_picture({"--draw", "none"});
+    EXPECT_FALSE(none.ligands);
+    EXPECT_EQ(none.shown_by, "--draw");
+    EXPECT_EQ(none.drawn_by, "") << "pages and GLB heed it, too";
+    EXPECT_EQ(report_picture(none, {}, {}, false)["draw"], "none");
+    EXPECT_EQ(refusal({"--draw", "waters"}), "--draw: unknown value 'waters'; choose one of ligands, none");
+}
+
 TEST(PictureOptions, OneColourIsANameOrSixDigits) {
     for (const char* text : {"tomato", "#ff6347"}) {
         const PictureRequest request = parse_picture({"--color", text});

@@ -44,9 +44,9 @@ nlohmann::ordered_json report_of(const SurfaceRequest& request, Surface surface 
 }  // namespace
 
 TEST(Report, HasTheBlocksOfTheInterfaceInOrder) {
-    const std::vector<std::string> expected{"meniscus",   "schema",         "input", "options", "exact",
-                                            "components", "mesh",           "flow",  "checks",  "expected",
-                                            "time_s",     "peak_memory_mb", "values"};
+    const std::vector<std::string> expected{"meniscus",   "schema",         "input",  "options", "exact",
+                                            "components", "mesh",           "flow",   "checks",  "expected",
+                                            "time_s",     "peak_memory_mb", "values", "drawn"};
     EXPECT_EQ(keys_of(report_of({})), expected);
     const std::vector<std::string> times{"total", "read",  "estimate", "geometry", "band",   "flow",
                                          "mesh",  "exact", "picture",  "page",     "volume", "write"};

@@ -20,7 +20,7 @@ import unittest
 
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 SOURCE = pathlib.Path(sys.argv[2]).resolve()
-SUBCOMMANDS = ("surface", "measure", "compare", "batch")
+SUBCOMMANDS = ("surface", "measure", "pockets", "compare", "batch")
 
 ATOMS = """\
 ATOM      1  N   GLY A   1       0.000   0.000   0.000  1.00  0.00           N
@@ -129,7 +129,7 @@ class Words(Typing):
         cases = {
             ("surface",): "INPUT: missing; see meniscus surface --help",
             ("compare", "a.pdb"): "B: missing; see meniscus compare --help",
-            (): "no subcommand; write meniscus surface|measure|compare|batch; see meniscus --help",
+            (): "no subcommand; write meniscus surface|measure|pockets|compare|batch; see meniscus --help",
             ("batch", "foo"): "no subcommand; write meniscus batch surface|measure",
             ("batch", "measure", "a.pdb"): "--out: missing",
             ("surface", "a.pdb", "--edge", "1", "--vertex-density", "2"): "cannot be combined; give one of them",

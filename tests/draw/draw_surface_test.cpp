@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "meniscus/errors.h"
+#include "support/small_ligand.h"
 
 namespace meniscus {
 namespace {
@@ -42,6 +43,15 @@ TEST_F(DrawSurface, IsThePictureOfTheFieldOfItsScheme) {
                                           colour_by_feature(surface.exact, structure, scheme));
     EXPECT_EQ(draw({.scheme = scheme}, by_element).pixels, expected.pixels);
     EXPECT_NE(draw({}, by_element).pixels, expected.pixels) << "borders of vertices are less sharp";
+}
+
+TEST_F(DrawSurface, LigandsAreDrawnUnlessLeftOutAndNothingChangesWithoutThem) {
+    const Picture without = draw({}, by_element);
+    structure.ligands = testing::carbon_monoxide({-0.5, 0.0, 3.0});
+    EXPECT_EQ(draw({.ligands = false}, by_element).pixels, without.pixels);
+    EXPECT_NE(draw({}, by_element).pixels, without.pixels);
+    structure.ligands = testing::carbon_monoxide({-0.5, 0.0, 30.0});
+    EXPECT_EQ(draw({}, by_element).pixels, without.pixels) << "it is far away";
 }
 
 TEST_F(DrawSurface, ALegendTakesFromTheWidth) {

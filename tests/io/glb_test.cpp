@@ -64,6 +64,25 @@ TEST(Glb, EverythingReadsBack) {
     }
 }
 
+TEST(Glb, LigandsAreANodeBesideTheSurface) {
+    const Mesh mesh = full_mesh();
+    Bodies ball{.mesh = testing::projected_sphere({.centre = {9, 2, 3}, .radius = 0.5}, 0.2), .colours = {}};
+    ball.colours.assign(ball.mesh.vertices.size(), Colour{255, 0, 0, 255});
+    const GlbContent glb = written_glb(mesh, {.beside = &ball});
+    EXPECT_EQ(glb.triangles, mesh.triangles);
+    EXPECT_EQ(glb.attributes.size(), 9U);
+    EXPECT_EQ(glb.json["scenes"][0]["nodes"], (nlohmann::json{0, 1}));
+    EXPECT_EQ(glb.json["nodes"][1], (nlohmann::json{{"mesh", 1}, {"name", "ligands"}}));
+    ASSERT_EQ(glb.ligands.at("POSITION").size(), ball.mesh.vertices.size());
+    for (std::size_t v = 0; v < ball.mesh.vertices.size(); ++v) {
+        EXPECT_EQ(glb.ligands.at("POSITION")[v][0], static_cast<float>(ball.mesh.vertices[v].x));
+        EXPECT_EQ(glb.ligands.at("NORMAL")[v][2], static_cast<float>(ball.mesh.normals[v].z));
+        EXPECT_EQ(glb.ligands.at("COLOR_0")[v], (std::vector<double>{1.0, 0.0, 0.0, 1.0}));
+    }
+    const Bodies none;
+    EXPECT_EQ(written_glb(mesh, {.beside = &none}).json, written_glb(mesh, {}).json);
+}
+
 TEST(Glb, TheMeshIsStillClosed) {
     const GlbContent glb = written_glb(full_mesh(), {});
     Mesh read;

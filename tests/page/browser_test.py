@@ -63,6 +63,12 @@ def shell_of_atoms():
     return "\n".join(rows) + "\n"
 
 
+def ligand_behind_shell():
+    """mmCIF: two atoms of a ligand that the shell hides in front view, its cavity does not."""
+    rows = (f"HETATM {151 + i} C C{i} . LIG Z 2 . ? 5.5 {1.5 * i:.3f} -8 1.0 10 901 Z 1" for i in range(2))
+    return shell_of_atoms() + "\n".join(rows) + "\n"
+
+
 def ligand_in_shell():
     """mmCIF: two atoms of a ligand in the middle of that shell."""
     rows = (f"HETATM {151 + i} C C{i} . LIG Z 2 . ? {1.5 * i:.3f} 0 0 1.0 10 901 Z 1" for i in range(2))
@@ -77,12 +83,14 @@ class PageTest(unittest.TestCase):
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="meniscus-page-"))
         (cls.folder / "shell.cif").write_text(shell_of_atoms(), encoding="utf-8")
         (cls.folder / "ligand.cif").write_text(ligand_in_shell(), encoding="utf-8")
+        (cls.folder / "behind.cif").write_text(ligand_behind_shell(), encoding="utf-8")
         (cls.folder / "score.csv").write_text("serial,score\n" + "".join(f"{i + 1},{-1 if i < 50 else 1}\n"
                                                                         for i in range(100)), encoding="ascii")
         (cls.folder / hostile.FILE_NAME).write_text(hostile.mmcif(), encoding="utf-8")
         cls.report = {}
         for name, source, *more in (("1ubq", ROOT / "examples" / "1ubq.pdb"), ("shell", cls.folder / "shell.cif"),
                                     ("ligand", cls.folder / "ligand.cif"),
+                                    ("behind", cls.folder / "behind.cif", "--view", "front"),
                                     ("scored", cls.folder / "shell.cif", "--values", cls.folder / "score.csv"),
                                     ("hostile", cls.folder / hostile.FILE_NAME)):
             subprocess.run([MENISCUS, "surface", source, *more, "-o", cls.folder / f"{name}.html", "--report",
@@ -131,6 +139,12 @@ class PageTest(unittest.TestCase):
         """x, y: from the middle of the canvas, pixels."""
         canvas = self.browser.find_element("id", "view")
         webdriver.ActionChains(self.browser).move_to_element_with_offset(canvas, x, y).click().perform()
+
+    def click_ligand(self):
+        """On its first atom, whatever is before it."""
+        self.click_canvas(*self.js("""meniscus.drawNow();
+            const p = new THREE.Vector3(...meniscus.data.ligands.atoms.points.slice(0, 3)).project(meniscus.controls.camera);
+            return [p.x * meniscus.canvas.clientWidth / 2, -p.y * meniscus.canvas.clientHeight / 2]"""))
 
     def test_nothing_is_wrong_and_nothing_is_fetched(self):
         self.load("1ubq")
@@ -257,6 +271,27 @@ class PageTest(unittest.TestCase):
             self.load(page)
             self.assertEqual(self.js("const p = document.getElementById('left-out'); return p.hidden ? null : p.innerText"),
                              shown)
+
+    def test_ligands_are_seen_and_clicked_through_a_translucent_surface(self):
+        self.load("shell")
+        self.assertTrue(self.js("return document.getElementById('ligand-row').hidden"))
+        self.load("behind")
+        self.assertEqual(self.js("return document.getElementById('ligand-names').textContent"), "1 LIG")
+        self.assertEqual(self.js("const {atoms, bonds} = meniscus.data.ligands; return [atoms.count, bonds.length / 2]"), [2, 1])
+        name = "return document.getElementById('picked-name').textContent"
+        self.click_ligand()
+        self.assertNotIn("LIG", self.js(name))
+        self.choose("#opacity", "40", "input")
+        self.click_ligand()
+        self.assertIn("LIG", self.js(name))
+        self.assertIn("beside the surface", self.js("return document.getElementById('picked').textContent"))
+        self.click("#ligands")
+        self.click_ligand()
+        self.assertNotIn("LIG", self.js(name))
+        self.load("ligand")  # in a cavity
+        self.choose("#opacity", "40", "input")
+        self.click_ligand()
+        self.assertIn("LIG", self.js(name))
 
     def test_names_of_the_input_stay_text(self):
         self.load("shell")

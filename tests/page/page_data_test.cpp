@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "page/decoding.h"
+#include "support/small_ligand.h"
 
 namespace meniscus::page {
 namespace {
@@ -57,6 +58,27 @@ TEST(PageData, SaysWhichLigandsMayFillCavities) {
     EXPECT_EQ(DecodedPage(page_data(molecule.mesh, molecule.structure, {}, {})).info["ligandsLeftOut"], "");
     molecule.structure.left_out_ligands = {{"HEM", 4}, {"PO4", 1}};
     EXPECT_EQ(DecodedPage(page_data(molecule.mesh, molecule.structure, {}, {})).info["ligandsLeftOut"], "4 HEM, 1 PO4");
+}
+
+TEST(PageData, LigandsReadBack) {
+    SmallMolecule molecule;
+    const std::string without = page_data(molecule.mesh, molecule.structure, {}, {});
+    EXPECT_FALSE(DecodedPage(without).info.contains("ligands"));
+    const Vec3 carbon = molecule.structure.atoms.centres[0] + Vec3{0.0, 0.0, 4.0};
+    molecule.structure.ligands = meniscus::testing::carbon_monoxide(carbon);
+    EXPECT_EQ(page_data(molecule.mesh, molecule.structure, {.ligands = false}, {}), without);
+    const DecodedPage page(page_data(molecule.mesh, molecule.structure, {}, {}));
+    const nlohmann::json& ligands = page.info["ligands"];
+    EXPECT_EQ(ligands["atoms"]["count"], 2);
+    EXPECT_EQ(ligands["atoms"]["elements"], (nlohmann::json{"C", "O"}));
+    EXPECT_EQ(ligands["residues"]["list"], (nlohmann::json{{0, 0, 7, ""}}));
+    EXPECT_EQ(ligands["bonds"], 1);
+    EXPECT_EQ(ligands["text"], "1 CMO");
+    EXPECT_EQ(ligands["inSurface"], false);
+    EXPECT_EQ(testing::sums(page.stream("ligand-bonds")), (std::vector<std::int64_t>{0, 1}));
+    EXPECT_EQ(page.stream("ligand-colours").size(), 6U);
+    const std::vector<std::int64_t> z = testing::sums(page.stream("ligand-z"));
+    EXPECT_NEAR(ligands["atoms"]["low"][2].get<double>() + kQuantum * static_cast<double>(z[1]), carbon.z, kQuantum);
 }
 
 TEST(PageData, NamesThatAreNoTextDoNotBreakIt) {

@@ -33,7 +33,7 @@ class Pickles(unittest.TestCase):
             again = way(protein)
             self.same_arrays(again, protein, ("xyz", "radii", "element", "name", "chain", "resname", "resnum", "icode",
                                               "residue", "altloc", "serial", "b_factor", "occupancy", "charge"))
-            for name in ("file", "stem", "sha256", "radii_set", "dropped", "notes", "warnings"):
+            for name in ("file", "stem", "sha256", "radii_set", "dropped", "ligands", "notes", "warnings"):
                 self.assertEqual(getattr(again, name), getattr(protein, name), name)
 
     def test_measures(self):

@@ -34,6 +34,24 @@ class AsTheProgram(InScratchFolder):
         surface.structure.save("mesh.atoms.csv")
         self.assertTrue(content("mesh.atoms.csv") == content("cli_mesh.atoms.csv"))
 
+    def test_ligands_have_the_same_bytes(self):
+        antibody = UBIQUITIN.replace("1ubq", "1a0q")
+        names = ["a.png", "a.glb", "a.html"]
+        protein = read(antibody, chains=["H"])
+        self.assertEqual(protein.ligands, {"HEP": 1})
+        surface = meniscus.surface(protein, spacing=1)
+        for draw in ("ligands", "none"):
+            outputs = [word for name in names for word in ("-o", f"cli_{draw}_{name}")]
+            subprocess.run([PROGRAM, "surface", antibody, "--quiet", "--chains", "H", "--spacing", "1", "--size", "64x48",
+                            "--draw", draw, *outputs], check=True, capture_output=True)
+            for name in names:
+                surface.save(f"{draw}_{name}", size=(64, 48), draw=draw)
+                self.assertTrue(content(f"{draw}_{name}") == content(f"cli_{draw}_{name}"), (draw, name))
+        for name in names:
+            self.assertFalse(content(f"ligands_{name}") == content(f"none_{name}"), name)
+        with self.assertRaisesRegex(ValueError, "draw: .*ligands, none"):
+            surface.save("b.png", draw="waters")
+
     def test_values_are_the_same(self):
         pathlib.Path("t.csv").write_text("chain,resnum,score\nA,8,0.5\nA,44,1\n", encoding="ascii")
         subprocess.run([PROGRAM, "surface", UBIQUITIN, "--quiet", "--values", "t.csv", "--color", "score", "-o", "cli.ply",

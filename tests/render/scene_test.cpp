@@ -15,6 +15,7 @@ using testing::blue_sphere;
 using testing::ColouredMesh;
 using testing::kBlue;
 using testing::kFront;
+using testing::kNoBodies;
 
 constexpr PictureOptions kOptions{.width = 100, .height = 100, .viewpoint = kFront};
 const ColourField kNone;
@@ -26,7 +27,7 @@ Glimpse look(const Scene& scene, double x, double y) {
 
 TEST(Scene, TheMiddleIsNearAndTheCornerIsBackground) {
     const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.3);
-    const Scene scene(ball.mesh, RayScene(ball.mesh), ball.colours, kOptions, kNone);
+    const Scene scene({ball.mesh, ball.colours}, RayScene(ball.mesh), kOptions, kNone, kNoBodies);
     EXPECT_NEAR(look(scene, 50, 50).depth, 0.0, 0.02);
     EXPECT_NEAR(look(scene, 50 + 23, 50).depth, 2.0 - std::sqrt(3.0), 0.02);
     EXPECT_TRUE(look(scene, 1, 1).is_background());
@@ -38,12 +39,12 @@ TEST(Scene, ColoursAreAskedForOnlyWhereCornersDiffer) {
     const ColourField red = [](auto, std::span<Colour> colours) {
         std::fill(colours.begin(), colours.end(), Colour{255, 0, 0, 255});
     };
-    const Scene uniform(ball.mesh, RayScene(ball.mesh), ball.colours, kOptions, red);
+    const Scene uniform({ball.mesh, ball.colours}, RayScene(ball.mesh), kOptions, red, kNoBodies);
     EXPECT_GT(look(uniform, 50, 50).light.blue, 0.1F);
     for (std::size_t v = 0; v < ball.colours.size(); ++v) ball.colours[v].green = static_cast<std::uint8_t>(v % 256);
-    const Scene mixed_colours(ball.mesh, RayScene(ball.mesh), ball.colours, kOptions, red);
+    const Scene mixed_colours({ball.mesh, ball.colours}, RayScene(ball.mesh), kOptions, red, kNoBodies);
     EXPECT_LT(look(mixed_colours, 50, 50).light.blue, 0.1F);
-    const Scene interpolated(ball.mesh, RayScene(ball.mesh), ball.colours, kOptions, kNone);
+    const Scene interpolated({ball.mesh, ball.colours}, RayScene(ball.mesh), kOptions, kNone, kNoBodies);
     EXPECT_GT(look(interpolated, 50, 50).light.blue, 0.1F);
 }
 
@@ -51,7 +52,7 @@ TEST(Scene, ACutShowsItsPlaneWhereItIsInTheMolecule) {
     const ColouredMesh cheese = testing::cheese();
     PictureOptions options = kOptions;
     options.cut = Cut{};
-    const Scene scene(cheese.mesh, RayScene(cheese.mesh), cheese.colours, options, kNone);
+    const Scene scene({cheese.mesh, cheese.colours}, RayScene(cheese.mesh), options, kNone, kNoBodies);
     const Glimpse section = look(scene, 50, 80);
     EXPECT_EQ(section.kind, Glimpse::Kind::Section);
     EXPECT_NEAR(section.depth, testing::kCheese.radius - testing::kLargeHole.centre.z, 0.02);
@@ -65,28 +66,60 @@ TEST(Scene, TheDepthCueBeginsAtACut) {
     const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.3);
     PictureOptions options = kOptions;
     options.cut = Cut{};
-    const Light clear = look(Scene(ball.mesh, RayScene(ball.mesh), ball.colours, options, kNone), 50, 50).light;
+    const Light clear =
+        look(Scene({ball.mesh, ball.colours}, RayScene(ball.mesh), options, kNone, kNoBodies), 50, 50).light;
     options.depth_cue = 1.0;
-    EXPECT_NEAR(look(Scene(ball.mesh, RayScene(ball.mesh), ball.colours, options, kNone), 50, 50).light.red, clear.red,
-                0.03);
+    EXPECT_NEAR(
+        look(Scene({ball.mesh, ball.colours}, RayScene(ball.mesh), options, kNone, kNoBodies), 50, 50).light.red,
+        clear.red, 0.03);
 }
 
 TEST(Scene, TheDepthCueFadesWhatIsFar) {
     ColouredMesh balls = blue_sphere({.centre = {-3, 0, 5}, .radius = 1.0}, 0.3);
     append(balls, blue_sphere({.centre = {3, 0, -5}, .radius = 1.0}, 0.3));
     PictureOptions options = kOptions;
-    const Scene clear(balls.mesh, RayScene(balls.mesh), balls.colours, options, kNone);
+    const Scene clear({balls.mesh, balls.colours}, RayScene(balls.mesh), options, kNone, kNoBodies);
     PictureOptions hazy_options = kOptions;
     hazy_options.depth_cue = 1.0;
-    const Scene hazy(balls.mesh, RayScene(balls.mesh), balls.colours, hazy_options, kNone);
+    const Scene hazy({balls.mesh, balls.colours}, RayScene(balls.mesh), hazy_options, kNone, kNoBodies);
     EXPECT_NEAR(look(hazy, 16, 50).light.red, look(clear, 16, 50).light.red, 0.01);
     EXPECT_GT(look(hazy, 84, 50).light.red, 0.8F);
+}
+
+/// A red ball on the axis of view, its middle at this height.
+Bodies red_ball(double z) {
+    Bodies ball{.mesh = testing::projected_sphere({.centre = {0, 0, z}, .radius = 0.5}, 0.1), .colours = {}};
+    ball.mesh.components.assign(ball.mesh.vertices.size(), 0);
+    ball.colours.assign(ball.mesh.vertices.size(), Colour{255, 0, 0, 255});
+    return ball;
+}
+
+TEST(Scene, BodiesAreSeenBeforeTheSurfaceNotBehindIt) {
+    const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.3);
+    const RayScene rays(ball.mesh);
+    for (const double z : {3.0, 0.0, -3.0}) {
+        const Bodies red = red_ball(z);
+        const Scene scene({ball.mesh, ball.colours}, rays, kOptions, kNone, red);
+        EXPECT_EQ(look(scene, 50, 50).kind, z > 2.0 ? Glimpse::Kind::Body : Glimpse::Kind::Surface) << z;
+        EXPECT_EQ(look(scene, 50, 50).light.red > look(scene, 50, 50).light.blue, z > 2.0) << z;
+    }
+}
+
+TEST(Scene, ACutLeavesBodiesWholeOrOut) {
+    const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.3);
+    PictureOptions options = kOptions;
+    options.cut = Cut{.point = Vec3{0, 0, 0}, .normal = Vec3{0, 0, 1}};
+    for (const double z : {0.3, 1.0}) {
+        const Bodies red = red_ball(z);
+        const Scene scene({ball.mesh, ball.colours}, RayScene(ball.mesh), options, kNone, red);
+        EXPECT_EQ(look(scene, 50, 50).kind, z < 0.5 ? Glimpse::Kind::Body : Glimpse::Kind::Section) << z;
+    }
 }
 
 TEST(Scene, TheInsideOfAnOpenMeshIsLit) {
     ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.3);
     std::erase_if(ball.mesh.triangles, [&](const Triangle& t) { return ball.mesh.vertices[t[0]].z > 0.5; });
-    const Scene scene(ball.mesh, RayScene(ball.mesh), ball.colours, kOptions, kNone);
+    const Scene scene({ball.mesh, ball.colours}, RayScene(ball.mesh), kOptions, kNone, kNoBodies);
     EXPECT_NEAR(look(scene, 50, 50).depth, 4.0, 0.05);
     EXPECT_GT(look(scene, 50, 50).light.blue, 0.05F);
 }
@@ -96,9 +129,12 @@ TEST(Scene, TheWallOfACavityAloneLooksLikeABall) {
     ColouredMesh wall = ball;
     wall.mesh = testing::turned_inside_out(ball.mesh);
     for (SmallVec3& normal : wall.mesh.normals) normal = -normal;
-    const Light seen = look(Scene(wall.mesh, RayScene(wall.mesh), wall.colours, kOptions, kNone), 50, 50).light;
-    EXPECT_NEAR(seen.blue,
-                look(Scene(ball.mesh, RayScene(ball.mesh), ball.colours, kOptions, kNone), 50, 50).light.blue, 1e-3);
+    const Light seen =
+        look(Scene({wall.mesh, wall.colours}, RayScene(wall.mesh), kOptions, kNone, kNoBodies), 50, 50).light;
+    EXPECT_NEAR(
+        seen.blue,
+        look(Scene({ball.mesh, ball.colours}, RayScene(ball.mesh), kOptions, kNone, kNoBodies), 50, 50).light.blue,
+        1e-3);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace meniscus::testing {
 
 inline constexpr Colour kBlue{119, 170, 221, 255};
 inline constexpr Viewpoint kFront{};
+inline const Bodies kNoBodies;
 
 struct ColouredMesh {
     Mesh mesh;

@@ -14,6 +14,7 @@ namespace {
 using testing::blue_sphere;
 using testing::ColouredMesh;
 using testing::kFront;
+using testing::kNoBodies;
 using testing::pixel;
 
 const ColourField kNoField;
@@ -26,7 +27,7 @@ Picture blank(const PictureOptions& options) {
 TEST(Tile, WritesItsBoxAndNothingElse) {
     const PictureOptions options{.width = 40, .height = 30, .viewpoint = kFront};
     const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.3);
-    const Scene scene(ball.mesh, RayScene(ball.mesh), ball.colours, options, kNoField);
+    const Scene scene({ball.mesh, ball.colours}, RayScene(ball.mesh), options, kNoField, kNoBodies);
     Picture picture = blank(options);
     Tile(scene, options, {10, 5, 8, 6}).draw(picture);
     for (int y = 0; y < 30; ++y)
@@ -39,7 +40,7 @@ TEST(Tile, WritesItsBoxAndNothingElse) {
 TEST(Tile, TheDivisionIntoTilesCannotBeSeen) {
     const PictureOptions options{.width = 40, .height = 30, .viewpoint = kFront, .outline = true};
     const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.3);
-    const Scene scene(ball.mesh, RayScene(ball.mesh), ball.colours, options, kNoField);
+    const Scene scene({ball.mesh, ball.colours}, RayScene(ball.mesh), options, kNoField, kNoBodies);
     Picture whole = blank(options);
     Tile(scene, options, {0, 0, 40, 30}).draw(whole);
     Picture parts = blank(options);
@@ -51,7 +52,7 @@ TEST(Tile, TheDivisionIntoTilesCannotBeSeen) {
 TEST(Tile, EdgesAreSmooth) {
     const PictureOptions options{.width = 100, .height = 100, .viewpoint = kFront, .background = kTransparent};
     const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.1);
-    const Scene scene(ball.mesh, RayScene(ball.mesh), ball.colours, options, kNoField);
+    const Scene scene({ball.mesh, ball.colours}, RayScene(ball.mesh), options, kNoField, kNoBodies);
     Picture picture = blank(options);
     Tile(scene, options, {0, 0, 100, 100}).draw(picture);
     double covered = 0.0;
@@ -63,7 +64,7 @@ TEST(Tile, EdgesAreSmooth) {
 TEST(Tile, ASectionHasALineAround) {
     PictureOptions options{.width = 100, .height = 100, .viewpoint = kFront, .cut = Cut{}};
     const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.1);
-    const Scene scene(ball.mesh, RayScene(ball.mesh), ball.colours, options, kNoField);
+    const Scene scene({ball.mesh, ball.colours}, RayScene(ball.mesh), options, kNoField, kNoBodies);
     Picture picture = blank(options);
     Tile(scene, options, {0, 0, 100, 100}).draw(picture);
     const Colour& section = pixel(picture, 50, 50);
@@ -75,7 +76,7 @@ TEST(Tile, ASectionHasALineAround) {
 TEST(Tile, LinesAreDarkAndWithinTheSilhouette) {
     PictureOptions options{.width = 100, .height = 100, .viewpoint = kFront, .background = kTransparent};
     const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.1);
-    const Scene scene(ball.mesh, RayScene(ball.mesh), ball.colours, options, kNoField);
+    const Scene scene({ball.mesh, ball.colours}, RayScene(ball.mesh), options, kNoField, kNoBodies);
     Picture plain = blank(options);
     Tile(scene, options, {0, 0, 100, 100}).draw(plain);
     options.outline = true;

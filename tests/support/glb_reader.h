@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "meniscus/mesh.h"
@@ -20,6 +21,7 @@ struct GlbContent {  // NOLINT(bugprone-exception-escape): moving JSON does not 
     nlohmann::json json;
     std::map<std::string, std::vector<std::vector<double>>> attributes;  ///< by name, one list per vertex
     std::vector<Triangle> triangles;
+    std::map<std::string, std::vector<std::vector<double>>> ligands;  ///< attributes of a second mesh
 };
 
 class GlbReader {
@@ -35,7 +37,13 @@ public:
         binary_size_ = word(20 + length);
         if (content.substr(24 + length, 4) != std::string("BIN\0", 4)) fail("no BIN chunk");
         if (binary_ + binary_size_ != content.size()) fail("the BIN chunk does not end with the file");
-        read_primitive(glb_.json.at("meshes").at(0).at("primitives").at(0));
+        const auto& meshes = glb_.json.at("meshes");
+        if (meshes.size() > 1) {
+            read_primitive(meshes.at(1).at("primitives").at(0));
+            glb_.ligands = std::exchange(glb_.attributes, {});
+            glb_.triangles.clear();
+        }
+        read_primitive(meshes.at(0).at("primitives").at(0));
     }
 
     GlbContent take() { return std::move(glb_); }

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "pockets_places.h"
+
+#include <CLI/StringTools.hpp>
+#include <algorithm>
+#include <optional>
+
+#include "option_words.h"
+#include "report.h"
+
+namespace meniscus::cli {
+
+namespace {
+
+constexpr double kReachOfAtom = 4.0;   // Å: where a ligand's atoms lie that touch the wall
+constexpr double kReachOfPoint = 8.0;  // Å: as far as a site's own points
+
+// "X,Y,Z", or nothing where that is not three numbers.
+std::optional<Vec3> point_of(const std::string& text) {
+    const std::vector<std::string> parts = CLI::detail::split(text, ',');
+    const bool is_point = parts.size() == 3 && std::all_of(parts.begin(), parts.end(), [](const std::string& part) {
+                              return !part.empty() && part.find_first_not_of("0123456789.+-eE") == std::string::npos;
+                          });
+    if (!is_point) return std::nullopt;
+    const auto number = [](const std::string& part) { return parse_number("--at", part, NumberRange::Any); };
+    return Vec3{number(parts[0]), number(parts[1]), number(parts[2])};
+}
+
+// With the hetero atoms that pockets leave out, of all chains.
+Structure read_whole(const PocketsRequest& request, int model) {
+    if (request.input == "-")
+        throw UsageError("--at: a selection needs a file, because the structure is read twice; write X,Y,Z, or a file's "
+                         "name instead of -");
+    ReadOptions options = request.read;
+    options.hetero = HeteroPolicy::All;
+    options.chains.clear();
+    options.select.clear();
+    options.strict_radii = false;
+    options.checksum = false;
+    options.join_models = model == kJoinedModels;
+    if (model != kJoinedModels) options.model = model;
+    return read_structure(request.input, options);
+}
+
+}  // namespace
+
+PlacesOfRun read_places(const PocketsRequest& request, const Structure& molecule, int model) {
+    PlacesOfRun run;
+    std::optional<Structure> whole;
+    for (const std::string& text : request.at) {
+        if (const std::optional<Vec3> point = point_of(text)) {
+            run.places.push_back({text, {{*point}, request.at_reach.value_or(kReachOfPoint)}, {}});
+            continue;
+        }
+        if (!whole) whole = read_whole(request, model);
+        const double reach = request.at_reach.value_or(kReachOfAtom);
+        for (NamedPlace& place : places_of_selection(molecule, *whole, text, reach, "--at"))
+            run.places.push_back(std::move(place));
+    }
+    if (whole)
+        for (const std::string& line : whole->warnings)
+            if (std::find(molecule.warnings.begin(), molecule.warnings.end(), line) == molecule.warnings.end())
+                run.warnings.push_back(line);
+    return run;
+}
+
+}  // namespace meniscus::cli
