@@ -50,7 +50,7 @@ constexpr std::array kMeasureSuffixes{
 constexpr std::array kPocketsSuffixes{
     Suffix{".csv", OutputKind::Table},         Suffix{".json", OutputKind::Table}, Suffix{".pdb", OutputKind::StructureCopy},
     Suffix{".cif", OutputKind::StructureCopy}, Suffix{".dx", OutputKind::Volume},  Suffix{".mrc", OutputKind::Volume},
-    Suffix{".vdb", OutputKind::Volume},
+    Suffix{".vdb", OutputKind::Volume},        Suffix{".npz", OutputKind::Arrays},
 };
 
 constexpr std::array kTunnelSuffixes{

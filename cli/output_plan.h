@@ -20,6 +20,7 @@ enum class OutputKind {
     Table,          ///< of measures
     TunnelTable,    ///< radii along tunnels and pore
     StructureCopy,  ///< with measures in the B-factor column
+    Arrays,         ///< of pockets
 };
 
 struct Output {

@@ -214,6 +214,7 @@ private:
         if (output.kind == OutputKind::Volume)
             return write_volume(output.path, pocket_volume(pockets_, request_.field), request_.field);
         if (output.kind == OutputKind::TunnelTable) return write_table(output.path, profile_of(ways_));
+        if (output.kind == OutputKind::Arrays) return write_pocket_arrays(output.path, pockets_);
         write_table(output.path, pockets_table(described_));
     }
 

@@ -13,7 +13,8 @@ namespace {
 
 constexpr const char* kPocketsExamples =
     "Pockets are ranked by how much they resemble the places of ligands. -o writes a\n"
-    "table (.csv .json), atoms and grid points (.pdb .cif), or a map (.dx .mrc).\n"
+    "table (.csv .json), atoms and grid points (.pdb .cif), a map (.dx .mrc) or arrays\n"
+    "(.npz).\n"
     "Examples:\n"
     "  meniscus pockets 1abc.pdb                       the pockets, best first\n"
     "  meniscus pockets 1abc.pdb -o pockets.csv        as a table\n"
@@ -21,9 +22,6 @@ constexpr const char* kPocketsExamples =
     "  meniscus pockets 1abc.pdb --at '(LIG)'          the pocket of a ligand\n"
     "  meniscus pockets 1abc.pdb --tunnels             with the ways out of them\n"
     "  meniscus pockets 1abc.pdb --hetero ligands      ligands belong to the wall";
-
-constexpr Words<VolumeContent, 2> kPocketFieldWords{
-    {{"pockets", VolumeContent::Pockets}, {"probability", VolumeContent::Probability}}};
 
 }  // namespace
 

@@ -22,6 +22,10 @@ namespace meniscus {
 inline constexpr Words<PocketRank, 3> kPocketRankWords{
     {{"score", PocketRank::Score}, {"volume", PocketRank::Volume}, {"depth", PocketRank::Depth}}};
 
+/// What a volume of pockets holds.
+inline constexpr Words<VolumeContent, 2> kPocketFieldWords{
+    {{"pockets", VolumeContent::Pockets}, {"probability", VolumeContent::Probability}}};
+
 /// All options of pockets.
 template <MaybeConst<PocketOptions> Options, class Visitor>
 void describe(Options& o, Visitor&& visit) {

@@ -3,9 +3,11 @@
 // Pockets: where a molecule leaves room for a ligand, with volumes and areas that add up to exact ones.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "meniscus/exact_surface.h"
@@ -107,6 +109,13 @@ struct PocketVoxel {
     std::uint32_t pocket = kNone;  ///< index into Pockets::pockets
 };
 
+/// What the ranking knows of a point, see pocket_feature_names().
+inline constexpr std::size_t kPocketFeatures = 43;
+using PocketFeatures = std::array<float, kPocketFeatures>;
+
+/// The names of the features; docs/reference/pockets.md says what they are.
+std::array<std::string_view, kPocketFeatures> pocket_feature_names();
+
 /// The pocket space of a molecule: what lies inside the SES of the large probe and outside that of the small one.
 struct Pockets {
     PocketOptions options;
@@ -117,6 +126,8 @@ struct Pockets {
     double mouth_area = 0.0;   ///< of the free part of the SES of the large probe (not in contact with atoms), exact, Å²
     std::vector<Pocket> pockets;      ///< by rank; closed cavities that resemble no ligand's place at the end
     std::vector<PocketVoxel> voxels;  ///< in an order that does not depend on the atoms' order
+    std::vector<std::uint32_t> points;     ///< indices of the voxels that have a place in the ranking, ascending
+    std::vector<PocketFeatures> features;  ///< of these points
 };
 
 /// Finds pockets, ranks them, and measures them.

@@ -133,4 +133,10 @@ struct PathsOfPockets {
 void write_pocket_atoms(const std::string& path, const Structure& structure, const Pockets& pockets,
                         const PathsOfPockets& paths = {});
 
+/// Writes pockets, their voxels, and what the ranking knows of its points, as arrays for numpy.load (.npz).
+///
+/// Their names and types are in docs/reference/pockets.md; indices are int32, -1 for none.
+/// throws   UsageError in a build without zlib; OutputError as write_mesh()
+void write_pocket_arrays(const std::string& path, const Pockets& pockets);
+
 }  // namespace meniscus

@@ -16,7 +16,7 @@ Lengths are in Å, areas in Å², volumes in Å³, curvatures in Å⁻¹. The le
 normals point into the solvent. Arrays of results are read-only views: nothing is copied. ``numpy(copy=True)`` of a
 surface or structure, and ``copy()`` of any array, give arrays of your own. Indices are int32.
 
-Structures, surfaces, exact surfaces, measures, comparisons and options can be pickled and copied, to the bit; a pickle is
+Structures, surfaces, exact surfaces, measures, pockets, comparisons and options can be pickled and copied, to the bit; a pickle is
 for the version that made it.
 
 Wherever atoms are expected, an object of MDAnalysis, MDTraj, Biopython, Biotite, gemmi or OpenMM will do, too.
@@ -36,6 +36,7 @@ from ._map import map
 from ._measures import Measures
 from ._nearest import Nearest
 from ._nouns import RunOptions
+from ._pockets import Mouth, Pocket, Pockets, pockets
 from ._points import Points
 from ._radii import radii
 from ._reading import ReadOptions, read, read_models
@@ -55,8 +56,11 @@ __all__ = [
     "LimitError",
     "Measures",
     "Meshing",
+    "Mouth",
     "Nearest",
     "OutputError",
+    "Pocket",
+    "Pockets",
     "Points",
     "ReadOptions",
     "ReadWarning",
@@ -76,6 +80,7 @@ __all__ = [
     "from_openmm",
     "map",
     "measure",
+    "pockets",
     "radii",
     "read",
     "read_models",

@@ -20,6 +20,7 @@ void bind_interfaces(pybind11::module_& module);
 void bind_exact_surface(pybind11::module_& module);
 void bind_surface(pybind11::module_& module);
 void bind_compare(pybind11::module_& module);
+void bind_pockets(pybind11::module_& module);
 void bind_words(pybind11::module_& module);
 void bind_writers(pybind11::module_& module);
 

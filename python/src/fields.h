@@ -5,6 +5,7 @@
 #pragma once
 
 #include "meniscus/describe_options.h"
+#include "meniscus/pockets.h"
 #include "meniscus/structure.h"
 #include "meniscus/surface.h"
 #include "meniscus/tables.h"
@@ -214,6 +215,44 @@ template <class Archive>
 void fields(Archive& archive, Check& s) {
     auto& [name, passed, value, bound] = s;
     archive(name, passed, value, bound);
+}
+
+template <class Archive>
+void fields(Archive& archive, PocketOptions& s) {
+    auto& [probe, large_probe, spacing, count, rank] = s;
+    archive(probe, large_probe, spacing, count, rank);
+}
+
+template <class Archive>
+void fields(Archive& archive, PocketMouth& s) {
+    auto& [area, radius, centre] = s;
+    archive(area, radius, centre);
+}
+
+template <class Archive>
+void fields(Archive& archive, WallAtom& s) {
+    auto& [atom, area] = s;
+    archive(atom, area);
+}
+
+template <class Archive>
+void fields(Archive& archive, Pocket& s) {
+    auto& [rank, score, probability, tied_with, cavity, volume, wall_area, depth, centre, deepest, mouths, openings,
+           wall, voxels] = s;
+    archive(rank, score, probability, tied_with, cavity, volume, wall_area, depth, centre, deepest, mouths, openings,
+            wall, voxels);
+}
+
+template <class Archive>
+void fields(Archive& archive, PocketVoxel& s) {
+    auto& [position, share, depth, probability, pocket] = s;
+    archive(position, share, depth, probability, pocket);
+}
+
+template <class Archive>
+void fields(Archive& archive, Pockets& s) {
+    auto& [options, volume, rest_volume, scale, wall_area, mouth_area, pockets, voxels, points, features] = s;
+    archive(options, volume, rest_volume, scale, wall_area, mouth_area, pockets, voxels, points, features);
 }
 
 template <class Archive>

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "bindings.h"
+#include "meniscus/describe_pockets.h"
 #include "meniscus/file_words.h"
 
 namespace meniscus::python {
@@ -28,6 +29,8 @@ void bind_words(py::module_& module) {
     words["field"] = words_of(kFieldWords);
     words["per"] = words_of(kRowsPerWords);
     words["interpolation"] = words_of(kInterpolationWords);
+    words["rank"] = words_of(kPocketRankWords);
+    words["pocket_field"] = words_of(kPocketFieldWords);
     words["color"] = words_of(kColourSchemeWords);
     module.attr("words") = words;
 }

@@ -17,6 +17,10 @@ void write_npz(AtomicFile& /*file*/, const Mesh& /*mesh*/, const WriteOptions& /
     throw UsageError("this build writes no .npz (it has no zlib); choose another suffix");
 }
 
+void write_pocket_arrays(const std::string& path, const Pockets& /*pockets*/) {
+    throw UsageError(path + ": this build writes no .npz (it has no zlib); choose another suffix");
+}
+
 void write_level_set(const std::string& path, const LevelSet& /*level_set*/) {
     throw OutputError(path + ": " + kNoLevelSets);
 }

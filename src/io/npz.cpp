@@ -66,6 +66,11 @@ struct Element<Colour> {
     static constexpr const char* kType = "|u1";
     static constexpr int kColumns = 4;
 };
+template <>
+struct Element<PocketFeatures> {
+    static constexpr const char* kType = "<f4";
+    static constexpr int kColumns = kPocketFeatures;
+};
 
 template <class T>
 std::string shape_of(std::size_t count) {
@@ -203,6 +208,34 @@ private:
     const Structure& structure_;
 };
 
+template <class Row, class T>
+void add_member(NpzWriter& npz, const std::string& name, const std::vector<Row>& rows, T Row::*member) {
+    std::vector<T> values;
+    values.reserve(rows.size());
+    for (const Row& row : rows) values.push_back(row.*member);
+    npz.add(name, values);
+}
+
+// What voxels and points both have.
+void add_voxels(NpzWriter& npz, const std::string& prefix, const std::vector<PocketVoxel>& voxels) {
+    add_member(npz, prefix + "xyz", voxels, &PocketVoxel::position);
+    add_member(npz, prefix + "depth", voxels, &PocketVoxel::depth);
+    add_member(npz, prefix + "probability", voxels, &PocketVoxel::probability);
+}
+
+void add_pockets(NpzWriter& npz, const std::vector<Pocket>& pockets) {
+    add_member(npz, "pocket_score", pockets, &Pocket::score);
+    add_member(npz, "pocket_probability", pockets, &Pocket::probability);
+    add_member(npz, "pocket_volume", pockets, &Pocket::volume);
+    add_member(npz, "pocket_wall_area", pockets, &Pocket::wall_area);
+    add_member(npz, "pocket_depth", pockets, &Pocket::depth);
+    add_member(npz, "pocket_centre", pockets, &Pocket::centre);
+    add_member(npz, "pocket_deepest", pockets, &Pocket::deepest);
+    std::vector<std::uint32_t> cavity;
+    for (const Pocket& pocket : pockets) cavity.push_back(pocket.cavity ? 1 : 0);
+    npz.add("pocket_cavity", cavity);
+}
+
 }  // namespace
 
 void write_npz(AtomicFile& file, const Mesh& mesh, const WriteOptions& options) {
@@ -216,6 +249,26 @@ void write_npz(AtomicFile& file, const Mesh& mesh, const WriteOptions& options) 
     if (options.open) npz.add_number("open", 1);
     npz.add_number("layout", kLayout);
     npz.finish();
+}
+
+void write_pocket_arrays(const std::string& path, const Pockets& pockets) {
+    AtomicFile file(path);
+    NpzWriter npz(file);
+    add_pockets(npz, pockets.pockets);
+    add_voxels(npz, "voxel_", pockets.voxels);
+    add_member(npz, "voxel_share", pockets.voxels, &PocketVoxel::share);
+    add_member(npz, "voxel_pocket", pockets.voxels, &PocketVoxel::pocket);
+    std::vector<PocketVoxel> points;
+    for (const std::uint32_t v : pockets.points) points.push_back(pockets.voxels[v]);
+    npz.add("point_voxel", pockets.points);
+    add_voxels(npz, "point_", points);
+    npz.add("point_features", pockets.features);
+    std::vector<std::u32string> names;
+    for (const std::string_view name : pocket_feature_names()) names.push_back(letters_of(name));
+    npz.add_text("feature_names", names, "(" + std::to_string(names.size()) + ",)");
+    npz.add_number("layout", kLayout);
+    npz.finish();
+    file.commit();
 }
 
 }  // namespace meniscus

@@ -108,7 +108,9 @@ private:
         for (std::size_t i = 0; i < points.voxels.size(); ++i) {
             values.push_back(probability(pocket_model(), points.features[i]));
             probabilities_[points.voxels[i]] = values.back();
+            std::copy(points.features[i].begin(), points.features[i].end(), pockets_.features.emplace_back().begin());
         }
+        pockets_.points = points.voxels;
         points_ = weighted_points(points.voxels, values);
     }
 

@@ -58,6 +58,12 @@ constexpr PocketModel kModel{-4.07215499196, {{
 
 const PocketModel& pocket_model() { return kModel; }
 
+std::array<std::string_view, kPocketFeatures> pocket_feature_names() {
+    std::array<std::string_view, kPocketFeatures> names;
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = kModel.terms[i].feature;
+    return names;
+}
+
 double probability(const PocketModel& model, const PointFeatures& features) {
     double z = model.intercept;
     for (std::size_t i = 0; i < kFeatureCount; ++i) {

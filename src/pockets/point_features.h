@@ -37,6 +37,7 @@ enum PointFeature : std::uint8_t {
     kClasses10 = kClasses6 + kAtomClasses,
     kFeatureCount = kClasses10 + kAtomClasses,
 };
+static_assert(kFeatureCount == kPocketFeatures);
 using PointFeatures = std::array<double, kFeatureCount>;
 
 /// Of some voxels, which the ranking looks at: those in pocket space whose node no atom is closer to than 1 Å.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "meniscus/errors.h"
+#include "meniscus/write.h"
 #include "support/scratch_folder.h"
 #include "support/shapes.h"
 #include "support/unzip.h"
@@ -87,6 +88,33 @@ TEST(Npz, TellsTheOptions) {
     EXPECT_NE(text.find(R"("file":"a \"b\".pdb")"), std::string::npos) << text;
     EXPECT_NE(text.find(R"("spacing":0.25)"), std::string::npos) << text;
     EXPECT_NE(text.find(R"("method":"flow")"), std::string::npos) << text;
+}
+
+TEST(Npz, PocketsReadBack) {
+    Pockets pockets;
+    pockets.pockets.resize(2);
+    pockets.pockets[1].score = 3.5;
+    pockets.pockets[1].cavity = true;
+    pockets.pockets[1].deepest = {1.0, 2.0, 3.0};
+    pockets.voxels = {{{1.0, 0.0, 0.0}, 0.25F, 2.0F, 0.5F, 1}, {{2.0, 0.0, 0.0}, 0.75F, 4.0F, 0.125F, kNone}};
+    pockets.points = {1};
+    pockets.features.resize(1);
+    pockets.features[0].back() = 9.0F;
+    const ScratchFolder folder;
+    write_pocket_arrays(folder / "a.npz", pockets);
+    const auto entries = testing::unzip(testing::read_file(folder / "a.npz"));
+    EXPECT_EQ(values_of<double>(entries.at("pocket_score.npy")), (std::vector<double>{0.0, 3.5}));
+    EXPECT_EQ(values_of<std::int32_t>(entries.at("pocket_cavity.npy")), (std::vector<std::int32_t>{0, 1}));
+    EXPECT_EQ(values_of<Vec3>(entries.at("pocket_deepest.npy"))[1], (Vec3{1.0, 2.0, 3.0}));
+    EXPECT_EQ(values_of<float>(entries.at("voxel_share.npy")), (std::vector<float>{0.25F, 0.75F}));
+    EXPECT_EQ(values_of<std::int32_t>(entries.at("voxel_pocket.npy")), (std::vector<std::int32_t>{1, -1}));
+    EXPECT_EQ(values_of<Vec3>(entries.at("point_xyz.npy")), (std::vector<Vec3>{{2.0, 0.0, 0.0}}));
+    EXPECT_EQ(values_of<float>(entries.at("point_probability.npy")), std::vector<float>{0.125F});
+    EXPECT_EQ(description(entries.at("point_features.npy")),
+              "{'descr': '<f4', 'fortran_order': False, 'shape': (1, 43), }");
+    EXPECT_EQ(values_of<float>(entries.at("point_features.npy")).back(), 9.0F);
+    const auto names = values_of<char32_t>(entries.at("feature_names.npy"));
+    EXPECT_EQ(std::u32string(names.data(), 2), U"n6");
 }
 
 TEST(Npz, NamesThatWouldBePathsOrTwiceThereAreRefused) {

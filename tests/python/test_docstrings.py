@@ -13,7 +13,7 @@ HEADING = re.compile(r"^(\w[\w ]*)\n(-{3,})$", re.MULTILINE)
 KNOWN = ["Parameters", "Attributes", "Returns", "Raises", "Examples"]
 ENTRY = re.compile(r"^(\**\w+)(?: : (.*))?$", re.MULTILINE)
 # Made by functions of the package; their constructors are not for users.
-MADE = ("Comparison", "Measures", "Points", "Structure", "Surface")
+MADE = ("Comparison", "Measures", "Pockets", "Points", "Structure", "Surface")
 
 
 def sections(text):

@@ -175,7 +175,8 @@ class Words(unittest.TestCase):
     def test_types_have_the_words_of_the_library(self):
         for name, kind in (("hydrogens", _choices.Hydrogens), ("hetero", _choices.Hetero), ("per", _choices.Per),
                            ("field", _choices.Field), ("interpolation", _choices.Interpolation),
-                           ("color", _choices.ColorScheme)):
+                           ("color", _choices.ColorScheme), ("rank", _choices.PocketRank),
+                           ("pocket_field", _choices.PocketField)):
             self.assertEqual(typing.get_args(kind), _core.words[name], name)
 
     def told(self, call, *arguments, **options):
@@ -192,7 +193,8 @@ class Words(unittest.TestCase):
     def test_formats(self):
         ball = meniscus.surface([[0, 0, 0]], [2.0])
         for call, kind, more in ((ball.save, _choices.SurfaceFormat, ["vert"]), (ball.sample().save, _choices.PointFormat, []),
-                                 (ball.structure.save, _choices.AtomFormat, [])):
+                                 (ball.structure.save, _choices.AtomFormat, []),
+                                 (meniscus.pockets([[0, 0, 0]], [2.0]).save, _choices.PocketFormat, [])):
             suffixes = self.told(call, "a.gif").split()
             self.assertEqual(sorted(suffixes), sorted("." + word for word in [*typing.get_args(kind), *more]))
 

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "meniscus/pockets.h"
+
+#include <pybind11/stl.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "meniscus/describe_pockets.h"
+#include "meniscus/file_words.h"
+#include "meniscus/volume_file.h"
+#include "meniscus/write.h"
+#include "options.h"
+#include "pickling.h"
+#include "result_dict.h"
+#include "table_columns.h"
+
+namespace meniscus::python {
+
+namespace {
+
+/// The pockets of one structure, and whether they passed their checks.
+struct FoundPockets {
+    Pockets pockets;
+    std::vector<Check> checks;
+};
+
+template <class Archive>
+void fields(Archive& archive, FoundPockets& s) {
+    auto& [pockets, checks] = s;
+    archive(pockets, checks);
+}
+
+std::shared_ptr<FoundPockets> pockets_of(const Structure& structure, const py::dict& given, int threads) {
+    PocketOptions options;
+    describe(options, OptionReader(given));
+    const py::gil_scoped_release release;
+    const ExactSurface exact(structure.atoms, {SurfaceKind::Ses, options.probe});
+    RunOptions run;
+    run.threads = threads;
+    FoundPockets found{find_pockets(exact, atom_classes(structure), options, run), {}};
+    const bool agreed = exact.measures().agreed;
+    found.checks = pocket_checks(found.pockets);
+    found.checks.insert(found.checks.begin(), {"exact_agreement", agreed, agreed ? 1.0 : 0.0, 1.0});
+    return std::make_shared<FoundPockets>(std::move(found));
+}
+
+template <class Row, class T>
+py::array column_of(const std::vector<Row>& rows, T Row::*member) {
+    std::vector<T> values;
+    values.reserve(rows.size());
+    for (const Row& row : rows) values.push_back(row.*member);
+    return owning(std::move(values));
+}
+
+/// As the report has them, with what is too long for it.
+py::list described_pockets(const FoundPockets& found, const Structure& structure) {
+    py::list list = dicts_of(describe_pockets(found.pockets, structure));
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const Pocket& pocket = found.pockets.pockets[i];
+        list[i]["deepest"] = object_of(pocket.deepest);
+        list[i]["wall_atoms"] = column_of(pocket.wall, &WallAtom::atom);
+        list[i]["wall_atom_areas"] = column_of(pocket.wall, &WallAtom::area);
+        list[i]["voxels"] = object_of(pocket.voxels);
+    }
+    return list;
+}
+
+py::dict voxel_arrays(const FoundPockets& found) {
+    using namespace py::literals;
+    const std::vector<PocketVoxel>& all = found.pockets.voxels;
+    return py::dict("xyz"_a = column_of(all, &PocketVoxel::position), "share"_a = column_of(all, &PocketVoxel::share),
+                    "depth"_a = column_of(all, &PocketVoxel::depth),
+                    "probability"_a = column_of(all, &PocketVoxel::probability),
+                    "pocket"_a = column_of(all, &PocketVoxel::pocket));
+}
+
+Table table_of_pockets(const FoundPockets& found, const Structure& structure) {
+    return pockets_table(describe_pockets(found.pockets, structure));
+}
+
+void save_pocket_atoms(const FoundPockets& found, const Structure& structure, const std::string& path) {
+    const py::gil_scoped_release release;
+    write_pocket_atoms(path, structure, found.pockets);
+}
+
+void save_pocket_table(const FoundPockets& found, const Structure& structure, const std::string& path) {
+    const py::gil_scoped_release release;
+    write_table(path, table_of_pockets(found, structure));
+}
+
+void save_pocket_volume(const FoundPockets& found, const std::string& path, const std::string& field) {
+    const VolumeContent content = parse_word("field", field, kPocketFieldWords);
+    const py::gil_scoped_release release;
+    write_volume(path, pocket_volume(found.pockets, content), content);
+}
+
+void save_pocket_arrays(const FoundPockets& found, const std::string& path) {
+    const py::gil_scoped_release release;
+    write_pocket_arrays(path, found.pockets);
+}
+
+}  // namespace
+
+void bind_pockets(py::module_& module) {
+    py::class_<FoundPockets, std::shared_ptr<FoundPockets>> type(module, "Pockets");
+    type.def_property_readonly("totals", [](const FoundPockets& found) { return dict_of(found.pockets); });
+    type.def_property_readonly("checks", [](const FoundPockets& found) { return dicts_of(found.checks); });
+    type.def_property_readonly("voxels", &voxel_arrays);
+    type.def("descriptions", &described_pockets, py::arg("structure"));
+    type.def(
+        "table",
+        [](const FoundPockets& found, const Structure& structure) {
+            return table_columns(table_of_pockets(found, structure));
+        },
+        py::arg("structure"));
+    type.def("save_atoms", &save_pocket_atoms, py::arg("structure"), py::arg("path"));
+    type.def("save_table", &save_pocket_table, py::arg("structure"), py::arg("path"));
+    type.def("save_volume", &save_pocket_volume, py::arg("path"), py::arg("field"));
+    type.def("save_arrays", &save_pocket_arrays, py::arg("path"));
+    def_pickle<FoundPockets>(type);
+    module.def("pockets", &pockets_of, py::arg("structure"), py::arg("options"), py::arg("threads"));
+}
+
+}  // namespace meniscus::python

@@ -1,0 +1,168 @@
+# SPDX-FileCopyrightText: 2026 The Meniscus authors
+# SPDX-License-Identifier: Apache-2.0
+"""Pockets: the same as the command line's, invariance, closed forms, arrays, files, what is refused."""
+import copy
+import io
+import json
+import pathlib
+import pickle
+import subprocess
+import unittest
+import warnings
+
+import numpy as np
+from support import CENTRES, PROGRAM, RADII, ROOT, UBIQUITIN, InScratchFolder, read
+
+import meniscus
+
+ANTIBODY = str(ROOT / "examples" / "1a0q.pdb")
+
+
+def found_in(path, **options):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", meniscus.ReadWarning)
+        return meniscus.pockets(path, **options)
+
+
+def shell(radius):
+    """Beads on a sphere, so near to each other that no probe passes."""
+    count = int(4 * radius**2)
+    z = 1 - (2 * np.arange(count) + 1) / count
+    turn = np.pi * (3 - 5**0.5) * np.arange(count)
+    return radius * np.column_stack([np.sqrt(1 - z**2) * np.cos(turn), np.sqrt(1 - z**2) * np.sin(turn), z])
+
+
+class Numbers(InScratchFolder):
+    def test_are_those_of_the_command_line(self):
+        subprocess.run([PROGRAM, "pockets", ANTIBODY, "--report", "r.json", "--quiet", "--large-probe", "8", "--count", "4",
+                        "--rank", "volume"], check=True)
+        report = json.loads(pathlib.Path("r.json").read_text(encoding="utf-8"))
+        found = found_in(ANTIBODY, large_probe=8.0, count=4, rank="volume")
+        self.assertEqual(found.totals, report["total"])
+        self.assertEqual(found.checks, report["checks"])
+        self.assertEqual(len(found), len(report["pockets"]))
+        for pocket, block in zip(found, report["pockets"]):
+            for name, value in block.items():
+                ours = getattr(pocket, name)
+                if name in ("mouths", "openings"):
+                    self.assertEqual([(m.area, m.radius, list(m.centre)) for m in ours],
+                                     [(m["area"], m["radius"], m["centre"]) for m in value])
+                elif name in ("centre", "atoms"):
+                    self.assertEqual(list(ours), value, name)
+                else:
+                    self.assertEqual(ours, value, name)
+
+    def test_add_up(self):
+        found = found_in(UBIQUITIN)
+        self.assertTrue(found.passed)
+        self.assertAlmostEqual(sum(pocket.volume for pocket in found) + found.rest_volume, found.volume, 6)
+        for place, pocket in enumerate(found):
+            self.assertEqual(pocket.rank, place + 1)
+            self.assertAlmostEqual(pocket.wall_atom_areas.sum(), pocket.wall_area, 9)
+            self.assertTrue((found.voxels["pocket"][pocket.voxels] == place).all())
+            self.assertEqual(pocket.atoms.tolist(), pocket.wall_atoms[pocket.wall_atom_areas > 1.0].tolist())
+            if pocket.volume > 0 and not pocket.cavity:
+                shares = float(found.voxels["share"][pocket.voxels].sum(dtype=np.float64))
+                self.assertAlmostEqual(shares * found.scale / pocket.volume, 1.0, 5)
+
+    def test_of_all_pocket_space_does_not_depend_on_the_orientation(self):
+        protein = read(UBIQUITIN, radii="united")
+        turned, _ = np.linalg.qr(np.random.default_rng(3).normal(size=(3, 3)))
+        there, here = (meniscus.pockets(xyz, protein.radii) for xyz in (protein.xyz @ turned + 7.3, protein.xyz))
+        self.assertAlmostEqual(there.volume / here.volume, 1.0, 6)
+        self.assertAlmostEqual(there.totals["mouth_area"] / here.totals["mouth_area"], 1.0, 6)
+
+    def test_a_closed_shell_has_its_cavity(self):
+        centres = shell(6.0)
+        found = meniscus.pockets(centres, np.full(len(centres), 1.7))
+        cavity = next(pocket for pocket in found if pocket.cavity)
+        exact = meniscus.measure(centres, np.full(len(centres), 1.7)).cavities[0]
+        self.assertAlmostEqual(cavity.volume, exact.volume, 6)
+        self.assertEqual(cavity.mouths, [])
+
+    def test_do_not_depend_on_threads(self):
+        one, two = found_in(UBIQUITIN, threads=1), found_in(UBIQUITIN, run=meniscus.RunOptions(threads=2))
+        self.assertEqual(one.pockets, two.pockets)
+
+
+class Input(InScratchFolder):
+    def test_is_read_as_the_ranking_was_fitted_unless_told(self):
+        self.assertEqual(found_in(ANTIBODY).structure.radii_set, "united")
+        self.assertNotIn("HEP", found_in(ANTIBODY).structure.resname)
+        kept = found_in(ANTIBODY, radii="bondi", hetero="ligands").structure
+        self.assertEqual(kept.radii_set, "bondi")
+        self.assertIn("HEP", kept.resname)
+        reading = meniscus.ReadOptions(radii="bondi", hetero="ligands")
+        self.assertEqual(found_in(ANTIBODY, reading=reading).structure.resname.tolist(), kept.resname.tolist())
+
+    def test_of_a_structure_is_taken_as_it_is(self):
+        protein = read(UBIQUITIN, radii="united")
+        self.assertEqual(meniscus.pockets(protein).pockets, found_in(UBIQUITIN).pockets)
+        self.assertIs(meniscus.pockets(protein).structure, protein)
+
+    def test_without_pockets_gives_none(self):
+        found = meniscus.pockets([[0, 0, 0]], [2.0])
+        self.assertEqual((len(found), found.pockets, len(found.voxels["xyz"])), (0, [], 0))
+
+    def test_that_makes_no_sense_is_refused(self):
+        for options, message in (({"rank": "beauty"}, "rank: unknown value 'beauty'; choose one of score, volume, depth"),
+                                 ({"large_probe": 1.0}, "large_probe 1: must be larger than the probe"),
+                                 ({"spacing": 3.0}, "spacing 3: must be above 0 and at most 2"),
+                                 ({"count": 0}, "count 0: must be at least 1"),
+                                 ({"probe": -1.0}, "probe: must be")):
+            with self.assertRaisesRegex(meniscus.UsageError, message):
+                meniscus.pockets(CENTRES, RADII, **options)
+        for options in ({"probe": "1.4"}, {"count": 1.5}, {"rank": 1}, {"threads": "two"}):
+            with self.assertRaises(TypeError):
+                meniscus.pockets(CENTRES, RADII, **options)
+        with self.assertRaisesRegex(TypeError, "watters"):
+            meniscus.pockets(UBIQUITIN, watters=True)
+        with self.assertRaisesRegex(TypeError, "radii: required"):
+            meniscus.pockets(CENTRES)
+        with self.assertRaises(FileNotFoundError):
+            meniscus.pockets("no-such-file.pdb")
+
+
+class Results(InScratchFolder):
+    def test_have_arrays_of_their_types(self):
+        found = found_in(UBIQUITIN)
+        types = {"xyz": np.float64, "share": np.float32, "depth": np.float32, "probability": np.float32, "pocket": np.int32}
+        self.assertEqual({name: array.dtype.type for name, array in found.voxels.items()}, types)
+        self.assertEqual(found.voxels["xyz"].shape, (len(found.voxels["share"]), 3))
+        with self.assertRaises(ValueError):
+            found.voxels["share"][0] = 0
+
+    def test_are_copied_to_the_bit(self):
+        found = found_in(UBIQUITIN)
+        for again in (pickle.loads(pickle.dumps(found)), copy.deepcopy(found)):
+            self.assertEqual(again.pockets, found.pockets)
+            self.assertEqual((again.totals, again.checks, again.options), (found.totals, found.checks, found.options))
+            self.assertEqual(again.voxels["xyz"].tobytes(), found.voxels["xyz"].tobytes())
+            self.assertEqual(again[0].wall_atom_areas.tobytes(), found[0].wall_atom_areas.tobytes())
+
+    def test_are_written_as_by_the_command_line(self):
+        found = found_in(UBIQUITIN)
+        for suffix in ("csv", "json", "pdb", "cif", "dx", "mrc", "npz"):
+            subprocess.run([PROGRAM, "pockets", UBIQUITIN, "-o", "a." + suffix, "--quiet"], check=True)
+            found.save("b." + suffix)
+            stream = io.BytesIO()
+            found.write(stream, suffix)
+            ours, theirs = pathlib.Path("b." + suffix).read_bytes(), pathlib.Path("a." + suffix).read_bytes()
+            self.assertEqual(ours, theirs, suffix)
+            self.assertEqual(stream.getvalue(), theirs, suffix)
+        found.save("p.dx", field="probability")
+        self.assertNotEqual(pathlib.Path("p.dx").read_bytes(), pathlib.Path("a.dx").read_bytes())
+        for call in (lambda: found.save("a.gif"), lambda: found.save("a.dx", field="mask")):
+            with self.assertRaises(meniscus.UsageError):
+                call()
+
+    def test_are_a_table(self):
+        found = found_in(UBIQUITIN)
+        rows = found.table()
+        self.assertEqual(rows["volume"], [pocket.volume for pocket in found])
+        self.assertEqual(rows["residues"][0], "; ".join(found[0].residues))
+        self.assertEqual(list(found.to_pandas().columns), list(rows))
+
+
+if __name__ == "__main__":
+    unittest.main()
