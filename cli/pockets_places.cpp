@@ -30,8 +30,9 @@ std::optional<Vec3> point_of(const std::string& text) {
 // With the hetero atoms that pockets leave out, of all chains.
 Structure read_whole(const PocketsRequest& request, int model) {
     if (request.input == "-")
-        throw UsageError("--at: a selection needs a file, because the structure is read twice; write X,Y,Z, or a file's "
-                         "name instead of -");
+        throw UsageError(
+            "--at: a selection needs a file, because the structure is read twice; write X,Y,Z, or a file's "
+            "name instead of -");
     ReadOptions options = request.read;
     options.hetero = HeteroPolicy::All;
     options.chains.clear();

@@ -19,9 +19,9 @@ struct PocketsRequest : CommonRequest {
     PocketOptions pockets;
     TunnelRequest tunnels;
     RunOptions run;
-    std::vector<std::string> at;      ///< --at, in order
-    std::optional<double> at_reach;   ///< --at-reach, Å
-    std::string over_models;          ///< --over-models: path, empty for none
+    std::vector<std::string> at;                   ///< --at, in order
+    std::optional<double> at_reach;                ///< --at-reach, Å
+    std::string over_models;                       ///< --over-models: path, empty for none
     VolumeContent field = VolumeContent::Pockets;  ///< --field, of volumes
 };
 

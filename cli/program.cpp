@@ -72,7 +72,9 @@ std::vector<std::string> names_of_subcommands() {
 std::string description_of(const std::string& what) {
     if (what == "options") return described_options().dump() + "\n";
     if (what != "results") throw UsageError("--describe: unknown value '" + what + "'; choose one of options, results");
-    return ordered_json{{"report", report_schema()}, {"compare", compare_schema()}, {"pockets", pockets_schema()}}.dump() + "\n";
+    return ordered_json{{"report", report_schema()}, {"compare", compare_schema()}, {"pockets", pockets_schema()}}
+               .dump() +
+           "\n";
 }
 
 bool is_truth(const std::string& value) { return value == "true" || value == "false"; }

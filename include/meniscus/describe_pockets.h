@@ -79,7 +79,7 @@ struct DescribedPocket {
     std::vector<std::string> residues{};  ///< labels of the lining residues, "A:SER 195"
     std::string at{};                     ///< the name of its place, where places are given
     std::optional<LigandFit> ligand{};    ///< the one that lies at its place
-    std::size_t track = 0;              ///< where models are compared: its number, from 1
+    std::size_t track = 0;                ///< where models are compared: its number, from 1
 };
 
 template <class Visitor>
@@ -99,8 +99,9 @@ void describe(const DescribedPocket& d, Visitor& visit) {
     visit({"probability", "", "largest probability of a point in it to be one of a ligand's, 0 to 1; not calibrated"},
           p.probability);
     visit({"tied_with", "", "ranks of pockets whose scores are within 10 %"}, p.tied_with);
-    visit({"site", "", "at a place: rank that the pocket would have among those found, judged by the first site whose "
-                       "centre is within 4 Å of the place; 0 for none"},
+    visit({"site", "",
+           "at a place: rank that the pocket would have among those found, judged by the first site whose "
+           "centre is within 4 Å of the place; 0 for none"},
           p.site);
     visit({"track", "", "with `--model all`: number of the pocket over all models; 0 otherwise"}, d.track);
     visit.optional_block({"ligand", "", "ligand that lies at the place; null where there is none"}, d.ligand,
@@ -126,7 +127,8 @@ void describe(const DescribedPocket& d, Visitor& visit) {
 /// The totals of pocket space.
 template <class Visitor>
 void describe(const Pockets& p, Visitor& visit) {
-    visit({"volume", "Å³", "exact volume of pocket space: inside the SES of the large probe, outside that of the small one"},
+    visit({"volume", "Å³",
+           "exact volume of pocket space: inside the SES of the large probe, outside that of the small one"},
           p.volume);
     visit({"large_probe", "Å", "radius of the large probe"}, p.options.large_probe);
     visit({"rest_volume", "Å³", "volume of pocket space in no pocket; with all volumes below it adds up to `volume`"},

@@ -23,10 +23,11 @@ inline constexpr double kLiningArea = 1.0;
 struct PocketChemistry {
     std::vector<std::uint32_t> atoms;     ///< lining atoms, ascending
     std::vector<std::uint32_t> residues;  ///< indices into Structure::residues of those that have one, ascending
-    double hydrophobicity = 0.0;  ///< mean over the wall's area of Kyte and Doolittle's scale (4.5 for ILE, -4.5 for ARG)
-    int charge = 0;               ///< e: lining ARG and LYS less lining ASP and GLU
-    std::size_t donors = 0;       ///< lining atoms that give hydrogen bonds
-    std::size_t acceptors = 0;    ///< lining atoms that take hydrogen bonds; hydroxyl groups are both
+    double hydrophobicity =
+        0.0;                    ///< mean over the wall's area of Kyte and Doolittle's scale (4.5 for ILE, -4.5 for ARG)
+    int charge = 0;             ///< e: lining ARG and LYS less lining ASP and GLU
+    std::size_t donors = 0;     ///< lining atoms that give hydrogen bonds
+    std::size_t acceptors = 0;  ///< lining atoms that take hydrogen bonds; hydroxyl groups are both
 };
 
 /// source   Kyte & Doolittle 1982, J. Mol. Biol. 157, 105-132

@@ -20,15 +20,15 @@ struct Spread {
 
 /// A pocket as it comes and goes.
 struct PocketTrack {
-    std::size_t models = 0;      ///< in which it was found
-    std::size_t open = 0;        ///< of these, those in which it is not a closed cavity
-    std::size_t best_rank = 0;   ///< in any model
+    std::size_t models = 0;        ///< in which it was found
+    std::size_t open = 0;          ///< of these, those in which it is not a closed cavity
+    std::size_t best_rank = 0;     ///< in any model
     Spread score{};                ///< over the models in which it was found, as all that follow
     Spread volume{};               ///< Å³
     Spread depth{};                ///< Å
     Spread mouth_radius{};         ///< of the largest mouth or opening, Å; 0 for a closed cavity
-    std::size_t ways = 0;        ///< models in which a bottleneck was given
-    Spread bottleneck{};         ///< over these, Å
+    std::size_t ways = 0;          ///< models in which a bottleneck was given
+    Spread bottleneck{};           ///< over these, Å
     std::vector<WallAtom> wall{};  ///< mean areas over these models, by atom
 };
 

@@ -28,7 +28,7 @@ enum class AtomClass : std::uint8_t {
     CationicNitrogen,  ///< of arginine and lysine
     HistidineNitrogen,
     BackboneOxygen,
-    AmideOxygen,    ///< and every other side chain's oxygen not named below
+    AmideOxygen,  ///< and every other side chain's oxygen not named below
     HydroxylOxygen,
     AnionicOxygen,  ///< of aspartate and glutamate
     Sulfur,         ///< and selenium
@@ -38,7 +38,7 @@ inline constexpr std::size_t kAtomClasses = 13;  ///< without Other
 
 /// By what pockets are sorted.
 enum class PocketRank {
-    Score,   ///< how much room there is that resembles the places of ligands
+    Score,  ///< how much room there is that resembles the places of ligands
     Volume,
     Depth,
 };
@@ -87,13 +87,13 @@ struct Pocket {
     /// At a given place: the rank of the first site found without places whose centre is within 4 Å of one of the
     /// place's points; 0 for none, and where no places are given.
     std::size_t site = 0;
-    std::size_t points_inside = 0;  ///< of the place's points, those inside the SES of the large probe
-    bool cavity = false;     ///< a closed cavity, whose volume is exact
-    double volume = 0.0;     ///< Å³
-    double wall_area = 0.0;  ///< Å², the sum over `wall`
-    double depth = 0.0;      ///< the largest depth below the surface of the large probe, Å
-    Vec3 centre;             ///< of the ligand-like space, Å
-    Vec3 deepest;            ///< the grid point at that depth, Å
+    std::size_t points_inside = 0;      ///< of the place's points, those inside the SES of the large probe
+    bool cavity = false;                ///< a closed cavity, whose volume is exact
+    double volume = 0.0;                ///< Å³
+    double wall_area = 0.0;             ///< Å², the sum over `wall`
+    double depth = 0.0;                 ///< the largest depth below the surface of the large probe, Å
+    Vec3 centre;                        ///< of the ligand-like space, Å
+    Vec3 deepest;                       ///< the grid point at that depth, Å
     std::vector<PocketMouth> mouths;    ///< where it meets the bulk, largest first
     std::vector<PocketMouth> openings;  ///< where it goes on in other pocket space, largest first
     std::vector<WallAtom> wall;         ///< by atom
@@ -102,10 +102,10 @@ struct Pocket {
 
 /// A point of the grid whose cube lies in pocket space, at least in part.
 struct PocketVoxel {
-    Vec3 position;             ///< Å
-    float share = 0.0F;        ///< of its cube, 0 to 1
-    float depth = 0.0F;        ///< below the surface of the large probe, Å
-    float probability = 0.0F;  ///< of a ligand's atom, not calibrated; 0 where an atom is closer than 1 Å
+    Vec3 position;                 ///< Å
+    float share = 0.0F;            ///< of its cube, 0 to 1
+    float depth = 0.0F;            ///< below the surface of the large probe, Å
+    float probability = 0.0F;      ///< of a ligand's atom, not calibrated; 0 where an atom is closer than 1 Å
     std::uint32_t pocket = kNone;  ///< index into Pockets::pockets
 };
 
@@ -123,9 +123,9 @@ struct Pockets {
     double rest_volume = 0.0;  ///< of pocket space in no pocket, Å³: with the volumes of pockets it adds up to `volume`
     double scale = 1.0;        ///< what volumes from the grid were multiplied by for that
     double wall_area = 0.0;    ///< of the SES of the small probe, exact, Å²
-    double mouth_area = 0.0;   ///< of the free part of the SES of the large probe (not in contact with atoms), exact, Å²
-    std::vector<Pocket> pockets;      ///< by rank; closed cavities that resemble no ligand's place at the end
-    std::vector<PocketVoxel> voxels;  ///< in an order that does not depend on the atoms' order
+    double mouth_area = 0.0;  ///< of the free part of the SES of the large probe (not in contact with atoms), exact, Å²
+    std::vector<Pocket> pockets;           ///< by rank; closed cavities that resemble no ligand's place at the end
+    std::vector<PocketVoxel> voxels;       ///< in an order that does not depend on the atoms' order
     std::vector<std::uint32_t> points;     ///< indices of the voxels that have a place in the ranking, ascending
     std::vector<PocketFeatures> features;  ///< of these points
 };
@@ -141,8 +141,8 @@ struct Pockets {
 Pockets find_pockets(const ExactSurface& exact, std::span<const AtomClass> classes, const PocketOptions& options = {},
                      const RunOptions& run = {});
 
-/// Self-checks: "scale" (the volume from the grid is within 2 % or 5 Å³ of the exact one) and "pocket_volumes" (those of
-/// all pockets and of the rest add up to `volume`).
+/// Self-checks: "scale" (the volume from the grid is within 2 % or 5 Å³ of the exact one) and "pocket_volumes" (those
+/// of all pockets and of the rest add up to `volume`).
 std::vector<Check> pocket_checks(const Pockets& pockets);
 
 /// Pockets as values on a grid that holds them all.

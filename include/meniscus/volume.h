@@ -39,10 +39,10 @@ struct Volume {
 
 /// What the values of a volume mean.
 enum class VolumeContent {
-    Distance,    ///< signed distance to a surface, Å, positive inside
-    Mask,        ///< 1 inside, 0 outside
-    Dielectric,  ///< relative permittivity
-    Ions,        ///< accessibility for ions, 0 or 1
+    Distance,     ///< signed distance to a surface, Å, positive inside
+    Mask,         ///< 1 inside, 0 outside
+    Dielectric,   ///< relative permittivity
+    Ions,         ///< accessibility for ions, 0 or 1
     Probability,  ///< of a ligand's atom in pocket space, 0 to 1, not calibrated
     Pockets,      ///< rank of the pocket, 0 where there is none
 };

@@ -13,17 +13,17 @@
 #include "meniscus/pockets.h"
 #include "meniscus/threads.h"
 #include "pockets/cavity_voxels.h"
+#include "pockets/place_regions.h"
 #include "pockets/pocket_borders.h"
 #include "pockets/pocket_model.h"
 #include "pockets/pocket_space.h"
-#include "pockets/place_regions.h"
 #include "pockets/point_features.h"
 #include "pockets/sites.h"
 
 namespace meniscus {
 namespace {
 
-constexpr double kTie = 0.1;         // of a score: how much another orientation may change it
+constexpr double kTie = 0.1;          // of a score: how much another orientation may change it
 constexpr double kMeshSpacing = 1.0;  // Å: of the meshes that divide exact areas
 constexpr double kAtSite = 4.0;       // Å: from a site's centre to what it is said to have found
 
@@ -77,7 +77,8 @@ public:
             if (progress) progress(stage, done);
         };
         report("geometry", 0.0);
-        space_ = pocket_space(small_.accessible(), large_.accessible(), small_.atoms().centres, pockets_.options.spacing);
+        space_ =
+            pocket_space(small_.accessible(), large_.accessible(), small_.atoms().centres, pockets_.options.spacing);
         report("exact", 0.0);
         measure_totals();
         report("sites", 0.0);
@@ -260,8 +261,7 @@ private:
         options.method = Method::Direct;
         options.spacing = std::min(kMeshSpacing, pockets_.options.spacing);
         const PocketLabels labels{labels_, drafts_.size()};
-        std::vector<std::vector<WallAtom>> wall =
-            walls(space_, labels, mesh(small_, options).mesh, small_.measures());
+        std::vector<std::vector<WallAtom>> wall = walls(space_, labels, mesh(small_, options).mesh, small_.measures());
         std::vector<std::vector<PocketMouth>> mouth =
             mouths(space_, labels, mesh(large_, options).mesh, pockets_.mouth_area);
         std::vector<std::vector<PocketMouth>> opening = openings(space_, labels);
@@ -358,7 +358,7 @@ private:
     ExactSurface large_;
     Pockets pockets_;
     PocketSpace space_{BlockGrid(1.0, {}, {}), {}, {}, {}, {}, {}};
-    std::vector<double> probabilities_;     // per voxel
+    std::vector<double> probabilities_;  // per voxel
     WeightedPoints points_;
     std::vector<std::uint32_t> cavities_;  // per voxel
     std::vector<std::uint32_t> labels_;    // per voxel, indices into drafts_
@@ -381,7 +381,8 @@ std::vector<Check> pocket_checks(const Pockets& pockets) {
     const double scale_bound = std::max(kMostOff, kFewCubes / std::max(open, 1e-9));
     const double off = std::abs(pockets.scale - 1.0);
     const double sum_off = std::abs(sum - pockets.volume) / whole;
-    return {{"scale", off <= scale_bound, off, scale_bound}, {"pocket_volumes", sum_off <= kRounding, sum_off, kRounding}};
+    return {{"scale", off <= scale_bound, off, scale_bound},
+            {"pocket_volumes", sum_off <= kRounding, sum_off, kRounding}};
 }
 
 Pockets find_pockets(const ExactSurface& exact, std::span<const AtomClass> classes, const PocketOptions& options,

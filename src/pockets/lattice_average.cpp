@@ -56,15 +56,18 @@ struct Axis {
         return line % kEdge * first_other + line / kEdge * second_other;
     }
 };
-constexpr std::array<Axis, 3> kAxes{{{&BlockCoord::x, 1, kEdge, kLines},
-                                     {&BlockCoord::y, kEdge, 1, kLines},
-                                     {&BlockCoord::z, kLines, 1, kEdge}}};
+constexpr std::array<Axis, 3> kAxes{
+    {{&BlockCoord::x, 1, kEdge, kLines}, {&BlockCoord::y, kEdge, 1, kLines}, {&BlockCoord::z, kLines, 1, kEdge}}};
 
 // All lines of a block and what is beside them within reach, side by side.
 class Lines {
 public:
     Lines(const BlockValues& from, const Axis& axis, std::span<const double> weights)
-        : from_(from), axis_(axis), weights_(weights), reach_(weights.size() / 2), padded_((kEdge + 2 * reach_) * kLines) {}
+        : from_(from),
+          axis_(axis),
+          weights_(weights),
+          reach_(weights.size() / 2),
+          padded_((kEdge + 2 * reach_) * kLines) {}
 
     /// false: nothing but zeros
     bool average(const BlockCoord& block, double* result) {

@@ -89,8 +89,8 @@ private:
 std::vector<Part> those_that_count(std::vector<Part> parts) {
     const auto is_named = [](const Part& part) { return part.named; };
     if (std::none_of(parts.begin(), parts.end(), is_named)) {
-        const auto largest = std::max_element(parts.begin(), parts.end(),
-                                              [](const Part& a, const Part& b) { return a.size < b.size; });
+        const auto largest =
+            std::max_element(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.size < b.size; });
         if (largest != parts.end()) largest->named = true;
     }
     std::erase_if(parts, [](const Part& part) { return !part.named; });

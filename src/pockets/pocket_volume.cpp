@@ -12,16 +12,18 @@ Volume pocket_volume(const Pockets& pockets, VolumeContent content) {
     for (const PocketVoxel& voxel : pockets.voxels) box.include(voxel.position);
     if (pockets.voxels.empty()) box.include(Vec3{});
     const double spacing = pockets.options.spacing;
-    const auto place = [&](double at, double from) { return static_cast<std::size_t>(std::lround((at - from) / spacing)); };
+    const auto place = [&](double at, double from) {
+        return static_cast<std::size_t>(std::lround((at - from) / spacing));
+    };
     Volume volume;
-    volume.grid = {{place(box.high.x, box.low.x) + 1, place(box.high.y, box.low.y) + 1, place(box.high.z, box.low.z) + 1},
-                   box.low,
-                   {spacing, spacing, spacing}};
+    volume.grid = {
+        {place(box.high.x, box.low.x) + 1, place(box.high.y, box.low.y) + 1, place(box.high.z, box.low.z) + 1},
+        box.low,
+        {spacing, spacing, spacing}};
     volume.values.resize(volume.grid.size());
     for (const PocketVoxel& voxel : pockets.voxels) {
         const Vec3& p = voxel.position;
-        const std::size_t node =
-            volume.grid.index(place(p.x, box.low.x), place(p.y, box.low.y), place(p.z, box.low.z));
+        const std::size_t node = volume.grid.index(place(p.x, box.low.x), place(p.y, box.low.y), place(p.z, box.low.z));
         if (content == VolumeContent::Probability)
             volume.values[node] = voxel.probability;
         else if (voxel.pocket != kNone)

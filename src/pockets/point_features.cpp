@@ -16,8 +16,8 @@
 namespace meniscus {
 namespace {
 
-constexpr double kFarthest = 10.0;  // Å: of the atoms that count
-constexpr double kClear = 1.0;      // Å between a point and the nearest atom
+constexpr double kFarthest = 10.0;   // Å: of the atoms that count
+constexpr double kClear = 1.0;       // Å between a point and the nearest atom
 constexpr double kMostDepth = 12.0;  // Å that count in averages
 constexpr double kLimit = 5.0;       // Å of kLimitedDepth10
 constexpr std::size_t kPointsPerTask = 256;
@@ -80,9 +80,8 @@ void for_each_block(const PocketSpace& space, std::span<const VoxelId> voxels, c
 }
 
 bool is_clear(const Vec3& point, std::span<const Neighbour> near) {
-    return std::none_of(near.begin(), near.end(), [&](const Neighbour& atom) {
-        return norm(point - atom.centre) - atom.radius < kClear;
-    });
+    return std::none_of(near.begin(), near.end(),
+                        [&](const Neighbour& atom) { return norm(point - atom.centre) - atom.radius < kClear; });
 }
 
 std::vector<VoxelId> clear_voxels(const PocketSpace& space, const Neighbourhood& atoms) {
@@ -90,9 +89,10 @@ std::vector<VoxelId> clear_voxels(const PocketSpace& space, const Neighbourhood&
     for (VoxelId v = 0; v < space.size(); ++v)
         if (space.is_within(v)) within.push_back(v);
     std::vector<std::uint8_t> clear(within.size());
-    for_each_block(space, within, atoms, kClear + atoms.thickest(), [&](std::size_t i, std::span<const Neighbour> near) {
-        clear[i] = static_cast<std::uint8_t>(is_clear(space.position(within[i]), near));
-    });
+    for_each_block(space, within, atoms, kClear + atoms.thickest(),
+                   [&](std::size_t i, std::span<const Neighbour> near) {
+                       clear[i] = static_cast<std::uint8_t>(is_clear(space.position(within[i]), near));
+                   });
     std::vector<VoxelId> result;
     for (std::size_t i = 0; i < within.size(); ++i)
         if (clear[i] != 0) result.push_back(within[i]);

@@ -21,11 +21,11 @@ enum PointFeature : std::uint8_t {
     kNear10,
     kAsymmetry6,  ///< how one-sided these atoms are, 0 to 1
     kAsymmetry10,
-    kDepth2,  ///< below the SES of a probe of 2.0 Å; negative outside
-    kDepth3,  ///< 3.3 Å
-    kDepth4,  ///< 4.6 Å
-    kDepth5,  ///< 5.5 Å
-    kDepth10,  ///< of the large probe
+    kDepth2,       ///< below the SES of a probe of 2.0 Å; negative outside
+    kDepth3,       ///< 3.3 Å
+    kDepth4,       ///< 4.6 Å
+    kDepth5,       ///< 5.5 Å
+    kDepth10,      ///< of the large probe
     kNarrowShare,  ///< average of the space below the SES of 4.6 Å, sigma 1.5 Å
     kMediumShare,  ///< sigma 3 Å
     kWideShare,    ///< average of all pocket space, sigma 5 Å

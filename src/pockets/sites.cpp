@@ -96,7 +96,8 @@ std::vector<double> densities(const PocketSpace& space, const WeightedPoints& po
     const PointBlocks blocks(space, points);
     parallel_for(blocks.size(), 1, [&](std::size_t b) {
         const WeightedPlaces near = blocks.near(b);
-        blocks.for_each_point(b, [&](std::size_t i) { result[i] = density_at(space.position(points.voxels[i]), near); });
+        blocks.for_each_point(b,
+                              [&](std::size_t i) { result[i] = density_at(space.position(points.voxels[i]), near); });
     });
     return result;
 }

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <utility>
 
-
 namespace meniscus {
 namespace {
 
@@ -148,7 +147,8 @@ PocketChemistry describe_pocket(const Pocket& pocket, const Structure& structure
     result.residues.erase(std::unique(result.residues.begin(), result.residues.end()), result.residues.end());
     for (const std::uint32_t residue : result.residues) {
         const std::string_view name = parent_of(structure.residues[residue].name);
-        result.charge += static_cast<int>(name == "ARG" || name == "LYS") - static_cast<int>(name == "ASP" || name == "GLU");
+        result.charge +=
+            static_cast<int>(name == "ARG" || name == "LYS") - static_cast<int>(name == "ASP" || name == "GLU");
     }
     return result;
 }

@@ -31,7 +31,8 @@ std::set<Centre> centres_of(const Structure& structure) {
 }
 
 // Of several expressions with " + " between them, what any of them selects.
-std::vector<bool> selected_by_any(const Structure& structure, const std::string& expressions, const std::string& option) {
+std::vector<bool> selected_by_any(const Structure& structure, const std::string& expressions,
+                                  const std::string& option) {
     constexpr std::string_view kAnd = " + ";
     std::vector<bool> selected(structure.atoms.size());
     std::size_t begin = 0;
@@ -54,8 +55,8 @@ bool are_bonded(const Atoms& atoms, const std::vector<std::uint32_t>& a, const s
 }
 
 // Lists of residues that are bonded, each in the order of the structure, and the lists in that of their first residues.
-std::vector<std::vector<std::uint32_t>> molecules_of(const Atoms& atoms,
-                                                     const std::map<std::uint32_t, std::vector<std::uint32_t>>& atoms_of) {
+std::vector<std::vector<std::uint32_t>> molecules_of(
+    const Atoms& atoms, const std::map<std::uint32_t, std::vector<std::uint32_t>>& atoms_of) {
     std::vector<std::vector<std::uint32_t>> molecules;
     for (const auto& [residue, own] : atoms_of) {
         std::vector<std::uint32_t> joined{residue};

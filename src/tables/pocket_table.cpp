@@ -32,18 +32,57 @@ std::string joined(const std::vector<T>& words) {
 }  // namespace
 
 Table pockets_table(const std::vector<DescribedPocket>& pockets) {
-    Table table{{"rank", "score", "probability", "tied_with", "cavity", "volume", "wall_area", "depth", "x", "y", "z",
-                 "mouths", "mouth_area", "openings", "opening_area", "hydrophobicity", "charge", "donors", "acceptors",
-                 "residues", "at", "site", "ligand_atoms", "ligand_inside", "ligand_area", "ligand_buried_area", "track"},
+    Table table{{"rank",
+                 "score",
+                 "probability",
+                 "tied_with",
+                 "cavity",
+                 "volume",
+                 "wall_area",
+                 "depth",
+                 "x",
+                 "y",
+                 "z",
+                 "mouths",
+                 "mouth_area",
+                 "openings",
+                 "opening_area",
+                 "hydrophobicity",
+                 "charge",
+                 "donors",
+                 "acceptors",
+                 "residues",
+                 "at",
+                 "site",
+                 "ligand_atoms",
+                 "ligand_inside",
+                 "ligand_area",
+                 "ligand_buried_area",
+                 "track"},
                 {}};
     for (const DescribedPocket& described : pockets) {
         const Pocket& p = described.pocket;
         const PocketChemistry& c = described.chemistry;
-        table.rows.push_back({static_cast<std::int64_t>(p.rank), p.score, p.probability, joined(p.tied_with), p.cavity, p.volume, p.wall_area, p.depth, p.centre.x,
-                              p.centre.y, p.centre.z, static_cast<std::int64_t>(p.mouths.size()), area_of(p.mouths),
-                              static_cast<std::int64_t>(p.openings.size()), area_of(p.openings), c.hydrophobicity,
-                              static_cast<std::int64_t>(c.charge), static_cast<std::int64_t>(c.donors),
-                              static_cast<std::int64_t>(c.acceptors), joined(described.residues)});
+        table.rows.push_back({static_cast<std::int64_t>(p.rank),
+                              p.score,
+                              p.probability,
+                              joined(p.tied_with),
+                              p.cavity,
+                              p.volume,
+                              p.wall_area,
+                              p.depth,
+                              p.centre.x,
+                              p.centre.y,
+                              p.centre.z,
+                              static_cast<std::int64_t>(p.mouths.size()),
+                              area_of(p.mouths),
+                              static_cast<std::int64_t>(p.openings.size()),
+                              area_of(p.openings),
+                              c.hydrophobicity,
+                              static_cast<std::int64_t>(c.charge),
+                              static_cast<std::int64_t>(c.donors),
+                              static_cast<std::int64_t>(c.acceptors),
+                              joined(described.residues)});
         std::vector<Cell>& row = table.rows.back();
         row.emplace_back(described.at);
         row.emplace_back(static_cast<std::int64_t>(p.site));

@@ -15,9 +15,13 @@ namespace {
 
 // Voxels at random nodes of some blocks, one of them far away.
 PocketSpace random_space(double spacing) {
-    PocketSpace space{BlockGrid(spacing, {1.0, -2.0, 3.0},
-                                {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {2, 2, 2}, {9, 9, 9}}),
-                      {}, {}, {}, {}, {}};
+    PocketSpace space{
+        BlockGrid(spacing, {1.0, -2.0, 3.0}, {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {2, 2, 2}, {9, 9, 9}}),
+        {},
+        {},
+        {},
+        {},
+        {}};
     space.voxel_of.assign(space.grid.node_count(), kNoVoxel);
     std::mt19937 random(1);
     for (std::uint32_t node = 0; node < space.grid.node_count(); ++node) {

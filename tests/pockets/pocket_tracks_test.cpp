@@ -56,7 +56,8 @@ TEST(PocketTracks, MeanAndDeviationAreThoseOfTheSample) {
 TEST(PocketTracks, EachJoinsTheOneThatItIsMostLike) {
     PocketTracks tracks;
     tracks.add(model({pocket({{1, 10.0}, {2, 10.0}}, 1.0), pocket({{2, 10.0}, {3, 10.0}}, 2.0)}));
-    EXPECT_EQ(tracks.add(model({pocket({{2, 10.0}, {3, 8.0}}, 3.0), pocket({{1, 9.0}, {2, 9.0}}, 4.0)})), (Numbers{1, 0}));
+    EXPECT_EQ(tracks.add(model({pocket({{2, 10.0}, {3, 8.0}}, 3.0), pocket({{1, 9.0}, {2, 9.0}}, 4.0)})),
+              (Numbers{1, 0}));
     EXPECT_EQ(tracks.add(model({pocket({{5, 10.0}, {1, 2.0}}, 5.0)})), (Numbers{2}));
 }
 

@@ -35,23 +35,37 @@ Structure structure_of(const std::vector<NamedAtom>& atoms) {
 }
 
 TEST(PocketChemistry, ClassesOfAtoms) {
-    const Structure structure = structure_of({{"ALA", "CA", "C"},   {"ALA", "CB", "C"},  {"TYR", "CZ", "C"},
-                                              {"ARG", "CZ", "C"},   {"ALA", "N", "N"},   {"ASN", "ND2", "N"},
-                                              {"LYS", "NZ", "N"},   {"HIE", "NE2", "N"}, {"ALA", "OXT", "O"},
-                                              {"GLN", "OE1", "O"},  {"SEP", "OG", "O"},  {"GLU", "OE2", "O"},
-                                              {"MSE", "SE", "SE"},  {"HEM", "FE", "FE"}, {"TRP", "NE1", "N"},
+    const Structure structure = structure_of({{"ALA", "CA", "C"},
+                                              {"ALA", "CB", "C"},
+                                              {"TYR", "CZ", "C"},
+                                              {"ARG", "CZ", "C"},
+                                              {"ALA", "N", "N"},
+                                              {"ASN", "ND2", "N"},
+                                              {"LYS", "NZ", "N"},
+                                              {"HIE", "NE2", "N"},
+                                              {"ALA", "OXT", "O"},
+                                              {"GLN", "OE1", "O"},
+                                              {"SEP", "OG", "O"},
+                                              {"GLU", "OE2", "O"},
+                                              {"MSE", "SE", "SE"},
+                                              {"HEM", "FE", "FE"},
+                                              {"TRP", "NE1", "N"},
                                               {"HIS", "CD2", "C"}});
     using enum AtomClass;
-    const std::vector<AtomClass> expected{BackboneCarbon,   AliphaticCarbon,   AromaticCarbon, PolarCarbon,
-                                          BackboneNitrogen, AmideNitrogen,     CationicNitrogen, HistidineNitrogen,
-                                          BackboneOxygen,   AmideOxygen,       HydroxylOxygen, AnionicOxygen,
-                                          Sulfur,           Other,             AmideNitrogen,  AromaticCarbon};
+    const std::vector<AtomClass> expected{BackboneCarbon,   AliphaticCarbon, AromaticCarbon,   PolarCarbon,
+                                          BackboneNitrogen, AmideNitrogen,   CationicNitrogen, HistidineNitrogen,
+                                          BackboneOxygen,   AmideOxygen,     HydroxylOxygen,   AnionicOxygen,
+                                          Sulfur,           Other,           AmideNitrogen,    AromaticCarbon};
     EXPECT_EQ(atom_classes(structure), expected);
 }
 
 TEST(PocketChemistry, OfAWall) {
-    const Structure structure = structure_of(
-        {{"ILE", "CD1", "C"}, {"ARG", "NH1", "N"}, {"ASP", "OD1", "O"}, {"SER", "OG", "O"}, {"PRO", "N", "N"}, {"LYS", "NZ", "N"}});
+    const Structure structure = structure_of({{"ILE", "CD1", "C"},
+                                              {"ARG", "NH1", "N"},
+                                              {"ASP", "OD1", "O"},
+                                              {"SER", "OG", "O"},
+                                              {"PRO", "N", "N"},
+                                              {"LYS", "NZ", "N"}});
     Pocket pocket;
     pocket.wall = {{0, 6.0}, {1, 2.0}, {2, 2.0}, {3, 1.5}, {4, 2.0}, {5, 0.5}};
     const PocketChemistry chemistry = describe_pocket(pocket, structure);
