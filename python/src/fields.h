@@ -218,9 +218,15 @@ void fields(Archive& archive, Check& s) {
 }
 
 template <class Archive>
+void fields(Archive& archive, PocketPlace& s) {
+    auto& [points, reach] = s;
+    archive(points, reach);
+}
+
+template <class Archive>
 void fields(Archive& archive, PocketOptions& s) {
-    auto& [probe, large_probe, spacing, count, rank] = s;
-    archive(probe, large_probe, spacing, count, rank);
+    auto& [probe, large_probe, spacing, count, rank, places] = s;
+    archive(probe, large_probe, spacing, count, rank, places);
 }
 
 template <class Archive>
@@ -237,10 +243,10 @@ void fields(Archive& archive, WallAtom& s) {
 
 template <class Archive>
 void fields(Archive& archive, Pocket& s) {
-    auto& [rank, score, probability, tied_with, cavity, volume, wall_area, depth, centre, deepest, mouths, openings,
-           wall, voxels] = s;
-    archive(rank, score, probability, tied_with, cavity, volume, wall_area, depth, centre, deepest, mouths, openings,
-            wall, voxels);
+    auto& [rank, score, probability, tied_with, site, points_inside, cavity, volume, wall_area, depth, centre, deepest,
+           mouths, openings, wall, voxels] = s;
+    archive(rank, score, probability, tied_with, site, points_inside, cavity, volume, wall_area, depth, centre, deepest,
+            mouths, openings, wall, voxels);
 }
 
 template <class Archive>

@@ -15,6 +15,8 @@ from support import CENTRES, PROGRAM, RADII, ROOT, UBIQUITIN, InScratchFolder, r
 
 import meniscus
 
+# What only --at and --model all give.
+OF_PLACES_AND_MODELS = ("at", "site", "ligand", "track")
 ANTIBODY = str(ROOT / "examples" / "1a0q.pdb")
 
 
@@ -43,6 +45,8 @@ class Numbers(InScratchFolder):
         self.assertEqual(len(found), len(report["pockets"]))
         for pocket, block in zip(found, report["pockets"]):
             for name, value in block.items():
+                if name in OF_PLACES_AND_MODELS:
+                    continue
                 ours = getattr(pocket, name)
                 if name in ("mouths", "openings"):
                     self.assertEqual([(m.area, m.radius, list(m.centre)) for m in ours],
