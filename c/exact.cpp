@@ -4,6 +4,7 @@
 
 #include "meniscus/errors.h"
 #include "meniscus/file_words.h"
+#include "meniscus/pocket_chemistry.h"
 #include "meniscus/threads.h"
 #include "meniscus/write.h"
 #include "objects.h"
@@ -95,6 +96,20 @@ meniscus_status meniscus_measure_report(meniscus_exact* exact, const meniscus_op
         need(json, "json");
         const meniscus::ThreadLimit limit(exact->threads);
         exact->report = report_of(*exact->structure, exact->exact, options_of(options));
+        *json = exact->report.c_str();
+    });
+}
+
+meniscus_status meniscus_pockets_report(meniscus_exact* exact, const meniscus_options* given, const char** json) {
+    return guarded([&] {
+        need(exact, "exact");
+        need(json, "json");
+        const Options& options = options_of(given);
+        meniscus::PocketOptions asked = options.pockets;
+        asked.probe = exact->exact.options().probe;
+        const meniscus::Pockets found =
+            meniscus::find_pockets(exact->exact, meniscus::atom_classes(*exact->structure), asked, options.run);
+        exact->report = report_of(*exact->structure, found);
         *json = exact->report.c_str();
     });
 }

@@ -13,6 +13,7 @@
 #include "meniscus/exact_surface.h"
 #include "meniscus/meniscus.h"
 #include "meniscus/option.h"
+#include "meniscus/pockets.h"
 #include "meniscus/structure.h"
 #include "meniscus/surface.h"
 
@@ -25,6 +26,7 @@ std::string spell(std::string_view option, std::string_view value);
 struct Options {
     SurfaceOptions surface{};
     RunOptions run{};
+    PocketOptions pockets{};
     ReadOptions read{.spelling = spell};
     std::string between{};        ///< interfaces that reports have: "A,B:C" or "all"; empty: none
     std::vector<Option> given{};  ///< options of the surface that do not have their default values
@@ -65,6 +67,7 @@ void write_to(const std::string& path, const meniscus_surface& surface, std::spa
 std::string report_of(const Structure& structure);
 std::string report_of(const Structure& structure, const ExactSurface& exact, const Options& options);
 std::string report_of(const Structure& structure, const Surface& surface);
+std::string report_of(const Structure& structure, const Pockets& pockets);
 
 }  // namespace meniscus::c
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "meniscus/describe_options.h"
+#include "meniscus/describe_pockets.h"
 #include "meniscus/file_words.h"
 #include "objects.h"
 #include "reading/option_numbers.h"
@@ -119,6 +120,7 @@ void set(Options& options, const std::string& name, const std::string& text) {
     describe(options.surface, setter);
     options.given.insert(options.given.end(), setter.changed.begin(), setter.changed.end());
     describe(options.run, setter);
+    describe(options.pockets, setter);
     if (setter.found || set_reading(options.read, name, text)) return;
     if (name == "exact")
         options.surface.exact = flag_from(name, text);

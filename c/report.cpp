@@ -4,6 +4,7 @@
 #include "io/describe_structure.h"
 #include "io/json_visitor.h"
 #include "io/options_json.h"
+#include "meniscus/describe_pockets.h"
 #include "meniscus/tables.h"
 #include "meniscus/version.h"
 #include "objects.h"
@@ -70,6 +71,18 @@ std::string report_of(const Structure& structure, const ExactSurface& exact, con
     add_exact(report, &measures);
     report["cavities"] = cavities_block({}, structure, measures.components);
     if (!options.between.empty()) report["interfaces"] = described_one_by_one(interfaces_of(structure, options));
+    return text_of(report);
+}
+
+std::string report_of(const Structure& structure, const Pockets& pockets) {
+    ordered_json report{{"meniscus", kVersion}, {"schema", 1}};
+    report["input"] = input_block(structure, pockets.options.probe);
+    OptionsAsJson options{SurfaceOptions{}};
+    describe(pockets.options, options);
+    report["options"] = options.block;
+    report["total"] = described_as_json([&](auto& visit) { describe(pockets, visit); });
+    report["pockets"] = described_one_by_one(describe_pockets(pockets, structure));
+    report["checks"] = described_one_by_one(pocket_checks(pockets));
     return text_of(report);
 }
 

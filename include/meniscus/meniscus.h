@@ -141,6 +141,12 @@ MENISCUS_API meniscus_status meniscus_signed_distance(meniscus_exact* exact, siz
 MENISCUS_API meniscus_status meniscus_measure_report(meniscus_exact* exact, const meniscus_options* options,
                                                      const char** json);
 
+// Pockets: JSON text with the keys of `meniscus pockets --report`: input, options, total, pockets, checks. Options:
+// large_probe, spacing (1 unless set), count, rank, threads; the probe is that of the exact surface. The ranking was
+// fitted to structures read with radii = united and hetero = none.
+MENISCUS_API meniscus_status meniscus_pockets_report(meniscus_exact* exact, const meniscus_options* options,
+                                                     const char** json);
+
 // Writes a table of measures; per: "atom", "residue", "chain" or "cavity"; .csv or .json.
 MENISCUS_API meniscus_status meniscus_write_table(meniscus_exact* exact, const char* per, const char* path);
 

@@ -81,6 +81,22 @@ def same_mesh(folder, exact, options):
     lib.meniscus_surface_free(surface)
 
 
+def same_pockets(folder):
+    options = c.c_void_p(lib.meniscus_options_new())
+    for name, value in ((b"radii", b"united"), (b"hetero", b"none"), (b"count", b"2"), (b"rank", b"volume")):
+        check(lib.meniscus_options_set(options, name, value))
+    structure = made(lib.meniscus_read, INPUT.encode(), options)
+    exact = made(lib.meniscus_exact_new, structure, options)
+    report = text_of(lib.meniscus_pockets_report, exact, options)
+    program("pockets", INPUT, "--count", "2", "--rank", "volume", "--report", f"{folder}/p.json")
+    with open(f"{folder}/p.json", encoding="utf-8") as file:
+        compare_reports(report, json.load(file), ("total", "pockets", "checks"))
+    assert lib.meniscus_options_set(options, b"count", b"0") == 2
+    lib.meniscus_exact_free(exact)
+    lib.meniscus_structure_free(structure)
+    lib.meniscus_options_free(options)
+
+
 def only_its_own_symbols():
     symbols = subprocess.run(["nm", "-D", "--defined-only", LIBRARY], check=True, capture_output=True, text=True).stdout
     foreign = [line for line in symbols.splitlines() if " T " in line and " meniscus_" not in line]
@@ -97,6 +113,7 @@ with tempfile.TemporaryDirectory() as scratch:
     structure = made(lib.meniscus_read, INPUT.encode(), options)
     exact = same_measures(scratch, structure, options)
     same_mesh(scratch, exact, options)
+    same_pockets(scratch)
     only_its_own_symbols()
     the_example_runs(scratch)
     lib.meniscus_exact_free(exact)

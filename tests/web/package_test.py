@@ -21,7 +21,7 @@ MOST_PACKED = 1_000_000
 
 SCRIPT = """
 import {readFileSync, writeFileSync} from "node:fs";
-import {Meniscus, measure} from "INDEX";
+import {Meniscus, measure, pockets} from "INDEX";
 const input = readFileSync("1a0q.pdb.gz"), options = {name: "1a0q.pdb.gz", spacing: 0.8, exact: true, interfaces: true};
 const result = {};
 const failed = async promise => promise.then(() => "nothing", ({name, code, message}) => ({name, code, message}));
@@ -32,6 +32,7 @@ for (const kind of ["ply", "stl", "residues.csv"]) writeFileSync("ours." + kind,
 Object.assign(result, {report: s.report, vertices: s.positions.length / 3, names: s.atoms.name.length, stages: [...stages],
                        last: [s.atoms.chain.at(-1), s.atoms.number.at(-1)], page: (await s.page()).data.length});
 result.spheres = (await measure({positions: [0, 0, 0], radii: [2]})).report.exact.ses_area;
+result.pockets = (await pockets(input, {name: "1a0q.pdb.gz", count: 2})).pockets;
 result.estimates = [await engine.estimate(input, options), await engine.estimate(input, {...options, interfaces: false})];
 result.usage = await failed(engine.surface(input, {...options, spacing: -1}));
 result.input = await failed(measure("ATOM      1  N   MET A   1      27.340  24.430   2.x14  1.00  9.67           N\\n"));
@@ -216,6 +217,7 @@ class Package(unittest.TestCase):
                 folder=folder)
         program("measure", "1a0q.pdb.gz", "--between", "all", "--report", "m.json", folder=folder)
         program("measure", "1a0q.pdb.gz", "-o", "theirs.residues.csv", folder=folder)
+        program("pockets", "1a0q.pdb.gz", "--count", "2", "--report", "p.json", folder=folder)
 
     @staticmethod
     def write_other_formats(folder):
@@ -258,6 +260,9 @@ class Package(unittest.TestCase):
         self.assertEqual(self.ours["last"][0], "H")
         self.assertGreater(self.ours["page"], 10_000)
         self.assertAlmostEqual(self.ours["spheres"], 50.26548245743669, 6)
+        for ours, theirs in zip(self.ours["pockets"], json.loads(self.read("p.json"))["pockets"], strict=True):
+            self.assertAlmostEqual(ours["volume"], theirs["volume"], 6)
+            self.assertEqual(ours["residues"], theirs["residues"])
 
     def test_estimates_are_of_what_is_asked_for(self):
         estimate, without_interfaces = self.ours["estimates"]

@@ -135,6 +135,11 @@ class Engine {
     });
   }
 
+  pockets(request) {
+    const m = this.module;
+    return this.opened(request, ({exact}, options) => this.json(at => m._meniscus_pockets_report(exact, options, at)));
+  }
+
   surface(request) {
     const m = this.module;
     return this.opened(request, (handles, options) => {

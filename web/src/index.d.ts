@@ -126,6 +126,22 @@ export interface Options extends ReadOptions, SurfaceOptions {
   progress?: (at: {stage: string; fraction: number}) => void;
 }
 
+/** Options of pockets, as those of `meniscus pockets`. The ranking was fitted to structures read with radii "united" and
+ *  hetero "none", which are the defaults here. */
+export interface PocketOptions extends ReadOptions {
+  /** Radius of the probe that reaches into pockets, Å. Default: 1.4. */
+  probe?: number;
+  /** Radius of the probe that closes pockets off from the bulk, Å. Default: 10. */
+  large_probe?: number;
+  /** Grid spacing, Å, at most 2. Default: 1. */
+  spacing?: number;
+  /** Number of pockets looked for; closed cavities come in addition. Default: 10. */
+  count?: number;
+  /** What pockets are sorted by. Default: score. */
+  rank?: "score" | "volume" | "depth";
+  signal?: AbortSignal | null;
+}
+
 export interface Cavity {
   /** Å³ */
   volume: number;
@@ -244,6 +260,8 @@ export class Meniscus {
   constructor(files?: {wasm?: BufferSource | WebAssembly.Module; worker?: string});
   /** Exact areas and volumes with their errors, and the areas of atoms, without a mesh. */
   measure(input: Input, options?: Options): Promise<Measures>;
+  /** Pockets and cavities, ranked and measured: the report of `meniscus pockets` (docs/reference/pockets.md). */
+  pockets(input: Input, options?: PocketOptions): Promise<Report>;
   /** The surface as a mesh in typed arrays, with its report. */
   surface(input: Input, options?: Options): Promise<Surface>;
   /** What surface() would take; in a fraction of a second. */
@@ -255,5 +273,7 @@ export class Meniscus {
 
 /** measure() of one engine that all callers share. */
 export function measure(input: Input, options?: Options): Promise<Measures>;
+/** pockets() of that engine. */
+export function pockets(input: Input, options?: PocketOptions): Promise<Report>;
 /** surface() of that engine. Call close() of the surface where only its arrays are needed. */
 export function surface(input: Input, options?: Options): Promise<Surface>;

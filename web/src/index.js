@@ -23,6 +23,10 @@ export class Meniscus {
     return this.#ask(callFor("estimate", input, options));
   }
 
+  async pockets(input, options = {}) {
+    return this.#ask(callFor("pockets", input, options, asFitted));
+  }
+
   async surface(input, options = {}) {
     const call = callFor("surface", input, options), {number, ...parts} = await this.#ask(call);
     return new Surface(parts, message => this.#ask({message: {...message, number}, worker: call.worker}));
@@ -182,17 +186,22 @@ let shared = null;
 /** measure() of an engine that all callers share. */
 export const measure = (input, options) => (shared ??= new Meniscus()).measure(input, options);
 
+/** pockets() of that engine. */
+export const pockets = (input, options) => (shared ??= new Meniscus()).pockets(input, options);
+
 /** surface() of that engine. */
 export const surface = (input, options) => (shared ??= new Meniscus()).surface(input, options);
 
 const fileKinds = ["ply", "obj", "stl", "off", "glb", "vtp", "report.json",
                    ...["atoms", "residues", "chains", "cavities"].flatMap(table => [table + ".csv", table + ".json"])];
 
+const asFitted = {radii: "united", hetero: "none"};   // as the ranking of pockets was
+
 const aborted = () => Object.assign(new Error("stopped"), {name: "AbortError"});
 
 /** What is asked of the engine. The input is copied: it is the caller's, who may change it while the call waits. */
-function callFor(what, input, given) {
-  const {name, signal, progress, interfaces, ...options} = checkedOptions(given);
+function callFor(what, input, given, usual = {}) {
+  const {name, signal, progress, interfaces, ...options} = {...usual, ...checkedOptions(given)};
   if (interfaces) options.between = interfaces === true ? "all" : interfaces;
   const copy = copyOf(input), buffers = copy instanceof Uint8Array ? [copy.buffer] : [copy.positions.buffer, copy.radii.buffer];
   return {message: {what, input: copy, name, options}, buffers, signal, progress};
