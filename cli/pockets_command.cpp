@@ -90,6 +90,12 @@ private:
 
 std::string spread_text(const Spread& spread) { return fmt::format("{:.1f} ± {:.1f}", spread.mean, spread.deviation); }
 
+// Files of spheres have no radii but their own.
+bool has_only_spheres(const std::string& input) {
+    const auto ends_with = [&](std::string_view suffix) { return input.ends_with(suffix); };
+    return ends_with(".xyzr") || ends_with(".xyzrn") || ends_with(".xyzr.gz") || ends_with(".xyzrn.gz");
+}
+
 class PocketsRun : public StructureRun {
 public:
     explicit PocketsRun(const PocketsRequest& request) : StructureRun(request, request.run.threads), request_(request) {
@@ -284,7 +290,8 @@ void add_pockets_command(CLI::App& program, Outcome& outcome) {
     CLI::App* command = program.add_subcommand("pockets", "Pockets and cavities, ranked and measured");
     const auto request = std::make_shared<PocketsRequest>();
     add_pockets_options(*command, *request);
-    command->callback([request, &outcome] {
+    command->callback([command, request, &outcome] {
+        if (command->count("--radii") == 0 && has_only_spheres(request->input)) request->read.radii = "auto";
         resolve_standard_output(*request);
         check_tunnels(request->tunnels);
         outcome = run_pockets(*request);

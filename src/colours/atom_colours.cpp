@@ -8,6 +8,7 @@
 
 #include "colours/palettes.h"
 #include "radii/aliases.h"
+#include "tables/hydropathy.h"
 
 namespace meniscus {
 namespace {
@@ -35,12 +36,6 @@ constexpr auto kResidues = std::to_array<Entry<Colour>>({
     {"THR", rgb(0x669E5F)}, {"VAL", rgb(0x26CDAD)}, {"TRP", rgb(0x1696FF)}, {"TYR", rgb(0x6FBFF9)},
     {"A", rgb(0xEE6677)},   {"C", rgb(0xCCBB44)},   {"G", rgb(0x228833)},   {"T", rgb(0x4477AA)},
     {"U", rgb(0x66CCEE)},
-});
-
-constexpr auto kHydropathies = std::to_array<Entry<double>>({
-    {"ILE", 4.5},  {"VAL", 4.2},  {"LEU", 3.8},  {"PHE", 2.8},  {"CYS", 2.5},  {"MET", 1.9},  {"ALA", 1.8},
-    {"GLY", -0.4}, {"THR", -0.7}, {"SER", -0.8}, {"TRP", -0.9}, {"TYR", -1.3}, {"PRO", -1.6}, {"HIS", -3.2},
-    {"GLU", -3.5}, {"GLN", -3.5}, {"ASP", -3.5}, {"ASN", -3.5}, {"LYS", -3.9}, {"ARG", -4.5},
 });
 
 constexpr std::array kPlddtBands{
@@ -80,7 +75,7 @@ std::string_view residue_kind(std::string_view residue) {
 }
 
 std::optional<double> hydropathy(std::string_view residue) {
-    return find_value(kHydropathies, kind_of_residue(residue));
+    return hydropathy_of(kind_of_residue(residue));
 }
 
 const PlddtBand& plddt_band(double plddt) {

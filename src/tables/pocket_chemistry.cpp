@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include "tables/hydropathy.h"
+
 namespace meniscus {
 namespace {
 
@@ -72,24 +74,6 @@ AtomClass class_of(std::string_view residue, const AtomLabel& atom) {
     return is_one_of(atom.element, {"S", "SE", "Se"}) ? AtomClass::Sulfur : AtomClass::Other;
 }
 
-struct Hydropathy {
-    std::string_view residue;
-    double value = 0.0;
-};
-constexpr std::array kHydropathies{
-    Hydropathy{"ILE", 4.5},  Hydropathy{"VAL", 4.2},  Hydropathy{"LEU", 3.8},  Hydropathy{"PHE", 2.8},
-    Hydropathy{"CYS", 2.5},  Hydropathy{"MET", 1.9},  Hydropathy{"ALA", 1.8},  Hydropathy{"GLY", -0.4},
-    Hydropathy{"THR", -0.7}, Hydropathy{"SER", -0.8}, Hydropathy{"TRP", -0.9}, Hydropathy{"TYR", -1.3},
-    Hydropathy{"PRO", -1.6}, Hydropathy{"HIS", -3.2}, Hydropathy{"GLU", -3.5}, Hydropathy{"GLN", -3.5},
-    Hydropathy{"ASP", -3.5}, Hydropathy{"ASN", -3.5}, Hydropathy{"LYS", -3.9}, Hydropathy{"ARG", -4.5},
-};
-
-double hydropathy(std::string_view residue) {
-    const auto* found = std::find_if(kHydropathies.begin(), kHydropathies.end(),
-                                     [&](const Hydropathy& h) { return h.residue == residue; });
-    return found == kHydropathies.end() ? 0.0 : found->value;
-}
-
 bool is_donor(std::string_view residue, AtomClass kind) {
     switch (kind) {
         case AtomClass::BackboneNitrogen:
@@ -134,7 +118,7 @@ PocketChemistry describe_pocket(const Pocket& pocket, const Structure& structure
         const AtomLabel& atom = structure.labels[wall.atom];
         const std::string_view residue = parent_of(structure.residues[atom.residue].name);
         area += wall.area;
-        result.hydrophobicity += wall.area * hydropathy(residue);
+        result.hydrophobicity += wall.area * hydropathy_of(residue).value_or(0.0);
         if (wall.area <= kLiningArea) continue;
         const AtomClass kind = class_of(residue, atom);
         result.atoms.push_back(wall.atom);

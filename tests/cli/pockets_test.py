@@ -59,7 +59,7 @@ class Pockets(ProgramTest):
 
     def test_a_cavity_has_its_exact_volume(self):
         (self.folder / "shell.xyzr").write_text(SHELL, encoding="ascii")
-        pockets = self.report("shell.xyzr", "--radii", "auto")["pockets"]
+        pockets = self.report("shell.xyzr")["pockets"]
         measured = json.loads(self.run_program("measure", "shell.xyzr", "-q", "--report", "-").stdout)
         cavity = [p for p in pockets if p["cavity"]]
         self.assertEqual(len(cavity), 1)
