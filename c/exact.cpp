@@ -109,7 +109,7 @@ meniscus_status meniscus_pockets_report(meniscus_exact* exact, const meniscus_op
         asked.probe = exact->exact.options().probe;
         const meniscus::Pockets found =
             meniscus::find_pockets(exact->exact, meniscus::atom_classes(*exact->structure), asked, options.run);
-        exact->report = report_of(*exact->structure, found);
+        exact->report = report_of(*exact->structure, exact->exact, found);
         *json = exact->report.c_str();
     });
 }

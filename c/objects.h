@@ -67,7 +67,7 @@ void write_to(const std::string& path, const meniscus_surface& surface, std::spa
 std::string report_of(const Structure& structure);
 std::string report_of(const Structure& structure, const ExactSurface& exact, const Options& options);
 std::string report_of(const Structure& structure, const Surface& surface);
-std::string report_of(const Structure& structure, const Pockets& pockets);
+std::string report_of(const Structure& structure, const ExactSurface& exact, const Pockets& pockets);
 
 }  // namespace meniscus::c
 

@@ -74,7 +74,7 @@ std::string report_of(const Structure& structure, const ExactSurface& exact, con
     return text_of(report);
 }
 
-std::string report_of(const Structure& structure, const Pockets& pockets) {
+std::string report_of(const Structure& structure, const ExactSurface& exact, const Pockets& pockets) {
     ordered_json report{{"meniscus", kVersion}, {"schema", 1}};
     report["input"] = input_block(structure, pockets.options.probe);
     OptionsAsJson options{SurfaceOptions{}};
@@ -82,7 +82,9 @@ std::string report_of(const Structure& structure, const Pockets& pockets) {
     report["options"] = options.block;
     report["total"] = described_as_json([&](auto& visit) { describe(pockets, visit); });
     report["pockets"] = described_one_by_one(describe_pockets(pockets, structure));
-    report["checks"] = described_one_by_one(pocket_checks(pockets));
+    std::vector<Check> checks = pocket_checks(pockets);
+    checks.insert(checks.begin(), agreement_check(ses_measures(exact)));
+    report["checks"] = described_one_by_one(checks);
     return text_of(report);
 }
 

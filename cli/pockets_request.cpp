@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kPocketsExamples =
     "Pockets are ranked by how much they resemble the places of ligands. -o writes a\n"
-    "table (.csv .json), atoms and grid points (.pdb .cif), a map (.dx .mrc) or arrays\n"
+    "table (.csv .json), atoms and grid points (.pdb .cif), a map (.dx .mrc), arrays\n"
     "(.npz).\n"
     "Examples:\n"
     "  meniscus pockets 1abc.pdb                       the pockets, best first\n"
