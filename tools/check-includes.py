@@ -25,7 +25,7 @@ ROOMS = {
     "cavities": ("project", "remesh", "mesh", "space", "platform"),
     "pipeline": ("cavities", "project", "remesh", "measure", "mesh", "flow", "band", "grid", "exact", "nearest", "geometry",
                  "space", "platform"),
-    "pockets": ("pipeline", "band", "grid", "exact", "nearest", "geometry", "space", "platform"),
+    "pockets": ("pipeline", "mesh", "band", "grid", "exact", "nearest", "geometry", "space", "platform"),
     "reading": ("platform",),
     "radii": ("reading",),
     "structure": ("reading", "radii", "platform"),
