@@ -50,7 +50,8 @@ constexpr std::array kMeasureSuffixes{
 constexpr std::array kPocketsSuffixes{
     Suffix{".csv", OutputKind::Table},         Suffix{".json", OutputKind::Table}, Suffix{".pdb", OutputKind::StructureCopy},
     Suffix{".cif", OutputKind::StructureCopy}, Suffix{".dx", OutputKind::Volume},  Suffix{".mrc", OutputKind::Volume},
-    Suffix{".vdb", OutputKind::Volume},
+    Suffix{".vdb", OutputKind::Volume},        Suffix{".ply", OutputKind::Mesh},   Suffix{".glb", OutputKind::Mesh},
+    Suffix{".png", OutputKind::Picture},       Suffix{".html", OutputKind::Page},
 };
 
 constexpr std::array kHistorySuffixes{

@@ -197,8 +197,12 @@ void check_picture(const PictureRequest& request) {
 }
 
 void add_picture_options(CLI::App& command, PictureRequest& request) {
-    PictureOptions& picture = request.picture;
     add_colour(command, request);
+    add_drawing_options(command, request);
+}
+
+void add_drawing_options(CLI::App& command, PictureRequest& request) {
+    PictureOptions& picture = request.picture;
     add_drawing(command, request,
                 {"--view",
                  "Seen from: front, back ... or X,Y,Z\n[:UX,UY,UZ], the directions to the viewer and up; front, back, "

@@ -31,6 +31,9 @@ struct PictureRequest {
 /// outlive the parser. While parsing, UsageError is thrown for values that make no sense.
 void add_picture_options(CLI::App& command, PictureRequest& request);
 
+/// The same without --color.
+void add_drawing_options(CLI::App& command, PictureRequest& request);
+
 /// What depends on several of these options.
 /// throws   UsageError for options that do not go together
 void check_picture(const PictureRequest& request);

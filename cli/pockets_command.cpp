@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -15,6 +16,8 @@
 #include "meniscus/volume_file.h"
 #include "meniscus/write.h"
 #include "messages.h"
+#include "platform/files/atomic_file.h"
+#include "pockets_drawing.h"
 #include "pockets_places.h"
 #include "standard_output.h"
 #include "summary_text.h"
@@ -35,6 +38,16 @@ std::string first_residues(const std::vector<std::string>& residues) {
         text.append(text.empty() ? "" : ", ").append(one_line(residues[i]));
     if (residues.size() > kMostLining) text += fmt::format(" + {}", residues.size() - kMostLining);
     return text;
+}
+
+bool has_kind(const std::vector<Output>& outputs, OutputKind kind) {
+    return std::any_of(outputs.begin(), outputs.end(), [kind](const Output& output) { return output.kind == kind; });
+}
+
+void write_text(const std::string& path, const std::string& text) {
+    AtomicFile file(path);
+    file.write(text);
+    file.commit();
 }
 
 // What only a given place has.
@@ -115,9 +128,28 @@ private:
         agreed_ = exact.measures().agreed;
         disputed_ = exact.measures().disputed;
         described_ = describe_pockets(pockets_, job.structure, at.places);
+        draw(job, exact, run);
         say_which_places_are_empty(job);
         if (request_.all_models) follow(job.structure);
         seconds_ = watch.lap();
+    }
+
+    /// What is seen: a surface with pockets, and bodies alone for meshes without a surface.
+    void draw(const Job& job, const ExactSurface& exact, const RunOptions& run) {
+        const auto needs_surface = [](const Output& output) { return suffix_of(output.path) == ".glb" || output.kind == OutputKind::Picture || output.kind == OutputKind::Page; };
+        drawn_.reset();
+        if (std::none_of(job.outputs.begin(), job.outputs.end(), needs_surface)) return;
+        drawn_.emplace(exact, pockets_, job.structure, run);
+        if (has_kind(job.outputs, OutputKind::Picture)) {
+            show("picture", 0.0);
+            picture_ = drawn_->picture(job.structure, request_.picture, run.threads);
+            show("picture", 1.0);
+        }
+        if (has_kind(job.outputs, OutputKind::Page)) {
+            show("page", 0.0);
+            page_ = drawn_->page(job.structure, request_.picture, described_, run.threads);
+            show("page", 1.0);
+        }
     }
 
     void say_which_places_are_empty(const Job& job) {
@@ -193,6 +225,11 @@ private:
 
     void write(const Output& output, const Job& job) const override {
         if (output.kind == OutputKind::StructureCopy) return write_pocket_atoms(output.path, job.structure, pockets_);
+        if (output.kind == OutputKind::Picture) return write_picture(output.path, picture_);
+        if (output.kind == OutputKind::Page) return write_text(output.path, page_);
+        if (suffix_of(output.path) == ".glb")
+            return drawn_->write_glb(output.path, job.structure, request_.picture.ligands, request_.run.threads);
+        if (output.kind == OutputKind::Mesh) return write_mesh(output.path, pocket_bodies(pockets_));
         if (output.kind == OutputKind::Volume)
             return write_volume(output.path, pocket_volume(pockets_, request_.field), request_.field);
         write_table(output.path, pockets_table(described_));
@@ -242,6 +279,9 @@ private:
     std::vector<DescribedPocket> described_;
     PocketTracks tracks_;
     AtomNumbers numbers_;
+    std::optional<DrawnPockets> drawn_;
+    Picture picture_;
+    std::string page_;  // HTML
     bool agreed_ = true;
     std::vector<std::string> disputed_;
     double seconds_ = 0.0;

@@ -137,17 +137,14 @@ std::vector<Check> pocket_checks(const Pockets& pockets);
 /// content   VolumeContent::Probability or VolumeContent::Pockets
 Volume pocket_volume(const Pockets& pockets, VolumeContent content);
 
-/// The name of the values that both functions below give: the rank of a vertex's pocket, NaN for none.
-inline constexpr const char* kPocketValues = "pocket";
-
 /// Every pocket as a closed body: smooth, with the pocket's volume to some per cent, its normals pointing out of it.
-/// `components` are indices into Pockets::pockets. Bodies of neighbours meet and may overlap by a part of the spacing.
+/// `components` are indices into Pockets::pockets, the values kPocketValues their ranks. Bodies of neighbours meet and may overlap by a part of the spacing.
 /// A pocket without voxels has no body.
 ///
 /// cost     O(voxels)
 Mesh pocket_bodies(const Pockets& pockets);
 
-/// Which pocket each vertex of a surface lies beside.
+/// Which pocket each vertex of a surface lies beside, as kPocketValues.
 ///
 /// mesh     of a surface of the same atoms, with normals
 VertexValues pocket_values(const Pockets& pockets, const Mesh& mesh);
