@@ -238,10 +238,11 @@ const Surface = (() => {
     /** Colours by a scheme of the page; nothing is computed again. */
     setScheme(scheme) {
       const u = this.uniforms;
-      u.scheme.value = {atom: 0, component: 1, value: 2}[scheme.kind];
+      u.scheme.value = {atom: 0, component: 1, value: 2, class: 3}[scheme.kind];
       this.colours = null;
       if (scheme.kind === "atom") this.paintAtoms(scheme);
       if (scheme.kind === "component") this.paintComponents(scheme);
+      if (scheme.kind === "class") this.paintClasses(scheme);
       if (scheme.kind === "value") {
         u.value.value = scheme.values === "curvature" ? 0 : scheme.values === "depth" ? 1 : 2;
         if (u.value.value === 2) this.showValues(this.data.info.values.findIndex(v => v.name === scheme.values), scheme);
@@ -266,6 +267,21 @@ const Surface = (() => {
       this.paint.needsUpdate = true;
       scheme.patches.forEach((colour, k) =>
         this.uniforms.overPatch.value[k].fromArray(colour ? [...rgb(colour).map(decoded), 1] : [0, 0, 0, 0]));
+    }
+
+    /** Colours of the vertices, by whole numbers that they have. */
+    paintClasses(scheme) {
+      const {values, mesh} = {values: this.data.info.values, mesh: this.data.mesh};
+      const i = values.findIndex(v => v.name === scheme.values), {step, low} = values[i], of = mesh.values[i];
+      const none = rgb(scheme.none), colours = {};
+      for (const number in scheme.colours) colours[number] = rgb(scheme.colours[number]);
+      const tint = new Uint8Array(4 * this.source.length);
+      this.source.forEach((v, k) => {
+        const colour = of[v] < 0 ? none : colours[Math.round(of[v] * step + low)] || none;
+        for (let c = 0; c < 3; ++c) tint[4 * k + c] = Math.round(255 * colour[c]);
+      });
+      for (const {first} of [this.outer, this.cavities])
+        first.geometry.setAttribute("tint", new THREE.BufferAttribute(tint, 4, true));
     }
 
     paintComponents(scheme) {

@@ -316,13 +316,13 @@ private:
             list_of({{"name", "surface"}, {"doubleSided", options_.open}, {"pbrMetallicRoughness", look()}});
         for (const NodeBeside& node : beside_) {
             const std::size_t number = json["nodes"].size();
-            ordered_json primitive = node.primitive;
-            primitive["material"] = number;
+            ordered_json shape = node.primitive;
+            shape["material"] = number;
             ordered_json material{{"name", node.name}};
             material.update(node.material);
             json["scenes"][0]["nodes"].push_back(number);
             json["nodes"].push_back({{"mesh", number}, {"name", node.name}});
-            json["meshes"].push_back({{"name", node.name}, {"primitives", list_of(primitive)}});
+            json["meshes"].push_back({{"name", node.name}, {"primitives", list_of(shape)}});
             json["materials"].push_back(material);
         }
     }
