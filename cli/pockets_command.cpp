@@ -6,7 +6,6 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <optional>
 #include <unordered_map>
@@ -71,11 +70,6 @@ std::string row_of(const DescribedPocket& described) {
            place_lines(described);
 }
 
-bool is_nucleotide(const Residue& residue) {
-    constexpr std::array kNames{"A", "C", "G", "U", "DA", "DC", "DG", "DT"};
-    return std::find(kNames.begin(), kNames.end(), residue.name) != kNames.end();
-}
-
 // Numbers for atoms that are the same in all models, by their names.
 class AtomNumbers {
 public:
@@ -115,7 +109,9 @@ private:
     }
 
     void compute(const Job& job) override {
-        say_what_the_ranking_was_not_fitted_to(job.structure);
+        if (const std::string doubt = doubt_of_ranking(job.structure, request_.read.hetero != HeteroPolicy::None, request_.pockets.spacing);
+            !doubt.empty())
+            note(doubt);
         Stopwatch watch;
         RunOptions run = request_.run;
         run.progress = [this](std::string_view stage, double fraction) { show(stage, fraction); };
@@ -208,19 +204,6 @@ private:
         if (tracks.size() > kMostTracks)
             text += fmt::format("        and {} more; list all with --over-models FILE.csv\n", tracks.size() - kMostTracks);
         return text;
-    }
-
-    void say_what_the_ranking_was_not_fitted_to(const Structure& structure) {
-        std::string what;
-        if (structure.radii_set != "united") what = fmt::format("{} radii", structure.radii_set);
-        const auto add = [&](const char* more) { what.append(what.empty() ? "" : " and ").append(more); };
-        if (request_.read.hetero != HeteroPolicy::None) add("hetero atoms");
-        if (request_.pockets.spacing != 1.0) add("another spacing");
-        if (std::any_of(structure.residues.begin(), structure.residues.end(), is_nucleotide)) add("nucleic acids");
-        if (!what.empty())
-            note(fmt::format("the ranking was fitted to heavy atoms of proteins with united radii at 1 Å; with {} its "
-                             "scores are less sure, volumes and areas are not concerned",
-                             what));
     }
 
     void write(const Output& output, const Job& job) const override {

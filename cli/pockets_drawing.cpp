@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "meniscus/colours.h"
@@ -28,6 +29,11 @@ std::string lining_of(const DescribedPocket& pocket) {
         text.append(text.empty() ? "" : ", ").append(pocket.residues[i]);
     if (pocket.residues.size() > kMost) text += fmt::format(" and {} more", pocket.residues.size() - kMost);
     return text;
+}
+
+bool is_nucleotide(const Residue& residue) {
+    constexpr std::array kNames{"A", "C", "G", "U", "DA", "DC", "DG", "DT"};
+    return std::find(kNames.begin(), kNames.end(), residue.name) != kNames.end();
 }
 
 }  // namespace
@@ -86,6 +92,19 @@ void DrawnPockets::write_glb(const std::string& path, const Structure& structure
                 .probe = surface_.options.probe,
                 .shortest_edge = surface_.measures.shortest_edge,
                 .threads = threads});
+}
+
+std::string doubt_of_ranking(const Structure& structure, bool has_hetero, double spacing) {
+    std::string what;
+    if (structure.radii_set != "united") what = fmt::format("{} radii", structure.radii_set);
+    const auto add = [&](const char* more) { what.append(what.empty() ? "" : " and ").append(more); };
+    if (has_hetero) add("hetero atoms");
+    if (spacing != 1.0) add("another spacing");
+    if (std::any_of(structure.residues.begin(), structure.residues.end(), is_nucleotide)) add("nucleic acids");
+    if (what.empty()) return "";
+    return fmt::format("the ranking was fitted to heavy atoms of proteins with united radii at 1 Å; with {} its "
+                       "scores are less sure, volumes and areas are not concerned",
+                       what);
 }
 
 std::vector<PagePocket> page_pockets(const std::vector<DescribedPocket>& described) {

@@ -17,9 +17,12 @@
 #include "meniscus/measures.h"
 #include "meniscus/mesh_part.h"
 #include "meniscus/page.h"
+#include "meniscus/pocket_chemistry.h"
+#include "meniscus/pockets.h"
 #include "meniscus/tables.h"
 #include "meniscus/threads.h"
 #include "platform/files/atomic_file.h"
+#include "pockets_drawing.h"
 #include "standard_output.h"
 #include "summary.h"
 
@@ -157,6 +160,7 @@ private:
             expect(expected.seconds);
         }
         const double estimate_seconds = estimating.lap();
+        find_pockets(job.structure);
         make_surface(job, std::move(exact));
         const SurfaceOptions& made = surface_.options;
         if (has_volume && made.spacing != options.spacing)
@@ -205,8 +209,27 @@ private:
         seconds_.exact = watch.lap();
     }
 
+    /// Pockets are found once, for the colours of all meshes of a structure.
+    void find_pockets(const Structure& structure) {
+        pockets_.reset();
+        if (request_.picture.colours.scheme != ColourScheme::Pocket) return;
+        const PocketOptions options;
+        if (const std::string doubt = doubt_of_ranking(structure, request_.read.hetero.value_or(HeteroPolicy::None) != HeteroPolicy::None, options.spacing); !doubt.empty())
+            note("--color pocket: " + doubt);
+        RunOptions run = request_.run;
+        run.observer = {};
+        run.progress = [this](std::string_view, double fraction) { show("pockets", fraction); };
+        pockets_ = meniscus::find_pockets(ExactSurface(structure.atoms), atom_classes(structure), options, run);
+    }
+
+    std::vector<VertexValues> values_at(const Mesh& mesh) const {
+        std::vector<VertexValues> values = values_.at_vertices(mesh, surface_.exact);
+        if (pockets_) values.push_back(pocket_values(*pockets_, mesh));
+        return values;
+    }
+
     void add_values() {
-        surface_.mesh.values = values_.at_vertices(surface_.mesh, surface_.exact);
+        surface_.mesh.values = values_at(surface_.mesh);
         for (const std::string& line : values_.judge(surface_.mesh.values)) warn(line);
     }
 
@@ -286,9 +309,15 @@ private:
                                           .ligands = request_.picture.ligands,
                                           .rows = rows_of_page(structure),
                                           .components = exact_pieces(),
+                                          .pockets = listed_pockets(structure),
                                           .exact = surface_.exact,
                                           .threads = request_.run.threads});
         show("page", 1.0);
+    }
+
+    std::vector<PagePocket> listed_pockets(const Structure& structure) const {
+        if (!pockets_) return {};
+        return page_pockets(describe_pockets(*pockets_, structure));
     }
 
     std::span<const SurfaceComponent> exact_pieces() const {
@@ -327,7 +356,7 @@ private:
         {
             const WritingSection section;
             Mesh complete = mesh;
-            complete.values = values_.at_vertices(mesh, surface_.exact);
+            complete.values = values_at(mesh);
             const std::vector<Colour> colours = colour_vertices(complete, job.structure, request_.picture.colours);
             write_mesh(snapshot_path(first_mesh(job.outputs)->path, step.step), complete,
                        mesh_writing(job.structure, request_.surface, colours));
@@ -380,6 +409,7 @@ private:
 
     const SurfaceRequest& request_;
     ValueSources values_;
+    std::optional<Pockets> pockets_;  // with --color pocket
     // Of the SES, where the mesh is of another surface and the report has both.
     std::shared_ptr<const Measures> excluded_;
     Surface surface_;

@@ -19,6 +19,10 @@ namespace {
 constexpr int kPictureWidth = 640;
 constexpr int kPictureHeight = 480;
 
+/// Opacities with which pockets are seen in the molecule; viewer/page.js has the same.
+constexpr double kSeeThrough = 0.35;
+constexpr std::uint8_t kBodyAlpha = 166;
+
 /// How the picture is drawn that is seen where scripts or WebGL are missing.
 PictureOptions still_picture(const PageOptions& options) {
     return {.width = kPictureWidth,
@@ -29,10 +33,6 @@ PictureOptions still_picture(const PageOptions& options) {
             .opacity = options.bodies != nullptr ? kSeeThrough : 1.0,
             .threads = options.threads};
 }
-
-/// Opacities with which pockets are seen in the molecule; viewer/page.js has the same.
-constexpr double kSeeThrough = 0.35;
-constexpr std::uint8_t kBodyAlpha = 166;
 
 Bodies bodies_of(const PageOptions& options) {
     if (options.bodies == nullptr) return {};
