@@ -20,7 +20,7 @@ namespace {
 
 const ColourOptions kByPocket{.scheme = ColourScheme::Pocket};
 constexpr double kSeeThrough = 0.35;     // opacity of the surface in pictures
-constexpr std::uint8_t kBodyAlpha = 166;  // ligands are seen in there
+constexpr std::uint8_t kBodyAlpha = 191;  // ligands are seen in there
 
 std::string lining_of(const DescribedPocket& pocket) {
     constexpr std::size_t kMost = 12;
@@ -29,6 +29,12 @@ std::string lining_of(const DescribedPocket& pocket) {
         text.append(text.empty() ? "" : ", ").append(pocket.residues[i]);
     if (pocket.residues.size() > kMost) text += fmt::format(" and {} more", pocket.residues.size() - kMost);
     return text;
+}
+
+double area_of(const std::vector<PocketMouth>& mouths) {
+    double area = 0.0;
+    for (const PocketMouth& mouth : mouths) area += mouth.area;
+    return area;
 }
 
 bool is_nucleotide(const Residue& residue) {
@@ -111,8 +117,6 @@ std::vector<PagePocket> page_pockets(const std::vector<DescribedPocket>& describ
     std::vector<PagePocket> list;
     for (const DescribedPocket& d : described) {
         const Pocket& p = d.pocket;
-        double mouth_area = 0.0;
-        for (const PocketMouth& mouth : p.mouths) mouth_area += mouth.area;
         list.push_back({.name = d.at.empty() ? std::to_string(p.rank) : d.at,
                         .colour = pocket_colour(static_cast<float>(p.rank)),
                         .cavity = p.cavity,
@@ -121,7 +125,9 @@ std::vector<PagePocket> page_pockets(const std::vector<DescribedPocket>& describ
                         .depth = p.depth,
                         .wall_area = p.wall_area,
                         .mouths = p.mouths.size(),
-                        .mouth_area = mouth_area,
+                        .mouth_area = area_of(p.mouths),
+                        .openings = p.openings.size(),
+                        .opening_area = area_of(p.openings),
                         .centre = p.centre,
                         .lining = lining_of(d)});
     }

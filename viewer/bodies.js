@@ -4,7 +4,7 @@
 "use strict";
 
 const Bodies = (() => {
-  const opacity = 0.65;
+  const opacity = 0.75;
 
   class Bodies {
     /**
@@ -28,20 +28,25 @@ const Bodies = (() => {
       geometry.setAttribute("look", new THREE.BufferAttribute(look, 2, true));
       geometry.setAttribute("tint", this.tint);
       this.group = new THREE.Group();
-      // Depths first, then colours: of each body only what is nearest is seen.
-      [{colorWrite: false}, {depthFunc: THREE.LessEqualDepth, depthWrite: false}].forEach((options, i) => {
+      // Depths first, then colours: of each body only what is nearest is seen. Both among what is solid, where the order
+      // of drawing is free; blending must be asked for there.
+      const blending = {blending: THREE.CustomBlending, blendSrcAlpha: THREE.OneFactor,
+                        blendDstAlpha: THREE.OneMinusSrcAlphaFactor};
+      [{colorWrite: false}, {depthFunc: THREE.LessEqualDepth, depthWrite: false, ...blending}].forEach((options, i) => {
         const material = new THREE.ShaderMaterial({
-          vertexShader: Shaders.bodyVertex, fragmentShader: Shaders.bodyFragment, transparent: true,
+          vertexShader: Shaders.bodyVertex, fragmentShader: Shaders.bodyFragment,
           uniforms: {inPerspective: shared.inPerspective, opacity: {value: opacity}}, ...options,
         });
         const body = new THREE.Mesh(geometry, material);
         body.frustumCulled = false;
-        body.renderOrder = 6 + i;   // after the walls of cavities, before the surface around
         this.group.add(body);
       });
     }
 
     show(shown) { this.group.visible = shown; }
+
+    /** Before a surface through which they are seen, or after one that shines through them. */
+    order(isClear) { this.group.children.forEach((body, i) => body.renderOrder = (isClear ? 6 : 20) + i); }
 
     /** Shows one more solidly than the others, or none (-1). */
     mark(chosen) {

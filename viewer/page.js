@@ -143,7 +143,9 @@ const Page = (() => {
       const scheme = this.info.schemes.find(s => s.id === id);
       $("scheme").value = id;
       this.surface.setScheme(scheme);
-      Panel.showLegend(scheme.kind === "component" ? this.legendOfPieces(scheme) : scheme.legend);
+      const isListed = scheme.kind === "class" && this.info.pockets;   // with the same colours
+      Panel.showLegend(isListed ? {ramp: [], entries: []}
+                       : scheme.kind === "component" ? this.legendOfPieces(scheme) : scheme.legend);
       this.draw();
     }
 
@@ -164,6 +166,7 @@ const Page = (() => {
       $("opacity").value = percent;
       $("opacity-text").textContent = percent + " %";
       this.surface.setOpacity(percent / 100);
+      if (this.bodies) this.bodies.order(percent < 100);
       this.draw();
     }
 
@@ -242,10 +245,12 @@ const Page = (() => {
       this.forget();
       Panel.markPocket(i);
       if (this.bodies) this.bodies.mark(i);
-      const mouths = pocket.cavity ? "none, a closed cavity" : `${pocket.mouths}, ${grouped(pocket.mouthArea, 1)} Å²`;
+      const holes = (number, area) => number ? `${number}, ${grouped(area, 1)} Å²` : "none";
       Panel.showFacts("Pocket " + pocket.name, [["score", Panel.plain(pocket.score, 2)], ["volume", grouped(pocket.volume, 1) + " Å³"],
                                                 ["wall", grouped(pocket.area, 1) + " Å²"], ["depth", Panel.plain(pocket.depth, 1) + " Å"],
-                                                ["mouths", mouths], ["lined by", pocket.lining]]);
+                                                ["mouths", pocket.cavity ? "none, a closed cavity" : holes(pocket.mouths, pocket.mouthArea)],
+                                                ["opens further in", pocket.cavity ? "" : holes(pocket.openings, pocket.openingArea)],
+                                                ["lined by", pocket.lining]]);
       this.controls.lookAt(point, Math.max(6, 2.5 * Math.cbrt(pocket.volume * 3 / (4 * Math.PI))));
     }
 

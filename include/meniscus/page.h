@@ -44,6 +44,8 @@ struct PagePocket {
     double wall_area = 0.0;   ///< Å²
     std::size_t mouths = 0;
     double mouth_area = 0.0;  ///< of all of them, Å²
+    std::size_t openings = 0;
+    double opening_area = 0.0;  ///< of all of them, Å²
     Vec3 centre;              ///< Å
     std::string lining{};     ///< residues, as text
 };

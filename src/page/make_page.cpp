@@ -19,9 +19,9 @@ namespace {
 constexpr int kPictureWidth = 640;
 constexpr int kPictureHeight = 480;
 
-/// Opacities with which pockets are seen in the molecule; viewer/page.js has the same.
+/// Opacities with which pockets are seen in the molecule; viewer/page.js and viewer/bodies.js have the same.
 constexpr double kSeeThrough = 0.35;
-constexpr std::uint8_t kBodyAlpha = 166;
+constexpr std::uint8_t kBodyAlpha = 191;
 
 /// How the picture is drawn that is seen where scripts or WebGL are missing.
 PictureOptions still_picture(const PageOptions& options) {

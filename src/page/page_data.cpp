@@ -156,6 +156,8 @@ ordered_json pockets_json(const std::vector<PagePocket>& pockets) {
                         {"area", cut_to(pocket.wall_area, 100.0)},
                         {"mouths", pocket.mouths},
                         {"mouthArea", cut_to(pocket.mouth_area, 100.0)},
+                        {"openings", pocket.openings},
+                        {"openingArea", cut_to(pocket.opening_area, 100.0)},
                         {"centre", point_json(pocket.centre)},
                         {"lining", pocket.lining}});
     return list;
