@@ -8,6 +8,7 @@
 
 #include "help.h"
 #include "meniscus/file_words.h"
+#include "meniscus/page.h"
 #include "meniscus/vertex_values.h"
 #include "option_words.h"
 
@@ -194,6 +195,32 @@ void check_picture(const PictureRequest& request) {
         throw UsageError(
             fmt::format("--legend: does not fit into a picture of {}x{} pixels; choose a --size of at least {}x{}",
                         picture.width, picture.height, kSmallestWithLegend[0], kSmallestWithLegend[1]));
+}
+
+bool draws_ligands(const std::vector<Output>& outputs) {
+    return std::any_of(outputs.begin(), outputs.end(), [](const Output& o) {
+        return o.kind == OutputKind::Picture || o.kind == OutputKind::Page || suffix_of(o.path) == ".glb";
+    });
+}
+
+void check_drawn(const PictureRequest& request, const std::vector<Output>& outputs) {
+    const auto has = [&](OutputKind kind) {
+        return std::any_of(outputs.begin(), outputs.end(), [kind](const Output& o) { return o.kind == kind; });
+    };
+    const bool has_page = has(OutputKind::Page);
+    const bool has_picture = has(OutputKind::Picture);
+    if (has_page && !pages_supported())
+        throw UsageError("this build cannot write pages; build with MENISCUS_PAGE=ON, or ask for another format");
+    if (has_picture && !pictures_supported())
+        throw UsageError("this build draws no pictures; build with MENISCUS_PICTURES=ON, or ask for another format");
+    if (!request.drawn_by.empty() && !has_picture)
+        throw UsageError(request.drawn_by + " applies to pictures; ask for one with -o FILE.png");
+    if (!request.shown_by.empty() && !draws_ligands(outputs))
+        throw UsageError(request.shown_by +
+                         " applies to pictures, pages and GLB; ask for one with -o FILE.png, FILE.html or FILE.glb");
+    if (!request.viewed_by.empty() && !has_picture && !has_page)
+        throw UsageError(request.viewed_by +
+                         " applies to pictures and pages; ask for one with -o FILE.png or FILE.html");
 }
 
 void add_picture_options(CLI::App& command, PictureRequest& request) {

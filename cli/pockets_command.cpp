@@ -100,12 +100,15 @@ public:
     explicit PocketsRun(const PocketsRequest& request) : StructureRun(request, request.run.threads), request_(request) {
         if (!request.over_models.empty() && !request.all_models)
             throw UsageError("--over-models: compares models; add --model all");
+        check_picture(request.picture);
         if (!request.over_models.empty()) plan_table("--over-models", request.over_models, "");
     }
 
 private:
     std::vector<Output> plan(const std::string& /*name*/, const std::string& mark) const override {
-        return plan_pockets_outputs(request_.outputs, mark);
+        std::vector<Output> outputs = plan_pockets_outputs(request_.outputs, mark);
+        check_drawn(request_.picture, outputs);
+        return outputs;
     }
 
     void compute(const Job& job) override {

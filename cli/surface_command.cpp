@@ -41,13 +41,6 @@ bool has_encoding(const Output& output) {
     return suffix == ".ply" || suffix == ".stl";
 }
 
-/// Whether an output has room for ligands beside the surface.
-bool draws_ligands(const std::vector<Output>& outputs) {
-    return std::any_of(outputs.begin(), outputs.end(), [](const Output& o) {
-        return o.kind == OutputKind::Picture || o.kind == OutputKind::Page || suffix_of(o.path) == ".glb";
-    });
-}
-
 const Output* first_mesh(const std::vector<Output>& outputs) {
     const auto found = std::find_if(outputs.begin(), outputs.end(),
                                     [](const Output& output) { return output.kind == OutputKind::Mesh; });
@@ -70,22 +63,11 @@ void check_together(const SurfaceRequest& request, const std::vector<Output>& ou
     check_files_beside(request, first_mesh(outputs));
     const bool has_page = has(outputs, OutputKind::Page);
     const bool has_picture = has(outputs, OutputKind::Picture);
-    if (has_page && !pages_supported())
-        throw UsageError("this build cannot write pages; build with MENISCUS_PAGE=ON, or ask for another format");
-    if (has_picture && !pictures_supported())
-        throw UsageError("this build draws no pictures; build with MENISCUS_PICTURES=ON, or ask for another format");
     if (!request.show.empty() && !has_picture && !has_page && first_mesh(outputs) == nullptr)
         throw UsageError("--show chooses a part of meshes, pictures and pages; ask for one of them with -o");
     if (request.encoding == Encoding::Text && std::none_of(outputs.begin(), outputs.end(), has_encoding))
         throw UsageError("--ascii applies to PLY and STL; ask for one with -o FILE.ply or FILE.stl");
-    if (!request.picture.drawn_by.empty() && !has_picture)
-        throw UsageError(request.picture.drawn_by + " applies to pictures; ask for one with -o FILE.png");
-    if (!request.picture.shown_by.empty() && !draws_ligands(outputs))
-        throw UsageError(request.picture.shown_by +
-                         " applies to pictures, pages and GLB; ask for one with -o FILE.png, FILE.html or FILE.glb");
-    if (!request.picture.viewed_by.empty() && !has_picture && !has_page)
-        throw UsageError(request.picture.viewed_by +
-                         " applies to pictures and pages; ask for one with -o FILE.png or FILE.html");
+    check_drawn(request.picture, outputs);
 }
 
 std::vector<Colour> colours_of(const MeshPart& part, const std::vector<Colour>& colours) {

@@ -50,6 +50,7 @@ const Page = (() => {
     addBodies(mesh) {
       if (!mesh) return;
       this.bodies = new Bodies(mesh, this.info.pockets.map(pocket => pocket.colour), this.shared);
+      this.surface.setFilled(true);
       this.scene.add(this.bodies.group);
     }
 
@@ -186,6 +187,7 @@ const Page = (() => {
 
     showBodies(shown) {
       this.bodies.show(shown);
+      this.surface.setFilled(shown);
       this.draw();
     }
 

@@ -217,6 +217,12 @@ const Surface = (() => {
       this.setOpacity(this.opacity);
     }
 
+    /** filled: whether bodies are shown that fill the cavities, and would be seen through their walls in patches */
+    setFilled(filled) {
+      this.filled = filled;
+      this.setOpacity(this.opacity);
+    }
+
     setOpacity(opacity) {
       this.opacity = opacity;
       const set = ({first, second, count}, value, order) => {
@@ -231,7 +237,7 @@ const Surface = (() => {
       };
       set(this.outer, opacity, 10);
       // Solid, as what one looks for in there, unless that may be a ligand in one of them.
-      this.cavityOpacity = this.beside ? Math.max(0.4, opacity) : 1;
+      this.cavityOpacity = this.filled ? 0 : this.beside ? Math.max(0.4, opacity) : 1;
       set(this.cavities, this.cavityOpacity, 0);
     }
 
