@@ -211,8 +211,10 @@ private:
     }
 
     void add_values() {
-        surface_.mesh.values = values_at(surface_.mesh);
-        for (const std::string& line : values_.judge(surface_.mesh.values)) warn(line);
+        std::vector<VertexValues>& values = surface_.mesh.values;
+        values = values_.at_vertices(surface_.mesh, surface_.exact);
+        for (const std::string& line : values_.judge(values)) warn(line);
+        if (pockets_) values.push_back(pocket_values(*pockets_, surface_.mesh));
     }
 
     /// The mesh that is written.

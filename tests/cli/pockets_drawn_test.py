@@ -117,12 +117,12 @@ class DrawnPocketsTest(ProgramTest):
 
     def test_a_cavity_alone(self):
         (self.folder / "shell.xyzr").write_text(SHELL)
-        self.pockets("shell.xyzr", "-o", "p.ply", "-o", "p.html", "-o", "p.glb", "-o", "p.png", "--size", "40x30")
+        self.pockets("shell.xyzr", "--radii", "auto", "-o", "p.ply", "-o", "p.html", "-o", "p.glb", "-o", "p.png", "--size", "40x30")
         self.assertTrue(any(p["cavity"] for p in page_info(self.folder / "p.html")["pockets"]))
 
     def test_nothing_to_draw(self):
         (self.folder / "one.xyzr").write_text("0 0 0 1.7\n")
-        self.pockets("one.xyzr", "-o", "p.ply", "-o", "p.html", "-o", "p.glb", "-o", "p.png", "--size", "40x30")
+        self.pockets("one.xyzr", "--radii", "auto", "-o", "p.ply", "-o", "p.html", "-o", "p.glb", "-o", "p.png", "--size", "40x30")
         self.assertEqual(read_ply(self.folder / "p.ply")[1], [])
         self.assertNotIn("pockets", page_info(self.folder / "p.html"))
 
