@@ -52,6 +52,8 @@ constexpr std::array kPocketsSuffixes{
     Suffix{".pdb", OutputKind::StructureCopy}, Suffix{".cif", OutputKind::StructureCopy},
     Suffix{".dx", OutputKind::Volume},         Suffix{".mrc", OutputKind::Volume},
     Suffix{".vdb", OutputKind::Volume},        Suffix{".npz", OutputKind::Arrays},
+    Suffix{".ply", OutputKind::Mesh},          Suffix{".glb", OutputKind::Mesh},
+    Suffix{".png", OutputKind::Picture},       Suffix{".html", OutputKind::Page},
 };
 
 constexpr std::array kTunnelSuffixes{

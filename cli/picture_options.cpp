@@ -8,6 +8,7 @@
 
 #include "help.h"
 #include "meniscus/file_words.h"
+#include "meniscus/page.h"
 #include "meniscus/vertex_values.h"
 #include "option_words.h"
 
@@ -196,9 +197,39 @@ void check_picture(const PictureRequest& request) {
                         picture.width, picture.height, kSmallestWithLegend[0], kSmallestWithLegend[1]));
 }
 
+bool draws_ligands(const std::vector<Output>& outputs) {
+    return std::any_of(outputs.begin(), outputs.end(), [](const Output& o) {
+        return o.kind == OutputKind::Picture || o.kind == OutputKind::Page || suffix_of(o.path) == ".glb";
+    });
+}
+
+void check_drawn(const PictureRequest& request, const std::vector<Output>& outputs) {
+    const auto has = [&](OutputKind kind) {
+        return std::any_of(outputs.begin(), outputs.end(), [kind](const Output& o) { return o.kind == kind; });
+    };
+    const bool has_page = has(OutputKind::Page);
+    const bool has_picture = has(OutputKind::Picture);
+    if (has_page && !pages_supported())
+        throw UsageError("this build cannot write pages; build with MENISCUS_PAGE=ON, or ask for another format");
+    if (has_picture && !pictures_supported())
+        throw UsageError("this build draws no pictures; build with MENISCUS_PICTURES=ON, or ask for another format");
+    if (!request.drawn_by.empty() && !has_picture)
+        throw UsageError(request.drawn_by + " applies to pictures; ask for one with -o FILE.png");
+    if (!request.shown_by.empty() && !draws_ligands(outputs))
+        throw UsageError(request.shown_by +
+                         " applies to pictures, pages and GLB; ask for one with -o FILE.png, FILE.html or FILE.glb");
+    if (!request.viewed_by.empty() && !has_picture && !has_page)
+        throw UsageError(request.viewed_by +
+                         " applies to pictures and pages; ask for one with -o FILE.png or FILE.html");
+}
+
 void add_picture_options(CLI::App& command, PictureRequest& request) {
-    PictureOptions& picture = request.picture;
     add_colour(command, request);
+    add_drawing_options(command, request);
+}
+
+void add_drawing_options(CLI::App& command, PictureRequest& request) {
+    PictureOptions& picture = request.picture;
     add_drawing(command, request,
                 {"--view",
                  "Seen from: front, back ... or X,Y,Z\n[:UX,UY,UZ], the directions to the viewer and up; front, back, "

@@ -5,9 +5,11 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "meniscus/colours.h"
 #include "meniscus/picture.h"
+#include "output_plan.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
 class App;
@@ -31,9 +33,19 @@ struct PictureRequest {
 /// outlive the parser. While parsing, UsageError is thrown for values that make no sense.
 void add_picture_options(CLI::App& command, PictureRequest& request);
 
+/// The same without --color.
+void add_drawing_options(CLI::App& command, PictureRequest& request);
+
 /// What depends on several of these options.
 /// throws   UsageError for options that do not go together
 void check_picture(const PictureRequest& request);
+
+/// Whether an output has room for ligands beside the surface.
+bool draws_ligands(const std::vector<Output>& outputs);
+
+/// What depends on the outputs.
+/// throws   UsageError for outputs that this build cannot make, and for options that none of the outputs heeds
+void check_drawn(const PictureRequest& request, const std::vector<Output>& outputs);
 
 /// The scheme and range in force, and how pictures are drawn, as the report has them.
 /// drawn   whether there is a picture; without one what shapes it is null

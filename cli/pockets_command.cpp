@@ -6,8 +6,8 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
-#include <array>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -15,6 +15,8 @@
 #include "meniscus/volume_file.h"
 #include "meniscus/write.h"
 #include "messages.h"
+#include "platform/files/atomic_file.h"
+#include "pockets_drawing.h"
 #include "pockets_places.h"
 #include "standard_output.h"
 #include "summary_text.h"
@@ -35,6 +37,16 @@ std::string first_residues(const std::vector<std::string>& residues) {
         text.append(text.empty() ? "" : ", ").append(one_line(residues[i]));
     if (residues.size() > kMostLining) text += fmt::format(" + {}", residues.size() - kMostLining);
     return text;
+}
+
+bool has_kind(const std::vector<Output>& outputs, OutputKind kind) {
+    return std::any_of(outputs.begin(), outputs.end(), [kind](const Output& output) { return output.kind == kind; });
+}
+
+void write_text(const std::string& path, const std::string& text) {
+    AtomicFile file(path);
+    file.write(text);
+    file.commit();
 }
 
 // What only a given place has.
@@ -58,11 +70,6 @@ std::string row_of(const DescribedPocket& described) {
                        p.probability, p.volume, p.wall_area, p.depth, p.cavity ? "cavity" : "",
                        first_residues(described.residues)) +
            place_lines(described);
-}
-
-bool is_nucleotide(const Residue& residue) {
-    constexpr std::array kNames{"A", "C", "G", "U", "DA", "DC", "DG", "DT"};
-    return std::find(kNames.begin(), kNames.end(), residue.name) != kNames.end();
 }
 
 // Numbers for atoms that are the same in all models, by their names.
@@ -107,6 +114,7 @@ public:
                                          kMostPocketSpacing));
         if (!request.over_models.empty() && !request.all_models)
             throw UsageError("--over-models: compares models; add --model all");
+        check_picture(request.picture);
         if (!request.over_models.empty()) plan_table("--over-models", request.over_models, "");
     }
 
@@ -114,11 +122,15 @@ private:
     std::vector<Output> plan(const std::string& /*name*/, const std::string& mark) const override {
         std::vector<Output> outputs = plan_pockets_outputs(request_.outputs, mark);
         if (!request_.tunnels.table.empty()) outputs.push_back(plan_tunnel_table(request_.tunnels.table, mark));
+        check_drawn(request_.picture, outputs);
         return outputs;
     }
 
     void compute(const Job& job) override {
-        say_what_the_ranking_was_not_fitted_to(job.structure);
+        if (const std::string doubt =
+                doubt_of_ranking(job.structure, request_.read.hetero != HeteroPolicy::None, request_.pockets.spacing);
+            !doubt.empty())
+            note(doubt);
         Stopwatch watch;
         RunOptions run = request_.run;
         run.progress = [this](std::string_view stage, double fraction) { show(stage, fraction); };
@@ -131,11 +143,33 @@ private:
         agreed_ = exact.measures().agreed;
         disputed_ = exact.measures().disputed;
         described_ = describe_pockets(pockets_, job.structure, at.places);
+        draw(job, exact, run);
         say_which_places_are_empty(job);
         seconds_ = watch.lap();
         ways_ = find_asked_tunnels(request_.tunnels, exact, pockets_, job.structure, run);
         if (request_.all_models) follow(job.structure);
         tunnel_seconds_ = watch.lap();
+    }
+
+    /// What is seen: a surface with pockets, and bodies alone for meshes without a surface.
+    void draw(const Job& job, const ExactSurface& exact, const RunOptions& run) {
+        const auto needs_surface = [](const Output& output) {
+            return suffix_of(output.path) == ".glb" || output.kind == OutputKind::Picture ||
+                   output.kind == OutputKind::Page;
+        };
+        drawn_.reset();
+        if (std::none_of(job.outputs.begin(), job.outputs.end(), needs_surface)) return;
+        drawn_.emplace(exact, pockets_, job.structure, run);
+        if (has_kind(job.outputs, OutputKind::Picture)) {
+            show("picture", 0.0);
+            picture_ = drawn_->picture(job.structure, request_.picture, run.threads);
+            show("picture", 1.0);
+        }
+        if (has_kind(job.outputs, OutputKind::Page)) {
+            show("page", 0.0);
+            page_ = drawn_->page(job.structure, request_.picture, described_, run.threads);
+            show("page", 1.0);
+        }
     }
 
     void say_which_places_are_empty(const Job& job) {
@@ -206,23 +240,14 @@ private:
         return text;
     }
 
-    void say_what_the_ranking_was_not_fitted_to(const Structure& structure) {
-        std::string what;
-        if (structure.radii_set != "united") what = fmt::format("{} radii", structure.radii_set);
-        const auto add = [&](const char* more) { what.append(what.empty() ? "" : " and ").append(more); };
-        if (request_.read.hetero != HeteroPolicy::None) add("hetero atoms");
-        if (request_.pockets.spacing != 1.0) add("another spacing");
-        if (std::any_of(structure.residues.begin(), structure.residues.end(), is_nucleotide)) add("nucleic acids");
-        if (!what.empty())
-            note(
-                fmt::format("the ranking was fitted to heavy atoms of proteins with united radii at 1 Å; with {} its "
-                            "scores are less sure, volumes and areas are not concerned",
-                            what));
-    }
-
     void write(const Output& output, const Job& job) const override {
         if (output.kind == OutputKind::StructureCopy)
             return write_pocket_atoms(output.path, job.structure, pockets_, paths_of(ways_));
+        if (output.kind == OutputKind::Picture) return write_picture(output.path, picture_);
+        if (output.kind == OutputKind::Page) return write_text(output.path, page_);
+        if (suffix_of(output.path) == ".glb")
+            return drawn_->write_glb(output.path, job.structure, request_.picture.ligands, request_.run.threads);
+        if (output.kind == OutputKind::Mesh) return write_mesh(output.path, pocket_bodies(pockets_));
         if (output.kind == OutputKind::Volume)
             return write_volume(output.path, pocket_volume(pockets_, request_.field), request_.field);
         if (output.kind == OutputKind::TunnelTable) return write_table(output.path, profile_of(ways_));
@@ -278,6 +303,9 @@ private:
     PocketTracks tracks_;
     AtomNumbers numbers_;
     FoundTunnels ways_;
+    std::optional<DrawnPockets> drawn_;
+    Picture picture_;
+    std::string page_;  // HTML
     bool agreed_ = true;
     std::vector<std::string> disputed_;
     double seconds_ = 0.0;

@@ -14,11 +14,12 @@ namespace {
 constexpr const char* kPocketsExamples =
     "Pockets are ranked by how much they resemble the places of ligands. -o writes a\n"
     "table (.csv .json), atoms and grid points (.pdb .cif), a map (.dx .mrc), arrays\n"
-    "(.npz).\n"
+    "(.npz), bodies (.ply .glb), a picture (.png) or a page (.html).\n"
     "Examples:\n"
     "  meniscus pockets 1abc.pdb                       the pockets, best first\n"
     "  meniscus pockets 1abc.pdb -o pockets.csv        as a table\n"
     "  meniscus pockets 1abc.pdb -o pockets.pdb        as atoms for a viewer\n"
+    "  meniscus pockets 1abc.pdb -o pockets.html       as a page to turn and inspect\n"
     "  meniscus pockets 1abc.pdb --at '(LIG)'          the pocket of a ligand\n"
     "  meniscus pockets 1abc.pdb --tunnels             with the ways out of them\n"
     "  meniscus pockets 1abc.pdb --hetero ligands      ligands belong to the wall";
@@ -65,6 +66,8 @@ void add_pockets_options(CLI::App& command, PocketsRequest& request) {
              [&request](const std::string& path) { request.over_models = path; });
     command.add_option("--tunnel-table", request.tunnels.table, "Radii along tunnels and pore, .csv or .json")
         ->type_name("FILE");
+    command.option_defaults()->group("Picture");
+    add_drawing_options(command, request.picture);
     command.option_defaults()->group("Running");
     OptionAdder{command}(kThreadsOption, request.run.threads);
     add_progress(command, request.progress);

@@ -10,6 +10,7 @@
 #include "common_request.h"
 #include "meniscus/pockets.h"
 #include "meniscus/volume.h"
+#include "picture_options.h"
 #include "pockets_tunnels.h"
 
 namespace meniscus::cli {
@@ -19,9 +20,10 @@ struct PocketsRequest : CommonRequest {
     PocketOptions pockets;
     TunnelRequest tunnels;
     RunOptions run;
-    std::vector<std::string> at;                   ///< --at, in order
-    std::optional<double> at_reach;                ///< --at-reach, Å
-    std::string over_models;                       ///< --over-models: path, empty for none
+    std::vector<std::string> at;     ///< --at, in order
+    std::optional<double> at_reach;  ///< --at-reach, Å
+    std::string over_models;         ///< --over-models: path, empty for none
+    PictureRequest picture{};
     VolumeContent field = VolumeContent::Pockets;  ///< --field, of volumes
 };
 

@@ -17,9 +17,12 @@
 #include "meniscus/measures.h"
 #include "meniscus/mesh_part.h"
 #include "meniscus/page.h"
+#include "meniscus/pocket_chemistry.h"
+#include "meniscus/pockets.h"
 #include "meniscus/tables.h"
 #include "meniscus/threads.h"
 #include "platform/files/atomic_file.h"
+#include "pockets_drawing.h"
 #include "standard_output.h"
 #include "summary.h"
 
@@ -36,13 +39,6 @@ bool has(const std::vector<Output>& outputs, OutputKind kind) {
 bool has_encoding(const Output& output) {
     const std::string suffix = suffix_of(output.path);
     return suffix == ".ply" || suffix == ".stl";
-}
-
-/// Whether an output has room for ligands beside the surface.
-bool draws_ligands(const std::vector<Output>& outputs) {
-    return std::any_of(outputs.begin(), outputs.end(), [](const Output& o) {
-        return o.kind == OutputKind::Picture || o.kind == OutputKind::Page || suffix_of(o.path) == ".glb";
-    });
 }
 
 const Output* first_mesh(const std::vector<Output>& outputs) {
@@ -67,22 +63,11 @@ void check_together(const SurfaceRequest& request, const std::vector<Output>& ou
     check_files_beside(request, first_mesh(outputs));
     const bool has_page = has(outputs, OutputKind::Page);
     const bool has_picture = has(outputs, OutputKind::Picture);
-    if (has_page && !pages_supported())
-        throw UsageError("this build cannot write pages; build with MENISCUS_PAGE=ON, or ask for another format");
-    if (has_picture && !pictures_supported())
-        throw UsageError("this build draws no pictures; build with MENISCUS_PICTURES=ON, or ask for another format");
     if (!request.show.empty() && !has_picture && !has_page && first_mesh(outputs) == nullptr)
         throw UsageError("--show chooses a part of meshes, pictures and pages; ask for one of them with -o");
     if (request.encoding == Encoding::Text && std::none_of(outputs.begin(), outputs.end(), has_encoding))
         throw UsageError("--ascii applies to PLY and STL; ask for one with -o FILE.ply or FILE.stl");
-    if (!request.picture.drawn_by.empty() && !has_picture)
-        throw UsageError(request.picture.drawn_by + " applies to pictures; ask for one with -o FILE.png");
-    if (!request.picture.shown_by.empty() && !draws_ligands(outputs))
-        throw UsageError(request.picture.shown_by +
-                         " applies to pictures, pages and GLB; ask for one with -o FILE.png, FILE.html or FILE.glb");
-    if (!request.picture.viewed_by.empty() && !has_picture && !has_page)
-        throw UsageError(request.picture.viewed_by +
-                         " applies to pictures and pages; ask for one with -o FILE.png or FILE.html");
+    check_drawn(request.picture, outputs);
 }
 
 std::vector<Colour> colours_of(const MeshPart& part, const std::vector<Colour>& colours) {
@@ -157,6 +142,7 @@ private:
             expect(expected.seconds);
         }
         const double estimate_seconds = estimating.lap();
+        find_pockets(job.structure);
         make_surface(job, std::move(exact));
         const SurfaceOptions& made = surface_.options;
         if (has_volume && made.spacing != options.spacing)
@@ -205,9 +191,32 @@ private:
         seconds_.exact = watch.lap();
     }
 
+    /// Pockets are found once, for the colours of all meshes of a structure.
+    void find_pockets(const Structure& structure) {
+        pockets_.reset();
+        if (request_.picture.colours.scheme != ColourScheme::Pocket) return;
+        const PocketOptions options;
+        if (const std::string doubt = doubt_of_ranking(
+                structure, request_.read.hetero.value_or(HeteroPolicy::None) != HeteroPolicy::None, options.spacing);
+            !doubt.empty())
+            note("--color pocket: " + doubt);
+        RunOptions run = request_.run;
+        run.observer = {};
+        run.progress = [this](std::string_view, double fraction) { show("pockets", fraction); };
+        pockets_ = meniscus::find_pockets(ExactSurface(structure.atoms), atom_classes(structure), options, run);
+    }
+
+    std::vector<VertexValues> values_at(const Mesh& mesh) const {
+        std::vector<VertexValues> values = values_.at_vertices(mesh, surface_.exact);
+        if (pockets_) values.push_back(pocket_values(*pockets_, mesh));
+        return values;
+    }
+
     void add_values() {
-        surface_.mesh.values = values_.at_vertices(surface_.mesh, surface_.exact);
-        for (const std::string& line : values_.judge(surface_.mesh.values)) warn(line);
+        std::vector<VertexValues>& values = surface_.mesh.values;
+        values = values_.at_vertices(surface_.mesh, surface_.exact);
+        for (const std::string& line : values_.judge(values)) warn(line);
+        if (pockets_) values.push_back(pocket_values(*pockets_, surface_.mesh));
     }
 
     /// The mesh that is written.
@@ -286,9 +295,15 @@ private:
                                           .ligands = request_.picture.ligands,
                                           .rows = rows_of_page(structure),
                                           .components = exact_pieces(),
+                                          .pockets = listed_pockets(structure),
                                           .exact = surface_.exact,
                                           .threads = request_.run.threads});
         show("page", 1.0);
+    }
+
+    std::vector<PagePocket> listed_pockets(const Structure& structure) const {
+        if (!pockets_) return {};
+        return page_pockets(describe_pockets(*pockets_, structure));
     }
 
     std::span<const SurfaceComponent> exact_pieces() const {
@@ -327,7 +342,7 @@ private:
         {
             const WritingSection section;
             Mesh complete = mesh;
-            complete.values = values_.at_vertices(mesh, surface_.exact);
+            complete.values = values_at(mesh);
             const std::vector<Colour> colours = colour_vertices(complete, job.structure, request_.picture.colours);
             write_mesh(snapshot_path(first_mesh(job.outputs)->path, step.step), complete,
                        mesh_writing(job.structure, request_.surface, colours));
@@ -380,6 +395,7 @@ private:
 
     const SurfaceRequest& request_;
     ValueSources values_;
+    std::optional<Pockets> pockets_;  // with --color pocket
     // Of the SES, where the mesh is of another surface and the report has both.
     std::shared_ptr<const Measures> excluded_;
     Surface surface_;

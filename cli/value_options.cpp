@@ -134,7 +134,7 @@ ordered_json report_values(const ValueRequest& request) {
 
 ValueSources::ValueSources(const ValueRequest& request, const ColourOptions& colours, const Structure& structure,
                            bool one_chain)
-    : sampling_(request.sampling) {
+    : sampling_(request.sampling), file_(structure.file) {
     if (request.depth || colours.scheme == ColourScheme::Depth) depth_of_ = &structure;
     for (const std::string& path : request.tables) add_table(path, structure, one_chain);
     for (const SampledMap& map : request.maps) maps_.push_back({map, read_volume(map.path)});
@@ -217,7 +217,7 @@ const std::string& ValueSources::path_of(const std::string& name) const {
         if (CLI::detail::to_lower(map.asked.name) == word) return map.asked.path;
     for (const Column& column : columns_)
         if (CLI::detail::to_lower(column.values.name) == word) return column.path;
-    return depth_of_->file;
+    return file_;  // what follows from the structure
 }
 
 std::vector<VertexValues> ValueSources::at_vertices(const Mesh& mesh, const ExactSurface& exact) const {

@@ -101,6 +101,7 @@ private:
     std::vector<std::string> warnings_;
     std::vector<std::string> notes_;
     const Structure* depth_of_ = nullptr;  // where depths are asked for
+    std::string file_;                     // of the structure
 };
 
 }  // namespace meniscus::cli

@@ -25,7 +25,7 @@ ROOMS = {
     "cavities": ("project", "remesh", "mesh", "space", "platform"),
     "pipeline": ("cavities", "project", "remesh", "measure", "mesh", "flow", "band", "grid", "exact", "nearest", "geometry",
                  "space", "platform"),
-    "pockets": ("pipeline", "band", "grid", "exact", "nearest", "geometry", "space", "platform"),
+    "pockets": ("pipeline", "mesh", "band", "grid", "exact", "nearest", "geometry", "space", "platform"),
     "tunnels": ("pipeline", "exact", "space"),
     "reading": ("platform",),
     "radii": ("reading",),
@@ -44,7 +44,7 @@ ROOMS = {
     "colours": ("reading", "structure", "radii", "tables", "values", "exact", "grid", "platform"),
     "render": ("colours", "platform"),
     "sticks": ("colours", "render", "structure"),
-    "page": ("colours", "render", "sticks", "io", "tables", "structure", "exact", "pipeline", "platform"),
+    "page": ("colours", "values", "render", "sticks", "io", "tables", "structure", "exact", "pipeline", "platform"),
     "draw": ("colours", "render", "sticks", "structure", "pipeline"),
 }
 # Whose a public header is. The others hold the library's vocabulary (vectors, atoms, meshes, values on grids, errors), which

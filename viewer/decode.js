@@ -113,7 +113,14 @@ const Decode = (() => {
       atoms: atoms("ligand-", info.ligands.atoms),
       bonds: sums(stream("ligand-bonds"), 2 * info.ligands.bonds, Uint32Array),
     };
-    return {info, mesh, stream, atoms: atoms("atom-", info.atoms), ligands};
+    // Pockets as bodies, each a component; undefined where there are none.
+    const bodies = info.bodies && {
+      corners: corners(stream("body-triangles"), info.bodies.triangles),
+      points: interleaved(...["x", "y", "z"].map(name => axis("body-" + name, info.bodies.vertices))),
+      normals: [byteSums(stream("body-nu")), byteSums(stream("body-nv"))],
+      component: sums(stream("body-component"), info.bodies.vertices, Uint32Array),
+    };
+    return {info, bodies, mesh, stream, atoms: atoms("atom-", info.atoms), ligands};
   }
 
   return {decode, embedded};

@@ -27,6 +27,7 @@ const Page = (() => {
       this.atoms = new Atoms(data, this.shared, data.stream("colours-" + this.paletteOfAtoms()));
       this.scene.add(this.surface.group, this.atoms.group);
       this.addLigands(data.ligands);
+      this.addBodies(data.bodies);
       this.marker = this.makeMarker();
       this.controls = new Controls(this.canvas, this.extent(), this.info.view, () => this.draw(), this.left.signal);
       this.plane = null;
@@ -44,6 +45,13 @@ const Page = (() => {
       this.ligands.show("both");
       this.surface.setBeside(true);
       this.scene.add(this.ligands.group);
+    }
+
+    addBodies(mesh) {
+      if (!mesh) return;
+      this.bodies = new Bodies(mesh, this.info.pockets.map(pocket => pocket.colour), this.shared);
+      this.surface.setFilled(true);
+      this.scene.add(this.bodies.group);
     }
 
     /** What the first view shows: the surface and the ligands, or the atoms if there is no surface. */
@@ -75,6 +83,10 @@ const Page = (() => {
     fill() {
       Panel.fillSchemes(this.info.schemes, this.info.scheme);
       Panel.fillCavities(this.info.cavities, this.info.ligandsLeftOut, i => this.flyToCavity(i));
+      Panel.fillPockets(this.info.pockets || [], i => this.flyToPocket(i));
+      $("body-row").hidden = !this.bodies;
+      $("bodies").checked = true;
+      if (this.bodies) this.setOpacity(100 * seeThrough);
       const {grouped} = Panel;
       $("subtitle").textContent = `${grouped(this.info.atoms.count)} atoms · ${grouped(this.info.triangles)} triangles`;
       $("perspective").checked = this.controls.inPerspective;
@@ -132,7 +144,9 @@ const Page = (() => {
       const scheme = this.info.schemes.find(s => s.id === id);
       $("scheme").value = id;
       this.surface.setScheme(scheme);
-      Panel.showLegend(scheme.kind === "component" ? this.legendOfPieces(scheme) : scheme.legend);
+      const isListed = scheme.kind === "class" && this.info.pockets;   // with the same colours
+      Panel.showLegend(isListed ? {ramp: [], entries: []}
+                       : scheme.kind === "component" ? this.legendOfPieces(scheme) : scheme.legend);
       this.draw();
     }
 
@@ -153,6 +167,7 @@ const Page = (() => {
       $("opacity").value = percent;
       $("opacity-text").textContent = percent + " %";
       this.surface.setOpacity(percent / 100);
+      if (this.bodies) this.bodies.order(percent < 100);
       this.draw();
     }
 
@@ -167,6 +182,12 @@ const Page = (() => {
     showLigands(shown) {
       this.ligands.show(shown ? "both" : "none");
       this.surface.setBeside(shown);
+      this.draw();
+    }
+
+    showBodies(shown) {
+      this.bodies.show(shown);
+      this.surface.setFilled(shown);
       this.draw();
     }
 
@@ -211,10 +232,28 @@ const Page = (() => {
       this.surface.mark(null);
       this.surface.markComponent(cavity.component);
       this.marker.visible = false;
+      this.unmarkLists();
       Panel.markCavity(i);
       Panel.showFacts("Cavity " + (i + 1), [["volume", Panel.grouped(cavity.volume, 1) + " Å³"],
                                             ["area", Panel.grouped(cavity.area, 1) + " Å²"], ["lined by", cavity.lining]]);
       this.controls.lookAt(point, Math.max(4, 3 * cavity.radius));
+    }
+
+    flyToPocket(i) {
+      const pocket = this.info.pockets[i], {grouped} = Panel;
+      const point = new THREE.Vector3(...pocket.centre.map((c, k) => c - this.info.low[k]));
+      if (pocket.cavity && !this.plane && this.surface.opacity > seeThrough) this.setOpacity(100 * seeThrough);
+      if (this.plane) this.cutThrough(point);
+      this.forget();
+      Panel.markPocket(i);
+      if (this.bodies) this.bodies.mark(i);
+      const holes = (number, area) => number ? `${number}, ${grouped(area, 1)} Å²` : "none";
+      Panel.showFacts("Pocket " + pocket.name, [["score", Panel.plain(pocket.score, 2)], ["volume", grouped(pocket.volume, 1) + " Å³"],
+                                                ["wall", grouped(pocket.area, 1) + " Å²"], ["depth", Panel.plain(pocket.depth, 1) + " Å"],
+                                                ["mouths", pocket.cavity ? "none, a closed cavity" : holes(pocket.mouths, pocket.mouthArea)],
+                                                ["opens further in", pocket.cavity ? "" : holes(pocket.openings, pocket.openingArea)],
+                                                ["lined by", pocket.lining]]);
+      this.controls.lookAt(point, Math.max(6, 2.5 * Math.cbrt(pocket.volume * 3 / (4 * Math.PI))));
     }
 
     cutThrough(point) {
@@ -260,7 +299,7 @@ const Page = (() => {
       const seen = this.look(x, y);
       if (!seen) return this.forget();
       const {data} = this, {residue} = data.atoms, isLigand = seen.of !== data;
-      Panel.markCavity(-1);
+      this.unmarkLists();
       this.surface.markComponent(null);
       Panel.showFacts(Panel.atomTitle(seen.of, seen.atom), this.facts(seen));
       this.marker.position.copy(seen.point);
@@ -308,8 +347,14 @@ const Page = (() => {
       this.marker.visible = false;
       this.surface.mark(null);
       this.surface.markComponent(null);
-      Panel.markCavity(-1);
+      this.unmarkLists();
       this.draw();
+    }
+
+    unmarkLists() {
+      Panel.markCavity(-1);
+      Panel.markPocket(-1);
+      if (this.bodies) this.bodies.mark(-1);
     }
 
     hover(e) {
@@ -367,6 +412,7 @@ const Page = (() => {
       on("opacity", "input", () => this.setOpacity(+$("opacity").value));
       for (const how of ["none", "sticks", "spheres"]) on("atoms-" + how, "change", () => this.setAtoms(how));
       on("ligands", "change", () => this.showLigands($("ligands").checked));
+      on("bodies", "change", () => this.showBodies($("bodies").checked));
       on("clip", "input", () => this.setCut($("clip").value / 1000));
       on("align", "click", () => this.alignCut());
       on("perspective", "change", () => {

@@ -114,6 +114,26 @@ const Panel = (() => {
     [...$("cavity-list").rows].forEach((row, i) => row.classList.toggle("chosen", i === chosen));
   }
 
+  function fillPockets(pockets, chosen) {
+    $("pockets").hidden = pockets.length === 0;
+    $("pocket-list").replaceChildren();
+    pockets.forEach((pocket, i) => {
+      const row = element("tr"), first = element("td"), button = element("button", undefined, {type: "button"});
+      button.append(swatch(pocket.colour), element("span", pocket.name));
+      button.setAttribute("aria-label", "Go to pocket " + pocket.name);
+      first.append(button);
+      const numbers = [plain(pocket.score, 2), grouped(pocket.volume), plain(pocket.depth, 1),
+                       pocket.cavity ? "closed" : String(pocket.mouths)];
+      row.append(first, ...numbers.map(text => element("td", text)));
+      row.addEventListener("click", () => chosen(i));
+      $("pocket-list").append(row);
+    });
+  }
+
+  function markPocket(chosen) {
+    [...$("pocket-list").rows].forEach((row, i) => row.classList.toggle("chosen", i === chosen));
+  }
+
   function fillSchemes(schemes, first) {
     $("scheme").replaceChildren();
     for (const scheme of schemes) $("scheme").append(element("option", scheme.label, {value: scheme.id}));
@@ -137,5 +157,6 @@ const Panel = (() => {
   }
 
   return {$, element, plain, grouped, short, residueOf, atomName, atomTitle, shapeWord, showLegend, showFacts, fillCavities, markCavity,
+          fillPockets, markPocket,
           fillSchemes, showTip, download};
 })();

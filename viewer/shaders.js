@@ -30,10 +30,12 @@ const Shaders = (() => {
     attribute vec4 look;      // normal (octahedral), share of the sky
     attribute vec3 patches;   // how much of each kind of patch there is around
     attribute vec3 corners;   // the atoms of the triangle's three corners
+    attribute vec4 tint;      // colour of a class
     attribute vec4 values;    // curvature, depth, component, value from elsewhere
     uniform float eye;        // distance of the viewer, 0 without perspective
     varying vec3 at, inView, normal_, kinds;
     varying float sky, curvature, depth, brought;
+    varying vec3 ofClass;
     flat varying vec3 atoms;
     flat varying float component;
     centroid varying vec3 within;   // as inView, but never beyond the triangle's edges
@@ -49,6 +51,7 @@ const Shaders = (() => {
       depth = values.y;
       component = values.z;
       brought = values.w;
+      ofClass = tint.rgb;
       at = position;
       vec4 seen = modelViewMatrix * vec4(position, 1.0);
       inView = within = seen.xyz;
@@ -59,7 +62,7 @@ const Shaders = (() => {
   const surfaceFragment = `
     uniform highp sampler2D spheres;   // atoms: centre, radius
     uniform highp sampler2D paint;     // atoms: colour, and whether chosen
-    uniform int scheme;                // 0 atoms, 1 components, 2 values
+    uniform int scheme;                // 0 atoms, 1 components, 2 values, 3 classes
     uniform vec4 overPatch[3];         // light of a kind of patch, not encoded; w: whether it goes before the atom's
     uniform highp sampler2D ofComponent;
     uniform vec3 ramp[9];
@@ -76,6 +79,7 @@ const Shaders = (() => {
     uniform bool choosing;             // whether any atom is chosen
     varying vec3 at, inView, normal_, kinds;
     varying float sky, curvature, depth, brought;
+    varying vec3 ofClass;
     flat varying vec3 atoms;
     flat varying float component;
     centroid varying vec3 within;   // as inView, but never beyond the triangle's edges
@@ -143,13 +147,45 @@ const Shaders = (() => {
       if (scheme == 0)
         albedo = atom.rgb;
       else
-        albedo = scheme == 1 ? decoded(texelFetch(ofComponent, place(ofComponent, component), 0).rgb) : byValue();
+        albedo = scheme == 3 ? decoded(ofClass) : scheme == 1 ? decoded(texelFetch(ofComponent, place(ofComponent, component), 0).rgb) : byValue();
       if (choosing && atom.a > 0.0) albedo = mix(albedo, accent, 0.65 * atom.a);
       if (abs(component - chosen) < 0.5) albedo = mix(albedo, accent, 0.8);
       float open = gl_FrontFacing ? sky : 0.7;
       if (!gl_FrontFacing) n = -n;
       float aside = 1.0 - clamp(dot(n, toViewer), 0.0, 1.0);
       gl_FragColor = vec4(encoded(shaded(albedo, n, toViewer, open)), mix(opacity, 1.0, 0.6 * aside * aside * opacity));
+    }
+  `;
+
+  // Bodies beside the surface, in one colour each.
+  const bodyVertex = `
+    attribute vec2 look;      // normal (octahedral)
+    attribute vec4 tint;      // colour; w: whether it is chosen
+    varying vec3 normal_, inView;
+    varying vec4 tint_;
+    void main() {
+      vec2 o = look * (255.0 / 127.0) - 1.0;
+      vec3 n = vec3(o, 1.0 - abs(o.x) - abs(o.y));
+      if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * vec2(o.x < 0.0 ? -1.0 : 1.0, o.y < 0.0 ? -1.0 : 1.0);
+      normal_ = normalMatrix * n;
+      tint_ = tint;
+      vec4 seen = modelViewMatrix * vec4(position, 1.0);
+      inView = seen.xyz;
+      gl_Position = projectionMatrix * seen;
+    }
+  `;
+  const bodyFragment = `
+    uniform bool inPerspective;
+    uniform float opacity;
+    varying vec3 normal_, inView;
+    varying vec4 tint_;
+    ${light}
+    void main() {
+      vec3 toViewer = inPerspective ? normalize(-inView) : vec3(0.0, 0.0, 1.0);
+      vec3 n = normalize(normal_);
+      float aside = 1.0 - clamp(dot(n, toViewer), 0.0, 1.0);
+      vec3 seen = encoded(shaded(decoded(tint_.rgb), n, toViewer, 0.9));
+      gl_FragColor = vec4(seen, mix(opacity, 1.0, max(0.35 * aside * aside, 0.3 * tint_.a)));
     }
   `;
 
@@ -224,5 +260,5 @@ const Shaders = (() => {
     }
   `;
 
-  return {surfaceVertex, surfaceFragment, ballVertex, ballFragment, stickVertex, stickFragment};
+  return {surfaceVertex, surfaceFragment, bodyVertex, bodyFragment, ballVertex, ballFragment, stickVertex, stickFragment};
 })();

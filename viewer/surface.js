@@ -217,6 +217,12 @@ const Surface = (() => {
       this.setOpacity(this.opacity);
     }
 
+    /** filled: whether bodies are shown that fill the cavities, and would be seen through their walls in patches */
+    setFilled(filled) {
+      this.filled = filled;
+      this.setOpacity(this.opacity);
+    }
+
     setOpacity(opacity) {
       this.opacity = opacity;
       const set = ({first, second, count}, value, order) => {
@@ -231,17 +237,18 @@ const Surface = (() => {
       };
       set(this.outer, opacity, 10);
       // Solid, as what one looks for in there, unless that may be a ligand in one of them.
-      this.cavityOpacity = this.beside ? Math.max(0.4, opacity) : 1;
+      this.cavityOpacity = this.filled ? 0 : this.beside ? Math.max(0.4, opacity) : 1;
       set(this.cavities, this.cavityOpacity, 0);
     }
 
     /** Colours by a scheme of the page; nothing is computed again. */
     setScheme(scheme) {
       const u = this.uniforms;
-      u.scheme.value = {atom: 0, component: 1, value: 2}[scheme.kind];
+      u.scheme.value = {atom: 0, component: 1, value: 2, class: 3}[scheme.kind];
       this.colours = null;
       if (scheme.kind === "atom") this.paintAtoms(scheme);
       if (scheme.kind === "component") this.paintComponents(scheme);
+      if (scheme.kind === "class") this.paintClasses(scheme);
       if (scheme.kind === "value") {
         u.value.value = scheme.values === "curvature" ? 0 : scheme.values === "depth" ? 1 : 2;
         if (u.value.value === 2) this.showValues(this.data.info.values.findIndex(v => v.name === scheme.values), scheme);
@@ -266,6 +273,21 @@ const Surface = (() => {
       this.paint.needsUpdate = true;
       scheme.patches.forEach((colour, k) =>
         this.uniforms.overPatch.value[k].fromArray(colour ? [...rgb(colour).map(decoded), 1] : [0, 0, 0, 0]));
+    }
+
+    /** Colours of the vertices, by whole numbers that they have. */
+    paintClasses(scheme) {
+      const {values, mesh} = {values: this.data.info.values, mesh: this.data.mesh};
+      const i = values.findIndex(v => v.name === scheme.values), {step, low} = values[i], of = mesh.values[i];
+      const none = rgb(scheme.none), colours = {};
+      for (const number in scheme.colours) colours[number] = rgb(scheme.colours[number]);
+      const tint = new Uint8Array(4 * this.source.length);
+      this.source.forEach((v, k) => {
+        const colour = of[v] < 0 ? none : colours[Math.round(of[v] * step + low)] || none;
+        for (let c = 0; c < 3; ++c) tint[4 * k + c] = Math.round(255 * colour[c]);
+      });
+      for (const {first} of [this.outer, this.cavities])
+        first.geometry.setAttribute("tint", new THREE.BufferAttribute(tint, 4, true));
     }
 
     paintComponents(scheme) {

@@ -50,6 +50,7 @@ enum class ColourScheme {
     Component,       ///< one colour for outer pieces, another for every cavity
     Depth,           ///< depth below the SES of a probe of kDepthProbe, Å
     BFactor,         ///< B factor of the nearest atom
+    Pocket,          ///< the pocket whose wall it is, by the values kPocketValues of the mesh
     Plddt,           ///< bands of AlphaFold's confidence, which its files hold as B factors
     Value,           ///< the array of Mesh::values that ColourOptions::value names
 };

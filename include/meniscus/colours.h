@@ -35,6 +35,9 @@ inline constexpr double kDepthProbe = 10.0;
 /// source   CSS Color Module Level 4, W3C 2022, section 6.1; without its words for transparency
 std::optional<Colour> colour_of_text(std::string_view text);
 
+/// The colour of the pocket of a rank, from 1; grey for none (NaN).
+Colour pocket_colour(float rank);
+
 /// How deep in pockets and cavities every vertex lies, Å: its depth below the SES of a probe of kDepthProbe, 0 outside
 /// that SES. The array is called "depth".
 ///

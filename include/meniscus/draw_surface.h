@@ -25,6 +25,7 @@ struct DrawOptions {
     std::optional<ColourOptions> scheme{};  ///< the scheme that the colours come from; nothing: another source
     bool legend = false;                    ///< draw a legend at the right, in up to half the width; needs a scheme
     bool ligands = true;                    ///< draw Structure::ligands, as sticks and balls
+    Bodies beside{};                        ///< more than ligands, drawn beside the surface
     const Mesh* whole = nullptr;            ///< the mesh that the legend describes; nullptr: the drawn one
 };
 

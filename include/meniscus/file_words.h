@@ -34,7 +34,7 @@ inline constexpr Words<AtomValue, 4> kAtomValueWords{
 inline constexpr Words<Interpolation, 2> kInterpolationWords{
     {{"linear", Interpolation::Linear}, {"cubic", Interpolation::Cubic}}};
 /// ColourScheme::Value has no word: users give the name of the values.
-inline constexpr Words<ColourScheme, 13> kColourSchemeWords{{{"auto", ColourScheme::Automatic},
+inline constexpr Words<ColourScheme, 14> kColourSchemeWords{{{"auto", ColourScheme::Automatic},
                                                              {"single", ColourScheme::Single},
                                                              {"patch", ColourScheme::Patch},
                                                              {"element", ColourScheme::Element},
@@ -46,6 +46,7 @@ inline constexpr Words<ColourScheme, 13> kColourSchemeWords{{{"auto", ColourSche
                                                              {"component", ColourScheme::Component},
                                                              {"depth", ColourScheme::Depth},
                                                              {"bfactor", ColourScheme::BFactor},
+                                                             {"pocket", ColourScheme::Pocket},
                                                              {"plddt", ColourScheme::Plddt}}};
 
 }  // namespace meniscus

@@ -35,6 +35,9 @@ struct VertexValues {
     std::vector<float> values;  ///< one per vertex; NaN where there is none
 };
 
+/// The name of values that tell which pocket a vertex lies beside: its rank, NaN for none.
+inline constexpr const char* kPocketValues = "pocket";
+
 /// A triangle mesh. Every vertex array has one entry per vertex, or none at all.
 struct Mesh {
     std::vector<Vec3> vertices;             ///< positions, Å, in the frame of the input

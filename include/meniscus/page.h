@@ -33,6 +33,23 @@ std::vector<PageRow> page_rows(const Structure& structure, const Surface& surfac
 /// The same numbers without the exact measures.
 std::vector<PageRow> page_rows(const Structure& structure, const Surface& surface);
 
+/// A pocket in the list of a page.
+struct PagePocket {
+    std::string name;  ///< "1", or the place that it is at
+    Colour colour;
+    bool cavity = false;
+    double score = 0.0;
+    double volume = 0.0;     ///< Å³
+    double depth = 0.0;      ///< Å
+    double wall_area = 0.0;  ///< Å²
+    std::size_t mouths = 0;
+    double mouth_area = 0.0;  ///< of all of them, Å²
+    std::size_t openings = 0;
+    double opening_area = 0.0;  ///< of all of them, Å²
+    Vec3 centre;                ///< Å
+    std::string lining{};       ///< residues, as text
+};
+
 /// What a page shows.
 struct PageOptions {
     ColourOptions colours{};               ///< the scheme shown first; its range holds for that scheme throughout
@@ -43,6 +60,9 @@ struct PageOptions {
     /// Exact pieces of the same surface, for the list of cavities with their areas and volumes. Empty: the pieces of
     /// the mesh, with plain sums over the triangles.
     std::span<const SurfaceComponent> components{};
+    std::vector<PagePocket> pockets{};  ///< the list of pockets, in the order shown
+    const Mesh* bodies = nullptr;       ///< of pockets, with normals; `components` index `pockets`; shown clear, and
+                                        ///< the surface around them at first
     ExactSurface exact{};  ///< an exact surface of the structure's atoms, if there is one, to save building it again
     int threads = 0;       ///< 0: all cores; the page does not depend on it
 };

@@ -55,9 +55,12 @@ struct Cut {
 /// What is seen beside a surface without belonging to it: closed bodies, with one colour per vertex. A cut leaves them
 /// whole, or out where it keeps nothing of them.
 struct Bodies {
-    Mesh mesh;  ///< with normals; `components` number the bodies
-    std::vector<Colour> colours;
+    Mesh mesh;                    ///< with normals; `components` number the bodies
+    std::vector<Colour> colours;  ///< alpha is the opacity of the whole body
 };
+
+/// Both, with numbers of their own.
+Bodies joined(Bodies bodies, const Bodies& more);
 
 inline constexpr Colour kWhite{255, 255, 255, 255};
 inline constexpr Colour kTransparent{255, 255, 255, 0};
@@ -75,6 +78,7 @@ struct PictureOptions {
     Colour background = kWhite;
     std::optional<Cut> cut{};
     bool outline = false;    ///< dark lines where one part of the surface ends in front of another
+    double opacity = 1.0;    ///< of the surface, 0 to 1: less shows bodies behind it, and the background
     double depth_cue = 0.0;  ///< share of background in the colours of the farthest parts, 0 to 1
     int threads = 0;         ///< 0: all cores; the picture does not depend on it
 

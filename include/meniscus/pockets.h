@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "meniscus/exact_surface.h"
+#include "meniscus/mesh.h"
 #include "meniscus/surface.h"
 #include "meniscus/vec3.h"
 #include "meniscus/volume.h"
@@ -149,5 +150,17 @@ std::vector<Check> pocket_checks(const Pockets& pockets);
 ///
 /// content   VolumeContent::Probability or VolumeContent::Pockets
 Volume pocket_volume(const Pockets& pockets, VolumeContent content);
+
+/// Every pocket as a closed body: smooth, with the pocket's volume to some per cent, its normals pointing out of it.
+/// `components` are indices into Pockets::pockets, the values kPocketValues their ranks. Bodies of neighbours meet and
+/// may overlap by a part of the spacing. A pocket without voxels has no body.
+///
+/// cost     O(voxels)
+Mesh pocket_bodies(const Pockets& pockets);
+
+/// Which pocket each vertex of a surface lies beside, as kPocketValues.
+///
+/// mesh     of a surface of the same atoms, with normals
+VertexValues pocket_values(const Pockets& pockets, const Mesh& mesh);
 
 }  // namespace meniscus

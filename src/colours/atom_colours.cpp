@@ -74,9 +74,7 @@ std::string_view residue_kind(std::string_view residue) {
     return found == kResidues.end() ? std::string_view{} : found->name;
 }
 
-std::optional<double> hydropathy(std::string_view residue) {
-    return hydropathy_of(kind_of_residue(residue));
-}
+std::optional<double> hydropathy(std::string_view residue) { return hydropathy_of(kind_of_residue(residue)); }
 
 const PlddtBand& plddt_band(double plddt) {
     return *std::find_if(kPlddtBands.begin(), kPlddtBands.end() - 1,

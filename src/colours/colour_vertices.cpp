@@ -61,6 +61,14 @@ std::vector<Colour> by_name(const Mesh& mesh, const ColourOptions& options) {
     return colours;
 }
 
+std::vector<Colour> by_pocket(const Mesh& mesh) {
+    const VertexValues& ranks = values_named(mesh, kPocketValues);
+    check_values(ranks.values, mesh, kPocketValues);
+    std::vector<Colour> colours(ranks.values.size());
+    std::transform(ranks.values.begin(), ranks.values.end(), colours.begin(), pocket_colour);
+    return colours;
+}
+
 std::vector<Colour> by_component(const Mesh& mesh) {
     const std::vector<Colour> of_component = component_colours(mesh);
     std::vector<Colour> colours(mesh.vertices.size());
@@ -78,11 +86,16 @@ ColourField field_of(const ExactSurface& surface, const ColourOf& colour_of) {
 
 }  // namespace
 
+Colour pocket_colour(float rank) {
+    return std::isnan(rank) || rank < 1.0F ? kNeutral : distinct_colour(static_cast<std::size_t>(rank));
+}
+
 std::vector<Colour> colour_vertices(const Mesh& mesh, const Structure& structure, const ColourOptions& options) {
     check_options(options);
     if (const auto features = feature_colours(structure, options)) return by_feature(mesh, structure, *features);
     if (options.scheme == ColourScheme::Component) return by_component(mesh);
     if (options.scheme == ColourScheme::Value) return by_name(mesh, options);
+    if (options.scheme == ColourScheme::Pocket) return by_pocket(mesh);
     const ValueRange range = range_in_force(options, structure);
     if (options.scheme == ColourScheme::Depth) return by_depth(mesh, structure, range);
     check_values(mesh.mean_curvatures, mesh, "mean_curvature");

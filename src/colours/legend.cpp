@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -124,6 +125,21 @@ std::vector<LegendEntry> entries_of_components(const Mesh& mesh) {
     return entries;
 }
 
+std::vector<LegendEntry> entries_of_pockets(const Mesh& mesh) {
+    std::set<float> ranks;
+    bool without = false;
+    for (const float rank : values_named(mesh, kPocketValues).values)
+        if (std::isnan(rank))
+            without = true;
+        else
+            ranks.insert(rank);
+    std::vector<LegendEntry> entries;
+    for (const float rank : ranks)
+        entries.push_back({"pocket " + std::to_string(std::lround(rank)), pocket_colour(rank)});
+    if (without) entries.push_back({"no pocket", kNeutral});
+    return entries;
+}
+
 /// Where residues have no hydropathy, their colour stands beside the ramp.
 std::vector<LegendEntry> entries_beside_hydropathy(const Mesh& mesh, const Structure& structure) {
     check_atoms(mesh, structure);
@@ -174,6 +190,8 @@ Legend make_legend(const Mesh& mesh, const Structure& structure, const ColourOpt
             return {};
         case ColourScheme::Component:
             return {.title = "Component", .entries = entries_of_components(mesh)};
+        case ColourScheme::Pocket:
+            return {.title = "Pockets", .entries = entries_of_pockets(mesh)};
         case ColourScheme::Hydrophobicity: {
             Legend legend = of_ramp("Hydropathy (Kyte & Doolittle)", hydropathy_ramp(), kHydropathyRange);
             legend.entries = entries_beside_hydropathy(mesh, structure);

@@ -26,8 +26,9 @@ Picture draw_surface(const Surface& surface, const Structure& structure, const C
     PictureOptions picture = options.picture;
     picture.width -= legend.width;
     const Bodies ligands = options.ligands ? ligand_bodies(structure.ligands, drawn.mesh, drawn.colours) : Bodies{};
+    const Bodies beside = joined(ligands, options.beside);
     const auto draw = [&](const ColourField& field) {
-        return side_by_side(draw_picture(drawn.mesh, drawn.colours, picture, field, ligands), legend);
+        return side_by_side(draw_picture(drawn.mesh, drawn.colours, picture, field, beside), legend);
     };
     if (!options.scheme) return draw({});
     if (surface.level_set)

@@ -54,6 +54,13 @@ struct Section {
     std::function<void()> write_bytes;  // all of them
 };
 
+// A mesh beside that of the surface, with a material of its own.
+struct NodeBeside {
+    std::string name;
+    ordered_json primitive;
+    ordered_json material;
+};
+
 // Braces alone would leave open whether a list of one is meant.
 ordered_json list_of(ordered_json only) {
     ordered_json list = ordered_json::array();
@@ -127,6 +134,9 @@ public:
             std::visit([&](auto values) { add_values(array.name, values); }, array.values);
         add_triangles();
         if (options.beside != nullptr && !options.beside->mesh.triangles.empty()) add_ligands(*options.beside);
+        for (const NamedMesh& named : options.named)
+            if (!named.mesh.triangles.empty())
+                add_node(named.name, add_shape(named.mesh), colour_material(named.colour));
     }
 
     void write() {
@@ -207,22 +217,41 @@ private:
                                     [colours = options_.colours](std::size_t v) { return to_linear(colours[v]); });
     }
 
-    /// What is beside the surface, as a primitive of its own.
-    void add_ligands(const Bodies& bodies) {
-        const Mesh& mesh = bodies.mesh;
-        check_vectors("places of ligands", mesh.vertices);
+    /// Triangles beside the surface, as the beginning of a primitive of their own.
+    ordered_json add_shape(const Mesh& mesh) {
+        check_vectors("places beside the surface", mesh.vertices);
         const std::size_t n = mesh.vertices.size();
         const std::size_t first = sections_.size();
         set_extent(mesh.vertices, add_section<FloatVector>(vectors_accessor(), n, [&mesh](std::size_t v) {
                                       return single(mesh.vertices[v]);
                                   }).accessor);
         add_section<FloatVector>(vectors_accessor(), n, [&mesh](std::size_t v) { return single(mesh.normals[v]); });
-        add_section<LinearColour>(colours_accessor(), n,
-                                  [&bodies](std::size_t v) { return to_linear(bodies.colours[v]); });
         add_corners(mesh.triangles);
-        ligands_ = {{"attributes", {{"POSITION", first}, {"NORMAL", first + 1}, {"COLOR_0", first + 2}}},
-                    {"indices", first + 3},
-                    {"material", 1}};
+        return {{"attributes", {{"POSITION", first}, {"NORMAL", first + 1}}}, {"indices", first + 2}};
+    }
+
+    void add_ligands(const Bodies& bodies) {
+        ordered_json primitive = add_shape(bodies.mesh);
+        primitive["attributes"]["COLOR_0"] = sections_.size();
+        add_section<LinearColour>(colours_accessor(), bodies.colours.size(),
+                                  [&bodies](std::size_t v) { return to_linear(bodies.colours[v]); });
+        add_node("ligands", std::move(primitive), {{"pbrMetallicRoughness", look()}});
+    }
+
+    void add_node(const std::string& name, ordered_json primitive, ordered_json material) {
+        beside_.push_back({name, std::move(primitive), std::move(material)});
+    }
+
+    static ordered_json look() { return {{"metallicFactor", 0.0}, {"roughnessFactor", kRoughness}}; }
+
+    static ordered_json colour_material(const Colour& colour) {
+        ordered_json coloured = look();
+        const auto light = [](std::uint8_t channel) { return linear_from_srgb(channel / 255.0); };
+        coloured["baseColorFactor"] = {light(colour.red), light(colour.green), light(colour.blue),
+                                       colour.alpha / 255.0};
+        ordered_json material{{"pbrMetallicRoughness", coloured}};
+        if (colour.alpha < 255) material["alphaMode"] = "BLEND";
+        return material;
     }
 
     template <class T>
@@ -282,17 +311,22 @@ private:
 
     void describe_mesh(ordered_json& json) const {
         const ordered_json primitive{{"attributes", attributes_}, {"indices", corners_}, {"material", 0}};
-        const ordered_json look{{"metallicFactor", 0.0}, {"roughnessFactor", kRoughness}};
         json["scenes"] = list_of({{"nodes", list_of(0)}});
         json["nodes"] = list_of({{"mesh", 0}, {"name", "surface"}});
         json["meshes"] = list_of({{"name", "surface"}, {"primitives", list_of(primitive)}});
         json["materials"] =
-            list_of({{"name", "surface"}, {"doubleSided", options_.open}, {"pbrMetallicRoughness", look}});
-        if (ligands_.is_null()) return;
-        json["scenes"][0]["nodes"].push_back(1);
-        json["nodes"].push_back({{"mesh", 1}, {"name", "ligands"}});
-        json["meshes"].push_back({{"name", "ligands"}, {"primitives", list_of(ligands_)}});
-        json["materials"].push_back({{"name", "ligands"}, {"pbrMetallicRoughness", look}});
+            list_of({{"name", "surface"}, {"doubleSided", options_.open}, {"pbrMetallicRoughness", look()}});
+        for (const NodeBeside& node : beside_) {
+            const std::size_t number = json["nodes"].size();
+            ordered_json shape = node.primitive;
+            shape["material"] = number;
+            ordered_json material{{"name", node.name}};
+            material.update(node.material);
+            json["scenes"][0]["nodes"].push_back(number);
+            json["nodes"].push_back({{"mesh", number}, {"name", node.name}});
+            json["meshes"].push_back({{"name", node.name}, {"primitives", list_of(shape)}});
+            json["materials"].push_back(material);
+        }
     }
 
     void describe_buffer(ordered_json& json) const {
@@ -326,8 +360,8 @@ private:
     std::vector<Section> sections_;
     std::size_t corners_ = 0;  // the section of the surface's triangles
     ordered_json attributes_;
-    ordered_json ligands_;  // a primitive; nothing without ligands
-    ordered_json missing_;  // by attribute, the number that stands for none
+    std::vector<NodeBeside> beside_;  // the surface
+    ordered_json missing_;            // by attribute, the number that stands for none
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
+#include <cstdint>
 #include <stdexcept>
 
 #include "io/png.h"
@@ -18,6 +19,10 @@ namespace {
 constexpr int kPictureWidth = 640;
 constexpr int kPictureHeight = 480;
 
+/// Opacities with which pockets are seen in the molecule; viewer/page.js and viewer/bodies.js have the same.
+constexpr double kSeeThrough = 0.35;
+constexpr std::uint8_t kBodyAlpha = 191;
+
 /// How the picture is drawn that is seen where scripts or WebGL are missing.
 PictureOptions still_picture(const PageOptions& options) {
     return {.width = kPictureWidth,
@@ -25,7 +30,18 @@ PictureOptions still_picture(const PageOptions& options) {
             .viewpoint = options.viewpoint,
             .projection = options.projection,
             .background = kTransparent,
+            .opacity = options.bodies != nullptr ? kSeeThrough : 1.0,
             .threads = options.threads};
+}
+
+Bodies bodies_of(const PageOptions& options) {
+    if (options.bodies == nullptr) return {};
+    Bodies bodies{*options.bodies, {}};
+    for (const std::uint32_t pocket : bodies.mesh.components) {
+        bodies.colours.push_back(options.pockets[pocket].colour);
+        bodies.colours.back().alpha = kBodyAlpha;
+    }
+    return bodies;
 }
 
 /// PNG; empty in a build that draws no pictures.
@@ -36,7 +52,8 @@ std::string picture_by(const page::VertexExtras& extras, const Mesh& mesh, const
     const Bodies ligands =
         options.ligands ? ligand_bodies(structure.ligands, mesh, page::colours_shown(mesh, structure, options.colours))
                         : Bodies{};
-    return encode_png(draw_picture_by(extras.sky, mesh, colours, still_picture(options), ligands));
+    return encode_png(
+        draw_picture_by(extras.sky, mesh, colours, still_picture(options), joined(ligands, bodies_of(options))));
 }
 
 }  // namespace

@@ -27,7 +27,14 @@ auto in_order(const VertexOrder& order, const Get& get) {
     return values;
 }
 
-void add_normals(Streams& streams, const Mesh& mesh, const VertexOrder& order) {
+/// kind   how the names of the streams begin
+void add_shape(Streams& streams, const std::string& kind, const Mesh& mesh, const VertexOrder& order, const Vec3& low) {
+    streams.add(kind + "triangles", order.triangles);
+    const std::vector<Vec3> points = in_order(order, [&](VertexId v) { return mesh.vertices[v]; });
+    streams.add(kind + "x", differences(quantised(points, &Vec3::x, low.x)));
+    streams.add(kind + "y", differences(quantised(points, &Vec3::y, low.y)));
+    streams.add(kind + "z", differences(quantised(points, &Vec3::z, low.z)));
+
     std::vector<std::uint8_t> u;
     std::vector<std::uint8_t> v;
     for (const VertexId vertex : order.vertices) {
@@ -35,8 +42,13 @@ void add_normals(Streams& streams, const Mesh& mesh, const VertexOrder& order) {
         u.push_back(first);
         v.push_back(second);
     }
-    streams.add("nu", byte_differences(u));
-    streams.add("nv", byte_differences(v));
+    streams.add(kind + "nu", byte_differences(u));
+    streams.add(kind + "nv", byte_differences(v));
+}
+
+void add_components(Streams& streams, const std::string& kind, const Mesh& mesh, const VertexOrder& order) {
+    streams.add(kind + "component",
+                differences(in_order(order, [&](VertexId v) { return std::int64_t{mesh.components[v]}; })));
 }
 
 void add_values(Streams& streams, const Mesh& mesh, const VertexExtras& extras, const VertexOrder& order) {
@@ -116,20 +128,20 @@ std::pair<std::uint8_t, std::uint8_t> octahedral(const Vec3& normal) {
 
 void add_mesh(Streams& streams, const Mesh& mesh, const VertexExtras& extras, const Vec3& low) {
     const VertexOrder order = order_of_use(mesh);
-    streams.add("triangles", order.triangles);
-    const std::vector<Vec3> points = in_order(order, [&](VertexId v) { return mesh.vertices[v]; });
-    streams.add("x", differences(quantised(points, &Vec3::x, low.x)));
-    streams.add("y", differences(quantised(points, &Vec3::y, low.y)));
-    streams.add("z", differences(quantised(points, &Vec3::z, low.z)));
-    add_normals(streams, mesh, order);
+    add_shape(streams, "", mesh, order, low);
     streams.add("atom", differences(in_order(order, [&](VertexId v) { return std::int64_t{mesh.atoms[v]}; })));
     streams.add("patch", byte_differences(
                              in_order(order, [&](VertexId v) { return static_cast<std::uint8_t>(mesh.patches[v]); })));
-    if (!mesh.components.empty())
-        streams.add("component",
-                    differences(in_order(order, [&](VertexId v) { return std::int64_t{mesh.components[v]}; })));
+    if (!mesh.components.empty()) add_components(streams, "", mesh, order);
     add_values(streams, mesh, extras, order);
     add_brought_values(streams, mesh, order);
+}
+
+std::size_t add_bodies(Streams& streams, const Mesh& mesh, const Vec3& low) {
+    const VertexOrder order = order_of_use(mesh);
+    add_shape(streams, "body-", mesh, order, low);
+    add_components(streams, "body-", mesh, order);
+    return order.vertices.size();
 }
 
 }  // namespace meniscus::page

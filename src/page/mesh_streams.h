@@ -52,4 +52,8 @@ std::pair<std::uint8_t, std::uint8_t> octahedral(const Vec3& normal);
 /// low   the smallest coordinates of the vertices
 void add_mesh(Streams& streams, const Mesh& mesh, const VertexExtras& extras, const Vec3& low);
 
+/// Adds body-triangles, body-x, body-y, body-z, body-nu, body-nv, body-component.
+/// returns   how many vertices triangles use
+std::size_t add_bodies(Streams& streams, const Mesh& mesh, const Vec3& low);
+
 }  // namespace meniscus::page

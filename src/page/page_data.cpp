@@ -144,6 +144,25 @@ ordered_json cavities_json(const Mesh& mesh, const Structure& structure, const P
     return list;
 }
 
+ordered_json pockets_json(const std::vector<PagePocket>& pockets) {
+    ordered_json list = ordered_json::array();
+    for (const PagePocket& pocket : pockets)
+        list.push_back({{"name", pocket.name},
+                        {"colour", hex(pocket.colour)},
+                        {"cavity", pocket.cavity},
+                        {"score", cut_to(pocket.score, 100.0)},
+                        {"volume", cut_to(pocket.volume, 100.0)},
+                        {"depth", cut_to(pocket.depth, 100.0)},
+                        {"area", cut_to(pocket.wall_area, 100.0)},
+                        {"mouths", pocket.mouths},
+                        {"mouthArea", cut_to(pocket.mouth_area, 100.0)},
+                        {"openings", pocket.openings},
+                        {"openingArea", cut_to(pocket.opening_area, 100.0)},
+                        {"centre", point_json(pocket.centre)},
+                        {"lining", pocket.lining}});
+    return list;
+}
+
 std::span<const Vec3> points_of_view(const Mesh& mesh, const Structure& structure) {
     return mesh.vertices.empty() ? structure.atoms.centres : mesh.vertices;
 }
@@ -216,6 +235,10 @@ std::string page_data(const Mesh& mesh, const Structure& structure, const PageOp
     data["scheme"] = id_of_first(mesh, structure, options.colours);
     data["view"] = view_json(mesh, structure, options);
     data["cavities"] = cavities_json(mesh, structure, options);
+    if (!options.pockets.empty()) data["pockets"] = pockets_json(options.pockets);
+    if (options.bodies != nullptr && !options.bodies->triangles.empty())
+        data["bodies"] = {{"triangles", options.bodies->triangles.size()},
+                          {"vertices", add_bodies(streams, *options.bodies, low)}};
     data["ligandsLeftOut"] = list_of_counts(structure.left_out_ligands);
     data["rows"] = rows_json(options.rows);
     data["streams"] = places_json(streams);

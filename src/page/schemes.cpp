@@ -3,11 +3,14 @@
 #include "page/schemes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "colours/component_colours.h"
 #include "colours/feature_colours.h"
+#include "colours/palettes.h"
 #include "meniscus/tables.h"
+#include "meniscus/vertex_values.h"
 
 namespace meniscus::page {
 
@@ -32,6 +35,7 @@ constexpr std::array kAll{
     Scheme{"curvature", "Mean curvature", ColourScheme::Curvature},
     Scheme{"depth", "Depth", ColourScheme::Depth},
     Scheme{"component", "Outer surface and cavities", ColourScheme::Component},
+    Scheme{"pocket", "Pockets", ColourScheme::Pocket},
     Scheme{"bfactor", "B factor", ColourScheme::BFactor},
     Scheme{"plddt", "Confidence (pLDDT)", ColourScheme::Plddt},
 };
@@ -64,6 +68,9 @@ bool shows_something(ColourScheme scheme, const Mesh& mesh, const Structure& str
             return mesh.mean_curvatures.size() == mesh.vertices.size();
         case ColourScheme::Component:
             return std::any_of(mesh.components.begin(), mesh.components.end(), [](std::uint32_t c) { return c > 0; });
+        case ColourScheme::Pocket:
+            return std::any_of(mesh.values.begin(), mesh.values.end(),
+                               [](const VertexValues& values) { return values.name == kPocketValues; });
         case ColourScheme::Plddt:
             return looks_like_confidence(structure);
         case ColourScheme::Single:
@@ -154,6 +161,13 @@ ordered_json describe(const OfferedScheme& scheme, const Mesh& mesh, const Struc
     } else if (scheme.options.scheme == ColourScheme::Component) {
         block["kind"] = "component";
         block["colours"] = hex_list(component_colours(mesh));
+    } else if (scheme.options.scheme == ColourScheme::Pocket) {
+        block["kind"] = "class";
+        block["values"] = scheme.id;
+        block["colours"] = ordered_json::object();
+        for (const float rank : values_named(mesh, kPocketValues).values)
+            if (!std::isnan(rank)) block["colours"][std::to_string(std::lround(rank))] = hex(pocket_colour(rank));
+        block["none"] = hex(kNeutral);
     } else {
         block["kind"] = "value";
         block["values"] = scheme.id;

@@ -27,6 +27,7 @@ std::vector<OfferedScheme> offered_schemes(const Mesh& mesh, const Structure& st
 /// What the browser needs of one scheme: its legend, and by kind
 /// atom        a stream of the atoms' colours (reds, then greens, then blues), colours of patches that go before it
 /// component   a colour for each
+/// class       which array of vertices, the colour of each of its numbers, and of none
 /// value       which array of vertices, ramp, range
 nlohmann::ordered_json describe(const OfferedScheme& scheme, const Mesh& mesh, const Structure& structure,
                                 Streams& streams);

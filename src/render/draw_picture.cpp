@@ -32,6 +32,7 @@ void check_options(const PictureOptions& options) {
     if (!fits(options.width) || !fits(options.height))
         throw UsageError("a picture is 1 to " + std::to_string(kLargestPicture) + " pixels wide and high");
     if (!(options.depth_cue >= 0.0 && options.depth_cue <= 1.0)) throw UsageError("a depth cue is 0 to 1");
+    if (!(options.opacity >= 0.0 && options.opacity <= 1.0)) throw UsageError("an opacity is 0 to 1");
     if (options.viewpoint) frame_of(*options.viewpoint);
 }
 

@@ -72,8 +72,13 @@ Scene::Scene(const Painted& surface, const RayScene& rays, const PictureOptions&
       lamps_(camera_.frame()),
       background_(to_light(options.background)),
       front_(nearest_kept()) {
-    Mesh shown = kept_ ? kept_bodies(beside.mesh, *kept_) : beside.mesh;
-    if (!shown.triangles.empty()) beside_ = std::make_unique<Beside>(std::move(shown), rays_, reach_of_sky(camera_));
+    const Mesh shown = kept_ ? kept_bodies(beside.mesh, *kept_) : beside.mesh;
+    for (const bool solid : {true, false}) {
+        Mesh alike = shown;
+        std::erase_if(alike.triangles, [&](const Triangle& t) { return (beside.colours[t[0]].alpha == 255) != solid; });
+        if (!alike.triangles.empty())
+            beside_.push_back(std::make_unique<Beside>(std::move(alike), rays_, reach_of_sky(camera_)));
+    }
 }
 
 double Scene::nearest_kept() const {
@@ -97,9 +102,9 @@ Light Scene::light_from(const Sight& sight) const {
     const Triangle& t = mesh.triangles[hit.triangle];
     Vec3 normal = normalised(interpolated<Vec3>(t, hit, [&mesh](VertexId v) { return mesh.normals[v]; }));
     if (sight.from_inside) normal = -normal;
-    const SkyLight& seen_sky = sight.of_body ? beside_->sky : sight.from_inside ? sky_from_inside_ : sky_;
+    const SkyLight& seen_sky = sight.body != nullptr ? sight.body->sky : sight.from_inside ? sky_from_inside_ : sky_;
     auto sky = interpolated<double>(t, hit, [&seen_sky](VertexId v) { return double{seen_sky.at(v)}; });
-    if (sight.of_body) sky = kLeastSkyOfBodies + (1.0 - kLeastSkyOfBodies) * sky;
+    if (sight.body != nullptr) sky = kLeastSkyOfBodies + (1.0 - kLeastSkyOfBodies) * sky;
     return lamps_.shade(sight.albedo, normal, -sight.ray.direction, static_cast<float>(sky));
 }
 
@@ -124,7 +129,6 @@ std::vector<Scene::Sight> Scene::sights_at(std::span<const Spot> spots) const {
             const bool inside = hits[i] && faces_away(surface_.mesh.triangles[hits[i]->triangle], rays[i].direction);
             sights.push_back({.ray = rays[i], .hit = hits[i], .from_inside = inside});
         }
-        if (beside_) see_bodies(std::span(sights).last(few.size()));
     }
     return sights;
 }
@@ -136,15 +140,35 @@ double Scene::seen_at(const Sight& sight) const {
     return sight.hit->distance;
 }
 
-/// Puts bodies before what they hide, in up to RayScene::kTogether sights.
-void Scene::see_bodies(std::span<Sight> sights) const {
+/// What the same rays hit of bodies.
+std::vector<Scene::Sight> Scene::sights_of(const Beside& bodies, std::span<const Sight> along) const {
+    std::vector<Sight> sights;
+    sights.reserve(along.size());
     std::array<Ray, RayScene::kTogether> rays;
     std::array<std::optional<RayHit>, RayScene::kTogether> hits;
-    std::transform(sights.begin(), sights.end(), rays.begin(), [](const Sight& sight) { return sight.ray; });
-    beside_->rays.first_hits(std::span(rays).first(sights.size()), std::numeric_limits<double>::infinity(), hits);
-    for (std::size_t i = 0; i < sights.size(); ++i)
-        if (hits[i] && hits[i]->distance < seen_at(sights[i]))
-            sights[i] = {.ray = rays[i], .hit = hits[i], .of_body = true};
+    for (; !along.empty(); along = along.subspan(std::min(rays.size(), along.size()))) {
+        const std::span<const Sight> few = along.first(std::min(rays.size(), along.size()));
+        std::transform(few.begin(), few.end(), rays.begin(), [](const Sight& sight) { return sight.ray; });
+        bodies.rays.first_hits(std::span(rays).first(few.size()), std::numeric_limits<double>::infinity(), hits);
+        for (std::size_t i = 0; i < few.size(); ++i)
+            sights.push_back({.ray = rays[i], .hit = hits[i], .body = &bodies});
+    }
+    return sights;
+}
+
+float Scene::opacity_of(const Sight& sight) const {
+    if (shows_section(sight)) return 1.0F;
+    if (sight.body == nullptr) return static_cast<float>(options_.opacity);
+    return static_cast<float>(colours_of_bodies_[sight.body->mesh.triangles[sight.hit->triangle][0]].alpha) / 255.0F;
+}
+
+/// Forgets what lies behind something solid along one ray, which is not to be asked for its colour.
+void Scene::forget_hidden(std::span<std::vector<Sight>> layers, std::size_t ray) const {
+    double solid = std::numeric_limits<double>::infinity();
+    for (const std::vector<Sight>& layer : layers)
+        if (layer[ray].hit && opacity_of(layer[ray]) == 1.0F) solid = std::min(solid, seen_at(layer[ray]));
+    for (std::vector<Sight>& layer : layers)
+        if (layer[ray].hit && seen_at(layer[ray]) > solid) layer[ray].hit.reset();
 }
 
 /// Where the corners of triangles differ the exact colours are asked for, all at once.
@@ -154,9 +178,10 @@ void Scene::find_albedos(std::span<Sight> sights) const {
     for (std::size_t i = 0; i < sights.size(); ++i) {
         if (!sights[i].hit || shows_section(sights[i])) continue;
         const Triangle& t = mesh_of(sights[i]).triangles[sights[i].hit->triangle];
-        const std::span<const Colour> colours = sights[i].of_body ? colours_of_bodies_ : surface_.colours;
+        const bool of_body = sights[i].body != nullptr;
+        const std::span<const Colour> colours = of_body ? colours_of_bodies_ : surface_.colours;
         const bool uniform = colours[t[0]] == colours[t[1]] && colours[t[1]] == colours[t[2]];
-        if (uniform || !exact_ || sights[i].of_body) {
+        if (uniform || !exact_ || of_body) {
             sights[i].albedo = uniform ? to_light(colours[t[0]]) : interpolated_light(t, *sights[i].hit, colours);
             continue;
         }
@@ -175,14 +200,41 @@ Glimpse Scene::glimpse_of(const Sight& sight) const {
     if (shows_section(sight))
         return glimpse(Glimpse::Kind::Section, to_light(kSection),
                        ray.origin + kept_->part_of_ray(ray.origin, ray.direction).begin * ray.direction);
-    return glimpse(sight.of_body ? Glimpse::Kind::Body : Glimpse::Kind::Surface, light_from(sight), sight.point());
+    return glimpse(sight.body != nullptr ? Glimpse::Kind::Body : Glimpse::Kind::Surface, light_from(sight),
+                   sight.point());
+}
+
+/// What is seen of a surface and bodies along one ray, through those that are clear.
+Glimpse Scene::glimpse_through(std::span<const Sight* const> sights) const {
+    std::vector<const Sight*> order(sights.begin(), sights.end());
+    std::erase_if(order, [](const Sight* sight) { return !sight->hit; });
+    if (order.empty()) return {.light = background_};
+    std::sort(order.begin(), order.end(), [this](const Sight* a, const Sight* b) { return seen_at(*a) < seen_at(*b); });
+    Glimpse seen = glimpse_of(*order.front());
+    float left = 1.0F - opacity_of(*order.front());  // of what lies behind
+    if (left <= 0.0F) return seen;
+    seen.light = (1.0F - left) * seen.light;
+    for (std::size_t i = 1; i < order.size() && left > 0.0F; ++i) {
+        const float opacity = opacity_of(*order[i]);
+        seen.light += left * opacity * glimpse_of(*order[i]).light;
+        left *= 1.0F - opacity;
+    }
+    seen.light += left * background_;
+    return seen;
 }
 
 std::vector<Glimpse> Scene::look(std::span<const Spot> spots) const {
-    std::vector<Sight> sights = sights_at(spots);
-    find_albedos(sights);
-    std::vector<Glimpse> seen(sights.size());
-    std::transform(sights.begin(), sights.end(), seen.begin(), [this](const Sight& s) { return glimpse_of(s); });
+    std::vector<std::vector<Sight>> layers{sights_at(spots)};
+    for (const std::unique_ptr<Beside>& bodies : beside_) layers.push_back(sights_of(*bodies, layers.front()));
+    for (std::size_t i = 0; i < spots.size(); ++i) forget_hidden(layers, i);
+    for (std::vector<Sight>& layer : layers) find_albedos(layer);
+    std::vector<Glimpse> seen;
+    seen.reserve(spots.size());
+    std::vector<const Sight*> along(layers.size());
+    for (std::size_t i = 0; i < spots.size(); ++i) {
+        std::transform(layers.begin(), layers.end(), along.begin(), [i](const std::vector<Sight>& l) { return &l[i]; });
+        seen.push_back(glimpse_through(along));
+    }
     return seen;
 }
 

@@ -60,18 +60,20 @@ public:
     std::vector<Glimpse> look(std::span<const Spot> spots) const;
 
 private:
+    struct Beside;
+
     /// What a ray hits, with the light that the surface sends back there.
     struct Sight {
         Ray ray;
         std::optional<RayHit> hit{};
-        bool from_inside = false;  // it meets the side of the molecule
-        bool of_body = false;      // it meets something beside the surface
+        bool from_inside = false;      // it meets the side of the molecule
+        const Beside* body = nullptr;  // it meets something beside the surface
         Light albedo{};
 
         Vec3 point() const { return ray.origin + hit->distance * ray.direction; }
     };
 
-    /// What of the bodies is drawn, prepared for rays; their sky is what the surface leaves open.
+    /// Bodies that are drawn, prepared for rays; their sky is what the surface leaves open.
     struct Beside {
         Beside(Mesh shown, const RayScene& surface, double reach)
             : mesh(std::move(shown)), rays(mesh), sky({surface, mesh, reach}) {}
@@ -80,11 +82,14 @@ private:
         SkyLight sky;
     };
 
-    const Mesh& mesh_of(const Sight& sight) const { return sight.of_body ? beside_->mesh : surface_.mesh; }
+    const Mesh& mesh_of(const Sight& sight) const { return sight.body != nullptr ? sight.body->mesh : surface_.mesh; }
     std::vector<Sight> sights_at(std::span<const Spot> spots) const;
-    void see_bodies(std::span<Sight> sights) const;
+    std::vector<Sight> sights_of(const Beside& bodies, std::span<const Sight> along) const;
     double seen_at(const Sight& sight) const;
+    float opacity_of(const Sight& sight) const;
+    void forget_hidden(std::span<std::vector<Sight>> layers, std::size_t ray) const;
     void find_albedos(std::span<Sight> sights) const;
+    Glimpse glimpse_through(std::span<const Sight* const> sights) const;
     Glimpse glimpse_of(const Sight& sight) const;
     bool faces_away(const Triangle& t, const Vec3& direction) const;
     /// A ray that meets the far side of the surface first has entered the cut molecule in its section.
@@ -103,7 +108,7 @@ private:
     RayScene rays_;
     SkyLight sky_;
     SkyLight sky_from_inside_;
-    std::unique_ptr<Beside> beside_;  // nothing where no body is drawn
+    std::vector<std::unique_ptr<Beside>> beside_;  // solid bodies and clear ones, where there are any
     Lamps lamps_;
     Light background_;
     double front_;  // depth where the depth cue begins, Å

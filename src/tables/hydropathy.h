@@ -8,7 +8,8 @@
 
 namespace meniscus {
 
-/// Kyte & Doolittle, J. Mol. Biol. 157, 1982, 105-132: -4.5 (ARG) to 4.5 (ILE); nothing for what is no standard residue.
+/// Kyte & Doolittle, J. Mol. Biol. 157, 1982, 105-132: -4.5 (ARG) to 4.5 (ILE); nothing for what is no standard
+/// residue.
 std::optional<double> hydropathy_of(std::string_view standard_residue);
 
 }  // namespace meniscus

@@ -56,6 +56,19 @@ TEST(ColourVertices, OuterPiecesAreAlikeAndCavitiesAreNot) {
     EXPECT_NE(colours[first_of[3]], colours.front());
 }
 
+TEST(ColourVertices, PocketsHaveTheColoursOfTheirRanks) {
+    Mesh mesh = vertex_per_atom();
+    EXPECT_THROW(colour_vertices(mesh, small_complex(), {.scheme = ColourScheme::Pocket}), UsageError);
+    mesh.values.push_back({kPocketValues, std::vector<float>(mesh.vertices.size(), 2.0F)});
+    mesh.values[0].values[0] = 1.0F;
+    mesh.values[0].values[1] = std::numeric_limits<float>::quiet_NaN();
+    const auto colours = colour_vertices(mesh, small_complex(), {.scheme = ColourScheme::Pocket});
+    EXPECT_EQ(colours[0], distinct_colour(1));
+    EXPECT_EQ(colours[1], kNeutral);
+    EXPECT_EQ(colours[2], distinct_colour(2));
+    EXPECT_EQ(colours[2], pocket_colour(2.0F));
+}
+
 TEST(ColourVertices, WhatDoesNotFitIsRefused) {
     const Structure structure = small_complex();
     Mesh mesh = vertex_per_atom();

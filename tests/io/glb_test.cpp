@@ -83,6 +83,28 @@ TEST(Glb, LigandsAreANodeBesideTheSurface) {
     EXPECT_EQ(written_glb(mesh, {.beside = &none}).json, written_glb(mesh, {}).json);
 }
 
+TEST(Glb, NamedMeshesAreNodesInTheirColours) {
+    const Mesh mesh = full_mesh();
+    Bodies ball{.mesh = testing::projected_sphere({.centre = {9, 2, 3}, .radius = 0.5}, 0.2), .colours = {}};
+    ball.colours.assign(ball.mesh.vertices.size(), Colour{255, 0, 0, 255});
+    const std::vector<NamedMesh> named{
+        {"pocket 1", ball.mesh, {0, 255, 0, 51}}, {"pocket 2", {}, {}}, {"pocket 3", ball.mesh, {0, 0, 255, 255}}};
+    const GlbContent glb = written_glb(mesh, {.beside = &ball, .named = named});
+    EXPECT_EQ(glb.triangles, mesh.triangles);
+    EXPECT_EQ(glb.json["scenes"][0]["nodes"], (nlohmann::json{0, 1, 2, 3}));
+    EXPECT_EQ(glb.json["nodes"][2], (nlohmann::json{{"mesh", 2}, {"name", "pocket 1"}}));
+    EXPECT_EQ(glb.json["nodes"][3]["name"], "pocket 3");
+    const nlohmann::json primitive = glb.json["meshes"][2]["primitives"][0];
+    EXPECT_EQ(primitive["material"], 2);
+    EXPECT_EQ(glb.json["accessors"][primitive["attributes"]["POSITION"].get<int>()]["count"],
+              ball.mesh.vertices.size());
+    EXPECT_EQ(glb.json["accessors"][primitive["indices"].get<int>()]["count"], 3 * ball.mesh.triangles.size());
+    const nlohmann::json clear = glb.json["materials"][2];
+    EXPECT_EQ(clear["alphaMode"], "BLEND");
+    EXPECT_EQ(clear["pbrMetallicRoughness"]["baseColorFactor"], (nlohmann::json{0.0, 1.0, 0.0, 0.2}));
+    EXPECT_FALSE(glb.json["materials"][3].contains("alphaMode"));
+}
+
 TEST(Glb, TheMeshIsStillClosed) {
     const GlbContent glb = written_glb(full_mesh(), {});
     Mesh read;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "page/decoding.h"
 #include "support/small_ligand.h"
 
@@ -79,6 +81,47 @@ TEST(PageData, LigandsReadBack) {
     EXPECT_EQ(page.stream("ligand-colours").size(), 6U);
     const std::vector<std::int64_t> z = testing::sums(page.stream("ligand-z"));
     EXPECT_NEAR(ligands["atoms"]["low"][2].get<double>() + kQuantum * static_cast<double>(z[1]), carbon.z, kQuantum);
+}
+
+TEST(PageData, PocketsReadBack) {
+    SmallMolecule molecule;
+    const std::string without = page_data(molecule.mesh, molecule.structure, {}, {});
+    EXPECT_FALSE(DecodedPage(without).info.contains("pockets"));
+    Mesh bodies;
+    bodies.vertices = molecule.mesh.vertices;
+    bodies.normals = molecule.mesh.normals;
+    bodies.components.assign(bodies.vertices.size(), 0);
+    bodies.triangles = {molecule.mesh.triangles[1]};
+    molecule.mesh.values.push_back({kPocketValues, std::vector<float>(molecule.mesh.vertices.size(), 1.0F)});
+    molecule.mesh.values[0].values[0] = std::numeric_limits<float>::quiet_NaN();
+    const PageOptions options{.colours = {ColourScheme::Pocket},
+                              .pockets = {{.name = "1",
+                                           .colour = {255, 0, 128, 255},
+                                           .volume = 12.345,
+                                           .mouths = 2,
+                                           .centre = {1, 2, 3},
+                                           .lining = "A:SER 1"}},
+                              .bodies = &bodies};
+    const DecodedPage page(page_data(molecule.mesh, molecule.structure, options, {}));
+    const nlohmann::json& pocket = page.info["pockets"][0];
+    EXPECT_EQ(pocket["colour"], "#ff0080");
+    EXPECT_EQ(pocket["volume"], 12.35);
+    EXPECT_EQ(pocket["mouths"], 2);
+    EXPECT_EQ(pocket["centre"], (nlohmann::json{1.0, 2.0, 3.0}));
+    EXPECT_EQ(page.info["bodies"]["triangles"], 1);
+    EXPECT_EQ(page.info["bodies"]["vertices"], 3);
+    const std::vector<std::int64_t> y = testing::sums(page.stream("body-y"));
+    EXPECT_NEAR(page.info["low"][1].get<double>() + kQuantum * static_cast<double>(y[0]),
+                bodies.vertices[bodies.triangles[0][0]].y, kQuantum);
+    EXPECT_EQ(page.info["scheme"], "pocket");
+    for (const nlohmann::json& scheme : page.info["schemes"])
+        if (scheme["id"] == "pocket") {
+            EXPECT_EQ(scheme["kind"], "class");
+            EXPECT_EQ(scheme["colours"].size(), 1U);
+            EXPECT_EQ(scheme["none"], "#cccccc");
+            EXPECT_EQ(scheme["legend"]["entries"][0][0], "pocket 1");
+            EXPECT_EQ(scheme["legend"]["entries"][1][0], "no pocket");
+        }
 }
 
 TEST(PageData, NamesThatAreNoTextDoNotBreakIt) {

@@ -105,6 +105,40 @@ TEST(Scene, BodiesAreSeenBeforeTheSurfaceNotBehindIt) {
     }
 }
 
+TEST(Scene, BodiesAndBackgroundShineThroughAClearSurface) {
+    const ColouredMesh ball = testing::blue_sphere({.centre = {}, .radius = 2.0}, 0.2);
+    const auto seen = [&](const Bodies& bodies, double opacity) {
+        PictureOptions options = kOptions;
+        options.opacity = opacity;
+        return look(Scene({ball.mesh, ball.colours}, RayScene(ball.mesh), options, kNone, bodies), 50, 50);
+    };
+    const Light solid = seen(kNoBodies, 1.0).light;
+    const Light clear = seen(kNoBodies, 0.25).light;  // before a white background
+    EXPECT_NEAR(clear.red, 0.25F * solid.red + 0.75F, 1e-5F);
+    const Bodies red = red_ball(0.0);
+    EXPECT_EQ(seen(red, 1.0).light.green, solid.green);
+    const Glimpse through = seen(red, 0.25);
+    EXPECT_EQ(through.kind, Glimpse::Kind::Surface);
+    EXPECT_LT(through.light.green, clear.green - 0.5F);
+    EXPECT_NEAR(seen(red, 0.0).light.green, seen(red_ball(4.0), 1.0).light.green, 0.01F);
+}
+
+TEST(Scene, AClearBodyShowsWhatIsBehindIt) {
+    const ColouredMesh ball = testing::blue_sphere({.centre = {}, .radius = 2.0}, 0.2);
+    const auto seen = [&](const Bodies& bodies) {
+        return look(Scene({ball.mesh, ball.colours}, RayScene(ball.mesh), kOptions, kNone, bodies), 50, 50);
+    };
+    Bodies body = red_ball(4.0);
+    const Light solid = seen(body).light;
+    for (Colour& colour : body.colours) colour.alpha = 51;  // a fifth
+    const Glimpse clear = seen(body);
+    EXPECT_EQ(clear.kind, Glimpse::Kind::Body);
+    EXPECT_NEAR(clear.light.blue, 0.2F * solid.blue + 0.8F * seen(kNoBodies).light.blue, 1e-5F);
+    body = red_ball(0.0);
+    for (Colour& colour : body.colours) colour.alpha = 51;
+    EXPECT_EQ(seen(body).kind, Glimpse::Kind::Surface);
+}
+
 TEST(Scene, ACutLeavesBodiesWholeOrOut) {
     const ColouredMesh ball = blue_sphere({.centre = {}, .radius = 2.0}, 0.3);
     PictureOptions options = kOptions;

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+#include "pockets_drawing.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "meniscus/colours.h"
+#include "meniscus/draw_surface.h"
+#include "meniscus/ligand_bodies.h"
+#include "meniscus/mesh_part.h"
+#include "meniscus/write.h"
+
+namespace meniscus::cli {
+
+namespace {
+
+const ColourOptions kByPocket{.scheme = ColourScheme::Pocket};
+constexpr double kSeeThrough = 0.35;      // opacity of the surface in pictures
+constexpr std::uint8_t kBodyAlpha = 191;  // ligands are seen in there
+
+std::string lining_of(const DescribedPocket& pocket) {
+    constexpr std::size_t kMost = 12;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(kMost, pocket.residues.size()); ++i)
+        text.append(text.empty() ? "" : ", ").append(pocket.residues[i]);
+    if (pocket.residues.size() > kMost) text += fmt::format(" and {} more", pocket.residues.size() - kMost);
+    return text;
+}
+
+double area_of(const std::vector<PocketMouth>& mouths) {
+    double area = 0.0;
+    for (const PocketMouth& mouth : mouths) area += mouth.area;
+    return area;
+}
+
+bool is_nucleotide(const Residue& residue) {
+    constexpr std::array kNames{"A", "C", "G", "U", "DA", "DC", "DG", "DT"};
+    return std::find(kNames.begin(), kNames.end(), residue.name) != kNames.end();
+}
+
+}  // namespace
+
+DrawnPockets::DrawnPockets(const ExactSurface& exact, const Pockets& pockets, const Structure& structure,
+                           const RunOptions& run)
+    : bodies_{pocket_bodies(pockets), {}} {
+    surface_ = meniscus::mesh(exact, {}, run);
+    surface_.mesh.values.push_back(pocket_values(pockets, surface_.mesh));
+    colours_ = colour_vertices(surface_.mesh, structure, kByPocket);
+    bodies_.colours = colour_vertices(bodies_.mesh, structure, kByPocket);
+    for (Colour& colour : bodies_.colours) colour.alpha = kBodyAlpha;
+}
+
+Picture DrawnPockets::picture(const Structure& structure, const PictureRequest& request, int threads) const {
+    PictureOptions options = request.picture;
+    options.opacity = kSeeThrough;
+    options.threads = threads;
+    return draw_surface(surface_, structure, {surface_.mesh, colours_},
+                        {.picture = options,
+                         .scheme = kByPocket,
+                         .legend = request.legend,
+                         .ligands = request.ligands,
+                         .beside = bodies_});
+}
+
+std::string DrawnPockets::page(const Structure& structure, const PictureRequest& request,
+                               const std::vector<DescribedPocket>& described, int threads) const {
+    return make_page(surface_.mesh, structure,
+                     {.colours = kByPocket,
+                      .viewpoint = request.picture.viewpoint,
+                      .projection = request.picture.projection,
+                      .ligands = request.ligands,
+                      .rows = page_rows(structure, surface_),
+                      .pockets = page_pockets(described),
+                      .bodies = &bodies_.mesh,
+                      .exact = surface_.exact,
+                      .threads = threads});
+}
+
+void DrawnPockets::write_glb(const std::string& path, const Structure& structure, bool with_ligands,
+                             int threads) const {
+    std::vector<NamedMesh> named;
+    for (std::size_t v = 0; v < bodies_.mesh.components.size(); ++v) {
+        if (v > 0 && bodies_.mesh.components[v] == bodies_.mesh.components[v - 1]) continue;
+        const std::uint32_t pocket = bodies_.mesh.components[v];
+        named.push_back(
+            {fmt::format("pocket {}", pocket + 1), part_of_component(bodies_.mesh, pocket).mesh, bodies_.colours[v]});
+    }
+    const Bodies ligands = with_ligands ? ligand_bodies(structure.ligands, surface_.mesh, colours_) : Bodies{};
+    write_mesh(path, surface_.mesh,
+               {.colours = colours_,
+                .structure = &structure,
+                .beside = &ligands,
+                .named = named,
+                .probe = surface_.options.probe,
+                .shortest_edge = surface_.measures.shortest_edge,
+                .threads = threads});
+}
+
+std::string doubt_of_ranking(const Structure& structure, bool has_hetero, double spacing) {
+    std::string what;
+    if (structure.radii_set != "united") what = fmt::format("{} radii", structure.radii_set);
+    const auto add = [&](const char* more) { what.append(what.empty() ? "" : " and ").append(more); };
+    if (has_hetero) add("hetero atoms");
+    if (spacing != 1.0) add("another spacing");
+    if (std::any_of(structure.residues.begin(), structure.residues.end(), is_nucleotide)) add("nucleic acids");
+    if (what.empty()) return "";
+    return fmt::format(
+        "the ranking was fitted to heavy atoms of proteins with united radii at 1 Å; with {} its "
+        "scores are less sure, volumes and areas are not concerned",
+        what);
+}
+
+std::vector<PagePocket> page_pockets(const std::vector<DescribedPocket>& described) {
+    std::vector<PagePocket> list;
+    for (const DescribedPocket& d : described) {
+        const Pocket& p = d.pocket;
+        list.push_back({.name = d.at.empty() ? std::to_string(p.rank) : d.at,
+                        .colour = pocket_colour(static_cast<float>(p.rank)),
+                        .cavity = p.cavity,
+                        .score = p.score,
+                        .volume = p.volume,
+                        .depth = p.depth,
+                        .wall_area = p.wall_area,
+                        .mouths = p.mouths.size(),
+                        .mouth_area = area_of(p.mouths),
+                        .openings = p.openings.size(),
+                        .opening_area = area_of(p.openings),
+                        .centre = p.centre,
+                        .lining = lining_of(d)});
+    }
+    return list;
+}
+
+}  // namespace meniscus::cli

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Meniscus authors
+// SPDX-License-Identifier: Apache-2.0
+// Pockets for the eye: bodies, and the surface in their colours.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "meniscus/describe_pockets.h"
+#include "meniscus/page.h"
+#include "meniscus/picture.h"
+#include "meniscus/pockets.h"
+#include "meniscus/surface.h"
+#include "picture_options.h"
+
+namespace meniscus::cli {
+
+/// A surface in the colours of its pockets, and their bodies. Pictures and pages show it clear and the bodies in it.
+class DrawnPockets {
+public:
+    /// A mesh of the surface at its usual spacing, with the values kPocketValues.
+    ///
+    /// exact, pockets, structure   of the same atoms
+    DrawnPockets(const ExactSurface& exact, const Pockets& pockets, const Structure& structure, const RunOptions& run);
+
+    Picture picture(const Structure& structure, const PictureRequest& request, int threads) const;
+    /// Pages as HTML.
+    std::string page(const Structure& structure, const PictureRequest& request,
+                     const std::vector<DescribedPocket>& described, int threads) const;
+    /// The surface, with a node for each pocket and one for ligands.
+    void write_glb(const std::string& path, const Structure& structure, bool with_ligands, int threads) const;
+
+private:
+    Surface surface_;
+    Bodies bodies_;
+    std::vector<Colour> colours_;  // of the surface's vertices
+};
+
+/// Why the ranking is less sure than for what it was fitted to; empty if it is not.
+std::string doubt_of_ranking(const Structure& structure, bool has_hetero, double spacing);
+
+/// The list of pockets of a page.
+std::vector<PagePocket> page_pockets(const std::vector<DescribedPocket>& described);
+
+}  // namespace meniscus::cli
