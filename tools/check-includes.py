@@ -51,7 +51,7 @@ PUBLIC = {
     "exact_surface": "exact", "field": "pipeline", "file_words": "file_words", "flow": "flow",
     "interfaces": "exact", "legend": "colours", "ligand_bodies": "sticks",
     "level_set": "grid", "level_set_file": "io", "measures": "exact", "mesh_part": "mesh", "mesh_quality": "measure",
-    "named_atoms": "structure", "page": "page", "pockets": "pockets", "pocket_chemistry": "tables", "picture": "render", "radii": "radii", "read_mesh": "mesh_io", "remesh": "remesh",
+    "named_atoms": "structure", "page": "page", "pockets": "pockets", "pocket_chemistry": "tables", "pocket_places": "tables", "pocket_tracks": "pockets", "picture": "render", "radii": "radii", "read_mesh": "mesh_io", "remesh": "remesh",
     "sample": "pipeline", "structure": "structure", "surface": "pipeline", "tables": "tables", "vertex_values": "values",
     "volume_file": "volume", "words": "pipeline", "write": "io",
 }
