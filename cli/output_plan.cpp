@@ -48,10 +48,12 @@ constexpr std::array kMeasureSuffixes{
 };
 
 constexpr std::array kPocketsSuffixes{
-    Suffix{".csv", OutputKind::Table},         Suffix{".json", OutputKind::Table}, Suffix{".pdb", OutputKind::StructureCopy},
-    Suffix{".cif", OutputKind::StructureCopy}, Suffix{".dx", OutputKind::Volume},  Suffix{".mrc", OutputKind::Volume},
-    Suffix{".vdb", OutputKind::Volume},        Suffix{".ply", OutputKind::Mesh},   Suffix{".glb", OutputKind::Mesh},
-    Suffix{".png", OutputKind::Picture},       Suffix{".html", OutputKind::Page},
+    Suffix{".csv", OutputKind::Table},         Suffix{".json", OutputKind::Table},
+    Suffix{".pdb", OutputKind::StructureCopy}, Suffix{".cif", OutputKind::StructureCopy},
+    Suffix{".dx", OutputKind::Volume},         Suffix{".mrc", OutputKind::Volume},
+    Suffix{".vdb", OutputKind::Volume},        Suffix{".ply", OutputKind::Mesh},
+    Suffix{".glb", OutputKind::Mesh},          Suffix{".png", OutputKind::Picture},
+    Suffix{".html", OutputKind::Page},
 };
 
 constexpr std::array kHistorySuffixes{
@@ -142,8 +144,7 @@ std::vector<Output> plan_measure_outputs(const std::vector<std::string>& asked, 
 std::vector<Output> plan_pockets_outputs(const std::vector<std::string>& asked, const std::string& mark) {
     std::vector<Output> plan;
     plan.reserve(asked.size());
-    for (const std::string& path : asked)
-        plan.push_back({with_mark(path, mark), find_kind(kPocketsSuffixes, path)});
+    for (const std::string& path : asked) plan.push_back({with_mark(path, mark), find_kind(kPocketsSuffixes, path)});
     return plan;
 }
 

@@ -54,7 +54,8 @@ std::string place_lines(const DescribedPocket& described) {
     if (described.at.empty()) return "";
     const Pocket& p = described.pocket;
     std::string text = fmt::format("        at {}", one_line(described.at));
-    text += p.site == 0 ? ", which no site of the ranking is near" : fmt::format(", near site {} of the ranking", p.site);
+    text +=
+        p.site == 0 ? ", which no site of the ranking is near" : fmt::format(", near site {} of the ranking", p.site);
     if (described.ligand) {
         const LigandFit& ligand = *described.ligand;
         text += fmt::format("; {} of {} atoms inside, {:.0f} % of {:.1f} Å² buried", ligand.inside, ligand.atoms,
@@ -66,7 +67,8 @@ std::string place_lines(const DescribedPocket& described) {
 std::string row_of(const DescribedPocket& described) {
     const Pocket& p = described.pocket;
     return fmt::format("  {:>5} {:>8.2f} {:>6.2f} {:>10.1f} {:>9.1f} {:>8.1f} {:>7}  {}\n", p.rank, p.score,
-                       p.probability, p.volume, p.wall_area, p.depth, p.cavity ? "cavity" : "", first_residues(described.residues)) +
+                       p.probability, p.volume, p.wall_area, p.depth, p.cavity ? "cavity" : "",
+                       first_residues(described.residues)) +
            place_lines(described);
 }
 
@@ -112,7 +114,8 @@ private:
     }
 
     void compute(const Job& job) override {
-        if (const std::string doubt = doubt_of_ranking(job.structure, request_.read.hetero != HeteroPolicy::None, request_.pockets.spacing);
+        if (const std::string doubt =
+                doubt_of_ranking(job.structure, request_.read.hetero != HeteroPolicy::None, request_.pockets.spacing);
             !doubt.empty())
             note(doubt);
         Stopwatch watch;
@@ -135,7 +138,10 @@ private:
 
     /// What is seen: a surface with pockets, and bodies alone for meshes without a surface.
     void draw(const Job& job, const ExactSurface& exact, const RunOptions& run) {
-        const auto needs_surface = [](const Output& output) { return suffix_of(output.path) == ".glb" || output.kind == OutputKind::Picture || output.kind == OutputKind::Page; };
+        const auto needs_surface = [](const Output& output) {
+            return suffix_of(output.path) == ".glb" || output.kind == OutputKind::Picture ||
+                   output.kind == OutputKind::Page;
+        };
         drawn_.reset();
         if (std::none_of(job.outputs.begin(), job.outputs.end(), needs_surface)) return;
         drawn_.emplace(exact, pockets_, job.structure, run);
@@ -200,12 +206,13 @@ private:
         const std::vector<DescribedTrack> tracks = described_tracks();
         for (const DescribedTrack& d : tracks) {
             if (rows++ == kMostTracks) break;
-            text += fmt::format("  {:>5} {:>7} {:>5} {:>14} {:>16} {:>14}  {}\n", d.number, d.track.models, d.track.open,
-                                spread_text(d.track.score), spread_text(d.track.volume),
+            text += fmt::format("  {:>5} {:>7} {:>5} {:>14} {:>16} {:>14}  {}\n", d.number, d.track.models,
+                                d.track.open, spread_text(d.track.score), spread_text(d.track.volume),
                                 spread_text(d.track.mouth_radius), first_residues(d.residues));
         }
         if (tracks.size() > kMostTracks)
-            text += fmt::format("        and {} more; list all with --over-models FILE.csv\n", tracks.size() - kMostTracks);
+            text +=
+                fmt::format("        and {} more; list all with --over-models FILE.csv\n", tracks.size() - kMostTracks);
         return text;
     }
 
@@ -231,7 +238,8 @@ private:
         std::string list = disputed_patches(agreed_, disputed_);
         for (const Check& check : pocket_checks(pockets_))
             if (!check.passed)
-                list += fmt::format("{}{} ({:g}, bound {:g})", list.empty() ? "" : ", ", check.name, check.value, check.bound);
+                list += fmt::format("{}{} ({:g}, bound {:g})", list.empty() ? "" : ", ", check.name, check.value,
+                                    check.bound);
         return list;
     }
 
@@ -240,10 +248,10 @@ private:
     }
 
     std::string summary(const Job& job, const RunFacts& facts) const override {
-        std::string text = fmt::format("{}: {}, {}, probes {} and {} Å\n", one_line(input_label(job.structure.file)),
-                                       counted(job.structure.atoms.size(), "atom", "atoms"),
-                                       describe_radii(job.structure.radii_set), request_.pockets.probe,
-                                       request_.pockets.large_probe);
+        std::string text =
+            fmt::format("{}: {}, {}, probes {} and {} Å\n", one_line(input_label(job.structure.file)),
+                        counted(job.structure.atoms.size(), "atom", "atoms"), describe_radii(job.structure.radii_set),
+                        request_.pockets.probe, request_.pockets.large_probe);
         text += summary_line("pocket space", fmt::format("{:.2f} Å³, of which {:.2f} Å³ in no pocket", pockets_.volume,
                                                          pockets_.rest_volume));
         text += described_.empty() ? summary_line("pockets", "none")
@@ -255,7 +263,8 @@ private:
             if (ranked || cavities++ < kMostUnranked) text += row_of(pocket);
         }
         if (cavities > kMostUnranked)
-            text += fmt::format("        and {} smaller cavities; list all with -o FILE.csv\n", cavities - kMostUnranked);
+            text +=
+                fmt::format("        and {} smaller cavities; list all with -o FILE.csv\n", cavities - kMostUnranked);
         text += describe_checks(facts.checks);
         return text + describe_run(facts) + describe_files(job.outputs);
     }

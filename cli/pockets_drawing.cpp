@@ -19,7 +19,7 @@ namespace meniscus::cli {
 namespace {
 
 const ColourOptions kByPocket{.scheme = ColourScheme::Pocket};
-constexpr double kSeeThrough = 0.35;     // opacity of the surface in pictures
+constexpr double kSeeThrough = 0.35;      // opacity of the surface in pictures
 constexpr std::uint8_t kBodyAlpha = 191;  // ligands are seen in there
 
 std::string lining_of(const DescribedPocket& pocket) {
@@ -86,8 +86,8 @@ void DrawnPockets::write_glb(const std::string& path, const Structure& structure
     for (std::size_t v = 0; v < bodies_.mesh.components.size(); ++v) {
         if (v > 0 && bodies_.mesh.components[v] == bodies_.mesh.components[v - 1]) continue;
         const std::uint32_t pocket = bodies_.mesh.components[v];
-        named.push_back({fmt::format("pocket {}", pocket + 1), part_of_component(bodies_.mesh, pocket).mesh,
-                         bodies_.colours[v]});
+        named.push_back(
+            {fmt::format("pocket {}", pocket + 1), part_of_component(bodies_.mesh, pocket).mesh, bodies_.colours[v]});
     }
     const Bodies ligands = with_ligands ? ligand_bodies(structure.ligands, surface_.mesh, colours_) : Bodies{};
     write_mesh(path, surface_.mesh,
@@ -108,9 +108,10 @@ std::string doubt_of_ranking(const Structure& structure, bool has_hetero, double
     if (spacing != 1.0) add("another spacing");
     if (std::any_of(structure.residues.begin(), structure.residues.end(), is_nucleotide)) add("nucleic acids");
     if (what.empty()) return "";
-    return fmt::format("the ranking was fitted to heavy atoms of proteins with united radii at 1 Å; with {} its "
-                       "scores are less sure, volumes and areas are not concerned",
-                       what);
+    return fmt::format(
+        "the ranking was fitted to heavy atoms of proteins with united radii at 1 Å; with {} its "
+        "scores are less sure, volumes and areas are not concerned",
+        what);
 }
 
 std::vector<PagePocket> page_pockets(const std::vector<DescribedPocket>& described) {

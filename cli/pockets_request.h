@@ -18,9 +18,9 @@ namespace meniscus::cli {
 struct PocketsRequest : CommonRequest {
     PocketOptions pockets;
     RunOptions run;
-    std::vector<std::string> at;      ///< --at, in order
-    std::optional<double> at_reach;   ///< --at-reach, Å
-    std::string over_models;          ///< --over-models: path, empty for none
+    std::vector<std::string> at;     ///< --at, in order
+    std::optional<double> at_reach;  ///< --at-reach, Å
+    std::string over_models;         ///< --over-models: path, empty for none
     PictureRequest picture{};
     VolumeContent field = VolumeContent::Pockets;  ///< --field, of volumes
 };

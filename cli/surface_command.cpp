@@ -196,7 +196,9 @@ private:
         pockets_.reset();
         if (request_.picture.colours.scheme != ColourScheme::Pocket) return;
         const PocketOptions options;
-        if (const std::string doubt = doubt_of_ranking(structure, request_.read.hetero.value_or(HeteroPolicy::None) != HeteroPolicy::None, options.spacing); !doubt.empty())
+        if (const std::string doubt = doubt_of_ranking(
+                structure, request_.read.hetero.value_or(HeteroPolicy::None) != HeteroPolicy::None, options.spacing);
+            !doubt.empty())
             note("--color pocket: " + doubt);
         RunOptions run = request_.run;
         run.observer = {};

@@ -39,15 +39,15 @@ struct PagePocket {
     Colour colour;
     bool cavity = false;
     double score = 0.0;
-    double volume = 0.0;      ///< Å³
-    double depth = 0.0;       ///< Å
-    double wall_area = 0.0;   ///< Å²
+    double volume = 0.0;     ///< Å³
+    double depth = 0.0;      ///< Å
+    double wall_area = 0.0;  ///< Å²
     std::size_t mouths = 0;
     double mouth_area = 0.0;  ///< of all of them, Å²
     std::size_t openings = 0;
     double opening_area = 0.0;  ///< of all of them, Å²
-    Vec3 centre;              ///< Å
-    std::string lining{};     ///< residues, as text
+    Vec3 centre;                ///< Å
+    std::string lining{};       ///< residues, as text
 };
 
 /// What a page shows.

@@ -55,7 +55,7 @@ struct Cut {
 /// What is seen beside a surface without belonging to it: closed bodies, with one colour per vertex. A cut leaves them
 /// whole, or out where it keeps nothing of them.
 struct Bodies {
-    Mesh mesh;  ///< with normals; `components` number the bodies
+    Mesh mesh;                    ///< with normals; `components` number the bodies
     std::vector<Colour> colours;  ///< alpha is the opacity of the whole body
 };
 

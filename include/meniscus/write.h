@@ -44,7 +44,7 @@ struct WriteOptions {
     std::span<const Colour> colours{};     ///< one per vertex, or none; written by PLY, GLB, VTP and NPZ
     const Structure* structure = nullptr;  ///< the structure that Mesh::atoms index; adds the vertex array `residue`
     const Bodies* beside = nullptr;        ///< ligands; written by GLB as a node of that name beside the surface
-    std::span<const NamedMesh> named{};  ///< pockets; written by GLB as a node each
+    std::span<const NamedMesh> named{};    ///< pockets; written by GLB as a node each
     const SurfaceOptions* computed_with = nullptr;  ///< written by NPZ together with the structure
     std::optional<double> probe{};                  ///< probe radius, Å; written by GLB, VTP and MSMS pairs
     /// A lower bound of the length of all edges, Å, such as MeshMeasures::shortest_edge, to save a search; 0: unknown.

@@ -135,7 +135,8 @@ public:
         add_triangles();
         if (options.beside != nullptr && !options.beside->mesh.triangles.empty()) add_ligands(*options.beside);
         for (const NamedMesh& named : options.named)
-            if (!named.mesh.triangles.empty()) add_node(named.name, add_shape(named.mesh), colour_material(named.colour));
+            if (!named.mesh.triangles.empty())
+                add_node(named.name, add_shape(named.mesh), colour_material(named.colour));
     }
 
     void write() {
@@ -246,7 +247,8 @@ private:
     static ordered_json colour_material(const Colour& colour) {
         ordered_json coloured = look();
         const auto light = [](std::uint8_t channel) { return linear_from_srgb(channel / 255.0); };
-        coloured["baseColorFactor"] = {light(colour.red), light(colour.green), light(colour.blue), colour.alpha / 255.0};
+        coloured["baseColorFactor"] = {light(colour.red), light(colour.green), light(colour.blue),
+                                       colour.alpha / 255.0};
         ordered_json material{{"pbrMetallicRoughness", coloured}};
         if (colour.alpha < 255) material["alphaMode"] = "BLEND";
         return material;
@@ -359,7 +361,7 @@ private:
     std::size_t corners_ = 0;  // the section of the surface's triangles
     ordered_json attributes_;
     std::vector<NodeBeside> beside_;  // the surface
-    ordered_json missing_;  // by attribute, the number that stands for none
+    ordered_json missing_;            // by attribute, the number that stands for none
 };
 
 }  // namespace

@@ -52,7 +52,8 @@ std::string picture_by(const page::VertexExtras& extras, const Mesh& mesh, const
     const Bodies ligands =
         options.ligands ? ligand_bodies(structure.ligands, mesh, page::colours_shown(mesh, structure, options.colours))
                         : Bodies{};
-    return encode_png(draw_picture_by(extras.sky, mesh, colours, still_picture(options), joined(ligands, bodies_of(options))));
+    return encode_png(
+        draw_picture_by(extras.sky, mesh, colours, still_picture(options), joined(ligands, bodies_of(options))));
 }
 
 }  // namespace

@@ -150,7 +150,8 @@ std::vector<Scene::Sight> Scene::sights_of(const Beside& bodies, std::span<const
         const std::span<const Sight> few = along.first(std::min(rays.size(), along.size()));
         std::transform(few.begin(), few.end(), rays.begin(), [](const Sight& sight) { return sight.ray; });
         bodies.rays.first_hits(std::span(rays).first(few.size()), std::numeric_limits<double>::infinity(), hits);
-        for (std::size_t i = 0; i < few.size(); ++i) sights.push_back({.ray = rays[i], .hit = hits[i], .body = &bodies});
+        for (std::size_t i = 0; i < few.size(); ++i)
+            sights.push_back({.ray = rays[i], .hit = hits[i], .body = &bodies});
     }
     return sights;
 }
@@ -199,7 +200,8 @@ Glimpse Scene::glimpse_of(const Sight& sight) const {
     if (shows_section(sight))
         return glimpse(Glimpse::Kind::Section, to_light(kSection),
                        ray.origin + kept_->part_of_ray(ray.origin, ray.direction).begin * ray.direction);
-    return glimpse(sight.body != nullptr ? Glimpse::Kind::Body : Glimpse::Kind::Surface, light_from(sight), sight.point());
+    return glimpse(sight.body != nullptr ? Glimpse::Kind::Body : Glimpse::Kind::Surface, light_from(sight),
+                   sight.point());
 }
 
 /// What is seen of a surface and bodies along one ray, through those that are clear.

@@ -87,8 +87,8 @@ TEST(Glb, NamedMeshesAreNodesInTheirColours) {
     const Mesh mesh = full_mesh();
     Bodies ball{.mesh = testing::projected_sphere({.centre = {9, 2, 3}, .radius = 0.5}, 0.2), .colours = {}};
     ball.colours.assign(ball.mesh.vertices.size(), Colour{255, 0, 0, 255});
-    const std::vector<NamedMesh> named{{"pocket 1", ball.mesh, {0, 255, 0, 51}}, {"pocket 2", {}, {}},
-                                       {"pocket 3", ball.mesh, {0, 0, 255, 255}}};
+    const std::vector<NamedMesh> named{
+        {"pocket 1", ball.mesh, {0, 255, 0, 51}}, {"pocket 2", {}, {}}, {"pocket 3", ball.mesh, {0, 0, 255, 255}}};
     const GlbContent glb = written_glb(mesh, {.beside = &ball, .named = named});
     EXPECT_EQ(glb.triangles, mesh.triangles);
     EXPECT_EQ(glb.json["scenes"][0]["nodes"], (nlohmann::json{0, 1, 2, 3}));

@@ -95,8 +95,12 @@ TEST(PageData, PocketsReadBack) {
     molecule.mesh.values.push_back({kPocketValues, std::vector<float>(molecule.mesh.vertices.size(), 1.0F)});
     molecule.mesh.values[0].values[0] = std::numeric_limits<float>::quiet_NaN();
     const PageOptions options{.colours = {ColourScheme::Pocket},
-                              .pockets = {{.name = "1", .colour = {255, 0, 128, 255}, .volume = 12.345, .mouths = 2,
-                                           .centre = {1, 2, 3}, .lining = "A:SER 1"}},
+                              .pockets = {{.name = "1",
+                                           .colour = {255, 0, 128, 255},
+                                           .volume = 12.345,
+                                           .mouths = 2,
+                                           .centre = {1, 2, 3},
+                                           .lining = "A:SER 1"}},
                               .bodies = &bodies};
     const DecodedPage page(page_data(molecule.mesh, molecule.structure, options, {}));
     const nlohmann::json& pocket = page.info["pockets"][0];
