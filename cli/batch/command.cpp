@@ -25,7 +25,7 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  meniscus batch measure structures --out results        every file of a folder\n"
     "  meniscus batch surface a.pdb b.cif --out meshes -o .ply  a mesh for each\n"
-    "Options: meniscus help batch measure, meniscus help batch surface.";
+    "Options: meniscus help batch measure, and so for surface and pockets.";
 
 constexpr std::size_t kMostRows = 50;  // of failures that are shown
 

@@ -15,6 +15,7 @@
 #include "meniscus/errors.h"
 #include "option_words.h"
 #include "output_plan.h"
+#include "pockets_request.h"
 #include "surface_request.h"
 
 namespace meniscus::cli::batch {
@@ -65,10 +66,19 @@ void check_ending(const char* option, const std::string& ending) {
         throw UsageError(fmt::format("{} {}: an ending cannot contain a folder", option, ending));
 }
 
+void check_kind(const std::string& command, const std::string& path) {
+    if (command == "surface")
+        kind_of(path);
+    else if (command == "measure")
+        measure_kind_of(path);
+    else
+        plan_pockets_outputs({path}, "");
+}
+
 void check_endings(const Request& request) {
     for (const std::string& ending : request.endings) {
         check_ending("-o", ending);
-        request.command == "surface" ? kind_of("NAME" + ending) : measure_kind_of("NAME" + ending);
+        check_kind(request.command, "NAME" + ending);
     }
     if (request.history.empty()) return;
     check_ending("--history", request.history);
@@ -191,12 +201,25 @@ void add_measure(CLI::App& batch, Request& request, const std::function<void()>&
     complete_subcommand(command, request, take, run);
 }
 
+void add_pockets(CLI::App& batch, Request& request, const std::function<void()>& run) {
+    CLI::App& command = *batch.add_subcommand("pockets", "The pockets of every input");
+    const auto given = std::make_shared<PocketsRequest>();
+    add_pockets_options(command, *given);
+    command.remove_option(command.get_option("--over-models"));  // one file for all
+    const auto take = [&request, given]() -> const CommonRequest& {
+        request.threads = given->run.threads;
+        return *given;
+    };
+    complete_subcommand(command, request, take, run);
+}
+
 }  // namespace
 
 void add_subcommands(CLI::App& batch, Request& request, const std::function<void()>& run) {
     batch.require_subcommand(1);
     add_surface(batch, request, run);
     add_measure(batch, request, run);
+    add_pockets(batch, request, run);
 }
 
 }  // namespace meniscus::cli::batch

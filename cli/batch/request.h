@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Meniscus authors
 // SPDX-License-Identifier: Apache-2.0
-// What `meniscus batch surface|measure` is asked to do, and the options that ask it.
+// What `meniscus batch surface|measure|pockets` is asked to do, and the options that ask it.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ class App;
 namespace meniscus::cli::batch {
 
 struct Request {
-    std::string command;               ///< "surface" or "measure"
+    std::string command;               ///< "surface", "measure" or "pockets"
     std::vector<std::string> options;  ///< of the subcommand, as every process gets them
     std::vector<std::string> endings;  ///< of outputs: ".ply"; they follow an input's name
     std::string history;               ///< ending of records of the flow, or empty

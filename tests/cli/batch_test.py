@@ -58,6 +58,18 @@ class Results(BatchTest):
                        capture_output=True, check=True)
         self.assertEqual((self.folder / "x.stl").read_bytes(), files["c/deep/m2.stl"])
 
+    def test_pockets_of_every_input(self):
+        self.batch("pockets", "in", "--out", "out", "--radii", "auto", "-o", ".csv", "-o", ".ply", code=6)
+        result = next(r for r in self.results() if r["input"] == "a/deep/m9.xyzr")
+        self.assertEqual(result["outputs"], ["a/deep/m9.csv", "a/deep/m9.ply"])
+        rows = (self.folder / "out/a/deep/m9.csv").read_text().splitlines()
+        self.assertEqual(len(result["report"]["pockets"]), len(rows) - 1)
+        subprocess.run([PROGRAM, "pockets", self.inputs / "a/deep/m9.xyzr", "--radii", "auto", "-o", self.folder / "x.ply"],
+                       capture_output=True, check=True)
+        self.assertEqual((self.folder / "x.ply").read_bytes(), (self.folder / "out/a/deep/m9.ply").read_bytes())
+        refused = self.batch("pockets", "in", "--out", "out2", "-o", ".stl", code=2)
+        self.assertIn("unknown suffix", refused.stderr)
+
     def test_a_mesh_is_the_default_of_surface(self):
         self.batch("surface", "in/top.XYZR", "--out", "out", "--spacing", "1")
         self.assertEqual(sorted(contents(self.folder / "out")), ["results.jsonl", "top.atoms.csv", "top.ply"])

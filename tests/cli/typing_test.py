@@ -130,7 +130,7 @@ class Words(Typing):
             ("surface",): "INPUT: missing; see meniscus surface --help",
             ("compare", "a.pdb"): "B: missing; see meniscus compare --help",
             (): "no subcommand; write meniscus surface|measure|pockets|compare|batch; see meniscus --help",
-            ("batch", "foo"): "no subcommand; write meniscus batch surface|measure",
+            ("batch", "foo"): "no subcommand; write meniscus batch surface|measure|pockets",
             ("batch", "measure", "a.pdb"): "--out: missing",
             ("surface", "a.pdb", "--edge", "1", "--vertex-density", "2"): "cannot be combined; give one of them",
             ("surface", "a.pdb", "--probe"): "--probe: a value is missing; write --probe R",
