@@ -238,7 +238,7 @@ class Made(Typing):
         self.assertEqual(self.complete("sur"), ["surface"])
         self.assertEqual(self.complete(""), [*SUBCOMMANDS, "help"])
         self.assertEqual(self.complete("help", "me"), ["measure"])
-        self.assertEqual(self.complete("batch", ""), ["surface", "measure"])
+        self.assertEqual(self.complete("batch", ""), ["surface", "measure", "pockets"])
         self.assertEqual(self.complete("surface", "--meth"), ["--method"])
         self.assertEqual(self.complete("surface", "--method", ""), ["flow", "direct", "gaussian"])
         self.assertEqual(self.complete("surface", "a.pdb", "--method", "=", "d"), ["direct"])
@@ -273,7 +273,7 @@ class Made(Typing):
         pages = [self.run_program("--man", *name).stdout for name in ((), *((name,) for name in SUBCOMMANDS))]
         pages += [page.read_bytes() for page in (SOURCE / "cli" / "dropins" / "man1").glob("*.1")
                   if not page.read_text().startswith(".so")]
-        self.assertEqual(len(pages), 8)
+        self.assertEqual(len(pages), 9)
         for page in pages:
             self.assertTrue(page.isascii())
             result = subprocess.run(["groff", "-man", "-ww", "-Tutf8"], input=page, capture_output=True, check=False)
