@@ -102,7 +102,7 @@ class DrawnPocketsTest(ProgramTest):
             self.assertIn(options[0], result.stderr)
 
     def test_surfaces_in_the_colours_of_pockets(self):
-        result = self.surface(UBIQUITIN, "--color", "pocket", "-o", "s.ply", "-o", "s.html")
+        result = self.surface(UBIQUITIN, "--color", "pocket", "-o", "s.ply", "-o", "s.html", "--radii", "bondi")
         self.assertIn("the ranking was fitted to", result.stderr)
         columns, _ = read_ply(self.folder / "s.ply")
         colours = {}
@@ -117,7 +117,7 @@ class DrawnPocketsTest(ProgramTest):
 
     def test_a_cavity_alone(self):
         (self.folder / "shell.xyzr").write_text(SHELL)
-        self.pockets("shell.xyzr", "--radii", "auto", "-o", "p.ply", "-o", "p.html", "-o", "p.glb", "-o", "p.png", "--size", "40x30")
+        self.pockets("shell.xyzr", "--radii", "auto", "--spacing", "0.5", "-o", "p.ply", "-o", "p.html", "-o", "p.glb", "-o", "p.png", "--size", "40x30")
         self.assertTrue(any(p["cavity"] for p in page_info(self.folder / "p.html")["pockets"]))
 
     def test_nothing_to_draw(self):

@@ -238,7 +238,7 @@ class Made(Typing):
         self.assertEqual(self.complete("sur"), ["surface"])
         self.assertEqual(self.complete(""), [*SUBCOMMANDS, "help"])
         self.assertEqual(self.complete("help", "me"), ["measure"])
-        self.assertEqual(self.complete("batch", ""), ["surface", "measure"])
+        self.assertEqual(self.complete("batch", ""), ["surface", "measure", "pockets"])
         self.assertEqual(self.complete("surface", "--meth"), ["--method"])
         self.assertEqual(self.complete("surface", "--method", ""), ["flow", "direct", "gaussian"])
         self.assertEqual(self.complete("surface", "a.pdb", "--method", "=", "d"), ["direct"])

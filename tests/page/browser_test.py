@@ -96,6 +96,9 @@ class PageTest(unittest.TestCase):
             subprocess.run([MENISCUS, "surface", source, *more, "-o", cls.folder / f"{name}.html", "--report",
                             cls.folder / f"{name}.json", "--quiet", "--spacing", "0.8"], check=True, stderr=subprocess.DEVNULL)
             cls.report[name] = json.loads((cls.folder / f"{name}.json").read_text(encoding="utf-8"))
+        subprocess.run([MENISCUS, "pockets", ROOT / "examples" / "1ubq.pdb", "-o", cls.folder / "pockets.html", "--report",
+                        cls.folder / "pockets.json", "--quiet", "--count", "3"], check=True, stderr=subprocess.DEVNULL)
+        cls.report["pockets"] = json.loads((cls.folder / "pockets.json").read_text(encoding="utf-8"))
         cls.browser = start_browser(cls.folder / "profile")
 
     @classmethod
@@ -265,6 +268,26 @@ class PageTest(unittest.TestCase):
         for a, b in zip(centre, cavities[0]["centre"]):
             self.assertAlmostEqual(a, b, places=3)
         self.assertLess(self.js("return meniscus.surface.opacity"), 1)
+
+    def test_pockets_are_bodies_listed_and_flown_to(self):
+        self.load("pockets")
+        pockets = self.report["pockets"]["pockets"]
+        rows = self.js("return [...document.getElementById('pocket-list').rows].map(row => row.innerText)")
+        self.assertEqual(len(rows), len(pockets))
+        self.assertIn(f"{pockets[0]['score']:.2f}", rows[0])
+        self.assertLess(self.js("return meniscus.surface.opacity"), 1)
+        with_bodies = self.pixels()
+        self.click("#bodies")
+        self.assertNotEqual(self.pixels(), with_bodies)
+        self.click("#bodies")
+        self.assertEqual(self.pixels(), with_bodies)
+        half = self.js("return meniscus.controls.view.half")
+        self.click("#pocket-list tr:nth-child(2) button")
+        self.wait(f"meniscus.controls.view.half !== {half} && !meniscus.controls.flying")
+        centre = self.js("return meniscus.controls.view.centre.toArray().map((c, k) => c + meniscus.info.low[k])")
+        for a, b in zip(centre, pockets[1]["centre"]):
+            self.assertAlmostEqual(a, b, places=3)
+        self.assertEqual(self.js("return document.getElementById('picked-name').innerText"), "Pocket 2")
 
     def test_the_list_of_cavities_names_the_ligands_left_out(self):
         for page, shown in (("shell", None), ("ligand", "Ligands that may fill them were left out: 1 LIG")):
