@@ -36,7 +36,7 @@ from ._map import map
 from ._measures import Measures
 from ._nearest import Nearest
 from ._nouns import RunOptions
-from ._pockets import Mouth, Pocket, Pockets, pockets
+from ._pockets import LigandFit, Mouth, Pocket, Pockets, pockets
 from ._points import Points
 from ._radii import radii
 from ._reading import ReadOptions, read, read_models
@@ -53,6 +53,7 @@ __all__ = [
     "ExactSurface",
     "InputError",
     "Interface",
+    "LigandFit",
     "LimitError",
     "Measures",
     "Meshing",
