@@ -43,6 +43,7 @@ from ._reading import ReadOptions, read, read_models
 from ._structure import Structure
 from ._sums import Sum
 from ._surface import Surface
+from ._tunnels import Pore, Tunnel, pore
 
 __all__ = [
     "CheckWarning",
@@ -63,6 +64,7 @@ __all__ = [
     "Pocket",
     "Pockets",
     "Points",
+    "Pore",
     "ReadOptions",
     "ReadWarning",
     "RunOptions",
@@ -70,6 +72,7 @@ __all__ = [
     "Sum",
     "Surface",
     "SurfaceOptions",
+    "Tunnel",
     "UsageError",
     "__version__",
     "compare",
@@ -82,6 +85,7 @@ __all__ = [
     "map",
     "measure",
     "pockets",
+    "pore",
     "radii",
     "read",
     "read_models",

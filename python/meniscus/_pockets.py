@@ -21,6 +21,7 @@ from ._meshing import with_keywords, with_run
 from ._nouns import NOT_GIVEN, RunOptions
 from ._reading import Reading, ReadOptions
 from ._structure import Structure
+from ._tunnels import Tunnel
 
 if TYPE_CHECKING:
     import pandas  # type: ignore[import]
@@ -266,6 +267,52 @@ class Pockets:
         if self._voxels is None:
             self._voxels = self._core.voxels
         return dict(self._voxels)
+
+    def tunnels(self, from_: str | ArrayLike | Sequence[str | ArrayLike] | None = None, radius: float = 0.9,
+                count: int = 3, *, threads: int = 0) -> list[Tunnel]:
+        """The widest ways to the bulk, as ``meniscus pockets --tunnels`` finds them.
+
+        Parameters
+        ----------
+        from_ : str, array_like, shape (3,) or (n, 3), or list of these, optional
+            Where they begin: in the middle of the atoms that a text selects, or at points, Å. By default in every pocket.
+        radius : float, default 0.9
+            Least radius of their bottlenecks, Å.
+        count : int, default 3
+            Number of tunnels from each start.
+        threads : int, default 0
+            0: all cores; results do not depend on it.
+
+        Returns
+        -------
+        list of Tunnel
+            By start, the widest first.
+
+        Raises
+        ------
+        UsageError
+            For invalid starts or options.
+        """
+        ranks: list[int | None]
+        if from_ is None:
+            begin = [pocket for pocket in self.pockets if len(pocket.voxels) or pocket.cavity]
+            starts, ranks = [pocket.deepest for pocket in begin], [pocket.rank for pocket in begin]
+        else:
+            starts = self._starts(from_)
+            ranks = [None] * len(starts)
+        least, most = _options.positive("radius", radius), _options.from_one("count", count)
+        found = _core.tunnels(self._structure._core, positions("from_", starts), least, most,
+                              self.totals["large_probe"], _options.count("threads", threads)) if starts else []
+        return [Tunnel(pocket=ranks[start], rank=rank, **way) for start, rank, way in found]
+
+    def _starts(self, given: Any) -> list[Any]:
+        if isinstance(given, str):
+            middle = self._structure.xyz[self._structure.select(given)].sum(axis=0)
+            return [middle * (1.0 / len(self._structure.select(given)))]
+        if isinstance(given, (list, tuple)) and any(isinstance(item, str) for item in given):
+            return [start for item in given for start in self._starts(item)]
+        array = as_array("from_", given)
+        return list(positions("from_", array.reshape(1, 3) if array.shape == (3,) else array))
 
     def table(self) -> dict[str, list[Any]]:
         """The pockets as a list per column.
