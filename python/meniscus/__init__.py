@@ -36,13 +36,14 @@ from ._map import map
 from ._measures import Measures
 from ._nearest import Nearest
 from ._nouns import RunOptions
-from ._pockets import Mouth, Pocket, Pockets, pockets
+from ._pockets import LigandFit, Mouth, Pocket, Pockets, pockets
 from ._points import Points
 from ._radii import radii
 from ._reading import ReadOptions, read, read_models
 from ._structure import Structure
 from ._sums import Sum
 from ._surface import Surface
+from ._tunnels import Pore, Tunnel, pore
 
 __all__ = [
     "CheckWarning",
@@ -53,6 +54,7 @@ __all__ = [
     "ExactSurface",
     "InputError",
     "Interface",
+    "LigandFit",
     "LimitError",
     "Measures",
     "Meshing",
@@ -62,6 +64,7 @@ __all__ = [
     "Pocket",
     "Pockets",
     "Points",
+    "Pore",
     "ReadOptions",
     "ReadWarning",
     "RunOptions",
@@ -69,6 +72,7 @@ __all__ = [
     "Sum",
     "Surface",
     "SurfaceOptions",
+    "Tunnel",
     "UsageError",
     "__version__",
     "compare",
@@ -81,6 +85,7 @@ __all__ = [
     "map",
     "measure",
     "pockets",
+    "pore",
     "radii",
     "read",
     "read_models",

@@ -85,3 +85,33 @@ def as_structure(atoms: Atoms, sizes: Radii | None, reading: Mapping[str, object
     if isinstance(sizes, (str, os.PathLike)):
         raise TypeError(f"radii: must be numbers with an array of centres; see meniscus.radii(set={sizes!r})")
     return Structure.from_arrays(atoms, sizes)  # type: ignore[arg-type]
+
+
+def read_for_pockets(atoms: Atoms, radii: Radii | None, reading: ReadOptions | None,
+                     keywords: Mapping[str, Any]) -> tuple[Radii | None, Mapping[str, Any]]:
+    """United radii and no hetero atoms, as the ranking of pockets was fitted, where something is read and the caller
+    does not say otherwise."""
+    if not is_source(atoms):
+        return radii, keywords
+    if radii is None and (reading is None or reading.radii == "auto"):
+        radii = "united"
+    if "hetero" not in keywords and (reading is None or reading.hetero is None):
+        keywords = {**keywords, "hetero": "none"}
+    return radii, keywords
+
+
+def read_whole(atoms: Atoms, radii: Radii | None, keywords: Mapping[str, Any], reading: ReadOptions | None) -> Structure:
+    """What a structure was read from, with all its chains and hetero atoms.
+
+    atoms, radii, keywords, reading     as those that as_structure() made the structure of
+    """
+    of_all: dict[str, Any] = {"hetero": "all", "chains": None, "select": None, "strict_radii": False}
+    if isinstance(atoms, Structure) and atoms._reading is not None:
+        whole = read_as_asked(atoms.file, atoms._reading.replace(**of_all))
+        if whole.sha256 != atoms.sha256:
+            raise UsageError(f"at: {atoms.file} has changed since the structure was read")
+        return whole
+    if not is_source(atoms) or atoms == "-":
+        raise UsageError("at: a selection needs a file that can be read again, for its ligands; give a path, a Structure "
+                         "read from one, or points")
+    return as_structure(atoms, radii, {**keywords, **of_all}, reading)

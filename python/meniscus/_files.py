@@ -54,6 +54,17 @@ def content_of(file: Any) -> bytes:
     return bytes(data)
 
 
+class Kept:
+    """The content of an open file, which can be read more than once."""
+
+    def __init__(self, file: Any) -> None:
+        self.name = name_of(file)
+        self._content = content_of(file)
+
+    def read(self) -> bytes:
+        return self._content
+
+
 def suffix_of(path: str, format: str | None) -> str:
     """The suffix that says how to write: of the format, else of the path."""
     if format is None:

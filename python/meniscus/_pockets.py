@@ -4,13 +4,15 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING, Any
+import numbers
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy.typing as npt
 
 from . import _core, _files, _options
-from ._arrays import Floats, Indices
-from ._atoms import Atoms, Radii, as_structure, is_source
+from ._arrays import ArrayLike, Floats, Indices, as_array, positions
+from ._atoms import Atoms, Radii, as_structure, read_for_pockets, read_whole
 from ._choices import PocketField, PocketFormat, PocketRank
 from ._component import Point
 from ._errors import CheckWarning, UsageError, warn
@@ -19,10 +21,17 @@ from ._meshing import with_keywords, with_run
 from ._nouns import NOT_GIVEN, RunOptions
 from ._reading import Reading, ReadOptions
 from ._structure import Structure
+from ._tunnels import Tunnel
 
 if TYPE_CHECKING:
     import pandas  # type: ignore[import]
     from typing_extensions import Unpack
+
+Place = Union[str, Structure, ArrayLike]
+
+# Å; those of the command line: where a ligand's atoms lie that touch the wall, and as far as a site's own points.
+_REACH_OF_ATOM = 4.0
+_REACH_OF_POINT = 8.0
 
 
 @dataclasses.dataclass(frozen=True)
@@ -45,6 +54,28 @@ class Mouth:
 
 
 @dataclasses.dataclass(frozen=True)
+class LigandFit:
+    """How a ligand sits in a pocket.
+
+    Parameters
+    ----------
+    atoms : int
+        Number of its atoms.
+    inside : int
+        Number of those whose centres lie inside the SES of the large probe.
+    sas_area : float
+        Å², exact, of the ligand alone.
+    buried_area : float
+        Å², the part of it that the molecule's atoms bury.
+    """
+
+    atoms: int
+    inside: int
+    sas_area: float
+    buried_area: float
+
+
+@dataclasses.dataclass(frozen=True)
 class Pocket:
     """A place where a molecule leaves room for a ligand; made by :func:`pockets`.
 
@@ -54,12 +85,19 @@ class Pocket:
     ----------
     rank : int
         Place in the list, from 1.
+    at : str
+        The place that was asked for: "A:HEM 142" of a ligand; empty for pockets that were found.
     score : float
         Amount of space that resembles the places of ligands; no probability. 0 for cavities that do not.
     probability : float
         Largest probability of a point in it to be one of a ligand's, 0 to 1; not calibrated.
     tied_with : list of int
         Ranks of pockets whose scores are within 10 %.
+    site : int
+        At a place: rank that the pocket would have among those found, judged by the first site whose centre is within 4 Å
+        of the place; 0 for none.
+    ligand : LigandFit or None
+        Of the ligand that lies at the place; None where there is none, or where only its centres were given.
     cavity : bool
         Whether it is a closed cavity, whose volume is exact.
     volume : float
@@ -97,9 +135,12 @@ class Pocket:
     """
 
     rank: int
+    at: str
     score: float
     probability: float
     tied_with: list[int]
+    site: int
+    ligand: LigandFit | None
     cavity: bool
     volume: float
     wall_area: float
@@ -123,6 +164,8 @@ def _pocket_of(block: dict[str, Any]) -> Pocket:
     values = {field.name: block[field.name] for field in dataclasses.fields(Pocket)}
     for name in ("mouths", "openings"):
         values[name] = [Mouth(**mouth) for mouth in values[name]]
+    if values["ligand"] is not None:
+        values["ligand"] = LigandFit(**values["ligand"])
     return Pocket(**values)
 
 
@@ -225,6 +268,52 @@ class Pockets:
             self._voxels = self._core.voxels
         return dict(self._voxels)
 
+    def tunnels(self, from_: str | ArrayLike | Sequence[str | ArrayLike] | None = None, radius: float = 0.9,
+                count: int = 3, *, threads: int = 0) -> list[Tunnel]:
+        """The widest ways to the bulk, as ``meniscus pockets --tunnels`` finds them.
+
+        Parameters
+        ----------
+        from_ : str, array_like, shape (3,) or (n, 3), or list of these, optional
+            Where they begin: in the middle of the atoms that a text selects, or at points, Å. By default in every pocket.
+        radius : float, default 0.9
+            Least radius of their bottlenecks, Å.
+        count : int, default 3
+            Number of tunnels from each start.
+        threads : int, default 0
+            0: all cores; results do not depend on it.
+
+        Returns
+        -------
+        list of Tunnel
+            By start, the widest first.
+
+        Raises
+        ------
+        UsageError
+            For invalid starts or options.
+        """
+        ranks: list[int | None]
+        if from_ is None:
+            begin = [pocket for pocket in self.pockets if len(pocket.voxels) or pocket.cavity]
+            starts, ranks = [pocket.deepest for pocket in begin], [pocket.rank for pocket in begin]
+        else:
+            starts = self._starts(from_)
+            ranks = [None] * len(starts)
+        least, most = _options.positive("radius", radius), _options.from_one("count", count)
+        found = _core.tunnels(self._structure._core, positions("from_", starts), least, most,
+                              self.totals["large_probe"], _options.count("threads", threads)) if starts else []
+        return [Tunnel(pocket=ranks[start], rank=rank, **way) for start, rank, way in found]
+
+    def _starts(self, given: Any) -> list[Any]:
+        if isinstance(given, str):
+            middle = self._structure.xyz[self._structure.select(given)].sum(axis=0)
+            return [middle * (1.0 / len(self._structure.select(given)))]
+        if isinstance(given, (list, tuple)) and any(isinstance(item, str) for item in given):
+            return [start for item in given for start in self._starts(item)]
+        array = as_array("from_", given)
+        return list(positions("from_", array.reshape(1, 3) if array.shape == (3,) else array))
+
     def table(self) -> dict[str, list[Any]]:
         """The pockets as a list per column.
 
@@ -315,16 +404,44 @@ class Pockets:
             raise UsageError(f"{path}: unknown suffix; choose one of .csv .json .pdb .cif .dx .mrc .vdb .npz")
 
 
-def _as_the_ranking_was_fitted(atoms: Atoms, radii: Radii | None, reading: ReadOptions | None,
-                               keywords: dict[str, Any]) -> tuple[Radii | None, dict[str, Any]]:
-    """United radii and no hetero atoms, where something is read and the caller does not say otherwise."""
-    if not is_source(atoms):
-        return radii, keywords
-    if radii is None and (reading is None or reading.radii == "auto"):
-        radii = "united"
-    if "hetero" not in keywords and (reading is None or reading.hetero is None):
-        keywords = {**keywords, "hetero": "none"}
-    return radii, keywords
+def _is_point(value: object) -> bool:
+    return isinstance(value, (list, tuple)) and len(value) == 3 and all(isinstance(x, numbers.Real) for x in value)
+
+
+def _places_of(at: Any) -> list[Any]:
+    """What is asked for, one by one. A list holds places, but for three numbers, which are a point."""
+    if not isinstance(at, list) or _is_point(at):
+        return [at]
+    if not at:
+        raise UsageError('at: empty; write for instance "(HEM)", "//A/57" or a point')
+    return at
+
+
+def _place_of(item: Any, reach: float | None) -> _core.Place:
+    if isinstance(item, Structure):
+        return _core.place(item.stem or f"{len(item)} atoms", item.xyz, item.radii, reach or _REACH_OF_ATOM)
+    array = as_array("at", item)
+    if array.shape == (3,):
+        point = positions("at", array.reshape(1, 3))
+        return _core.place(",".join(f"{x:.6g}" for x in point[0]), point, None, reach or _REACH_OF_POINT)
+    centres = positions("at", array)
+    if not len(centres):
+        raise UsageError("at: a ligand without atoms")
+    return _core.place(f"{len(centres)} atoms", centres, None, reach or _REACH_OF_ATOM)
+
+
+def _find_places(at: list[Any], reach: float | None, molecule: Structure,
+                 whole_of_file: Callable[[], Structure]) -> list[_core.Place]:
+    whole: Structure | None = None
+    places: list[_core.Place] = []
+    for item in at:
+        if not isinstance(item, str):
+            places.append(_place_of(item, reach))
+            continue
+        expression = _options.some("at", item)
+        whole = whole or whole_of_file()
+        places += _core.places_of_selection(molecule._core, whole._core, expression, reach or _REACH_OF_ATOM)
+    return places
 
 
 @with_keywords({"threads": 0}, others="keywords")
@@ -333,6 +450,8 @@ def pockets(
     radii: Radii | None = None,
     probe: float = 1.4,
     *,
+    at: Place | Sequence[Place] | None = None,
+    at_reach: float | None = None,
     large_probe: float = 10.0,
     spacing: float = 1.0,
     count: int = 10,
@@ -357,6 +476,13 @@ def pockets(
         "united".
     probe : float, default 1.4
         Radius of the probe that reaches into pockets, Å.
+    at : str, array_like, shape (3,) or (n, 3), Structure, or list of these, optional
+        Where pockets are asked for, instead of those that are found; one for each place, in this order. Text selects
+        ligands, "(HEM)", or residues, "//A/57 + //A/102", among all atoms of the file, so that ``atoms`` must be something
+        that can be read again. Three numbers are a point, Å; an array of shape (n, 3) has the centres of a ligand's
+        atoms; a structure is a ligand with radii. A list holds several places.
+    at_reach : float, optional
+        How far these pockets reach, Å; from atoms 4, from a point 8 unless given.
     large_probe : float, default 10
         Radius of the probe that closes pockets off from the bulk, Å; larger than ``probe``.
     spacing : float, default 1
@@ -393,12 +519,20 @@ def pockets(
     >>> best = meniscus.pockets("1ubq.pdb", count=3).pockets[0]
     >>> best.rank, best.cavity, best.residues[0]
     (1, False, 'A:THR 7')
+    >>> beside = meniscus.pockets("1ubq.pdb", at="//A/44 + //A/70").pockets[0]
+    >>> beside.at, beside.ligand
+    ('//A/44 + //A/70', None)
     """
-    sizes, to_read = _as_the_ranking_was_fitted(atoms, radii, reading, dict(keywords))
+    asked = [] if at is None else _places_of(at)
+    reach = None if at_reach is None else _options.positive("at_reach", at_reach)
+    if _files.is_file(atoms) and any(isinstance(item, str) for item in asked):
+        atoms = _files.Kept(atoms)
+    sizes, to_read = read_for_pockets(atoms, radii, reading, dict(keywords))
     structure = as_structure(atoms, sizes, to_read, reading)
+    places = _find_places(asked, reach, structure, lambda: read_whole(atoms, sizes, to_read, reading))
     options = {"probe": probe, "large_probe": large_probe, "spacing": spacing, "count": count, "rank": rank}
-    core = _core.pockets(structure._core, options, with_run(run, threads=threads).threads)
-    return _checked(Pockets(core, structure, options))
+    core = _core.pockets(structure._core, options, places, with_run(run, threads=threads).threads)
+    return _checked(Pockets(core, structure, {"at": at, "at_reach": reach, **options}))
 
 
 def _checked(found: Pockets) -> Pockets:

@@ -266,12 +266,17 @@ def read_models(
     """
     if "model" in keywords:
         raise TypeError("unexpected keyword argument 'model': every model is read")
-    asked = of_kind("options", options, ReadOptions).replace(**keywords).replace(model=1)._for_core()
-    if _is_in_memory(path, format, name):
+    given = of_kind("options", options, ReadOptions).replace(**keywords).replace(model=1)
+    asked = given._for_core()
+    is_in_memory = _is_in_memory(path, format, name)
+    if is_in_memory:
         cores = _core.read_models_of_bytes(*_content_and_name(path, format, name), asked)
     else:
         cores = _opened(path, lambda text: _core.read_models(text, asked))
     structures = [Structure(core) for core in cores]
+    if not is_in_memory and path != "-":
+        for number, structure in enumerate(structures, 1):
+            structure._reading = given.replace(model=number)
     warn_of(structures)
     return structures
 
@@ -280,10 +285,11 @@ def read_as_asked(source: Source, options: ReadOptions, format: str | None = Non
     """As read() does, with options that are put together."""
     asked = options._for_core()
     if _is_in_memory(source, format, name):
-        core = _core.read_bytes(*_content_and_name(source, format, name), asked)
+        structure = Structure(_core.read_bytes(*_content_and_name(source, format, name), asked))
     else:
-        core = _opened(source, lambda text: _core.read(text, asked))
-    structure = Structure(core)
+        structure = Structure(_opened(source, lambda text: _core.read(text, asked)))
+        if source != "-":
+            structure._reading = options
     warn_of([structure])
     return structure
 

@@ -18,6 +18,7 @@ from ._files import Target
 if TYPE_CHECKING:
     import pandas  # type: ignore[import]
 
+    from ._reading import ReadOptions
     from ._universe import Origin
 
 _NUMBERS = ("xyz", "radii", "resnum", "residue", "serial", "b_factor", "occupancy", "charge")
@@ -46,6 +47,8 @@ class Structure:
         self._origin = origin
         self._universe = universe
         self._residues: dict[str, Any] | None = None
+        # How it was read, where it can be read again: of a file by its path.
+        self._reading: ReadOptions | None = None
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_residues": None}

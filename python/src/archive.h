@@ -181,7 +181,7 @@ private:
 
 /// Of the bytes, whatever the version of Meniscus; it changes with what fields() hand over, and with the
 /// states of the classes of Python.
-inline constexpr std::uint32_t kArchiveLayout = 4;
+inline constexpr std::uint32_t kArchiveLayout = 5;
 
 template <class T>
 std::string archived(const T& value) {

@@ -91,6 +91,15 @@ py::array given_away(std::vector<T>&& values) {
     return array;
 }
 
+/// A member of every row.
+template <class Row, class T>
+py::array column_of(const std::vector<Row>& rows, T Row::*member) {
+    std::vector<T> values;
+    values.reserve(rows.size());
+    for (const Row& row : rows) values.push_back(row.*member);
+    return owning(std::move(values));
+}
+
 /// What meniscus/_arrays.py makes of any array of positions: (n, 3), contiguous, finite.
 using Positions = py::array_t<double, py::array::c_style>;
 using Numbers = py::array_t<double, py::array::c_style>;

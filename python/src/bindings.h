@@ -21,6 +21,7 @@ void bind_exact_surface(pybind11::module_& module);
 void bind_surface(pybind11::module_& module);
 void bind_compare(pybind11::module_& module);
 void bind_pockets(pybind11::module_& module);
+void bind_tunnels(pybind11::module_& module);
 void bind_words(pybind11::module_& module);
 void bind_writers(pybind11::module_& module);
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "meniscus/describe_options.h"
+#include "meniscus/pocket_places.h"
 #include "meniscus/pockets.h"
 #include "meniscus/structure.h"
 #include "meniscus/surface.h"
@@ -221,6 +222,12 @@ template <class Archive>
 void fields(Archive& archive, PocketPlace& s) {
     auto& [points, reach] = s;
     archive(points, reach);
+}
+
+template <class Archive>
+void fields(Archive& archive, NamedPlace& s) {
+    auto& [name, place, ligand] = s;
+    archive(name, place, ligand);
 }
 
 template <class Archive>

@@ -15,6 +15,7 @@ PYBIND11_MODULE(_core, module) {
     meniscus::python::bind_surface(module);
     meniscus::python::bind_compare(module);
     meniscus::python::bind_pockets(module);
+    meniscus::python::bind_tunnels(module);
     meniscus::python::bind_words(module);
     meniscus::python::bind_writers(module);
 }

@@ -5,6 +5,7 @@
 #include <pybind11/stl.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "bindings.h"
 #include "meniscus/describe_pockets.h"
 #include "meniscus/file_words.h"
+#include "meniscus/pocket_places.h"
 #include "meniscus/volume_file.h"
 #include "meniscus/write.h"
 #include "options.h"
@@ -24,43 +26,49 @@ namespace meniscus::python {
 
 namespace {
 
-/// The pockets of one structure, and whether they passed their checks.
+/// The pockets of one structure, at which places if any were given, and whether they passed their checks.
 struct FoundPockets {
     Pockets pockets;
+    std::vector<NamedPlace> places;
     std::vector<Check> checks;
 };
 
 template <class Archive>
 void fields(Archive& archive, FoundPockets& s) {
-    auto& [pockets, checks] = s;
-    archive(pockets, checks);
+    auto& [pockets, places, checks] = s;
+    archive(pockets, places, checks);
 }
 
-std::shared_ptr<FoundPockets> pockets_of(const Structure& structure, const py::dict& given, int threads) {
+/// A place that the caller names; without radii no ligand lies there.
+NamedPlace place_of(const std::string& name, const Positions& points, const std::optional<Numbers>& radii,
+                    double reach) {
+    const std::span<const Vec3> centres = points_of(points);
+    NamedPlace place{name, {{centres.begin(), centres.end()}, reach}, {}};
+    if (!radii) return place;
+    const std::span<const double> sizes = numbers_of(*radii);
+    place.ligand = {place.place.points, {sizes.begin(), sizes.end()}};
+    return place;
+}
+
+std::shared_ptr<FoundPockets> pockets_of(const Structure& structure, const py::dict& given,
+                                         const std::vector<NamedPlace>& places, int threads) {
     PocketOptions options;
     describe(options, OptionReader(given));
+    for (const NamedPlace& place : places) options.places.push_back(place.place);
     const py::gil_scoped_release release;
     const ExactSurface exact(structure.atoms, {SurfaceKind::Ses, options.probe});
     RunOptions run;
     run.threads = threads;
-    FoundPockets found{find_pockets(exact, atom_classes(structure), options, run), {}};
+    FoundPockets found{find_pockets(exact, atom_classes(structure), options, run), places, {}};
     const bool agreed = exact.measures().agreed;
     found.checks = pocket_checks(found.pockets);
     found.checks.insert(found.checks.begin(), {"exact_agreement", agreed, agreed ? 1.0 : 0.0, 1.0});
     return std::make_shared<FoundPockets>(std::move(found));
 }
 
-template <class Row, class T>
-py::array column_of(const std::vector<Row>& rows, T Row::*member) {
-    std::vector<T> values;
-    values.reserve(rows.size());
-    for (const Row& row : rows) values.push_back(row.*member);
-    return owning(std::move(values));
-}
-
 /// As the report has them, with what is too long for it.
 py::list described_pockets(const FoundPockets& found, const Structure& structure) {
-    py::list list = dicts_of(describe_pockets(found.pockets, structure));
+    py::list list = dicts_of(describe_pockets(found.pockets, structure, found.places));
     for (std::size_t i = 0; i < list.size(); ++i) {
         const Pocket& pocket = found.pockets.pockets[i];
         list[i]["deepest"] = object_of(pocket.deepest);
@@ -81,7 +89,7 @@ py::dict voxel_arrays(const FoundPockets& found) {
 }
 
 Table table_of_pockets(const FoundPockets& found, const Structure& structure) {
-    return pockets_table(describe_pockets(found.pockets, structure));
+    return pockets_table(describe_pockets(found.pockets, structure, found.places));
 }
 
 void save_pocket_atoms(const FoundPockets& found, const Structure& structure, const std::string& path) {
@@ -108,6 +116,14 @@ void save_pocket_arrays(const FoundPockets& found, const std::string& path) {
 }  // namespace
 
 void bind_pockets(py::module_& module) {
+    py::class_<NamedPlace>(module, "Place");
+    module.def("place", &place_of, py::arg("name"), py::arg("points"), py::arg("radii"), py::arg("reach"));
+    module.def(
+        "places_of_selection",
+        [](const Structure& molecule, const Structure& whole, const std::string& expression, double reach) {
+            return places_of_selection(molecule, whole, expression, reach);
+        },
+        py::arg("molecule"), py::arg("whole"), py::arg("expression"), py::arg("reach"));
     py::class_<FoundPockets, std::shared_ptr<FoundPockets>> type(module, "Pockets");
     type.def_property_readonly("totals", [](const FoundPockets& found) { return dict_of(found.pockets); });
     type.def_property_readonly("checks", [](const FoundPockets& found) { return dicts_of(found.checks); });
@@ -124,7 +140,7 @@ void bind_pockets(py::module_& module) {
     type.def("save_volume", &save_pocket_volume, py::arg("path"), py::arg("field"));
     type.def("save_arrays", &save_pocket_arrays, py::arg("path"));
     def_pickle<FoundPockets>(type);
-    module.def("pockets", &pockets_of, py::arg("structure"), py::arg("options"), py::arg("threads"));
+    module.def("pockets", &pockets_of, py::arg("structure"), py::arg("options"), py::arg("places"), py::arg("threads"));
 }
 
 }  // namespace meniscus::python

@@ -16,7 +16,7 @@ from support import CENTRES, PROGRAM, RADII, ROOT, UBIQUITIN, InScratchFolder, r
 import meniscus
 
 # What only --at and --model all give.
-OF_PLACES_AND_MODELS = ("at", "site", "ligand", "track")
+OF_PLACES_AND_MODELS = ("ligand", "track")
 ANTIBODY = str(ROOT / "examples" / "1a0q.pdb")
 
 
@@ -87,6 +87,50 @@ class Numbers(InScratchFolder):
     def test_do_not_depend_on_threads(self):
         one, two = found_in(UBIQUITIN, threads=1), found_in(UBIQUITIN, run=meniscus.RunOptions(threads=2))
         self.assertEqual(one.pockets, two.pockets)
+
+
+class Places(InScratchFolder):
+    def report(self, *words):
+        subprocess.run([PROGRAM, "pockets", ANTIBODY, *words, "--report", "r.json", "--quiet"], check=True)
+        return json.loads(pathlib.Path("r.json").read_text(encoding="utf-8"))
+
+    def test_of_a_ligand_are_those_of_the_command_line(self):
+        block = self.report("--at", "(HEP)")["pockets"][0]
+        of_structure = read(ANTIBODY, radii="united", hetero="none")
+        with open(ANTIBODY, "rb") as file:
+            for source in (ANTIBODY, file, of_structure):
+                pocket = found_in(source, at="(HEP)")[0]
+                self.assertEqual(vars(pocket.ligand), block["ligand"])
+                for name in ("at", "site", "volume", "score", "residues"):
+                    self.assertEqual(getattr(pocket, name), block[name], name)
+        ligand = read(ANTIBODY, radii="united", hetero="all", select="(HEP)")
+        by_centres, by_spheres = found_in(ANTIBODY, at=[ligand.xyz, ligand])
+        self.assertEqual((by_centres.volume, by_centres.ligand), (block["volume"], None))
+        self.assertEqual(by_spheres.ligand.inside, block["ligand"]["inside"])
+
+    def test_need_something_that_can_be_read_again(self):
+        with self.assertRaisesRegex(meniscus.UsageError, "at: a selection needs a file"):
+            meniscus.pockets(CENTRES, RADII, at="(HEM)")
+        with self.assertRaisesRegex(meniscus.UsageError, "at: empty"):
+            meniscus.pockets(CENTRES, RADII, at=[])
+
+    def compare(self, way, block):
+        for name in ("bottleneck_radius", "bottleneck_atoms", "certified_radius", "length", "curvature"):
+            self.assertEqual(getattr(way, name), block[name], name)
+        self.assertEqual(way.points.tolist(), [point["position"] for point in block["profile"]])
+        self.assertEqual(way.radii.tolist(), [point["radius"] for point in block["profile"]])
+        self.assertEqual(way.distances.tolist(), [point["distance"] for point in block["profile"]])
+
+    def test_have_the_tunnels_of_the_command_line(self):
+        report = self.report("--tunnels", "--count", "3", "--pore", "z")
+        tunnels = found_in(ANTIBODY, count=3).tunnels()
+        self.assertEqual([(t.pocket, t.rank) for t in tunnels], [(b["pocket"], b["rank"]) for b in report["tunnels"]])
+        for tunnel, block in zip(tunnels, report["tunnels"]):
+            self.compare(tunnel, block)
+        pore = meniscus.pore(read(ANTIBODY, radii="united", hetero="none"), "z")
+        self.assertEqual(pore is None, report["pore"] is None)
+        if pore is not None:
+            self.compare(pore, report["pore"])
 
 
 class Input(InScratchFolder):

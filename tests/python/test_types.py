@@ -74,7 +74,7 @@ meniscus.map(["x.pdb"], command="compare")  # W
 """
 UNPACK = "--enable-incomplete-feature=Unpack"
 # Its classes have a metaclass and an __init__ that takes anything.
-OF_PYBIND11 = r"meniscus\._core\.(ComparedSurface|ExactSurface|Interfaces|Measures|Mesh|Pockets|Structure|Surface)(\.__init__)?" + "\n"
+OF_PYBIND11 = r"meniscus\._core\.(ComparedSurface|ExactSurface|Interfaces|Measures|Mesh|Place|Pockets|Structure|Surface)(\.__init__)?" + "\n"
 
 
 @unittest.skipUnless(importlib.util.find_spec("mypy"), "mypy is not installed")
