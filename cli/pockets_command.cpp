@@ -127,10 +127,10 @@ private:
     }
 
     void compute(const Job& job) override {
-        if (const std::string doubt =
-                doubt_of_ranking(job.structure, request_.read.hetero != HeteroPolicy::None, request_.pockets.spacing);
-            !doubt.empty())
-            note(doubt);
+        const std::string doubt =
+            doubt_of_ranking(job.structure, request_.read.hetero != HeteroPolicy::None, request_.pockets.spacing);
+        if (!doubt.empty() && doubt != said_) note(doubt);
+        said_ = doubt;
         Stopwatch watch;
         RunOptions run = request_.run;
         run.progress = [this](std::string_view stage, double fraction) { show(stage, fraction); };
@@ -302,6 +302,7 @@ private:
     std::vector<DescribedPocket> described_;
     PocketTracks tracks_;
     AtomNumbers numbers_;
+    std::string said_;  // of the ranking, once for all models
     FoundTunnels ways_;
     std::optional<DrawnPockets> drawn_;
     Picture picture_;
