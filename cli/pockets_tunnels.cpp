@@ -38,6 +38,7 @@ std::vector<std::string> parts_of(const std::string& text) {
 
 std::vector<double> numbers_of(const std::string& option, const std::vector<std::string>& parts) {
     std::vector<double> numbers;
+    numbers.reserve(parts.size());
     for (const std::string& part : parts) numbers.push_back(parse_number(option, part, NumberRange::Any));
     return numbers;
 }

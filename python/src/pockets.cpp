@@ -116,7 +116,7 @@ void save_pocket_arrays(const FoundPockets& found, const std::string& path) {
 }  // namespace
 
 void bind_pockets(py::module_& module) {
-    py::class_<NamedPlace>(module, "Place");
+    const py::class_<NamedPlace> place(module, "Place");
     module.def("place", &place_of, py::arg("name"), py::arg("points"), py::arg("radii"), py::arg("reach"));
     module.def(
         "places_of_selection",

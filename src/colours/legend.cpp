@@ -134,6 +134,7 @@ std::vector<LegendEntry> entries_of_pockets(const Mesh& mesh) {
         else
             ranks.insert(rank);
     std::vector<LegendEntry> entries;
+    entries.reserve(ranks.size() + 1);
     for (const float rank : ranks)
         entries.push_back({"pocket " + std::to_string(std::lround(rank)), pocket_colour(rank)});
     if (without) entries.push_back({"no pocket", kNeutral});

@@ -232,6 +232,7 @@ void add_pockets(NpzWriter& npz, const std::vector<Pocket>& pockets) {
     add_member(npz, "pocket_centre", pockets, &Pocket::centre);
     add_member(npz, "pocket_deepest", pockets, &Pocket::deepest);
     std::vector<std::uint32_t> cavity;
+    cavity.reserve(pockets.size());
     for (const Pocket& pocket : pockets) cavity.push_back(pocket.cavity ? 1 : 0);
     npz.add("pocket_cavity", cavity);
 }

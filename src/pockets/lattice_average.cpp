@@ -33,7 +33,7 @@ struct BlockValues {
 
 std::vector<double> weights_of(double sigma, double spacing) {
     const double s = sigma / spacing;
-    const int reach = static_cast<int>(3.0 * s + 0.5);
+    const int reach = static_cast<int>(std::lround(3.0 * s));
     std::vector<double> weights;
     double sum = 0.0;
     for (int k = -reach; k <= reach; ++k) {

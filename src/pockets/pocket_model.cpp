@@ -67,7 +67,7 @@ std::array<std::string_view, kPocketFeatures> pocket_feature_names() {
 
 double probability(const PocketModel& model, const PointFeatures& features) {
     double z = model.intercept;
-    for (std::size_t i = 0; i < kFeatureCount; ++i) {
+    for (std::size_t i = 0; i < FeatureCount; ++i) {
         const ModelTerm& term = model.terms[i];
         z += term.coefficient * (features[i] - term.mean) / term.scale;
     }

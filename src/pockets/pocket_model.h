@@ -20,7 +20,7 @@ struct ModelTerm {
 
 struct PocketModel {
     double intercept = 0.0;
-    std::array<ModelTerm, kFeatureCount> terms{};
+    std::array<ModelTerm, FeatureCount> terms{};
 };
 
 /// The model that tools/fit-pockets has fitted.

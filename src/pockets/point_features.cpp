@@ -19,7 +19,7 @@ namespace {
 constexpr double kFarthest = 10.0;   // Å: of the atoms that count
 constexpr double kClear = 1.0;       // Å between a point and the nearest atom
 constexpr double kMostDepth = 12.0;  // Å that count in averages
-constexpr double kLimit = 5.0;       // Å of kLimitedDepth10
+constexpr double kLimit = 5.0;       // Å of LimitedDepth10
 constexpr std::size_t kPointsPerTask = 256;
 constexpr std::array kProbes{2.0, 3.3, 4.6, 5.5};
 constexpr std::size_t kNarrow = 2;  // of these, whose space is averaged
@@ -133,14 +133,14 @@ void add_neighbours(const Vec3& point, std::span<const Neighbour> near, PointFea
         close.add(atom, away, distance, kClose);
         counts[0] += 1.0;
     }
-    features[kNear6] = counts[0];
-    features[kNear8] = counts[1];
-    features[kNear10] = counts[2];
-    features[kAsymmetry6] = close.asymmetry();
-    features[kAsymmetry10] = far.asymmetry();
+    features[Near6] = counts[0];
+    features[Near8] = counts[1];
+    features[Near10] = counts[2];
+    features[Asymmetry6] = close.asymmetry();
+    features[Asymmetry10] = far.asymmetry();
     for (std::size_t kind = 0; kind < kAtomClasses; ++kind) {
-        features[kClasses6 + kind] = close.share(kind);
-        features[kClasses10 + kind] = far.share(kind);
+        features[Classes6 + kind] = close.share(kind);
+        features[Classes10 + kind] = far.share(kind);
     }
 }
 
@@ -149,12 +149,12 @@ void add_depths(const PocketSpace& space, const Atoms& atoms, RankedPoints& poin
     for (const VoxelId v : points.voxels) positions.push_back(space.position(v));
     for (std::size_t level = 0; level < kProbes.size(); ++level) {
         const std::vector<double> distances = signed_distance(AccessibleSurface(atoms, kProbes[level]), positions);
-        for (std::size_t i = 0; i < distances.size(); ++i) points.features[i][kDepth2 + level] = -distances[i];
+        for (std::size_t i = 0; i < distances.size(); ++i) points.features[i][Depth2 + level] = -distances[i];
     }
     for (std::size_t i = 0; i < points.voxels.size(); ++i) {
         const double depth = -space.outer[points.voxels[i]];
-        points.features[i][kDepth10] = depth;
-        points.features[i][kLimitedDepth10] = std::clamp(depth, 0.0, kLimit);
+        points.features[i][Depth10] = depth;
+        points.features[i][LimitedDepth10] = std::clamp(depth, 0.0, kLimit);
     }
 }
 
@@ -168,17 +168,17 @@ void add_averages(const PocketSpace& space, RankedPoints& points) {
     std::vector<double> depths(space.size());
     for (std::size_t i = 0; i < points.voxels.size(); ++i) {
         wide[points.voxels[i]] = 1.0;
-        if (points.features[i][kDepth2 + kNarrow] > 0.0) narrow[points.voxels[i]] = 1.0;
+        if (points.features[i][Depth2 + kNarrow] > 0.0) narrow[points.voxels[i]] = 1.0;
     }
     for (VoxelId v = 0; v < space.size(); ++v)
         if (space.is_within(v)) depths[v] = std::min(-space.outer[v], kMostDepth);
-    averages(kNarrowShare, narrow, 1.5);
-    averages(kMediumShare, narrow, 3.0);
-    averages(kWideShare, wide, 5.0);
-    averages(kNarrowDepth, depths, 2.0);
-    averages(kWideDepth, depths, 4.0);
+    averages(NarrowShare, narrow, 1.5);
+    averages(MediumShare, narrow, 3.0);
+    averages(WideShare, wide, 5.0);
+    averages(NarrowDepth, depths, 2.0);
+    averages(WideDepth, depths, 4.0);
     for (PointFeatures& features : points.features)
-        features[kMediumShare2] = features[kMediumShare] * features[kMediumShare];
+        features[MediumShare2] = features[MediumShare] * features[MediumShare];
 }
 
 }  // namespace

@@ -16,29 +16,29 @@ namespace meniscus {
 
 /// The features, in the order of the model's table (pocket_model.h). Lengths in Å.
 enum PointFeature : std::uint8_t {
-    kNear6,  ///< number of atoms closer than 6 Å
-    kNear8,
-    kNear10,
-    kAsymmetry6,  ///< how one-sided these atoms are, 0 to 1
-    kAsymmetry10,
-    kDepth2,       ///< below the SES of a probe of 2.0 Å; negative outside
-    kDepth3,       ///< 3.3 Å
-    kDepth4,       ///< 4.6 Å
-    kDepth5,       ///< 5.5 Å
-    kDepth10,      ///< of the large probe
-    kNarrowShare,  ///< average of the space below the SES of 4.6 Å, sigma 1.5 Å
-    kMediumShare,  ///< sigma 3 Å
-    kWideShare,    ///< average of all pocket space, sigma 5 Å
-    kNarrowDepth,  ///< average of depths, sigma 2 Å
-    kWideDepth,    ///< sigma 4 Å
-    kLimitedDepth10,
-    kMediumShare2,  ///< the square of kMediumShare
-    kClasses6,      ///< shares of the atom classes among the atoms closer than 6 Å; kAtomClasses of them
-    kClasses10 = kClasses6 + kAtomClasses,
-    kFeatureCount = kClasses10 + kAtomClasses,
+    Near6,  ///< number of atoms closer than 6 Å
+    Near8,
+    Near10,
+    Asymmetry6,  ///< how one-sided these atoms are, 0 to 1
+    Asymmetry10,
+    Depth2,       ///< below the SES of a probe of 2.0 Å; negative outside
+    Depth3,       ///< 3.3 Å
+    Depth4,       ///< 4.6 Å
+    Depth5,       ///< 5.5 Å
+    Depth10,      ///< of the large probe
+    NarrowShare,  ///< average of the space below the SES of 4.6 Å, sigma 1.5 Å
+    MediumShare,  ///< sigma 3 Å
+    WideShare,    ///< average of all pocket space, sigma 5 Å
+    NarrowDepth,  ///< average of depths, sigma 2 Å
+    WideDepth,    ///< sigma 4 Å
+    LimitedDepth10,
+    MediumShare2,  ///< the square of MediumShare
+    Classes6,      ///< shares of the atom classes among the atoms closer than 6 Å; kAtomClasses of them
+    Classes10 = Classes6 + kAtomClasses,
+    FeatureCount = Classes10 + kAtomClasses,
 };
-static_assert(kFeatureCount == kPocketFeatures);
-using PointFeatures = std::array<double, kFeatureCount>;
+static_assert(FeatureCount == kPocketFeatures);
+using PointFeatures = std::array<double, FeatureCount>;
 
 /// Of some voxels, which the ranking looks at: those in pocket space whose node no atom is closer to than 1 Å.
 struct RankedPoints {

@@ -16,7 +16,8 @@ std::string label_of(const Structure& structure, std::uint32_t atom) {
     return label.name.empty() ? residue : residue + " " + label.name;
 }
 
-void add_rows(Table& table, const char* kind, Cell number, Cell pocket, Cell rank, const TunnelPath& path) {
+void add_rows(Table& table, const char* kind, const Cell& number, const Cell& pocket, const Cell& rank,
+              const TunnelPath& path) {
     for (const PathPoint& p : path.points)
         table.rows.push_back(
             {std::string(kind), number, pocket, rank, p.distance, p.radius, p.position.x, p.position.y, p.position.z});

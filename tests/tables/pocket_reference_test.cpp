@@ -65,7 +65,7 @@ TEST(PocketReference, FeaturesAndProbabilitiesOfPoints) {
         std::size_t i = 0;
         while (i < points.voxels.size() && norm(space.position(points.voxels[i]) - place) > 1e-6) ++i;
         ASSERT_LT(i, points.voxels.size()) << place.x << " " << place.y << " " << place.z;
-        for (std::size_t f = 0; f < kFeatureCount; ++f) {
+        for (std::size_t f = 0; f < FeatureCount; ++f) {
             const std::string name(pocket_model().terms[f].feature);
             const double expected = number(row, name);
             EXPECT_NEAR(points.features[i][f], expected, 1e-3 * std::max(1.0, std::abs(expected))) << name;
