@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "meniscus/describe_tunnels.h"
 #include "meniscus/measures.h"
@@ -16,11 +17,13 @@ std::string label_of(const Structure& structure, std::uint32_t atom) {
     return label.name.empty() ? residue : residue + " " + label.name;
 }
 
-void add_rows(Table& table, const char* kind, const Cell& number, const Cell& pocket, const Cell& rank,
-              const TunnelPath& path) {
-    for (const PathPoint& p : path.points)
-        table.rows.push_back(
-            {std::string(kind), number, pocket, rank, p.distance, p.radius, p.position.x, p.position.y, p.position.z});
+// head: kind, number, pocket, rank
+void add_rows(Table& table, const std::vector<Cell>& head, const TunnelPath& path) {
+    for (const PathPoint& p : path.points) {
+        std::vector<Cell>& row = table.rows.emplace_back(head);
+        for (const double value : {p.distance, p.radius, p.position.x, p.position.y, p.position.z})
+            row.emplace_back(value);
+    }
 }
 
 }  // namespace
@@ -36,10 +39,15 @@ Table profile_table(std::span<const DescribedTunnel> tunnels, const DescribedWay
     Table table{{"kind", "number", "pocket", "rank", "distance", "radius", "x", "y", "z"}, {}};
     std::int64_t number = 0;
     for (const DescribedTunnel& tunnel : tunnels) {
-        const Cell pocket = tunnel.pocket ? Cell(static_cast<std::int64_t>(*tunnel.pocket)) : Cell();
-        add_rows(table, "tunnel", ++number, pocket, static_cast<std::int64_t>(tunnel.rank), tunnel.way.path);
+        std::vector<Cell> head{std::string("tunnel"), ++number};
+        if (tunnel.pocket)
+            head.emplace_back(static_cast<std::int64_t>(*tunnel.pocket));
+        else
+            head.emplace_back();
+        head.emplace_back(static_cast<std::int64_t>(tunnel.rank));
+        add_rows(table, head, tunnel.way.path);
     }
-    if (pore != nullptr) add_rows(table, "pore", std::int64_t{1}, {}, {}, pore->path);
+    if (pore != nullptr) add_rows(table, {std::string("pore"), std::int64_t{1}, Cell(), Cell()}, pore->path);
     return table;
 }
 

@@ -215,9 +215,10 @@ std::vector<Saddle> saddles_of_cubes(const Clearance& clearance, const SaddleSea
                                  [&](std::size_t begin, std::size_t end, std::vector<Saddle>& found) {
                                      CubeSearch cubes(clearance, search.min_radius, found);
                                      for (std::size_t i = begin; i < end; ++i) {
+                                         const std::size_t y = i / nx % ny;
+                                         const std::size_t z = i / (nx * ny);
                                          const Vec3 place{static_cast<double>(i % nx) + 0.5,
-                                                          static_cast<double>(i / nx % ny) + 0.5,
-                                                          static_cast<double>(i / (nx * ny)) + 0.5};
+                                                          static_cast<double>(y) + 0.5, static_cast<double>(z) + 0.5};
                                          cubes.search({search.box.low + search.cube * place, 0.5 * search.cube});
                                      }
                                  });
