@@ -14,7 +14,7 @@ PerInterface = Literal["residue", "atom", "chain"]
 Interpolation = Literal["linear", "cubic"]
 Field = Literal["distance", "mask", "dielectric", "ions"]
 ColorScheme = Literal["auto", "single", "patch", "element", "chain", "residue", "residue-patch", "hydrophobicity",
-                      "curvature", "component", "depth", "bfactor", "plddt"]
+                      "curvature", "component", "depth", "bfactor", "pocket", "plddt"]
 ViewName = Literal["auto", "front", "back", "left", "right", "top", "bottom"]
 Drawn = Literal["ligands", "none"]
 VertexArray = Literal["depth"]
