@@ -91,7 +91,8 @@ def same_pockets(folder):
     program("pockets", INPUT, "--count", "2", "--rank", "volume", "--report", f"{folder}/p.json")
     with open(f"{folder}/p.json", encoding="utf-8") as file:
         compare_reports(report, json.load(file), ("total", "pockets", "checks"))
-    assert lib.meniscus_options_set(options, b"count", b"0") == 2
+    check(lib.meniscus_options_set(options, b"count", b"0"))
+    assert lib.meniscus_pockets_report(exact, options, c.byref(c.c_char_p())) == 2
     lib.meniscus_exact_free(exact)
     lib.meniscus_structure_free(structure)
     lib.meniscus_options_free(options)
