@@ -20,7 +20,6 @@ constexpr double kFarthest = 10.0;   // Å: of the atoms that count
 constexpr double kClear = 1.0;       // Å between a point and the nearest atom
 constexpr double kMostDepth = 12.0;  // Å that count in averages
 constexpr double kLimit = 5.0;       // Å of LimitedDepth10
-constexpr std::size_t kPointsPerTask = 256;
 constexpr std::array kProbes{2.0, 3.3, 4.6, 5.5};
 constexpr std::size_t kNarrow = 2;  // of these, whose space is averaged
 
