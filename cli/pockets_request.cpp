@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "help.h"
 #include "meniscus/describe_pockets.h"
 #include "option_words.h"
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "meniscus/interfaces.h"
+#include "meniscus/tables.h"
 
 namespace meniscus {
 namespace {
