@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "core/parallel.h"
 #include "core/requirements.h"
 #include "meniscus/errors.h"
 #include "meniscus/threads.h"
@@ -128,11 +129,12 @@ std::vector<Tunnel> find_tunnels(const ExactSurface& exact, std::span<const Vec3
     const ClearanceGraph graph(clearance, place, std::move(saddles), starts);
     if (run.progress) run.progress("tunnels", 0.0);
     const ExactSurface bulk = exact.of_same_atoms({SurfaceKind::Ses, options.large_probe});
+    std::vector<std::vector<Tunnel>> of_start(starts.size());
+    parallel_for(starts.size(), 1, [&](std::size_t i) {
+        of_start[i] = TunnelSearch(clearance, graph, bulk, options).find(i, starts[i]);
+    });
     std::vector<Tunnel> tunnels;
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-        std::vector<Tunnel> found = TunnelSearch(clearance, graph, bulk, options).find(i, starts[i]);
-        std::move(found.begin(), found.end(), std::back_inserter(tunnels));
-    }
+    for (std::vector<Tunnel>& found : of_start) std::move(found.begin(), found.end(), std::back_inserter(tunnels));
     if (run.progress) run.progress("tunnels", 1.0);
     return tunnels;
 }
