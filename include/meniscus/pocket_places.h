@@ -25,7 +25,6 @@ struct NamedPlace {
 ///
 /// molecule    whose pockets are looked for
 /// whole       read from the same file with all its hetero atoms; its atoms are where the molecule's are
-/// expression  as select_atoms() has it, or several with " + " between them
 /// reach       PocketPlace::reach
 /// option      what messages call the option that holds the expression
 /// throws      as select_atoms()

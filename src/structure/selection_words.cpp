@@ -42,7 +42,7 @@ constexpr const char* kForms = "write for instance //A,B/10-50, //A/(HEM) or //A
 constexpr const char* kPolymerRemedy =
     "the polymer is kept without any selection; name its chains, as in //A,B, or write ;polymer";
 constexpr const char* kHydrogenRemedy = "leave hydrogens out by the option 'hydrogens': drop";
-constexpr const char* kOneRange = "write one range, as in //A/10-50";
+constexpr const char* kOneRange = "write one range, as in //A/10-50, or //A/10 + //A/20";
 
 constexpr auto kRefused = std::to_array<Refused>({
     {"protein", kPolymerRemedy},
@@ -63,7 +63,7 @@ constexpr auto kRefused = std::to_array<Refused>({
     {"hydro", kHydrogenRemedy},
     {"noh", kHydrogenRemedy},
     {"h.", kHydrogenRemedy},
-    {"or", kForms},
+    {"or", "write + between selections: //A/10-50 + //B"},
     {"|", kForms},
     {"not", "an exclamation mark at the head of a list excludes it, as in //!A or (!HEM)"},
     {"segi", kForms},

@@ -7,7 +7,6 @@
 #include <map>
 #include <numeric>
 #include <set>
-#include <string_view>
 #include <utility>
 
 #include "meniscus/interfaces.h"
@@ -29,22 +28,6 @@ std::set<Centre> centres_of(const Structure& structure) {
     std::set<Centre> centres;
     for (std::size_t i = 0; i < structure.atoms.size(); ++i) centres.insert(centre_of(structure, i));
     return centres;
-}
-
-// Of several expressions with " + " between them, what any of them selects.
-std::vector<bool> selected_by_any(const Structure& structure, const std::string& expressions,
-                                  const std::string& option) {
-    constexpr std::string_view kAnd = " + ";
-    std::vector<bool> selected(structure.atoms.size());
-    std::size_t begin = 0;
-    while (begin <= expressions.size()) {
-        const std::size_t end = std::min(expressions.find(kAnd, begin), expressions.size());
-        const std::vector<bool> more = select_atoms(structure, expressions.substr(begin, end - begin), option);
-        for (std::size_t i = 0; i < more.size(); ++i)
-            if (more[i]) selected[i] = true;
-        begin = end + kAnd.size();
-    }
-    return selected;
 }
 
 bool are_bonded(const Atoms& atoms, const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
@@ -99,7 +82,7 @@ NamedPlace place_of_ligand(const Structure& whole, const std::vector<std::uint32
 
 std::vector<NamedPlace> places_of_selection(const Structure& molecule, const Structure& whole,
                                             const std::string& expression, double reach, const std::string& option) {
-    const std::vector<bool> selected = selected_by_any(whole, expression, option);
+    const std::vector<bool> selected = select_atoms(whole, expression, option);
     const std::set<Centre> own = centres_of(molecule);
     NamedPlace beside{expression, {{}, reach}, {}};
     std::map<std::uint32_t, std::vector<std::uint32_t>> atoms_of;  // of residues that are ligands

@@ -113,6 +113,15 @@ TEST(Selection, ABareNameThatIsNoChainIsAnAtom) {
     EXPECT_EQ(count_selected("CA,N"), 4U);
 }
 
+TEST(Selection, AnyOfSeveralWithAPlusBetweenThem) {
+    EXPECT_EQ(count_selected("//A/1 + B"), 4U);
+    EXPECT_EQ(count_selected("//A/1/CA + CA"), 2U);
+    EXPECT_EQ(count_selected("chain A and resi 2 + HOH"), 3U);
+    EXPECT_EQ(count_selected("resn ALA+GLY"), 5U);
+    for (const char* expression : {"//A/1 + ", " + //A/1", "//A/1 +  + B", "//A/1 + //C", "//A/1 + (ALA"})
+        EXPECT_THROW(count_selected(expression), UsageError) << expression;
+}
+
 TEST(Selection, NonsenseIsAUsageError) {
     for (const char* expression : {"//A/x-y", "(ALA", "CA[", ";z>1", "//A/1/CA/extra"}) {
         EXPECT_THROW(count_selected(expression), UsageError) << expression;

@@ -14,6 +14,8 @@
 #pragma GCC diagnostic pop
 
 #include <algorithm>
+#include <functional>
+#include <string_view>
 #include <utility>
 
 #include "meniscus/errors.h"
@@ -203,8 +205,10 @@ std::string meant(const RawModel& model, const std::string& expression, const st
 
 }  // namespace
 
-std::vector<bool> selected_atoms(const RawModel& model, const std::string& expression, int model_position,
-                                 const std::string& option) {
+namespace {
+
+std::vector<bool> selected_by_one(const RawModel& model, const std::string& expression, int model_position,
+                                  const std::string& option) {
     const gemmi::Selection selection = parse_selection(meant(model, expression, option), option);
     std::vector<bool> selected(model.atoms.size(), false);
     if (selection.mdl != 0 && selection.mdl != model_position) return selected;
@@ -217,12 +221,57 @@ std::vector<bool> selected_atoms(const RawModel& model, const std::string& expre
     return selected;
 }
 
-std::string restated_selection(const RawModel& model, const std::string& expression, const std::string& option) {
+// Empty where it is taken as it stands.
+std::string one_restated(const RawModel& model, const std::string& expression, const std::string& option) {
     std::string understood = meant(model, expression, option);
     const bool is_as_given = understood == expression || understood == "/*/*/*/" + expression;
     if (!is_as_given) return understood;
     const std::string last = end_of_open_range(expression);
     return last.empty() ? "" : "all residues up to " + last;
+}
+
+// The selections that an expression has with " + " between them.
+std::vector<std::string> selections_in(const std::string& expression, const std::string& option) {
+    constexpr std::string_view kAnd = " + ";
+    std::vector<std::string> selections;
+    for (std::size_t begin = 0; begin <= expression.size();) {
+        const std::size_t end = std::min(expression.find(kAnd, begin), expression.size());
+        selections.push_back(expression.substr(begin, end - begin));
+        begin = end + kAnd.size();
+    }
+    if (selections.size() > 1 && std::any_of(selections.begin(), selections.end(), [](const std::string& selection) {
+            return selection.find_first_not_of(' ') == std::string::npos;
+        }))
+        throw UsageError(option + " " + printable(expression, kOfWord) +
+                         ": nothing stands beside a +; write for instance //A/10 + //A/20");
+    return selections;
+}
+
+}  // namespace
+
+std::vector<bool> selected_atoms(const RawModel& model, const std::string& expression, int model_position,
+                                 const std::string& option) {
+    std::vector<bool> selected(model.atoms.size());
+    const std::vector<std::string> selections = selections_in(expression, option);
+    for (const std::string& selection : selections) {
+        const std::vector<bool> more = selected_by_one(model, selection, model_position, option);
+        if (selections.size() > 1 && std::find(more.begin(), more.end(), true) == more.end())
+            throw UsageError(option + " " + printable(expression, kOfWord) + ": " + printable(selection, kOfWord) +
+                             " selects nothing; write for instance //A/10 + //A/20");
+        std::transform(selected.begin(), selected.end(), more.begin(), selected.begin(), std::logical_or<>());
+    }
+    return selected;
+}
+
+std::string restated_selection(const RawModel& model, const std::string& expression, const std::string& option) {
+    std::string all;
+    bool is_as_given = true;
+    for (const std::string& selection : selections_in(expression, option)) {
+        const std::string restated = one_restated(model, selection, option);
+        is_as_given = is_as_given && restated.empty();
+        all.append(all.empty() ? "" : " + ").append(restated.empty() ? selection : restated);
+    }
+    return is_as_given ? "" : all;
 }
 
 std::vector<RawAssembly> assemblies_of(const gemmi::cif::Block& block) {

@@ -17,7 +17,7 @@ namespace meniscus::reading {
 RawModel parse_pdb(CleanPdb clean, const std::string& file);
 
 /// For each atom, whether it is in the selection (gemmi's syntax: /model/chain/10-50/CA[C]:A;q>0.5,
-/// or what restated_selection() puts into it).
+/// or what restated_selection() puts into it), or in any of several with " + " between them.
 ///
 /// model_position  what a model number in the expression is compared with
 /// option          named in messages
