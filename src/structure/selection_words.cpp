@@ -63,7 +63,7 @@ constexpr auto kRefused = std::to_array<Refused>({
     {"hydro", kHydrogenRemedy},
     {"noh", kHydrogenRemedy},
     {"h.", kHydrogenRemedy},
-    {"or", "write + between selections: //A/10-50 + //B"},
+    {"or", "write //A,B for chains, and + between selections: //A/10-50 + //B/(HEM)"},
     {"|", kForms},
     {"not", "an exclamation mark at the head of a list excludes it, as in //!A or (!HEM)"},
     {"segi", kForms},
